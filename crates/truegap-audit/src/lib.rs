@@ -1,0 +1,1 @@
+//! Every assumption of the analytic model measured by finite elements.

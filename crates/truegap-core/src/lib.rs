@@ -1,0 +1,1 @@
+//! Quantities at the edges, sensors, recordings and the simulator contract.

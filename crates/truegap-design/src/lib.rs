@@ -1,0 +1,1 @@
+//! Sensitivity, optimisation and tolerance of sensor designs.

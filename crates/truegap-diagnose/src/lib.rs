@@ -1,0 +1,1 @@
+//! Locate, name and model the physics that a simulation leaves out.

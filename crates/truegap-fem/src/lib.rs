@@ -1,0 +1,1 @@
+//! Axisymmetric and planar finite elements: thermoelasticity and electrostatics.

@@ -1,0 +1,1 @@
+//! The analytic model of a capacitive tactile sensor, one function per equation.

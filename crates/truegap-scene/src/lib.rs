@@ -1,0 +1,1 @@
+//! Surfaces and fields as glTF, VTU and figures.

@@ -1,0 +1,1 @@
+//! Predict, verify and explain a capacitive tactile sensor.

@@ -1,0 +1,101 @@
+//! The physics chain from what is done to a sensor to what is read, and the places where omitted physics plugs in.
+//!
+//! ```text
+//! load ─► load path ─► ┐
+//!                      ├─► beads (strain) ─► geometry ─► dielectric ─► field ─► readout ─► value
+//! temperature ─► thermal path ─► ┘
+//! ```
+//!
+//! Limits: a stage sees whole columns, in time order, and may not look at the recorded response.
+
+use crate::inputs::Inputs;
+
+/// What drives the beads, after the load path and the thermal path.
+#[derive(Clone, Copy, Debug)]
+pub struct Drive<'a> {
+    /// what was recorded
+    pub inputs: &'a Inputs,
+    /// load that arrives at the dielectric, in units of [`Drive::full_load`]; zeros where a base model has none
+    pub load: &'a [f64],
+    /// temperature of the sensor, degrees Celsius; the reference temperature where none was recorded
+    pub temperature_c: &'a [f64],
+    /// temperature at which the sensor is described, degrees Celsius
+    pub reference_c: f64,
+    /// full load in SI (N or Pa); `load` is relative to it
+    pub full_load: f64,
+}
+
+/// Shape of the gap, a column a quantity.
+#[derive(Clone, Debug)]
+pub struct Geometry<'a> {
+    /// compressive strain of the dielectric
+    pub strain: &'a [f64],
+    /// extra mean separation, as a share of the unloaded gap
+    pub gap: Vec<f64>,
+    /// temperature difference that bends the electrode, K
+    pub warp_kelvin: Vec<f64>,
+    /// factor on the curvature of the electrode
+    pub warp_factor: f64,
+    /// slope of the gap across the plate: difference between rim and centre over the mean gap, along one diameter
+    pub tilt: Vec<f64>,
+    /// rim sag that the load adds to the electrode, as a share of the unloaded gap (positive: rim opens, centre closes)
+    pub sag: Vec<f64>,
+}
+
+/// Factors on relative permittivities.
+#[derive(Clone, Debug)]
+pub struct Dielectric {
+    /// solid part of the compressible dielectric (beads, foam)
+    pub beads: Vec<f64>,
+    /// insulator in series and in the shields (polyimide)
+    pub insulator: Vec<f64>,
+}
+
+/// What the field stage may use.
+#[derive(Clone, Copy, Debug)]
+pub struct FieldView<'a> {
+    /// mean separation of the electrodes, as a share of the electrode's radius
+    pub aspect: &'a [f64],
+    /// capacitance (or reading, for plates with a free gain) between the plates, without any field outside of them
+    pub plates: &'a [f64],
+}
+
+/// What the readout stage may use.
+#[derive(Clone, Copy, Debug)]
+pub struct Readout {
+    /// response without load at the reference temperature
+    pub zero: f64,
+    /// response at full load at the reference temperature, less `zero`
+    pub span: f64,
+}
+
+/// Omitted physics with its numbers filled in: each method is the identity unless the physics acts at that stage.
+///
+/// Columns have one entry a row of [`Drive::inputs`].
+#[allow(unused_variables)]
+pub trait Stage: Send + Sync {
+    /// Whether the inputs are shifted against the response's clock: seconds by which the load is late.
+    fn late_s(&self) -> f64 {
+        0.0
+    }
+    /// Load path: turns recorded load into load on the dielectric, in units of `full_load`.
+    fn load(&self, inputs: &Inputs, load: &mut [f64]) {}
+    /// Thermal path: turns the thermometer's reading into the sensor's temperature, degrees Celsius.
+    fn thermal(&self, inputs: &Inputs, temperature_c: &mut [f64]) {}
+    /// Beads: factor on the Young's modulus, before the strain is known.
+    fn modulus(&self, drive: &Drive<'_>, factor: &mut [f64]) {}
+    /// Beads: stress at strain e is multiplied by `1 + a e + b e^2`; returns `[a, b]`.
+    fn stiffening(&self) -> [f64; 2] {
+        [0.0, 0.0]
+    }
+    /// Beads: turns elastic strain into strain with a history.
+    fn strain(&self, drive: &Drive<'_>, strain: &mut [f64]) {}
+    /// Geometry of gap and electrode.
+    fn geometry(&self, drive: &Drive<'_>, geometry: &mut Geometry<'_>) {}
+    /// Permittivities.
+    fn dielectric(&self, drive: &Drive<'_>, factors: &mut Dielectric) {}
+    /// Field outside the plates: adds to `extra`, in the unit of `view.plates`.
+    fn field(&self, drive: &Drive<'_>, view: &FieldView<'_>, extra: &mut [f64]) {}
+    /// Readout: turns the true value into the recorded one, in the response's unit.
+    fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {}
+}

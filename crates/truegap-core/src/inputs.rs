@@ -1,0 +1,79 @@
+//! What was done to a sensor, a column a quantity, in SI (temperature in degrees Celsius, humidity in per cent).
+//!
+//! Limits: rows are in time order inside a run; runs follow one another.
+
+use std::ops::Range;
+
+/// Columns of equal length; a column that was not recorded is absent.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Inputs {
+    /// seconds on one clock through all runs; absent where only the order of rows is known
+    pub time_s: Option<Vec<f64>>,
+    /// run of each row; memory starts afresh where it changes
+    pub run: Vec<u32>,
+    /// applied force, N
+    pub force_n: Option<Vec<f64>>,
+    /// applied pressure, Pa
+    pub pressure_pa: Option<Vec<f64>>,
+    /// plate separation, m
+    pub gap_m: Option<Vec<f64>>,
+    /// thermometer, degrees Celsius
+    pub temperature_c: Option<Vec<f64>>,
+    /// relative humidity, per cent
+    pub humidity_pct: Option<Vec<f64>>,
+    /// somebody else's simulation of the response, in the response's unit
+    pub simulated: Option<Vec<f64>>,
+}
+
+impl Inputs {
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.run.len()
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.run.is_empty()
+    }
+
+    /// Row ranges of the runs, in order.
+    pub fn runs(&self) -> Vec<Range<usize>> {
+        let mut runs = Vec::new();
+        let mut start = 0;
+        for row in 1..=self.run.len() {
+            if row == self.run.len() || self.run[row] != self.run[start] {
+                runs.push(start..row);
+                start = row;
+            }
+        }
+        runs
+    }
+
+    /// Seconds from the row before, 0 at the first row of a run; rows count as seconds where no clock was recorded.
+    pub fn steps_s(&self) -> Vec<f64> {
+        let mut steps = vec![1.0; self.len()];
+        for run in self.runs() {
+            steps[run.start] = 0.0;
+            if let Some(time) = &self.time_s {
+                (run.start + 1..run.end).for_each(|row| steps[row] = time[row] - time[row - 1]);
+            }
+        }
+        steps
+    }
+
+    /// The rows that `keep` names, in that order.
+    #[must_use]
+    pub fn select(&self, keep: &[usize]) -> Self {
+        let pick = |column: &Option<Vec<f64>>| column.as_ref().map(|c| keep.iter().map(|&row| c[row]).collect());
+        Self {
+            time_s: pick(&self.time_s),
+            run: keep.iter().map(|&row| self.run[row]).collect(),
+            force_n: pick(&self.force_n),
+            pressure_pa: pick(&self.pressure_pa),
+            gap_m: pick(&self.gap_m),
+            temperature_c: pick(&self.temperature_c),
+            humidity_pct: pick(&self.humidity_pct),
+            simulated: pick(&self.simulated),
+        }
+    }
+}

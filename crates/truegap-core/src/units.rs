@@ -1,0 +1,268 @@
+//! Text with a unit in, SI out: the only place where units are converted.
+//!
+//! Limits: a closed list of units, those that a data sheet or a test rig of this field writes; temperatures are degrees Celsius inside.
+
+use serde::{Deserialize, Serialize};
+
+/// What a quantity measures; the SI unit of each is what [`parse`] returns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum Dimension {
+    /// m
+    Length,
+    /// N
+    Force,
+    /// Pa
+    Pressure,
+    /// Pa/K
+    PressurePerKelvin,
+    /// degrees Celsius, a point on the scale
+    Temperature,
+    /// K, a difference
+    TemperatureDifference,
+    /// K/m
+    TemperatureGradient,
+    /// 1/K
+    PerKelvin,
+    /// F
+    Capacitance,
+    /// V
+    Voltage,
+    /// s
+    Time,
+    /// per cent of relative humidity
+    Humidity,
+    /// a pure number
+    Ratio,
+}
+
+/// Unit, factor to SI, offset added after scaling.
+type Unit = (&'static str, f64, f64);
+
+impl Dimension {
+    /// The units that text may use, the first one is the SI unit of this dimension.
+    fn units(self) -> &'static [Unit] {
+        match self {
+            Self::Length => &[
+                ("m", 1.0, 0.0),
+                ("cm", 1e-2, 0.0),
+                ("mm", 1e-3, 0.0),
+                ("um", 1e-6, 0.0),
+                ("nm", 1e-9, 0.0),
+                ("mil", 2.54e-5, 0.0),
+                ("in", 2.54e-2, 0.0),
+            ],
+            Self::Force => &[
+                ("N", 1.0, 0.0),
+                ("mN", 1e-3, 0.0),
+                ("kN", 1e3, 0.0),
+                ("gf", 9.80665e-3, 0.0),
+                ("kgf", 9.80665, 0.0),
+                ("lbf", 4.448_221_615_260_5, 0.0),
+            ],
+            Self::Pressure => &[
+                ("Pa", 1.0, 0.0),
+                ("hPa", 1e2, 0.0),
+                ("kPa", 1e3, 0.0),
+                ("MPa", 1e6, 0.0),
+                ("GPa", 1e9, 0.0),
+                ("mbar", 1e2, 0.0),
+                ("bar", 1e5, 0.0),
+                ("psi", 6_894.757_293_168, 0.0),
+                ("mmHg", 133.322_387_415, 0.0),
+            ],
+            Self::PressurePerKelvin => &[("Pa/K", 1.0, 0.0), ("kPa/K", 1e3, 0.0), ("MPa/K", 1e6, 0.0)],
+            Self::Temperature => &[("degC", 1.0, 0.0), ("C", 1.0, 0.0), ("K", 1.0, -273.15), ("degF", 5.0 / 9.0, -160.0 / 9.0)],
+            Self::TemperatureDifference => &[("K", 1.0, 0.0), ("degC", 1.0, 0.0), ("mK", 1e-3, 0.0)],
+            Self::TemperatureGradient => &[("K/m", 1.0, 0.0), ("K/mm", 1e3, 0.0), ("K/um", 1e6, 0.0)],
+            Self::PerKelvin => &[("1/K", 1.0, 0.0), ("ppm/K", 1e-6, 0.0), ("%/K", 1e-2, 0.0), ("ppm", 1e-6, 0.0)],
+            Self::Capacitance => &[
+                ("F", 1.0, 0.0),
+                ("uF", 1e-6, 0.0),
+                ("nF", 1e-9, 0.0),
+                ("pF", 1e-12, 0.0),
+                ("fF", 1e-15, 0.0),
+                ("aF", 1e-18, 0.0),
+            ],
+            Self::Voltage => &[("V", 1.0, 0.0), ("mV", 1e-3, 0.0), ("kV", 1e3, 0.0)],
+            Self::Time => &[
+                ("s", 1.0, 0.0),
+                ("ms", 1e-3, 0.0),
+                ("us", 1e-6, 0.0),
+                ("min", 60.0, 0.0),
+                ("h", 3600.0, 0.0),
+                ("d", 86400.0, 0.0),
+            ],
+            Self::Humidity => &[("%", 1.0, 0.0), ("%RH", 1.0, 0.0), ("pct", 1.0, 0.0)],
+            Self::Ratio => &[("", 1.0, 0.0), ("%", 1e-2, 0.0), ("ppm", 1e-6, 0.0)],
+        }
+    }
+
+    /// Name of the SI unit, as text.
+    pub fn si_unit(self) -> &'static str {
+        self.units()[0].0
+    }
+
+    /// SI value of `value` given in `unit`.
+    ///
+    /// # Errors
+    /// [`UnitError::Unknown`] where this dimension has no such unit.
+    pub fn to_si(self, value: f64, unit: &str) -> Result<f64, UnitError> {
+        let wanted = unit.trim().replace(['µ', 'μ'], "u").replace('°', "deg");
+        let found = self.units().iter().find(|(name, _, _)| *name == wanted);
+        let (_, factor, offset) = found.ok_or_else(|| self.unknown(unit))?;
+        Ok(value * factor + offset)
+    }
+
+    fn unknown(self, unit: &str) -> UnitError {
+        let known = self.units().iter().map(|u| u.0).filter(|u| !u.is_empty()).collect::<Vec<_>>().join(", ");
+        UnitError::Unknown { unit: unit.trim().to_owned(), dimension: self, known }
+    }
+}
+
+/// Why a text is not a quantity.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum UnitError {
+    /// The text does not begin with a finite number.
+    #[error("`{text}` does not begin with a number; write a number and a unit, as in `{example}`")]
+    NotANumber {
+        /// the text
+        text: String,
+        /// what would be right
+        example: String,
+    },
+    /// A number without its unit.
+    #[error("`{text}` has no unit; write one of {known}")]
+    Missing {
+        /// the text
+        text: String,
+        /// units that would do
+        known: String,
+    },
+    /// A unit of another dimension, or none that is known.
+    #[error("`{unit}` is not a unit of {dimension:?}; use one of {known}")]
+    Unknown {
+        /// the unit found
+        unit: String,
+        /// what is measured
+        dimension: Dimension,
+        /// units that would do
+        known: String,
+    },
+}
+
+/// SI value of a text such as `180 um`.
+///
+/// # Errors
+/// [`UnitError`] where the number or the unit is missing or wrong.
+pub fn parse(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
+    let (number, unit) = split(text);
+    let value = number.parse::<f64>().ok().filter(|v| v.is_finite());
+    let example = format!("1 {}", dimension.si_unit());
+    let value = value.ok_or(UnitError::NotANumber { text: text.to_owned(), example })?;
+    if unit.is_empty() && dimension != Dimension::Ratio {
+        let UnitError::Unknown { known, .. } = dimension.unknown("") else { unreachable!("unknown() makes Unknown") };
+        return Err(UnitError::Missing { text: text.to_owned(), known });
+    }
+    dimension.to_si(value, unit)
+}
+
+/// Number and unit of a text; the number ends where neither digits nor an exponent go on.
+fn split(text: &str) -> (&str, &str) {
+    let text = text.trim();
+    let bytes = text.as_bytes();
+    let mut end = 0;
+    while end < bytes.len() {
+        let exponent = end > 0
+            && matches!(bytes[end], b'e' | b'E')
+            && bytes[end - 1].is_ascii_digit()
+            && bytes.get(end + 1).is_some_and(|b| b.is_ascii_digit() || matches!(b, b'+' | b'-'));
+        let sign = matches!(bytes[end], b'+' | b'-') && (end == 0 || matches!(bytes[end - 1], b'e' | b'E'));
+        if !(bytes[end].is_ascii_digit() || bytes[end] == b'.' || exponent || sign) {
+            break;
+        }
+        end += 1;
+    }
+    (&text[..end], text[end..].trim())
+}
+
+/// A value with its standard deviation, both SI; read from `"34 um +- 5 %"` or `"162 um +- 5 um"`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Measure {
+    /// nominal value, SI
+    pub value: f64,
+    /// one standard deviation, SI; 0 where the text gives none
+    pub sd: f64,
+}
+
+impl Measure {
+    /// A value that is known exactly.
+    pub const fn exact(value: f64) -> Self {
+        Self { value, sd: 0.0 }
+    }
+
+    /// Reads `VALUE`, or `VALUE +- SD` with SD in a unit of its own or in per cent of the value.
+    ///
+    /// # Errors
+    /// [`UnitError`] where one of the two is not a quantity.
+    pub fn parse(text: &str, dimension: Dimension) -> Result<Self, UnitError> {
+        let text = text.replace('±', "+-");
+        let Some((value, sd)) = text.split_once("+-") else {
+            return Ok(Self::exact(parse(&text, dimension)?));
+        };
+        let value = parse(value, dimension)?;
+        let sd = match sd.trim().strip_suffix('%') {
+            Some(percent) if dimension != Dimension::Humidity => parse(percent, Dimension::Ratio)? * 0.01 * value.abs(),
+            _ => spread(sd, dimension)?,
+        };
+        Ok(Self { value, sd: sd.abs() })
+    }
+}
+
+/// A spread: as [`parse`], but without the offset of a temperature scale.
+fn spread(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
+    match dimension {
+        Dimension::Temperature => parse(text, Dimension::TemperatureDifference),
+        other => parse(text, other),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_with_a_unit_becomes_si() {
+        let cases = [
+            ("180 um", Dimension::Length, 180e-6),
+            ("1.075MPa", Dimension::Pressure, 1.075e6),
+            ("-7.6 kPa/K", Dimension::PressurePerKelvin, -7600.0),
+            ("300 K", Dimension::Temperature, 26.85),
+            ("50 °C", Dimension::Temperature, 50.0),
+            ("1e-3 m", Dimension::Length, 1e-3),
+            ("3.4", Dimension::Ratio, 3.4),
+            ("25µm", Dimension::Length, 25e-6),
+        ];
+        for (text, dimension, si) in cases {
+            approx::assert_relative_eq!(parse(text, dimension).unwrap(), si, max_relative = 1e-14);
+        }
+    }
+
+    #[test]
+    fn a_spread_may_be_relative_or_in_a_unit() {
+        let relative = Measure::parse("34 um +- 5 %", Dimension::Length).unwrap();
+        let absolute = Measure::parse("34 um ± 1.7 um", Dimension::Length).unwrap();
+        approx::assert_relative_eq!(relative.sd, absolute.sd, max_relative = 1e-14);
+        approx::assert_relative_eq!(relative.sd, 1.7e-6, max_relative = 1e-14);
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        assert!(matches!(parse("180", Dimension::Length), Err(UnitError::Missing { .. })));
+        assert!(matches!(parse("180 N", Dimension::Length), Err(UnitError::Unknown { .. })));
+        assert!(matches!(parse("thick", Dimension::Length), Err(UnitError::NotANumber { .. })));
+        assert!(matches!(parse("inf m", Dimension::Length), Err(UnitError::NotANumber { .. })));
+    }
+}

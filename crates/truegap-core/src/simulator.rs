@@ -49,6 +49,12 @@ pub trait Simulator: Send + Sync {
     fn warps(&self) -> Option<bool> {
         None
     }
+    /// Temperature at which the model is described, degrees Celsius.
+    fn reference_c(&self) -> f64 {
+        20.0
+    }
+    /// Recorded load over [`Simulator::full_load`], before any stage; `None` where load plays no part.
+    fn load(&self, inputs: &Inputs) -> Option<Vec<f64>>;
     /// Response of each row, one pass down the chain with `stages` plugged in.
     ///
     /// # Errors

@@ -1,0 +1,113 @@
+//! Facts of a recording and its simulator that effects scale their priors by.
+//!
+//! Limits: only inputs, never the response's course; the response gives nothing but its span.
+
+use truegap_core::{Inputs, Simulator, simulator::StageName};
+
+/// Facts that priors, starting values and testability rest on.
+pub struct Context<'a> {
+    /// what was done
+    pub inputs: &'a Inputs,
+    /// the base model
+    pub simulator: &'a dyn Simulator,
+    /// response of the base model between least and greatest input, in the response's unit
+    pub response_span: f64,
+    /// white-noise standard deviation of the response
+    pub noise_sd: f64,
+    /// smallest and greatest load, in units of the full load
+    pub load_range: (f64, f64),
+    /// smallest and greatest temperature, degrees Celsius; `None` without a thermometer
+    pub temperature_range: Option<(f64, f64)>,
+    /// smallest and greatest relative humidity, per cent
+    pub humidity_range: Option<(f64, f64)>,
+    /// shortest time step, s; `None` without a clock
+    pub shortest_step_s: Option<f64>,
+    /// longest run, s
+    pub longest_run_s: f64,
+    /// from first to last row, s
+    pub duration_s: f64,
+    /// number of runs
+    pub runs: usize,
+    /// temperature at which the sensor is described, degrees Celsius
+    pub reference_c: f64,
+}
+
+fn range(column: &[f64]) -> (f64, f64) {
+    column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)))
+}
+
+impl<'a> Context<'a> {
+    /// Facts of `inputs` under `simulator`; `response_span` and `noise_sd` in the response's unit.
+    pub fn new(inputs: &'a Inputs, simulator: &'a dyn Simulator, response_span: f64, noise_sd: f64) -> Self {
+        let load = load_column(inputs, simulator);
+        let steps = inputs.steps_s();
+        let clock = inputs.time_s.as_deref();
+        let runs = inputs.runs();
+        let longest = clock.map_or(0.0, |t| runs.iter().map(|r| t[r.end - 1] - t[r.start]).fold(0.0, f64::max));
+        Self {
+            inputs,
+            simulator,
+            response_span,
+            noise_sd,
+            load_range: load.as_deref().map_or((0.0, 0.0), range),
+            temperature_range: inputs.temperature_c.as_deref().map(range),
+            humidity_range: inputs.humidity_pct.as_deref().map(range),
+            shortest_step_s: clock.map(|_| steps.iter().copied().filter(|s| *s > 0.0).fold(f64::INFINITY, f64::min)),
+            longest_run_s: longest,
+            duration_s: clock.map_or(0.0, |t| t.last().copied().unwrap_or(0.0) - t.first().copied().unwrap_or(0.0)),
+            runs: runs.len(),
+            reference_c: simulator.reference_c(),
+        }
+    }
+
+    /// Range of the load over the full load; 0 where load plays no part.
+    pub fn load_span(&self) -> f64 {
+        self.load_range.1 - self.load_range.0
+    }
+
+    /// Range of the temperature, K; 0 without a thermometer.
+    pub fn temperature_span(&self) -> f64 {
+        self.temperature_range.map_or(0.0, |(low, high)| high - low)
+    }
+
+    /// `Ok` where the base model has this stage.
+    ///
+    /// # Errors
+    /// The model's own reason.
+    pub fn has(&self, stage: StageName) -> Result<(), String> {
+        self.simulator.lacks(stage).map_or(Ok(()), |why| Err(why.to_owned()))
+    }
+
+    /// `Ok` where the load moves.
+    ///
+    /// # Errors
+    /// What is missing.
+    pub fn needs_load(&self) -> Result<(), String> {
+        if self.load_span() > 0.05 { Ok(()) } else { Err("the load does not change".into()) }
+    }
+
+    /// `Ok` where the temperature moves by more than `kelvin`.
+    ///
+    /// # Errors
+    /// What is missing.
+    pub fn needs_temperature(&self, kelvin: f64) -> Result<(), String> {
+        match self.temperature_range {
+            None => Err("no temperature column".into()),
+            Some((low, high)) if high - low < kelvin => Err(format!("the temperature changes by {:.2} K only", high - low)),
+            Some(_) => Ok(()),
+        }
+    }
+
+    /// `Ok` where there is a clock.
+    ///
+    /// # Errors
+    /// What is missing.
+    pub fn needs_clock(&self) -> Result<(), String> {
+        self.shortest_step_s.map_or(Err("no time column".into()), |_| Ok(()))
+    }
+}
+
+/// Recorded load over the full load of `simulator`: force, pressure, or closing of the gap.
+pub fn load_column(inputs: &Inputs, simulator: &dyn Simulator) -> Option<Vec<f64>> {
+    simulator.load(inputs)
+}

@@ -10,3 +10,9 @@ pub mod memory;
 pub use context::Context;
 pub use effect::{About, Effect, Family, FittedParameter};
 pub use effects::library;
+
+pub mod diagnosis;
+pub mod evidence;
+pub mod fit;
+pub mod problem;
+pub mod whiten;

@@ -1,0 +1,324 @@
+//! What a diagnosis says: the contents of `diagnosis.json` (`truegap.diagnosis/1`) and the traces that a report draws.
+//!
+//! Limits: plain data; nothing here decides anything.
+
+use serde::Serialize;
+
+/// Identifier of the file format.
+pub const SCHEMA: &str = "truegap.diagnosis/1";
+
+/// The whole answer.
+#[derive(Clone, Debug, Serialize)]
+pub struct Diagnosis {
+    /// always [`SCHEMA`]
+    pub schema: &'static str,
+    /// version of the program that made it
+    pub version: &'static str,
+    /// what was read
+    pub recording: RecordingFacts,
+    /// calibrated base model
+    pub base: BaseFacts,
+    /// noise as estimated, and from what
+    pub noise: NoiseFacts,
+    /// one of the six
+    pub verdict: Verdict,
+    /// the verdict as a sentence with its reasons
+    pub says: String,
+    /// whether calibration had hidden an effect
+    pub concealed: bool,
+    /// parameters pushed away from what is known of them, or different between regimes
+    pub conflicts: Vec<Conflict>,
+    /// where recording and calibrated base model differ
+    pub mismatch: Vec<Mismatch>,
+    /// effects that the tool stands behind
+    pub findings: Vec<Finding>,
+    /// every effect tried alone, likeliest first
+    pub candidates: Vec<Candidate>,
+    /// sets of which the recording cannot tell the members apart
+    pub ambiguity: Vec<Vec<String>>,
+    /// errors before and after
+    pub fit: FitFacts,
+    /// effects that this recording could not have shown
+    pub not_testable: Vec<NotTestable>,
+    /// per effect, the smallest size that would have been seen
+    pub smallest_visible: Vec<SmallestVisible>,
+    /// what to measure next
+    pub next_experiment: NextExperiment,
+    /// rows of the recovery bank, where it was run
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bank: Option<serde_json::Value>,
+    /// doubts about the recording itself (dead channel, clipping, outliers, gaps in time)
+    pub recording_issues: Vec<String>,
+    /// wall-clock time, s
+    pub seconds: f64,
+}
+
+/// What was read.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct RecordingFacts {
+    /// rows used
+    pub rows: usize,
+    /// runs
+    pub runs: usize,
+    /// SHA-256 of the CSV
+    pub sha256: String,
+    /// where it came from
+    pub source: String,
+}
+
+/// The calibrated base model.
+#[derive(Clone, Debug, Serialize)]
+pub struct BaseFacts {
+    /// `stack`, `parallel-plate`, ...
+    pub model: String,
+    /// sensor, for `stack`
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sensor: Option<String>,
+    /// parameters calibrated without any added effect
+    pub parameters: Vec<ParameterFacts>,
+    /// the same parameters with the findings added
+    pub parameters_after: Vec<ParameterFacts>,
+}
+
+/// One parameter after calibration.
+#[derive(Clone, Debug, Serialize)]
+pub struct ParameterFacts {
+    /// name
+    pub name: String,
+    /// unit
+    pub unit: String,
+    /// prior: centre and standard deviation
+    pub prior: [f64; 2],
+    /// most probable value
+    pub value: f64,
+    /// standard deviation
+    pub sd: f64,
+    /// on a bound
+    pub at_limit: bool,
+}
+
+/// The noise model.
+#[derive(Clone, Debug, Serialize)]
+pub struct NoiseFacts {
+    /// where it comes from, for a reader
+    pub says: String,
+    /// white standard deviation, response unit
+    pub white_sd: f64,
+    /// stationary standard deviation of the autoregressive part, response unit
+    pub ar_sd: f64,
+    /// its correlation from row to row
+    pub ar_correlation: f64,
+    /// standard deviation of the recorded load, SI (N or Pa)
+    pub load_sd: f64,
+    /// standard deviation of the recorded temperature, K
+    pub temperature_sd: f64,
+    /// whether the noise could be measured apart from the mismatch
+    pub measured: bool,
+}
+
+/// The six verdicts, and no others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// no mismatch found
+    Agrees,
+    /// missing: the findings
+    Explained,
+    /// missing: one of `ambiguity`
+    Ambiguous,
+    /// the family is clear, the equation is not adequate
+    WrongForm,
+    /// something real that nothing in the library explains
+    Unexplained,
+    /// mismatch present, cause not decided
+    Undecided,
+}
+
+/// Calibration against what is known beforehand.
+#[derive(Clone, Debug, Serialize)]
+pub struct Conflict {
+    /// sentence
+    pub says: String,
+    /// parameter
+    pub parameter: String,
+    /// standard deviations off
+    pub z: f64,
+}
+
+/// A place where recording and calibrated base model differ.
+#[derive(Clone, Debug, Serialize)]
+pub struct Mismatch {
+    /// sentence with units
+    pub says: String,
+    /// column that orders it
+    pub driver: String,
+    /// interval of that column where most of it lies
+    pub interval: [f64; 2],
+    /// runs concerned, by their number in the recording
+    pub runs: Vec<u32>,
+    /// share of the mismatch along this direction
+    pub share: f64,
+    /// family-wise p-value
+    pub p_value: f64,
+}
+
+/// An effect that the tool stands behind.
+#[derive(Clone, Debug, Serialize)]
+pub struct Finding {
+    /// stable id
+    pub effect: String,
+    /// probability that it belongs to the model
+    pub probability: f64,
+    /// sentence with numbers
+    pub says: String,
+    /// sqrt of what calibration cannot absorb, in noise units
+    pub detectability: f64,
+    /// fitted parameters
+    pub parameters: Vec<ParameterFacts>,
+    /// error on runs left out, before and after this effect is added
+    pub held_out: BeforeAfterUnit,
+    /// effects that this recording cannot quite exclude in its place
+    pub rivals: Vec<String>,
+}
+
+/// Root-mean-square errors with their unit.
+#[derive(Clone, Debug, Serialize)]
+pub struct BeforeAfterUnit {
+    /// calibrated base model
+    pub rmse_before: f64,
+    /// with the effect
+    pub rmse_after: f64,
+    /// unit
+    pub unit: String,
+}
+
+/// One effect tried alone.
+#[derive(Clone, Debug, Serialize)]
+pub struct Candidate {
+    /// id
+    pub effect: String,
+    /// posterior probability of belonging to the model
+    pub probability: f64,
+    /// gain in log evidence over the base model
+    pub score: f64,
+}
+
+/// Errors before and after.
+#[derive(Clone, Debug, Serialize)]
+pub struct FitFacts {
+    /// all rows fitted
+    pub in_sample: BeforeAfter,
+    /// rows left out
+    pub held_out: HeldOut,
+    /// noise of one row, response unit
+    pub noise_floor: f64,
+    /// response unit
+    pub unit: String,
+}
+
+/// Root-mean-square errors.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct BeforeAfter {
+    /// calibrated base model
+    pub rmse_before: f64,
+    /// with the findings
+    pub rmse_after: f64,
+}
+
+/// Errors on rows that the fit did not see.
+#[derive(Clone, Debug, Serialize)]
+pub struct HeldOut {
+    /// how rows were left out
+    pub how: String,
+    /// calibrated base model
+    pub rmse_before: f64,
+    /// with the findings
+    pub rmse_after: f64,
+    /// share of the reproducible misfit that the findings remove; absent where there is none to remove
+    pub misfit_removed: Option<f64>,
+    /// the same share for an added term of equal freedom driven by a shuffled history
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shuffled_control: Option<f64>,
+    /// per part left out: name, before, after
+    pub parts: Vec<(String, f64, f64)>,
+}
+
+/// An effect that this recording could not have shown.
+#[derive(Clone, Debug, Serialize)]
+pub struct NotTestable {
+    /// id
+    pub effect: String,
+    /// why
+    pub says: String,
+}
+
+/// How small an effect may be and still be seen.
+#[derive(Clone, Debug, Serialize)]
+pub struct SmallestVisible {
+    /// id
+    pub effect: String,
+    /// name of its size parameter
+    pub parameter: String,
+    /// unit of the size
+    pub unit: String,
+    /// size at detectability 5
+    pub size: f64,
+}
+
+/// What to measure next.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct NextExperiment {
+    /// sentence
+    pub says: String,
+    /// survivors that it tells apart
+    pub separates: Vec<String>,
+    /// ranked options
+    pub options: Vec<ExperimentOption>,
+}
+
+/// One run or instrument change.
+#[derive(Clone, Debug, Serialize)]
+pub struct ExperimentOption {
+    /// what to do
+    pub says: String,
+    /// standard deviations between the survivors after it
+    pub separation: f64,
+    /// hours that it takes
+    pub hours: f64,
+    /// built-in profile that `truegap simulate --profile` plays, where there is one
+    pub profile: Option<String>,
+}
+
+/// Columns that a report draws, one entry a row of the recording.
+#[derive(Clone, Debug, Default)]
+pub struct Traces {
+    /// calibrated base model
+    pub before: Vec<f64>,
+    /// with the findings
+    pub after: Vec<f64>,
+    /// standard deviation of one row's noise, input errors included
+    pub noise_sd: Vec<f64>,
+    /// free-run prediction of rows left out, base model
+    pub held_out_before: Vec<f64>,
+    /// free-run prediction of rows left out, with the findings
+    pub held_out_after: Vec<f64>,
+    /// map of the mean whitened residual before: rows of cells
+    pub map_before: Option<Map>,
+    /// the same with the findings
+    pub map_after: Option<Map>,
+}
+
+/// Mean residual over noise in cells of load and temperature (or time, where one of them does not change).
+#[derive(Clone, Debug)]
+pub struct Map {
+    /// label of the horizontal axis with unit
+    pub x_label: String,
+    /// label of the vertical axis with unit
+    pub y_label: String,
+    /// cell edges
+    pub x_edges: Vec<f64>,
+    /// cell edges
+    pub y_edges: Vec<f64>,
+    /// `values[y][x]`, mean residual times sqrt(rows) over noise; NaN where no row fell
+    pub values: Vec<Vec<f64>>,
+}

@@ -1,0 +1,306 @@
+//! Whitened maximum a posteriori fits in units of the prior's standard deviations, with Laplace evidence.
+//!
+//! Limits: one mode; the caller gives the starting point.
+
+use crate::{effect::Effect, evidence, problem::Problem, whiten::Whitener};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use truegap_core::{Parameter, SimulationError, Stage};
+
+/// A base model with effects plugged in, as a function of prior-whitened coordinates z.
+pub struct Model<'a> {
+    /// recording and simulator
+    pub problem: &'a Problem<'a>,
+    /// effects, each with the number of its parameters
+    pub effects: Vec<&'a dyn Effect>,
+    /// base parameters, then those of each effect
+    pub parameters: Vec<Parameter>,
+    /// facts for the effects
+    pub context: &'a crate::context::Context<'a>,
+    counts: Vec<usize>,
+    base: usize,
+}
+
+impl<'a> Model<'a> {
+    /// The base model with these effects.
+    pub fn new(problem: &'a Problem<'a>, context: &'a crate::context::Context<'a>, effects: Vec<&'a dyn Effect>) -> Self {
+        let mut parameters = problem.simulator.parameters().to_vec();
+        let base = parameters.len();
+        let mut counts = Vec::new();
+        for effect in &effects {
+            let own = effect.parameters(context);
+            counts.push(own.len());
+            parameters.extend(own);
+        }
+        Self { problem, effects, parameters, context, counts, base }
+    }
+
+    /// Number of base parameters.
+    pub fn base_count(&self) -> usize {
+        self.base
+    }
+
+    /// Index of the first parameter of effect `index`.
+    pub fn first_of(&self, index: usize) -> usize {
+        self.base + self.counts[..index].iter().sum::<usize>()
+    }
+
+    /// Parameter range of effect `index`.
+    pub fn range_of(&self, index: usize) -> std::ops::Range<usize> {
+        let first = self.first_of(index);
+        first..first + self.counts[index]
+    }
+
+    /// Values in the parameters' units.
+    pub fn values(&self, z: &[f64]) -> Vec<f64> {
+        self.parameters.iter().zip(z).map(|(p, z)| p.prior.at(*z)).collect()
+    }
+
+    /// Bounds in z.
+    pub fn bounds(&self) -> Vec<(f64, f64)> {
+        let to_z = |p: &Parameter, v: f64| if v.is_finite() { p.prior.z(v) } else { v };
+        self.parameters.iter().map(|p| (to_z(p, p.bounds.0), to_z(p, p.bounds.1))).collect()
+    }
+
+    /// The stages at `z`.
+    pub fn stages(&self, z: &[f64]) -> Vec<Box<dyn Stage>> {
+        let values = self.values(z);
+        self.effects.iter().enumerate().map(|(i, e)| e.with(&values[self.range_of(i)], self.context)).collect()
+    }
+
+    /// Response of every row.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn respond(&self, z: &[f64]) -> Result<Vec<f64>, SimulationError> {
+        let stages = self.stages(z);
+        let borrowed: Vec<&dyn Stage> = stages.iter().map(AsRef::as_ref).collect();
+        let values = self.values(&z[..self.base]);
+        self.problem.simulator.respond(&values[..self.base], self.problem.inputs, &borrowed)
+    }
+
+    /// Whitened residual, recorded less simulated.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn residual(&self, z: &[f64], whitener: &Whitener) -> Result<Vec<f64>, SimulationError> {
+        let mut r = self.respond(z)?;
+        r.iter_mut().zip(self.problem.response).for_each(|(r, y)| *r = y - *r);
+        whitener.apply(&mut r);
+        Ok(r)
+    }
+
+    /// Whitened change of the response per unit of z, for the columns asked, as an n x p matrix.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn jacobian(&self, z: &[f64], at: &[f64], whitener: &Whitener) -> Result<DMatrix<f64>, SimulationError> {
+        let bounds = self.bounds();
+        let mut jacobian = DMatrix::zeros(at.len(), z.len());
+        for index in 0..z.len() {
+            let column = self.derivative(z, index, at, bounds[index], whitener)?;
+            jacobian.column_mut(index).copy_from_slice(&column);
+        }
+        Ok(jacobian)
+    }
+
+    /// One column of [`Model::jacobian`]; `at` is the whitened residual at `z`.
+    fn derivative(
+        &self,
+        z: &[f64],
+        index: usize,
+        at: &[f64],
+        bound: (f64, f64),
+        whitener: &Whitener,
+    ) -> Result<Vec<f64>, SimulationError> {
+        let mut moved = z.to_vec();
+        let room = bound.1 - z[index];
+        let mut step = if room > STEP { STEP } else { -STEP };
+        moved[index] = z[index] + step;
+        let there = self.residual(&moved, whitener).or_else(|_| {
+            step = -step;
+            moved[index] = (z[index] + step).max(bound.0);
+            self.residual(&moved, whitener)
+        })?;
+        let scale = (moved[index] - z[index]).recip();
+        Ok(there.iter().zip(at).map(|(a, b)| (b - a) * scale).collect())
+    }
+}
+
+/// Step of the difference quotients, in prior standard deviations.
+const STEP: f64 = 1e-3;
+
+/// A fit at its optimum.
+#[derive(Clone)]
+pub struct Fit {
+    /// most probable point, prior-whitened
+    pub z: Vec<f64>,
+    /// standard deviations, prior-whitened
+    pub sd: Vec<f64>,
+    /// sum of squares of the whitened residual
+    pub chi2: f64,
+    /// whitened residual
+    pub residual: Vec<f64>,
+    /// whitened Jacobian at the optimum
+    pub jacobian: DMatrix<f64>,
+    /// J^T J + 1
+    pub hessian: DMatrix<f64>,
+    /// which parameters lie on a bound
+    pub at_limit: Vec<bool>,
+    /// log evidence, up to a constant common to all models of one noise model
+    pub log_evidence: f64,
+    /// steps taken
+    pub iterations: usize,
+    /// whether the last step was small
+    pub converged: bool,
+}
+
+impl Fit {
+    /// Objective: half of chi2 + |z|^2.
+    pub fn objective(&self) -> f64 {
+        0.5 * (self.chi2 + self.z.iter().map(|z| z * z).sum::<f64>())
+    }
+
+    /// Cholesky factor of the Hessian.
+    pub fn factor(&self) -> Option<Cholesky<f64, Dyn>> {
+        Cholesky::new(self.hessian.clone())
+    }
+
+    /// Posterior covariance in z.
+    pub fn covariance(&self) -> Option<DMatrix<f64>> {
+        self.factor().map(|f| f.inverse())
+    }
+}
+
+/// Numerical settings of a fit.
+#[derive(Clone, Copy, Debug)]
+pub struct FitOptions {
+    /// most steps
+    pub iterations: usize,
+    /// a step that promises to lower the objective by less than this ends the search
+    pub tolerance: f64,
+}
+
+impl Default for FitOptions {
+    fn default() -> Self {
+        Self { iterations: 25, tolerance: 1e-3 }
+    }
+}
+
+/// Levenberg-Marquardt search inside the bounds, from `start`.
+///
+/// # Errors
+/// Those of the simulator at the starting point; later steps that have no answer are shortened.
+pub fn fit(model: &Model<'_>, whitener: &Whitener, start: &[f64], options: &FitOptions) -> Result<Fit, SimulationError> {
+    let bounds = model.bounds();
+    let mut z: Vec<f64> = start.iter().zip(&bounds).map(|(z, b)| z.clamp(b.0, b.1)).collect();
+    let mut residual = model.residual(&z, whitener)?;
+    let mut damping = 1e-6;
+    let (mut iterations, mut converged) = (0, false);
+    let mut jacobian = model.jacobian(&z, &residual, whitener)?;
+    while iterations < options.iterations && !converged {
+        iterations += 1;
+        let step = best_step(model, whitener, &bounds, &z, &residual, &jacobian, &mut damping);
+        let Some((next, next_residual, gain)) = step else {
+            converged = true;
+            break;
+        };
+        z = next;
+        residual = next_residual;
+        jacobian = model.jacobian(&z, &residual, whitener)?;
+        converged = gain < options.tolerance;
+    }
+    Ok(finish(z, residual, jacobian, &bounds, iterations, converged))
+}
+
+/// The first damped step that lowers the objective: point, residual there, gain.
+fn best_step(
+    model: &Model<'_>,
+    whitener: &Whitener,
+    bounds: &[(f64, f64)],
+    z: &[f64],
+    residual: &[f64],
+    jacobian: &DMatrix<f64>,
+    damping: &mut f64,
+) -> Option<(Vec<f64>, Vec<f64>, f64)> {
+    let gram = jacobian.tr_mul(jacobian);
+    let gradient = jacobian.tr_mul(&DVector::from_column_slice(residual)) - DVector::from_column_slice(z);
+    let here = objective(residual, z);
+    for _ in 0..12 {
+        let next = bounded_step(&gram, &gradient, z, bounds, *damping)?;
+        if let Ok(there) = model.residual(&next, whitener) {
+            let gain = here - objective(&there, &next);
+            if gain > 0.0 && gain.is_finite() {
+                *damping = (*damping * 0.2).max(1e-9);
+                return Some((next, there, gain));
+            }
+        }
+        *damping = (*damping * 8.0).max(1e-4);
+    }
+    None
+}
+
+fn objective(residual: &[f64], z: &[f64]) -> f64 {
+    0.5 * (residual.iter().map(|r| r * r).sum::<f64>() + z.iter().map(|z| z * z).sum::<f64>())
+}
+
+/// Damped Gauss-Newton step; coordinates that would leave their range stop at it and the others are solved again.
+fn bounded_step(
+    gram: &DMatrix<f64>,
+    gradient: &DVector<f64>,
+    z: &[f64],
+    bounds: &[(f64, f64)],
+    damping: f64,
+) -> Option<Vec<f64>> {
+    let n = z.len();
+    let mut fixed: Vec<Option<f64>> = vec![None; n];
+    for _ in 0..=n {
+        let mut hessian = gram.clone();
+        let mut rhs = gradient.clone();
+        for i in 0..n {
+            hessian[(i, i)] += 1.0 + damping * (gram[(i, i)] + 1.0);
+        }
+        for i in 0..n {
+            if let Some(step) = fixed[i] {
+                (0..n).filter(|j| *j != i).for_each(|j| rhs[j] -= hessian[(j, i)] * step);
+                for j in 0..n {
+                    hessian[(i, j)] = 0.0;
+                    hessian[(j, i)] = 0.0;
+                }
+                hessian[(i, i)] = 1.0;
+                rhs[i] = step;
+            }
+        }
+        let step = Cholesky::new(hessian)?.solve(&rhs);
+        let mut blocked = false;
+        for i in 0..n {
+            let target = z[i] + step[i];
+            if fixed[i].is_none() && (target < bounds[i].0 || target > bounds[i].1) {
+                fixed[i] = Some(target.clamp(bounds[i].0, bounds[i].1) - z[i]);
+                blocked = true;
+            }
+        }
+        if !blocked {
+            return Some((0..n).map(|i| (z[i] + step[i]).clamp(bounds[i].0, bounds[i].1)).collect());
+        }
+    }
+    None
+}
+
+fn finish(
+    z: Vec<f64>,
+    residual: Vec<f64>,
+    jacobian: DMatrix<f64>,
+    bounds: &[(f64, f64)],
+    iterations: usize,
+    converged: bool,
+) -> Fit {
+    let hessian = jacobian.tr_mul(&jacobian) + DMatrix::identity(z.len(), z.len());
+    let chi2 = residual.iter().map(|r| r * r).sum();
+    let gradient = DVector::from_column_slice(&z) - jacobian.tr_mul(&DVector::from_column_slice(&residual));
+    let at_limit: Vec<bool> = z.iter().zip(bounds).map(|(z, b)| (z - b.0).abs() < 1e-9 || (b.1 - z).abs() < 1e-9).collect();
+    let log_evidence = evidence::laplace(chi2, &z, &hessian, gradient.as_slice(), bounds);
+    let sd = Cholesky::new(hessian.clone())
+        .map(|f| f.inverse().diagonal().iter().map(|v| v.sqrt()).collect())
+        .unwrap_or_else(|| vec![f64::NAN; z.len()]);
+    Fit { z, sd, chi2, residual, jacobian, hessian, at_limit, log_evidence, iterations, converged }
+}

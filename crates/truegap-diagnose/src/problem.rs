@@ -1,0 +1,117 @@
+//! A recording set against a simulator: what all later steps share.
+//!
+//! Limits: immutable; the same rows throughout (rows are left out by weight, so that memory sees the whole history).
+
+use crate::{
+    context::Context,
+    whiten::{Noise, Whitener},
+};
+use std::ops::Range;
+use truegap_core::{Inputs, SimulationError, Simulator, Stage};
+
+/// What was done, what was read, and what should have been read.
+pub struct Problem<'a> {
+    /// inputs, SI
+    pub inputs: &'a Inputs,
+    /// recorded values, in the simulator's unit
+    pub response: &'a [f64],
+    /// the base model
+    pub simulator: &'a dyn Simulator,
+}
+
+/// Standard deviations of the recorded inputs.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct InputNoise {
+    /// load, in units of the full load
+    pub load: f64,
+    /// temperature, K
+    pub temperature: f64,
+}
+
+impl Problem<'_> {
+    /// Runs, as row ranges.
+    pub fn runs(&self) -> Vec<Range<usize>> {
+        self.inputs.runs()
+    }
+
+    /// Variance that noise of the inputs adds to each row, at parameter values `base`.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn input_variance(&self, base: &[f64], noise: &InputNoise) -> Result<Vec<f64>, SimulationError> {
+        let mut variance = vec![0.0; self.inputs.len()];
+        let here = self.simulator.respond(base, self.inputs, &[])?;
+        let mut add = |there: Vec<f64>, ratio: f64| {
+            variance.iter_mut().zip(there.iter().zip(&here)).for_each(|(v, (a, b))| *v += ((a - b) * ratio).powi(2));
+        };
+        if noise.load > 0.0 && self.simulator.full_load().is_some() {
+            let step = 1e-3;
+            add(self.simulator.respond(base, self.inputs, &[&Nudge { load: step, kelvin: 0.0 }])?, noise.load / step);
+        }
+        if noise.temperature > 0.0 && self.inputs.temperature_c.is_some() {
+            let step = 0.1;
+            add(self.simulator.respond(base, self.inputs, &[&Nudge { load: 0.0, kelvin: step }])?, noise.temperature / step);
+        }
+        Ok(variance)
+    }
+
+    /// Facts that effects scale their priors by.
+    pub fn context(&self, span: f64, noise_sd: f64) -> Context<'_> {
+        Context::new(self.inputs, self.simulator, span, noise_sd)
+    }
+}
+
+/// Adds a constant to an input; for derivatives.
+struct Nudge {
+    load: f64,
+    kelvin: f64,
+}
+
+impl Stage for Nudge {
+    fn load(&self, _: &Inputs, load: &mut [f64]) {
+        if self.load != 0.0 {
+            load.iter_mut().for_each(|l| *l += self.load);
+        }
+    }
+    fn thermal(&self, _: &Inputs, temperature_c: &mut [f64]) {
+        if self.kelvin != 0.0 {
+            temperature_c.iter_mut().for_each(|t| *t += self.kelvin);
+        }
+    }
+}
+
+/// The noise of a problem: of the response, and of the inputs carried through the model.
+#[derive(Clone, Debug)]
+pub struct NoiseModel {
+    /// of the response
+    pub response: Noise,
+    /// of the inputs
+    pub inputs: InputNoise,
+    /// variance from the inputs, row by row
+    pub extra_variance: Vec<f64>,
+    /// measured apart from the mismatch
+    pub measured: bool,
+    /// rows that it rests on
+    pub rows: usize,
+    /// where it comes from, for a reader
+    pub says: String,
+}
+
+impl NoiseModel {
+    /// Filter with the rows that `keep` names.
+    pub fn whitener(&self, runs: &[Range<usize>], keep: Option<&[bool]>) -> Whitener {
+        Whitener::new(&self.response, &self.extra_variance, runs, keep)
+    }
+
+    /// Standard deviation of one row.
+    pub fn row_sd(&self, row: usize) -> f64 {
+        (self.response.white_sd.powi(2) + self.response.ar_sd.powi(2) + self.extra_variance[row]).sqrt()
+    }
+
+    /// Root mean square of one row's noise over all rows.
+    pub fn floor(&self) -> f64 {
+        let n = self.extra_variance.len().max(1) as f64;
+        let inputs = self.extra_variance.iter().sum::<f64>() / n;
+        (self.response.white_sd.powi(2) + self.response.ar_sd.powi(2) + inputs).sqrt()
+    }
+}

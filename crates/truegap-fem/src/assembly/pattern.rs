@@ -1,0 +1,196 @@
+//! The sparsity pattern of the free unknowns, and the place of every element entry in it.
+
+use crate::mesh::NONE;
+use crate::space::{ElementDofs, Numbering};
+use nalgebra_sparse::{CscMatrix, pattern::SparsityPattern};
+use rayon::prelude::*;
+
+/// Elements whose matrices are computed before any is added: keeps the buffers in the cache and the threads busy.
+const BATCH: usize = 8192;
+
+/// Lower triangle of a symmetric system over the free unknowns, and where each element entry goes.
+#[derive(Debug, Clone)]
+pub struct Pattern {
+    csc: SparsityPattern,
+    /// For every element, the positions of its lower entries (row >= column, column by column); `NONE` if fixed.
+    places: Vec<u32>,
+    offsets: Vec<usize>,
+    sizes: Vec<u8>,
+}
+
+impl Pattern {
+    /// Finds the pattern of the free unknowns of all elements.
+    pub fn new(dofs: &ElementDofs, numbering: &Numbering) -> Pattern {
+        let n = numbering.free.len();
+        let (starts, columns) = touching(dofs, numbering, n);
+        let lanes: Vec<Vec<usize>> = (0..n)
+            .into_par_iter()
+            .map(|column| {
+                lane(
+                    dofs,
+                    numbering,
+                    &columns[starts[column]..starts[column + 1]],
+                    column as u32,
+                )
+            })
+            .collect();
+        let mut offsets = Vec::with_capacity(n + 1);
+        offsets.push(0);
+        let mut rows = Vec::with_capacity(lanes.iter().map(Vec::len).sum());
+        for lane in &lanes {
+            rows.extend_from_slice(lane);
+            offsets.push(rows.len());
+        }
+        Pattern::locate(dofs, numbering, offsets, rows, n)
+    }
+
+    fn locate(
+        dofs: &ElementDofs,
+        numbering: &Numbering,
+        csc_offsets: Vec<usize>,
+        csc_rows: Vec<usize>,
+        n: usize,
+    ) -> Pattern {
+        let elements = dofs.elements();
+        let sizes: Vec<u8> = (0..elements).map(|e| dofs.of(e).len() as u8).collect();
+        let mut offsets = vec![0usize; elements + 1];
+        for e in 0..elements {
+            let m = sizes[e] as usize;
+            offsets[e + 1] = offsets[e] + m * (m + 1) / 2;
+        }
+        let mut places = vec![NONE; offsets[elements]];
+        let mut slices: Vec<&mut [u32]> = Vec::with_capacity(elements);
+        let mut rest = places.as_mut_slice();
+        for e in 0..elements {
+            let (head, tail) = rest.split_at_mut(offsets[e + 1] - offsets[e]);
+            slices.push(head);
+            rest = tail;
+        }
+        slices.par_iter_mut().enumerate().for_each(|(e, slots)| {
+            let dofs = dofs.of(e);
+            let mut k = 0;
+            for (j, &b) in dofs.iter().enumerate() {
+                for &a in &dofs[j..] {
+                    let (p, q) = (numbering.rows[a as usize], numbering.rows[b as usize]);
+                    if p != NONE && q != NONE {
+                        let (row, column) = (p.max(q) as usize, p.min(q) as usize);
+                        let lane = &csc_rows[csc_offsets[column]..csc_offsets[column + 1]];
+                        slots[k] =
+                            (csc_offsets[column] + lane.partition_point(|&r| r < row)) as u32;
+                    }
+                    k += 1;
+                }
+            }
+        });
+        // The lanes are sorted and free of duplicates by construction.
+        let csc = SparsityPattern::try_from_offsets_and_indices(n, n, csc_offsets, csc_rows)
+            .unwrap_or_else(|_| SparsityPattern::zeros(n, n));
+        Pattern {
+            csc,
+            places,
+            offsets,
+            sizes,
+        }
+    }
+
+    /// Number of free unknowns.
+    pub fn size(&self) -> usize {
+        self.csc.major_dim()
+    }
+
+    /// A matrix of zeros with this pattern.
+    pub fn matrix(&self) -> CscMatrix<f64> {
+        let values = vec![0.0; self.csc.nnz()];
+        CscMatrix::try_from_pattern_and_values(self.csc.clone(), values)
+            .unwrap_or_else(|_| CscMatrix::zeros(self.size(), self.size()))
+    }
+
+    /// Overwrites `matrix` with the sum of the element matrices that `element(e, out)` writes.
+    ///
+    /// `out` is full, column by column (`out[j * m + i]` for m unknowns) and zero on entry; only its lower triangle
+    /// is read. Computed in parallel, added in element order: the result does not depend on the number of threads.
+    pub fn assemble(
+        &self,
+        matrix: &mut CscMatrix<f64>,
+        element: impl Fn(usize, &mut [f64]) + Sync,
+    ) {
+        let values = matrix.values_mut();
+        values.fill(0.0);
+        let elements = self.sizes.len();
+        let widest = self.sizes.iter().copied().max().unwrap_or(0) as usize;
+        let stride = widest * widest;
+        let mut buffer = vec![0.0; stride * BATCH.min(elements)];
+        for first in (0..elements).step_by(BATCH) {
+            let count = BATCH.min(elements - first);
+            buffer[..stride * count]
+                .par_chunks_mut(stride)
+                .with_min_len(64)
+                .enumerate()
+                .for_each(|(k, out)| {
+                    let m = self.sizes[first + k] as usize;
+                    out[..m * m].fill(0.0);
+                    element(first + k, &mut out[..m * m]);
+                });
+            for k in 0..count {
+                self.add(first + k, &buffer[stride * k..], values);
+            }
+        }
+    }
+
+    #[inline]
+    fn add(&self, e: usize, local: &[f64], values: &mut [f64]) {
+        let m = self.sizes[e] as usize;
+        let places = &self.places[self.offsets[e]..self.offsets[e + 1]];
+        let mut k = 0;
+        for j in 0..m {
+            for i in j..m {
+                if places[k] != NONE {
+                    values[places[k] as usize] += local[j * m + i];
+                }
+                k += 1;
+            }
+        }
+    }
+}
+
+/// Elements that touch each free unknown, as offsets and a flat list.
+fn touching(dofs: &ElementDofs, numbering: &Numbering, n: usize) -> (Vec<usize>, Vec<u32>) {
+    let mut starts = vec![0usize; n + 1];
+    let rows = |e: usize| {
+        dofs.of(e)
+            .iter()
+            .map(|&d| numbering.rows[d as usize])
+            .filter(|&r| r != NONE)
+    };
+    for e in 0..dofs.elements() {
+        rows(e).for_each(|r| starts[r as usize + 1] += 1);
+    }
+    for i in 0..n {
+        starts[i + 1] += starts[i];
+    }
+    let mut cursor = starts.clone();
+    let mut list = vec![0u32; starts[n]];
+    for e in 0..dofs.elements() {
+        for r in rows(e) {
+            list[cursor[r as usize]] = e as u32;
+            cursor[r as usize] += 1;
+        }
+    }
+    (starts, list)
+}
+
+fn lane(dofs: &ElementDofs, numbering: &Numbering, elements: &[u32], column: u32) -> Vec<usize> {
+    let mut rows: Vec<usize> = Vec::with_capacity(32);
+    // The diagonal is always there, so that unknowns without stiffness are found by the factorisation.
+    rows.push(column as usize);
+    for &e in elements {
+        let of = dofs
+            .of(e as usize)
+            .iter()
+            .map(|&d| numbering.rows[d as usize]);
+        rows.extend(of.filter(|&r| r != NONE && r >= column).map(|r| r as usize));
+    }
+    rows.sort_unstable();
+    rows.dedup();
+    rows
+}

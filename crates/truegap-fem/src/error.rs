@@ -1,0 +1,16 @@
+//! The one error type that leaves the crate, gathering those of its parts.
+
+use crate::mesh::MeshError;
+use crate::solve::SolveError;
+
+/// Anything that can go wrong between a description and its numbers.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FemError {
+    /// The geometry or the mesh is not usable.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The linear algebra failed.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+}

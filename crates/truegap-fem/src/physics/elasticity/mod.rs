@@ -1,0 +1,1 @@
+//! Thermoelasticity of axisymmetric and planar bodies.

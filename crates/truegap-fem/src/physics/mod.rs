@@ -1,0 +1,3 @@
+//! The physics: one folder a problem, one form a file.
+
+pub mod elasticity;

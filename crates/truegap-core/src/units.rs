@@ -104,19 +104,38 @@ impl Dimension {
         self.units()[0].0
     }
 
+    /// Factor and offset of a unit: SI value = value x factor + offset.
+    ///
+    /// # Errors
+    /// [`UnitError::Unknown`] where this dimension has no such unit.
+    pub fn scale(self, unit: &str) -> Result<(f64, f64), UnitError> {
+        let wanted = unit.trim().replace(['µ', 'μ'], "u").replace('°', "deg");
+        let found = self.units().iter().find(|(name, _, _)| *name == wanted);
+        let (_, factor, offset) = found.ok_or_else(|| self.unknown(unit))?;
+        Ok((*factor, *offset))
+    }
+
     /// SI value of `value` given in `unit`.
     ///
     /// # Errors
     /// [`UnitError::Unknown`] where this dimension has no such unit.
     pub fn to_si(self, value: f64, unit: &str) -> Result<f64, UnitError> {
-        let wanted = unit.trim().replace(['µ', 'μ'], "u").replace('°', "deg");
-        let found = self.units().iter().find(|(name, _, _)| *name == wanted);
-        let (_, factor, offset) = found.ok_or_else(|| self.unknown(unit))?;
+        let (factor, offset) = self.scale(unit)?;
         Ok(value * factor + offset)
     }
 
+    /// The unit that `text` names without regard to case, as the end of a column's name does: `pf` is `pF`, `kpa` is `kPa`.
+    pub fn unit_like(self, text: &str) -> Option<&'static str> {
+        self.units().iter().map(|unit| unit.0).find(|name| !name.is_empty() && name.eq_ignore_ascii_case(text))
+    }
+
+    /// Names of the units of this dimension, the SI unit first.
+    pub fn unit_names(self) -> Vec<&'static str> {
+        self.units().iter().map(|unit| unit.0).filter(|name| !name.is_empty()).collect()
+    }
+
     fn unknown(self, unit: &str) -> UnitError {
-        let known = self.units().iter().map(|u| u.0).filter(|u| !u.is_empty()).collect::<Vec<_>>().join(", ");
+        let known = self.unit_names().join(", ");
         UnitError::Unknown { unit: unit.trim().to_owned(), dimension: self, known }
     }
 }

@@ -1,0 +1,96 @@
+//! Why a recording cannot be read: file, line, value and what to do about it.
+//!
+//! Limits: every error is fatal; what can be read in spite of an oddity is a [`crate::Note`].
+
+use crate::units::UnitError;
+use std::path::PathBuf;
+
+/// Why a recording cannot be read or written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+#[allow(missing_docs)] // the fields are named by the messages
+pub enum RecordingError {
+    /// The file is not there.
+    #[error("{file}: there is no such file; give the path of a recording's TOML or CSV")]
+    NotFound { file: PathBuf },
+    /// The file is there and cannot be read.
+    #[error("{file}: cannot be read: {source}")]
+    Read { file: PathBuf, source: std::io::Error },
+    /// The recording cannot be written.
+    #[error("{file}: cannot be written: {source}")]
+    Write { file: PathBuf, source: std::io::Error },
+    /// Nothing in the file.
+    #[error("{file}: the file is empty; a recording is a CSV with a header line and at least one row")]
+    Empty { file: PathBuf },
+    /// A header and nothing below it.
+    #[error("{file}: there is no row below the header; record something, or name another file")]
+    NoRows { file: PathBuf },
+    /// The first line holds numbers.
+    #[error("{file}, line 1: `{first}` is a number, not a column's name; write a header such as time_s,force_n,capacitance_pf")]
+    NoHeader { file: PathBuf, first: String },
+    /// The TOML is not TOML, or holds a key that means nothing.
+    #[error("{file}, line {line}: {message}")]
+    Manifest { file: PathBuf, line: usize, message: String },
+    /// The TOML is of another kind.
+    #[error("{file}, line {line}: schema is `{found}`; a recording's is `truegap.recording/1`")]
+    Schema { file: PathBuf, line: usize, found: String },
+    /// A column that is needed or named is not there.
+    #[error(
+        "{file}: no column for {role}: {wanted} is not in the header; found: {found}; name yours under [columns] of the TOML beside it: {role} = \"...\" (docs/recordings.md)"
+    )]
+    MissingColumn { file: PathBuf, role: String, wanted: String, found: String },
+    /// Two columns would do.
+    #[error("{file}: columns {found} could all be {role}; say which under [columns], e.g. {role} = \"{first}\"")]
+    AmbiguousColumn { file: PathBuf, role: String, found: String, first: String },
+    /// A number without a unit.
+    #[error(
+        "{file}: column `{column}` ({role}) has no unit in its name; write {role} = \"{example}\" under [units] of the TOML beside it, or one of {known}"
+    )]
+    MissingUnit { file: PathBuf, column: String, role: String, example: String, known: String },
+    /// A unit of something else.
+    #[error("{file}, line {line}: unit of {role}: {source}")]
+    WrongUnit { file: PathBuf, line: usize, role: String, source: UnitError },
+    /// A second column of readings in another unit than the response.
+    #[error("{file}: column `{column}` is in {unit}, the response in {response}; convert one, or give both units under [units]")]
+    UnitsDiffer { file: PathBuf, column: String, unit: String, response: String },
+    /// A row with more or fewer cells than the header.
+    #[error(
+        "{file}, line {line}: {found} cells where the header has {expected}; close the row, or write decimal points instead of commas"
+    )]
+    Ragged { file: PathBuf, line: usize, found: usize, expected: usize },
+    /// Text where a number belongs.
+    #[error("{file}, line {line}: `{text}` in column `{column}` is not a number; correct it or leave the row out")]
+    NotANumber { file: PathBuf, line: usize, column: String, text: String },
+    /// An empty cell, NaN or infinity.
+    #[error(
+        "{file}, line {line}: column `{column}` has no finite value (`{text}`); leave the row out, there is no need for even sampling"
+    )]
+    NoValue { file: PathBuf, line: usize, column: String, text: String },
+    /// A number that cannot be, in SI.
+    #[error("{file}, line {line}: {value} {unit} in column `{column}` cannot be: {why}; check the unit of the column")]
+    Impossible { file: PathBuf, line: usize, column: String, value: f64, unit: String, why: String },
+    /// A run number that is not a whole number.
+    #[error(
+        "{file}, line {line}: run `{text}` in column `{column}` is not a whole number from 0 to 4294967295; number the runs 1, 2, 3"
+    )]
+    NotARun { file: PathBuf, line: usize, column: String, text: String },
+    /// A run that was left and comes back.
+    #[error(
+        "{file}, line {line}: run {run} comes back after another run; give it a new number, or sort the rows by sensor and run"
+    )]
+    RunReturns { file: PathBuf, line: usize, run: u32 },
+    /// Time running backwards.
+    #[error("{file}, line {line}: time goes back from {before} s to {after} s inside run {run}; start a new run there")]
+    TimeRunsBack { file: PathBuf, line: usize, run: u32, before: f64, after: f64 },
+    /// Two rows of one run at one time.
+    #[error(
+        "{file}, line {line}: time stays at {time} s inside run {run}; average the rows of one instant or leave all but one out"
+    )]
+    EqualTimes { file: PathBuf, line: usize, run: u32, time: f64 },
+    /// A recording made in the program has columns of different length.
+    #[error("column {column} has {found} rows, the runs have {expected}; give every column one value a row")]
+    Lengths { column: String, found: usize, expected: usize },
+    /// A table that TOML cannot hold.
+    #[error("{file}: the base model cannot be written as TOML: {message}; use plain keys and finite numbers")]
+    NotToml { file: PathBuf, message: String },
+}

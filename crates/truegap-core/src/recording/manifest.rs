@@ -1,0 +1,80 @@
+//! The TOML beside a CSV: which column is what, in which unit, and what the recording is to be compared with.
+//!
+//! Limits: one CSV a TOML; `[base]` may hold further keys, which the base model reads.
+
+use super::RecordingError;
+use crate::simulator::Role;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::Path;
+use toml::Spanned;
+
+/// Schema of a recording's TOML.
+pub const SCHEMA: &str = "truegap.recording/1";
+
+/// The base model that the recording is to be compared with.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BaseSpec {
+    /// `stack`, `parallel-plate`, `gap-plate`, `constant` or `external`
+    pub model: String,
+    /// built-in sensor or path of a sensor's TOML
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sensor: Option<String>,
+    /// whether the base model's electrode warps
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub warp: Option<bool>,
+    /// what else stands under `[base]`
+    #[serde(flatten)]
+    pub further: toml::Table,
+}
+
+/// A text and its line.
+#[derive(Clone, Debug)]
+pub(super) struct Named {
+    pub text: String,
+    pub line: usize,
+}
+
+/// The TOML, checked.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Manifest {
+    pub file: String,
+    pub columns: BTreeMap<Role, Named>,
+    pub units: BTreeMap<Role, Named>,
+    pub base: Option<BaseSpec>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Raw {
+    schema: Spanned<String>,
+    file: String,
+    #[serde(default)]
+    columns: BTreeMap<Role, Spanned<String>>,
+    #[serde(default)]
+    units: BTreeMap<Role, Spanned<String>>,
+    base: Option<BaseSpec>,
+}
+
+impl Manifest {
+    /// Reads a TOML; `path` is for messages.
+    pub fn parse(path: &Path, text: &str) -> Result<Self, RecordingError> {
+        let line = |byte: usize| 1 + text.bytes().take(byte).filter(|b| *b == b'\n').count();
+        let raw: Raw = toml::from_str(text).map_err(|error| RecordingError::Manifest {
+            file: path.to_owned(),
+            line: line(error.span().map_or(0, |span| span.start)),
+            message: error.message().to_owned(),
+        })?;
+        if raw.schema.get_ref() != SCHEMA {
+            let line = line(raw.schema.span().start);
+            return Err(RecordingError::Schema { file: path.to_owned(), line, found: raw.schema.into_inner() });
+        }
+        let named = |table: BTreeMap<Role, Spanned<String>>| {
+            table
+                .into_iter()
+                .map(|(role, text)| (role, Named { line: line(text.span().start), text: text.into_inner() }))
+                .collect()
+        };
+        Ok(Self { file: raw.file, columns: named(raw.columns), units: named(raw.units), base: raw.base })
+    }
+}

@@ -1,0 +1,67 @@
+//! What a reader of a recording should be told although it could be read.
+//!
+//! Limits: only what reading itself did or assumed; judgement of the data belongs to the diagnosis.
+
+use crate::simulator::Role;
+use serde::Serialize;
+use std::fmt;
+
+/// Something that reading changed, left out or assumed.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "note", rename_all = "snake_case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // the fields are named by the sentences
+pub enum Note {
+    /// Rows were left out because a value is marked as missing.
+    RowsWithoutValue { column: String, rows: usize, first_line: usize },
+    /// Rows were left out because they repeat the time of the row before.
+    RepeatedStamps { rows: usize, first_line: usize },
+    /// The clock fell back, so a new run began.
+    TareReset { line: usize, run: u32 },
+    /// The clock of a run began below the end of the run before, and was carried on.
+    ClockCarriedOn { line: usize, run: u32, shift_s: f64 },
+    /// Commas were read as decimal points.
+    DecimalCommas,
+    /// Runs were numbered afresh, because there are several sensors.
+    RunsRenumbered { runs: u32 },
+    /// The unit under `[units]` is not the one in the column's name.
+    UnitOverridesName { column: String, unit: String, named: String },
+    /// No base model was named.
+    BaseAssumed { model: String, because: String },
+    /// A TOML of the same name stands beside the CSV and was not read.
+    ManifestNotRead { file: String },
+    /// A column never changes.
+    Constant { role: Role, value: f64 },
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::RowsWithoutValue { column, rows, first_line } => {
+                write!(f, "{rows} rows without a value in `{column}` were left out, the first on line {first_line}")
+            }
+            Self::RepeatedStamps { rows, first_line } => {
+                write!(f, "{rows} rows that repeat the time before them were left out, the first on line {first_line}")
+            }
+            Self::TareReset { line, run } => write!(f, "the clock falls back on line {line} (a tare): run {run} begins there"),
+            Self::ClockCarriedOn { line, run, shift_s } => {
+                write!(
+                    f,
+                    "the clock of run {run} (line {line}) was carried on by {shift_s} s; the true pause before it is not known"
+                )
+            }
+            Self::DecimalCommas => f.write_str("commas were read as decimal points"),
+            Self::RunsRenumbered { runs } => write!(f, "runs were numbered afresh, 1 to {runs}, one for each sensor and run"),
+            Self::UnitOverridesName { column, unit, named } => {
+                write!(f, "column `{column}` was read in {unit}, as [units] says, although its name says {named}")
+            }
+            Self::BaseAssumed { model, because } => write!(f, "no [base] model is named; `{model}` was taken because {because}"),
+            Self::ManifestNotRead { file } => {
+                write!(f, "{file} stands beside this CSV and was not read; give its name to use it")
+            }
+            Self::Constant { role, value } => {
+                write!(f, "the column for {} never changes from {value} (SI)", super::columns::key(*role))
+            }
+        }
+    }
+}

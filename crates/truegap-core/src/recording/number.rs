@@ -1,0 +1,53 @@
+//! One cell of a CSV as a number.
+//!
+//! Limits: no thousands separators.
+
+/// Why a cell is not a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Fault {
+    /// empty, NaN or infinite
+    NoValue,
+    /// anything else
+    Text,
+}
+
+/// Finite number in a cell; `decimal_comma` reads one comma as the decimal point.
+pub(super) fn number(cell: &[u8], decimal_comma: bool) -> Result<f64, Fault> {
+    let text = std::str::from_utf8(cell).map_err(|_| Fault::Text)?.trim();
+    if text.is_empty() {
+        return Err(Fault::NoValue);
+    }
+    let parsed = if decimal_comma && text.contains(',') {
+        if text.contains('.') {
+            return Err(Fault::Text);
+        }
+        text.replacen(',', ".", 1).parse::<f64>()
+    } else {
+        text.parse::<f64>()
+    };
+    let value = parsed.map_err(|_| Fault::Text)?;
+    if value.is_finite() { Ok(value) } else { Err(Fault::NoValue) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_comma_is_a_point_only_where_it_may_be() {
+        assert_eq!(number(b"-0,001953125", true), Ok(-0.001_953_125));
+        assert_eq!(number(b" 1.5e-3 ", true), Ok(1.5e-3));
+        assert_eq!(number(b"1,5", false), Err(Fault::Text));
+        assert_eq!(number(b"1.234,5", true), Err(Fault::Text));
+        assert_eq!(number(b"1,234,5", true), Err(Fault::Text));
+    }
+
+    #[test]
+    fn what_is_not_finite_is_no_value() {
+        for cell in ["", "  ", "nan", "NaN", "inf", "-Infinity", "1e999"] {
+            assert_eq!(number(cell.as_bytes(), false), Err(Fault::NoValue), "{cell}");
+        }
+        assert_eq!(number(b"null", false), Err(Fault::Text));
+        assert_eq!(number(b"\xb5", false), Err(Fault::Text));
+    }
+}

@@ -1,0 +1,174 @@
+//! From a path, or from texts, to a recording.
+//!
+//! Limits: one pass over the file, two where the vendor's tool logged several sensors.
+
+use super::columns::{self, Column};
+use super::manifest::{Manifest, Named};
+use super::rows::Rows;
+use super::table::Table;
+use super::{BaseSpec, Note, Recording, RecordingError, Sensors, singletact};
+use crate::simulator::Role;
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{Cursor, ErrorKind, Read, Seek};
+use std::path::{Path, PathBuf};
+
+/// The sensor that is assumed where none is named.
+const DEFAULT_SENSOR: &str = "singletact-s15-4.5n";
+
+/// Where a recording's words come from, for messages.
+struct Origin<'a> {
+    csv: &'a Path,
+    toml: Option<&'a Path>,
+}
+
+impl Recording {
+    /// Reads a recording: a TOML that names a CSV, a bare CSV with the default names, the SingleTact tool's CSV, or a folder with a `recording.toml`.
+    ///
+    /// # Errors
+    /// [`RecordingError`] names file, line and value, and says what to do.
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, RecordingError> {
+        let path = path.as_ref();
+        if path.is_dir() {
+            return Self::open(path.join("recording.toml"));
+        }
+        if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
+            return Self::open_manifest(path);
+        }
+        let mut recording = read(open_file(path)?, &Origin { csv: path, toml: None }, Manifest::default())?;
+        let beside = path.with_extension("toml");
+        if beside.is_file() {
+            recording.notes.push(Note::ManifestNotRead { file: beside.display().to_string() });
+        }
+        Ok(recording)
+    }
+
+    fn open_manifest(path: &Path) -> Result<Self, RecordingError> {
+        let mut text = String::new();
+        let failed = |source| RecordingError::Read { file: path.to_owned(), source };
+        open_file(path)?.read_to_string(&mut text).map_err(failed)?;
+        let manifest = Manifest::parse(path, &text)?;
+        let csv = path.parent().unwrap_or(Path::new("")).join(&manifest.file);
+        read(open_file(&csv)?, &Origin { csv: &csv, toml: Some(path) }, manifest)
+    }
+
+    /// Reads a recording from the text of its TOML and of its CSV; `name` stands for the files in messages.
+    ///
+    /// # Errors
+    /// As [`Recording::open`].
+    pub fn from_text(name: &str, toml: &str, csv: &str) -> Result<Self, RecordingError> {
+        let path = PathBuf::from(format!("{name}.toml"));
+        let manifest = Manifest::parse(&path, toml)?;
+        let csv_path = PathBuf::from(&manifest.file);
+        read(Cursor::new(csv.as_bytes()), &Origin { csv: &csv_path, toml: Some(&path) }, manifest)
+    }
+}
+
+fn open_file(path: &Path) -> Result<File, RecordingError> {
+    File::open(path).map_err(|source| match source.kind() {
+        ErrorKind::NotFound => RecordingError::NotFound { file: path.to_owned() },
+        _ => RecordingError::Read { file: path.to_owned(), source },
+    })
+}
+
+fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> Result<Recording, RecordingError> {
+    let mut table = Table::open(origin.csv, source)?;
+    let sensors = vendor_sensors(&table, &manifest);
+    let several = sensors.len() > 1;
+    let mut rows = Rows::default();
+    let (mut sha256, mut notes, mut bound) = (String::new(), Vec::new(), Vec::<Column>::new());
+    for pass in 0..sensors.len().max(1) {
+        let sensor = sensors.get(pass);
+        let (columns, assumed) = columns::bind(origin.csv, origin.toml, &table.header, &with_response(&manifest, sensor))?;
+        rows.clock.lenient = table.singletact;
+        rows.clock.renumber = several || columns.iter().any(|c| c.role == Role::Sensor);
+        rows.take(&mut table, &columns, sensor.filter(|_| several).map(String::as_str))?;
+        if pass == 0 {
+            (bound, notes) = (columns, assumed);
+            notes.extend(table.decimal_comma.then_some(Note::DecimalCommas));
+        } else {
+            same_unit(origin.csv, &bound, &columns)?;
+        }
+        let (hash, source) = table.finish();
+        sha256 = hash;
+        table = Table::open(origin.csv, source)?;
+    }
+    assemble(rows, &bound, notes, sha256, origin, manifest.base)
+}
+
+/// Columns of the vendor's tool that are each read as a sensor's response; none where the response is named, or in any other CSV.
+fn vendor_sensors<R: Read + Seek>(table: &Table<R>, manifest: &Manifest) -> Vec<String> {
+    if table.singletact && !manifest.columns.contains_key(&Role::Response) {
+        singletact::sensors(&table.header)
+    } else {
+        Vec::new()
+    }
+}
+
+fn with_response(manifest: &Manifest, sensor: Option<&String>) -> Manifest {
+    let mut with = manifest.clone();
+    if let Some(sensor) = sensor {
+        with.columns.insert(Role::Response, Named { text: sensor.clone(), line: 1 });
+    }
+    with
+}
+
+fn same_unit(file: &Path, first: &[Column], other: &[Column]) -> Result<(), RecordingError> {
+    let unit = |columns: &[Column]| columns.iter().find(|c| c.role == Role::Response).map(|c| (c.name.clone(), c.unit.clone()));
+    match (unit(first), unit(other)) {
+        (Some((_, response)), Some((column, unit))) if unit != response => {
+            Err(RecordingError::UnitsDiffer { file: file.to_owned(), column, unit, response })
+        }
+        _ => Ok(()),
+    }
+}
+
+fn assemble(
+    mut rows: Rows,
+    columns: &[Column],
+    mut notes: Vec<Note>,
+    sha256: String,
+    origin: &Origin<'_>,
+    base: Option<BaseSpec>,
+) -> Result<Recording, RecordingError> {
+    let renumbered = rows.clock.renumber;
+    let (of_row, names) = (std::mem::take(&mut rows.sensors), std::mem::take(&mut rows.names));
+    let (inputs, response, found) = rows.finish();
+    notes.extend(found);
+    if response.is_empty() {
+        return Err(RecordingError::NoRows { file: origin.csv.to_owned() });
+    }
+    if renumbered {
+        notes.push(Note::RunsRenumbered { runs: inputs.run.last().copied().unwrap_or(0) });
+    }
+    let response_unit = columns.iter().find(|c| c.role == Role::Response).map(|c| c.unit.clone()).unwrap_or_default();
+    let base = base.unwrap_or_else(|| assumed_base(columns, &response_unit, &mut notes));
+    let path = origin.toml.unwrap_or(origin.csv).to_owned();
+    let sensors = renumbered.then_some(Sensors { of_row, names });
+    let columns: BTreeMap<Role, String> = columns.iter().map(|c| (c.role, c.name.clone())).collect();
+    let mut recording = Recording { inputs, response, response_unit, base, sensors, columns, sha256, path, notes };
+    recording.notes.extend(recording.constants());
+    Ok(recording)
+}
+
+/// The base model that the columns ask for.
+fn assumed_base(columns: &[Column], response_unit: &str, notes: &mut Vec<Note>) -> BaseSpec {
+    let has = |role| columns.iter().any(|c| c.role == role);
+    let (model, because) = if has(Role::Simulated) {
+        ("external", "there is a column with a simulation")
+    } else if has(Role::Gap) {
+        ("gap-plate", "the gap was recorded")
+    } else if has(Role::Pressure) {
+        ("parallel-plate", "pressure was recorded")
+    } else if has(Role::Force) && response_unit == "pF" {
+        ("stack", "force and a capacitance were recorded")
+    } else if has(Role::Force) {
+        ("parallel-plate", "force was recorded and the response is no capacitance")
+    } else {
+        ("constant", "no load was recorded")
+    };
+    let sensor = (model == "stack").then(|| DEFAULT_SENSOR.to_owned());
+    let because = sensor.as_ref().map_or_else(|| because.to_owned(), |s| format!("{because}; the sensor is taken to be `{s}`"));
+    notes.push(Note::BaseAssumed { model: model.to_owned(), because });
+    BaseSpec { model: model.to_owned(), sensor, ..BaseSpec::default() }
+}

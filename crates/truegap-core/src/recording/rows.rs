@@ -1,0 +1,212 @@
+//! The rows of a table, checked and converted, as columns.
+//!
+//! Limits: every column that plays a role must have a value in every row; only the vendor's tool may mark one as missing.
+
+use super::clock::{Clock, Tick};
+use super::columns::Column;
+use super::number::{Fault, number};
+use super::table::Table;
+use super::{Note, RecordingError, singletact};
+use crate::inputs::Inputs;
+use crate::simulator::Role;
+use std::io::{Read, Seek};
+
+/// Lowest temperature there is, degrees Celsius.
+const ABSOLUTE_ZERO_C: f64 = -273.15;
+
+/// Columns that grow with the rows read.
+#[derive(Debug, Default)]
+pub(super) struct Rows {
+    pub clock: Clock,
+    /// sensor of each row, as an index of `names`; empty where there is no such column
+    pub sensors: Vec<u32>,
+    pub names: Vec<String>,
+    values: Vec<(Role, Vec<f64>)>,
+    runs: Vec<u32>,
+    missing: Option<Note>,
+    repeated: Option<Note>,
+}
+
+impl Rows {
+    /// Reads a table to its end; `sensor` names all its rows where the table has no such column.
+    pub fn take<R: Read + Seek>(
+        &mut self,
+        table: &mut Table<R>,
+        columns: &[Column],
+        sensor: Option<&str>,
+    ) -> Result<(), RecordingError> {
+        if self.values.is_empty() {
+            let numbers = columns.iter().filter(|c| !matches!(c.role, Role::Run | Role::Sensor));
+            self.values = numbers.map(|c| (c.role, Vec::new())).collect();
+        }
+        let (first_note, mut row) = (self.clock.notes.len(), Vec::with_capacity(columns.len()));
+        while table.advance()? {
+            self.check_width(table)?;
+            if self.parse(table, columns, &mut row)? {
+                self.push(table, columns, sensor, &row)?;
+            }
+        }
+        self.name_lines(table, first_note)
+    }
+
+    /// Cells that the header has no name for.
+    fn check_width<R: Read + Seek>(&self, table: &mut Table<R>) -> Result<(), RecordingError> {
+        let (expected, cells) = (table.header.len(), table.row());
+        let spare = cells.iter().skip(expected).any(|cell| !cell.is_empty());
+        let short = cells.len() < expected && !table.singletact;
+        if !(spare || short) {
+            return Ok(());
+        }
+        let found = cells.len();
+        let byte = table.byte();
+        Err(RecordingError::Ragged { file: table.file(), line: table.line(byte)?, found, expected })
+    }
+
+    /// Numbers of the row into `row`; false where the vendor's tool marks one as missing.
+    fn parse<R: Read + Seek>(
+        &mut self,
+        table: &mut Table<R>,
+        columns: &[Column],
+        row: &mut Vec<f64>,
+    ) -> Result<bool, RecordingError> {
+        row.clear();
+        for column in columns.iter().filter(|c| !matches!(c.role, Role::Run | Role::Sensor)) {
+            let cell = table.row().get(column.index).unwrap_or_default();
+            if table.singletact && singletact::is_null(cell) {
+                return self.leave_out(table, column).map(|()| false);
+            }
+            match number(cell, table.decimal_comma) {
+                Ok(value) => row.push(value * column.scale.0 + column.scale.1),
+                Err(fault) => return Err(refuse(table, column, fault)),
+            }
+            let value = row[row.len() - 1];
+            if column.role == Role::Temperature && value < ABSOLUTE_ZERO_C {
+                return Err(below_absolute_zero(table, column, value));
+            }
+        }
+        Ok(true)
+    }
+
+    fn leave_out<R: Read + Seek>(&mut self, table: &mut Table<R>, column: &Column) -> Result<(), RecordingError> {
+        match &mut self.missing {
+            Some(Note::RowsWithoutValue { rows, .. }) => *rows += 1,
+            _ => {
+                let byte = table.byte();
+                let first_line = table.line(byte)?;
+                self.missing = Some(Note::RowsWithoutValue { column: column.name.clone(), rows: 1, first_line });
+            }
+        }
+        Ok(())
+    }
+
+    fn push<R: Read + Seek>(
+        &mut self,
+        table: &mut Table<R>,
+        columns: &[Column],
+        sensor: Option<&str>,
+        row: &[f64],
+    ) -> Result<(), RecordingError> {
+        let sensor = self.sensor(table, columns, sensor);
+        let run = columns.iter().find(|c| c.role == Role::Run).map(|c| run(table, c)).transpose()?;
+        let clock = self.values.iter().position(|(role, _)| *role == Role::Time);
+        let byte = table.byte();
+        let tick = self.clock.tick(sensor.unwrap_or(0), run, clock.map(|at| row[at]), byte as usize);
+        match tick {
+            Err(disorder) => return Err(disorder.at(table.file(), table.line(byte)?)),
+            Ok(Tick::Repeat) => return self.repeat(table),
+            Ok(Tick::Row { run, time_s }) => {
+                self.values.iter_mut().zip(row).for_each(|((_, column), value)| column.push(*value));
+                if let Some(time) = clock.and_then(|at| self.values[at].1.last_mut()) {
+                    *time = time_s;
+                }
+                self.runs.push(run);
+                self.sensors.extend(sensor);
+            }
+        }
+        Ok(())
+    }
+
+    fn repeat<R: Read + Seek>(&mut self, table: &mut Table<R>) -> Result<(), RecordingError> {
+        match &mut self.repeated {
+            Some(Note::RepeatedStamps { rows, .. }) => *rows += 1,
+            _ => {
+                let byte = table.byte();
+                self.repeated = Some(Note::RepeatedStamps { rows: 1, first_line: table.line(byte)? });
+            }
+        }
+        Ok(())
+    }
+
+    /// Index of the row's sensor.
+    fn sensor<R: Read + Seek>(&mut self, table: &Table<R>, columns: &[Column], sensor: Option<&str>) -> Option<u32> {
+        let column = columns.iter().find(|c| c.role == Role::Sensor);
+        let cell = column.and_then(|c| table.row().get(c.index)).map(String::from_utf8_lossy);
+        let name = cell.as_deref().or(sensor)?;
+        let known = self.names.iter().rposition(|known| known == name);
+        let index = known.unwrap_or_else(|| {
+            self.names.push(name.to_owned());
+            self.names.len() - 1
+        });
+        u32::try_from(index).ok()
+    }
+
+    /// Turns the byte offsets that stand in the clock's notes into lines.
+    fn name_lines<R: Read + Seek>(&mut self, table: &mut Table<R>, first: usize) -> Result<(), RecordingError> {
+        for note in &mut self.clock.notes[first..] {
+            if let Note::TareReset { line, .. } | Note::ClockCarriedOn { line, .. } = note {
+                *line = table.line(*line as u64)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The columns read, the response, and what was noted.
+    pub fn finish(self) -> (Inputs, Vec<f64>, Vec<Note>) {
+        let mut inputs = Inputs { run: self.runs, ..Inputs::default() };
+        let mut response = Vec::new();
+        for (role, column) in self.values {
+            match role {
+                Role::Time => inputs.time_s = Some(column),
+                Role::Force => inputs.force_n = Some(column),
+                Role::Pressure => inputs.pressure_pa = Some(column),
+                Role::Gap => inputs.gap_m = Some(column),
+                Role::Temperature => inputs.temperature_c = Some(column),
+                Role::Humidity => inputs.humidity_pct = Some(column),
+                Role::Simulated => inputs.simulated = Some(column),
+                Role::Response => response = column,
+                Role::Run | Role::Sensor => {}
+            }
+        }
+        let notes = self.missing.into_iter().chain(self.repeated).chain(self.clock.notes).collect();
+        (inputs, response, notes)
+    }
+}
+
+fn run<R: Read + Seek>(table: &mut Table<R>, column: &Column) -> Result<u32, RecordingError> {
+    let cell = table.row().get(column.index).unwrap_or_default().to_vec();
+    let whole = number(&cell, table.decimal_comma).ok().filter(|v| v.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(v));
+    if let Some(run) = whole {
+        return Ok(run as u32);
+    }
+    let (byte, text) = (table.byte(), String::from_utf8_lossy(&cell).into_owned());
+    Err(RecordingError::NotARun { file: table.file(), line: table.line(byte)?, column: column.name.clone(), text })
+}
+
+fn refuse<R: Read + Seek>(table: &mut Table<R>, column: &Column, fault: Fault) -> RecordingError {
+    let text = String::from_utf8_lossy(table.row().get(column.index).unwrap_or_default()).into_owned();
+    let (file, name, byte) = (table.file(), column.name.clone(), table.byte());
+    match (table.line(byte), fault) {
+        (Err(error), _) => error,
+        (Ok(line), Fault::NoValue) => RecordingError::NoValue { file, line, column: name, text },
+        (Ok(line), Fault::Text) => RecordingError::NotANumber { file, line, column: name, text },
+    }
+}
+
+fn below_absolute_zero<R: Read + Seek>(table: &mut Table<R>, column: &Column, value: f64) -> RecordingError {
+    let (file, name, byte) = (table.file(), column.name.clone(), table.byte());
+    let (unit, why) = ("degC".to_owned(), "it lies below absolute zero".to_owned());
+    match table.line(byte) {
+        Err(error) => error,
+        Ok(line) => RecordingError::Impossible { file, line, column: name, value, unit, why },
+    }
+}

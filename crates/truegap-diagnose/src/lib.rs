@@ -14,5 +14,6 @@ pub use effects::library;
 pub mod diagnosis;
 pub mod evidence;
 pub mod fit;
+pub mod noise;
 pub mod problem;
 pub mod whiten;

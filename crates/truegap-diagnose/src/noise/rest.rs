@@ -1,0 +1,73 @@
+//! Stretches of a recording in which nothing was done to the sensor, or the same was done again.
+//!
+//! Limits: rest means that load and temperature stay within their own noise.
+
+use super::likelihood::Block;
+use crate::problem::InputNoise;
+use std::ops::Range;
+use truegap_core::Inputs;
+
+/// Fewest rows of a stretch at rest.
+const SHORTEST: usize = 40;
+/// Rows of a short stretch, where there is no rest.
+const SHORT: usize = 24;
+
+/// Stretches with constant inputs.
+pub fn at_rest(inputs: &Inputs, load: Option<&[f64]>, noise: &InputNoise) -> Vec<Block> {
+    let mut columns: Vec<(&[f64], f64)> = Vec::new();
+    if let Some(load) = load {
+        columns.push((load, (5.0 * noise.load).max(1e-3)));
+    }
+    if let Some(temperature) = &inputs.temperature_c {
+        columns.push((temperature, (5.0 * noise.temperature).max(0.05)));
+    }
+    if columns.is_empty() {
+        return Vec::new();
+    }
+    let steps = inputs.steps_s();
+    let even = |row: usize, first: usize| inputs.time_s.is_none() || (steps[row] - steps[first + 1]).abs() <= 0.3 * steps[first + 1];
+    inputs.runs().into_iter().flat_map(|run| still(&columns, run, &even)).map(Block::at_rest).collect()
+}
+
+/// Splits a run into stretches in which each column stays within its tolerance of its mean so far.
+fn still(columns: &[(&[f64], f64)], run: Range<usize>, even: &dyn Fn(usize, usize) -> bool) -> Vec<Range<usize>> {
+    let mut found = Vec::new();
+    let mut first = run.start;
+    let mut sums = vec![0.0; columns.len()];
+    for row in run.start..=run.end {
+        let count = (row - first) as f64;
+        let inside = row < run.end && (row < first + 2 || even(row, first));
+        let quiet = inside && columns.iter().zip(&sums).all(|((c, tolerance), sum)| count == 0.0 || (c[row] - sum / count).abs() <= *tolerance);
+        if !quiet {
+            if row - first >= SHORTEST {
+                found.push(first..row);
+            }
+            first = row;
+            sums.fill(0.0);
+        }
+        if row < run.end {
+            sums.iter_mut().zip(columns).for_each(|(s, (c, _))| *s += c[row]);
+        }
+    }
+    found
+}
+
+/// Rows measured again at the same inputs in another run, going the same way.
+pub fn replicates(inputs: &Inputs, load: Option<&[f64]>) -> Vec<Block> {
+    let Some(load) = load else { return Vec::new() };
+    let mut groups: std::collections::BTreeMap<(i64, i8), Vec<usize>> = std::collections::BTreeMap::new();
+    for run in inputs.runs() {
+        for row in run.clone() {
+            let before = if row > run.start { load[row] - load[row - 1] } else { 1.0 };
+            let key = ((load[row] * 1e6).round() as i64, before.total_cmp(&0.0) as i8);
+            groups.entry(key).or_default().push(row);
+        }
+    }
+    groups.into_values().filter(|rows| rows.len() > 1).map(Block::replicate).collect()
+}
+
+/// Short stretches of every run, whatever was done in them.
+pub fn short_stretches(inputs: &Inputs) -> Vec<Block> {
+    let stretch = |run: Range<usize>| run.clone().step_by(SHORT).map(move |first| first..(first + SHORT).min(run.end));
+    inputs.runs().into_iter().flat_map(stretch).filter(|r| r.len() >= 8).map(Block::stretch).collect()
+}

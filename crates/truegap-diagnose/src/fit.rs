@@ -96,8 +96,8 @@ impl<'a> Model<'a> {
     pub fn jacobian(&self, z: &[f64], at: &[f64], whitener: &Whitener) -> Result<DMatrix<f64>, SimulationError> {
         let bounds = self.bounds();
         let mut jacobian = DMatrix::zeros(at.len(), z.len());
-        for index in 0..z.len() {
-            let column = self.derivative(z, index, at, bounds[index], whitener)?;
+        for (index, bound) in bounds.iter().enumerate() {
+            let column = self.derivative(z, index, at, *bound, whitener)?;
             jacobian.column_mut(index).copy_from_slice(&column);
         }
         Ok(jacobian)
@@ -191,15 +191,28 @@ impl Default for FitOptions {
 /// # Errors
 /// Those of the simulator at the starting point; later steps that have no answer are shortened.
 pub fn fit(model: &Model<'_>, whitener: &Whitener, start: &[f64], options: &FitOptions) -> Result<Fit, SimulationError> {
-    let bounds = model.bounds();
-    let mut z: Vec<f64> = start.iter().zip(&bounds).map(|(z, b)| z.clamp(b.0, b.1)).collect();
+    fit_within(model, whitener, start, &model.bounds(), options)
+}
+
+/// As [`fit`], inside narrower bounds in z; equal bounds hold a parameter still.
+///
+/// # Errors
+/// As [`fit`].
+pub fn fit_within(
+    model: &Model<'_>,
+    whitener: &Whitener,
+    start: &[f64],
+    bounds: &[(f64, f64)],
+    options: &FitOptions,
+) -> Result<Fit, SimulationError> {
+    let mut z: Vec<f64> = start.iter().zip(bounds).map(|(z, b)| z.clamp(b.0, b.1)).collect();
     let mut residual = model.residual(&z, whitener)?;
     let mut damping = 1e-6;
     let (mut iterations, mut converged) = (0, false);
     let mut jacobian = model.jacobian(&z, &residual, whitener)?;
     while iterations < options.iterations && !converged {
         iterations += 1;
-        let step = best_step(model, whitener, &bounds, &z, &residual, &jacobian, &mut damping);
+        let step = best_step(model, whitener, bounds, &z, &residual, &jacobian, &mut damping);
         let Some((next, next_residual, gain)) = step else {
             converged = true;
             break;
@@ -209,7 +222,7 @@ pub fn fit(model: &Model<'_>, whitener: &Whitener, start: &[f64], options: &FitO
         jacobian = model.jacobian(&z, &residual, whitener)?;
         converged = gain < options.tolerance;
     }
-    Ok(finish(z, residual, jacobian, &bounds, iterations, converged))
+    Ok(finish(z, residual, jacobian, bounds, iterations, converged))
 }
 
 /// The first damped step that lowers the objective: point, residual there, gain.

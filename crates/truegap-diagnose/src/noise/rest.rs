@@ -25,7 +25,8 @@ pub fn at_rest(inputs: &Inputs, load: Option<&[f64]>, noise: &InputNoise) -> Vec
         return Vec::new();
     }
     let steps = inputs.steps_s();
-    let even = |row: usize, first: usize| inputs.time_s.is_none() || (steps[row] - steps[first + 1]).abs() <= 0.3 * steps[first + 1];
+    let even =
+        |row: usize, first: usize| inputs.time_s.is_none() || (steps[row] - steps[first + 1]).abs() <= 0.3 * steps[first + 1];
     inputs.runs().into_iter().flat_map(|run| still(&columns, run, &even)).map(Block::at_rest).collect()
 }
 
@@ -37,7 +38,8 @@ fn still(columns: &[(&[f64], f64)], run: Range<usize>, even: &dyn Fn(usize, usiz
     for row in run.start..=run.end {
         let count = (row - first) as f64;
         let inside = row < run.end && (row < first + 2 || even(row, first));
-        let quiet = inside && columns.iter().zip(&sums).all(|((c, tolerance), sum)| count == 0.0 || (c[row] - sum / count).abs() <= *tolerance);
+        let quiet = inside
+            && columns.iter().zip(&sums).all(|((c, tolerance), sum)| count == 0.0 || (c[row] - sum / count).abs() <= *tolerance);
         if !quiet {
             if row - first >= SHORTEST {
                 found.push(first..row);

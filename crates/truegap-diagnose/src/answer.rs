@@ -1,0 +1,340 @@
+//! From a decision to the words and numbers of `diagnosis.json`.
+//!
+//! Limits: decides nothing; what is stated here was decided in [`crate::verdict`].
+
+use crate::{
+    augmented::{AddedEffect, Augmented, NamedValue, Scales},
+    conflicts::conflicts,
+    detectability::{detectability, visible_size},
+    diagnose::Outcome,
+    diagnosis::*,
+    directions::Direction,
+    effect::FittedParameter,
+    gate::{Adequacy, Gate},
+    held_out::{HeldOutFit, held_out, misfit_removed},
+    issues::doubts,
+    locate::{locate, map},
+    next::next_experiment,
+    problem::NoiseModel,
+    search::{Search, Tried},
+    select::Selection,
+    verdict::Decision,
+};
+
+/// Detectability at which an effect would have been seen.
+const SEEN: f64 = 6.0;
+
+/// All that was found.
+pub struct Answer<'a> {
+    /// problem, context, library, noise filter
+    pub search: &'a Search<'a>,
+    /// noise
+    pub noise: &'a NoiseModel,
+    /// models and probabilities
+    pub selection: &'a Selection,
+    /// verdict
+    pub decision: &'a Decision,
+    /// adequacy of the base model
+    pub before: Adequacy,
+    /// adequacy of the likeliest model
+    pub after: Adequacy,
+    /// directions, whitened
+    pub gate: &'a Gate,
+    /// directions
+    pub directions: &'a [Direction],
+}
+
+impl Answer<'_> {
+    fn chosen(&self) -> &Tried {
+        &self.selection.models[self.decision.model]
+    }
+
+    fn id(&self, effect: usize) -> String {
+        self.search.library[effect].id().to_string()
+    }
+
+    /// Puts the answer together.
+    pub fn outcome(&self, recording: RecordingFacts, not_testable: Vec<(String, String)>) -> Outcome {
+        let base = self.selection.base();
+        let chosen = self.chosen();
+        let held_before = held_out(self.search, self.noise, base);
+        let held_after = if chosen.effects.is_empty() { None } else { Some(held_out(self.search, self.noise, chosen)) };
+        let after = held_after.as_ref().unwrap_or(&held_before);
+        let conflicts = conflicts(self.search, base);
+        let findings = self.findings(&held_before, after);
+        let mismatch = if self.decision.verdict == Verdict::Agrees {
+            Vec::new()
+        } else {
+            locate(self.search.problem, &base.fit, self.gate, self.directions)
+        };
+        let traces = self.traces(base, chosen, &held_before, after);
+        let unit = self.search.problem.simulator.unit().to_owned();
+        let fit = self.fit_facts(&traces, &held_before, after, unit);
+        let concealed = self.concealed(&conflicts, &fit);
+        let diagnosis = Diagnosis {
+            schema: SCHEMA,
+            version: env!("CARGO_PKG_VERSION"),
+            recording,
+            base: BaseFacts {
+                model: self.search.problem.simulator.name().into(),
+                sensor: None,
+                parameters: self.parameters(base, 0..base.fit.z.len()),
+                parameters_after: self.parameters(chosen, 0..base.fit.z.len()),
+            },
+            noise: self.noise_facts(),
+            verdict: self.decision.verdict,
+            says: self.says(&findings),
+            concealed,
+            conflicts,
+            mismatch,
+            findings,
+            candidates: self.candidates(),
+            ambiguity: self.ambiguity(),
+            fit,
+            not_testable: not_testable.into_iter().map(|(effect, says)| NotTestable { effect, says }).collect(),
+            smallest_visible: self.smallest_visible(),
+            next_experiment: self.next(),
+            bank: None,
+            recording_issues: doubts(self.search.problem),
+            seconds: 0.0,
+        };
+        Outcome { diagnosis, traces, augmented: self.augmented(chosen) }
+    }
+
+    fn fitted(&self, tried: &Tried, range: std::ops::Range<usize>) -> Vec<FittedParameter> {
+        let model = self.search.model(&tried.effects);
+        range
+            .map(|i| {
+                let parameter = model.parameters[i].clone();
+                let (z, sd) = (tried.fit.z[i], tried.fit.sd[i]);
+                FittedParameter {
+                    value: parameter.prior.at(z),
+                    sd: parameter.prior.slope(z) * sd,
+                    at_limit: tried.fit.at_limit[i],
+                    parameter,
+                }
+            })
+            .collect()
+    }
+
+    fn parameters(&self, tried: &Tried, range: std::ops::Range<usize>) -> Vec<ParameterFacts> {
+        let facts = |f: FittedParameter| ParameterFacts {
+            name: f.parameter.name.clone(),
+            unit: f.parameter.unit.clone(),
+            prior: [f.parameter.centre(), f.parameter.sd()],
+            value: f.value,
+            sd: f.sd,
+            at_limit: f.at_limit,
+        };
+        self.fitted(tried, range).into_iter().map(facts).collect()
+    }
+
+    fn findings(&self, before: &HeldOutFit, after: &HeldOutFit) -> Vec<Finding> {
+        let chosen = self.chosen();
+        let model = self.search.model(&chosen.effects);
+        let unit = self.search.problem.simulator.unit();
+        let mut found: Vec<Finding> = Vec::new();
+        for (index, effect) in chosen.effects.iter().enumerate() {
+            let d = detectability(self.search, chosen, index);
+            let fitted = self.fitted(chosen, model.range_of(index));
+            let sentence = self.search.library[*effect].says(&fitted);
+            let rivals = self
+                .decision
+                .sets
+                .get(index)
+                .map(|s| s.iter().filter(|e| *e != effect).map(|e| self.id(*e)).collect())
+                .unwrap_or_default();
+            found.push(Finding {
+                effect: self.id(*effect),
+                probability: self.selection.effect_probability[*effect],
+                says: if d < 10.0 { format!("most consistent with: {sentence} (detectability {d:.1})") } else { sentence },
+                detectability: d,
+                parameters: self.parameters(chosen, model.range_of(index)),
+                held_out: BeforeAfterUnit {
+                    rmse_before: self.held_out_without(chosen, index).unwrap_or(before.rmse),
+                    rmse_after: after.rmse,
+                    unit: unit.into(),
+                },
+                rivals,
+            });
+        }
+        found
+    }
+
+    /// Held-out error with all findings but one; `None` where it was the only one.
+    fn held_out_without(&self, chosen: &Tried, index: usize) -> Option<f64> {
+        let others: Vec<usize> = chosen.effects.iter().enumerate().filter(|(i, _)| *i != index).map(|(_, e)| *e).collect();
+        let tried = self.selection.with(&others).filter(|t| !t.effects.is_empty())?;
+        Some(held_out(self.search, self.noise, tried).rmse)
+    }
+
+    fn traces(&self, base: &Tried, chosen: &Tried, held_before: &HeldOutFit, held_after: &HeldOutFit) -> Traces {
+        let respond = |t: &Tried| self.search.model(&t.effects).respond(&t.fit.z).unwrap_or_default();
+        let problem = self.search.problem;
+        Traces {
+            before: respond(base),
+            after: respond(chosen),
+            noise_sd: (0..problem.response.len()).map(|row| self.noise.row_sd(row)).collect(),
+            held_out_before: held_before.prediction.clone(),
+            held_out_after: held_after.prediction.clone(),
+            map_before: map(problem, &base.fit.residual),
+            map_after: map(problem, &chosen.fit.residual),
+        }
+    }
+
+    fn fit_facts(&self, traces: &Traces, before: &HeldOutFit, after: &HeldOutFit, unit: String) -> FitFacts {
+        let response = self.search.problem.response;
+        let rmse = |values: &[f64]| {
+            (values.iter().zip(response).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / response.len() as f64).sqrt()
+        };
+        let floor = self.noise.floor();
+        let parts = before.parts.iter().zip(&after.parts).map(|(b, a)| (b.0.clone(), b.1, a.1)).collect();
+        let named = !self.chosen().effects.is_empty();
+        FitFacts {
+            in_sample: BeforeAfter { rmse_before: rmse(&traces.before), rmse_after: rmse(&traces.after) },
+            held_out: HeldOut {
+                how: before.how.clone(),
+                rmse_before: before.rmse,
+                rmse_after: after.rmse,
+                misfit_removed: if named { misfit_removed(before.rmse, after.rmse, floor, response.len()) } else { None },
+                shuffled_control: None,
+                parts,
+            },
+            noise_floor: floor,
+            unit,
+        }
+    }
+
+    /// Calibration hid the effect: most of its raw size is gone from the residual, or parameters are pushed away.
+    fn concealed(&self, conflicts: &[Conflict], fit: &FitFacts) -> bool {
+        let clean = fit.in_sample.rmse_before < 2.0 * fit.noise_floor;
+        let mismatch = self.decision.verdict != Verdict::Agrees;
+        clean && (!conflicts.is_empty() || (mismatch && self.hidden_share() > 0.9))
+    }
+
+    /// Share of the raw effect that the base parameters absorb.
+    fn hidden_share(&self) -> f64 {
+        let chosen = self.chosen();
+        if chosen.effects.is_empty() {
+            return 0.0;
+        }
+        let model = self.search.model(&chosen.effects);
+        let mut without = chosen.fit.z.clone();
+        (0..chosen.effects.len()).for_each(|i| without[model.first_of(i)] = crate::search::zero_size(&model, i));
+        let Ok(there) = model.residual(&without, self.search.whitener) else { return 0.0 };
+        let raw: f64 = there.iter().zip(&chosen.fit.residual).map(|(a, b)| (a - b).powi(2)).sum();
+        let left = (self.selection.base().fit.chi2 - chosen.fit.chi2).max(0.0);
+        if raw > 0.0 { 1.0 - (left / raw).sqrt().min(1.0) } else { 0.0 }
+    }
+
+    fn candidates(&self) -> Vec<Candidate> {
+        let base = self.selection.base().fit.log_evidence;
+        let single = |effect: usize| {
+            self.selection.with(&[effect]).map(|t| Candidate {
+                effect: self.id(effect),
+                probability: self.selection.effect_probability[effect],
+                score: t.fit.log_evidence - base,
+            })
+        };
+        let mut list: Vec<Candidate> = (0..self.search.library.len()).filter_map(single).collect();
+        list.sort_by(|a, b| b.probability.total_cmp(&a.probability).then(b.score.total_cmp(&a.score)));
+        list
+    }
+
+    fn ambiguity(&self) -> Vec<Vec<String>> {
+        if self.decision.verdict != Verdict::Ambiguous {
+            return Vec::new();
+        }
+        self.decision.sets.iter().filter(|s| s.len() > 1).map(|s| s.iter().map(|e| self.id(*e)).collect()).collect()
+    }
+
+    fn smallest_visible(&self) -> Vec<SmallestVisible> {
+        let named = &self.chosen().effects;
+        let base = self.selection.base();
+        let visible = |effect: usize| {
+            let tried = self.selection.with(&[effect])?;
+            let parameter = self.search.model(&tried.effects).parameters[base.fit.z.len()].clone();
+            let size = visible_size(self.search, base, tried, SEEN)?;
+            Some(SmallestVisible { effect: self.id(effect), parameter: parameter.name, unit: parameter.unit, size })
+        };
+        (0..self.search.library.len()).filter(|e| !named.contains(e)).filter_map(visible).collect()
+    }
+
+    fn next(&self) -> NextExperiment {
+        let best = self.selection.models.iter().find(|m| !m.effects.is_empty());
+        let Some(best) = best.filter(|_| self.decision.verdict != Verdict::Agrees) else {
+            return NextExperiment {
+                says:
+                    "nothing is missing that this recording could show; widen the range of load, temperature and time to see more"
+                        .into(),
+                ..NextExperiment::default()
+            };
+        };
+        let rivals: Vec<&Tried> = self
+            .selection
+            .models
+            .iter()
+            .filter(|m| m.key() != best.key() && m.effects.len() <= best.effects.len())
+            .take(3)
+            .collect();
+        next_experiment(self.search, best, &rivals)
+    }
+
+    fn augmented(&self, chosen: &Tried) -> Augmented {
+        let named = |f: FittedParameter| NamedValue { name: f.parameter.name, unit: f.parameter.unit, value: f.value, sd: f.sd };
+        let model = self.search.model(&chosen.effects);
+        let effect = |(index, effect): (usize, &usize)| AddedEffect {
+            id: self.id(*effect),
+            parameters: self.fitted(chosen, model.range_of(index)).into_iter().map(named).collect(),
+        };
+        let context = self.search.context;
+        Augmented {
+            parameters: self.fitted(chosen, 0..model.base_count()).into_iter().map(named).collect(),
+            effects: chosen.effects.iter().enumerate().map(effect).collect(),
+            scales: Scales {
+                longest_run_s: context.longest_run_s,
+                shortest_step_s: context.shortest_step_s.unwrap_or(0.0),
+                duration_s: context.duration_s,
+                response_span: context.response_span,
+                noise_sd: context.noise_sd,
+            },
+        }
+    }
+
+    fn noise_facts(&self) -> NoiseFacts {
+        let n = self.noise;
+        NoiseFacts {
+            says: n.says.clone(),
+            white_sd: n.response.white_sd,
+            ar_sd: n.response.ar_sd,
+            ar_correlation: n.response.ar_correlation,
+            load_sd: n.inputs.load * self.search.problem.simulator.full_load().unwrap_or(0.0),
+            temperature_sd: n.inputs.temperature,
+            measured: n.measured,
+        }
+    }
+
+    fn says(&self, findings: &[Finding]) -> String {
+        let names = findings.iter().map(|f| f.effect.as_str()).collect::<Vec<_>>().join(" and ");
+        let sets = self.ambiguity().iter().map(|s| s.join(" or ")).collect::<Vec<_>>().join("; and one of ");
+        let line = if self.after.line_p_value < 1e-6 {
+            format!("; run {} holds a line at {:.4} cycles a row", self.after.line_at.0 + 1, self.after.line_at.1)
+        } else {
+            String::new()
+        };
+        match self.decision.verdict {
+            Verdict::Agrees => "no mismatch found between recording and calibrated model".into(),
+            Verdict::Explained => format!("missing from the model: {names}"),
+            Verdict::Ambiguous => format!("missing from the model: one of {sets}; this recording cannot tell them apart"),
+            Verdict::WrongForm => format!(
+                "missing from the model: {names}; the family is clear, but its equation leaves {:.0} % of the misfit",
+                100.0 * (1.0 - self.decision.removed)
+            ),
+            Verdict::Unexplained => format!(
+                "something real is missing that nothing in the library explains (the likeliest effect removes {:.0} % of the misfit){line}",
+                100.0 * self.decision.removed
+            ),
+            Verdict::Undecided => "there is a mismatch, but its cause cannot be decided from this recording".into(),
+        }
+    }
+}

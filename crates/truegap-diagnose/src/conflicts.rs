@@ -1,0 +1,142 @@
+//! What residuals cannot show: parameters pushed away from what is known of them, or different between regimes.
+//!
+//! Limits: refits by regime are one straight step from the common fit.
+
+use crate::{diagnosis::Conflict, fit::Fit, search::Search, search::Tried};
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+/// Prior standard deviations beyond which a parameter contradicts what is known of it.
+const AGAINST_PRIOR: f64 = 3.5;
+/// The same for the difference between two regimes, of which several are tried.
+const BETWEEN_REGIMES: f64 = 5.0;
+
+/// All conflicts of a fitted base model.
+pub fn conflicts(search: &Search<'_>, base: &Tried) -> Vec<Conflict> {
+    let mut found = against_prior(search, base);
+    found.extend(between_regimes(search, base));
+    found
+}
+
+fn against_prior(search: &Search<'_>, base: &Tried) -> Vec<Conflict> {
+    let model = search.model(&base.effects);
+    let values = model.values(&base.fit.z);
+    let parameters = model.parameters.iter().zip(&base.fit.z).zip(values).take(model.base_count());
+    let conflicting = parameters.filter(|((_, z), _)| z.abs() > AGAINST_PRIOR);
+    conflicting
+        .map(|((p, z), value)| {
+            let change = 100.0 * (value / p.centre() - 1.0);
+            let (verb, size) = if *z < 0.0 { ("fall", -change) } else { ("rise", change) };
+            let says = if change.is_finite() && size > 0.0 {
+                format!(
+                    "to fit, {} ({}) must {verb} by {size:.1} %, {:.1} standard deviations of what is known of it",
+                    p.name,
+                    p.meaning,
+                    z.abs()
+                )
+            } else {
+                format!(
+                    "to fit, {} ({}) must {verb} to {value:.4} {}, {:.1} standard deviations of what is known of it",
+                    p.name,
+                    p.meaning,
+                    p.unit,
+                    z.abs()
+                )
+            };
+            Conflict { says, parameter: p.name.clone(), z: *z }
+        })
+        .collect()
+}
+
+/// A way to part the rows in two.
+struct Regime {
+    first: &'static str,
+    second: &'static str,
+    in_second: Vec<bool>,
+}
+
+fn between_regimes(search: &Search<'_>, base: &Tried) -> Vec<Conflict> {
+    let model = search.model(&base.effects);
+    let mut found = Vec::new();
+    for regime in regimes(search) {
+        let Some((first, second)) = both(&base.fit, &regime.in_second) else { continue };
+        let worst =
+            (0..model.base_count()).map(|i| (i, apart(&first, &second, i))).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        if let Some((index, z)) = worst.filter(|w| w.1.abs() > BETWEEN_REGIMES) {
+            let p = &model.parameters[index];
+            let (a, b) = (p.prior.at(first.0[index]), p.prior.at(second.0[index]));
+            let says = format!(
+                "{} ({}) would be {a:.5} {unit} {} but {b:.5} {unit} {}, {:.1} standard deviations apart",
+                p.name,
+                p.meaning,
+                regime.first,
+                regime.second,
+                z.abs(),
+                unit = p.unit
+            );
+            found.push(Conflict { says, parameter: p.name.clone(), z });
+        }
+    }
+    found
+}
+
+fn regimes(search: &Search<'_>) -> Vec<Regime> {
+    let inputs = search.problem.inputs;
+    let n = inputs.len();
+    let mut list = Vec::new();
+    let mut halves = |first, second, column: &[f64]| {
+        let (low, high) = column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+        let middle = 0.5 * (low + high);
+        list.push(Regime { first, second, in_second: column.iter().map(|v| *v > middle).collect() });
+    };
+    if let Some(load) = search.problem.simulator.load(inputs) {
+        halves("at small loads", "at large loads", &load);
+        let rising: Vec<f64> = (0..n).map(|i| if i > 0 && load[i] > load[i - 1] { 1.0 } else { 0.0 }).collect();
+        halves("while unloading or at rest", "while loading", &rising);
+    }
+    if let Some(temperature) = &inputs.temperature_c {
+        halves("when cool", "when warm", temperature);
+    }
+    let order: Vec<f64> = (0..n).map(|i| i as f64).collect();
+    halves("in the first half of the recording", "in the second half", &order);
+    list
+}
+
+/// Optimum and standard deviations of each part, one straight step from the common fit: (z, sd) twice.
+type Parted = (Vec<f64>, Vec<f64>);
+
+fn both(fit: &Fit, in_second: &[bool]) -> Option<(Parted, Parted)> {
+    let n = fit.z.len();
+    let (mut gram, mut gradient) = (DMatrix::zeros(n, n), DVector::zeros(n));
+    let mut count = 0;
+    for (row, inside) in in_second.iter().enumerate() {
+        if *inside {
+            count += 1;
+            let line = fit.jacobian.row(row);
+            gram.ger(1.0, &line.transpose(), &line.transpose(), 1.0);
+            gradient.axpy(fit.residual[row], &line.transpose(), 1.0);
+        }
+    }
+    if count < 30 || in_second.len() - count < 30 {
+        return None;
+    }
+    let whole = &fit.hessian - DMatrix::identity(n, n);
+    let whole_gradient = fit.jacobian.tr_mul(&DVector::from_column_slice(&fit.residual));
+    let second = part(fit, &gram, &gradient)?;
+    let first = part(fit, &(whole - gram), &(whole_gradient - gradient))?;
+    Some((first, second))
+}
+
+fn part(fit: &Fit, gram: &DMatrix<f64>, gradient: &DVector<f64>) -> Option<Parted> {
+    let n = fit.z.len();
+    let factor = Cholesky::new(gram + DMatrix::identity(n, n))?;
+    let z = DVector::from_column_slice(&fit.z);
+    let there = &z + factor.solve(&(gradient - &z));
+    let covariance = factor.inverse();
+    // the prior is common to both parts: only what the data add can differ
+    let sd = (0..n).map(|i| (covariance[(i, i)] * (1.0 - covariance[(i, i)]).max(1e-6)).sqrt()).collect();
+    Some((there.iter().copied().collect(), sd))
+}
+
+fn apart(first: &Parted, second: &Parted, index: usize) -> f64 {
+    (second.0[index] - first.0[index]) / first.1[index].hypot(second.1[index]).max(1e-9)
+}

@@ -1,0 +1,115 @@
+//! The pipeline: noise, calibration, location, search, selection, verdict, held-out proof, next experiment.
+//!
+//! Limits: one recording (or several joined into one simulator) at a time.
+
+use crate::{
+    answer::Answer,
+    augmented::Augmented,
+    diagnosis::{Diagnosis, RecordingFacts, Traces},
+    directions::directions,
+    effect::Effect,
+    effects::library,
+    gate::Gate,
+    issues::{DiagnoseError, check},
+    noise::noise_model,
+    problem::{NoiseModel, Problem},
+    search::{Progress, Search},
+    select::{Selection, select},
+    verdict::decide,
+};
+use std::sync::atomic::AtomicBool;
+
+/// What a caller may choose.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// ids of the effects to try; all where empty
+    pub effects: Vec<String>,
+}
+
+/// What comes out.
+pub struct Outcome {
+    /// the answer
+    pub diagnosis: Diagnosis,
+    /// columns for a report
+    pub traces: Traces,
+    /// the model that it ends with
+    pub augmented: Augmented,
+}
+
+/// Diagnoses a recording.
+///
+/// # Errors
+/// [`DiagnoseError`] where the recording cannot tell anything or the base model has no answer.
+pub fn diagnose(
+    problem: &Problem<'_>,
+    facts: RecordingFacts,
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+    stop: &AtomicBool,
+) -> Result<Outcome, DiagnoseError> {
+    let started = std::time::Instant::now();
+    check(problem)?;
+    let noise = calibrated_noise(problem)?;
+    let whitener = noise.whitener(&problem.runs(), None);
+    let span = crate::directions::spread(problem.response);
+    let context = problem.context(span, noise.floor());
+    let everything = library();
+    let (testable, not_testable) = part(&everything, &context, options);
+    let search = Search { problem, context: &context, library: testable, whitener: &whitener, progress, stop };
+    let base = search.base()?;
+    let selection = select(&search, base);
+    let directions = directions(problem.inputs, problem.simulator);
+    let gate = Gate::new(&directions, &whitener, problem.runs());
+    let named = selection.models.iter().position(|m| !m.effects.is_empty()).unwrap_or(selection.base);
+    let before = gate.adequacy(&selection.base().fit);
+    let after = gate.adequacy(&selection.models[named].fit);
+    let decision = decide(&selection, &before, &after);
+    let answer = Answer {
+        search: &search,
+        noise: &noise,
+        selection: &selection,
+        decision: &decision,
+        before,
+        after,
+        gate: &gate,
+        directions: &directions,
+    };
+    let mut outcome = answer.outcome(facts, not_testable);
+    outcome.diagnosis.seconds = started.elapsed().as_secs_f64();
+    Ok(outcome)
+}
+
+/// Noise, with the inputs' share taken at the prior's centre.
+fn calibrated_noise(problem: &Problem<'_>) -> Result<NoiseModel, DiagnoseError> {
+    let centre: Vec<f64> = problem.simulator.parameters().iter().map(truegap_core::Parameter::centre).collect();
+    Ok(noise_model(problem, &centre)?)
+}
+
+/// Effects that the recording could show, and those that it could not, with the reason.
+fn part<'a>(
+    all: &'a [Box<dyn Effect>],
+    context: &crate::context::Context<'_>,
+    options: &Options,
+) -> (Vec<&'a dyn Effect>, Vec<(String, String)>) {
+    let (mut testable, mut not) = (Vec::new(), Vec::new());
+    for effect in all {
+        let id = effect.id().to_string();
+        if !options.effects.is_empty() && !options.effects.contains(&id) {
+            not.push((id, "left out on request".into()));
+            continue;
+        }
+        match effect.testable(context) {
+            Ok(()) => testable.push(effect.as_ref()),
+            Err(why) => not.push((id, why)),
+        }
+    }
+    (testable, not)
+}
+
+/// The selection alone, for callers that need no report (the recovery bank).
+///
+/// # Errors
+/// As [`diagnose`].
+pub fn select_only(search: &Search<'_>) -> Result<Selection, DiagnoseError> {
+    Ok(select(search, search.base()?))
+}

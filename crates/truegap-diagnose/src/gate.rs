@@ -1,0 +1,131 @@
+//! Is a fitted model adequate? Three tests that know no effect: smooth directions, means over short stretches, and lines in the spectrum.
+//!
+//! Limits: a mismatch shorter than a stretch, without a period, and below the noise goes unseen.
+
+use crate::{
+    directions::Direction,
+    fit::Fit,
+    score::{JointTest, Scores, scores, upper_tail},
+    whiten::Whitener,
+};
+use nalgebra::{DMatrix, DVector};
+use std::ops::Range;
+
+/// Probability below which a test fires.
+pub const LEVEL: f64 = 1e-4;
+
+/// Whitened directions, ready for scoring any fit of the same noise model.
+pub struct Gate {
+    /// n x k
+    columns: DMatrix<f64>,
+    /// squared length of each column
+    pub lengths: Vec<f64>,
+    runs: Vec<Range<usize>>,
+}
+
+/// Outcome of the three tests.
+#[derive(Clone, Copy, Debug)]
+pub struct Adequacy {
+    /// smooth directions
+    pub smooth: JointTest,
+    /// means over short stretches
+    pub stretches: JointTest,
+    /// strongest line in the spectrum of a run: p-value with all frequencies and runs counted
+    pub line_p_value: f64,
+    /// run with the strongest line, and its frequency in cycles a row
+    pub line_at: (usize, f64),
+}
+
+impl Adequacy {
+    /// Smallest of the p-values, for having tried three.
+    pub fn p_value(&self) -> f64 {
+        (3.0 * self.smooth.p_value.min(self.stretches.p_value).min(self.line_p_value)).min(1.0)
+    }
+
+    /// Whether something is left that noise does not make.
+    pub fn fires(&self) -> bool {
+        self.p_value() < LEVEL
+    }
+}
+
+impl Gate {
+    /// Whitens the directions.
+    pub fn new(directions: &[Direction], whitener: &Whitener, runs: Vec<Range<usize>>) -> Self {
+        let rows = directions.first().map_or(0, |d| d.column.len());
+        let mut columns = DMatrix::zeros(rows, directions.len());
+        for (index, direction) in directions.iter().enumerate() {
+            let mut column = direction.column.clone();
+            whitener.apply(&mut column);
+            columns.column_mut(index).copy_from_slice(&column);
+        }
+        let lengths = columns.column_iter().map(|c| c.norm_squared()).collect();
+        Self { columns, lengths, runs }
+    }
+
+    /// Scores along the directions.
+    pub fn scores(&self, fit: &Fit) -> Scores {
+        scores(fit, &self.columns)
+    }
+
+    /// The three tests.
+    pub fn adequacy(&self, fit: &Fit) -> Adequacy {
+        let smooth = if self.columns.ncols() == 0 { none() } else { self.scores(fit).joint() };
+        let (line_p_value, line_at) = strongest_line(&fit.residual, &self.runs);
+        Adequacy { smooth, stretches: stretches(fit, &self.runs), line_p_value, line_at }
+    }
+}
+
+fn none() -> JointTest {
+    JointTest { statistic: 0.0, freedom: 0, p_value: 1.0 }
+}
+
+/// Most stretches.
+const STRETCHES: usize = 240;
+
+/// Joint test of the means of the whitened residual over short stretches.
+fn stretches(fit: &Fit, runs: &[Range<usize>]) -> JointTest {
+    let rows: usize = runs.iter().map(ExactSizeIterator::len).sum();
+    let length = (rows / STRETCHES).max(8);
+    let cells: Vec<Range<usize>> = runs
+        .iter()
+        .flat_map(|r| r.clone().step_by(length).map(|a| a..(a + length).min(r.end)))
+        .filter(|c| c.len() * 2 > length)
+        .collect();
+    if cells.len() < 4 {
+        return none();
+    }
+    let sum = |column: &[f64], cell: &Range<usize>| column[cell.clone()].iter().sum::<f64>();
+    let scores = DVector::from_fn(cells.len(), |i, _| sum(&fit.residual, &cells[i]));
+    let cross = DMatrix::from_fn(fit.jacobian.ncols(), cells.len(), |p, i| {
+        fit.jacobian.column(p).rows(cells[i].start, cells[i].len()).sum()
+    });
+    let absorbed = fit.factor().map(|f| f.solve(&cross)).unwrap_or_else(|| DMatrix::zeros(cross.nrows(), cross.ncols()));
+    let lengths = DMatrix::from_diagonal(&DVector::from_fn(cells.len(), |i, _| cells[i].len() as f64));
+    Scores { scores, covariance: lengths - cross.tr_mul(&absorbed) }.joint()
+}
+
+/// Fisher's test of the strongest line in the periodograms of the runs: p-value and (run, cycles a row).
+fn strongest_line(residual: &[f64], runs: &[Range<usize>]) -> (f64, (usize, f64)) {
+    let mut planner = rustfft::FftPlanner::<f64>::new();
+    let (mut best, mut at) = (1.0, (0, 0.0));
+    for (index, run) in runs.iter().enumerate().filter(|(_, r)| r.len() >= 64) {
+        let n = run.len();
+        let mut values: Vec<rustfft::num_complex::Complex<f64>> = residual[run.clone()].iter().map(|v| (*v).into()).collect();
+        planner.plan_fft_forward(n).process(&mut values);
+        // the lowest lines belong to the smooth tests
+        let power: Vec<f64> = values[4..n / 2].iter().map(|c| c.norm_sqr()).collect();
+        let total: f64 = power.iter().sum();
+        let Some((line, strongest)) = power.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)) else { continue };
+        let m = power.len() as f64;
+        let p = (m * (1.0 - strongest / total).max(0.0).powf(m - 1.0) * runs.len() as f64).min(1.0);
+        if p < best {
+            (best, at) = (p, (index, (line + 4) as f64 / n as f64));
+        }
+    }
+    (best, at)
+}
+
+/// p-value of the largest of many squared z-scores, family-wise.
+pub fn family_wise(z: f64, tests: usize) -> f64 {
+    (upper_tail(z * z, 1) * tests as f64).min(1.0)
+}

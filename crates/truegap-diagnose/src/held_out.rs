@@ -1,0 +1,106 @@
+//! Errors on rows that a fit did not see: whole runs left out, or blocks where there is one run.
+//!
+//! Limits: free-run prediction, so a slow drift between runs cannot be foreseen and counts as error.
+
+use crate::{
+    fit::{Fit, FitOptions, fit},
+    problem::NoiseModel,
+    search::{Search, Tried},
+};
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Most parts that are left out one after another.
+const MOST_PARTS: usize = 10;
+/// Blocks of a single run.
+const BLOCKS: usize = 6;
+
+/// Rows left out together.
+pub struct Part {
+    /// name for a reader
+    pub name: String,
+    /// row ranges
+    pub rows: Vec<Range<usize>>,
+}
+
+/// Predictions of rows left out.
+pub struct HeldOutFit {
+    /// how rows were left out
+    pub how: String,
+    /// prediction a row; NaN where a part could not be predicted
+    pub prediction: Vec<f64>,
+    /// parts: name and root-mean-square error
+    pub parts: Vec<(String, f64)>,
+    /// root-mean-square error over all rows predicted
+    pub rmse: f64,
+}
+
+/// How to leave out rows of these runs.
+pub fn parts(runs: &[Range<usize>], numbers: &[u32]) -> (String, Vec<Part>) {
+    if runs.len() == 1 {
+        let (run, n) = (&runs[0], runs[0].len());
+        let block = |k: usize| run.start + k * n / BLOCKS..run.start + (k + 1) * n / BLOCKS;
+        let parts = (0..BLOCKS).map(|k| Part { name: format!("block {}", k + 1), rows: vec![block(k)] });
+        return (
+            format!("{BLOCKS} blocks of the one run, each left out in turn"),
+            parts.filter(|p| !p.rows[0].is_empty()).collect(),
+        );
+    }
+    let count = runs.len().min(MOST_PARTS);
+    let mut parts: Vec<Part> = (0..count).map(|_| Part { name: String::new(), rows: Vec::new() }).collect();
+    for (index, run) in runs.iter().enumerate() {
+        let part = &mut parts[index % count];
+        let separator = if part.name.is_empty() { "run " } else { ", " };
+        part.name += &format!("{separator}{}", numbers[run.start]);
+        part.rows.push(run.clone());
+    }
+    ("each run left out in turn, predicted without having been seen".into(), parts)
+}
+
+/// Fits `tried` without each part in turn and predicts it.
+pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried) -> HeldOutFit {
+    let runs = search.problem.runs();
+    let (how, parts) = parts(&runs, &search.problem.inputs.run);
+    let predicted: Vec<(usize, Option<Vec<f64>>)> = parts
+        .par_iter()
+        .enumerate()
+        .map(|(i, part)| {
+            (i, without(search, noise, tried, part, &runs).and_then(|f| search.model(&tried.effects).respond(&f.z).ok()))
+        })
+        .collect();
+    let response = search.problem.response;
+    let mut prediction = vec![f64::NAN; response.len()];
+    let (mut errors, mut squares, mut rows) = (Vec::new(), 0.0, 0usize);
+    for (index, values) in predicted {
+        let Some(values) = values else { continue };
+        let part = &parts[index];
+        let mut sum = 0.0;
+        let mut count = 0;
+        for row in part.rows.iter().cloned().flatten() {
+            prediction[row] = values[row];
+            sum += (values[row] - response[row]).powi(2);
+            count += 1;
+        }
+        errors.push((part.name.clone(), (sum / f64::from(count.max(1))).sqrt()));
+        squares += sum;
+        rows += count as usize;
+    }
+    HeldOutFit { how, prediction, parts: errors, rmse: (squares / rows.max(1) as f64).sqrt() }
+}
+
+/// The fit without one part.
+fn without(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, part: &Part, runs: &[Range<usize>]) -> Option<Fit> {
+    let mut keep = vec![true; search.problem.response.len()];
+    part.rows.iter().cloned().flatten().for_each(|row| keep[row] = false);
+    let whitener = noise.whitener(runs, Some(&keep));
+    let options = FitOptions { iterations: 6, tolerance: 0.02 };
+    fit(&search.model(&tried.effects), &whitener, &tried.fit.z, &options).ok()
+}
+
+/// Share of the reproducible misfit that is removed, `1 - (after^2 - floor^2) / (before^2 - floor^2)`; `None` where nothing is there to remove.
+pub fn misfit_removed(before: f64, after: f64, floor: f64, rows: usize) -> Option<f64> {
+    let there = before * before - floor * floor;
+    // the floor's own square is uncertain by floor^2 sqrt(2 / rows)
+    let uncertain = floor * floor * (2.0 / rows.max(1) as f64).sqrt();
+    (there > 2.0 * uncertain).then(|| 1.0 - (after * after - floor * floor) / there)
+}

@@ -1,0 +1,169 @@
+//! Which effects, alone and together, explain a recording: singles, forward steps, swaps, pairs of the best.
+//!
+//! Limits: at most three effects at once.
+
+use crate::{
+    context::Context,
+    effect::Effect,
+    fit::{Fit, FitOptions, Model, fit, fit_within},
+    problem::Problem,
+    score::scores,
+    whiten::Whitener,
+};
+use nalgebra::DMatrix;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
+use truegap_core::SimulationError;
+
+/// A model that was fitted: the base with some effects of the library.
+#[derive(Clone)]
+pub struct Tried {
+    /// indices into [`Search::library`], ascending in the order in which they were added
+    pub effects: Vec<usize>,
+    /// its fit
+    pub fit: Fit,
+}
+
+impl Tried {
+    /// The same effects whatever their order.
+    pub fn key(&self) -> Vec<usize> {
+        let mut key = self.effects.clone();
+        key.sort_unstable();
+        key
+    }
+}
+
+/// What is being tried, for a progress bar.
+#[derive(Clone, Debug)]
+pub struct Progress {
+    /// step of the pipeline
+    pub step: &'static str,
+    /// what is tried
+    pub what: String,
+    /// share done, 0 to 1
+    pub done: f64,
+}
+
+/// Everything a search needs.
+pub struct Search<'a> {
+    /// recording and simulator
+    pub problem: &'a Problem<'a>,
+    /// facts for the effects
+    pub context: &'a Context<'a>,
+    /// effects that this recording can show
+    pub library: Vec<&'a dyn Effect>,
+    /// noise
+    pub whitener: &'a Whitener,
+    /// told what is tried
+    pub progress: &'a (dyn Fn(Progress) + Sync),
+    /// set from outside to end early with what is known
+    pub stop: &'a AtomicBool,
+}
+
+impl<'a> Search<'a> {
+    /// The base model alone.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn base(&self) -> Result<Tried, SimulationError> {
+        let model = self.model(&[]);
+        let start = vec![0.0; model.parameters.len()];
+        Ok(Tried { effects: Vec::new(), fit: fit(&model, self.whitener, &start, &FitOptions::default())? })
+    }
+
+    /// The base model with these effects.
+    pub fn model(&self, effects: &[usize]) -> Model<'a> {
+        Model::new(self.problem, self.context, effects.iter().map(|i| self.library[*i]).collect())
+    }
+
+    /// Adds each of `candidates` to `from`, in parallel.
+    pub fn add_each(&self, from: &Tried, candidates: &[usize], step: &'static str) -> Vec<Tried> {
+        let done = std::sync::atomic::AtomicUsize::new(0);
+        let total = candidates.len().max(1) as f64;
+        candidates
+            .par_iter()
+            .filter(|c| !from.effects.contains(c) && !self.stop.load(Ordering::Relaxed))
+            .filter_map(|candidate| {
+                let tried = self.add(from, *candidate);
+                let count = done.fetch_add(1, Ordering::Relaxed) + 1;
+                (self.progress)(Progress { step, what: self.library[*candidate].id().to_string(), done: count as f64 / total });
+                tried
+            })
+            .collect()
+    }
+
+    /// `from` with one more effect, fitted from its most promising starts; `None` where no start has an answer.
+    pub fn add(&self, from: &Tried, candidate: usize) -> Option<Tried> {
+        let mut effects = from.effects.clone();
+        effects.push(candidate);
+        let model = self.model(&effects);
+        let mut starts = self.promising(from, &model);
+        starts.truncate(2);
+        if starts.len() == 2 && starts[1].gain < 0.6 * starts[0].gain {
+            starts.truncate(1);
+        }
+        let fits = starts.iter().filter_map(|s| self.refine(&model, s, from.fit.z.len()));
+        fits.max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence)).map(|fit| Tried { effects, fit })
+    }
+
+    /// Refits with everything free, after a first fit that holds the shape of the new effect.
+    fn refine(&self, model: &Model<'_>, start: &Start, before: usize) -> Option<Fit> {
+        let mut bounds = model.bounds();
+        for (bound, z) in bounds.iter_mut().zip(&start.z).skip(before + 1) {
+            *bound = (*z, *z);
+        }
+        let held = FitOptions { iterations: 3, tolerance: 1.0 };
+        let z = if start.z.len() > before + 1 {
+            fit_within(model, self.whitener, &start.z, &bounds, &held).ok()?.z
+        } else {
+            start.z.clone()
+        };
+        fit(model, self.whitener, &z, &FitOptions::default()).ok()
+    }
+
+    /// Starting points of the last effect of `model`, most promising first, judged by one straight step from `from`.
+    fn promising(&self, from: &Tried, model: &Model<'_>) -> Vec<Start> {
+        let last = model.effects.len() - 1;
+        let parameters = &model.parameters[model.range_of(last)];
+        let bounds = model.bounds()[model.first_of(last)];
+        let mut starts: Vec<Start> = Vec::new();
+        for shape in model.effects[last].starts(self.context) {
+            let z_shape: Vec<f64> = parameters.iter().skip(1).zip(&shape).map(|(p, v)| p.prior.z(*v)).collect();
+            for trial in [0.01, 0.5, -0.5] {
+                if (bounds.0..=bounds.1).contains(&trial) {
+                    starts.extend(self.straight_step(from, model, trial, &z_shape, bounds));
+                }
+            }
+        }
+        starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        starts
+    }
+
+    /// Size that a straight line through size 0 and `trial` promises, and its gain in log likelihood.
+    fn straight_step(&self, from: &Tried, model: &Model<'_>, trial: f64, shape: &[f64], bounds: (f64, f64)) -> Option<Start> {
+        let zero = zero_size(model, model.effects.len() - 1);
+        let size = if trial > 0.0 { (zero + trial).min(bounds.1) } else { (zero + trial).max(bounds.0) };
+        let mut z = from.fit.z.clone();
+        z.push(size);
+        z.extend_from_slice(shape);
+        let there = model.residual(&z, self.whitener).ok()?;
+        let column: Vec<f64> = from.fit.residual.iter().zip(&there).map(|(a, b)| (a - b) / (size - zero)).collect();
+        let found = scores(&from.fit, &DMatrix::from_column_slice(column.len(), 1, &column));
+        let (score, variance) = (found.scores[0], found.covariance[(0, 0)]);
+        let best = (zero + score / (variance + 1.0)).clamp(bounds.0, bounds.1).clamp(zero - 4.0, zero + 4.0);
+        let step = best - zero;
+        z[from.fit.z.len()] = if step == 0.0 { (zero + 1e-3 * trial.signum()).clamp(bounds.0, bounds.1) } else { best };
+        Some(Start { z, gain: score * step - 0.5 * variance * step * step })
+    }
+}
+
+/// A starting point and what a straight step promises of it.
+struct Start {
+    z: Vec<f64>,
+    gain: f64,
+}
+
+/// Coordinate at which the size of effect `index` is 0.
+pub fn zero_size(model: &Model<'_>, index: usize) -> f64 {
+    model.parameters[model.first_of(index)].prior.z(0.0)
+}

@@ -1,0 +1,154 @@
+//! From fits to probabilities: a prior that pays for multiplicity, and tempering for the error of every equation.
+//!
+//! Limits: models that were not tried have probability 0.
+
+use crate::{
+    evidence::log_sum_exp,
+    search::{Search, Tried},
+};
+use std::{collections::BTreeMap, sync::atomic::Ordering};
+
+/// Prior probabilities of 0, 1, 2 and 3 effects, shared evenly within each number.
+const NUMBER_PRIOR: [f64; 4] = [0.5, 0.35, 0.12, 0.03];
+/// Relative error that even the right physics has when written with the wrong equation (sibling forms; see `docs/diagnosis.md`).
+pub const FORM_ERROR: f64 = 0.15;
+/// Number of independent shapes over which that error spreads.
+const FORM_SHAPES: f64 = 10.0;
+
+/// All models tried, with probabilities.
+pub struct Selection {
+    /// models, likeliest first
+    pub models: Vec<Tried>,
+    /// probability of each
+    pub probability: Vec<f64>,
+    /// probability of each effect of the library to belong to the model
+    pub effect_probability: Vec<f64>,
+    /// divisor of log evidence
+    pub temper: f64,
+    /// index of the base model in `models`
+    pub base: usize,
+}
+
+impl Selection {
+    /// The likeliest model.
+    pub fn best(&self) -> &Tried {
+        &self.models[0]
+    }
+
+    /// The base model.
+    pub fn base(&self) -> &Tried {
+        &self.models[self.base]
+    }
+
+    /// Probability that nothing is missing.
+    pub fn probability_none(&self) -> f64 {
+        self.probability[self.base]
+    }
+
+    /// The model with exactly these effects.
+    pub fn with(&self, effects: &[usize]) -> Option<&Tried> {
+        let mut key = effects.to_vec();
+        key.sort_unstable();
+        self.models.iter().find(|m| m.key() == key)
+    }
+}
+
+/// Log prior of a model with `count` of `library` effects.
+fn log_prior(count: usize, library: usize) -> f64 {
+    let combinations: f64 = (0..count).map(|i| (library.max(count) - i) as f64 / (i + 1) as f64).product();
+    (NUMBER_PRIOR.get(count).copied().unwrap_or(0.0) / combinations).ln()
+}
+
+/// Tries singles, forward steps with swaps, and pairs of the best; weighs all of them.
+pub fn select(search: &Search<'_>, base: Tried) -> Selection {
+    let all: Vec<usize> = (0..search.library.len()).collect();
+    let mut tried: BTreeMap<Vec<usize>, Tried> = BTreeMap::new();
+    let singles = search.add_each(&base, &all, "one effect");
+    let order = ranked(&singles);
+    let gain = order.first().map_or(0.0, |i| singles[*i].fit.log_evidence - base.fit.log_evidence);
+    keep(&mut tried, std::iter::once(base).chain(singles.iter().cloned()));
+    if gain > 3.0 {
+        let best: Vec<&Tried> = order.iter().take(6).map(|i| &singles[*i]).collect();
+        pairs(search, &best, &all, &mut tried);
+        triples(search, &all, &mut tried);
+    }
+    weigh(tried, search.library.len())
+}
+
+fn ranked(models: &[Tried]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..models.len()).collect();
+    order.sort_by(|a, b| models[*b].fit.log_evidence.total_cmp(&models[*a].fit.log_evidence));
+    order
+}
+
+/// Keeps the better fit of models with the same effects.
+fn keep(tried: &mut BTreeMap<Vec<usize>, Tried>, models: impl IntoIterator<Item = Tried>) {
+    for model in models {
+        let better = tried.get(&model.key()).is_none_or(|old| model.fit.log_evidence > old.fit.log_evidence);
+        if better {
+            tried.insert(model.key(), model);
+        }
+    }
+}
+
+/// The best single with every other effect, then the best partner with every other (a swap), then all pairs of the best six.
+fn pairs(search: &Search<'_>, best: &[&Tried], all: &[usize], tried: &mut BTreeMap<Vec<usize>, Tried>) {
+    let Some(first) = best.first() else { return };
+    let forward = search.add_each(first, all, "two effects");
+    let partner = ranked(&forward).first().map(|i| forward[*i].effects[1]);
+    keep(tried, forward);
+    if let Some(alone) = partner.and_then(|p| tried.get(&vec![p]).cloned()) {
+        keep(tried, search.add_each(&alone, all, "two effects, swapped"));
+    }
+    for (index, one) in best.iter().enumerate().skip(1) {
+        let others: Vec<usize> = best[index + 1..]
+            .iter()
+            .map(|o| o.effects[0])
+            .filter(|o| !tried.contains_key(&sorted(&[one.effects[0], *o])))
+            .collect();
+        keep(tried, search.add_each(one, &others, "pairs of the best"));
+    }
+}
+
+/// The best pair with every other effect, where the pair is worth it.
+fn triples(search: &Search<'_>, all: &[usize], tried: &mut BTreeMap<Vec<usize>, Tried>) {
+    let of_size = |n: usize| {
+        tried.values().filter(move |t| t.effects.len() == n).max_by(|a, b| a.fit.log_evidence.total_cmp(&b.fit.log_evidence))
+    };
+    let (Some(single), Some(pair)) = (of_size(1), of_size(2)) else { return };
+    let temper = temper(tried.get(&Vec::new()).map_or(0.0, |b| b.fit.chi2) - pair.fit.chi2);
+    if (pair.fit.log_evidence - single.fit.log_evidence) / temper > 3.0 && !search.stop.load(Ordering::Relaxed) {
+        let pair = pair.clone();
+        keep(tried, search.add_each(&pair, all, "three effects"));
+    }
+}
+
+fn sorted(effects: &[usize]) -> Vec<usize> {
+    let mut key = effects.to_vec();
+    key.sort_unstable();
+    key
+}
+
+/// Divisor of log evidence when the misfit is `deviance` (in units of the noise variance): the right physics written with another
+/// equation leaves `FORM_ERROR` of its signal over `FORM_SHAPES` shapes, and evidence between models must not rest on less than that.
+pub fn temper(deviance: f64) -> f64 {
+    1.0 + FORM_ERROR * FORM_ERROR * deviance.max(0.0) / FORM_SHAPES
+}
+
+fn weigh(tried: BTreeMap<Vec<usize>, Tried>, library: usize) -> Selection {
+    let mut models: Vec<Tried> = tried.into_values().collect();
+    let base_chi2 = models.iter().find(|m| m.effects.is_empty()).map_or(0.0, |b| b.fit.chi2);
+    let least = models.iter().map(|m| m.fit.chi2).fold(f64::INFINITY, f64::min);
+    let temper = temper(base_chi2 - least);
+    let weight = |m: &Tried| m.fit.log_evidence / temper + log_prior(m.effects.len(), library);
+    models.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
+    let weights: Vec<f64> = models.iter().map(weight).collect();
+    let total = log_sum_exp(&weights);
+    let probability: Vec<f64> = weights.iter().map(|w| (w - total).exp()).collect();
+    let mut effect_probability = vec![0.0; library];
+    for (model, p) in models.iter().zip(&probability) {
+        model.effects.iter().for_each(|e| effect_probability[*e] += p);
+    }
+    let base = models.iter().position(|m| m.effects.is_empty()).unwrap_or(0);
+    Selection { models, probability, effect_probability, temper, base }
+}

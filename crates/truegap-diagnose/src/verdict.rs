@@ -1,0 +1,85 @@
+//! One of six verdicts from probabilities and adequacy.
+//!
+//! Limits: thresholds were fixed on generated recordings and the open cases (`docs/diagnosis.md`), never on sealed ones.
+
+use crate::{diagnosis::Verdict, gate::Adequacy, select::Selection};
+
+/// Probability of "nothing is missing" below which a mismatch is called present.
+const DETECTED: f64 = 0.05;
+/// The same above which recording and model agree.
+const AGREED: f64 = 0.3;
+/// Probability that a named effect must have to be stated without rivals.
+const SURE: f64 = 0.9;
+/// Odds against the best model within which a rival is not excluded.
+const RIVAL: f64 = 0.05;
+/// Share of the misfit that the right family removes even with the wrong equation.
+pub const RIGHT_FAMILY: f64 = 0.85;
+
+/// What was decided.
+#[derive(Clone, Debug)]
+pub struct Decision {
+    /// verdict
+    pub verdict: Verdict,
+    /// index into the selection's models of the model stood behind; the base model where nothing is named
+    pub model: usize,
+    /// sets of effects (indices into the library) that cannot be told apart, one a finding
+    pub sets: Vec<Vec<usize>>,
+    /// share of the structured misfit that the best model removes
+    pub removed: f64,
+}
+
+/// Decides.
+pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy) -> Decision {
+    let nothing = |verdict| Decision { verdict, model: selection.base, sets: Vec::new(), removed: 0.0 };
+    let none = selection.probability_none();
+    let library_sees = none < DETECTED;
+    let removed = removed(before, after);
+    if !library_sees {
+        return if before.fires() {
+            nothing(Verdict::Unexplained)
+        } else {
+            nothing(if none >= AGREED { Verdict::Agrees } else { Verdict::Undecided })
+        };
+    }
+    let Some(best) = selection.models.iter().position(|m| !m.effects.is_empty()) else { return nothing(Verdict::Undecided) };
+    let sets = rival_sets(selection, best);
+    let rivals = sets.iter().any(|s| s.len() > 1);
+    let sure = selection.models[best].effects.iter().all(|e| selection.effect_probability[*e] >= SURE);
+    if after.fires() && removed < RIGHT_FAMILY {
+        return Decision { removed, ..nothing(Verdict::Unexplained) };
+    }
+    let verdict = match (sure && !rivals, after.fires()) {
+        (true, false) => Verdict::Explained,
+        (true, true) => Verdict::WrongForm,
+        (false, _) if rivals => Verdict::Ambiguous,
+        (false, _) => Verdict::Undecided,
+    };
+    let model = if verdict == Verdict::Undecided { selection.base } else { best };
+    Decision { verdict, model, sets, removed }
+}
+
+/// Share of the excess of the smooth and stretch tests that is gone.
+fn removed(before: &Adequacy, after: &Adequacy) -> f64 {
+    let excess = |a: &Adequacy| a.smooth.excess().max(a.stretches.excess());
+    let there = excess(before);
+    if there <= 0.0 { 1.0 } else { 1.0 - excess(after) / there }
+}
+
+/// For each effect of model `best`, the effects that could stand in its place.
+fn rival_sets(selection: &Selection, best: usize) -> Vec<Vec<usize>> {
+    let model = &selection.models[best];
+    let probability = selection.probability[best];
+    let place = |effect: &usize| {
+        let others: Vec<usize> = model.effects.iter().copied().filter(|e| e != effect).collect();
+        let mut set = vec![*effect];
+        for (rival, p) in selection.models.iter().zip(&selection.probability) {
+            let same_size = rival.effects.len() == model.effects.len();
+            if same_size && *p > RIVAL * probability && others.iter().all(|o| rival.effects.contains(o)) {
+                set.extend(rival.effects.iter().filter(|e| !others.contains(e) && *e != effect));
+            }
+        }
+        set.dedup();
+        set
+    };
+    model.effects.iter().map(place).collect()
+}

@@ -1,1 +1,10 @@
-//! The analytic model of a capacitive tactile sensor, one function per equation.
+//! The analytic model of a capacitive tactile sensor, one function per equation, and the base models that a recording is compared with.
+//!
+//! Limits: steady state; everything with a memory, and everything outside the plates, is left to the stages that plug into the chain.
+
+pub mod base;
+pub mod equations;
+pub mod stack;
+
+pub use base::{BaseError, BaseSpec, Recorded, base_model};
+pub use stack::{CoefficientOptions, Coefficients, Point, SeriesOrder, Stack, StackOptions, State, coefficients, states};

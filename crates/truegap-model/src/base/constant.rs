@@ -1,0 +1,67 @@
+//! A value that should not move: for drift studies.
+//!
+//! Limits: no load, no plates; only clock, thermal path and readout mean anything.
+
+use super::{ResponseScale, Start, check_finite};
+use truegap_core::{Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName};
+
+/// Response `level`.
+#[derive(Clone, Debug)]
+pub struct Constant {
+    unit: String,
+    range: f64,
+    reference_c: f64,
+    parameters: Vec<Parameter>,
+}
+
+impl Constant {
+    /// A level somewhere about the recorded one.
+    pub fn new(scale: &ResponseScale, reference_c: f64) -> Self {
+        let level = Parameter::normal("level", &scale.unit, scale.centre, 10.0 * scale.range, "value that should not move");
+        Self { unit: scale.unit.clone(), range: scale.range, reference_c, parameters: vec![level] }
+    }
+}
+
+impl Simulator for Constant {
+    fn name(&self) -> &str {
+        "constant"
+    }
+
+    fn unit(&self) -> &str {
+        &self.unit
+    }
+
+    fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+
+    fn needs(&self) -> &[Role] {
+        &[]
+    }
+
+    fn lacks(&self, stage: StageName) -> Option<&'static str> {
+        match stage {
+            StageName::Inputs | StageName::LoadPath | StageName::Beads => Some("a constant has no load"),
+            StageName::Geometry | StageName::Dielectric | StageName::Field => Some("a constant has no plates"),
+            StageName::ThermalPath | StageName::Readout => None,
+        }
+    }
+
+    fn full_load(&self) -> Option<f64> {
+        None
+    }
+
+    fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
+        let &[level] = values else {
+            return Err(SimulationError::NotFinite { row: 0, value: f64::NAN, parameters: values.to_vec() });
+        };
+        let mut value = vec![level; inputs.len()];
+        if !stages.is_empty() {
+            let start = Start::new(inputs, stages, self.reference_c, 1.0, |inputs| Ok(vec![0.0; inputs.len()]))?;
+            // nothing spans a constant: the range of the recording is the scale for effects that ask for one
+            let readout = Readout { zero: level, span: self.range };
+            stages.iter().for_each(|stage| stage.readout(&start.drive(), &readout, &mut value));
+        }
+        check_finite(value, values)
+    }
+}

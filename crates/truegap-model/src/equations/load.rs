@@ -1,0 +1,218 @@
+//! What a load does to beads and insulator: (11)-(15).
+//!
+//! Limits: frictionless beads of one Poisson's ratio; compressive strain below 1, tension above the strain at which a bead would neck without end.
+
+use super::plates::Compression;
+
+/// How a bead carries load: bulging with its Poisson's ratio, stiffening with strain.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BeadLaw {
+    /// Poisson's ratio; 0 for a dielectric that cannot spread
+    pub poisson: f64,
+    /// `[a, b]`: stress at strain e is E e (1 + a e + b e²); zeros for the paper's beads
+    pub stiffening: [f64; 2],
+}
+
+impl BeadLaw {
+    /// Load over E A at a strain, and its derivative.
+    fn reduced_load(self, strain: f64) -> (f64, f64) {
+        let [a, b] = self.stiffening;
+        let spread = 1.0 + self.poisson * strain;
+        let stiff = 1.0 + strain * (a + strain * b);
+        let load = strain * spread * spread * stiff;
+        let slope = spread * ((1.0 + 3.0 * self.poisson * strain) * stiff + strain * spread * (a + 2.0 * b * strain));
+        (load, slope)
+    }
+}
+
+/// Bead area under load.
+///
+/// $$ A(e) = A (1 + \nu e)^2 $$
+///
+/// | symbol | argument  | unit |
+/// |--------|-----------|------|
+/// | A      | `area`    | m²   |
+/// | ν      | `poisson` | -    |
+/// | e      | `strain`, compressive | - |
+///
+/// **Source:** [hampson2023] (11), with e = -ε_Z. **Assumes:** `FREE-SPREADING`. **Accuracy:** four roundings.
+pub fn spread_area(area: f64, poisson: f64, strain: f64) -> f64 {
+    let spread = 1.0 + poisson * strain;
+    area * spread * spread
+}
+
+/// Load that brings beads to a compressive strain, over E A.
+///
+/// $$ \frac{F}{E A} = e (1 + \nu e)^2 (1 + a e + b e^2) $$
+///
+/// | symbol  | argument | unit |
+/// |---------|----------|------|
+/// | ν, a, b | `law`    | -    |
+/// | e       | `strain`, compressive | - |
+///
+/// **Source:** [hampson2023] (12), corrected; the factor with a and b is own, 1 in the paper. **Assumes:** `FREE-SPREADING`. **Accuracy:** a few roundings.
+pub fn reduced_load(law: BeadLaw, strain: f64) -> f64 {
+    law.reduced_load(strain).0
+}
+
+/// Compressive strain of beads under a load; `None` where the beads cannot carry it.
+///
+/// $$ e (1 + \nu e)^2 (1 + a e + b e^2) = q, \qquad q = \frac{F}{E A} $$
+///
+/// | symbol  | argument       | unit |
+/// |---------|----------------|------|
+/// | q       | `reduced_load` | -    |
+/// | ν, a, b | `law`          | -    |
+///
+/// The branch that starts at e = 0 for q = 0. A strain of 1 or more is returned as it is: the caller knows where the gap closes. Loads may be
+/// slightly negative (noise of a load cell about zero).
+///
+/// **Source:** [hampson2023] (12), corrected to `E ν² ε³ - 2 E ν ε² + E ε + F/A = 0`; see `docs/errata.md`. **Assumes:** `FREE-SPREADING`.
+/// **Accuracy:** 2e-15 relative, `the_strain_solves_its_equation`.
+pub fn compressive_strain(reduced_load: f64, law: BeadLaw) -> Option<f64> {
+    let nu = law.poisson;
+    let q = reduced_load;
+    // Padé form of the inverse series q - 2 nu q^2 + 7 nu^2 q^3, good to 10 % for all q > 0
+    let start = q * (1.0 + 1.5 * nu * q) / (1.0 + 3.5 * nu * q);
+    newton(q, start, law).or_else(|| bisection(q, law))
+}
+
+/// Newton's iteration; `None` where it does not settle on the branch through zero.
+fn newton(q: f64, start: f64, law: BeadLaw) -> Option<f64> {
+    let mut strain = start;
+    for _ in 0..12 {
+        let (load, slope) = law.reduced_load(strain);
+        let step = (load - q) / slope;
+        strain -= step;
+        if step.abs() <= 1e-9 * strain.abs() {
+            // one more step from here would change less than a rounding: the error is squared
+            let (load, slope) = law.reduced_load(strain);
+            let on_branch = slope > 0.0 && 1.0 + 3.0 * law.poisson * strain > 0.0 && strain.is_finite();
+            let monotone = law.stiffening == [0.0, 0.0] || rises_to(strain, law);
+            return (on_branch && monotone).then(|| strain - (load - q) / slope);
+        }
+    }
+    (q == 0.0).then_some(0.0)
+}
+
+/// Whether load rises all the way from no strain to `strain`, so that the root is the first one.
+fn rises_to(strain: f64, law: BeadLaw) -> bool {
+    (1..=8).all(|i| law.reduced_load(strain * f64::from(i) / 8.0).1 > 0.0)
+}
+
+/// The first root away from zero, by marching and halving; slow and sure.
+fn bisection(q: f64, law: BeadLaw) -> Option<f64> {
+    const STEP: f64 = 1.0 / 64.0;
+    let direction = q.signum();
+    if !q.is_finite() {
+        return None;
+    }
+    let mut low = 0.0;
+    loop {
+        let high = low + direction * STEP;
+        let (load, slope) = law.reduced_load(high);
+        if (load - q) * direction >= 0.0 {
+            return Some(halve(low, high, |e| (law.reduced_load(e).0 - q) * direction));
+        }
+        if slope <= 0.0 || high.abs() > 4.0 {
+            return None;
+        }
+        low = high;
+    }
+}
+
+/// Root between `low` (negative value) and `high` (not negative).
+fn halve(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..80 {
+        let middle = 0.5 * (low + high);
+        if value(middle) >= 0.0 { high = middle } else { low = middle }
+    }
+    high
+}
+
+/// Left-hand side of the printed cubic for the strain, over E.
+///
+/// $$ \nu^2 \epsilon_Z^3 - 2 \nu \epsilon_Z^2 - \epsilon_Z + q $$
+///
+/// | symbol | argument       | unit |
+/// |--------|----------------|------|
+/// | ε_Z    | `strain`, positive in tension | - |
+/// | q      | `reduced_load` | -    |
+/// | ν      | `poisson`      | -    |
+///
+/// **Source:** [hampson2023] (12), as printed; the sign of its linear term is wrong.
+pub fn load_cubic_as_printed(strain: f64, reduced_load: f64, poisson: f64) -> f64 {
+    let e = strain;
+    poisson * poisson * e * e * e - 2.0 * poisson * e * e - e + reduced_load
+}
+
+/// Root of the printed cubic that starts at zero load, positive in tension: a load *opens* the gap; `None` where Newton's iteration finds none.
+///
+/// | symbol | argument       | unit |
+/// |--------|----------------|------|
+/// | q      | `reduced_load` | -    |
+/// | ν      | `poisson`      | -    |
+///
+/// **Source:** [hampson2023] (12), as printed. Its magnitude differs from the corrected strain by 0.12 % at 0.05, 0.7 % at 0.13 and 3 % at 0.3.
+pub fn strain_as_printed(reduced_load: f64, poisson: f64) -> Option<f64> {
+    let mut e = reduced_load / (1.0 + 2.0 * poisson * reduced_load);
+    for _ in 0..50 {
+        let slope = 3.0 * poisson * poisson * e * e - 4.0 * poisson * e - 1.0;
+        let step = load_cubic_as_printed(e, reduced_load, poisson) / slope;
+        e -= step;
+        if step.abs() <= 1e-15 * e.abs() || e == 0.0 {
+            return Some(e);
+        }
+    }
+    None
+}
+
+/// Height of the beads under load.
+///
+/// $$ d = d(T) (1 - e) $$
+///
+/// | symbol | argument | unit |
+/// |--------|----------|------|
+/// | d(T)   | `height` | m    |
+/// | e      | `strain`, compressive | - |
+///
+/// **Source:** [hampson2023] (13), with e = -ε_Z. **Accuracy:** two roundings.
+pub fn loaded_height(height: f64, strain: f64) -> f64 {
+    height * (1.0 - strain)
+}
+
+/// Thickness of the insulator under load.
+///
+/// $$ d = d(T) (1 - p / E) $$
+///
+/// | symbol | argument      | unit |
+/// |--------|---------------|------|
+/// | d(T)   | `thickness`   | m    |
+/// | p, E   | `compression` | Pa   |
+///
+/// **Source:** [hampson2023] (14), with p = -σ. **Assumes:** `LINEAR-SOLID`. **Accuracy:** three roundings.
+pub fn loaded_thickness(thickness: f64, compression: Compression) -> f64 {
+    thickness * (1.0 - compression.strain())
+}
+
+/// The layers between the electrodes, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layers {
+    /// beads and air, m
+    pub beads: f64,
+    /// insulator, m
+    pub insulator: f64,
+}
+
+/// Mean separation of the electrodes.
+///
+/// $$ d_{average} = d_{silicone} + d_{polyimide} $$
+///
+/// | symbol | argument | unit |
+/// |--------|----------|------|
+/// | d      | `layers` | m    |
+///
+/// **Source:** [hampson2023] (15). **Accuracy:** one rounding.
+pub fn mean_separation(layers: Layers) -> f64 {
+    layers.beads + layers.insulator
+}

@@ -6,5 +6,5 @@ pub mod base;
 pub mod equations;
 pub mod stack;
 
-pub use base::{BaseError, BaseSpec, Recorded, base_model};
+pub use base::{BaseError, BaseModel, Recorded, base_model};
 pub use stack::{CoefficientOptions, Coefficients, Point, SeriesOrder, Stack, StackOptions, State, coefficients, states};

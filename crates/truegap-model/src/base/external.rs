@@ -75,6 +75,14 @@ impl Simulator for External {
         None
     }
 
+    fn reference_c(&self) -> f64 {
+        self.reference_c
+    }
+
+    fn load(&self, _inputs: &Inputs) -> Option<Vec<f64>> {
+        None
+    }
+
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         let (gain, offset) = self.line(values);
         let missing = || SimulationError::MissingColumn { model: self.name().to_owned(), role: Role::Simulated };

@@ -99,6 +99,14 @@ impl Simulator for GapPlate {
         None
     }
 
+    fn reference_c(&self) -> f64 {
+        self.reference_c
+    }
+
+    fn load(&self, _inputs: &Inputs) -> Option<Vec<f64>> {
+        None
+    }
+
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         let &[area_permittivity] = values else {
             return Err(SimulationError::NotFinite { row: 0, value: f64::NAN, parameters: values.to_vec() });

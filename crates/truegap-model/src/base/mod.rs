@@ -14,6 +14,6 @@ pub use constant::Constant;
 pub use external::{External, ExternalOptions};
 pub use gap_plate::GapPlate;
 pub use parallel_plate::{Load, ParallelPlate};
-pub use spec::{BASE_MODELS, BaseError, BaseSpec, Recorded, ResponseScale, base_model};
+pub use spec::{BASE_MODELS, BaseError, BaseModel, Recorded, ResponseScale, base_model};
 
 pub(crate) use start::{Start, check_finite, stiffening};

@@ -144,6 +144,14 @@ impl Simulator for ParallelPlate {
         Some(self.full_load)
     }
 
+    fn reference_c(&self) -> f64 {
+        self.reference_c
+    }
+
+    fn load(&self, inputs: &Inputs) -> Option<Vec<f64>> {
+        self.loads(inputs).ok()
+    }
+
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         let &[offset, gain, modulus] = values else {
             return Err(SimulationError::NotFinite { row: 0, value: f64::NAN, parameters: values.to_vec() });

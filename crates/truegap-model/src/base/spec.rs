@@ -35,7 +35,7 @@ pub struct ResponseScale {
 /// A base model with its options.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "model", rename_all = "kebab-case")]
-pub enum BaseSpec {
+pub enum BaseModel {
     /// the paper's sensor
     Stack {
         /// name or file of the sensor
@@ -125,7 +125,7 @@ pub enum BaseError {
     },
 }
 
-impl BaseSpec {
+impl BaseModel {
     /// The base model `model` for a recording, priors scaled by it; `sensor` and `options` matter to `stack` only.
     ///
     /// # Errors
@@ -168,7 +168,7 @@ impl BaseSpec {
         }
     }
 
-    /// The model itself; `sensor` is what [`BaseSpec::sensor`] names.
+    /// The model itself; `sensor` is what [`BaseModel::sensor`] names.
     ///
     /// # Errors
     /// [`BaseError::NoSensor`] where the stack is given none.
@@ -191,14 +191,14 @@ impl BaseSpec {
 /// A base model by its name, scaled by a recording.
 ///
 /// # Errors
-/// [`BaseError`] as [`BaseSpec::of`] and [`BaseSpec::build`].
+/// [`BaseError`] as [`BaseModel::of`] and [`BaseModel::build`].
 pub fn base_model(
     model: &str,
     sensor: Option<&Sensor>,
     options: StackOptions,
     recorded: Recorded<'_>,
 ) -> Result<Box<dyn Simulator>, BaseError> {
-    BaseSpec::of(model, sensor.map(|s| s.name.as_str()), options, recorded)?.build(sensor)
+    BaseModel::of(model, sensor.map(|s| s.name.as_str()), options, recorded)?.build(sensor)
 }
 
 /// Column of the load, pressure before force, and its greatest value.

@@ -180,7 +180,11 @@ impl Device {
 
     /// The sensor at a temperature.
     pub fn at(&self, temperature_c: f64) -> Warm {
-        let kelvin = temperature_c - self.reference_c;
+        self.warmed_by(temperature_c - self.reference_c)
+    }
+
+    /// The sensor so many kelvin above its reference temperature.
+    pub fn warmed_by(&self, kelvin: f64) -> Warm {
         let radius = expanded_length(self.radius, self.conductor.expansion, kelvin);
         let electrode = PI * radius * radius;
         let solid = match self.solid {

@@ -111,6 +111,15 @@ impl Simulator for Stack {
         self.sensor.plating.as_ref().map(|_| self.options.warp)
     }
 
+    fn reference_c(&self) -> f64 {
+        self.sensor.reference_c
+    }
+
+    fn load(&self, inputs: &Inputs) -> Option<Vec<f64>> {
+        let full_load = self.sensor.full_scale;
+        inputs.force_n.as_ref().map(|column| column.iter().map(|force| force / full_load).collect())
+    }
+
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         let missing = || SimulationError::MissingColumn { model: self.name().to_owned(), role: Role::Force };
         let device = self.device(values);
@@ -118,10 +127,8 @@ impl Simulator for Stack {
             let force = inputs.force_n.as_ref().ok_or_else(missing)?;
             return chain::plain(&device, force, inputs.temperature_c.as_deref(), values);
         }
-        let full_load = self.sensor.full_scale;
-        let start = crate::base::Start::new(inputs, stages, self.sensor.reference_c, full_load, |inputs| {
-            Ok(inputs.force_n.as_ref().ok_or_else(missing)?.iter().map(|force| force / full_load).collect())
-        })?;
+        let load = |inputs: &Inputs| self.load(inputs).ok_or_else(missing);
+        let start = crate::base::Start::new(inputs, stages, self.sensor.reference_c, self.sensor.full_scale, load)?;
         chain::staged(&device, &start.drive(), stages, values)
     }
 }

@@ -49,9 +49,15 @@ pub fn states(sensor: &Sensor, options: StackOptions, points: &[Point]) -> Resul
     points.iter().enumerate().map(|(row, &point)| state(&device, row, point)).collect()
 }
 
+/// Difference of two temperatures that were written as decimals, to 1e-12 K: 20.001 - 20 is 0.001 K, not the 0.001 000 000 000 001 K that is left of
+/// the binary numbers. It matters to the curvature, which is proportional to the difference.
+fn decimal_difference(temperature_c: f64, reference_c: f64) -> f64 {
+    ((temperature_c - reference_c) * 1e12).round() / 1e12
+}
+
 pub(super) fn state(device: &Device, row: usize, point: Point) -> Result<State, SimulationError> {
     let Point { force_n, temperature_c } = point;
-    let warm = device.at(temperature_c);
+    let warm = device.warmed_by(decimal_difference(temperature_c, device.reference_c));
     let refuse = |refusal| refused(refusal, row, force_n, &[]);
     let strain = device.strain(&warm, force_n, 1.0, [0.0; 2]).map_err(refuse)?;
     let parts = device.capacitances(&warm, &device.plain(&warm, force_n, strain)).map_err(refuse)?;

@@ -5,11 +5,7 @@ use truegap_scene::figure::{Bars, Figure, HeatMap, Matrix, Stack};
 use truegap_scene::page::{Page, Table, Tone};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let folder = std::path::PathBuf::from(
-        std::env::args()
-            .nth(1)
-            .ok_or("name the folder to write to")?,
-    );
+    let folder = std::path::PathBuf::from(std::env::args().nth(1).ok_or("name the folder to write to")?);
     std::fs::create_dir_all(&folder)?;
     let figures = [
         ("recording", recording()?),
@@ -37,11 +33,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         std::fs::write(folder.join(format!("{name}.svg")), svg)?;
         page = page.figure(svg, &format!("Figure `{name}`."));
     }
-    page = page
-        .details("Details")
-        .text("Folded.")
-        .code("truegap diagnose recording.toml -o out")
-        .end_details();
+    page = page.details("Details").text("Folded.").code("truegap diagnose recording.toml -o out").end_details();
     std::fs::write(folder.join("index.html"), page.to_html())?;
     Ok(())
 }
@@ -52,47 +44,19 @@ fn recording() -> Drawn {
     let n = 1_000_000;
     let t: Vec<f64> = (0..n).map(|i| f64::from(i) * 1e-3).collect();
     let noise = |i: usize| ((i as f64 * 12.9898).sin() * 43758.5453).fract();
-    let load: Vec<f64> = t
-        .iter()
-        .map(|t| {
-            if (*t / 100.0) as i64 % 2 == 0 {
-                0.5
-            } else {
-                4.0
-            }
-        })
-        .collect();
-    let truth: Vec<f64> = t
-        .iter()
-        .map(|t| 64.0 + 2.0 * (TAU * t / 400.0).sin())
-        .collect();
+    let load: Vec<f64> = t.iter().map(|t| if (*t / 100.0) as i64 % 2 == 0 { 0.5 } else { 4.0 }).collect();
+    let truth: Vec<f64> = t.iter().map(|t| 64.0 + 2.0 * (TAU * t / 400.0).sin()).collect();
     let read: Vec<f64> = truth
         .iter()
         .enumerate()
-        .map(|(i, c)| {
-            if (300_000..350_000).contains(&i) {
-                f64::NAN
-            } else {
-                c + 0.3 * noise(i)
-            }
-        })
+        .map(|(i, c)| if (300_000..350_000).contains(&i) { f64::NAN } else { c + 0.3 * noise(i) })
         .collect();
-    let residual: Vec<f64> = read
-        .iter()
-        .zip(&truth)
-        .map(|(a, b)| (a - b) * 1e3)
-        .collect();
+    let residual: Vec<f64> = read.iter().zip(&truth).map(|(a, b)| (a - b) * 1e3).collect();
     let coarse: Vec<f64> = t.iter().copied().step_by(5000).collect();
     let model: Vec<f64> = truth.iter().copied().step_by(5000).collect();
     let shifted = |by: f64| model.iter().map(|c| c + by).collect::<Vec<_>>();
     Stack::new("Recording and prediction, one million rows")
-        .panel(
-            Figure::new("")
-                .x("time", "s")
-                .y("load", "N")
-                .height(80.0)
-                .steps("load", &t, &load),
-        )
+        .panel(Figure::new("").x("time", "s").y("load", "N").height(80.0).steps("load", &t, &load))
         .panel(
             Figure::new("")
                 .x("time", "s")
@@ -119,11 +83,7 @@ fn recording() -> Drawn {
 fn hysteresis() -> Drawn {
     let a: Vec<f64> = (0..200_000).map(|i| f64::from(i) * TAU / 1000.0).collect();
     let x: Vec<f64> = a.iter().map(|a| 2.25 - 2.25 * a.cos()).collect();
-    let y: Vec<f64> = a
-        .iter()
-        .zip(&x)
-        .map(|(a, x)| 64.0 + 3.0 * x + 0.05 * x * x - 0.6 * a.sin())
-        .collect();
+    let y: Vec<f64> = a.iter().zip(&x).map(|(a, x)| 64.0 + 3.0 * x + 0.05 * x * x - 0.6 * a.sin()).collect();
     let mean: Vec<f64> = (0..10).map(|i| f64::from(i) * 0.5).collect();
     let line: Vec<f64> = mean.iter().map(|x| 64.0 + 3.0 * x + 0.05 * x * x).collect();
     Figure::new("Loop, 200 cycles")
@@ -152,14 +112,7 @@ fn convergence() -> Drawn {
 }
 
 fn ranking() -> Drawn {
-    let labels = [
-        "N beads",
-        "copper thickness",
-        "RTV modulus",
-        "bead radius",
-        "polyimide permittivity",
-        "electrode radius <1>",
-    ];
+    let labels = ["N beads", "copper thickness", "RTV modulus", "bead radius", "polyimide permittivity", "electrode radius <1>"];
     Bars::new("Total Sobol index of the baseline", &labels)
         .x("total index", "")
         .series_with_interval(
@@ -176,12 +129,7 @@ fn ranking() -> Drawn {
 fn tornado() -> Drawn {
     Bars::new(
         "Effect of each broken assumption on K_baseline",
-        &[
-            "NO-FRINGING",
-            "BIMETAL-STRIP",
-            "RIGID-PLATES",
-            "BEADS-DO-NOT-HOLD",
-        ],
+        &["NO-FRINGING", "BIMETAL-STRIP", "RIGID-PLATES", "BEADS-DO-NOT-HOLD"],
     )
     .x("change of K_baseline", "%")
     .series("change", &[1.2, -14.8, 0.021, -41.0])
@@ -192,21 +140,11 @@ fn tornado() -> Drawn {
 
 fn residual_map() -> Drawn {
     let (columns, rows) = (60, 40);
-    let x: Vec<f64> = (0..=columns)
-        .map(|i| 4.5 * f64::from(i) / f64::from(columns))
-        .collect();
-    let y: Vec<f64> = (0..=rows)
-        .map(|j| 20.0 + 30.0 * f64::from(j) / f64::from(rows))
-        .collect();
+    let x: Vec<f64> = (0..=columns).map(|i| 4.5 * f64::from(i) / f64::from(columns)).collect();
+    let y: Vec<f64> = (0..=rows).map(|j| 20.0 + 30.0 * f64::from(j) / f64::from(rows)).collect();
     let cells: Vec<f64> = (0..rows * columns)
         .map(|k| (f64::from(k % columns) / 60.0, f64::from(k / columns) / 40.0))
-        .map(|(u, v)| {
-            if u > 0.8 && v < 0.2 {
-                f64::NAN
-            } else {
-                40.0 * (u - 0.5) * (v - 0.2) + 3.0 * (9.0 * u).sin()
-            }
-        })
+        .map(|(u, v)| if u > 0.8 && v < 0.2 { f64::NAN } else { 40.0 * (u - 0.5) * (v - 0.2) + 3.0 * (9.0 * u).sin() })
         .collect();
     HeatMap::new("Where the residual sits", &x, &y, &cells)
         .x("force", "N")
@@ -217,36 +155,13 @@ fn residual_map() -> Drawn {
 }
 
 fn confusion() -> Drawn {
-    let names = [
-        "viscoelastic_creep",
-        "thermal_lag",
-        "dead_gap",
-        "offset_drift",
-        "unexplained",
-    ];
-    let values: Vec<f64> = (0..25)
-        .map(|k| {
-            if k % 6 == 0 {
-                0.91
-            } else {
-                0.002 * f64::from(k)
-            }
-        })
-        .collect();
-    Matrix::new("Confusion on the bank", &names, &names, &values)
-        .axes("true cause", "named cause")
-        .to_svg()
+    let names = ["viscoelastic_creep", "thermal_lag", "dead_gap", "offset_drift", "unexplained"];
+    let values: Vec<f64> = (0..25).map(|k| if k % 6 == 0 { 0.91 } else { 0.002 * f64::from(k) }).collect();
+    Matrix::new("Confusion on the bank", &names, &names, &values).axes("true cause", "named cause").to_svg()
 }
 
 fn offset() -> Drawn {
     let x: Vec<f64> = (0..200).map(|i| f64::from(i) * 1e-7).collect();
-    let y: Vec<f64> = x
-        .iter()
-        .map(|x| 64.000_123 + 2e-6 * (x * 1e6).cos())
-        .collect();
-    Figure::new("A tiny change of a large value")
-        .x("time", "s")
-        .y("capacitance", "pF")
-        .line("C", &x, &y)
-        .to_svg()
+    let y: Vec<f64> = x.iter().map(|x| 64.000_123 + 2e-6 * (x * 1e6).cos()).collect();
+    Figure::new("A tiny change of a large value").x("time", "s").y("capacitance", "pF").line("C", &x, &y).to_svg()
 }

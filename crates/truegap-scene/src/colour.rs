@@ -32,11 +32,7 @@ impl Rgb {
     pub fn linear(self) -> [f32; 3] {
         [self.red, self.green, self.blue].map(|c| {
             let c = f64::from(c) / 255.0;
-            let light = if c <= 0.04045 {
-                c / 12.92
-            } else {
-                ((c + 0.055) / 1.055).powf(2.4)
-            };
+            let light = if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
             light as f32
         })
     }
@@ -49,11 +45,7 @@ impl Rgb {
 
     fn mix(self, other: Self, t: f64) -> Self {
         let blend = |a: u8, b: u8| (f64::from(a) + t * (f64::from(b) - f64::from(a))).round() as u8;
-        Self {
-            red: blend(self.red, other.red),
-            green: blend(self.green, other.green),
-            blue: blend(self.blue, other.blue),
-        }
+        Self { red: blend(self.red, other.red), green: blend(self.green, other.green), blue: blend(self.blue, other.blue) }
     }
 }
 
@@ -80,14 +72,10 @@ pub enum ColourMap {
 }
 
 /// Viridis at 0, 0.1, ..., 1. **Source:** S. van der Walt, N. Smith, matplotlib's viridis (CC0).
-const VIRIDIS: [u32; 11] = [
-    0x440154, 0x482475, 0x414487, 0x355F8D, 0x2A788E, 0x21918C, 0x22A884, 0x44BF70, 0x7AD151,
-    0xBDDF26, 0xFDE725,
-];
+const VIRIDIS: [u32; 11] =
+    [0x440154, 0x482475, 0x414487, 0x355F8D, 0x2A788E, 0x21918C, 0x22A884, 0x44BF70, 0x7AD151, 0xBDDF26, 0xFDE725];
 /// Blue and orange-brown arms of matching lightness.
-const BLUE_BROWN: [u32; 9] = [
-    0x0B2F5B, 0x22619E, 0x5B9BCB, 0xADD0E6, 0xF5F5F3, 0xF8C39B, 0xE08A45, 0xAF5310, 0x662C05,
-];
+const BLUE_BROWN: [u32; 9] = [0x0B2F5B, 0x22619E, 0x5B9BCB, 0xADD0E6, 0xF5F5F3, 0xF8C39B, 0xE08A45, 0xAF5310, 0x662C05];
 
 impl ColourMap {
     /// The stops, evenly spaced from 0 to 1.
@@ -112,11 +100,7 @@ impl ColourMap {
             Self::Sequential => (low, high),
             Self::Diverging => (-low.abs().max(high.abs()), low.abs().max(high.abs())),
         };
-        if low < high {
-            (low, high)
-        } else {
-            (low - 0.5, high + 0.5)
-        }
+        if low < high { (low, high) } else { (low - 0.5, high + 0.5) }
     }
 }
 

@@ -6,3 +6,4 @@
 pub mod colour;
 pub mod figure;
 pub mod page;
+pub mod solid;

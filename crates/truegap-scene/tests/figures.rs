@@ -6,18 +6,10 @@ use truegap_scene::figure::{Bars, Figure, FigureError, HeatMap, Matrix, Stack};
 fn elements(svg: &str) -> Vec<String> {
     let (mut open, mut all, mut rest) = (Vec::new(), Vec::new(), svg);
     while let Some(start) = rest.find('<') {
-        assert!(
-            rest[..start].split('&').skip(1).all(|s| s.contains(';')),
-            "bare ampersand"
-        );
+        assert!(rest[..start].split('&').skip(1).all(|s| s.contains(';')), "bare ampersand");
         let end = start + rest[start..].find('>').expect("an open tag ends");
         let tag = &rest[start + 1..end];
-        let name = tag
-            .trim_start_matches('/')
-            .split([' ', '/'])
-            .next()
-            .unwrap_or("")
-            .to_owned();
+        let name = tag.trim_start_matches('/').split([' ', '/']).next().unwrap_or("").to_owned();
         if tag.starts_with('/') {
             assert_eq!(open.pop(), Some(name), "closing tag out of turn");
         } else {
@@ -34,9 +26,7 @@ fn elements(svg: &str) -> Vec<String> {
 
 /// Corners of the path whose title is `label`.
 fn corners(svg: &str, label: &str) -> Vec<(f64, f64)> {
-    let end = svg
-        .find(&format!("<title>{label}</title></path>"))
-        .expect("the path is there");
+    let end = svg.find(&format!("<title>{label}</title></path>")).expect("the path is there");
     let data = &svg[svg[..end].rfind("d=\"").expect("it has data") + 3..end];
     let numbers: Vec<f64> = data[..data.find('"').expect("data ends")]
         .split(['M', 'L', ' '])
@@ -51,32 +41,16 @@ fn a_million_points_give_a_small_figure_that_still_shows_one_outlier() {
     let x: Vec<f64> = (0..1_000_000).map(f64::from).collect();
     let mut y: Vec<f64> = x.iter().map(|x| (x * 0.7).sin()).collect();
     y[777_777] = 40.0;
-    let svg = Figure::new("long")
-        .x("time", "s")
-        .y("value", "pF")
-        .line("a", &x, &y)
-        .to_svg()
-        .expect("drawable");
+    let svg = Figure::new("long").x("time", "s").y("value", "pF").line("a", &x, &y).to_svg().expect("drawable");
     assert!(svg.len() < 100_000, "{} bytes", svg.len());
-    let highest = corners(&svg, "a")
-        .into_iter()
-        .min_by(|p, q| p.1.total_cmp(&q.1))
-        .expect("points");
-    let others = corners(&svg, "a")
-        .into_iter()
-        .filter(|p| p.1 < highest.1 + 50.0)
-        .count();
+    let highest = corners(&svg, "a").into_iter().min_by(|p, q| p.1.total_cmp(&q.1)).expect("points");
+    let others = corners(&svg, "a").into_iter().filter(|p| p.1 < highest.1 + 50.0).count();
     assert_eq!(others, 1);
 }
 
 #[test]
 fn a_logarithmic_axis_puts_equal_ratios_at_equal_distances() {
-    let svg = Figure::new("")
-        .log_x()
-        .log_y()
-        .line("a", &[1.0, 10.0, 100.0], &[1e-6, 1e-4, 1e-2])
-        .to_svg()
-        .expect("drawable");
+    let svg = Figure::new("").log_x().log_y().line("a", &[1.0, 10.0, 100.0], &[1e-6, 1e-4, 1e-2]).to_svg().expect("drawable");
     let p = corners(&svg, "a");
     // Coordinates carry two decimals.
     assert!(((p[1].0 - p[0].0) - (p[2].0 - p[1].0)).abs() < 0.021 && (p[1].0 - p[0].0) > 100.0);
@@ -85,14 +59,7 @@ fn a_logarithmic_axis_puts_equal_ratios_at_equal_distances() {
 
 #[test]
 fn values_that_are_not_numbers_break_the_line() {
-    let svg = Figure::new("")
-        .line(
-            "a",
-            &[0.0, 1.0, 2.0, 3.0, 4.0],
-            &[1.0, 2.0, f64::NAN, 2.0, 1.0],
-        )
-        .to_svg()
-        .expect("drawable");
+    let svg = Figure::new("").line("a", &[0.0, 1.0, 2.0, 3.0, 4.0], &[1.0, 2.0, f64::NAN, 2.0, 1.0]).to_svg().expect("drawable");
     let end = svg.find("<title>a</title>").expect("there");
     let data = &svg[svg[..end].rfind("d=\"").expect("data")..end];
     assert_eq!(data.matches('M').count(), 2);
@@ -118,19 +85,9 @@ fn every_figure_is_well_formed_whatever_the_labels() {
     let all = [
         figure().to_svg(),
         Stack::new(odd).panel(figure()).panel(figure()).to_svg(),
-        Bars::new(odd, &[odd, "b"])
-            .series(odd, &[1.0, -2.0])
-            .series("second", &[0.5, f64::NAN])
-            .ranked()
-            .to_svg(),
-        HeatMap::new(odd, &[0.0, 1.0, 2.0], &[0.0, 1.0], &[1.0, f64::NAN])
-            .x(odd, "N")
-            .value(odd, "fF")
-            .diverging()
-            .to_svg(),
-        Matrix::new(odd, &[odd], &[odd, "b"], &[0.5, f64::NAN])
-            .axes(odd, odd)
-            .to_svg(),
+        Bars::new(odd, &[odd, "b"]).series(odd, &[1.0, -2.0]).series("second", &[0.5, f64::NAN]).ranked().to_svg(),
+        HeatMap::new(odd, &[0.0, 1.0, 2.0], &[0.0, 1.0], &[1.0, f64::NAN]).x(odd, "N").value(odd, "fF").diverging().to_svg(),
+        Matrix::new(odd, &[odd], &[odd, "b"], &[0.5, f64::NAN]).axes(odd, odd).to_svg(),
     ];
     for svg in all {
         let svg = svg.expect("drawable");
@@ -140,22 +97,13 @@ fn every_figure_is_well_formed_whatever_the_labels() {
 
 #[test]
 fn bars_are_ranked_by_magnitude_and_start_at_zero() {
-    let svg = Bars::new("", &["small", "large"])
-        .series("effect", &[1.0, -3.0])
-        .ranked()
-        .to_svg()
-        .expect("drawable");
+    let svg = Bars::new("", &["small", "large"]).series("effect", &[1.0, -3.0]).ranked().to_svg().expect("drawable");
     assert!(svg.find(">large<").expect("label") < svg.find(">small<").expect("label"));
     let hinted = |name: &str| {
         let end = svg.find(&format!("<title>{name}, effect")).expect("bar");
         let data = &svg[svg[..end].rfind("d=\"M").expect("data") + 4..end];
         let zero: f64 = data.split(' ').next().expect("x").parse().expect("number");
-        let tip: f64 = data
-            .split(['H', 'v'])
-            .nth(1)
-            .expect("tip")
-            .parse()
-            .expect("number");
+        let tip: f64 = data.split(['H', 'v']).nth(1).expect("tip").parse().expect("number");
         (zero, tip)
     };
     let ((zero, right), (same, left)) = (hinted("small"), hinted("large"));
@@ -166,52 +114,17 @@ fn bars_are_ranked_by_magnitude_and_start_at_zero() {
 
 #[test]
 fn impossible_figures_are_typed_errors_that_name_the_series() {
-    let lengths = Figure::new("f")
-        .line("a", &[1.0, 2.0], &[1.0])
-        .to_svg()
-        .expect_err("lengths differ");
-    assert!(
-        matches!(
-            lengths,
-            FigureError::Lengths {
-                left: 2,
-                right: 1,
-                ..
-            }
-        ) && lengths.to_string().contains("`a`")
-    );
-    let empty = Figure::new("f")
-        .line("a", &[f64::NAN], &[1.0])
-        .to_svg()
-        .expect_err("nothing to draw");
+    let lengths = Figure::new("f").line("a", &[1.0, 2.0], &[1.0]).to_svg().expect_err("lengths differ");
+    assert!(matches!(lengths, FigureError::Lengths { left: 2, right: 1, .. }) && lengths.to_string().contains("`a`"));
+    let empty = Figure::new("f").line("a", &[f64::NAN], &[1.0]).to_svg().expect_err("nothing to draw");
     assert!(matches!(empty, FigureError::Empty { axis: "x", .. }));
-    let logarithm = Figure::new("f")
-        .log_y()
-        .line("a", &[1.0], &[-1.0])
-        .to_svg()
-        .expect_err("no positive value");
+    let logarithm = Figure::new("f").log_y().line("a", &[1.0], &[-1.0]).to_svg().expect_err("no positive value");
     assert!(matches!(logarithm, FigureError::Empty { axis: "y", .. }));
-    let range = Figure::new("f")
-        .y_range(2.0, 1.0)
-        .line("a", &[1.0], &[1.0])
-        .to_svg()
-        .expect_err("empty range");
+    let range = Figure::new("f").y_range(2.0, 1.0).line("a", &[1.0], &[1.0]).to_svg().expect_err("empty range");
     assert!(matches!(range, FigureError::Range { .. }));
-    let order = Figure::new("f")
-        .band("b", &[2.0, 1.0], &[0.0, 0.0], &[1.0, 1.0])
-        .to_svg()
-        .expect_err("x falls");
+    let order = Figure::new("f").band("b", &[2.0, 1.0], &[0.0, 0.0], &[1.0, 1.0]).to_svg().expect_err("x falls");
     assert!(matches!(order, FigureError::NotOrdered { index: 1, .. }));
-    assert!(
-        HeatMap::new("h", &[0.0, 1.0], &[0.0, 1.0], &[1.0, 2.0])
-            .to_svg()
-            .is_err()
-    );
-    assert!(
-        Bars::new("b", &["x"])
-            .series("s", &[1.0, 2.0])
-            .to_svg()
-            .is_err()
-    );
+    assert!(HeatMap::new("h", &[0.0, 1.0], &[0.0, 1.0], &[1.0, 2.0]).to_svg().is_err());
+    assert!(Bars::new("b", &["x"]).series("s", &[1.0, 2.0]).to_svg().is_err());
     assert!(Stack::new("s").to_svg().is_err());
 }

@@ -52,28 +52,14 @@ impl Bars {
 
     /// One bar in every group.
     pub fn series(mut self, label: &str, values: &[f64]) -> Self {
-        self.series.push(BarSeries {
-            label: label.into(),
-            values: values.to_vec(),
-            interval: None,
-        });
+        self.series.push(BarSeries { label: label.into(), values: values.to_vec(), interval: None });
         self
     }
 
     /// One bar in every group, with an interval from `low` to `high` drawn across its end.
-    pub fn series_with_interval(
-        mut self,
-        label: &str,
-        values: &[f64],
-        low: &[f64],
-        high: &[f64],
-    ) -> Self {
+    pub fn series_with_interval(mut self, label: &str, values: &[f64], low: &[f64], high: &[f64]) -> Self {
         let interval = Some((low.to_vec(), high.to_vec()));
-        self.series.push(BarSeries {
-            label: label.into(),
-            values: values.to_vec(),
-            interval,
-        });
+        self.series.push(BarSeries { label: label.into(), values: values.to_vec(), interval });
         self
     }
 
@@ -103,47 +89,23 @@ impl Bars {
         self.check()?;
         let mut svg = Svg::default();
         let mut top = svg.heading(&self.title);
-        let bar = if self.overlaid || self.series.len() == 1 {
-            15.0
-        } else {
-            11.0
-        };
+        let bar = if self.overlaid || self.series.len() == 1 { 15.0 } else { 11.0 };
         let lanes = if self.overlaid { 1 } else { self.series.len() };
         let pitch = bar * lanes as f64 + BETWEEN_GROUPS;
-        let widest = self
-            .labels
-            .iter()
-            .map(|l| text_width(l, TEXT))
-            .fold(0.0, f64::max);
+        let widest = self.labels.iter().map(|l| text_width(l, TEXT)).fold(0.0, f64::max);
         let left = widest.min(LABEL_ROOM) + 20.0;
-        top +=
-            self.draw_legend(&mut svg, left, top) + if self.guides.is_empty() { 6.0 } else { 20.0 };
+        top += self.draw_legend(&mut svg, left, top) + if self.guides.is_empty() { 6.0 } else { 20.0 };
         let height = pitch * self.labels.len() as f64 + BETWEEN_GROUPS;
-        let area = Area {
-            left,
-            top,
-            width: WIDTH - left - 24.0,
-            height,
-        };
+        let area = Area { left, top, width: WIDTH - left - 24.0, height };
         let scale = self.scale(area.width)?;
         self.draw_axis(&mut svg, area, &scale);
         for (row, &index) in self.order().iter().enumerate() {
             let y = area.top + BETWEEN_GROUPS + pitch * row as f64;
             let middle = y + bar * lanes as f64 / 2.0 + 4.0;
-            svg.text(
-                left - 8.0,
-                middle,
-                Anchor::End,
-                &fit(&self.labels[index], TEXT, LABEL_ROOM),
-            );
+            svg.text(left - 8.0, middle, Anchor::End, &fit(&self.labels[index], TEXT, LABEL_ROOM));
             for (n, series) in self.series.iter().enumerate() {
                 let lane = if self.overlaid { 0.0 } else { bar * n as f64 };
-                let place = Area {
-                    left,
-                    top: y + lane,
-                    width: area.width,
-                    height: bar - 1.0,
-                };
+                let place = Area { left, top: y + lane, width: area.width, height: bar - 1.0 };
                 self.draw_bar(&mut svg, place, &scale, (n, series, index));
             }
         }
@@ -153,9 +115,7 @@ impl Bars {
     fn check(&self) -> Result<(), FigureError> {
         for series in &self.series {
             let interval = series.interval.iter().flat_map(|(low, high)| [low, high]);
-            let uneven = interval
-                .chain([&series.values])
-                .find(|values| values.len() != self.labels.len());
+            let uneven = interval.chain([&series.values]).find(|values| values.len() != self.labels.len());
             if let Some(values) = uneven {
                 return Err(FigureError::Lengths {
                     figure: self.title.clone(),
@@ -173,13 +133,7 @@ impl Bars {
     fn order(&self) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.labels.len()).collect();
         if self.ranked {
-            let size = |i: usize| {
-                self.series
-                    .iter()
-                    .map(|s| s.values[i].abs())
-                    .filter(|v| v.is_finite())
-                    .fold(-1.0, f64::max)
-            };
+            let size = |i: usize| self.series.iter().map(|s| s.values[i].abs()).filter(|v| v.is_finite()).fold(-1.0, f64::max);
             order.sort_by(|&a, &b| size(b).total_cmp(&size(a)));
         }
         order
@@ -187,32 +141,17 @@ impl Bars {
 
     fn scale(&self, pixels: f64) -> Result<Scale, FigureError> {
         let values = self.series.iter().flat_map(|s| {
-            let (low, high) = s
-                .interval
-                .as_ref()
-                .map_or((&[][..], &[][..]), |(l, h)| (&l[..], &h[..]));
+            let (low, high) = s.interval.as_ref().map_or((&[][..], &[][..]), |(l, h)| (&l[..], &h[..]));
             s.values.iter().chain(low).chain(high).copied()
         });
-        let found = extent(values, false).ok_or(FigureError::Empty {
-            figure: self.title.clone(),
-            axis: "x",
-        })?;
-        let (low, high) = self
-            .guides
-            .iter()
-            .fold(found, |(l, h), g| (l.min(g.0), h.max(g.0)));
+        let found = extent(values, false).ok_or(FigureError::Empty { figure: self.title.clone(), axis: "x" })?;
+        let (low, high) = self.guides.iter().fold(found, |(l, h), g| (l.min(g.0), h.max(g.0)));
         let (low, high) = (low.min(0.0), high.max(0.0));
         let (low, high) = if low < high { (low, high) } else { (0.0, 1.0) };
         // Room for the numbers at the ends of the bars.
         let room = if self.numbers_shown() { 0.10 } else { 0.03 } * (high - low);
         let widened = |end: f64, by: f64| if end == 0.0 { end } else { end + by };
-        Ok(Scale {
-            low: widened(low, -room),
-            high: widened(high, room),
-            log: false,
-            pixels,
-            flipped: false,
-        })
+        Ok(Scale { low: widened(low, -room), high: widened(high, room), log: false, pixels, flipped: false })
     }
 
     fn numbers_shown(&self) -> bool {
@@ -225,16 +164,8 @@ impl Bars {
         }
         let mut x = left;
         for (n, series) in self.series.iter().enumerate() {
-            let key = Area {
-                left: x,
-                top: top + 4.0,
-                width: 18.0,
-                height: 11.0,
-            };
-            svg.rect(
-                key,
-                &format!(r#"fill="{}""#, PALETTE[n % PALETTE.len()].css()),
-            );
+            let key = Area { left: x, top: top + 4.0, width: 18.0, height: 11.0 };
+            svg.rect(key, &format!(r#"fill="{}""#, PALETTE[n % PALETTE.len()].css()));
             svg.text(x + 24.0, top + 14.0, Anchor::Start, &series.label);
             x += 24.0 + text_width(&series.label, TEXT) + 16.0;
         }
@@ -245,86 +176,35 @@ impl Bars {
         let ticks = Ticks::new(scale, (area.width / 85.0) as usize);
         for (value, label) in &ticks.major {
             let x = area.left + scale.at(*value);
-            svg.line(
-                (x, area.top),
-                (x, area.bottom()),
-                r#"stroke="currentColor" stroke-opacity="0.12""#,
-            );
+            svg.line((x, area.top), (x, area.bottom()), r#"stroke="currentColor" stroke-opacity="0.12""#);
             svg.text(x, area.bottom() + 16.0, Anchor::Middle, label);
         }
         let zero = area.left + scale.at(0.0);
-        svg.line(
-            (zero, area.top),
-            (zero, area.bottom()),
-            r#"stroke="currentColor" stroke-opacity="0.7""#,
-        );
+        svg.line((zero, area.top), (zero, area.bottom()), r#"stroke="currentColor" stroke-opacity="0.7""#);
         let title = ticks.title(&self.axis.0, &self.axis.1);
-        svg.text(
-            area.left + area.width / 2.0,
-            area.bottom() + 35.0,
-            Anchor::Middle,
-            &title,
-        );
+        svg.text(area.left + area.width / 2.0, area.bottom() + 35.0, Anchor::Middle, &title);
         for (at, label) in &self.guides {
             let x = area.left + scale.at(*at);
             let style = r#"stroke="currentColor" stroke-opacity="0.7" stroke-dasharray="2 3""#;
             svg.line((x, area.top - 2.0), (x, area.bottom()), style);
-            svg.styled_text(
-                x,
-                area.top - 6.0,
-                Anchor::Middle,
-                label,
-                r#"font-size="11""#,
-            );
+            svg.styled_text(x, area.top - 6.0, Anchor::Middle, label, r#"font-size="11""#);
         }
     }
 
-    fn draw_bar(
-        &self,
-        svg: &mut Svg,
-        place: Area,
-        scale: &Scale,
-        (n, series, index): (usize, &BarSeries, usize),
-    ) {
+    fn draw_bar(&self, svg: &mut Svg, place: Area, scale: &Scale, (n, series, index): (usize, &BarSeries, usize)) {
         let value = series.values[index];
         let zero = place.left + scale.at(0.0);
         let middle = place.top + place.height / 2.0;
         if !value.is_finite() {
-            svg.styled_text(
-                zero + 6.0,
-                middle + 4.0,
-                Anchor::Start,
-                "not computed",
-                r#"font-size="11" font-style="italic""#,
-            );
+            svg.styled_text(zero + 6.0, middle + 4.0, Anchor::Start, "not computed", r#"font-size="11" font-style="italic""#);
             return;
         }
         let end = place.left + scale.at(value);
-        let outline = format!(
-            "M{} {}H{}v{}H{}Z",
-            px(zero),
-            px(place.top),
-            px(end),
-            px(place.height),
-            px(zero)
-        );
-        let hint = format!(
-            "{}, {}: {} {}",
-            self.labels[index],
-            series.label,
-            short(value),
-            self.axis.1
-        );
-        svg.path(
-            &outline,
-            &hint,
-            &format!(r#"fill="{}""#, PALETTE[n % PALETTE.len()].css()),
-        );
+        let outline = format!("M{} {}H{}v{}H{}Z", px(zero), px(place.top), px(end), px(place.height), px(zero));
+        let hint = format!("{}, {}: {} {}", self.labels[index], series.label, short(value), self.axis.1);
+        svg.path(&outline, &hint, &format!(r#"fill="{}""#, PALETTE[n % PALETTE.len()].css()));
         if let Some((low, high)) = &series.interval {
-            let (low, high) = (
-                place.left + scale.at(low[index]),
-                place.left + scale.at(high[index]),
-            );
+            let (low, high) = (place.left + scale.at(low[index]), place.left + scale.at(high[index]));
             if low.is_finite() && high.is_finite() {
                 let whisker = format!(
                     "M{} {}H{}M{} {}v6M{} {}v6",
@@ -336,26 +216,12 @@ impl Bars {
                     px(high),
                     px(middle - 3.0)
                 );
-                svg.path(
-                    &whisker,
-                    &hint,
-                    r#"stroke="currentColor" stroke-width="1.3" fill="none""#,
-                );
+                svg.path(&whisker, &hint, r#"stroke="currentColor" stroke-width="1.3" fill="none""#);
             }
         }
         if self.numbers_shown() {
-            let (x, anchor) = if value < 0.0 {
-                (end - 5.0, Anchor::End)
-            } else {
-                (end + 5.0, Anchor::Start)
-            };
-            svg.styled_text(
-                x,
-                middle + 4.0,
-                anchor,
-                &short(value),
-                r#"font-size="10.5" opacity="0.85""#,
-            );
+            let (x, anchor) = if value < 0.0 { (end - 5.0, Anchor::End) } else { (end + 5.0, Anchor::Start) };
+            svg.styled_text(x, middle + 4.0, anchor, &short(value), r#"font-size="10.5" opacity="0.85""#);
         }
     }
 }

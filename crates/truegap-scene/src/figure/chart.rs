@@ -114,56 +114,23 @@ impl Figure {
 
     /// A shaded band from `lower` to `upper`; x must not fall.
     pub fn band(self, label: &str, x: &[f64], lower: &[f64], upper: &[f64]) -> Self {
-        self.add(
-            label,
-            x,
-            lower,
-            Mark::Band {
-                upper: upper.to_vec(),
-            },
-        )
+        self.add(label, x, lower, Mark::Band { upper: upper.to_vec() })
     }
 
     /// Points with symmetric vertical error bars of half length `error`.
     pub fn error_bars(self, label: &str, x: &[f64], y: &[f64], error: &[f64]) -> Self {
-        self.add(
-            label,
-            x,
-            y,
-            Mark::Errors {
-                below: error.to_vec(),
-                above: error.to_vec(),
-            },
-        )
+        self.add(label, x, y, Mark::Errors { below: error.to_vec(), above: error.to_vec() })
     }
 
     /// Points with error bars from `y - below` to `y + above`.
-    pub fn uneven_error_bars(
-        self,
-        label: &str,
-        x: &[f64],
-        y: &[f64],
-        below: &[f64],
-        above: &[f64],
-    ) -> Self {
-        self.add(
-            label,
-            x,
-            y,
-            Mark::Errors {
-                below: below.to_vec(),
-                above: above.to_vec(),
-            },
-        )
+    pub fn uneven_error_bars(self, label: &str, x: &[f64], y: &[f64], below: &[f64], above: &[f64]) -> Self {
+        self.add(label, x, y, Mark::Errors { below: below.to_vec(), above: above.to_vec() })
     }
 
     /// Gives the series added last (and all of its label) this colour instead of the next of the palette.
     pub fn colour(mut self, colour: Rgb) -> Self {
         if let Some(label) = self.series.last().map(|s| s.label.clone()) {
-            self.series
-                .iter_mut()
-                .filter(|s| s.label == label)
-                .for_each(|s| s.colour = Some(colour));
+            self.series.iter_mut().filter(|s| s.label == label).for_each(|s| s.colour = Some(colour));
         }
         self
     }
@@ -209,13 +176,7 @@ impl Figure {
     }
 
     fn add(mut self, label: &str, x: &[f64], y: &[f64], mark: Mark) -> Self {
-        self.series.push(Series {
-            label: label.into(),
-            x: x.to_vec(),
-            y: y.to_vec(),
-            mark,
-            colour: None,
-        });
+        self.series.push(Series { label: label.into(), x: x.to_vec(), y: y.to_vec(), mark, colour: None });
         self
     }
 }

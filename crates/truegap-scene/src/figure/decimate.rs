@@ -22,11 +22,7 @@ pub(super) fn polyline(points: &[(f64, f64)]) -> Stroke {
     if points.len() <= FEW {
         return points.iter().map(|&p| drawable(p).then_some(p)).collect();
     }
-    if is_forward(points) {
-        columns(points)
-    } else {
-        loops(points)
-    }
+    if is_forward(points) { columns(points) } else { loops(points) }
 }
 
 /// Points of which no two share a cell: as fine as `finest` pixels, coarser (to `dot`) where that leaves too many.
@@ -36,11 +32,7 @@ pub(super) fn scatter(points: &[(f64, f64)], finest: f64, dot: f64) -> Vec<(f64,
     let mut size = finest;
     loop {
         let mut seen = HashSet::new();
-        let mut kept: Vec<_> = points
-            .iter()
-            .copied()
-            .filter(|&p| seen.insert(cell(p, size)))
-            .collect();
+        let mut kept: Vec<_> = points.iter().copied().filter(|&p| seen.insert(cell(p, size))).collect();
         if kept.len() <= DOTS || size >= dot {
             if size > finest {
                 kept.extend(edges(&points, dot));
@@ -55,9 +47,7 @@ pub(super) fn scatter(points: &[(f64, f64)], finest: f64, dot: f64) -> Vec<(f64,
 fn edges(points: &[(f64, f64)], width: f64) -> impl Iterator<Item = (f64, f64)> {
     let mut columns: HashMap<i64, [(f64, f64); 2]> = HashMap::new();
     for &point in points {
-        let [low, high] = columns
-            .entry((point.0 / width).floor() as i64)
-            .or_insert([point; 2]);
+        let [low, high] = columns.entry((point.0 / width).floor() as i64).or_insert([point; 2]);
         if point.1 < low.1 {
             *low = point;
         }
@@ -212,14 +202,7 @@ mod tests {
     use super::*;
 
     fn noisy(n: usize) -> Vec<(f64, f64)> {
-        (0..n)
-            .map(|i| {
-                (
-                    700.0 * i as f64 / n as f64,
-                    100.0 + 20.0 * (i as f64 * 12.9898).sin(),
-                )
-            })
-            .collect()
+        (0..n).map(|i| (700.0 * i as f64 / n as f64, 100.0 + 20.0 * (i as f64 * 12.9898).sin())).collect()
     }
 
     #[test]
@@ -240,13 +223,9 @@ mod tests {
         let thin = polyline(&points);
         for k in [0, 333, 1200] {
             let range = |all: &mut dyn Iterator<Item = (f64, f64)>| {
-                all.filter(|p| column(p.0) == k)
-                    .fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p.1), b.max(p.1)))
+                all.filter(|p| column(p.0) == k).fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p.1), b.max(p.1)))
             };
-            assert_eq!(
-                range(&mut points.iter().copied()),
-                range(&mut thin.iter().flatten().copied())
-            );
+            assert_eq!(range(&mut points.iter().copied()), range(&mut thin.iter().flatten().copied()));
         }
     }
 

@@ -5,9 +5,7 @@
 #[non_exhaustive]
 pub enum FigureError {
     /// Nothing finite (or, on a logarithmic axis, positive) to draw.
-    #[error(
-        "figure `{figure}` has no finite value on its {axis} axis (positive, if logarithmic); leave the figure out"
-    )]
+    #[error("figure `{figure}` has no finite value on its {axis} axis (positive, if logarithmic); leave the figure out")]
     Empty {
         /// Title of the figure.
         figure: String,
@@ -33,9 +31,7 @@ pub enum FigureError {
         right_name: &'static str,
     },
     /// An axis range that is empty, or reaches zero on a logarithmic axis.
-    #[error(
-        "figure `{figure}`: the {axis} range {low} to {high} is empty or not finite (or not positive on a logarithmic axis)"
-    )]
+    #[error("figure `{figure}`: the {axis} range {low} to {high} is empty or not finite (or not positive on a logarithmic axis)")]
     Range {
         /// Title of the figure.
         figure: String,
@@ -47,9 +43,7 @@ pub enum FigureError {
         high: f64,
     },
     /// Values that must rise do not.
-    #[error(
-        "figure `{figure}`, `{series}`: the x values must not fall (they do at index {index}); sort them first"
-    )]
+    #[error("figure `{figure}`, `{series}`: the x values must not fall (they do at index {index}); sort them first")]
     NotOrdered {
         /// Title of the figure.
         figure: String,

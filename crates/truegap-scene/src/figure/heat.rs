@@ -92,38 +92,22 @@ impl HeatMap {
                 right_name: "values",
             });
         }
-        let found = extent(self.cells.iter().copied(), false).ok_or(FigureError::Empty {
-            figure: self.title.clone(),
-            axis: "value",
-        })?;
+        let found =
+            extent(self.cells.iter().copied(), false).ok_or(FigureError::Empty { figure: self.title.clone(), axis: "value" })?;
         let (low, high) = self.range.unwrap_or(self.map.span(found.0, found.1));
         if !(low < high && low.is_finite() && high.is_finite()) {
-            return Err(FigureError::Range {
-                figure: self.title.clone(),
-                axis: "value",
-                low,
-                high,
-            });
+            return Err(FigureError::Range { figure: self.title.clone(), axis: "value", low, high });
         }
         Ok(heat_draw::draw(self, (low, high), found))
     }
 
     fn rising(&self, name: &str, edges: &[f64]) -> Result<(), FigureError> {
-        let bad = edges
-            .windows(2)
-            .position(|pair| pair[0].is_nan() || pair[1].is_nan() || pair[0] >= pair[1]);
+        let bad = edges.windows(2).position(|pair| pair[0].is_nan() || pair[1].is_nan() || pair[0] >= pair[1]);
         if edges.len() < 2 {
-            return Err(FigureError::Empty {
-                figure: self.title.clone(),
-                axis: "x or y",
-            });
+            return Err(FigureError::Empty { figure: self.title.clone(), axis: "x or y" });
         }
         bad.map_or(Ok(()), |index| {
-            Err(FigureError::NotOrdered {
-                figure: self.title.clone(),
-                series: name.into(),
-                index: index + 1,
-            })
+            Err(FigureError::NotOrdered { figure: self.title.clone(), series: name.into(), index: index + 1 })
         })
     }
 }

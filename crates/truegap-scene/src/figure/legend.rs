@@ -41,20 +41,13 @@ pub(super) fn draw<'a>(
     y - top + ROW * 0.5 + 4.0
 }
 
-fn entries<'a>(
-    series: impl Iterator<Item = &'a Series>,
-    colours: &[(String, Rgb)],
-) -> Vec<Entry<'a>> {
+fn entries<'a>(series: impl Iterator<Item = &'a Series>, colours: &[(String, Rgb)]) -> Vec<Entry<'a>> {
     let mut entries: Vec<Entry> = Vec::new();
     for one in series.filter(|s| !s.label.is_empty()) {
         match entries.iter_mut().find(|e| e.label == one.label) {
             Some(entry) if entry.marks.contains(&&one.mark) => {}
             Some(entry) => entry.marks.push(&one.mark),
-            None => entries.push(Entry {
-                label: &one.label,
-                marks: vec![&one.mark],
-                colour: colour_of(colours, &one.label),
-            }),
+            None => entries.push(Entry { label: &one.label, marks: vec![&one.mark], colour: colour_of(colours, &one.label) }),
         }
     }
     entries
@@ -64,16 +57,8 @@ fn key(svg: &mut Svg, x: f64, y: f64, mark: &Mark, colour: &str) {
     let middle = x + KEY / 2.0;
     match mark {
         Mark::Line { dashed } => {
-            let dash = if *dashed {
-                r#" stroke-dasharray="6 4""#
-            } else {
-                ""
-            };
-            svg.line(
-                (x, y),
-                (x + KEY, y),
-                &format!(r#"stroke="{colour}" stroke-width="2"{dash}"#),
-            );
+            let dash = if *dashed { r#" stroke-dasharray="6 4""# } else { "" };
+            svg.line((x, y), (x + KEY, y), &format!(r#"stroke="{colour}" stroke-width="2"{dash}"#));
         }
         Mark::Steps => svg.raw(&format!(
             "<path d=\"M{} {}h{}v-6h{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\"/>\n",
@@ -83,28 +68,15 @@ fn key(svg: &mut Svg, x: f64, y: f64, mark: &Mark, colour: &str) {
             KEY / 2.0
         )),
         Mark::Points => {
-            svg.raw(&format!(
-                "<circle cx=\"{middle}\" cy=\"{y}\" r=\"3\" fill=\"{colour}\"/>\n"
-            ));
+            svg.raw(&format!("<circle cx=\"{middle}\" cy=\"{y}\" r=\"3\" fill=\"{colour}\"/>\n"));
         }
         Mark::Band { .. } => {
-            let area = Area {
-                left: x,
-                top: y - 5.0,
-                width: KEY,
-                height: 10.0,
-            };
+            let area = Area { left: x, top: y - 5.0, width: KEY, height: 10.0 };
             svg.rect(area, &format!(r#"fill="{colour}" fill-opacity="0.22""#));
         }
         Mark::Errors { .. } => {
-            svg.raw(&format!(
-                "<circle cx=\"{middle}\" cy=\"{y}\" r=\"3\" fill=\"{colour}\"/>\n"
-            ));
-            svg.line(
-                (middle, y - 6.0),
-                (middle, y + 6.0),
-                &format!(r#"stroke="{colour}" stroke-width="1.5""#),
-            );
+            svg.raw(&format!("<circle cx=\"{middle}\" cy=\"{y}\" r=\"3\" fill=\"{colour}\"/>\n"));
+            svg.line((middle, y - 6.0), (middle, y + 6.0), &format!(r#"stroke="{colour}" stroke-width="1.5""#));
         }
     }
 }

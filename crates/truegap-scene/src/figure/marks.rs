@@ -7,36 +7,18 @@ use super::svg::{Svg, px};
 
 impl Panel<'_> {
     fn pixels(&self, series: &Series) -> Vec<(f64, f64)> {
-        series
-            .x
-            .iter()
-            .zip(&series.y)
-            .map(|(&x, &y)| (self.x.at(x), self.y.at(y)))
-            .collect()
+        series.x.iter().zip(&series.y).map(|(&x, &y)| (self.x.at(x), self.y.at(y))).collect()
     }
 
     pub(super) fn draw_series(&self, svg: &mut Svg, series: &Series, colour: &str) {
         let points = self.pixels(series);
-        let wide =
-            format!(r#"fill="none" stroke="{colour}" stroke-width="1.7" stroke-linejoin="round""#);
+        let wide = format!(r#"fill="none" stroke="{colour}" stroke-width="1.7" stroke-linejoin="round""#);
         match &series.mark {
             Mark::Line { dashed } => {
-                let dash = if *dashed {
-                    r#" stroke-dasharray="6 4""#
-                } else {
-                    ""
-                };
-                svg.path(
-                    &stroke(&decimate::polyline(&points)),
-                    &series.label,
-                    &format!("{wide}{dash}"),
-                );
+                let dash = if *dashed { r#" stroke-dasharray="6 4""# } else { "" };
+                svg.path(&stroke(&decimate::polyline(&points)), &series.label, &format!("{wide}{dash}"));
             }
-            Mark::Steps => svg.path(
-                &stroke(&decimate::polyline(&stairs(&points))),
-                &series.label,
-                &wide,
-            ),
+            Mark::Steps => svg.path(&stroke(&decimate::polyline(&stairs(&points))), &series.label, &wide),
             Mark::Points => self.draw_points(svg, series, &points, colour),
             Mark::Errors { below, above } => {
                 self.draw_error_bars(svg, series, (below, above), colour);
@@ -49,53 +31,24 @@ impl Panel<'_> {
     fn draw_points(&self, svg: &mut Svg, series: &Series, points: &[(f64, f64)], colour: &str) {
         let few = points.len() <= 200;
         let (size, cell) = if few { (6.0, 0.1) } else { (3.2, 0.8) };
-        let data: String = decimate::scatter(points, cell, size)
-            .iter()
-            .map(|p| format!("M{} {}h0", px(p.0), px(p.1)))
-            .collect();
+        let data: String = decimate::scatter(points, cell, size).iter().map(|p| format!("M{} {}h0", px(p.0), px(p.1))).collect();
         let opacity = if few { "0.95" } else { "0.7" };
-        let style = format!(
-            r#"fill="none" stroke="{colour}" stroke-width="{size}" stroke-linecap="round" stroke-opacity="{opacity}""#
-        );
+        let style =
+            format!(r#"fill="none" stroke="{colour}" stroke-width="{size}" stroke-linecap="round" stroke-opacity="{opacity}""#);
         svg.path(&data, &series.label, &style);
     }
 
-    fn draw_error_bars(
-        &self,
-        svg: &mut Svg,
-        series: &Series,
-        (below, above): (&[f64], &[f64]),
-        colour: &str,
-    ) {
+    fn draw_error_bars(&self, svg: &mut Svg, series: &Series, (below, above): (&[f64], &[f64]), colour: &str) {
         let mut data = String::new();
         for (i, (&x, &y)) in series.x.iter().zip(&series.y).enumerate() {
-            let (x, low, high) = (
-                self.x.at(x),
-                self.y.at(y - below[i]),
-                self.y.at(y + above[i]),
-            );
+            let (x, low, high) = (self.x.at(x), self.y.at(y - below[i]), self.y.at(y + above[i]));
             // On a logarithmic axis a bar may reach below zero: it then runs to the bottom.
-            let low = if low.is_nan() && self.y.log {
-                self.y.pixels
-            } else {
-                low
-            };
+            let low = if low.is_nan() && self.y.log { self.y.pixels } else { low };
             if x.is_finite() && low.is_finite() && high.is_finite() {
-                data += &format!(
-                    "M{} {}V{}m-3.5 0h7M{} {}h7",
-                    px(x),
-                    px(low),
-                    px(high),
-                    px(x - 3.5),
-                    px(low)
-                );
+                data += &format!("M{} {}V{}m-3.5 0h7M{} {}h7", px(x), px(low), px(high), px(x - 3.5), px(low));
             }
         }
-        svg.path(
-            &data,
-            &series.label,
-            &format!(r#"fill="none" stroke="{colour}" stroke-width="1.4""#),
-        );
+        svg.path(&data, &series.label, &format!(r#"fill="none" stroke="{colour}" stroke-width="1.4""#));
     }
 
     pub(super) fn draw_band(&self, svg: &mut Svg, series: &Series, colour: &str) {
@@ -112,20 +65,13 @@ impl Panel<'_> {
         for piece in decimate::band(&points).split(Option::is_none) {
             let piece: Vec<_> = piece.iter().flatten().collect();
             let there = piece.iter().map(|p| format!("{} {}", px(p.0), px(p.2)));
-            let back = piece
-                .iter()
-                .rev()
-                .map(|p| format!("{} {}", px(p.0), px(p.1)));
+            let back = piece.iter().rev().map(|p| format!("{} {}", px(p.0), px(p.1)));
             let corners: Vec<String> = there.chain(back).collect();
             if piece.len() > 1 {
                 data += &format!("M{}Z", corners.join("L"));
             }
         }
-        svg.path(
-            &data,
-            &series.label,
-            &format!(r#"fill="{colour}" fill-opacity="0.22" stroke="none""#),
-        );
+        svg.path(&data, &series.label, &format!(r#"fill="{colour}" fill-opacity="0.22" stroke="none""#));
     }
 }
 

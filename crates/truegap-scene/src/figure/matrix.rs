@@ -69,10 +69,8 @@ impl Matrix {
                 right_name: "values",
             });
         }
-        let found = extent(self.values.iter().copied(), false).ok_or(FigureError::Empty {
-            figure: self.title.clone(),
-            axis: "value",
-        })?;
+        let found =
+            extent(self.values.iter().copied(), false).ok_or(FigureError::Empty { figure: self.title.clone(), axis: "value" })?;
         let (low, high) = match self.map {
             ColourMap::Sequential => self.map.span(found.0.min(0.0), found.1),
             ColourMap::Diverging => self.map.span(found.0, found.1),
@@ -82,98 +80,45 @@ impl Matrix {
 
     fn draw(&self, low: f64, high: f64) -> String {
         let mut svg = Svg::default();
-        let widest = |labels: &[String]| {
-            labels
-                .iter()
-                .map(|l| text_width(l, 11.0))
-                .fold(0.0, f64::max)
-        };
+        let widest = |labels: &[String]| labels.iter().map(|l| text_width(l, 11.0)).fold(0.0, f64::max);
         let left = widest(&self.rows).min(220.0) + 38.0;
         let cell = ((WIDTH - left - 60.0) / self.columns.len() as f64).min(WIDEST_CELL);
         let top = svg.heading(&self.title) + widest(&self.columns).min(220.0) * 0.72 + 30.0;
         let bottom = top + CELL_HEIGHT * self.rows.len() as f64;
         for (j, row) in self.rows.iter().enumerate() {
             let y = top + CELL_HEIGHT * j as f64;
-            svg.styled_text(
-                left - 6.0,
-                y + 16.0,
-                Anchor::End,
-                &fit(row, 11.0, 220.0),
-                r#"font-size="11""#,
-            );
+            svg.styled_text(left - 6.0, y + 16.0, Anchor::End, &fit(row, 11.0, 220.0), r#"font-size="11""#);
             for i in 0..self.columns.len() {
-                let place = Area {
-                    left: left + cell * i as f64,
-                    top: y,
-                    width: cell,
-                    height: CELL_HEIGHT,
-                };
+                let place = Area { left: left + cell * i as f64, top: y, width: cell, height: CELL_HEIGHT };
                 self.draw_cell(&mut svg, place, (j, i), (low, high));
             }
         }
         for (i, column) in self.columns.iter().enumerate() {
             let (x, y) = (left + cell * (i as f64 + 0.5), top - 6.0);
-            let turn = format!(
-                r#"transform="rotate(-45 {} {})" font-size="11""#,
-                px(x),
-                px(y)
-            );
+            let turn = format!(r#"transform="rotate(-45 {} {})" font-size="11""#, px(x), px(y));
             svg.styled_text(x, y, Anchor::Start, &fit(column, 11.0, 220.0), &turn);
         }
         let middle = (top + bottom) / 2.0;
-        let turn = format!(
-            r#"transform="rotate(-90 15 {})" font-weight="600""#,
-            px(middle)
-        );
+        let turn = format!(r#"transform="rotate(-90 15 {})" font-weight="600""#, px(middle));
         svg.styled_text(15.0, middle, Anchor::Middle, &self.axes.0, &turn);
         let centre = left + cell * self.columns.len() as f64 / 2.0;
-        svg.styled_text(
-            centre,
-            bottom + 20.0,
-            Anchor::Middle,
-            &self.axes.1,
-            r#"font-weight="600""#,
-        );
+        svg.styled_text(centre, bottom + 20.0, Anchor::Middle, &self.axes.1, r#"font-weight="600""#);
         svg.finish(&self.title, bottom + 32.0)
     }
 
-    fn draw_cell(
-        &self,
-        svg: &mut Svg,
-        place: Area,
-        (j, i): (usize, usize),
-        (low, high): (f64, f64),
-    ) {
+    fn draw_cell(&self, svg: &mut Svg, place: Area, (j, i): (usize, usize), (low, high): (f64, f64)) {
         let value = self.values[j * self.columns.len() + i];
         if !value.is_finite() {
             svg.rect(place, r#"fill="currentColor" fill-opacity="0.06""#);
             return;
         }
         let colour = self.map.at((value - low) / (high - low));
-        let inner = Area {
-            width: place.width - 1.0,
-            height: place.height - 1.0,
-            ..place
-        };
+        let inner = Area { width: place.width - 1.0, height: place.height - 1.0, ..place };
         svg.rect(inner, &format!(r#"fill="{}""#, colour.css()));
         let text = fixed(value, self.decimals);
-        let size = if text_width(&text, TEXT) < place.width - 4.0 {
-            11.0
-        } else {
-            8.5
-        };
-        let ink = if colour.wants_dark_text() {
-            "#1b1f24"
-        } else {
-            "#ffffff"
-        };
+        let size = if text_width(&text, TEXT) < place.width - 4.0 { 11.0 } else { 8.5 };
+        let ink = if colour.wants_dark_text() { "#1b1f24" } else { "#ffffff" };
         let style = format!(r#"font-size="{size}" fill="{ink}""#);
-        svg.styled_text(
-            place.left + place.width / 2.0,
-            place.top + 16.0,
-            Anchor::Middle,
-            &text,
-            &style,
-        );
+        svg.styled_text(place.left + place.width / 2.0, place.top + 16.0, Anchor::Middle, &text, &style);
     }
 }

@@ -30,19 +30,13 @@ impl Scale {
 pub(super) fn extent(values: impl Iterator<Item = f64>, log: bool) -> Option<(f64, f64)> {
     values
         .filter(|v| v.is_finite() && (!log || *v > 0.0))
-        .fold(None, |range, v| {
-            Some(range.map_or((v, v), |(low, high): (f64, f64)| (low.min(v), high.max(v))))
-        })
+        .fold(None, |range, v| Some(range.map_or((v, v), |(low, high): (f64, f64)| (low.min(v), high.max(v)))))
 }
 
 /// `range` widened by `share` on both sides, and made an interval where it is a single value.
 pub(super) fn padded((low, high): (f64, f64), share: f64, log: bool) -> (f64, f64) {
     if log {
-        let factor = if low < high {
-            (high / low).powf(share)
-        } else {
-            2.0
-        };
+        let factor = if low < high { (high / low).powf(share) } else { 2.0 };
         return (low / factor, high * factor);
     }
     let margin = if low < high {

@@ -34,16 +34,14 @@ pub(super) struct Series {
 impl Series {
     pub fn check(&self, figure: &str) -> Result<(), FigureError> {
         let same = |left: usize, right: usize, names: [&'static str; 2]| {
-            (left == right)
-                .then_some(())
-                .ok_or_else(|| FigureError::Lengths {
-                    figure: figure.into(),
-                    series: self.label.clone(),
-                    left,
-                    left_name: names[0],
-                    right,
-                    right_name: names[1],
-                })
+            (left == right).then_some(()).ok_or_else(|| FigureError::Lengths {
+                figure: figure.into(),
+                series: self.label.clone(),
+                left,
+                left_name: names[0],
+                right,
+                right_name: names[1],
+            })
         };
         same(self.x.len(), self.y.len(), ["x values", "y values"])?;
         match &self.mark {
@@ -61,11 +59,7 @@ impl Series {
 
     fn check_order(&self, figure: &str) -> Result<(), FigureError> {
         match self.x.windows(2).position(|pair| pair[1] < pair[0]) {
-            Some(index) => Err(FigureError::NotOrdered {
-                figure: figure.into(),
-                series: self.label.clone(),
-                index: index + 1,
-            }),
+            Some(index) => Err(FigureError::NotOrdered { figure: figure.into(), series: self.label.clone(), index: index + 1 }),
             None => Ok(()),
         }
     }
@@ -76,8 +70,7 @@ impl Series {
         match &self.mark {
             Mark::Band { upper } => Box::new(y.chain(upper.iter().copied())),
             Mark::Errors { below, above } => Box::new(
-                y.chain(self.y.iter().zip(below).map(|(y, e)| y - e))
-                    .chain(self.y.iter().zip(above).map(|(y, e)| y + e)),
+                y.chain(self.y.iter().zip(below).map(|(y, e)| y - e)).chain(self.y.iter().zip(above).map(|(y, e)| y + e)),
             ),
             _ => Box::new(y),
         }
@@ -112,8 +105,5 @@ pub(super) fn colours<'a>(series: impl Iterator<Item = &'a Series>) -> Vec<(Stri
 
 /// The colour of `label` among `known`.
 pub(super) fn colour_of(known: &[(String, Rgb)], label: &str) -> Rgb {
-    known
-        .iter()
-        .find(|(name, _)| name == label)
-        .map_or(PALETTE[0], |(_, colour)| *colour)
+    known.iter().find(|(name, _)| name == label).map_or(PALETTE[0], |(_, colour)| *colour)
 }

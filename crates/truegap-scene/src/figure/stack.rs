@@ -19,10 +19,7 @@ pub struct Stack {
 impl Stack {
     /// An empty stack; an empty title draws none.
     pub fn new(title: &str) -> Self {
-        Self {
-            title: title.into(),
-            panels: Vec::new(),
-        }
+        Self { title: title.into(), panels: Vec::new() }
     }
 
     /// Adds a panel below; its own title, if any, stands above it.
@@ -38,16 +35,10 @@ impl Stack {
     pub fn to_svg(&self) -> Result<String, FigureError> {
         let figures: Vec<&Figure> = self.panels.iter().collect();
         if figures.is_empty() {
-            return Err(FigureError::Empty {
-                figure: self.title.clone(),
-                axis: "x",
-            });
+            return Err(FigureError::Empty { figure: self.title.clone(), axis: "x" });
         }
         let x_range = panel::x_range(&figures)?;
-        let panels = figures
-            .iter()
-            .map(|f| Panel::with_x_range(f, x_range))
-            .collect::<Result<Vec<_>, _>>()?;
+        let panels = figures.iter().map(|f| Panel::with_x_range(f, x_range)).collect::<Result<Vec<_>, _>>()?;
         let left = panels.iter().map(Panel::left_margin).fold(0.0, f64::max);
         let all = || figures.iter().flat_map(|f| f.series.iter());
         let colours = colours(all());
@@ -58,26 +49,11 @@ impl Stack {
         for (i, panel) in panels.into_iter().enumerate() {
             let figure = figures[i];
             if !figure.title.is_empty() {
-                svg.styled_text(
-                    left,
-                    top + 9.0,
-                    Anchor::Start,
-                    &figure.title,
-                    r#"font-weight="600""#,
-                );
+                svg.styled_text(left, top + 9.0, Anchor::Start, &figure.title, r#"font-weight="600""#);
                 top += 16.0;
             }
             let area = panel::plot_area(left, top, figure.height);
-            panel.draw(
-                &mut svg,
-                area,
-                &colours,
-                if i == last {
-                    XAxis::Labelled
-                } else {
-                    XAxis::Bare
-                },
-            );
+            panel.draw(&mut svg, area, &colours, if i == last { XAxis::Labelled } else { XAxis::Bare });
             top = area.bottom() + BETWEEN;
         }
         Ok(svg.finish(&self.title, top - BETWEEN + panel::X_AXIS_HEIGHT))

@@ -103,11 +103,7 @@ impl Svg {
     /// A path that a pointer names by `hint`.
     pub fn path(&mut self, data: &str, hint: &str, attributes: &str) {
         if !data.is_empty() {
-            let _ = writeln!(
-                self.body,
-                r#"<path d="{data}" {attributes}><title>{}</title></path>"#,
-                escape(hint)
-            );
+            let _ = writeln!(self.body, r#"<path d="{data}" {attributes}><title>{}</title></path>"#, escape(hint));
         }
     }
 
@@ -163,11 +159,7 @@ impl Svg {
 pub(super) fn px(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        "0".into()
-    } else {
-        text.into()
-    }
+    if text == "-0" { "0".into() } else { text.into() }
 }
 
 /// Text as element or attribute content.

@@ -21,20 +21,12 @@ pub(super) struct Ticks {
 impl Ticks {
     /// Ticks for `scale`, about `wanted` of them.
     pub fn new(scale: &Scale, wanted: usize) -> Self {
-        if scale.log && scale.high / scale.low > 8.0 {
-            decades(scale)
-        } else {
-            even(scale.low, scale.high, wanted)
-        }
+        if scale.log && scale.high / scale.low > 8.0 { decades(scale) } else { even(scale.low, scale.high, wanted) }
     }
 
     /// Axis title with unit, factor and offset.
     pub fn title(&self, label: &str, unit: &str) -> String {
-        let from = if self.offset.is_empty() {
-            String::new()
-        } else {
-            format!(" \u{2212} {}", self.offset)
-        };
+        let from = if self.offset.is_empty() { String::new() } else { format!(" \u{2212} {}", self.offset) };
         let unit = match (self.factor.is_empty(), unit.is_empty()) {
             (true, true) => String::new(),
             (true, false) => format!(" ({unit})"),
@@ -48,11 +40,7 @@ impl Ticks {
 /// 1, 2 or 5 times a power of ten, not below `raw`.
 fn round_step(raw: f64) -> f64 {
     let power = 10f64.powf(raw.log10().floor());
-    [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .map(|m| m * power)
-        .find(|step| *step >= raw * 0.999_999)
-        .unwrap_or(10.0 * power)
+    [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|step| *step >= raw * 0.999_999).unwrap_or(10.0 * power)
 }
 
 /// Step and multiples of it inside the range: about `wanted` of them, at least three.
@@ -60,44 +48,25 @@ fn even_places(low: f64, high: f64, wanted: usize) -> (f64, Vec<f64>) {
     let places = |count: usize| {
         let step = round_step((high - low) / count as f64);
         let (first, last) = ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor());
-        (
-            step,
-            (0..=(last - first).max(0.0) as usize)
-                .map(|i| (first + i as f64) * step)
-                .collect::<Vec<_>>(),
-        )
+        (step, (0..=(last - first).max(0.0) as usize).map(|i| (first + i as f64) * step).collect::<Vec<_>>())
     };
     let wanted = wanted.max(2);
-    (wanted..wanted + 6)
-        .map(places)
-        .find(|(_, all)| all.len() > 2)
-        .unwrap_or_else(|| places(wanted))
+    (wanted..wanted + 6).map(places).find(|(_, all)| all.len() > 2).unwrap_or_else(|| places(wanted))
 }
 
 fn even(low: f64, high: f64, wanted: usize) -> Ticks {
     let (step, places) = even_places(low, high, wanted);
     let largest = low.abs().max(high.abs());
-    let exponent = if (1e-3..1e5).contains(&largest) {
-        0
-    } else {
-        3 * (largest.log10() / 3.0).floor() as i32
-    };
+    let exponent = if (1e-3..1e5).contains(&largest) { 0 } else { 3 * (largest.log10() / 3.0).floor() as i32 };
     let factor = 10f64.powi(exponent);
     let decimals = decimals_of(step / factor);
     let whole = (largest / factor).log10().floor().max(0.0) as usize + 1;
-    let offset = if decimals + whole > 7 {
-        places.first().copied().unwrap_or(0.0)
-    } else {
-        0.0
-    };
+    let offset = if decimals + whole > 7 { places.first().copied().unwrap_or(0.0) } else { 0.0 };
     if offset != 0.0 {
         return counted_from(offset, &places, step);
     }
     Ticks {
-        major: places
-            .iter()
-            .map(|&v| (v, fixed(v / factor, decimals)))
-            .collect(),
+        major: places.iter().map(|&v| (v, fixed(v / factor, decimals))).collect(),
         minor: Vec::new(),
         factor: power_of_ten(exponent),
         offset: String::new(),
@@ -107,19 +76,11 @@ fn even(low: f64, high: f64, wanted: usize) -> Ticks {
 /// Labels as differences from `offset`, for axes whose span is tiny beside their values.
 fn counted_from(offset: f64, places: &[f64], step: f64) -> Ticks {
     let span = step * places.len() as f64;
-    let exponent = if (1e-3..1e5).contains(&span) {
-        0
-    } else {
-        3 * (span.log10() / 3.0).floor() as i32
-    };
+    let exponent = if (1e-3..1e5).contains(&span) { 0 } else { 3 * (span.log10() / 3.0).floor() as i32 };
     let factor = 10f64.powi(exponent);
     let decimals = decimals_of(step / factor);
     Ticks {
-        major: places
-            .iter()
-            .enumerate()
-            .map(|(i, &v)| (v, fixed(i as f64 * step / factor, decimals)))
-            .collect(),
+        major: places.iter().enumerate().map(|(i, &v)| (v, fixed(i as f64 * step / factor, decimals))).collect(),
         minor: Vec::new(),
         factor: power_of_ten(exponent),
         offset: fixed(offset, decimals_of(step)),
@@ -127,10 +88,7 @@ fn counted_from(offset: f64, places: &[f64], step: f64) -> Ticks {
 }
 
 fn decades(scale: &Scale) -> Ticks {
-    let (first, last) = (
-        scale.low.log10().floor() as i32,
-        scale.high.log10().ceil() as i32,
-    );
+    let (first, last) = (scale.low.log10().floor() as i32, scale.high.log10().ceil() as i32);
     let inside = |v: &f64| (scale.low * 0.999_999..=scale.high * 1.000_001).contains(v);
     let few = scale.high / scale.low < 300.0;
     let stride = ((last - first) / 10).max(1);
@@ -138,35 +96,20 @@ fn decades(scale: &Scale) -> Ticks {
     let multiples: &[f64] = if few { &[1.0, 2.0, 5.0] } else { &[1.0] };
     let major = (first..=last)
         .filter(|k| k.rem_euclid(stride) == 0)
-        .flat_map(|k| {
-            multiples
-                .iter()
-                .map(move |&m| (m * 10f64.powi(k), log_label(m, k, plain)))
-        })
+        .flat_map(|k| multiples.iter().map(move |&m| (m * 10f64.powi(k), log_label(m, k, plain))))
         .filter(|(v, _)| inside(v))
         .collect();
     let minor = if last - first > 8 {
         Vec::new()
     } else {
-        (first..=last)
-            .flat_map(|k| (2..10).map(move |m| f64::from(m) * 10f64.powi(k)))
-            .filter(inside)
-            .collect()
+        (first..=last).flat_map(|k| (2..10).map(move |m| f64::from(m) * 10f64.powi(k))).filter(inside).collect()
     };
-    Ticks {
-        major,
-        minor,
-        factor: String::new(),
-        offset: String::new(),
-    }
+    Ticks { major, minor, factor: String::new(), offset: String::new() }
 }
 
 fn log_label(multiple: f64, exponent: i32, plain: bool) -> String {
     match (plain, multiple == 1.0) {
-        (true, _) => fixed(
-            multiple * 10f64.powi(exponent),
-            exponent.min(0).unsigned_abs() as usize,
-        ),
+        (true, _) => fixed(multiple * 10f64.powi(exponent), exponent.min(0).unsigned_abs() as usize),
         (false, true) if exponent == 0 => "1".into(),
         (false, true) => power_of_ten(exponent),
         (false, false) => format!("{}·{}", fixed(multiple, 0), power_of_ten(exponent)),
@@ -196,11 +139,7 @@ pub(super) fn short(value: f64) -> String {
     if (-3..5).contains(&magnitude) {
         return fixed(value, (2 - magnitude).max(0) as usize);
     }
-    format!(
-        "{}·{}",
-        fixed(value / 10f64.powi(magnitude), 2),
-        power_of_ten(magnitude)
-    )
+    format!("{}·{}", fixed(value / 10f64.powi(magnitude), 2), power_of_ten(magnitude))
 }
 
 /// `10⁻⁶`, or nothing for exponent 0.
@@ -225,19 +164,13 @@ mod tests {
 
     fn labels(low: f64, high: f64) -> (Vec<String>, Ticks) {
         let ticks = even(low, high, 5);
-        (
-            ticks.major.iter().map(|(_, label)| label.clone()).collect(),
-            ticks,
-        )
+        (ticks.major.iter().map(|(_, label)| label.clone()).collect(), ticks)
     }
 
     #[test]
     fn ticks_are_round_and_inside() {
         assert_eq!(labels(-0.3, 4.1).0, ["0", "1", "2", "3", "4"]);
-        assert_eq!(
-            labels(-0.25, 0.21).0,
-            ["\u{2212}0.2", "\u{2212}0.1", "0.0", "0.1", "0.2"]
-        );
+        assert_eq!(labels(-0.25, 0.21).0, ["\u{2212}0.2", "\u{2212}0.1", "0.0", "0.1", "0.2"]);
     }
 
     #[test]
@@ -258,44 +191,15 @@ mod tests {
 
     #[test]
     fn short_logarithmic_axes_are_labelled_at_one_two_five() {
-        let ticks = Ticks::new(
-            &Scale {
-                low: 0.02,
-                high: 1.1,
-                log: true,
-                pixels: 1.0,
-                flipped: false,
-            },
-            5,
-        );
-        let text: Vec<_> = ticks
-            .major
-            .iter()
-            .map(|(_, label)| label.as_str())
-            .collect();
+        let ticks = Ticks::new(&Scale { low: 0.02, high: 1.1, log: true, pixels: 1.0, flipped: false }, 5);
+        let text: Vec<_> = ticks.major.iter().map(|(_, label)| label.as_str()).collect();
         assert_eq!(text, ["0.02", "0.05", "0.1", "0.2", "0.5", "1"]);
     }
 
     #[test]
     fn wide_logarithmic_axes_are_labelled_by_decade() {
-        let ticks = Ticks::new(
-            &Scale {
-                low: 2e-6,
-                high: 3e2,
-                log: true,
-                pixels: 1.0,
-                flipped: false,
-            },
-            5,
-        );
-        let text: Vec<_> = ticks
-            .major
-            .iter()
-            .map(|(_, label)| label.as_str())
-            .collect();
-        assert_eq!(
-            text,
-            ["10⁻⁵", "10⁻⁴", "10⁻³", "10⁻²", "10⁻¹", "1", "10¹", "10²"]
-        );
+        let ticks = Ticks::new(&Scale { low: 2e-6, high: 3e2, log: true, pixels: 1.0, flipped: false }, 5);
+        let text: Vec<_> = ticks.major.iter().map(|(_, label)| label.as_str()).collect();
+        assert_eq!(text, ["10⁻⁵", "10⁻⁴", "10⁻³", "10⁻²", "10⁻¹", "1", "10¹", "10²"]);
     }
 }

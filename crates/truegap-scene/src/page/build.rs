@@ -15,17 +15,12 @@ pub struct Page {
 impl Page {
     /// A page with its main heading.
     pub fn new(title: &str) -> Self {
-        Self {
-            title: title.into(),
-            body: String::new(),
-            open_details: 0,
-        }
+        Self { title: title.into(), body: String::new(), open_details: 0 }
     }
 
     /// A second-level heading.
     pub fn section(self, heading: &str) -> Self {
-        self.close_all()
-            .add(&format!("<h2>{}</h2>\n", escape(heading)))
+        self.close_all().add(&format!("<h2>{}</h2>\n", escape(heading)))
     }
 
     /// A third-level heading.
@@ -45,18 +40,12 @@ impl Page {
             Tone::Watch => "watch",
             Tone::Bad => "bad",
         };
-        self.add(&format!(
-            "<p class=\"callout {class}\">{}</p>\n",
-            escape(text)
-        ))
+        self.add(&format!("<p class=\"callout {class}\">{}</p>\n", escape(text)))
     }
 
     /// A bullet list.
     pub fn list<S: AsRef<str>>(self, items: &[S]) -> Self {
-        let items: String = items
-            .iter()
-            .map(|i| format!("<li>{}</li>\n", escape(i.as_ref())))
-            .collect();
+        let items: String = items.iter().map(|i| format!("<li>{}</li>\n", escape(i.as_ref()))).collect();
         self.add(&format!("<ul>\n{items}</ul>\n"))
     }
 
@@ -73,10 +62,7 @@ impl Page {
 
     /// An SVG from this crate's figures with a caption below.
     pub fn figure(self, svg: &str, caption: &str) -> Self {
-        self.add(&format!(
-            "<figure>\n{svg}<figcaption>{}</figcaption>\n</figure>\n",
-            escape(caption)
-        ))
+        self.add(&format!("<figure>\n{svg}<figcaption>{}</figcaption>\n</figure>\n", escape(caption)))
     }
 
     /// Markup as it stands; the caller answers for it being well-formed and self-contained.
@@ -87,10 +73,7 @@ impl Page {
     /// Opens a foldable block (closed at first); it ends at [`Page::end_details`] or the next section.
     pub fn details(mut self, summary: &str) -> Self {
         self.open_details += 1;
-        self.add(&format!(
-            "<details><summary>{}</summary>\n",
-            escape(summary)
-        ))
+        self.add(&format!("<details><summary>{}</summary>\n", escape(summary)))
     }
 
     /// Ends the innermost foldable block.
@@ -120,8 +103,7 @@ impl Page {
     }
 
     fn close_all(mut self) -> Self {
-        self.body
-            .push_str(&"</details>\n".repeat(self.open_details));
+        self.body.push_str(&"</details>\n".repeat(self.open_details));
         self.open_details = 0;
         self
     }
@@ -161,14 +143,7 @@ mod tests {
 
     #[test]
     fn every_opened_block_is_closed() {
-        let page = Page::new("t")
-            .details("a")
-            .details("b")
-            .end_details()
-            .section("c")
-            .details("d")
-            .end_details()
-            .end_details();
+        let page = Page::new("t").details("a").details("b").end_details().section("c").details("d").end_details().end_details();
         let html = page.to_html();
         assert_eq!(html.matches("<details>").count(), 3);
         assert_eq!(html.matches("</details>").count(), 3);

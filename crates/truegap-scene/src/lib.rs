@@ -5,5 +5,6 @@
 
 pub mod colour;
 pub mod figure;
+pub mod glb;
 pub mod page;
 pub mod solid;

@@ -1,0 +1,69 @@
+//! Writes a made-up stack as GLB files: `cargo run -p truegap-scene --example stack -- DIR`.
+//!
+//! The shape is that of a tactile sensor (discs of 7.5 mm radius, layers of 17 to 180 um); displacement and field are
+//! formulas, not results.
+
+use truegap_scene::colour::{ColourMap, Rgb};
+use truegap_scene::glb::{Field, Provenance, Scene, suggested_exaggeration};
+use truegap_scene::solid::{Layer, Sweep};
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let folder = std::path::PathBuf::from(std::env::args().nth(1).ok_or("name the folder to write to")?);
+    std::fs::create_dir_all(&folder)?;
+    for (name, sweep) in [("full", Sweep::FULL), ("cut", Sweep::CUT_AWAY)] {
+        let scene = stack(sweep);
+        std::fs::write(folder.join(format!("{name}.glb")), scene.to_glb()?)?;
+    }
+    Ok(())
+}
+
+fn stack(sweep: Sweep) -> Scene {
+    let layers = vec![
+        disc("lower polyimide", 0xC58B2A, [0.0, 25e-6]),
+        disc("lower copper", 0xB87333, [25e-6, 42e-6]),
+        disc("silicone", 0x8FB8C9, [42e-6, 222e-6]),
+        disc("upper copper", 0xB87333, [222e-6, 239e-6]),
+        disc("upper polyimide", 0xC58B2A, [239e-6, 264e-6]),
+    ];
+    let exaggeration = suggested_exaggeration(&layers);
+    Scene {
+        title: "Made-up stack".into(),
+        layers,
+        field: Some(Field { name: "temperature".into(), unit: "°C".into(), map: ColourMap::Sequential, range: None }),
+        sweep,
+        exaggeration,
+        provenance: Provenance {
+            source: "formulas in examples/stack.rs".into(),
+            command: "cargo run -p truegap-scene --example stack".into(),
+            version: env!("CARGO_PKG_VERSION").into(),
+            notes: vec![("load".into(), "none".into())],
+        },
+    }
+}
+
+/// A disc of radius 7.5 mm, bent upwards and thinned, warmer in the middle and on top.
+fn disc(name: &str, colour: u32, [z0, z1]: [f64; 2]) -> Layer {
+    let (radius, nr, nz) = (7.5e-3, 40, 4);
+    let points: Vec<[f64; 2]> = (0..=nz)
+        .flat_map(|j| (0..=nr).map(move |i| (i, j)))
+        .map(|(i, j)| [radius * f64::from(i) / f64::from(nr), z0 + (z1 - z0) * f64::from(j) / f64::from(nz)])
+        .collect();
+    let (nr, nz) = (nr as usize, nz as usize);
+    let triangles = (0..nz)
+        .flat_map(|j| (0..nr).map(move |i| j * (nr + 1) + i))
+        .flat_map(|a| [[a, a + 1, a + nr + 2], [a, a + nr + 2, a + nr + 1]])
+        .collect();
+    let bent = |p: &[f64; 2]| {
+        let t = p[0] / radius;
+        [-2e-6 * t * (p[1] / 264e-6), 12e-6 * t * t - 0.05 * p[1]]
+    };
+    let warmth = |p: &[f64; 2]| 20.0 + 30.0 * (p[1] / 264e-6) * (-(p[0] / 4e-3).powi(2)).exp();
+    Layer {
+        name: name.into(),
+        colour: Rgb::hex(colour),
+        displacement: points.iter().map(bent).collect(),
+        field: points.iter().map(warmth).collect(),
+        points,
+        triangles,
+    }
+}

@@ -1,0 +1,230 @@
+//! One blind case: a drawn sensor, protocol and noise, with causes sized to be as detectable as drawn.
+//!
+//! Limits: causes that a protocol cannot show at a believable size are drawn again, so poor protocols hold fewer kinds of cause.
+
+use crate::answer::Answer;
+use crate::causes::{Bench, LIBRARY, STRANGERS, SizeError, strength};
+use crate::chain::{Act, PlatesTouch, Scene, simulate};
+use crate::draws::Draws;
+use crate::history::History;
+use crate::mechanism::{Mechanism, Needs};
+use crate::noise::Noise;
+use crate::protocol::Kind;
+use crate::recording::{Declared, Recording};
+use crate::score::family::family;
+use crate::sensor::Sensor;
+use crate::study::{Shares, Study};
+use serde_json::Value;
+
+/// Draws of causes before less is asked of them.
+const TRIES: usize = 12;
+
+/// A case: what the tool gets, and what is concealed.
+#[derive(Debug, Clone)]
+pub struct BlindCase {
+    /// What the tool gets.
+    pub recording: Recording,
+    /// What is sealed.
+    pub answer: Answer,
+    /// Causes at their sizes.
+    pub acts: Vec<Act>,
+    /// Noise-free readings, pF.
+    pub truth_pf: Vec<f64>,
+    /// Readings of the declared base model with the true sensor, pF.
+    pub base_pf: Vec<f64>,
+    pub(crate) seed: u64,
+}
+
+/// Why a case could not be made.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum CaseError {
+    /// The sensor drawn closes under its load.
+    #[error("{case}: {source}")]
+    Closed {
+        /// Case.
+        case: String,
+        /// Where.
+        source: PlatesTouch,
+    },
+    /// Nothing drawn could be seen.
+    #[error("{case}: no cause reaches detectability {asked:.1} on a {protocol:?} protocol; widen the protocols or ask for less")]
+    NothingToShow {
+        /// Case.
+        case: String,
+        /// Detectability asked last.
+        asked: f64,
+        /// Protocol.
+        protocol: Kind,
+    },
+}
+
+/// How many causes and of which sort.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Makeup {
+    Library(usize),
+    Stranger,
+}
+
+/// What is fixed before the causes are drawn.
+struct Setting {
+    case: String,
+    sensor: Sensor,
+    kind: Kind,
+    history: History,
+    noise: Noise,
+}
+
+/// Causes with the base model they are posed in.
+struct Posed {
+    acts: Vec<Act>,
+    declared: Declared,
+}
+
+impl BlindCase {
+    pub(crate) fn draw(study: &Study, index: usize) -> Result<Self, CaseError> {
+        let case = format!("case-{:03}", index + 1);
+        let stream = |purpose: &str| Draws::of(study.seed(), &format!("{case}/{purpose}"));
+        let shares = study.shares();
+        let setting = Setting::drawn(case.clone(), shares, stream);
+        let draws = &mut stream("causes");
+        let makeup = match draws.weighted(&shares.makeup) {
+            4 => Makeup::Stranger,
+            count => Makeup::Library(count),
+        };
+        let asked = draws.log_between(study.options().detectability_from, study.options().detectability_to);
+        let posed = setting.pose(makeup, asked, study, draws)?;
+        let salt = format!("{:016x}{:016x}", stream("salt").bits(), stream("more salt").bits());
+        setting.finish(posed, makeup, salt, study.seed(), &mut stream("noise"))
+    }
+}
+
+impl Setting {
+    fn drawn(case: String, shares: &Shares, stream: impl Fn(&str) -> Draws) -> Self {
+        let draws = &mut stream("setting");
+        let weights: Vec<f64> = shares.protocols.iter().map(|(_, weight)| *weight).collect();
+        let kind = shares.protocols[draws.weighted(&weights)].0;
+        let vary = draws.chance(0.7);
+        let sd = [0.003, 0.004, 0.004, 0.006][draws.index(4)];
+        let coloured = draws.chance(shares.coloured);
+        let noise = if coloured { Noise::coloured(sd, draws.between(0.55, 0.7)) } else { Noise::white(sd) };
+        Self {
+            case,
+            sensor: Sensor::singletact_s15().drawn(&mut stream("sensor")),
+            kind,
+            history: kind.history(vary, &mut stream("protocol")),
+            noise,
+        }
+    }
+
+    fn scene(&self) -> Scene<'_> {
+        Scene { sensor: &self.sensor, history: &self.history }
+    }
+
+    fn bench(&self, warp: bool) -> Result<Bench<'_>, CaseError> {
+        Bench::new(self.scene(), warp, self.noise.sd_pf).map_err(|source| CaseError::Closed { case: self.case.clone(), source })
+    }
+
+    /// Draws causes until they can be seen; asks for less after [`TRIES`] draws.
+    fn pose(&self, makeup: Makeup, asked: f64, study: &Study, draws: &mut Draws) -> Result<Posed, CaseError> {
+        let shares = study.shares();
+        let humidity = draws.chance(shares.humidity);
+        let flat = draws.chance(shares.flat);
+        let mut benches: [Option<Bench>; 2] = [None, None];
+        let mut asked = asked;
+        while asked >= study.options().detectability_from * 0.99 {
+            for _ in 0..TRIES {
+                let causes = drawn_causes(makeup, shares, draws);
+                let Some(needs) = together(&causes) else { continue };
+                let warp = if needs.warp { true } else { !(needs.no_warp || flat) };
+                let slot = usize::from(warp);
+                if benches[slot].is_none() {
+                    benches[slot] = Some(self.bench(warp)?);
+                }
+                let Some(bench) = &benches[slot] else { continue };
+                if let Ok(acts) = sized(bench, causes, asked, draws) {
+                    return Ok(Posed { acts, declared: Declared { warp, humidity: humidity || needs.humidity } });
+                }
+            }
+            asked *= 0.7;
+        }
+        Err(CaseError::NothingToShow { case: self.case.clone(), asked, protocol: self.kind })
+    }
+
+    fn finish(self, posed: Posed, makeup: Makeup, salt: String, seed: u64, noise: &mut Draws) -> Result<BlindCase, CaseError> {
+        let closed = |source| CaseError::Closed { case: self.case.clone(), source };
+        let Posed { acts, declared } = posed;
+        let bench = self.bench(declared.warp)?;
+        let truth_pf = simulate(self.scene(), declared.warp, &acts).map_err(closed)?;
+        let base_pf = simulate(self.scene(), declared.warp, &[]).map_err(closed)?;
+        let left = bench.leftover(&acts).map_err(closed)?;
+        let mut each = Vec::new();
+        for act in &acts {
+            let alone = bench.leftover(std::slice::from_ref(act)).map_err(closed)?;
+            each.push(strength(act.mechanism.as_ref(), &alone));
+        }
+        let conflict = acts.iter().any(|act| act.mechanism.needs().conflict);
+        let names: Vec<String> = acts.iter().map(|act| act.mechanism.id().to_owned()).collect();
+        let numbers = |act: &Act| (act.mechanism.id().to_owned(), Value::from(act.mechanism.numbers(act.size)));
+        let stranger = makeup == Makeup::Stranger;
+        let answer = Answer {
+            case: self.case.clone(),
+            salt,
+            effects: if stranger { Vec::new() } else { names.clone() },
+            stranger: names.first().filter(|_| stranger).cloned(),
+            detectability: if conflict { left.with_conflict } else { left.detectability },
+            each,
+            rms_before_calibration_over_noise: left.before,
+            rms_after_calibration_over_noise: left.after,
+            protocol: self.kind,
+            noise: self.noise,
+            warp_declared: declared.warp,
+            humidity_column: declared.humidity,
+            parameters: acts.iter().map(numbers).collect(),
+            sensor: self.sensor,
+        };
+        let recording = Recording::noisy(&self.history, &truth_pf, &self.noise, declared, noise);
+        Ok(BlindCase { recording, answer, acts, truth_pf, base_pf, seed })
+    }
+}
+
+/// Shapes of as many causes as `makeup` says, of different families.
+fn drawn_causes(makeup: Makeup, shares: &Shares, draws: &mut Draws) -> Vec<Box<dyn Mechanism>> {
+    let Makeup::Library(count) = makeup else {
+        return vec![STRANGERS[draws.weighted(&shares.strangers)].1(draws)];
+    };
+    let mut causes: Vec<Box<dyn Mechanism>> = Vec::new();
+    while causes.len() < count {
+        let (id, shape) = LIBRARY[draws.weighted(&shares.library)];
+        if causes.iter().all(|cause| family(cause.id()) != family(id)) {
+            causes.push(shape(draws));
+        }
+    }
+    causes
+}
+
+/// What all of them need; `None` where they contradict each other.
+fn together(causes: &[Box<dyn Mechanism>]) -> Option<Needs> {
+    let mut all = Needs::default();
+    for needs in causes.iter().map(|cause| cause.needs()) {
+        all.warp |= needs.warp;
+        all.no_warp |= needs.no_warp;
+        all.humidity |= needs.humidity;
+        all.conflict |= needs.conflict;
+    }
+    (!(all.warp && all.no_warp)).then_some(all)
+}
+
+/// Each cause alone at about the detectability asked for (several: within a factor 1.4 of each other).
+fn sized(bench: &Bench, causes: Vec<Box<dyn Mechanism>>, asked: f64, draws: &mut Draws) -> Result<Vec<Act>, SizeError> {
+    let several = causes.len() > 1;
+    let mut acts = Vec::new();
+    for cause in causes {
+        let share = if several { draws.log_between(0.85, 1.18) } else { 1.0 };
+        acts.push(bench.sized(cause, asked * share)?);
+    }
+    // Together they may close the plates even where each alone does not.
+    match bench.leftover(&acts) {
+        Ok(_) => Ok(acts),
+        Err(PlatesTouch { .. }) => Err(SizeError::NotSettled { cause: "several", asked }),
+    }
+}

@@ -1,0 +1,99 @@
+//! Detectability: what calibration within tolerance leaves of an effect, in units of the noise, times the root of the rows.
+//!
+//! Limits: calibration is linear (finite-difference Jacobian at the true sensor, tolerance-scaled, ridge 1 per standard deviation);
+//! autocorrelation and noise on the inputs are ignored, as in the README of the shared blind recordings.
+
+use crate::chain::{PlatesTouch, Scene, simulate};
+use crate::sensor::{Sensor, Toleranced};
+
+const PARAMETERS: usize = Toleranced::ALL.len();
+/// Half-step of the central differences, in standard deviations.
+const STEP: f64 = 0.1;
+
+/// Linear calibration of a sensor on a history.
+#[derive(Debug, Clone)]
+pub struct Calibration {
+    columns: Vec<Vec<f64>>,
+    factor: [[f64; PARAMETERS]; PARAMETERS],
+    noise_pf: f64,
+}
+
+/// What calibration leaves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leftover {
+    /// Root mean square before calibration over the noise.
+    pub before: f64,
+    /// After calibration.
+    pub after: f64,
+    /// sqrt(rows) times `after`.
+    pub detectability: f64,
+    /// The same with the conflict added in quadrature: how far the parameters had to move, in standard deviations.
+    pub with_conflict: f64,
+}
+
+impl Calibration {
+    /// Calibration of `scene.sensor` about its true values, tolerances those of `nominal`.
+    pub fn new(scene: Scene, nominal: &Sensor, warp: bool, noise_pf: f64) -> Result<Self, PlatesTouch> {
+        let mut columns = Vec::with_capacity(PARAMETERS);
+        for what in Toleranced::ALL {
+            let by = STEP * nominal.tolerance(what);
+            let [up, down] = [by, -by].map(|by| {
+                let sensor = scene.sensor.moved(what, by);
+                simulate(Scene { sensor: &sensor, ..scene }, warp, &[])
+            });
+            let slope = |(up, down): (&f64, &f64)| (up - down) / (2.0 * STEP * noise_pf);
+            columns.push(up?.iter().zip(&down?).map(slope).collect::<Vec<f64>>());
+        }
+        let factor = cholesky(&columns);
+        Ok(Self { columns, factor, noise_pf })
+    }
+
+    /// What is left of `effect` (pF, one entry a row) after calibration.
+    pub fn leftover(&self, effect: &[f64]) -> Leftover {
+        let scaled: Vec<f64> = effect.iter().map(|e| e / self.noise_pf).collect();
+        let mut moved = [0.0; PARAMETERS];
+        for (b, column) in moved.iter_mut().zip(&self.columns) {
+            *b = dot(column, &scaled);
+        }
+        solve(&self.factor, &mut moved);
+        let left = |row: usize| scaled[row] - (0..PARAMETERS).map(|k| moved[k] * self.columns[k][row]).sum::<f64>();
+        let square: f64 = (0..scaled.len()).map(|row| left(row).powi(2)).sum();
+        let rows = scaled.len() as f64;
+        let conflict: f64 = moved.iter().map(|m| m * m).sum();
+        Leftover {
+            before: (dot(&scaled, &scaled) / rows).sqrt(),
+            after: (square / rows).sqrt(),
+            detectability: square.sqrt(),
+            with_conflict: (square + conflict).sqrt(),
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Lower Cholesky factor of J'J + 1; positive definite by the 1.
+fn cholesky(columns: &[Vec<f64>]) -> [[f64; PARAMETERS]; PARAMETERS] {
+    let mut factor = [[0.0; PARAMETERS]; PARAMETERS];
+    for i in 0..PARAMETERS {
+        for j in 0..=i {
+            let ridge = if i == j { 1.0 } else { 0.0 };
+            let known: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
+            let value = dot(&columns[i], &columns[j]) + ridge - known;
+            factor[i][j] = if i == j { value.sqrt() } else { value / factor[j][j] };
+        }
+    }
+    factor
+}
+
+fn solve(factor: &[[f64; PARAMETERS]; PARAMETERS], b: &mut [f64; PARAMETERS]) {
+    for i in 0..PARAMETERS {
+        let known: f64 = (0..i).map(|k| factor[i][k] * b[k]).sum();
+        b[i] = (b[i] - known) / factor[i][i];
+    }
+    for i in (0..PARAMETERS).rev() {
+        let known: f64 = (i + 1..PARAMETERS).map(|k| factor[k][i] * b[k]).sum();
+        b[i] = (b[i] - known) / factor[i][i];
+    }
+}

@@ -1,0 +1,114 @@
+//! Right, right within its set, wrong or missed: one case at a time.
+//!
+//! Limits: two classes are added to the README's four, because it leaves them open: `Partial` (some of several causes and nothing
+//! else) and `Unnamed` (a mismatch is stated and nothing named). Neither counts as right.
+
+use super::claim::Claim;
+use super::truth::Truth;
+use std::collections::BTreeSet;
+
+/// How good a claim is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Outcome {
+    /// Exactly the causes; for none, `agrees`; for a stranger, `unexplained` or `undecided`.
+    Right,
+    /// Verdict `ambiguous`, and the sets hold the causes.
+    WithinSet,
+    /// Some of the causes and nothing else.
+    Partial,
+    /// A mismatch without a name.
+    Unnamed,
+    /// Names something else.
+    Wrong,
+    /// `agrees`, and something is there.
+    Missed,
+}
+
+/// Judges `claim` against `truth`.
+pub fn judge(truth: &Truth, claim: &Claim) -> Outcome {
+    let named = claim.named();
+    let agrees = claim.verdict == "agrees";
+    match (&truth.stranger, truth.is_null()) {
+        (_, true) => nothing(agrees, &named),
+        (Some(stranger), _) => outsider(stranger, claim, &named),
+        _ if agrees && named.is_empty() => Outcome::Missed,
+        _ => library(truth, claim, &named),
+    }
+}
+
+fn nothing(agrees: bool, named: &BTreeSet<&str>) -> Outcome {
+    match (named.is_empty(), agrees) {
+        (false, _) => Outcome::Wrong,
+        (true, true) => Outcome::Right,
+        (true, false) => Outcome::Unnamed,
+    }
+}
+
+fn outsider(stranger: &str, claim: &Claim, named: &BTreeSet<&str>) -> Outcome {
+    // The program that made the shared recordings holds no steps; the table of effects does, as `offset_steps`: both are right.
+    if stranger == "steps" && named.iter().eq(["offset_steps"].iter()) {
+        return Outcome::Right;
+    }
+    match claim.verdict.as_str() {
+        _ if !named.is_empty() => Outcome::Wrong,
+        "unexplained" | "undecided" => Outcome::Right,
+        "agrees" => Outcome::Missed,
+        _ => Outcome::Unnamed,
+    }
+}
+
+fn library(truth: &Truth, claim: &Claim, named: &BTreeSet<&str>) -> Outcome {
+    let causes: BTreeSet<&str> = truth.causes.iter().map(String::as_str).collect();
+    if *named == causes {
+        return Outcome::Right;
+    }
+    if claim.verdict == "ambiguous" && within_sets(&causes, claim, named) {
+        return Outcome::WithinSet;
+    }
+    if named.is_empty() {
+        return Outcome::Unnamed;
+    }
+    if named.is_subset(&causes) { Outcome::Partial } else { Outcome::Wrong }
+}
+
+/// Every cause is named or stands in a set, and every finding that is no cause shares a set with one.
+fn within_sets(causes: &BTreeSet<&str>, claim: &Claim, named: &BTreeSet<&str>) -> bool {
+    let held = |cause: &&str| named.contains(*cause) || claim.ambiguity.iter().any(|set| set.contains(*cause));
+    let excused = |finding: &&str| {
+        let shares = |set: &&BTreeSet<String>| set.contains(*finding) && causes.iter().any(|cause| set.contains(*cause));
+        causes.contains(*finding) || claim.ambiguity.iter().any(|set| shares(&set))
+    };
+    causes.iter().all(held) && named.iter().all(excused)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn outcome(effects: &[&str], diagnosis: serde_json::Value) -> Outcome {
+        let truth = json!({"effects": effects, "detectability": 20.0, "protocol": "full"});
+        let truth = Truth::of_shared("case", &truth).expect("truth");
+        judge(&truth, &Claim::read(&diagnosis).expect("claim"))
+    }
+
+    #[test]
+    fn the_readme_s_rules_hold() {
+        let says = |verdict: &str, names: &[&str]| {
+            let findings: Vec<_> = names.iter().map(|n| json!({"effect": n, "probability": 0.9})).collect();
+            json!({"verdict": verdict, "findings": findings, "ambiguity": [["thermal_lag", "readout_lag"]]})
+        };
+        assert_eq!(outcome(&[], says("agrees", &[])), Outcome::Right);
+        assert_eq!(outcome(&[], says("explained", &["ageing"])), Outcome::Wrong);
+        assert_eq!(outcome(&["ageing"], says("agrees", &[])), Outcome::Missed);
+        assert_eq!(outcome(&["ageing"], says("explained", &["ageing"])), Outcome::Right);
+        assert_eq!(outcome(&["ageing"], says("explained", &["dead_gap"])), Outcome::Wrong);
+        assert_eq!(outcome(&["ageing", "dead_gap"], says("explained", &["dead_gap"])), Outcome::Partial);
+        assert_eq!(outcome(&["thermal_lag"], says("ambiguous", &["readout_lag"])), Outcome::WithinSet);
+        assert_eq!(outcome(&["thermal_lag"], says("explained", &["readout_lag"])), Outcome::Wrong);
+        assert_eq!(outcome(&["ageing"], says("ambiguous", &["readout_lag"])), Outcome::Wrong);
+        assert_eq!(outcome(&["unlisted:hum"], says("unexplained", &[])), Outcome::Right);
+        assert_eq!(outcome(&["unlisted:hum"], says("explained", &["ageing"])), Outcome::Wrong);
+        assert_eq!(outcome(&["unlisted:steps"], says("explained", &["offset_steps"])), Outcome::Right);
+    }
+}

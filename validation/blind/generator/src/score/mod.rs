@@ -1,0 +1,36 @@
+//! The scorer: diagnoses against opened answers, by the rules of the README of the shared blind recordings.
+//!
+//! Limits: reads `verdict`, `findings`, `ambiguity` and `fit.held_out.misfit_removed` of a diagnosis, and nothing else of it.
+
+pub mod calibration;
+pub mod claim;
+pub mod family;
+pub mod interval;
+pub mod judge;
+pub mod misfit;
+pub mod table;
+pub mod targets;
+pub mod truth;
+
+use claim::{Claim, ClaimError};
+use judge::{Outcome, judge};
+use serde_json::Value;
+use truth::Truth;
+
+/// One case with its diagnosis.
+#[derive(Debug, Clone)]
+pub struct Scored {
+    /// What was concealed.
+    pub truth: Truth,
+    /// What was said.
+    pub claim: Claim,
+    /// How good that was.
+    pub outcome: Outcome,
+}
+
+/// Scores `diagnosis` (the content of a `diagnosis.json`) against `truth`.
+pub fn score(truth: Truth, diagnosis: &Value) -> Result<Scored, ClaimError> {
+    let claim = Claim::read(diagnosis)?;
+    let outcome = judge(&truth, &claim);
+    Ok(Scored { truth, claim, outcome })
+}

@@ -1,0 +1,75 @@
+//! The scores as text that a person reads.
+//!
+//! Limits: fixed-width columns; the same rows are available as values from `targets::rows`.
+
+use super::Scored;
+use super::judge::Outcome;
+use super::targets::{Row, rows};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// Targets, then outcomes by cause, then the wrong claims one by one.
+pub fn table(cases: &[Scored]) -> String {
+    let mut text = format!("{:<52} {:>8} {:>9} {:>8}  {:<17} met\n", "target", "wanted", "count", "value", "95 % interval");
+    for row in rows(cases) {
+        // Writing to a string cannot fail, here and below.
+        let _ = writeln!(text, "{}", line(&row));
+    }
+    text.push('\n');
+    text += &by_cause(cases);
+    text += &wrong_claims(cases);
+    text
+}
+
+fn line(row: &Row) -> String {
+    let count = row.hits.map_or(format!("n={}", row.of), |hits| format!("{hits}/{}", row.of));
+    let value = row.value.map_or("-".to_owned(), |value| format!("{value:.3}"));
+    let interval = row.value.map_or(String::new(), |_| format!("{:.3} to {:.3}", row.interval[0], row.interval[1]));
+    let met = row.met.map_or("", |met| if met { "yes" } else { "NO" });
+    format!("{:<52} {:>8} {count:>9} {value:>8}  {interval:<17} {met}", row.says, row.target)
+}
+
+fn by_cause(cases: &[Scored]) -> String {
+    const ORDER: [Outcome; 6] =
+        [Outcome::Right, Outcome::WithinSet, Outcome::Partial, Outcome::Unnamed, Outcome::Wrong, Outcome::Missed];
+    let mut counts: BTreeMap<String, [usize; 6]> = BTreeMap::new();
+    for case in cases {
+        let place = ORDER.iter().position(|outcome| *outcome == case.outcome).unwrap_or(0);
+        counts.entry(cause(case)).or_default()[place] += 1;
+    }
+    let head = format!("{:<52} right  set  part  unnamed  wrong  missed\n", "concealed");
+    counts.into_iter().fold(head, |mut text, (cause, [right, set, partial, unnamed, wrong, missed])| {
+        let _ = writeln!(text, "{cause:<52} {right:>5} {set:>4} {partial:>5} {unnamed:>8} {wrong:>6} {missed:>7}");
+        text
+    })
+}
+
+/// A readable name of what was concealed.
+fn cause(case: &Scored) -> String {
+    match (&case.truth.stranger, case.truth.causes.len()) {
+        (Some(stranger), _) => format!("stranger: {stranger}"),
+        (None, 0) => "nothing".to_owned(),
+        (None, 1) => case.truth.causes.iter().cloned().collect(),
+        (None, count) => format!("{count} causes"),
+    }
+}
+
+fn wrong_claims(cases: &[Scored]) -> String {
+    let mut text = String::from("\nwrong claims\n");
+    for case in cases.iter().filter(|case| case.outcome == Outcome::Wrong) {
+        let causes: Vec<&str> = case.truth.causes.iter().map(String::as_str).chain(case.truth.stranger.as_deref()).collect();
+        let named: Vec<String> =
+            case.claim.findings.iter().map(|(effect, p)| format!("{effect} {:.2}", p.unwrap_or(f64::NAN))).collect();
+        let _ = writeln!(
+            text,
+            "{} d={:.1} {}: was [{}], named [{}] ({})",
+            case.truth.case,
+            case.truth.detectability,
+            case.truth.protocol,
+            causes.join(", "),
+            named.join(", "),
+            case.claim.verdict
+        );
+    }
+    text
+}

@@ -1,0 +1,172 @@
+//! The targets of `diagnosis.md`, each with its count, interval and whether it is met.
+//!
+//! Limits: "met" compares the estimate with the target; the interval says how sure that is. Times are not scored here.
+
+use super::Scored;
+use super::calibration::{expected_calibration_error, interval};
+use super::family::family;
+use super::interval::{median, wilson};
+use super::judge::Outcome;
+use serde::Serialize;
+use std::collections::BTreeSet;
+
+/// One row of the table.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Row {
+    /// What is measured.
+    pub says: String,
+    /// The target, e.g. `<= 0.01`; empty where there is none.
+    pub target: String,
+    /// Count, where it is a share.
+    pub hits: Option<usize>,
+    /// Out of how many.
+    pub of: usize,
+    /// Share, median or error; null for no cases.
+    pub value: Option<f64>,
+    /// 95 % interval.
+    pub interval: [f64; 2],
+    /// Target met; null for no cases or no target.
+    pub met: Option<bool>,
+}
+
+/// Which way a target points.
+#[derive(Debug, Clone, Copy)]
+enum Target {
+    AtMost(f64),
+    AtLeast(f64),
+    None,
+}
+
+impl Target {
+    fn text(self) -> String {
+        match self {
+            Self::AtMost(limit) => format!("<= {limit}"),
+            Self::AtLeast(limit) => format!(">= {limit}"),
+            Self::None => String::new(),
+        }
+    }
+    fn met(self, value: Option<f64>) -> Option<bool> {
+        match self {
+            Self::AtMost(limit) => value.map(|v| v <= limit),
+            Self::AtLeast(limit) => value.map(|v| v >= limit),
+            Self::None => None,
+        }
+    }
+}
+
+/// Share of the cases that pass `of` which also pass `hit`.
+fn share(says: &str, target: Target, cases: &[Scored], of: impl Fn(&Scored) -> bool, hit: impl Fn(&Scored) -> bool) -> Row {
+    let chosen: Vec<&Scored> = cases.iter().filter(|case| of(case)).collect();
+    let hits = chosen.iter().filter(|case| hit(case)).count();
+    let value = (!chosen.is_empty()).then(|| hits as f64 / chosen.len() as f64);
+    Row {
+        says: says.to_owned(),
+        target: target.text(),
+        hits: Some(hits),
+        of: chosen.len(),
+        value,
+        interval: wilson(hits, chosen.len()),
+        met: target.met(value),
+    }
+}
+
+/// Every row, in the order of `diagnosis.md`.
+pub fn rows(cases: &[Scored]) -> Vec<Row> {
+    let mut rows = false_alarms(cases);
+    rows.extend(naming(cases));
+    rows.extend(claims(cases));
+    rows.push(calibration(cases));
+    rows.push(misfit(cases));
+    rows
+}
+
+fn false_alarms(cases: &[Scored]) -> Vec<Row> {
+    let null = |colour: bool| move |case: &Scored| case.truth.is_null() && case.truth.coloured == Some(colour);
+    let alarm = |case: &Scored| case.outcome == Outcome::Wrong;
+    let any = |case: &Scored| case.truth.is_null();
+    vec![
+        share("false alarms, white noise", Target::AtMost(0.01), cases, null(false), alarm),
+        share("false alarms, coloured noise", Target::AtMost(0.02), cases, null(true), alarm),
+        share("false alarms, all nulls", Target::AtMost(0.02), cases, any, alarm),
+        share("nulls not said to agree (named or not)", Target::None, cases, any, |case| case.outcome != Outcome::Right),
+    ]
+}
+
+fn naming(cases: &[Scored]) -> Vec<Row> {
+    let seen = |case: &Scored| case.claim.verdict != "agrees";
+    let single = |case: &Scored| case.truth.causes.len() == 1 && case.truth.detectability >= 10.0;
+    let near_six = |case: &Scored| !case.truth.is_null() && (5.0..7.2).contains(&case.truth.detectability);
+    let pair = |case: &Scored| case.truth.causes.len() == 2 && case.truth.weakest >= 16.0;
+    let exact = |case: &Scored| case.outcome == Outcome::Right;
+    let set = |case: &Scored| matches!(case.outcome, Outcome::Right | Outcome::WithinSet);
+    vec![
+        share("mismatch detected at d = 6 (5 to 7.2)", Target::AtLeast(0.90), cases, near_six, seen),
+        share("family named, singles at d >= 10", Target::AtLeast(0.95), cases, single, same_family),
+        share("exact effect named, singles at d >= 10", Target::AtLeast(0.60), cases, single, exact),
+        share("exact or within its set, singles at d >= 10", Target::None, cases, single, set),
+        share("pairs, both found, each d >= 16", Target::AtLeast(0.90), cases, pair, holds_all),
+    ]
+}
+
+fn claims(cases: &[Scored]) -> Vec<Row> {
+    let claim = |case: &Scored| case.claim.verdict == "explained" && case.claim.named().len() == 1;
+    let wrong = |case: &Scored| {
+        case.claim.named().iter().any(|name| !case.truth.causes.contains(*name)) && case.outcome == Outcome::Wrong
+    };
+    let stranger = |case: &Scored| case.truth.stranger.is_some() && case.truth.detectability >= 16.0;
+    let incomplete = |case: &Scored| case.outcome == Outcome::Partial;
+    vec![
+        share("wrong single claims", Target::AtMost(0.02), cases, claim, wrong),
+        share("incomplete single claims (one of several)", Target::None, cases, claim, incomplete),
+        share("strangers called by a library name, d >= 16", Target::AtMost(0.05), cases, stranger, |case| {
+            case.outcome == Outcome::Wrong
+        }),
+    ]
+}
+
+/// The families named are those of the causes.
+fn same_family(case: &Scored) -> bool {
+    let named: BTreeSet<_> = case.claim.named().into_iter().map(family).collect();
+    let causes: BTreeSet<_> = case.truth.causes.iter().map(|cause| family(cause)).collect();
+    named == causes
+}
+
+fn holds_all(case: &Scored) -> bool {
+    let named = case.claim.named();
+    case.truth.causes.iter().all(|cause| named.contains(cause.as_str()))
+}
+
+fn calibration(cases: &[Scored]) -> Row {
+    let target = Target::AtMost(0.05);
+    let stated: Vec<(f64, bool)> = cases
+        .iter()
+        .flat_map(|case| case.claim.findings.iter().map(|(effect, p)| (*p, case.truth.causes.contains(effect))))
+        .filter_map(|(probability, right)| Some((probability?, right)))
+        .collect();
+    let value = (!stated.is_empty()).then(|| expected_calibration_error(&stated));
+    Row {
+        says: "calibration error of stated probabilities (ECE)".to_owned(),
+        target: target.text(),
+        hits: None,
+        of: stated.len(),
+        value,
+        interval: interval(&stated),
+        met: target.met(value),
+    }
+}
+
+fn misfit(cases: &[Scored]) -> Row {
+    let target = Target::AtLeast(0.90);
+    let strong = |case: &&Scored| !case.truth.causes.is_empty() && case.truth.detectability >= 16.0;
+    let removed: Vec<f64> = cases.iter().filter(strong).filter_map(|case| case.claim.misfit_removed).collect();
+    let found = median(&removed);
+    Row {
+        says: "held-out misfit removed as stated, d >= 16 (median)".to_owned(),
+        target: target.text(),
+        hits: None,
+        of: removed.len(),
+        value: found.map(|(middle, _)| middle),
+        interval: found.map_or([f64::NEG_INFINITY, 1.0], |(_, interval)| interval),
+        met: target.met(found.map(|(middle, _)| middle)),
+    }
+}

@@ -1,0 +1,63 @@
+//! What was concealed, from a study's answers or from the `truth.json` files of the shared open recordings.
+//!
+//! Limits: an open `truth.json` does not say whether the noise was coloured; such cases count in neither column of false alarms.
+
+use crate::answer::Answer;
+use serde_json::Value;
+use std::collections::BTreeSet;
+
+/// What a scorer needs of an answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Truth {
+    /// Case.
+    pub case: String,
+    /// Library effects at work.
+    pub causes: BTreeSet<String>,
+    /// A cause outside the library.
+    pub stranger: Option<String>,
+    /// Detectability of all together.
+    pub detectability: f64,
+    /// Detectability of the weakest cause alone.
+    pub weakest: f64,
+    /// Coloured noise, where known.
+    pub coloured: Option<bool>,
+    /// Kind of protocol.
+    pub protocol: String,
+}
+
+impl Truth {
+    /// Whether nothing was concealed.
+    pub fn is_null(&self) -> bool {
+        self.causes.is_empty() && self.stranger.is_none()
+    }
+
+    /// From the `truth.json` of a shared recording; `None` where it has another shape.
+    pub fn of_shared(case: &str, truth: &Value) -> Option<Self> {
+        let effects: Vec<&str> = truth["effects"].as_array()?.iter().map(Value::as_str).collect::<Option<_>>()?;
+        let (unlisted, causes): (Vec<&str>, Vec<&str>) = effects.into_iter().partition(|e| e.starts_with("unlisted:"));
+        let detectability = truth["detectability"].as_f64()?;
+        Some(Self {
+            case: case.to_owned(),
+            causes: causes.into_iter().map(str::to_owned).collect(),
+            stranger: unlisted.first().map(|name| name.trim_start_matches("unlisted:").to_owned()),
+            detectability,
+            weakest: detectability,
+            coloured: None,
+            protocol: truth["protocol"].as_str()?.to_owned(),
+        })
+    }
+}
+
+impl From<&Answer> for Truth {
+    fn from(answer: &Answer) -> Self {
+        Self {
+            case: answer.case.clone(),
+            causes: answer.effects.iter().cloned().collect(),
+            stranger: answer.stranger.clone(),
+            detectability: answer.detectability,
+            weakest: answer.each.iter().copied().reduce(f64::min).unwrap_or(0.0),
+            coloured: Some(answer.noise.is_coloured()),
+            protocol: format!("{:?}", answer.protocol).to_lowercase(),
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! Every cause is nothing at zero size and shows when it should.
+
+use truegap_generator::causes::{Bench, LIBRARY, STRANGERS, SizeError, strength};
+use truegap_generator::chain::{Act, Scene, simulate};
+use truegap_generator::draws::Draws;
+use truegap_generator::history::History;
+use truegap_generator::protocol::Kind;
+use truegap_generator::score::family::{Family, family};
+use truegap_generator::sensor::Sensor;
+
+fn history() -> History {
+    Kind::Uneven.history(false, &mut Draws::of(5, "history"))
+}
+
+#[test]
+fn every_cause_is_the_identity_at_zero_size_and_nearly_so_at_a_small_one() {
+    let (sensor, history) = (Sensor::singletact_s15(), history());
+    let scene = Scene { sensor: &sensor, history: &history };
+    let base = simulate(scene, true, &[]).expect("base");
+    for (id, shape) in LIBRARY.iter().chain(&STRANGERS) {
+        let mechanism = shape(&mut Draws::of(7, id));
+        assert_eq!(mechanism.id(), *id);
+        let apart = |size: f64| {
+            let act = Act { mechanism: mechanism.clone(), size };
+            let truth = simulate(scene, true, &[act]).expect("open plates");
+            truth.iter().zip(&base).map(|(t, b)| (t - b).abs()).fold(0.0, f64::max)
+        };
+        assert_eq!(apart(0.0), 0.0, "{id}");
+        // The hooks skip size 0; a size ten thousand times below the start has to be small by its equation.
+        let (small, start) = (apart(1e-4 * mechanism.size_start()), apart(mechanism.size_start()));
+        assert!(small < 0.02 * start && start > 0.0, "{id}: {small} pF against {start} pF");
+    }
+}
+
+#[test]
+fn a_cause_sized_for_ten_is_seen_at_ten_and_changes_the_reading() {
+    let mut draws = Draws::of(11, "sensor");
+    let (sensor, history) = (Sensor::singletact_s15().drawn(&mut draws), history());
+    let scene = Scene { sensor: &sensor, history: &history };
+    let benches = [false, true].map(|warp| Bench::new(scene, warp, 0.004).expect("bench"));
+    let mut unseen = Vec::new();
+    for (id, shape) in LIBRARY.iter().chain(&STRANGERS) {
+        let mechanism = shape(&mut Draws::of(13, id));
+        let bench = &benches[usize::from(!mechanism.needs().no_warp)];
+        let act = match bench.sized(mechanism, 10.0) {
+            Ok(act) => act,
+            Err(SizeError::OutOfReach { reached, .. }) => {
+                unseen.push((*id, reached));
+                continue;
+            }
+            Err(error) => panic!("{error}"),
+        };
+        let left = bench.leftover(std::slice::from_ref(&act)).expect("open plates");
+        // The search stops at 0.5 %; 2 % is what a study promises.
+        assert!((strength(act.mechanism.as_ref(), &left) / 10.0 - 1.0).abs() < 0.02, "{id}");
+        assert!(left.before > 0.05, "{id}: {} times the noise before calibration", left.before);
+    }
+    // What calibration takes away almost wholly may stay below ten at a believable size; nothing else may.
+    assert!(unseen.iter().all(|(id, _)| ["fringing_field"].contains(id)), "{unseen:?}");
+}
+
+#[test]
+fn every_library_cause_has_a_family_and_no_stranger_has_one() {
+    assert!(LIBRARY.iter().all(|(id, _)| family(id) != Family::Unknown));
+    assert!(STRANGERS.iter().all(|(id, _)| family(id) == Family::Unknown));
+}

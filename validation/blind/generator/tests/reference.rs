@@ -1,0 +1,81 @@
+//! The generator's physics against the shared reference values: 40-digit quadrature by another program.
+
+use std::path::PathBuf;
+use truegap_generator::physics::{beads, constants, field, layers, warp};
+use truegap_generator::sensor::Sensor;
+
+/// `model_values.csv` beside the shared recordings, or in `../shared` of the workspace.
+fn reference() -> Option<PathBuf> {
+    let root = std::env::var_os("TRUEGAP_RECORDINGS").map(PathBuf::from).and_then(|p| p.parent().map(PathBuf::from));
+    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../../shared");
+    root.into_iter().chain([beside]).map(|shared| shared.join("reference/model_values.csv")).find(|path| path.exists())
+}
+
+fn sensor(name: &str) -> Sensor {
+    let default = Sensor::singletact_s15();
+    match name {
+        "singletact-s15-4.5n-stiffening" => {
+            Sensor { young_rtv: 1.497e6, softening: 7.6e3, height_rtv: 156e-6, beads: 66.0, bead_diameter: 632e-6, ..default }
+        }
+        "singletact-s8-optimised" => Sensor {
+            young_rtv: 1.43e6,
+            height_rtv: 198e-6,
+            height_cu: 10e-6,
+            beads: 88.0,
+            bead_diameter: 583e-6,
+            plate_diameter: 8e-3,
+            ..default
+        },
+        _ => default,
+    }
+}
+
+/// Compression, curvature and parts at one point of the base model.
+fn point(sensor: &Sensor, bends: bool, force: f64, temperature: f64) -> (f64, f64, layers::Parts) {
+    let load = force / (beads::area(sensor, temperature) * beads::young(sensor, temperature));
+    let compression = beads::compression(load, 0.0);
+    let curvature = if bends { warp::curvature(sensor, temperature) } else { 0.0 };
+    let height = sensor.height_rtv * (1.0 + constants::EXPANSION_RTV * (temperature - constants::REFERENCE));
+    let gap = field::Gap { mean: height * (1.0 - compression), curvature, ..field::Gap::default() };
+    let moment = layers::Moment { force, temperature, compression, gap, silicone: 1.0, polyimide: 1.0 };
+    (compression, curvature, layers::parts(sensor, &moment, &field::Disc::new()).expect("open gap"))
+}
+
+/// Twelve points in rho^2 leave 1e-12 at the deepest warp of the table; the strain is solved to 1e-16.
+#[test]
+fn every_reference_value_is_met_to_twelve_digits() {
+    let Some(path) = reference() else {
+        println!("skipped: no ../shared/reference/model_values.csv and TRUEGAP_RECORDINGS is not set");
+        return;
+    };
+    let text = std::fs::read_to_string(path).expect("readable reference");
+    let mut lines = text.lines();
+    let header = "sensor,warp,force_n,temperature_c,strain,curvature_per_m,eps_r,c_rtv_pf,c_polyimide_pf,c_main_pf,c_backing_pf,c_tail_pf,c_total_pf";
+    assert_eq!(lines.next(), Some(header));
+    let (mut rows, mut worst) = (0, 0.0_f64);
+    for line in lines {
+        let fields: Vec<&str> = line.split(',').collect();
+        let number = |place: usize| fields[place].parse::<f64>().expect("number");
+        let (compression, curvature, parts) = point(&sensor(fields[0]), fields[1] == "true", number(2), number(3));
+        let mine = [
+            -compression,
+            curvature,
+            parts.permittivity,
+            parts.beads,
+            parts.polyimide,
+            parts.main,
+            parts.polyimide,
+            parts.tail,
+            parts.total,
+        ];
+        for (place, value) in mine.iter().enumerate() {
+            let wanted = number(place + 4);
+            let error = (value - wanted).abs() / wanted.abs().max(1e-3);
+            worst = worst.max(error);
+            assert!(error < 1e-12, "{line}\nvalue {place}: {value} against {wanted}");
+        }
+        rows += 1;
+    }
+    assert!(rows > 100, "{rows} rows");
+    println!("{rows} rows, worst relative difference {worst:.1e}");
+}

@@ -25,7 +25,7 @@ impl Mechanism for ParasiticCapacitance {
         0.5
     }
     fn size_limit(&self) -> f64 {
-        200.0
+        80.0
     }
     fn needs(&self) -> Needs {
         Needs { conflict: true, ..Needs::default() }

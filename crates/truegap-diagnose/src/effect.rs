@@ -78,6 +78,10 @@ pub trait Effect: Send + Sync {
     fn testable(&self, context: &Context<'_>) -> Result<(), String>;
     /// The stage with these values.
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage>;
+    /// The same physics by other equations, with the same parameters: made for testing recovery, never fitted.
+    fn sibling(&self, _values: &[f64], _context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        None
+    }
     /// What a reader should be told, with the fitted numbers in it.
     fn says(&self, fitted: &[FittedParameter]) -> String;
 }

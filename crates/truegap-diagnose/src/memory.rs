@@ -4,54 +4,177 @@
 
 use truegap_core::Inputs;
 
-/// First-order lag `tau y' + y = x`, exact for `x` linear between rows; each run starts at rest at `start(x of its first row)`.
-pub fn first_order_lag(inputs: &Inputs, tau_s: f64, x: &mut [f64], start: impl Fn(f64) -> f64) {
-    let steps = inputs.steps_s();
-    for run in inputs.runs() {
-        let mut before = x[run.start];
-        let mut state = start(before);
-        x[run.start] = state;
-        for row in run.start + 1..run.end {
-            let (now, step) = (x[row], steps[row]);
-            state = lag_step(state, before, now, step / tau_s);
-            before = now;
-            x[row] = state;
-        }
+/// Below this ratio of step to time constant the weights of a lag come from their series.
+const SERIES_BELOW: f64 = 1e-3;
+
+/// Calls `visit(row, step)` down the rows: seconds since the row before, `None` at the first row of a run.
+///
+/// Rows count as seconds where no clock was recorded.
+pub fn walk(inputs: &Inputs, mut visit: impl FnMut(usize, Option<f64>)) {
+    let clock = inputs.time_s.as_deref();
+    for row in 0..inputs.len() {
+        let inside = row > 0 && inputs.run[row] == inputs.run[row - 1];
+        visit(row, inside.then(|| clock.map_or(1.0, |time| time[row] - time[row - 1])));
     }
 }
 
-/// One exact step of a lag: state, input before, input now, step over time constant.
-pub fn lag_step(state: f64, before: f64, now: f64, ratio: f64) -> f64 {
+/// Seconds from the first row of the recording to `row`, on the clock that runs through all runs; rows where there is none.
+pub fn elapsed_s(inputs: &Inputs, row: usize) -> f64 {
+    inputs.time_s.as_deref().map_or(row as f64, |time| time[row] - time[0])
+}
+
+/// First-order lag `tau y' + y = x`, exact for `x` linear between rows, on any sequence of steps.
+///
+/// The three weights of a step are kept for as long as the step repeats, which spares the exponential on an even clock.
+#[derive(Clone, Copy, Debug)]
+pub struct Lag {
+    tau_s: f64,
+    step_s: f64,
+    weights: [f64; 3],
+    /// output at the last row
+    pub state: f64,
+    before: f64,
+}
+
+impl Lag {
+    /// A lag with time constant `tau_s` > 0, s.
+    pub fn new(tau_s: f64) -> Self {
+        Self { tau_s, step_s: 0.0, weights: weights(0.0), state: 0.0, before: 0.0 }
+    }
+
+    /// Starts a run with input `x` and output `state`.
+    pub fn start(&mut self, x: f64, state: f64) -> f64 {
+        self.before = x;
+        self.state = state;
+        state
+    }
+
+    /// Output `step_s` seconds later, where the input is `x`.
+    pub fn next(&mut self, x: f64, step_s: f64) -> f64 {
+        if step_s != self.step_s {
+            self.step_s = step_s;
+            self.weights = weights(step_s / self.tau_s);
+        }
+        let [old, before, now] = self.weights;
+        self.state = old * self.state + before * self.before + now * x;
+        self.before = x;
+        self.state
+    }
+}
+
+/// Weights of the old output, the input before and the input now, for step over time constant `ratio`.
+fn weights(ratio: f64) -> [f64; 3] {
     if ratio <= 0.0 {
-        return state;
+        return [1.0, 0.0, 0.0];
     }
     let decay = (-ratio).exp();
+    if ratio < SERIES_BELOW {
+        let now = ratio * (0.5 - ratio * (1.0 / 6.0 - ratio / 24.0));
+        return [decay, -(-ratio).exp_m1() - now, now];
+    }
     let mean = -(-ratio).exp_m1() / ratio;
-    state * decay + before * (mean - decay) + now * (1.0 - mean)
+    [decay, mean - decay, 1.0 - mean]
 }
 
-/// Play operator of half width `width`: the output stays until the input pushes it; each run starts at `start(x of its first row)`.
-pub fn play(inputs: &Inputs, width: f64, x: &[f64], start: impl Fn(f64) -> f64) -> Vec<f64> {
-    let mut out = vec![0.0; x.len()];
-    for run in inputs.runs() {
-        let mut state = start(x[run.start]);
-        for row in run {
-            state = state.clamp(x[row] - width, x[row] + width);
-            out[row] = state;
-        }
+/// Lag of a column in place; each run starts at `start(x of its first row)`. A time constant of 0 is the identity.
+pub fn first_order_lag(inputs: &Inputs, tau_s: f64, x: &mut [f64], start: impl Fn(f64) -> f64) {
+    if tau_s <= 0.0 {
+        return;
     }
+    let mut lag = Lag::new(tau_s);
+    walk(inputs, |row, step| {
+        let now = x[row];
+        x[row] = match step {
+            None => lag.start(now, start(now)),
+            Some(step) => lag.next(now, step),
+        };
+    });
+}
+
+/// Lag of a column in place that goes on from run to run on the clock, from equilibrium at the first row.
+pub fn lag_through_runs(inputs: &Inputs, tau_s: f64, x: &mut [f64]) {
+    if tau_s <= 0.0 {
+        return;
+    }
+    let mut lag = Lag::new(tau_s);
+    for row in 0..x.len() {
+        let now = x[row];
+        x[row] = match row {
+            0 => lag.start(now, now),
+            _ => lag.next(now, elapsed_s(inputs, row) - elapsed_s(inputs, row - 1)),
+        };
+    }
+}
+
+/// One play operator of half width `width`: the output stays until the input pushes it.
+#[derive(Clone, Copy, Debug)]
+pub struct Play {
+    /// half width, in the unit of the input
+    pub width: f64,
+    /// output at the last row
+    pub state: f64,
+}
+
+impl Play {
+    /// A play of half width `width` >= 0 at rest at `state`.
+    pub fn new(width: f64, state: f64) -> Self {
+        Self { width, state }
+    }
+
+    /// Output less input, between `-width` (rising) and `width` (falling).
+    pub fn slip(&mut self, x: f64) -> f64 {
+        self.state = self.state.max(x - self.width).min(x + self.width);
+        self.state - x
+    }
+}
+
+/// Ratios of the half widths of a set of plays to the named one; a set of equal weights rounds the corner of a single play.
+pub const PLAY_SET: [f64; 3] = [0.4, 0.8, 1.8];
+
+/// Slip of a set of plays of mean half width `width`, in units of `width`: -1 on a long rise, +1 on a long fall.
+///
+/// Each run starts with the plays at rest at `rest(x of its first row)`; `visit(row, slip)` is called down the rows.
+pub fn play_set(
+    inputs: &Inputs,
+    width: f64,
+    x: impl Fn(usize) -> f64,
+    rest: impl Fn(f64) -> f64,
+    mut visit: impl FnMut(usize, f64),
+) {
+    let mut plays = PLAY_SET.map(|ratio| Play::new(ratio * width, 0.0));
+    walk(inputs, |row, step| {
+        let now = x(row);
+        if step.is_none() {
+            plays.iter_mut().for_each(|play| play.state = rest(now));
+        }
+        let slip: f64 = plays.iter_mut().map(|play| play.slip(now)).sum();
+        visit(row, slip / (PLAY_SET.len() as f64 * width));
+    });
+}
+
+/// Play operator of half width `width` on a column; each run starts at `start(x of its first row)`.
+pub fn play(inputs: &Inputs, width: f64, x: &[f64], start: impl Fn(f64) -> f64) -> Vec<f64> {
+    let (mut play, mut out) = (Play::new(width, 0.0), vec![0.0; x.len()]);
+    walk(inputs, |row, step| {
+        if step.is_none() {
+            play.state = start(x[row]);
+        }
+        out[row] = x[row] + play.slip(x[row]);
+    });
     out
 }
 
 /// Greatest value so far, carried on from run to run.
 pub fn running_maximum(x: &[f64]) -> Vec<f64> {
-    let mut greatest = f64::NEG_INFINITY;
-    x.iter()
-        .map(|&v| {
-            greatest = greatest.max(v);
-            greatest
-        })
-        .collect()
+    greatest_so_far(x, f64::NEG_INFINITY).collect()
+}
+
+/// Greatest of `floor` and all values so far, row by row.
+pub fn greatest_so_far(x: &[f64], floor: f64) -> impl Iterator<Item = f64> + '_ {
+    x.iter().scan(floor, |greatest, &v| {
+        *greatest = greatest.max(v);
+        Some(*greatest)
+    })
 }
 
 #[cfg(test)]
@@ -65,19 +188,42 @@ mod tests {
     #[test]
     fn a_lag_of_a_ramp_is_the_ramp_less_tau_with_a_decaying_start() {
         let times: Vec<f64> = (0..60).map(|i| 0.3 * f64::from(i) + 0.1 * f64::from(i % 3)).collect();
-        let (tau, slope) = (2.5, 0.7);
-        let mut x: Vec<f64> = times.iter().map(|t| slope * t).collect();
-        first_order_lag(&one_run(&times), tau, &mut x, |first| first);
-        for (t, y) in times.iter().zip(&x) {
-            let exact = slope * (t - tau + tau * (-t / tau).exp());
-            approx::assert_abs_diff_eq!(*y, exact, epsilon = 1e-12);
+        for tau in [0.004, 2.5, 4000.0] {
+            let slope = 0.7;
+            let mut x: Vec<f64> = times.iter().map(|t| slope * t).collect();
+            first_order_lag(&one_run(&times), tau, &mut x, |first| first);
+            for (t, y) in times.iter().zip(&x) {
+                let exact = slope * (t + tau * (-t / tau).exp_m1());
+                approx::assert_abs_diff_eq!(*y, exact, epsilon = 1e-12);
+            }
         }
     }
 
     #[test]
+    fn the_series_of_the_weights_meets_the_closed_form_where_they_change_over() {
+        let (below, above) = (weights(SERIES_BELOW * (1.0 - 1e-12)), weights(SERIES_BELOW * (1.0 + 1e-12)));
+        for (b, a) in below.iter().zip(above) {
+            // rounding of 1 - mean at a ratio of 1e-3
+            approx::assert_abs_diff_eq!(*b, a, epsilon = 1e-13);
+        }
+        approx::assert_abs_diff_eq!(below.iter().sum::<f64>(), 1.0, epsilon = 1e-15);
+    }
+
+    #[test]
     fn a_play_follows_only_when_it_is_pushed() {
-        let inputs = one_run(&[0.0, 1.0, 2.0, 3.0, 4.0]);
-        assert_eq!(play(&inputs, 1.0, &[0.0, 0.5, 3.0, 2.5, 0.0], |x| x), vec![0.0, 0.0, 2.0, 2.0, 1.0]);
+        let mut play = Play::new(1.0, 0.0);
+        let states: Vec<f64> = [0.0, 0.5, 3.0, 2.5, 0.0].map(|x| x + play.slip(x)).to_vec();
+        assert_eq!(states, vec![0.0, 0.0, 2.0, 2.0, 1.0]);
+    }
+
+    #[test]
+    fn a_set_of_plays_slips_by_one_mean_width_on_a_long_rise() {
+        let inputs = one_run(&[0.0, 1.0, 2.0]);
+        let (mut slips, x) = (vec![], [0.0, 5.0, 0.0]);
+        play_set(&inputs, 0.5, |row| x[row], |first| first, |_, slip| slips.push(slip));
+        // the ratios of the set have mean 1
+        approx::assert_abs_diff_eq!(slips[1], -1.0, epsilon = 1e-14);
+        approx::assert_abs_diff_eq!(slips[2], 1.0, epsilon = 1e-14);
     }
 
     #[test]
@@ -86,5 +232,21 @@ mod tests {
         let mut x = vec![0.0, 1.0, 5.0, 5.0];
         first_order_lag(&inputs, 10.0, &mut x, |first| first);
         assert_eq!(&x[2..], &[5.0, 5.0]);
+    }
+
+    #[test]
+    fn what_does_not_recover_goes_on_from_run_to_run() {
+        let inputs = Inputs { time_s: Some(vec![0.0, 1.0, 2.0, 3.0]), run: vec![1, 1, 2, 2], ..Inputs::default() };
+        let mut x = vec![0.0, 0.0, 1.0, 1.0];
+        lag_through_runs(&inputs, 1.0, &mut x);
+        let ramp = (-1.0_f64).exp();
+        approx::assert_abs_diff_eq!(x[2], ramp, epsilon = 1e-15);
+        approx::assert_abs_diff_eq!(x[3], 1.0 - (1.0 - ramp) * ramp, epsilon = 1e-15);
+    }
+
+    #[test]
+    fn the_greatest_value_so_far_never_falls() {
+        assert_eq!(greatest_so_far(&[-1.0, 2.0, 1.0, 3.0], 0.0).collect::<Vec<_>>(), [0.0, 2.0, 2.0, 3.0]);
+        assert_eq!(running_maximum(&[-1.0, 2.0, 1.0]), [-1.0, 2.0, 2.0]);
     }
 }

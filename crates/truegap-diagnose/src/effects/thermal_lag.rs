@@ -16,8 +16,23 @@ struct Lag {
 
 impl Stage for Lag {
     fn thermal(&self, inputs: &Inputs, temperature_c: &mut [f64]) {
-        if self.tau_s > 0.0 {
-            first_order_lag(inputs, self.tau_s, temperature_c, |first| first);
+        first_order_lag(inputs, self.tau_s, temperature_c, |first| first);
+    }
+}
+
+/// Sibling: the mean temperature of a slab heated on one face, the first modes of Fourier's series.
+struct Slab(Lag);
+
+impl Stage for Slab {
+    fn thermal(&self, inputs: &Inputs, temperature_c: &mut [f64]) {
+        const MODES: [f64; 4] = [1.0, 3.0, 5.0, 7.0];
+        let all: f64 = MODES.iter().map(|n| (n * n).recip()).sum();
+        let given = temperature_c.to_vec();
+        temperature_c.fill(0.0);
+        for n in MODES {
+            let mut mode = given.clone();
+            first_order_lag(inputs, 1.1 * self.0.tau_s / (n * n), &mut mode, |first| first);
+            temperature_c.iter_mut().zip(&mode).for_each(|(sum, mode)| *sum += mode / (n * n * all));
         }
     }
 }
@@ -57,7 +72,10 @@ impl Effect for ThermalLag {
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
         Box::new(Lag { tau_s: values[0] })
     }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Slab(Lag { tau_s: values[0] })))
+    }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!("the sensor follows the thermometer with a time constant of {:.3} s (sd {:.2})", fitted[0].value, fitted[0].sd)
+        format!("the sensor follows the thermometer with a time constant of {:.2} s (sd {:.2})", fitted[0].value, fitted[0].sd)
     }
 }

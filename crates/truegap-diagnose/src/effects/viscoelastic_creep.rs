@@ -3,49 +3,47 @@
 use crate::{
     context::Context,
     effect::{About, Effect, Family, FittedParameter},
-    memory::lag_step,
+    memory::{Lag, walk},
 };
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
 
-/// Power-law creep compliance `J(t) = size [(1 + t)^exponent - 1] / [(1 + 60)^exponent - 1]`, t in s, as a spectrum of relaxation times.
+/// Power-law creep compliance `J(t) ~ (1 + t / onset)^exponent - 1`, as a spectrum of relaxation times.
 pub struct ViscoelasticCreep;
 
-/// Relaxation times a decade; the spectrum reproduces the power law to 1 % of its value from 1 s to the length of the run.
+/// Relaxation times a decade.
 const PER_DECADE: f64 = 2.0;
+/// Dwell at which the size is quoted, s.
+const QUOTED_AFTER_S: f64 = 60.0;
 
 struct Spectrum {
+    /// relaxation time in s, and weight of `1 - exp(-t / tau)`
     weights: Vec<(f64, f64)>,
 }
 
 impl Spectrum {
-    /// Weights `w_k` on `1 - exp(-t / tau_k)` with `w ~ tau^exponent`, scaled to `size` after one minute.
-    fn new(size: f64, exponent: f64, longest_s: f64) -> Self {
-        let last = (longest_s.max(10.0) * 3.0).log10();
-        let count = (PER_DECADE * last).ceil() as usize + 1;
-        let times = (0..count).map(|k| 10f64.powf(k as f64 / PER_DECADE));
-        let raw: Vec<(f64, f64)> = times.map(|tau| (tau, tau.powf(exponent))).collect();
-        let after_minute: f64 = raw.iter().map(|(tau, w)| -w * (-60.0 / tau).exp_m1()).sum();
-        Self { weights: raw.iter().map(|(tau, w)| (*tau, size * w / after_minute)).collect() }
+    /// Spectrum `tau^exponent exp(-onset / tau)` from a tenth of the onset to three times the longest run, scaled to `size` after a minute.
+    fn new(size: f64, exponent: f64, onset_s: f64, longest_s: f64) -> Self {
+        let first = onset_s.log10() - 1.0;
+        let last = (3.0 * longest_s.max(QUOTED_AFTER_S)).log10().max(first + 1.0);
+        let count = (PER_DECADE * (last - first)).ceil() as usize + 1;
+        let times = (0..count).map(|k| 10f64.powf(first + k as f64 / PER_DECADE));
+        let raw: Vec<(f64, f64)> = times.map(|tau| (tau, tau.powf(exponent) * (-onset_s / tau).exp())).collect();
+        let quoted: f64 = raw.iter().map(|(tau, w)| -w * (-QUOTED_AFTER_S / tau).exp_m1()).sum();
+        Self { weights: raw.iter().map(|(tau, w)| (*tau, size * w / quoted)).collect() }
     }
 }
 
 impl Stage for Spectrum {
     fn strain(&self, drive: &Drive<'_>, strain: &mut [f64]) {
-        let steps = drive.inputs.steps_s();
-        for run in drive.inputs.runs() {
-            let mut states = vec![0.0; self.weights.len()];
-            let mut before = strain[run.start];
-            for row in run.start..run.end {
-                let elastic = strain[row];
-                let mut delayed = 0.0;
-                for (state, (tau, weight)) in states.iter_mut().zip(&self.weights) {
-                    *state = lag_step(*state, before, elastic, steps[row] / tau);
-                    delayed += weight * *state;
-                }
-                before = elastic;
-                strain[row] = elastic + delayed;
-            }
-        }
+        let mut elements: Vec<(Lag, f64)> = self.weights.iter().map(|(tau, weight)| (Lag::new(*tau), *weight)).collect();
+        walk(drive.inputs, |row, step| {
+            let elastic = strain[row];
+            let delayed = |(lag, weight): &mut (Lag, f64)| match step {
+                None => *weight * lag.start(elastic, 0.0),
+                Some(step) => *weight * lag.next(elastic, step),
+            };
+            strain[row] = elastic + elements.iter_mut().map(delayed).sum::<f64>();
+        });
     }
 }
 
@@ -62,30 +60,39 @@ impl Effect for ViscoelasticCreep {
     fn about(&self) -> About {
         About {
             physics: "the beads go on giving way under a constant load and come back slowly after it",
-            equation: "strain(t) = e(t) + sum_k w_k lag(e; tau_k), w_k ~ tau_k^n",
+            equation: "strain(t) = e(t) + sum_k w_k lag(e; tau_k), w_k ~ tau_k^n exp(-t0 / tau_k): compliance (1 + t / t0)^n - 1",
             excitation: "holds under load of at least ten times the shortest step, with a clock",
-            impostors: &["offset_drift", "trapped_air_stiffness", "rate_independent_hysteresis", "thermal_lag"],
+            impostors: &["offset_drift", "trapped_air_stiffness", "rate_independent_hysteresis", "thermal_lag", "ageing"],
             separates: "scales with the load, recovers after unloading, straight in the logarithm of dwell",
-            source: "Ferry, Viscoelastic Properties of Polymers, ch. 2; SingleTact datasheet V7.4: 2 % in 1 min, 4 % in 10 min",
+            source: "Ferry, Viscoelastic Properties of Polymers, ch. 2 and 3; SingleTact datasheet V7.4: 2 % in 1 min, 4 % in 10 min",
         }
     }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         vec![
-            Parameter::normal("size", "1", 0.0, 0.05, "share of the elastic strain that is added in the first minute")
-                .within(0.0, 1.0),
-            Parameter::log_normal("exponent", "1", 0.25, 0.5, "exponent of the power law").within(0.02, 1.5),
+            Parameter::normal("size", "1", 0.0, 0.03, "share of the elastic strain that is added in the first minute")
+                .within(0.0, 2.0),
+            Parameter::log_normal("exponent", "1", 0.25, 0.5, "exponent of the power law").within(0.02, 0.95),
+            Parameter::log_normal("onset", "s", 1.0, 1.0, "time after which the power law holds").within(0.01, 100.0),
         ]
     }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
-        vec![vec![0.1], vec![0.25], vec![0.6]]
+        vec![vec![0.15, 1.0], vec![0.3, 0.3], vec![0.5, 3.0]]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Beads)?;
         context.needs_clock()?;
-        context.needs_load()
+        if context.simulator.full_load().is_some() { context.needs_load() } else { Ok(()) }
     }
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(Spectrum::new(values[0], values[1], context.longest_run_s))
+        Box::new(Spectrum::new(values[0], values[1], values[2], context.longest_run_s))
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        // two Kelvin-Voigt elements a decade apart, of which the slower is the softer for a larger exponent
+        let times = [10.0 * values[2].max(0.3), 100.0 * values[2].max(0.3)];
+        let raw = [1.0, 10f64.powf(values[1])];
+        let quoted: f64 = times.iter().zip(raw).map(|(tau, w)| -w * (-QUOTED_AFTER_S / tau).exp_m1()).sum();
+        let weights = times.into_iter().zip(raw).map(|(tau, w)| (tau, values[0] * w / quoted)).collect();
+        Some(Box::new(Spectrum { weights }))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(
@@ -94,5 +101,24 @@ impl Effect for ViscoelasticCreep {
             100.0 * fitted[0].sd,
             fitted[1].value
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_spectrum_is_the_power_law_from_a_tenth_of_a_second_to_an_hour() {
+        let law = |t: f64, n: f64, t0: f64| (1.0 + t / t0).powf(n) - 1.0;
+        for (n, t0) in [(0.18, 1.5), (0.3, 0.5), (0.5, 3.0)] {
+            let spectrum = Spectrum::new(0.04, n, t0, 3600.0 * 10.0);
+            for t in [0.1, 1.0, 10.0, 300.0, 3600.0] {
+                let sum: f64 = spectrum.weights.iter().map(|(tau, w)| -w * (-t / tau).exp_m1()).sum();
+                let exact = 0.04 * law(t, n, t0) / law(QUOTED_AFTER_S, n, t0);
+                // two relaxation times a decade, cut at three times the longest run: worst at the ends
+                approx::assert_relative_eq!(sum, exact, max_relative = 0.05);
+            }
+        }
     }
 }

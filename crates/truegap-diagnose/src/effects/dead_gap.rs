@@ -1,0 +1,69 @@
+//! A series gap that never closes.
+
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+};
+use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
+
+/// Constant extra separation.
+pub struct DeadGap;
+
+struct Extra(f64);
+
+impl Stage for Extra {
+    fn geometry(&self, _: &Drive<'_>, geometry: &mut Geometry<'_>) {
+        geometry.gap.iter_mut().for_each(|gap| *gap += self.0);
+    }
+}
+
+/// Sibling: a film of the same height that gives way a little with the dielectric.
+struct Film(f64);
+
+impl Stage for Film {
+    fn geometry(&self, _: &Drive<'_>, geometry: &mut Geometry<'_>) {
+        geometry.gap.iter_mut().zip(geometry.strain).for_each(|(gap, strain)| *gap += self.0 * (1.0 - 0.3 * strain));
+    }
+}
+
+impl Effect for DeadGap {
+    fn id(&self) -> EffectId {
+        EffectId("dead_gap")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Geometry
+    }
+    fn family(&self) -> Family {
+        Family::Field
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "a layer of air or film in series with the dielectric, which the load does not close",
+            equation: "gap = h (1 - e) + g h, g constant",
+            excitation: "strain large enough to bend the curve of capacitance over gap (10 % and more)",
+            impostors: &["strain_stiffening", "parasitic_capacitance", "plate_bending", "fringing_field"],
+            separates: "less curvature of the reading over load, the same at every temperature, rate and direction",
+            source: "capacitors in series, Baxter, Capacitive Sensors, ch. 2",
+        }
+    }
+    fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
+        vec![Parameter::normal("share", "unloaded gaps", 0.0, 0.1, "extra separation that never closes").within(0.0, 2.0)]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Geometry)?;
+        if context.simulator.full_load().is_some() { context.needs_load() } else { Ok(()) }
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(Extra(values[0]))
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Film(values[0])))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        format!(
+            "a gap of {:.2} % of the unloaded one (sd {:.2}) lies in series and never closes",
+            100.0 * fitted[0].value,
+            100.0 * fitted[0].sd
+        )
+    }
+}

@@ -1,0 +1,91 @@
+//! A load off centre tilts the plate.
+
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+};
+use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
+
+/// A rigid disc on an even bed of springs, pressed down off its centre.
+pub struct EccentricLoad;
+
+/// Greatest tilt, as a share of the mean gap; the rim of a tilted plate comes down on the other one there.
+const TOUCHES: f64 = 0.999;
+
+struct Wedge {
+    squared: f64,
+}
+
+impl Stage for Wedge {
+    fn geometry(&self, _: &Drive<'_>, geometry: &mut Geometry<'_>) {
+        let arm = 4.0 * self.squared.max(0.0).sqrt();
+        for (tilt, &strain) in geometry.tilt.iter_mut().zip(geometry.strain) {
+            let own = arm * strain / (1.0 - strain);
+            *tilt = tilt.hypot(own).min(TOUCHES);
+        }
+    }
+}
+
+/// Sibling: a tilt in proportion to the load, whatever the strain.
+struct Proportional(Wedge);
+
+impl Stage for Proportional {
+    fn geometry(&self, drive: &Drive<'_>, geometry: &mut Geometry<'_>) {
+        let arm = self.0.squared.max(0.0).sqrt();
+        geometry.tilt.iter_mut().zip(drive.load).for_each(|(tilt, load)| *tilt = tilt.hypot(0.8 * arm * load).min(TOUCHES));
+    }
+}
+
+impl Effect for EccentricLoad {
+    fn id(&self) -> EffectId {
+        EffectId("eccentric_load")
+    }
+    fn stage(&self) -> StageName {
+        StageName::LoadPath
+    }
+    fn family(&self) -> Family {
+        Family::StaticMechanics
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "the load acts off centre, so the plate tilts as it comes down and the gap is a wedge",
+            equation: "tilt t = 4 (a / r) e / (1 - e): rim against centre over the mean gap; a disc over a wedge reads 2 / (1 + sqrt(1 - t^2)) times the flat one",
+            excitation: "load up to strains of several per cent",
+            impostors: &["strain_stiffening", "contact_toe_in", "load_cell_error", "plate_bending", "dead_gap"],
+            separates: "grows as the square of the load, the same up and down; gone when the load is centred",
+            source: "Winkler bed under a rigid disc: moment F a against stiffness k pi r^4 / 4 (Timoshenko, Strength of Materials II, ch. 1)",
+        }
+    }
+    fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
+        vec![
+            Parameter::normal(
+                "arm_squared",
+                "1",
+                0.0,
+                0.05,
+                "square of the distance from the centre over the radius; the reading is smooth in the square",
+            )
+            .within(0.0, 0.5),
+        ]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::LoadPath)?;
+        context.has(StageName::Geometry)?;
+        context.needs_load()
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(Wedge { squared: values[0] })
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Proportional(Wedge { squared: values[0] })))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        let arm = fitted[0].value.max(0.0).sqrt();
+        let sd = if arm > 0.0 { fitted[0].sd / (2.0 * arm) } else { fitted[0].sd.sqrt() };
+        format!(
+            "the load acts off centre, by {:.1} % of the radius (sd {:.1}), and tilts the plate as it comes down",
+            100.0 * arm,
+            100.0 * sd
+        )
+    }
+}

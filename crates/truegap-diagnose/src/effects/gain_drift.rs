@@ -1,0 +1,81 @@
+//! The gain of the electronics moves with temperature.
+
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+};
+use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
+
+/// Gain about the zero of the readout, in proportion to the thermometer's reading.
+pub struct GainDrift;
+
+struct Gain {
+    per_k: f64,
+}
+
+impl Gain {
+    /// Applies `gain(kelvin above the reference)` to what stands above the zero; the electronics follow the thermometer, not the sensor.
+    fn apply(drive: &Drive<'_>, readout: &Readout, value: &mut [f64], gain: impl Fn(f64) -> f64) {
+        let Some(temperature) = &drive.inputs.temperature_c else { return };
+        for (value, t) in value.iter_mut().zip(temperature) {
+            *value += (*value - readout.zero) * gain(t - drive.reference_c);
+        }
+    }
+}
+
+impl Stage for Gain {
+    fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
+        Self::apply(drive, readout, value, |kelvin| self.per_k * kelvin);
+    }
+}
+
+/// Sibling: a reference of the converter that moves, and divides.
+struct Divider(Gain);
+
+impl Stage for Divider {
+    fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
+        Gain::apply(drive, readout, value, |kelvin| 1.0 / (1.0 - self.0.per_k * kelvin) - 1.0);
+    }
+}
+
+impl Effect for GainDrift {
+    fn id(&self) -> EffectId {
+        EffectId("gain_drift")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Readout
+    }
+    fn family(&self) -> Family {
+        Family::Readout
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "the gain of the electronics moves with the temperature of the room",
+            equation: "value = zero + (true - zero) (1 + k (T - T0)), zero the reading without load at T0, T the thermometer",
+            excitation: "load cycles at two or more temperatures",
+            impostors: &["permittivity_temperature", "electrode_warp", "ageing"],
+            separates: "no change without load, in proportion to the signal with it, without delay; calibration can hide it in the temperature coefficient of the modulus",
+            source: "Analog Devices AD7746 data sheet (gain drift against temperature)",
+        }
+    }
+    fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
+        vec![Parameter::normal("per_kelvin", "1/K", 0.0, 3e-3, "relative change of the gain").within(-0.03, 0.03)]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Readout)?;
+        context.needs_temperature(2.0)?;
+        if context.simulator.name() == "constant" {
+            return Err("a value that does not move shows no gain".into());
+        }
+        if context.inputs.gap_m.is_some() || context.inputs.simulated.is_some() { Ok(()) } else { context.needs_load() }
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(Gain { per_k: values[0] })
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Divider(Gain { per_k: values[0] })))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        format!("the gain moves by {:.4} %/K (sd {:.4})", 100.0 * fitted[0].value, 100.0 * fitted[0].sd)
+    }
+}

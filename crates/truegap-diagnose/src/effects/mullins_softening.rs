@@ -1,0 +1,135 @@
+//! The beads are softer below the greatest load so far.
+
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+    memory::greatest_so_far,
+};
+use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
+
+/// Damage by the greatest load ever, with a share that heals on the way back up to it.
+pub struct MullinsSoftening;
+
+struct Softening {
+    depth: f64,
+    scale: f64,
+    healing: f64,
+}
+
+impl Softening {
+    fn new(values: &[f64]) -> Self {
+        Self { depth: values[0], scale: values[1], healing: values[2] }
+    }
+
+    /// Multiplies the modulus by `1 - depth damage(greatest load) (1 - healing (load / greatest)^2)`.
+    fn apply(&self, drive: &Drive<'_>, factor: &mut [f64], damage: impl Fn(f64) -> f64) {
+        let mut known = (0.0, 0.0);
+        let greatest = greatest_so_far(drive.load, 0.0);
+        for ((factor, &load), greatest) in factor.iter_mut().zip(drive.load).zip(greatest) {
+            if greatest <= 0.0 {
+                continue;
+            }
+            if greatest != known.0 {
+                known = (greatest, damage(greatest));
+            }
+            let back = (load / greatest).max(0.0);
+            *factor *= 1.0 - self.depth * known.1 * (1.0 - self.healing * back * back);
+        }
+    }
+}
+
+impl Stage for Softening {
+    fn modulus(&self, drive: &Drive<'_>, factor: &mut [f64]) {
+        self.apply(drive, factor, |greatest| -(-greatest / self.scale).exp_m1());
+    }
+}
+
+/// Sibling: damage as a rational function of the greatest load.
+struct Rational(Softening);
+
+impl Stage for Rational {
+    fn modulus(&self, drive: &Drive<'_>, factor: &mut [f64]) {
+        self.0.apply(drive, factor, |greatest| 1.4 * greatest / (greatest + self.0.scale));
+    }
+}
+
+impl Effect for MullinsSoftening {
+    fn id(&self) -> EffectId {
+        EffectId("mullins_softening")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Beads
+    }
+    fn family(&self) -> Family {
+        Family::MechanicalMemory
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "chains of the rubber let go as the load passes what it has borne before; below that load the beads are softer ever after",
+            equation: "E = E0 [1 - d (1 - exp(-M / l)) (1 - q (L / M)^2)], M the greatest load over all runs; q = 0 damage for good, q = 1 only below M",
+            excitation: "a first loading, at best to growing peaks, and loads repeated below them",
+            impostors: &["ageing", "strain_stiffening", "rate_independent_hysteresis", "viscoelastic_creep"],
+            separates: "the first cycle to a new peak differs from all later ones, which agree with one another; no recovery over a rest",
+            source: "Simo, Comput. Methods Appl. Mech. Eng. 60 (1987) 153 (damage by the greatest strain); Ogden & Roxburgh, Proc. R. Soc. A 455 (1999) 2861 (softer only below it)",
+        }
+    }
+    fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
+        vec![
+            Parameter::normal("depth", "1", 0.0, 0.1, "share of the modulus that a very large load takes away").within(0.0, 0.9),
+            Parameter::log_normal("load", "full loads", 0.5, 0.7, "load that does two thirds of the damage").within(0.02, 20.0),
+            Parameter::normal("healing", "1", 0.5, 0.5, "share of the softening that is gone at the greatest load itself")
+                .within(0.0, 1.0),
+        ]
+    }
+    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
+        vec![vec![0.2, 0.05], vec![0.7, 0.05], vec![0.2, 0.95], vec![0.7, 0.95]]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Beads)?;
+        context.needs_load()
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(Softening::new(values))
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Rational(Softening::new(values))))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        let full = fitted[0].value * -(-1.0 / fitted[1].value).exp_m1();
+        let share = if fitted[0].value > 0.0 { full / fitted[0].value } else { 0.0 };
+        format!(
+            "after its first loading the dielectric is softer for good: {:.2} % (sd {:.2}) once the full load has been borne",
+            100.0 * full,
+            100.0 * fitted[0].sd * share
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use truegap_core::Inputs;
+
+    fn factors(stage: &Softening, load: &[f64]) -> Vec<f64> {
+        let inputs = Inputs { run: (0..load.len() as u32).collect(), ..Inputs::default() };
+        let cold = vec![20.0; load.len()];
+        let drive = Drive { inputs: &inputs, load, temperature_c: &cold, reference_c: 20.0, full_load: 1.0 };
+        let mut factor = vec![1.0; load.len()];
+        stage.modulus(&drive, &mut factor);
+        factor
+    }
+
+    #[test]
+    fn softening_stays_through_runs_and_may_heal_at_the_greatest_load() {
+        let scale = 1.0 / std::f64::consts::LN_2;
+        // a greatest load of 1 then does half the damage
+        let for_good = factors(&Softening { depth: 0.2, scale, healing: 0.0 }, &[0.0, 1.0, 0.5]);
+        for (f, exact) in for_good.iter().zip([1.0, 0.9, 0.9]) {
+            approx::assert_abs_diff_eq!(*f, exact, epsilon = 1e-15);
+        }
+        let below = factors(&Softening { depth: 0.2, scale, healing: 1.0 }, &[0.0, 1.0, 0.5]);
+        for (f, exact) in below.iter().zip([1.0, 1.0, 1.0 - 0.1 * 0.75]) {
+            approx::assert_abs_diff_eq!(*f, exact, epsilon = 1e-15);
+        }
+    }
+}

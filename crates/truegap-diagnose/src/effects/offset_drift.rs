@@ -1,0 +1,123 @@
+//! The zero moves slowly with the clock.
+
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+    memory::elapsed_s,
+};
+use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
+
+/// Zero that moves at a rate which may itself fade or grow.
+pub struct OffsetDrift;
+
+/// Seconds in an hour.
+const HOUR: f64 = 3600.0;
+
+struct Drift {
+    per_hour: f64,
+    fading_per_hour: f64,
+}
+
+/// Hours of drift at the first rate that have gone by after `hours`: `(1 - exp(-k t)) / k`.
+fn drifted(hours: f64, fading: f64) -> f64 {
+    if (fading * hours).abs() < 1e-8 { hours * (1.0 - 0.5 * fading * hours) } else { -(-fading * hours).exp_m1() / fading }
+}
+
+impl Stage for Drift {
+    fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
+        let add = |row: usize| self.per_hour * drifted(elapsed_s(drive.inputs, row) / HOUR, self.fading_per_hour);
+        value.iter_mut().enumerate().for_each(|(row, value)| *value += add(row));
+    }
+}
+
+/// Sibling: a zero that settles as the logarithm of the clock, with the same rate and the same fading at the start.
+struct Settling(Drift);
+
+impl Stage for Settling {
+    fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
+        let Drift { per_hour, fading_per_hour } = self.0;
+        for (row, value) in value.iter_mut().enumerate() {
+            let hours = elapsed_s(drive.inputs, row) / HOUR;
+            let reach = fading_per_hour.abs().max(1e-6);
+            let settled = (reach * hours).ln_1p() / reach;
+            *value += per_hour * if fading_per_hour < 0.0 { 2.0 * hours - settled } else { settled };
+        }
+    }
+}
+
+fn drift(values: &[f64]) -> Drift {
+    Drift { per_hour: values[0], fading_per_hour: values[1] }
+}
+
+impl Effect for OffsetDrift {
+    fn id(&self) -> EffectId {
+        EffectId("offset_drift")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Readout
+    }
+    fn family(&self) -> Family {
+        Family::Readout
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "the zero of the electronics, or of the assembly, moves with the clock through all runs",
+            equation: "value = true + r (1 - exp(-k t)) / k, t from the first row; k = 0 is a straight line",
+            excitation: "a clock, and the same state visited early and late",
+            impostors: &["ageing", "viscoelastic_creep", "offset_steps", "humidity_uptake", "thermal_lag"],
+            separates: "the same at every load, goes on between the runs, knows no history of the load",
+            source: "JCGM 200:2012 (VIM), 4.21 instrumental drift",
+        }
+    }
+    fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
+        let hours = (context.duration_s / HOUR).max(1e-6);
+        let rate = 0.03 * context.response_span.abs() / hours;
+        vec![
+            Parameter::normal(
+                "rate",
+                &format!("{}/h", context.simulator.unit()),
+                0.0,
+                rate,
+                "speed of the zero at the first row",
+            ),
+            Parameter::normal("fading", "1/h", 0.0, 1.0 / hours, "share of the speed that is lost in an hour")
+                .within(-1.5 / hours, 30.0 / hours),
+        ]
+    }
+    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
+        let hours = (context.duration_s / HOUR).max(1e-6);
+        vec![vec![0.0], vec![4.0 / hours]]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Readout)?;
+        context.needs_clock()
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(drift(values))
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Settling(drift(values))))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        let unit = &fitted[0].parameter.unit;
+        let course = match fitted.get(1) {
+            Some(fading) if fading.value.abs() > 2.0 * fading.sd && fading.value > 0.0 => {
+                format!(", settling with a time constant of {:.2} h", 1.0 / fading.value)
+            }
+            _ => String::new(),
+        };
+        format!("the zero drifts by {:.5} {unit} (sd {:.5}){course}", fitted[0].value, fitted[0].sd)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_drift_that_fades_by_a_fifth_an_hour_stops_after_five_hours_of_it() {
+        // the limit of (1 - exp(-k t)) / k is 1 / k; the series meets it where they change over
+        approx::assert_abs_diff_eq!(drifted(1e4, 0.2), 5.0, epsilon = 1e-12);
+        approx::assert_relative_eq!(drifted(1.0, 0.999_999e-8), drifted(1.0, 1.000_001e-8), max_relative = 1e-13);
+    }
+}

@@ -1,0 +1,139 @@
+//! Loading and unloading differ at any speed.
+
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+    memory::{Play, play_set, walk},
+};
+use truegap_core::{Drive, EffectId, Inputs, Parameter, Stage, simulator::StageName};
+
+/// Internal friction as a set of sliders: it carries part of the load, against the motion.
+pub struct RateIndependentHysteresis;
+
+/// Friction on the load, or on the strain where the gap is given instead of a load.
+struct Friction {
+    size: f64,
+    width: f64,
+    by_load: bool,
+}
+
+impl Stage for Friction {
+    fn load(&self, inputs: &Inputs, load: &mut [f64]) {
+        if self.by_load {
+            slide(inputs, self, load);
+        }
+    }
+
+    fn strain(&self, drive: &Drive<'_>, strain: &mut [f64]) {
+        if !self.by_load {
+            slide(drive.inputs, self, strain);
+        }
+    }
+}
+
+/// Adds what the sliders hold back; each run starts with the sliders slack at zero.
+fn slide(inputs: &Inputs, friction: &Friction, x: &mut [f64]) {
+    if friction.size == 0.0 {
+        return;
+    }
+    let given = x.to_vec();
+    play_set(inputs, friction.width, |row| given[row], |_| 0.0, |row, slip| x[row] += friction.size * slip);
+}
+
+/// Sibling: one slider with a corner rounded by the square root of its travel.
+struct Rounded(Friction);
+
+impl Rounded {
+    fn slide(&self, inputs: &Inputs, x: &mut [f64]) {
+        let mut play = Play::new(1.6 * self.0.width, 0.0);
+        walk(inputs, |row, step| {
+            if step.is_none() {
+                play.state = 0.0;
+            }
+            let slip = play.slip(x[row]) / play.width;
+            x[row] += self.0.size * (1.5 * slip - 0.5 * slip.powi(3));
+        });
+    }
+}
+
+impl Stage for Rounded {
+    fn load(&self, inputs: &Inputs, load: &mut [f64]) {
+        if self.0.by_load {
+            self.slide(inputs, load);
+        }
+    }
+
+    fn strain(&self, drive: &Drive<'_>, strain: &mut [f64]) {
+        if !self.0.by_load {
+            self.slide(drive.inputs, strain);
+        }
+    }
+}
+
+fn friction(values: &[f64], context: &Context<'_>) -> Friction {
+    Friction { size: values[0], width: values[1], by_load: context.simulator.full_load().is_some() }
+}
+
+impl Effect for RateIndependentHysteresis {
+    fn id(&self) -> EffectId {
+        EffectId("rate_independent_hysteresis")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Beads
+    }
+    fn family(&self) -> Family {
+        Family::MechanicalMemory
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "internal friction of the beads carries part of the load, against the motion and at any speed",
+            equation: "L_beads = L + a s, s = sum_k (play(L; w_k) - L) / sum_k w_k, three plays with half widths w_k = (0.4, 0.8, 1.8) w, slack at L = 0 when a run starts",
+            excitation: "load that turns around, at best at several amplitudes and rates",
+            impostors: &[
+                "viscoelastic_creep",
+                "trapped_air_stiffness",
+                "readout_lag",
+                "time_offset",
+                "load_cell_error",
+                "mullins_softening",
+            ],
+            separates: "the loop over load keeps its width at every rate and in every hold; minor loops are narrower; it is there in every cycle",
+            source: "Visintin, Differential Models of Hysteresis, ch. III (plays); Armitage et al., Sensors 23:3778 (0.9 to 1.3 % of range at 1 N/s)",
+        }
+    }
+    fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
+        vec![
+            Parameter::normal("friction", "full loads", 0.0, 0.01, "load that friction holds back, on a long rise or fall")
+                .within(0.0, 0.5),
+            Parameter::log_normal(
+                "width",
+                "full loads",
+                0.08,
+                0.7,
+                "turn of the load after which half of the friction has changed sign",
+            )
+            .within(0.01, 1.0),
+        ]
+    }
+    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
+        vec![vec![0.03], vec![0.1], vec![0.3]]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Beads)?;
+        if context.simulator.full_load().is_some() { context.needs_load() } else { Ok(()) }
+    }
+    fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(friction(values, context))
+    }
+    fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Rounded(friction(values, context))))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        format!(
+            "loading and unloading differ at any speed: friction holds back {:.2} % of the full load (sd {:.2}), reversed within {:.0} % of it after a turn",
+            100.0 * fitted[0].value,
+            100.0 * fitted[0].sd,
+            200.0 * fitted[1].value
+        )
+    }
+}

@@ -1,0 +1,83 @@
+//! The electronics are a low pass.
+
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+    memory::first_order_lag,
+};
+use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
+
+/// First-order low pass on the reading.
+pub struct ReadoutLag;
+
+struct LowPass {
+    tau_s: f64,
+}
+
+impl Stage for LowPass {
+    fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
+        first_order_lag(drive.inputs, self.tau_s, value, |first| first);
+    }
+}
+
+/// Sibling: two equal poles one after the other, with the same delay of a ramp.
+struct TwoPoles(LowPass);
+
+impl Stage for TwoPoles {
+    fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
+        for _ in 0..2 {
+            first_order_lag(drive.inputs, 0.5 * self.0.tau_s, value, |first| first);
+        }
+    }
+}
+
+impl Effect for ReadoutLag {
+    fn id(&self) -> EffectId {
+        EffectId("readout_lag")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Readout
+    }
+    fn family(&self) -> Family {
+        Family::Readout
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "filter or conversion time of the electronics: the reading is behind the capacitance",
+            equation: "tau dv/dt + v = true, at rest when a run starts; straight between rows",
+            excitation: "load that changes fast, at more than one rate, with a clock",
+            impostors: &["time_offset", "viscoelastic_creep", "trapped_air_stiffness", "rate_independent_hysteresis"],
+            separates: "the loop over load grows with the rate of the reading, gone in a hold; a lag rounds corners, a time offset does not",
+            source: "Oppenheim & Willsky, Signals and Systems, sec. 6.5 (first-order systems)",
+        }
+    }
+    fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
+        let scale = context.shortest_step_s.unwrap_or(1.0).max(0.1);
+        vec![
+            Parameter::normal("tau", "s", 0.0, scale, "time constant of the electronics")
+                .within(0.0, (0.5 * context.longest_run_s).max(scale)),
+        ]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Readout)?;
+        context.needs_clock()?;
+        if context.load_span() > 0.05
+            || context.temperature_span() > 1.0
+            || context.inputs.gap_m.is_some()
+            || context.inputs.simulated.is_some()
+        {
+            Ok(())
+        } else {
+            Err("nothing that drives the reading changes".into())
+        }
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(LowPass { tau_s: values[0] })
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(TwoPoles(LowPass { tau_s: values[0] })))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        format!("the electronics follow with a time constant of {:.2} ms (sd {:.2})", 1e3 * fitted[0].value, 1e3 * fitted[0].sd)
+    }
+}

@@ -1,6 +1,8 @@
 //! The one error type that leaves the crate, gathering those of its parts.
 
+use crate::case::CaseError;
 use crate::mesh::MeshError;
+use crate::physics::electrostatics::ElectrostaticsError;
 use crate::solve::SolveError;
 
 /// Anything that can go wrong between a description and its numbers.
@@ -13,4 +15,10 @@ pub enum FemError {
     /// The linear algebra failed.
     #[error(transparent)]
     Solve(#[from] SolveError),
+    /// The electrostatic problem is not well posed.
+    #[error(transparent)]
+    Electrostatics(#[from] ElectrostaticsError),
+    /// The case file is not usable.
+    #[error(transparent)]
+    Case(#[from] CaseError),
 }

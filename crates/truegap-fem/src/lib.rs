@@ -8,7 +8,9 @@
 // Comparisons are written so that NaN falls on the refusing side.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
+pub mod adapt;
 pub mod assembly;
+pub mod case;
 pub mod error;
 pub mod mesh;
 pub mod physics;

@@ -14,17 +14,8 @@ struct Square {
 }
 
 fn square(edge: f64) -> Square {
-    let drawing = Geometry::default()
-        .region("square", Outline::rectangle([0.0, 0.0], [1.0, 1.0]))
-        .boundary_of("rim", "square");
-    let mut mesh = mesh_geometry(
-        &drawing,
-        &MeshOptions {
-            size: SizeField::uniform(edge),
-            ..Default::default()
-        },
-    )
-    .unwrap();
+    let drawing = Geometry::default().region("square", Outline::rectangle([0.0, 0.0], [1.0, 1.0])).boundary_of("rim", "square");
+    let mut mesh = mesh_geometry(&drawing, &MeshOptions { size: SizeField::uniform(edge), ..Default::default() }).unwrap();
     // Distort the inside: a patch test on a regular mesh would not see wrong Jacobians.
     for p in &mut mesh.points {
         let bump = p[0] * (1.0 - p[0]) * p[1] * (1.0 - p[1]);
@@ -44,9 +35,7 @@ fn laplace(nodes: &Nodes) -> impl Fn(usize, &mut [f64]) + Sync + '_ {
             let shapes = map.shapes(q);
             for j in 0..6 {
                 for i in 0..6 {
-                    out[6 * j + i] += q.weight
-                        * map.jacobian
-                        * plane::dot(shapes[i].gradient, shapes[j].gradient);
+                    out[6 * j + i] += q.weight * map.jacobian * plane::dot(shapes[i].gradient, shapes[j].gradient);
                 }
             }
         }
@@ -57,11 +46,7 @@ fn rim(s: &Square) -> Vec<bool> {
     let topology = Topology::new(&s.mesh);
     let mut fixed = vec![false; s.dofs.count];
     for edge in s.mesh.edges_of(0) {
-        s.nodes
-            .edge(&topology, edge)
-            .unwrap()
-            .iter()
-            .for_each(|&i| fixed[i as usize] = true);
+        s.nodes.edge(&topology, edge).unwrap().iter().for_each(|&i| fixed[i as usize] = true);
     }
     fixed
 }
@@ -72,34 +57,18 @@ fn linear_fields_pass_the_patch_test_on_a_distorted_mesh() {
     let field = |p: Point| 3.0 - 2.0 * p[0] + 5.0 * p[1];
     let fixed = rim(&s);
     let numbering = Numbering::new(&fixed);
-    let mut u: Vec<f64> = (0..s.dofs.count)
-        .map(|i| {
-            if fixed[i] {
-                field(s.nodes.points[i])
-            } else {
-                0.0
-            }
-        })
-        .collect();
+    let mut u: Vec<f64> = (0..s.dofs.count).map(|i| if fixed[i] { field(s.nodes.points[i]) } else { 0.0 }).collect();
     let pattern = Pattern::new(&s.dofs, &numbering);
     let mut matrix = pattern.matrix();
     pattern.assemble(&mut matrix, laplace(&s.nodes));
-    let load: Vec<f64> = element_residual(&s.dofs, &u, laplace(&s.nodes))
-        .iter()
-        .map(|x| -x)
-        .collect();
+    let load: Vec<f64> = element_residual(&s.dofs, &u, laplace(&s.nodes)).iter().map(|x| -x).collect();
     let mut direct = Direct::new(&matrix, Kind::Llt).unwrap();
     let solution = direct.solve(&matrix, &numbering.restrict(&load)).unwrap();
     numbering.scatter(&solution.x, &mut u);
     assert!(numbering.free.len() > 50);
     for (i, &p) in s.nodes.points.iter().enumerate() {
         // Rounding of a system with a condition number of a few hundred.
-        assert!(
-            (u[i] - field(p)).abs() < 1e-12,
-            "node {i}: {} against {}",
-            u[i],
-            field(p)
-        );
+        assert!((u[i] - field(p)).abs() < 1e-12, "node {i}: {} against {}", u[i], field(p));
     }
     // Reaction of the whole rim: a closed surface carries no net flux, but each quarter does.
     let reaction = element_residual(&s.dofs, &u, laplace(&s.nodes));
@@ -112,29 +81,20 @@ fn the_number_of_threads_does_not_change_a_bit() {
     let s = square(0.01);
     let numbering = Numbering::new(&rim(&s));
     let with = |threads: usize| {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap()
-            .install(|| {
-                let pattern = Pattern::new(&s.dofs, &numbering);
-                let mut matrix = pattern.matrix();
-                pattern.assemble(&mut matrix, laplace(&s.nodes));
-                pattern.assemble(&mut matrix, laplace(&s.nodes));
-                matrix
-            })
+        rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| {
+            let pattern = Pattern::new(&s.dofs, &numbering);
+            let mut matrix = pattern.matrix();
+            pattern.assemble(&mut matrix, laplace(&s.nodes));
+            pattern.assemble(&mut matrix, laplace(&s.nodes));
+            matrix
+        })
     };
     let one = with(1);
     assert!(one.nnz() > 100_000);
     for threads in [2, 5] {
         let many = with(threads);
         assert_eq!(one.pattern(), many.pattern());
-        assert!(
-            one.values()
-                .iter()
-                .zip(many.values())
-                .all(|(a, b)| a.to_bits() == b.to_bits())
-        );
+        assert!(one.values().iter().zip(many.values()).all(|(a, b)| a.to_bits() == b.to_bits()));
     }
 }
 
@@ -150,19 +110,13 @@ fn ldlt_solves_what_is_indefinite_and_llt_says_so() {
     for j in 0..numbering.free.len() {
         matrix.values_mut()[offsets[j]] -= 1.5;
     }
-    assert!(matches!(
-        Direct::new(&matrix, Kind::Llt),
-        Err(SolveError::NotPositiveDefinite { .. })
-    ));
+    assert!(matches!(Direct::new(&matrix, Kind::Llt), Err(SolveError::NotPositiveDefinite { .. })));
     let mut direct = Direct::new(&matrix, Kind::Ldlt).unwrap();
-    let b: Vec<f64> = (0..numbering.free.len())
-        .map(|i| (i % 7) as f64 - 2.0)
-        .collect();
+    let b: Vec<f64> = (0..numbering.free.len()).map(|i| (i % 7) as f64 - 2.0).collect();
     let x = direct.solve(&matrix, &b).unwrap().x;
     let full = nalgebra_sparse::convert::serial::convert_csc_dense(&matrix);
     let x = nalgebra::DVector::from_vec(x);
-    let product = &full * &x + full.transpose() * &x
-        - nalgebra::DVector::from_fn(x.len(), |i, _| full[(i, i)] * x[i]);
+    let product = &full * &x + full.transpose() * &x - nalgebra::DVector::from_fn(x.len(), |i, _| full[(i, i)] * x[i]);
     assert!((product - nalgebra::DVector::from_vec(b)).amax() < 1e-9);
 }
 
@@ -176,16 +130,10 @@ fn a_floating_body_is_reported_as_singular() {
     for kind in [Kind::Llt, Kind::Ldlt] {
         let refused = Direct::new(&matrix, kind).err();
         assert!(
-            matches!(
-                refused,
-                Some(SolveError::Singular { .. } | SolveError::NotPositiveDefinite { .. })
-            ),
+            matches!(refused, Some(SolveError::Singular { .. } | SolveError::NotPositiveDefinite { .. })),
             "{kind:?}: {refused:?}"
         );
     }
     matrix.values_mut()[5] = f64::NAN;
-    assert!(matches!(
-        Direct::new(&matrix, Kind::Llt),
-        Err(SolveError::NotFinite { .. })
-    ));
+    assert!(matches!(Direct::new(&matrix, Kind::Llt), Err(SolveError::NotFinite { .. })));
 }

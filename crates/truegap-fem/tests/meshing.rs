@@ -21,12 +21,7 @@ fn curved_area(mesh: &Mesh, region: u16) -> f64 {
     let table = truegap_fem::space::P2::table(&truegap_fem::space::triangle_rule(4));
     (0..mesh.triangles.len())
         .filter(|&t| mesh.triangle_regions[t] == region)
-        .map(|t| {
-            table
-                .iter()
-                .map(|q| q.weight * nodes.element(t).map(q).jacobian)
-                .sum::<f64>()
-        })
+        .map(|t| table.iter().map(|q| q.weight * nodes.element(t).map(q).jacobian).sum::<f64>())
         .sum()
 }
 
@@ -39,15 +34,8 @@ fn a_later_region_cuts_an_earlier_one() {
     let mesh = mesh_geometry(&drawing, &MeshOptions::default()).unwrap();
     assert!((area(&mesh, 0) - 7.0).abs() < 1e-12);
     assert!((area(&mesh, 1) - 4.0).abs() < 1e-12);
-    assert!(
-        mesh.quality().least_angle_degrees >= 25.0,
-        "{:?}",
-        mesh.quality()
-    );
-    let length: f64 = mesh
-        .edges_of(0)
-        .map(|[a, b]| plane::distance(mesh.points[a as usize], mesh.points[b as usize]))
-        .sum();
+    assert!(mesh.quality().least_angle_degrees >= 25.0, "{:?}", mesh.quality());
+    let length: f64 = mesh.edges_of(0).map(|[a, b]| plane::distance(mesh.points[a as usize], mesh.points[b as usize])).sum();
     assert!((length - 3.0).abs() < 1e-12);
 }
 
@@ -57,78 +45,39 @@ fn thin_layers_under_rotation_keep_their_angles() {
     for turn in [0.0, 0.1, 0.7, 1.3, 2.9] {
         let (s, c) = f64::sin_cos(turn);
         let at = |x: f64, y: f64| [c * x - s * y, s * x + c * y];
-        let layer = |y0: f64, y1: f64| {
-            Outline::polygon(&[at(0.0, y0), at(7.5e-3, y0), at(7.5e-3, y1), at(0.0, y1)])
-        };
+        let layer = |y0: f64, y1: f64| Outline::polygon(&[at(0.0, y0), at(7.5e-3, y0), at(7.5e-3, y1), at(0.0, y1)]);
         let drawing = Geometry::default()
             .region("copper", layer(0.0, 17e-6))
             .region("tin", layer(17e-6, 22e-6))
             .region("rubber", layer(22e-6, 0.3e-3));
         let mesh = mesh_geometry(&drawing, &MeshOptions::default()).unwrap();
         assert!((area(&mesh, 1) / (7.5e-3 * 5e-6) - 1.0).abs() < 1e-9);
-        assert!(
-            mesh.quality().least_angle_degrees >= 25.0,
-            "turn {turn}: {:?}",
-            mesh.quality()
-        );
+        assert!(mesh.quality().least_angle_degrees >= 25.0, "turn {turn}: {:?}", mesh.quality());
     }
 }
 
 #[test]
 fn the_size_field_is_followed() {
-    let size = SizeField {
-        max_edge: 0.2,
-        growth: 0.3,
-        sources: vec![SizeSource {
-            at: [0.5, 0.5],
-            size: 1e-3,
-        }],
-    };
+    let size = SizeField { max_edge: 0.2, growth: 0.3, sources: vec![SizeSource { at: [0.5, 0.5], size: 1e-3 }] };
     let drawing = Geometry::default().region("square", Outline::rectangle([0.0, 0.0], [1.0, 1.0]));
-    let mesh = mesh_geometry(
-        &drawing,
-        &MeshOptions {
-            size: size.clone(),
-            ..Default::default()
-        },
-    )
-    .unwrap();
+    let mesh = mesh_geometry(&drawing, &MeshOptions { size: size.clone(), ..Default::default() }).unwrap();
     assert!(mesh.quality().least_angle_degrees >= 25.0);
     let ratios: Vec<f64> = (0..mesh.triangles.len())
         .map(|t| {
             let c = mesh.corners(t);
-            let longest = (0..3)
-                .map(|k| plane::distance(c[k], c[(k + 1) % 3]))
-                .fold(0.0, f64::max);
-            longest
-                / size.at([
-                    (c[0][0] + c[1][0] + c[2][0]) / 3.0,
-                    (c[0][1] + c[1][1] + c[2][1]) / 3.0,
-                ])
+            let longest = (0..3).map(|k| plane::distance(c[k], c[(k + 1) % 3])).fold(0.0, f64::max);
+            longest / size.at([(c[0][0] + c[1][0] + c[2][0]) / 3.0, (c[0][1] + c[1][1] + c[2][1]) / 3.0])
         })
         .collect();
     let largest = ratios.iter().copied().fold(0.0, f64::max);
     let mean = ratios.iter().sum::<f64>() / ratios.len() as f64;
-    assert!(
-        largest < 1.9 && mean > 0.5,
-        "largest {largest}, mean {mean}, {} triangles",
-        ratios.len()
-    );
+    assert!(largest < 1.9 && mean > 0.5, "largest {largest}, mean {mean}, {} triangles", ratios.len());
 }
 
 #[test]
 fn quadratic_edges_follow_arcs() {
-    let half = |r: f64| Outline {
-        start: [0.0, -r],
-        steps: vec![Step::Arc {
-            via: [r, 0.0],
-            to: [0.0, r],
-        }],
-    };
-    let drawing = Geometry::default()
-        .region("outer", half(2.0))
-        .region("inner", half(1.0))
-        .boundary_of("shell", "inner");
+    let half = |r: f64| Outline { start: [0.0, -r], steps: vec![Step::Arc { via: [r, 0.0], to: [0.0, r] }] };
+    let drawing = Geometry::default().region("outer", half(2.0)).region("inner", half(1.0)).boundary_of("shell", "inner");
     let mesh = mesh_geometry(&drawing, &MeshOptions::default()).unwrap();
     // A parabola through three points of a 10 degree arc encloses less by angle^4 / 480 of the disc's area, in the
     // leading order; chords by angle^2 / 6.
@@ -164,34 +113,18 @@ fn drawings_without_sense_are_refused_with_their_place() {
     let square = || Outline::rectangle([0.0, 0.0], [1.0, 1.0]);
     let mesh = |g: Geometry| mesh_geometry(&g, &MeshOptions::default()).unwrap_err();
     let bow = Outline::polygon(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]);
-    assert!(
-        matches!(mesh(Geometry::default().region("bow", bow)), MeshError::CrossingOutline { at, .. } if at == [0.5, 0.5])
-    );
+    assert!(matches!(mesh(Geometry::default().region("bow", bow)), MeshError::CrossingOutline { at, .. } if at == [0.5, 0.5]));
     let line = Outline::polygon(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]);
-    assert!(matches!(
-        mesh(Geometry::default().region("line", line)),
-        MeshError::OpenOutline { .. }
-    ));
+    assert!(matches!(mesh(Geometry::default().region("line", line)), MeshError::OpenOutline { .. }));
     assert!(matches!(mesh(Geometry::default()), MeshError::NoRegion));
-    let far = Geometry::default()
-        .region("a", square())
-        .boundary("far", &[[2.0, 0.0], [2.0, 1.0]]);
+    let far = Geometry::default().region("a", square()).boundary("far", &[[2.0, 0.0], [2.0, 1.0]]);
     assert!(matches!(mesh(far), MeshError::BoundaryOnNothing { .. }));
-    let out = Geometry::default()
-        .region("a", square())
-        .boundary("out", &[[0.5, 0.5], [1.5, 0.5]]);
+    let out = Geometry::default().region("a", square()).boundary("out", &[[0.5, 0.5], [1.5, 0.5]]);
     assert!(matches!(mesh(out), MeshError::BoundaryOnNothing { .. }));
-    let gone = Geometry::default()
-        .region("a", square())
-        .region("b", Outline::rectangle([-1.0, -1.0], [2.0, 2.0]));
+    let gone = Geometry::default().region("a", square()).region("b", Outline::rectangle([-1.0, -1.0], [2.0, 2.0]));
     assert!(matches!(mesh(gone), MeshError::RegionVanished { region } if region == "a"));
     let nan = Outline::polygon(&[[0.0, 0.0], [1.0, f64::NAN], [1.0, 1.0]]);
-    assert!(matches!(
-        mesh(Geometry::default().region("n", nan)),
-        MeshError::NotFinite { .. }
-    ));
-    let unknown = Geometry::default()
-        .region("a", square())
-        .boundary_of("b", "c");
+    assert!(matches!(mesh(Geometry::default().region("n", nan)), MeshError::NotFinite { .. }));
+    let unknown = Geometry::default().region("a", square()).boundary_of("b", "c");
     assert!(matches!(mesh(unknown), MeshError::UnknownRegion { .. }));
 }

@@ -25,14 +25,7 @@ impl Pattern {
         let (starts, columns) = touching(dofs, numbering, n);
         let lanes: Vec<Vec<usize>> = (0..n)
             .into_par_iter()
-            .map(|column| {
-                lane(
-                    dofs,
-                    numbering,
-                    &columns[starts[column]..starts[column + 1]],
-                    column as u32,
-                )
-            })
+            .map(|column| lane(dofs, numbering, &columns[starts[column]..starts[column + 1]], column as u32))
             .collect();
         let mut offsets = Vec::with_capacity(n + 1);
         offsets.push(0);
@@ -44,13 +37,7 @@ impl Pattern {
         Pattern::locate(dofs, numbering, offsets, rows, n)
     }
 
-    fn locate(
-        dofs: &ElementDofs,
-        numbering: &Numbering,
-        csc_offsets: Vec<usize>,
-        csc_rows: Vec<usize>,
-        n: usize,
-    ) -> Pattern {
+    fn locate(dofs: &ElementDofs, numbering: &Numbering, csc_offsets: Vec<usize>, csc_rows: Vec<usize>, n: usize) -> Pattern {
         let elements = dofs.elements();
         let sizes: Vec<u8> = (0..elements).map(|e| dofs.of(e).len() as u8).collect();
         let mut offsets = vec![0usize; elements + 1];
@@ -75,8 +62,7 @@ impl Pattern {
                     if p != NONE && q != NONE {
                         let (row, column) = (p.max(q) as usize, p.min(q) as usize);
                         let lane = &csc_rows[csc_offsets[column]..csc_offsets[column + 1]];
-                        slots[k] =
-                            (csc_offsets[column] + lane.partition_point(|&r| r < row)) as u32;
+                        slots[k] = (csc_offsets[column] + lane.partition_point(|&r| r < row)) as u32;
                     }
                     k += 1;
                 }
@@ -85,12 +71,7 @@ impl Pattern {
         // The lanes are sorted and free of duplicates by construction.
         let csc = SparsityPattern::try_from_offsets_and_indices(n, n, csc_offsets, csc_rows)
             .unwrap_or_else(|_| SparsityPattern::zeros(n, n));
-        Pattern {
-            csc,
-            places,
-            offsets,
-            sizes,
-        }
+        Pattern { csc, places, offsets, sizes }
     }
 
     /// Number of free unknowns.
@@ -109,11 +90,7 @@ impl Pattern {
     ///
     /// `out` is full, column by column (`out[j * m + i]` for m unknowns) and zero on entry; only its lower triangle
     /// is read. Computed in parallel, added in element order: the result does not depend on the number of threads.
-    pub fn assemble(
-        &self,
-        matrix: &mut CscMatrix<f64>,
-        element: impl Fn(usize, &mut [f64]) + Sync,
-    ) {
+    pub fn assemble(&self, matrix: &mut CscMatrix<f64>, element: impl Fn(usize, &mut [f64]) + Sync) {
         let values = matrix.values_mut();
         values.fill(0.0);
         let elements = self.sizes.len();
@@ -122,15 +99,11 @@ impl Pattern {
         let mut buffer = vec![0.0; stride * BATCH.min(elements)];
         for first in (0..elements).step_by(BATCH) {
             let count = BATCH.min(elements - first);
-            buffer[..stride * count]
-                .par_chunks_mut(stride)
-                .with_min_len(64)
-                .enumerate()
-                .for_each(|(k, out)| {
-                    let m = self.sizes[first + k] as usize;
-                    out[..m * m].fill(0.0);
-                    element(first + k, &mut out[..m * m]);
-                });
+            buffer[..stride * count].par_chunks_mut(stride).with_min_len(64).enumerate().for_each(|(k, out)| {
+                let m = self.sizes[first + k] as usize;
+                out[..m * m].fill(0.0);
+                element(first + k, &mut out[..m * m]);
+            });
             for k in 0..count {
                 self.add(first + k, &buffer[stride * k..], values);
             }
@@ -156,12 +129,7 @@ impl Pattern {
 /// Elements that touch each free unknown, as offsets and a flat list.
 fn touching(dofs: &ElementDofs, numbering: &Numbering, n: usize) -> (Vec<usize>, Vec<u32>) {
     let mut starts = vec![0usize; n + 1];
-    let rows = |e: usize| {
-        dofs.of(e)
-            .iter()
-            .map(|&d| numbering.rows[d as usize])
-            .filter(|&r| r != NONE)
-    };
+    let rows = |e: usize| dofs.of(e).iter().map(|&d| numbering.rows[d as usize]).filter(|&r| r != NONE);
     for e in 0..dofs.elements() {
         rows(e).for_each(|r| starts[r as usize + 1] += 1);
     }
@@ -184,10 +152,7 @@ fn lane(dofs: &ElementDofs, numbering: &Numbering, elements: &[u32], column: u32
     // The diagonal is always there, so that unknowns without stiffness are found by the factorisation.
     rows.push(column as usize);
     for &e in elements {
-        let of = dofs
-            .of(e as usize)
-            .iter()
-            .map(|&d| numbering.rows[d as usize]);
+        let of = dofs.of(e as usize).iter().map(|&d| numbering.rows[d as usize]);
         rows.extend(of.filter(|&r| r != NONE && r >= column).map(|r| r as usize));
     }
     rows.sort_unstable();

@@ -15,12 +15,7 @@ pub fn assemble_vector(dofs: &ElementDofs, element: impl Fn(usize, &mut [f64]) +
             element(e, &mut out);
             out
         },
-        |e, out: Vec<f64>| {
-            dofs.of(e)
-                .iter()
-                .zip(out)
-                .for_each(|(&d, x)| sum[d as usize] += x)
-        },
+        |e, out: Vec<f64>| dofs.of(e).iter().zip(out).for_each(|(&d, x)| sum[d as usize] += x),
     );
     sum
 }
@@ -29,41 +24,24 @@ pub fn assemble_vector(dofs: &ElementDofs, element: impl Fn(usize, &mut [f64]) +
 ///
 /// On fixed unknowns it is the reaction: charge, or force. Products are formed per element, which keeps the digits
 /// that cancellation between stiff neighbours costs an assembled matrix.
-pub fn element_residual(
-    dofs: &ElementDofs,
-    u: &[f64],
-    matrix: impl Fn(usize, &mut [f64]) + Sync,
-) -> Vec<f64> {
+pub fn element_residual(dofs: &ElementDofs, u: &[f64], matrix: impl Fn(usize, &mut [f64]) + Sync) -> Vec<f64> {
     assemble_vector(dofs, |e, out| {
         let of = dofs.of(e);
         let m = of.len();
         let mut local = vec![0.0; m * m];
         matrix(e, &mut local);
         for i in 0..m {
-            out[i] = (0..m)
-                .map(|j| local[i.min(j) * m + i.max(j)] * u[of[j] as usize])
-                .sum();
+            out[i] = (0..m).map(|j| local[i.min(j) * m + i.max(j)] * u[of[j] as usize]).sum();
         }
     })
 }
 
 /// Computes `work(e)` for all elements in parallel batches and hands the results to `take` in order.
-pub fn for_each_element<T: Send>(
-    elements: usize,
-    work: impl Fn(usize) -> T + Sync,
-    mut take: impl FnMut(usize, T),
-) {
+pub fn for_each_element<T: Send>(elements: usize, work: impl Fn(usize) -> T + Sync, mut take: impl FnMut(usize, T)) {
     const BATCH: usize = 16384;
     for first in (0..elements).step_by(BATCH) {
         let last = elements.min(first + BATCH);
-        let batch: Vec<T> = (first..last)
-            .into_par_iter()
-            .with_min_len(64)
-            .map(&work)
-            .collect();
-        batch
-            .into_iter()
-            .enumerate()
-            .for_each(|(k, t)| take(first + k, t));
+        let batch: Vec<T> = (first..last).into_par_iter().with_min_len(64).map(&work).collect();
+        batch.into_iter().enumerate().for_each(|(k, t)| take(first + k, t));
     }
 }

@@ -48,34 +48,19 @@ impl Arrangement {
         Ok(out)
     }
 
-    fn draw_regions(
-        &mut self,
-        geometry: &Geometry,
-        drawn: &mut Vec<Drawn>,
-    ) -> Result<(), MeshError> {
+    fn draw_regions(&mut self, geometry: &Geometry, drawn: &mut Vec<Drawn>) -> Result<(), MeshError> {
         for (owner, region) in geometry.regions.iter().enumerate() {
             let curves = region.outline.curves(true);
             check_closed(region, &curves)?;
-            drawn.extend(curves.iter().map(|&curve| Drawn {
-                curve,
-                owner,
-                boundary: None,
-            }));
+            drawn.extend(curves.iter().map(|&curve| Drawn { curve, owner, boundary: None }));
             self.regions.push((region.name.clone(), curves));
         }
         Ok(())
     }
 
-    fn draw_boundaries(
-        &mut self,
-        geometry: &Geometry,
-        drawn: &mut Vec<Drawn>,
-    ) -> Result<(), MeshError> {
+    fn draw_boundaries(&mut self, geometry: &Geometry, drawn: &mut Vec<Drawn>) -> Result<(), MeshError> {
         for boundary in &geometry.boundaries {
-            let known = self
-                .boundaries
-                .iter()
-                .position(|name| *name == boundary.name);
+            let known = self.boundaries.iter().position(|name| *name == boundary.name);
             let tag = known.unwrap_or(self.boundaries.len()) as u16;
             if known.is_none() {
                 self.boundaries.push(boundary.name.clone());
@@ -84,61 +69,30 @@ impl Arrangement {
                 BoundaryPath::Path(outline) => outline.curves(false),
                 BoundaryPath::OutlineOf(region) => self.outline_of(&boundary.name, region)?,
             };
-            if let Some(at) = curves
-                .iter()
-                .flat_map(|c| [c.from, c.to])
-                .find(|p| !(p[0].is_finite() && p[1].is_finite()))
-            {
-                return Err(MeshError::NotFinite {
-                    name: boundary.name.clone(),
-                    at,
-                });
+            if let Some(at) = curves.iter().flat_map(|c| [c.from, c.to]).find(|p| !(p[0].is_finite() && p[1].is_finite())) {
+                return Err(MeshError::NotFinite { name: boundary.name.clone(), at });
             }
-            drawn.extend(curves.into_iter().map(|curve| Drawn {
-                curve,
-                owner: usize::MAX,
-                boundary: Some(tag),
-            }));
+            drawn.extend(curves.into_iter().map(|curve| Drawn { curve, owner: usize::MAX, boundary: Some(tag) }));
         }
         Ok(())
     }
 
     fn outline_of(&self, boundary: &str, region: &str) -> Result<Vec<Curve>, MeshError> {
-        let found: Vec<Curve> = self
-            .regions
-            .iter()
-            .filter(|(name, _)| name == region)
-            .flat_map(|(_, c)| c.clone())
-            .collect();
+        let found: Vec<Curve> = self.regions.iter().filter(|(name, _)| name == region).flat_map(|(_, c)| c.clone()).collect();
         if found.is_empty() {
-            let known = self
-                .regions
-                .iter()
-                .map(|(name, _)| name.as_str())
-                .collect::<Vec<_>>()
-                .join(", ");
-            return Err(MeshError::UnknownRegion {
-                boundary: boundary.into(),
-                region: region.into(),
-                known,
-            });
+            let known = self.regions.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ");
+            return Err(MeshError::UnknownRegion { boundary: boundary.into(), region: region.into(), known });
         }
         Ok(found)
     }
 
     fn cut(&mut self, drawn: &[Drawn]) {
-        let mut cuts: Vec<Vec<Point>> = drawn
-            .iter()
-            .map(|d| vec![d.curve.from, d.curve.to])
-            .collect();
+        let mut cuts: Vec<Vec<Point>> = drawn.iter().map(|d| vec![d.curve.from, d.curve.to]).collect();
         for i in 0..drawn.len() {
             for j in 0..drawn.len() {
                 if i != j {
                     let ends = [drawn[j].curve.from, drawn[j].curve.to];
-                    cuts[i].extend(
-                        ends.into_iter()
-                            .filter(|&p| drawn[i].curve.locate(p, self.tolerance).is_some()),
-                    );
+                    cuts[i].extend(ends.into_iter().filter(|&p| drawn[i].curve.locate(p, self.tolerance).is_some()));
                 }
                 if i < j {
                     let meets = drawn[i].curve.meets(&drawn[j].curve, self.tolerance);
@@ -165,9 +119,7 @@ impl Arrangement {
             let t = match p {
                 _ if p == drawn.curve.from => Some(0.0),
                 _ if p == drawn.curve.to => Some(1.0),
-                _ => drawn
-                    .curve
-                    .locate(self.vertices[vertex], 2.0 * self.tolerance),
+                _ => drawn.curve.locate(self.vertices[vertex], 2.0 * self.tolerance),
             };
             if let Some(t) = t
                 && !stops.iter().any(|s| s.1 == vertex)
@@ -178,9 +130,7 @@ impl Arrangement {
         stops.sort_by(|a, b| a.0.total_cmp(&b.0));
         for pair in stops.windows(2) {
             let (a, b) = (pair[0], pair[1]);
-            let curve = drawn
-                .curve
-                .part((a.0, self.vertices[a.1]), (b.0, self.vertices[b.1]));
+            let curve = drawn.curve.part((a.0, self.vertices[a.1]), (b.0, self.vertices[b.1]));
             self.add_piece(curve, [a.1, b.1], drawn.boundary);
         }
     }
@@ -188,8 +138,7 @@ impl Arrangement {
     fn add_piece(&mut self, curve: Curve, ends: [usize; 2], boundary: Option<u16>) {
         let middle = curve.point(0.5);
         let same = |p: &&mut Piece| {
-            (p.ends == ends || p.ends == [ends[1], ends[0]])
-                && distance(p.curve.point(0.5), middle) <= 4.0 * self.tolerance
+            (p.ends == ends || p.ends == [ends[1], ends[0]]) && distance(p.curve.point(0.5), middle) <= 4.0 * self.tolerance
         };
         if let Some(piece) = self.pieces.iter_mut().find(same) {
             if let Some(tag) = boundary
@@ -199,29 +148,15 @@ impl Arrangement {
             }
             return;
         }
-        self.pieces.push(Piece {
-            curve,
-            ends,
-            boundaries: boundary.into_iter().collect(),
-        });
+        self.pieces.push(Piece { curve, ends, boundaries: boundary.into_iter().collect() });
     }
 
     fn vertex(&mut self, p: Point) -> usize {
-        if let Some(i) = self
-            .vertices
-            .iter()
-            .position(|&q| distance(p, q) <= self.tolerance)
-        {
+        if let Some(i) = self.vertices.iter().position(|&q| distance(p, q) <= self.tolerance) {
             return i;
         }
         // The axis and other coordinate lines stay exact; the triangulation refuses denormal coordinates.
-        let clean = p.map(|x| {
-            if x.abs() < 1e-3 * self.tolerance {
-                0.0
-            } else {
-                x
-            }
-        });
+        let clean = p.map(|x| if x.abs() < 1e-3 * self.tolerance { 0.0 } else { x });
         self.vertices.push(clean);
         self.vertices.len() - 1
     }
@@ -230,10 +165,7 @@ impl Arrangement {
 fn span(drawn: &[Drawn]) -> f64 {
     let mut low = [f64::INFINITY; 2];
     let mut high = [f64::NEG_INFINITY; 2];
-    for p in drawn
-        .iter()
-        .flat_map(|d| [d.curve.from, d.curve.point(0.5), d.curve.to])
-    {
+    for p in drawn.iter().flat_map(|d| [d.curve.from, d.curve.point(0.5), d.curve.to]) {
         for k in 0..2 {
             low[k] = low[k].min(p[k]);
             high[k] = high[k].max(p[k]);
@@ -243,24 +175,14 @@ fn span(drawn: &[Drawn]) -> f64 {
     d[0].hypot(d[1])
 }
 
-fn check_self_crossings(
-    geometry: &Geometry,
-    drawn: &[Drawn],
-    tolerance: f64,
-) -> Result<(), MeshError> {
+fn check_self_crossings(geometry: &Geometry, drawn: &[Drawn], tolerance: f64) -> Result<(), MeshError> {
     for (i, a) in drawn.iter().enumerate() {
         for b in drawn[i + 1..].iter().filter(|b| b.owner == a.owner) {
             let ends = [a.curve.from, a.curve.to, b.curve.from, b.curve.to];
-            let crossing = a
-                .curve
-                .meets(&b.curve, tolerance)
-                .into_iter()
-                .find(|&p| ends.iter().all(|&e| distance(e, p) > 4.0 * tolerance));
+            let crossing =
+                a.curve.meets(&b.curve, tolerance).into_iter().find(|&p| ends.iter().all(|&e| distance(e, p) > 4.0 * tolerance));
             if let Some(at) = crossing {
-                return Err(MeshError::CrossingOutline {
-                    name: geometry.regions[a.owner].name.clone(),
-                    at,
-                });
+                return Err(MeshError::CrossingOutline { name: geometry.regions[a.owner].name.clone(), at });
             }
         }
     }

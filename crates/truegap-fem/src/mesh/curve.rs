@@ -25,10 +25,7 @@ impl Circle {
         }
         let x = (v[1] * uu - u[1] * vv) / d;
         let y = (u[0] * vv - v[0] * uu) / d;
-        Some(Circle {
-            centre: [a[0] + x, a[1] + y],
-            radius: x.hypot(y),
-        })
+        Some(Circle { centre: [a[0] + x, a[1] + y], radius: x.hypot(y) })
     }
 
     /// The point of the circle nearest to `p` (any point of it where `p` is the centre).
@@ -58,11 +55,7 @@ pub struct Curve {
 impl Curve {
     /// A straight line.
     pub fn line(from: Point, to: Point) -> Curve {
-        Curve {
-            from,
-            to,
-            arc: None,
-        }
+        Curve { from, to, arc: None }
     }
 
     /// The arc from `from` over `via` to `to`; a line where the three are in line.
@@ -71,16 +64,8 @@ impl Curve {
             return Curve::line(from, to);
         };
         let turn = (circle.angle(to) - circle.angle(from)).rem_euclid(TAU);
-        let sweep = if twice_area(from, via, to) > 0.0 {
-            turn
-        } else {
-            turn - TAU
-        };
-        Curve {
-            from,
-            to,
-            arc: Some((circle, sweep)),
-        }
+        let sweep = if twice_area(from, via, to) > 0.0 { turn } else { turn - TAU };
+        Curve { from, to, arc: Some((circle, sweep)) }
     }
 
     /// Point at the fraction `t` of the way (of the angle, on an arc).
@@ -91,10 +76,7 @@ impl Curve {
             None => along(self.from, self.to, t),
             Some((circle, sweep)) => {
                 let angle = circle.angle(self.from) + t * sweep;
-                [
-                    circle.centre[0] + circle.radius * angle.cos(),
-                    circle.centre[1] + circle.radius * angle.sin(),
-                ]
+                [circle.centre[0] + circle.radius * angle.cos(), circle.centre[1] + circle.radius * angle.sin()]
             }
         }
     }
@@ -118,11 +100,7 @@ impl Curve {
                 let turn = (circle.angle(p) - circle.angle(self.from)) * sweep.signum();
                 let wrapped = turn.rem_euclid(TAU);
                 let slack = tolerance / circle.radius;
-                let turn = if wrapped > TAU - slack {
-                    wrapped - TAU
-                } else {
-                    wrapped
-                };
+                let turn = if wrapped > TAU - slack { wrapped - TAU } else { wrapped };
                 turn / sweep.abs()
             }
         };
@@ -132,11 +110,7 @@ impl Curve {
 
     /// The part between two fractions of the way, with the given end points.
     pub fn part(&self, (t0, from): (f64, Point), (t1, to): (f64, Point)) -> Curve {
-        Curve {
-            from,
-            to,
-            arc: self.arc.map(|(circle, sweep)| (circle, sweep * (t1 - t0))),
-        }
+        Curve { from, to, arc: self.arc.map(|(circle, sweep)| (circle, sweep * (t1 - t0))) }
     }
 
     /// Points in which two curves meet, shared end points included, overlaps left out.
@@ -147,12 +121,7 @@ impl Curve {
             (Some((circle, _)), None) => line_circle(other, circle),
             (Some((a, _)), Some((b, _))) => circle_circle(a, b),
         };
-        candidates
-            .into_iter()
-            .filter(|&p| {
-                self.locate(p, tolerance).is_some() && other.locate(p, tolerance).is_some()
-            })
-            .collect()
+        candidates.into_iter().filter(|&p| self.locate(p, tolerance).is_some() && other.locate(p, tolerance).is_some()).collect()
     }
 }
 
@@ -168,21 +137,14 @@ fn line_line(a: &Curve, b: &Curve) -> Vec<Point> {
 fn line_circle(line: &Curve, circle: Circle) -> Vec<Point> {
     let u = minus(line.to, line.from);
     let w = minus(line.from, circle.centre);
-    let (a, b, c) = (
-        dot(u, u),
-        dot(u, w),
-        dot(w, w) - circle.radius * circle.radius,
-    );
+    let (a, b, c) = (dot(u, u), dot(u, w), dot(w, w) - circle.radius * circle.radius);
     let root = b * b - a * c;
     if root < 0.0 {
         // A tangent line misses by rounding: offer the nearest point and let the tolerance decide.
         return vec![along(line.from, line.to, -b / a)];
     }
     let s = root.sqrt();
-    [-s, s]
-        .into_iter()
-        .map(|s| along(line.from, line.to, (s - b) / a))
-        .collect()
+    [-s, s].into_iter().map(|s| along(line.from, line.to, (s - b) / a)).collect()
 }
 
 fn circle_circle(a: Circle, b: Circle) -> Vec<Point> {
@@ -194,8 +156,5 @@ fn circle_circle(a: Circle, b: Circle) -> Vec<Point> {
     let s = 0.5 * (1.0 + (a.radius * a.radius - b.radius * b.radius) / dd);
     let h = (a.radius * a.radius / dd - s * s).max(0.0).sqrt();
     let foot = along(a.centre, b.centre, s);
-    [-h, h]
-        .into_iter()
-        .map(|h| [foot[0] - h * d[1], foot[1] + h * d[0]])
-        .collect()
+    [-h, h].into_iter().map(|h| [foot[0] - h * d[1], foot[1] + h * d[0]]).collect()
 }

@@ -34,9 +34,7 @@ pub enum MeshError {
         at: [f64; 2],
     },
     /// A boundary names a region that is not there.
-    #[error(
-        "boundary `{boundary}` follows the outline of region `{region}`, which does not exist; known regions: {known}"
-    )]
+    #[error("boundary `{boundary}` follows the outline of region `{region}`, which does not exist; known regions: {known}")]
     UnknownRegion {
         /// Boundary.
         boundary: String,
@@ -54,25 +52,19 @@ pub enum MeshError {
         at: [f64; 2],
     },
     /// A later region covers an earlier one completely.
-    #[error(
-        "region `{region}` has no area left after the later regions cut it; remove it or change the order"
-    )]
+    #[error("region `{region}` has no area left after the later regions cut it; remove it or change the order")]
     RegionVanished {
         /// Region.
         region: String,
     },
     /// An axisymmetric domain reaches beyond the axis.
-    #[error(
-        "the mesh reaches r = {r} m, beyond the axis; axisymmetric coordinates (r, z) need r >= 0"
-    )]
+    #[error("the mesh reaches r = {r} m, beyond the axis; axisymmetric coordinates (r, z) need r >= 0")]
     BeyondAxis {
         /// Smallest radius.
         r: f64,
     },
     /// The triangulation library refused a point.
-    #[error(
-        "the triangulation failed: {reason}; check the drawing for coordinates of very different size"
-    )]
+    #[error("the triangulation failed: {reason}; check the drawing for coordinates of very different size")]
     Triangulation {
         /// Its message.
         reason: String,
@@ -100,9 +92,7 @@ pub enum MeshError {
         ratio: f64,
     },
     /// A table of the mesh points outside another.
-    #[error(
-        "the mesh is inconsistent: {what} {index} refers to {refers}, but there are only {count}"
-    )]
+    #[error("the mesh is inconsistent: {what} {index} refers to {refers}, but there are only {count}")]
     BadIndex {
         /// Kind of item.
         what: &'static str,
@@ -114,9 +104,7 @@ pub enum MeshError {
         count: usize,
     },
     /// A boundary edge that is no edge of the triangles.
-    #[error(
-        "boundary `{boundary}` has the edge {a}-{b}, which no triangle has; remove it or mesh the line"
-    )]
+    #[error("boundary `{boundary}` has the edge {a}-{b}, which no triangle has; remove it or mesh the line")]
     NotAnEdge {
         /// Boundary.
         boundary: String,

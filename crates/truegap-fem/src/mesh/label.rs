@@ -23,30 +23,15 @@ pub(crate) struct Inside {
 impl Inside {
     pub fn new(drawing: &Arrangement, arc_step_degrees: f64) -> Inside {
         let chords = |c: &Curve| {
-            let parts = c.arc.map_or(1, |(_, sweep)| {
-                (sweep.abs().to_degrees() / arc_step_degrees)
-                    .ceil()
-                    .max(1.0) as usize
-            });
-            (0..parts)
-                .map(|k| c.point(k as f64 / parts as f64))
-                .collect::<Vec<_>>()
+            let parts = c.arc.map_or(1, |(_, sweep)| (sweep.abs().to_degrees() / arc_step_degrees).ceil().max(1.0) as usize);
+            (0..parts).map(|k| c.point(k as f64 / parts as f64)).collect::<Vec<_>>()
         };
-        Inside {
-            regions: drawing
-                .regions
-                .iter()
-                .map(|(_, curves)| curves.iter().flat_map(chords).collect())
-                .collect(),
-        }
+        Inside { regions: drawing.regions.iter().map(|(_, curves)| curves.iter().flat_map(chords).collect()).collect() }
     }
 
     /// The last region that holds `p`.
     pub fn region(&self, p: Point) -> Option<u16> {
-        (0..self.regions.len())
-            .rev()
-            .find(|&i| encloses(&self.regions[i], p))
-            .map(|i| i as u16)
+        (0..self.regions.len()).rev().find(|&i| encloses(&self.regions[i], p)).map(|i| i as u16)
     }
 }
 
@@ -62,18 +47,10 @@ fn encloses(polygon: &[Point], p: Point) -> bool {
     inside
 }
 
-pub(crate) fn label_faces(
-    cdt: &Cdt,
-    drawing: &Arrangement,
-    chords: &[Chord],
-) -> Result<Mesh, MeshError> {
+pub(crate) fn label_faces(cdt: &Cdt, drawing: &Arrangement, chords: &[Chord]) -> Result<Mesh, MeshError> {
     let faces = face_regions(cdt, drawing);
     let mut mesh = Mesh {
-        region_names: drawing
-            .regions
-            .iter()
-            .map(|(name, _)| name.clone())
-            .collect(),
+        region_names: drawing.regions.iter().map(|(name, _)| name.clone()).collect(),
         boundary_names: drawing.boundaries.clone(),
         ..Mesh::default()
     };
@@ -101,13 +78,9 @@ pub(crate) fn label_faces(
 
 fn check_regions(mesh: &Mesh) -> Result<(), MeshError> {
     let mut seen = vec![false; mesh.region_names.len()];
-    mesh.triangle_regions
-        .iter()
-        .for_each(|&r| seen[r as usize] = true);
+    mesh.triangle_regions.iter().for_each(|&r| seen[r as usize] = true);
     match seen.iter().position(|s| !s) {
-        Some(i) => Err(MeshError::RegionVanished {
-            region: mesh.region_names[i].clone(),
-        }),
+        Some(i) => Err(MeshError::RegionVanished { region: mesh.region_names[i].clone() }),
         None => Ok(()),
     }
 }
@@ -144,9 +117,7 @@ fn face_regions(cdt: &Cdt, drawing: &Arrangement) -> Vec<u16> {
             }
         }
         let label = inside.region(at).unwrap_or(OUTSIDE);
-        component
-            .iter()
-            .for_each(|f| region[f.index()] = Some(label));
+        component.iter().for_each(|f| region[f.index()] = Some(label));
     }
     region.into_iter().map(|r| r.unwrap_or(OUTSIDE)).collect()
 }
@@ -159,17 +130,13 @@ fn label_edges(
     mesh: &mut Mesh,
 ) -> Result<(), MeshError> {
     let index = ChordIndex::new(chords);
-    for edge in cdt
-        .undirected_edges()
-        .filter(|e| e.data().is_constraint_edge())
-    {
+    for edge in cdt.undirected_edges().filter(|e| e.data().is_constraint_edge()) {
         let [a, b] = edge.positions().map(|p| [p.x, p.y]);
         let Some(piece) = index.find(chords, a, b).map(|i| &drawing.pieces[i]) else {
             continue;
         };
         let nodes = edge.vertices().map(|v| number.get(&v.fix()).copied());
-        let has_triangle = edge.as_directed().face().as_inner().is_some()
-            || edge.as_directed().rev().face().as_inner().is_some();
+        let has_triangle = edge.as_directed().face().as_inner().is_some() || edge.as_directed().rev().face().as_inner().is_some();
         let ([Some(i), Some(j)], true) = (nodes, has_triangle) else {
             if let Some(&tag) = piece.boundaries.first() {
                 return Err(MeshError::BoundaryOnNothing {
@@ -179,16 +146,9 @@ fn label_edges(
             }
             continue;
         };
-        mesh.boundary_edges
-            .extend(piece.boundaries.iter().map(|&boundary| BoundaryEdge {
-                nodes: [i, j],
-                boundary,
-            }));
+        mesh.boundary_edges.extend(piece.boundaries.iter().map(|&boundary| BoundaryEdge { nodes: [i, j], boundary }));
         if let Some((circle, _)) = piece.curve.arc {
-            mesh.curved_edges.push(CurvedEdge {
-                nodes: [i, j],
-                circle,
-            });
+            mesh.curved_edges.push(CurvedEdge { nodes: [i, j], circle });
             for k in [i, j] {
                 mesh.points[k as usize] = circle.project(mesh.points[k as usize]);
             }
@@ -205,17 +165,8 @@ struct ChordIndex {
 
 impl ChordIndex {
     fn new(chords: &[Chord]) -> ChordIndex {
-        let mut order: Vec<(f64, f64, usize)> = chords
-            .iter()
-            .enumerate()
-            .map(|(i, c)| {
-                (
-                    c.ends[0][0].min(c.ends[1][0]),
-                    c.ends[0][0].max(c.ends[1][0]),
-                    i,
-                )
-            })
-            .collect();
+        let mut order: Vec<(f64, f64, usize)> =
+            chords.iter().enumerate().map(|(i, c)| (c.ends[0][0].min(c.ends[1][0]), c.ends[0][0].max(c.ends[1][0]), i)).collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         let widest = order.iter().map(|o| o.1 - o.0).fold(0.0, f64::max);
         ChordIndex { order, widest }
@@ -224,9 +175,7 @@ impl ChordIndex {
     fn find(&self, chords: &[Chord], a: Point, b: Point) -> Option<usize> {
         let middle = along(a, b, 0.5);
         let slack = 1e-6 * distance(a, b);
-        let first = self
-            .order
-            .partition_point(|o| o.0 < middle[0] - self.widest - slack);
+        let first = self.order.partition_point(|o| o.0 < middle[0] - self.widest - slack);
         self.order[first..]
             .iter()
             .take_while(|o| o.0 <= middle[0] + slack)

@@ -71,18 +71,12 @@ impl Mesh {
             .iter()
             .position(|n| n == name)
             .map(|i| i as u16)
-            .ok_or_else(|| MeshError::UnknownBoundary {
-                name: name.into(),
-                known: self.boundary_names.join(", "),
-            })
+            .ok_or_else(|| MeshError::UnknownBoundary { name: name.into(), known: self.boundary_names.join(", ") })
     }
 
     /// Corner pairs of the edges of a boundary.
     pub fn edges_of(&self, boundary: u16) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.boundary_edges
-            .iter()
-            .filter(move |e| e.boundary == boundary)
-            .map(|e| e.nodes)
+        self.boundary_edges.iter().filter(move |e| e.boundary == boundary).map(|e| e.nodes)
     }
 
     /// Angles and edge lengths, straight edges assumed.
@@ -112,27 +106,17 @@ impl Mesh {
         self.check_indices()?;
         for t in 0..self.triangles.len() {
             let c = self.corners(t);
-            let longest = (0..3)
-                .map(|k| distance(c[k], c[(k + 1) % 3]))
-                .fold(0.0, f64::max);
+            let longest = (0..3).map(|k| distance(c[k], c[(k + 1) % 3])).fold(0.0, f64::max);
             let ratio = twice_area(c[0], c[1], c[2]) / (longest * longest);
             if !(ratio > 1e-9) {
-                return Err(MeshError::InvertedTriangle {
-                    triangle: t,
-                    at: c[0],
-                    ratio,
-                });
+                return Err(MeshError::InvertedTriangle { triangle: t, at: c[0], ratio });
             }
         }
         let topology = Topology::new(self);
         for e in &self.boundary_edges {
             if topology.edge(e.nodes[0], e.nodes[1]).is_none() {
                 let boundary = self.boundary_names[e.boundary as usize].clone();
-                return Err(MeshError::NotAnEdge {
-                    boundary,
-                    a: e.nodes[0] as usize,
-                    b: e.nodes[1] as usize,
-                });
+                return Err(MeshError::NotAnEdge { boundary, a: e.nodes[0] as usize, b: e.nodes[1] as usize });
             }
         }
         self.check_curves(&topology)
@@ -152,11 +136,7 @@ impl Mesh {
                 let area = twice_area(c[0], c[1], c[2]);
                 let least = crate::space::least_jacobian(&nodes) / area;
                 if !(least > 0.05) {
-                    return Err(MeshError::InvertedTriangle {
-                        triangle: t as usize,
-                        at: c[0],
-                        ratio: least,
-                    });
+                    return Err(MeshError::InvertedTriangle { triangle: t as usize, at: c[0], ratio: least });
                 }
             }
         }
@@ -164,14 +144,7 @@ impl Mesh {
     }
 
     fn check_indices(&self) -> Result<(), MeshError> {
-        let bad = |what, index, refers: usize, count| {
-            Err(MeshError::BadIndex {
-                what,
-                index,
-                refers,
-                count,
-            })
-        };
+        let bad = |what, index, refers: usize, count| Err(MeshError::BadIndex { what, index, refers, count });
         for (i, t) in self.triangles.iter().enumerate() {
             if let Some(&c) = t.iter().find(|&&c| c as usize >= self.points.len()) {
                 return bad("triangle", i, c as usize, self.points.len());
@@ -179,31 +152,16 @@ impl Mesh {
         }
         for (i, &r) in self.triangle_regions.iter().enumerate() {
             if r as usize >= self.region_names.len() {
-                return bad(
-                    "the region of triangle",
-                    i,
-                    r as usize,
-                    self.region_names.len(),
-                );
+                return bad("the region of triangle", i, r as usize, self.region_names.len());
             }
         }
         for (i, e) in self.boundary_edges.iter().enumerate() {
             if e.boundary as usize >= self.boundary_names.len() {
-                return bad(
-                    "boundary edge",
-                    i,
-                    e.boundary as usize,
-                    self.boundary_names.len(),
-                );
+                return bad("boundary edge", i, e.boundary as usize, self.boundary_names.len());
             }
         }
         if self.triangle_regions.len() != self.triangles.len() {
-            return bad(
-                "the list of triangle regions",
-                0,
-                self.triangle_regions.len(),
-                self.triangles.len(),
-            );
+            return bad("the list of triangle regions", 0, self.triangle_regions.len(), self.triangles.len());
         }
         Ok(())
     }
@@ -225,15 +183,7 @@ impl Mesh {
 
     /// Checks that no point lies beyond the axis, as (r, z) coordinates need.
     pub fn check_axis(&self) -> Result<(), MeshError> {
-        let r = self
-            .points
-            .iter()
-            .map(|p| p[0])
-            .fold(f64::INFINITY, f64::min);
-        if r < 0.0 {
-            Err(MeshError::BeyondAxis { r })
-        } else {
-            Ok(())
-        }
+        let r = self.points.iter().map(|p| p[0]).fold(f64::INFINITY, f64::min);
+        if r < 0.0 { Err(MeshError::BeyondAxis { r }) } else { Ok(()) }
     }
 }

@@ -6,10 +6,7 @@ mod arrangement;
 mod curve;
 mod error;
 mod label;
-#[expect(
-    clippy::module_inception,
-    reason = "the type and its module share the word"
-)]
+#[expect(clippy::module_inception, reason = "the type and its module share the word")]
 mod mesh;
 mod outline;
 pub mod plane;

@@ -33,10 +33,7 @@ impl Outline {
     /// The outline through corners joined by straight lines.
     pub fn polygon(corners: &[Point]) -> Outline {
         let start = corners.first().copied().unwrap_or([f64::NAN; 2]);
-        Outline {
-            start,
-            steps: corners.iter().skip(1).map(|&p| Step::Line(p)).collect(),
-        }
+        Outline { start, steps: corners.iter().skip(1).map(|&p| Step::Line(p)).collect() }
     }
 
     /// The axis-parallel rectangle between two opposite corners.
@@ -103,64 +100,36 @@ pub struct Geometry {
 impl Geometry {
     /// Adds a region; for use in a chain.
     pub fn region(mut self, name: &str, outline: Outline) -> Geometry {
-        self.regions.push(Region {
-            name: name.into(),
-            outline,
-        });
+        self.regions.push(Region { name: name.into(), outline });
         self
     }
 
     /// Adds a boundary along a straight path through `points`; for use in a chain.
     pub fn boundary(mut self, name: &str, points: &[Point]) -> Geometry {
-        self.boundaries.push(Boundary {
-            name: name.into(),
-            path: BoundaryPath::Path(Outline::polygon(points)),
-        });
+        self.boundaries.push(Boundary { name: name.into(), path: BoundaryPath::Path(Outline::polygon(points)) });
         self
     }
 
     /// Adds the outline of a region as a boundary; for use in a chain.
     pub fn boundary_of(mut self, name: &str, region: &str) -> Geometry {
-        self.boundaries.push(Boundary {
-            name: name.into(),
-            path: BoundaryPath::OutlineOf(region.into()),
-        });
+        self.boundaries.push(Boundary { name: name.into(), path: BoundaryPath::OutlineOf(region.into()) });
         self
     }
 }
 
 /// Checks that a region's outline encloses an area.
 pub(crate) fn check_closed(region: &Region, curves: &[Curve]) -> Result<(), MeshError> {
-    if let Some(at) = curves
-        .iter()
-        .flat_map(|c| [c.from, c.to])
-        .find(|p| !(p[0].is_finite() && p[1].is_finite()))
-    {
-        return Err(MeshError::NotFinite {
-            name: region.name.clone(),
-            at,
-        });
+    if let Some(at) = curves.iter().flat_map(|c| [c.from, c.to]).find(|p| !(p[0].is_finite() && p[1].is_finite())) {
+        return Err(MeshError::NotFinite { name: region.name.clone(), at });
     }
-    let chords: Vec<Point> = curves
-        .iter()
-        .flat_map(|c| [c.point(0.0), c.point(0.25), c.point(0.5), c.point(0.75)])
-        .collect();
+    let chords: Vec<Point> = curves.iter().flat_map(|c| [c.point(0.0), c.point(0.25), c.point(0.5), c.point(0.75)]).collect();
     let n = chords.len();
     // Magnitudes are summed: an outline that crosses itself may enclose zero, and is reported as crossing.
     let spoke = |i: usize| minus(chords[i % n], region.outline.start);
-    let area: f64 = (0..n)
-        .map(|i| 0.5 * cross(spoke(i), spoke(i + 1)).abs())
-        .sum();
-    let reach = chords
-        .iter()
-        .map(|&p| distance(p, region.outline.start))
-        .fold(0.0, f64::max);
+    let area: f64 = (0..n).map(|i| 0.5 * cross(spoke(i), spoke(i + 1)).abs()).sum();
+    let reach = chords.iter().map(|&p| distance(p, region.outline.start)).fold(0.0, f64::max);
     if n < 8 || area <= 1e-12 * reach * reach {
-        return Err(MeshError::OpenOutline {
-            region: region.name.clone(),
-            corners: curves.len(),
-            at: region.outline.start,
-        });
+        return Err(MeshError::OpenOutline { region: region.name.clone(), corners: curves.len(), at: region.outline.start });
     }
     Ok(())
 }

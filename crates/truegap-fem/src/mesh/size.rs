@@ -24,29 +24,19 @@ pub struct SizeField {
 
 impl Default for SizeField {
     fn default() -> Self {
-        SizeField {
-            max_edge: f64::INFINITY,
-            growth: 0.3,
-            sources: Vec::new(),
-        }
+        SizeField { max_edge: f64::INFINITY, growth: 0.3, sources: Vec::new() }
     }
 }
 
 impl SizeField {
     /// The same edge length everywhere (m).
     pub fn uniform(max_edge: f64) -> SizeField {
-        SizeField {
-            max_edge,
-            ..SizeField::default()
-        }
+        SizeField { max_edge, ..SizeField::default() }
     }
 
     /// Wanted edge length at `p` (m).
     pub fn at(&self, p: Point) -> f64 {
-        self.sources
-            .iter()
-            .map(|s| s.size + self.growth * distance(s.at, p))
-            .fold(self.max_edge, f64::min)
+        self.sources.iter().map(|s| s.size + self.growth * distance(s.at, p)).fold(self.max_edge, f64::min)
     }
 
     /// Whether the wanted length is the same everywhere.

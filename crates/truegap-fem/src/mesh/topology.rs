@@ -27,10 +27,7 @@ impl Topology {
             }
         }
         sides.par_sort_unstable();
-        let mut topology = Topology {
-            triangle_edges: vec![[0; 3]; mesh.triangles.len()],
-            ..Topology::default()
-        };
+        let mut topology = Topology { triangle_edges: vec![[0; 3]; mesh.triangles.len()], ..Topology::default() };
         let mut last = None;
         for (key, side) in sides {
             if last != Some(key) {

@@ -7,8 +7,7 @@ use super::SolveError;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::{ldlt::factor::LdltRegularization, llt::factor::LltRegularization};
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LdltRef, LltRef, SymbolicCholesky, SymmetricOrdering,
-    factorize_symbolic_cholesky,
+    CholeskySymbolicParams, LdltRef, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side, Spec};
@@ -61,16 +60,9 @@ pub struct Direct {
 impl Direct {
     /// Orders and analyses the pattern of `matrix` (lower triangle); its values do not matter.
     pub fn analyse(matrix: &CscMatrix<f64>, kind: Kind) -> Result<Direct, SolveError> {
-        let symbolic = factorize_symbolic_cholesky(
-            pattern(matrix),
-            Side::Lower,
-            SymmetricOrdering::Amd,
-            CholeskySymbolicParams::default(),
-        )
-        .map_err(|e| SolveError::Analysis {
-            size: matrix.ncols(),
-            reason: format!("{e:?}"),
-        })?;
+        let symbolic =
+            factorize_symbolic_cholesky(pattern(matrix), Side::Lower, SymmetricOrdering::Amd, CholeskySymbolicParams::default())
+                .map_err(|e| SolveError::Analysis { size: matrix.ncols(), reason: format!("{e:?}") })?;
         let factoring = match kind {
             Kind::Llt => symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Spec::default()),
             Kind::Ldlt => symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Spec::default()),
@@ -104,10 +96,7 @@ impl Direct {
     /// Factorises without the check for singularity (the sign of an indefinite tangent is asked for, not its solution).
     pub fn factorise_unchecked(&mut self, matrix: &CscMatrix<f64>) -> Result<(), SolveError> {
         if matrix.nnz() != self.scaled.len() || matrix.ncols() != self.scale.len() {
-            return Err(SolveError::WrongPattern {
-                got: matrix.nnz(),
-                expected: self.scaled.len(),
-            });
+            return Err(SolveError::WrongPattern { got: matrix.nnz(), expected: self.scaled.len() });
         }
         self.rescale(matrix)?;
         let size = matrix.ncols();
@@ -116,20 +105,12 @@ impl Direct {
         match self.kind {
             Kind::Llt => {
                 let rule = LltRegularization::default();
-                let done = self.symbolic.factorize_numeric_llt(
-                    &mut self.factor,
-                    a,
-                    Side::Lower,
-                    rule,
-                    Par::Seq,
-                    stack,
-                    Spec::default(),
-                );
-                let faer::linalg::cholesky::llt::factor::LltError::NonPositivePivot { index } =
-                    match done {
-                        Ok(_) => return Ok(()),
-                        Err(e) => e,
-                    };
+                let done =
+                    self.symbolic.factorize_numeric_llt(&mut self.factor, a, Side::Lower, rule, Par::Seq, stack, Spec::default());
+                let faer::linalg::cholesky::llt::factor::LltError::NonPositivePivot { index } = match done {
+                    Ok(_) => return Ok(()),
+                    Err(e) => e,
+                };
                 Err(SolveError::NotPositiveDefinite { pivot: index, size })
             }
             Kind::Ldlt => {
@@ -143,10 +124,7 @@ impl Direct {
                     stack,
                     Spec::default(),
                 );
-                done.map(|_| ()).map_err(|_| SolveError::Singular {
-                    error: f64::INFINITY,
-                    size,
-                })
+                done.map(|_| ()).map_err(|_| SolveError::Singular { error: f64::INFINITY, size })
             }
         }
     }
@@ -173,24 +151,13 @@ impl Direct {
     fn probe(&mut self, matrix: &CscMatrix<f64>) -> Result<(), SolveError> {
         let size = self.scale.len();
         // Uneven entries, so that no kernel is orthogonal to them by symmetry.
-        let known: Vec<f64> = (0..size)
-            .map(|i| 1.0 + 0.5 * (i as f64 * 0.754_877_666).fract())
-            .collect();
+        let known: Vec<f64> = (0..size).map(|i| 1.0 + 0.5 * (i as f64 * 0.754_877_666).fract()).collect();
         let mut y = self.product(matrix, &known);
         self.back_substitute(&mut y);
-        let error = known.iter().zip(&y).fold(0.0, |m: f64, (k, y)| {
-            if (k - y).is_nan() {
-                f64::INFINITY
-            } else {
-                m.max((k - y).abs())
-            }
-        });
+        let error =
+            known.iter().zip(&y).fold(0.0, |m: f64, (k, y)| if (k - y).is_nan() { f64::INFINITY } else { m.max((k - y).abs()) });
         self.probe_error = error;
-        if error > ALLOWED_PROBE_ERROR {
-            Err(SolveError::Singular { error, size })
-        } else {
-            Ok(())
-        }
+        if error > ALLOWED_PROBE_ERROR { Err(SolveError::Singular { error, size }) } else { Ok(()) }
     }
 
     /// Solves for one right-hand side, with one step of refinement and a check of the residual.
@@ -201,16 +168,9 @@ impl Direct {
         let y = self.solve_scaled(matrix, &b)?;
         let residual = self.backward_error(matrix, &b, &y);
         if !(residual <= ALLOWED_RESIDUAL) {
-            return Err(SolveError::Residual {
-                residual,
-                allowed: ALLOWED_RESIDUAL,
-                size: b.len(),
-            });
+            return Err(SolveError::Residual { residual, allowed: ALLOWED_RESIDUAL, size: b.len() });
         }
-        Ok(Solution {
-            x: y.iter().zip(&self.scale).map(|(y, s)| y * s).collect(),
-            residual,
-        })
+        Ok(Solution { x: y.iter().zip(&self.scale).map(|(y, s)| y * s).collect(), residual })
     }
 
     fn solve_scaled(&mut self, matrix: &CscMatrix<f64>, b: &[f64]) -> Result<Vec<f64>, SolveError> {
@@ -225,15 +185,9 @@ impl Direct {
 
     /// Applies the inverse of the factorised matrix to a vector, without refinement or check; for iterations.
     pub fn apply_inverse(&mut self, vector: &mut [f64]) {
-        vector
-            .iter_mut()
-            .zip(&self.scale)
-            .for_each(|(x, s)| *x *= s);
+        vector.iter_mut().zip(&self.scale).for_each(|(x, s)| *x *= s);
         self.back_substitute(vector);
-        vector
-            .iter_mut()
-            .zip(&self.scale)
-            .for_each(|(x, s)| *x *= s);
+        vector.iter_mut().zip(&self.scale).for_each(|(x, s)| *x *= s);
     }
 
     fn back_substitute(&mut self, x: &mut [f64]) {
@@ -241,18 +195,8 @@ impl Direct {
         let rhs = MatMut::from_column_major_slice_mut(x, n, 1);
         let stack = MemStack::new(&mut self.workspace);
         match self.kind {
-            Kind::Llt => LltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(
-                Conj::No,
-                rhs,
-                Par::Seq,
-                stack,
-            ),
-            Kind::Ldlt => LdltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(
-                Conj::No,
-                rhs,
-                Par::Seq,
-                stack,
-            ),
+            Kind::Llt => LltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(Conj::No, rhs, Par::Seq, stack),
+            Kind::Ldlt => LdltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(Conj::No, rhs, Par::Seq, stack),
         }
     }
 
@@ -269,11 +213,7 @@ impl Direct {
         let norm = largest(&symmetric_product(offsets, rows, &sizes, &ones));
         let r: Vec<f64> = b.iter().zip(&ay).map(|(b, a)| b - a).collect();
         let below = norm * largest(y) + largest(b);
-        if below == 0.0 {
-            largest(&r)
-        } else {
-            largest(&r) / below
-        }
+        if below == 0.0 { largest(&r) } else { largest(&r) / below }
     }
 
     /// Relative error with which a known solution came back from the last checked factorisation: about the condition
@@ -285,22 +225,13 @@ impl Direct {
     /// What the factorisation holds.
     pub fn memory(&self) -> Memory {
         let floats = self.factor.len() + self.scaled.len() + self.scale.len();
-        Memory {
-            factor_entries: self.factor.len(),
-            bytes: 8 * floats + self.workspace_bytes,
-        }
+        Memory { factor_entries: self.factor.len(), bytes: 8 * floats + self.workspace_bytes }
     }
 }
 
 /// Largest magnitude; NaN if any entry is NaN.
 fn largest(x: &[f64]) -> f64 {
-    x.iter().fold(0.0, |m, v| {
-        if v.is_nan() || v.abs() > m {
-            v.abs()
-        } else {
-            m
-        }
-    })
+    x.iter().fold(0.0, |m, v| if v.is_nan() || v.abs() > m { v.abs() } else { m })
 }
 
 fn pattern(matrix: &CscMatrix<f64>) -> SymbolicSparseColMatRef<'_, usize> {
@@ -309,12 +240,7 @@ fn pattern(matrix: &CscMatrix<f64>) -> SymbolicSparseColMatRef<'_, usize> {
 }
 
 /// Product of a symmetric matrix, given by its lower triangle, with a vector.
-pub(crate) fn symmetric_product(
-    offsets: &[usize],
-    rows: &[usize],
-    values: &[f64],
-    x: &[f64],
-) -> Vec<f64> {
+pub(crate) fn symmetric_product(offsets: &[usize], rows: &[usize], values: &[f64], x: &[f64]) -> Vec<f64> {
     let mut y = vec![0.0; x.len()];
     for j in 0..x.len() {
         let mut sum = 0.0;

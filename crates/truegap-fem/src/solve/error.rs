@@ -37,17 +37,13 @@ pub enum SolveError {
         size: usize,
     },
     /// An entry of the matrix is NaN or infinite.
-    #[error(
-        "the matrix has an entry that is not finite in column {column}; check materials and geometry"
-    )]
+    #[error("the matrix has an entry that is not finite in column {column}; check materials and geometry")]
     NotFinite {
         /// Column.
         column: usize,
     },
     /// Used before factorising, or with a matrix of another pattern.
-    #[error(
-        "the matrix ({got} entries) does not have the pattern that was analysed ({expected} entries); analyse it again"
-    )]
+    #[error("the matrix ({got} entries) does not have the pattern that was analysed ({expected} entries); analyse it again")]
     WrongPattern {
         /// Entries given.
         got: usize,

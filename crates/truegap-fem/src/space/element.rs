@@ -27,26 +27,18 @@ impl Nodes {
             .zip(&topology.triangle_edges)
             .map(|(c, e)| [c[0], c[1], c[2], middle(e[0]), middle(e[1]), middle(e[2])])
             .collect();
-        Nodes {
-            points,
-            triangles,
-            corners,
-        }
+        Nodes { points, triangles, corners }
     }
 
     /// The element of a triangle.
     #[inline]
     pub fn element(&self, triangle: usize) -> Element {
-        Element {
-            nodes: self.triangles[triangle].map(|i| self.points[i as usize]),
-        }
+        Element { nodes: self.triangles[triangle].map(|i| self.points[i as usize]) }
     }
 
     /// The three nodes (start, end, middle) of the edge between two corners.
     pub fn edge(&self, topology: &Topology, [a, b]: [u32; 2]) -> Option<[u32; 3]> {
-        topology
-            .edge(a, b)
-            .map(|edge| [a, b, (self.corners + edge) as u32])
+        topology.edge(a, b).map(|edge| [a, b, (self.corners + edge) as u32])
     }
 }
 
@@ -73,19 +65,13 @@ impl PointMap {
     #[inline]
     pub fn gradient(&self, slope: [f64; 2]) -> [f64; 2] {
         let g = &self.inverse;
-        [
-            slope[0] * g[0][0] + slope[1] * g[1][0],
-            slope[0] * g[0][1] + slope[1] * g[1][1],
-        ]
+        [slope[0] * g[0][0] + slope[1] * g[1][0], slope[0] * g[0][1] + slope[1] * g[1][1]]
     }
 
     /// Values and physical gradients of tabulated shapes.
     #[inline]
     pub fn shapes<const N: usize>(&self, table: &ShapeTable<N>) -> [Shape; N] {
-        std::array::from_fn(|i| Shape {
-            value: table.value[i],
-            gradient: self.gradient(table.slope[i]),
-        })
+        std::array::from_fn(|i| Shape { value: table.value[i], gradient: self.gradient(table.slope[i]) })
     }
 }
 
@@ -128,19 +114,12 @@ impl Element {
         let jacobian = d[0][0] * d[1][1] - d[0][1] * d[1][0];
         let s = 1.0 / jacobian;
         // d is [reference][physical]; its inverse is transposed here, so that rows belong to reference slopes.
-        PointMap {
-            at,
-            jacobian,
-            inverse: [[d[1][1] * s, -d[1][0] * s], [-d[0][1] * s, d[0][0] * s]],
-        }
+        PointMap { at, jacobian, inverse: [[d[1][1] * s, -d[1][0] * s], [-d[0][1] * s, d[0][0] * s]] }
     }
 
     /// The point at `t` of the local edge `k` (from corner k to corner k + 1), domain to the left.
     pub fn edge_point(&self, k: usize, t: f64) -> EdgePoint {
-        edge_point(
-            [self.nodes[k], self.nodes[(k + 1) % 3], self.nodes[k + 3]],
-            t,
-        )
+        edge_point([self.nodes[k], self.nodes[(k + 1) % 3], self.nodes[k + 3]], t)
     }
 
     /// Reference coordinates of the point at `t` of the local edge `k`.
@@ -159,10 +138,7 @@ impl Element {
         for _ in 0..20 {
             let map = self.map_at(at);
             let d = [p[0] - map.at[0], p[1] - map.at[1]];
-            let step = [
-                d[0] * map.inverse[0][0] + d[1] * map.inverse[0][1],
-                d[0] * map.inverse[1][0] + d[1] * map.inverse[1][1],
-            ];
+            let step = [d[0] * map.inverse[0][0] + d[1] * map.inverse[0][1], d[0] * map.inverse[1][0] + d[1] * map.inverse[1][1]];
             at = [at[0] + step[0], at[1] + step[1]];
             if step[0].abs() + step[1].abs() < 1e-14 {
                 break;
@@ -179,26 +155,14 @@ pub fn edge_point(nodes: [Point; 3], t: f64) -> EdgePoint {
     let sum = |w: [f64; 3], k: usize| (0..3).map(|i| w[i] * nodes[i][k]).sum::<f64>();
     let tangent = [sum(slope, 0), sum(slope, 1)];
     let speed = tangent[0].hypot(tangent[1]);
-    EdgePoint {
-        at: [sum(value, 0), sum(value, 1)],
-        normal: [tangent[1] / speed, -tangent[0] / speed],
-        speed,
-        value,
-    }
+    EdgePoint { at: [sum(value, 0), sum(value, 1)], normal: [tangent[1] / speed, -tangent[0] / speed], speed, value }
 }
 
 /// Smallest Jacobian of a six-node triangle over its six nodes (m^2).
 pub fn least_jacobian(nodes: &[Point; 6]) -> f64 {
     let element = Element { nodes: *nodes };
-    [
-        [0.0, 0.0],
-        [1.0, 0.0],
-        [0.0, 1.0],
-        [0.5, 0.0],
-        [0.5, 0.5],
-        [0.0, 0.5],
-    ]
-    .into_iter()
-    .map(|p| element.map_at(p).jacobian)
-    .fold(f64::INFINITY, f64::min)
+    [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.5, 0.0], [0.5, 0.5], [0.0, 0.5]]
+        .into_iter()
+        .map(|p| element.map_at(p).jacobian)
+        .fold(f64::INFINITY, f64::min)
 }

@@ -14,11 +14,7 @@ pub struct ElementDofs {
 impl ElementDofs {
     /// No elements over `count` unknowns.
     pub fn empty(count: usize) -> ElementDofs {
-        ElementDofs {
-            offsets: vec![0],
-            dofs: Vec::new(),
-            count,
-        }
+        ElementDofs { offsets: vec![0], dofs: Vec::new(), count }
     }
 
     /// Adds an element.
@@ -51,8 +47,7 @@ impl ElementDofs {
         let mut out = ElementDofs::empty(points * components as usize);
         for t in &nodes.triangles {
             for &node in &t[..local] {
-                out.dofs
-                    .extend((0..components).map(|c| components * node + c));
+                out.dofs.extend((0..components).map(|c| components * node + c));
             }
             out.offsets.push(out.dofs.len() as u32);
         }
@@ -99,17 +94,11 @@ impl Numbering {
 
     /// Writes the free entries into a vector over all unknowns; fixed entries stay.
     pub fn scatter(&self, free: &[f64], all: &mut [f64]) {
-        self.free
-            .iter()
-            .zip(free)
-            .for_each(|(&i, &x)| all[i as usize] = x);
+        self.free.iter().zip(free).for_each(|(&i, &x)| all[i as usize] = x);
     }
 
     /// Adds the free entries to a vector over all unknowns.
     pub fn scatter_add(&self, free: &[f64], all: &mut [f64]) {
-        self.free
-            .iter()
-            .zip(free)
-            .for_each(|(&i, &x)| all[i as usize] += x);
+        self.free.iter().zip(free).for_each(|(&i, &x)| all[i as usize] += x);
     }
 }

@@ -17,10 +17,7 @@ pub struct QuadraturePoint {
 /// `rules_are_exact_to_their_degree` pins all of them.
 pub fn triangle_rule(degree: usize) -> Vec<QuadraturePoint> {
     match degree {
-        0 | 1 => vec![QuadraturePoint {
-            at: [1.0 / 3.0; 2],
-            weight: 0.5,
-        }],
+        0 | 1 => vec![QuadraturePoint { at: [1.0 / 3.0; 2], weight: 0.5 }],
         2 => orbit(1.0 / 6.0, 1.0 / 3.0),
         3 | 4 => degree_four(),
         5 => degree_five(),
@@ -32,12 +29,7 @@ pub fn triangle_rule(degree: usize) -> Vec<QuadraturePoint> {
 /// The three points with barycentric coordinates (a, a, 1 - 2a); `weight` is relative to the area.
 fn orbit(a: f64, weight: f64) -> Vec<QuadraturePoint> {
     let b = 1.0 - 2.0 * a;
-    [[a, a], [a, b], [b, a]]
-        .map(|at| QuadraturePoint {
-            at,
-            weight: 0.5 * weight,
-        })
-        .to_vec()
+    [[a, a], [a, b], [b, a]].map(|at| QuadraturePoint { at, weight: 0.5 * weight }).to_vec()
 }
 
 fn degree_four() -> Vec<QuadraturePoint> {
@@ -51,10 +43,7 @@ fn degree_four() -> Vec<QuadraturePoint> {
 
 fn degree_five() -> Vec<QuadraturePoint> {
     let s = 15f64.sqrt();
-    let mut rule = vec![QuadraturePoint {
-        at: [1.0 / 3.0; 2],
-        weight: 0.1125,
-    }];
+    let mut rule = vec![QuadraturePoint { at: [1.0 / 3.0; 2], weight: 0.1125 }];
     rule.extend(orbit((6.0 + s) / 21.0, (155.0 + s) / 1200.0));
     rule.extend(orbit((6.0 - s) / 21.0, (155.0 - s) / 1200.0));
     rule
@@ -66,9 +55,7 @@ fn degree_six() -> Vec<QuadraturePoint> {
     let (a, b) = (0.053_145_049_844_816_95, 0.310_352_451_033_784_4);
     let c = 1.0 - a - b;
     let weight = 0.5 * 0.082_851_075_618_373_58;
-    rule.extend(
-        [[a, b], [b, a], [a, c], [c, a], [b, c], [c, b]].map(|at| QuadraturePoint { at, weight }),
-    );
+    rule.extend([[a, b], [b, a], [a, c], [c, a], [b, c], [c, b]].map(|at| QuadraturePoint { at, weight }));
     rule
 }
 
@@ -77,10 +64,7 @@ fn product_rule(degree: usize) -> Vec<QuadraturePoint> {
     let mut rule = Vec::with_capacity(line.len() * line.len());
     for &(u, wu) in &line {
         for &(v, wv) in &line {
-            rule.push(QuadraturePoint {
-                at: [u, v * (1.0 - u)],
-                weight: wu * wv * (1.0 - u),
-            });
+            rule.push(QuadraturePoint { at: [u, v * (1.0 - u)], weight: wu * wv * (1.0 - u) });
         }
     }
     rule
@@ -128,14 +112,9 @@ mod tests {
             for i in 0..=degree {
                 for j in 0..=degree - i {
                     let exact = factorial(i) * factorial(j) / factorial(i + j + 2);
-                    let sum: f64 = triangle_rule(degree)
-                        .iter()
-                        .map(|q| q.weight * q.at[0].powi(i as i32) * q.at[1].powi(j as i32))
-                        .sum();
-                    assert!(
-                        (sum - exact).abs() < 3e-15,
-                        "degree {degree}, x^{i} y^{j}: {sum} against {exact}"
-                    );
+                    let sum: f64 =
+                        triangle_rule(degree).iter().map(|q| q.weight * q.at[0].powi(i as i32) * q.at[1].powi(j as i32)).sum();
+                    assert!((sum - exact).abs() < 3e-15, "degree {degree}, x^{i} y^{j}: {sum} against {exact}");
                 }
             }
         }
@@ -145,14 +124,8 @@ mod tests {
     fn gauss_points_integrate_powers() {
         for degree in 0..=15 {
             for k in 0..=degree {
-                let sum: f64 = edge_rule(degree)
-                    .iter()
-                    .map(|&(t, w)| w * t.powi(k as i32))
-                    .sum();
-                assert!(
-                    (sum - 1.0 / (k as f64 + 1.0)).abs() < 1e-14,
-                    "degree {degree}, t^{k}: {sum}"
-                );
+                let sum: f64 = edge_rule(degree).iter().map(|&(t, w)| w * t.powi(k as i32)).sum();
+                assert!((sum - 1.0 / (k as f64 + 1.0)).abs() < 1e-14, "degree {degree}, t^{k}: {sum}");
             }
         }
     }

@@ -45,14 +45,7 @@ impl P2 {
     /// Values and slopes at a reference point.
     pub fn at([x, y]: [f64; 2]) -> ([f64; 6], [[f64; 2]; 6]) {
         let l = 1.0 - x - y;
-        let value = [
-            l * (2.0 * l - 1.0),
-            x * (2.0 * x - 1.0),
-            y * (2.0 * y - 1.0),
-            4.0 * l * x,
-            4.0 * x * y,
-            4.0 * y * l,
-        ];
+        let value = [l * (2.0 * l - 1.0), x * (2.0 * x - 1.0), y * (2.0 * y - 1.0), 4.0 * l * x, 4.0 * x * y, 4.0 * y * l];
         let slope = [
             [1.0 - 4.0 * l, 1.0 - 4.0 * l],
             [4.0 * x - 1.0, 0.0],
@@ -70,22 +63,12 @@ impl P2 {
     }
 }
 
-fn tabulated<const N: usize>(
-    q: &QuadraturePoint,
-    (value, slope): ([f64; N], [[f64; 2]; N]),
-) -> ShapeTable<N> {
-    ShapeTable {
-        weight: q.weight,
-        value,
-        slope,
-    }
+fn tabulated<const N: usize>(q: &QuadraturePoint, (value, slope): ([f64; N], [[f64; 2]; N])) -> ShapeTable<N> {
+    ShapeTable { weight: q.weight, value, slope }
 }
 
 /// Quadratic shapes of an edge at `t` in [0, 1], for its nodes (start, end, middle), and their derivatives by `t`.
 pub fn edge_shape(t: f64) -> ([f64; 3], [f64; 3]) {
     let s = 1.0 - t;
-    (
-        [s * (s - t), t * (t - s), 4.0 * s * t],
-        [4.0 * t - 3.0, 4.0 * t - 1.0, 4.0 - 8.0 * t],
-    )
+    ([s * (s - t), t * (t - s), 4.0 * s * t], [4.0 * t - 3.0, 4.0 * t - 1.0, 4.0 - 8.0 * t])
 }

@@ -1,0 +1,93 @@
+//! The file as it is written, before any check.
+
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawCase {
+    pub schema: String,
+    pub physics: String,
+    pub symmetry: String,
+    pub length_unit: Option<String>,
+    #[serde(default)]
+    pub material: BTreeMap<String, RawMaterial>,
+    #[serde(default)]
+    pub region: Vec<RawRegion>,
+    #[serde(default)]
+    pub boundary: Vec<RawBoundary>,
+    pub temperature: Option<RawTemperature>,
+    #[serde(default)]
+    pub mesh: RawMesh,
+    #[serde(default)]
+    pub output: Vec<RawOutput>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawMaterial {
+    pub relative_permittivity: Option<f64>,
+    pub young: Option<toml::Value>,
+    pub poisson: Option<f64>,
+    pub expansion: Option<toml::Value>,
+    pub law: Option<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawRegion {
+    pub name: String,
+    pub material: Option<String>,
+    #[serde(default)]
+    pub polygon: Vec<RawStep>,
+}
+
+/// A point, or an arc from the point before it.
+#[derive(Debug, Deserialize)]
+#[serde(untagged)]
+pub(super) enum RawStep {
+    Point([f64; 2]),
+    Arc { via: [f64; 2], to: [f64; 2] },
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawBoundary {
+    pub name: String,
+    pub path: Option<Vec<RawStep>>,
+    pub region: Option<String>,
+    pub potential: Option<toml::Value>,
+    #[serde(default)]
+    pub open: bool,
+    #[serde(default)]
+    pub fix: Vec<String>,
+    #[serde(default)]
+    pub displace: BTreeMap<String, toml::Value>,
+    pub pressure: Option<toml::Value>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawTemperature {
+    pub base: Option<toml::Value>,
+    #[serde(default)]
+    pub gradient: BTreeMap<String, toml::Value>,
+}
+
+#[derive(Debug, Deserialize, Default)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawMesh {
+    pub target_error: Option<f64>,
+    pub max_edge: Option<toml::Value>,
+    pub order: Option<u8>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawOutput {
+    pub name: String,
+    pub kind: String,
+    pub boundary: Option<String>,
+    pub at: Option<[f64; 2]>,
+    pub component: Option<String>,
+}

@@ -1,0 +1,71 @@
+//! What `truegap solve --json` prints.
+
+use serde::ser::{Serialize, SerializeMap, Serializer};
+
+/// A named quantity.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct QuantityValue {
+    /// Value in `unit`.
+    pub value: f64,
+    /// SI unit.
+    pub unit: String,
+    /// Estimated magnitude of the error, in `unit`.
+    pub error_estimate: f64,
+    /// The same, relative to the value (to its kind where the value may vanish); what `target_error` is compared with.
+    pub relative_error_estimate: f64,
+}
+
+/// Size of the last mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct MeshCounts {
+    /// Triangles.
+    pub triangles: usize,
+    /// Free unknowns.
+    pub unknowns: usize,
+}
+
+/// Wall-clock seconds, all levels together.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct SecondsSpent {
+    /// Meshing and refining.
+    pub mesh: f64,
+    /// Assembling.
+    pub assemble: f64,
+    /// Factorising, solving, estimating.
+    pub solve: f64,
+}
+
+/// The result of a case.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct CaseResult {
+    /// Quantities in the order of the outputs.
+    #[serde(serialize_with = "as_map")]
+    pub quantities: Vec<(String, QuantityValue)>,
+    /// Size.
+    pub mesh: MeshCounts,
+    /// Time.
+    pub seconds: SecondsSpent,
+}
+
+impl CaseResult {
+    /// The quantity of a name.
+    pub fn quantity(&self, name: &str) -> Option<&QuantityValue> {
+        self.quantities.iter().find(|q| q.0 == name).map(|q| &q.1)
+    }
+}
+
+fn as_map<S: Serializer>(quantities: &[(String, QuantityValue)], serializer: S) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(Some(quantities.len()))?;
+    for (name, value) in quantities {
+        map.serialize_entry(name, &Wrapped(value))?;
+    }
+    map.end()
+}
+
+struct Wrapped<'a>(&'a QuantityValue);
+
+impl Serialize for Wrapped<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.0.serialize(serializer)
+    }
+}

@@ -1,6 +1,7 @@
-// Pictures of GLB files or pages in headless Chromium: `node screenshot.mjs OUT_DIR FILE.glb|FILE.html...`.
+// Pictures of GLB files or pages in headless Chromium: `node screenshot.mjs OUT_DIR FILE.glb|FILE.html[#STATE]...`.
 //
-// A GLB is shown by three.js at rest and at each morph target; a page is opened from its file:// address.
+// A GLB is shown by three.js at rest and at each morph target; a page is opened from its file:// address, a viewer page in
+// the state named, for instance `#target=1&stretch=8&apart=0.6`.
 // Chromium comes from the system (`apt-get install chromium`); CHROMIUM names another one.
 import { spawn } from "node:child_process";
 import { mkdir, readFile } from "node:fs/promises";
@@ -45,10 +46,13 @@ function shoot(address, picture) {
   });
 }
 
-for (const [index, file] of files.entries()) {
+for (const [index, asked] of files.entries()) {
+  const [file, state] = asked.split("#");
   const name = basename(file, extname(file));
   if (extname(file) === ".html") {
-    console.log(await shoot(pathToFileURL(resolve(file)).href, resolve(out, `${name}-page.png`)));
+    const address = pathToFileURL(resolve(file)).href + (state ? `#${state}` : "");
+    const suffix = state ? `-${state.replace(/[^\w.]+/g, "-")}` : "";
+    console.log(await shoot(address, resolve(out, `${name}-page${suffix}.png`)));
     continue;
   }
   for (const target of [-1, 0, 1]) {

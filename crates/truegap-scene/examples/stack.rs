@@ -1,4 +1,4 @@
-//! Writes a made-up stack as GLB files: `cargo run -p truegap-scene --example stack -- DIR`.
+//! Writes a made-up stack as GLB files and viewer pages: `cargo run -p truegap-scene --example stack -- DIR`.
 //!
 //! The shape is that of a tactile sensor (discs of 7.5 mm radius, layers of 17 to 180 um); displacement and field are
 //! formulas, not results.
@@ -6,13 +6,16 @@
 use truegap_scene::colour::{ColourMap, Rgb};
 use truegap_scene::glb::{Field, Provenance, Scene, suggested_exaggeration};
 use truegap_scene::solid::{Layer, Sweep};
+use truegap_scene::viewer::Viewer;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = std::path::PathBuf::from(std::env::args().nth(1).ok_or("name the folder to write to")?);
     std::fs::create_dir_all(&folder)?;
     for (name, sweep) in [("full", Sweep::FULL), ("cut", Sweep::CUT_AWAY)] {
         let scene = stack(sweep);
-        std::fs::write(folder.join(format!("{name}.glb")), scene.to_glb()?)?;
+        let glb = scene.to_glb()?;
+        std::fs::write(folder.join(format!("{name}.glb")), &glb)?;
+        std::fs::write(folder.join(format!("{name}.html")), Viewer::new(&scene.title, &glb).to_html())?;
     }
     Ok(())
 }

@@ -8,3 +8,4 @@ pub mod figure;
 pub mod glb;
 pub mod page;
 pub mod solid;
+pub mod viewer;

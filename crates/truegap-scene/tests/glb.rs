@@ -56,8 +56,7 @@ impl Read {
 
     fn positions(&self, node: &str) -> Vec<[f32; 3]> {
         let primitive = self.mesh(node).primitives().next().expect("a primitive");
-        let positions = primitive.reader(|b| Some(&self.buffers[b.index()])).read_positions().expect("positions").collect();
-        positions
+        primitive.reader(|b| Some(&self.buffers[b.index()])).read_positions().expect("positions").collect()
     }
 }
 

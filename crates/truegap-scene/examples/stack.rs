@@ -1,4 +1,4 @@
-//! Writes a made-up stack as GLB files and viewer pages: `cargo run -p truegap-scene --example stack -- DIR`.
+//! Writes a made-up stack as GLB, viewer pages and VTU: `cargo run -p truegap-scene --example stack -- DIR`.
 //!
 //! The shape is that of a tactile sensor (discs of 7.5 mm radius, layers of 17 to 180 um); displacement and field are
 //! formulas, not results.
@@ -7,6 +7,7 @@ use truegap_scene::colour::{ColourMap, Rgb};
 use truegap_scene::glb::{Field, Provenance, Scene, suggested_exaggeration};
 use truegap_scene::solid::{Layer, Sweep};
 use truegap_scene::viewer::Viewer;
+use truegap_scene::vtu::{Cells, Data, Grid};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = std::path::PathBuf::from(std::env::args().nth(1).ok_or("name the folder to write to")?);
@@ -17,7 +18,25 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         std::fs::write(folder.join(format!("{name}.glb")), &glb)?;
         std::fs::write(folder.join(format!("{name}.html")), Viewer::new(&scene.title, &glb).to_html())?;
     }
+    let section = &stack(Sweep::FULL).layers[2];
+    std::fs::write(folder.join("silicone.vtu"), grid(section).to_vtu()?)?;
+    std::fs::write(folder.join("quadratic.vtu"), quadratic().to_vtu()?)?;
     Ok(())
+}
+
+/// The section of one layer with its displacement and field.
+fn grid(layer: &Layer) -> Grid {
+    let area = |&[a, b, c]: &[usize; 3]| {
+        let [a, b, c] = [a, b, c].map(|p| layer.points[p]);
+        0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+    };
+    Grid::new(layer.points.clone(), Cells::Triangles(layer.triangles.clone()))
+        .on_points("temperature [°C]", Data::Scalar(layer.field.clone()))
+        .on_points("displacement [m]", Data::Vector(layer.displacement.clone()))
+        .on_cells("area [m2]", Data::Scalar(layer.triangles.iter().map(area).collect()))
+        .on_cells("region", Data::Label(vec![3; layer.triangles.len()]))
+        .note("command", "cargo run -p truegap-scene --example stack -- DIR")
+        .note("version", env!("CARGO_PKG_VERSION"))
 }
 
 fn stack(sweep: Sweep) -> Scene {
@@ -42,6 +61,16 @@ fn stack(sweep: Sweep) -> Scene {
             notes: vec![("load".into(), "none".into())],
         },
     }
+}
+
+/// A quarter of a disc of radius one as one quadratic triangle with a curved side, without notes (meshio reads no text).
+fn quadratic() -> Grid {
+    let (half, middle) = (0.5, std::f64::consts::FRAC_1_SQRT_2);
+    let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [half, 0.0], [middle, middle], [0.0, half]];
+    let radius = points.iter().map(|p| f64::hypot(p[0], p[1])).collect();
+    Grid::new(points, Cells::QuadraticTriangles(vec![[0, 1, 2, 3, 4, 5]]))
+        .on_points("radius [m]", Data::Scalar(radius))
+        .on_cells("stress [Pa]", Data::Tensor(vec![[1.0, 2.0, 3.0, 4.0]]))
 }
 
 /// A disc of radius 7.5 mm, bent upwards and thinned, warmer in the middle and on top.

@@ -9,3 +9,4 @@ pub mod glb;
 pub mod page;
 pub mod solid;
 pub mod viewer;
+pub mod vtu;

@@ -2,6 +2,7 @@
 
 use crate::case::CaseError;
 use crate::mesh::MeshError;
+use crate::physics::elasticity::ElasticityError;
 use crate::physics::electrostatics::ElectrostaticsError;
 use crate::solve::SolveError;
 
@@ -21,4 +22,7 @@ pub enum FemError {
     /// The case file is not usable.
     #[error(transparent)]
     Case(#[from] CaseError),
+    /// An elastic problem failed.
+    #[error(transparent)]
+    Elasticity(#[from] ElasticityError),
 }

@@ -1,1 +1,26 @@
-//! Thermoelasticity of axisymmetric and planar bodies.
+//! Thermoelasticity: linear and finite strain, nearly incompressible, axisymmetric and planar.
+//!
+//! Isotropic, static, without plasticity. One load factor scales all loads, displacements and temperatures.
+
+mod body;
+mod element;
+mod error;
+pub mod kinematics;
+pub mod laws;
+mod loads;
+mod material;
+mod point;
+mod problem;
+mod recovery;
+mod rigid;
+mod solution;
+mod solver;
+mod thermal;
+
+pub use body::Body;
+pub use error::ElasticityError;
+pub use material::{Formulation, Lame, LawKind, Material};
+pub use problem::{Component, Condition, Field, Order, Place, Problem, Temperature};
+pub use solution::{Components, Solution};
+pub use solver::{Counters, NewtonOptions, Solver};
+pub use thermal::ThermalStretch;

@@ -3,6 +3,7 @@
 //! Limits: steady state; everything with a memory, and everything outside the plates, is left to the stages that plug into the chain.
 
 pub mod base;
+pub mod cases;
 pub mod equations;
 pub mod stack;
 

@@ -66,9 +66,13 @@ impl BentPlates {
         let ks = Product::of(k, sag);
         let first = Product::of(kr.high, r);
         let second = Product::of(ks.high, sag);
-        let high = (first.high - sag) + (second.high - sag);
-        let low = first.low + kr.low * r + second.low + ks.low * sag;
-        (high + low) / (2.0 - 2.0 * ks.high)
+        let (sum, lost) = exact_sum(first.high, second.high);
+        // sum is 2 s but for its last digits, so their difference is exact
+        let high = sum - 2.0 * sag;
+        let low = lost + first.low + kr.low * r + second.low + ks.low * sag;
+        let slope = 2.0 - 2.0 * ks.high;
+        // a hemisphere: the two roots meet, and the rounded sag is right to the last digit
+        if slope > 0.0 { (high + low) / slope } else { 0.0 }
     }
 }
 
@@ -83,6 +87,13 @@ impl Product {
         let high = a * b;
         Self { high, low: a.mul_add(b, -high) }
     }
+}
+
+/// A sum and its rounding error.
+fn exact_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let second = sum - a;
+    (sum, (a - (sum - second)) + (b - second))
 }
 
 /// Below this share of the centre gap the logarithm is a series.

@@ -2,6 +2,7 @@
 //!
 //! The other route: mpmath, quadrature instead of closed forms, no shared code (project reference, `model_values.csv`; conventions in `docs/theory.md`).
 //! Tolerance 1e-12 relative: the values are printed to 15 digits, the model takes some fifty roundings of 1e-16.
+#![allow(clippy::unwrap_used)]
 
 use std::path::PathBuf;
 use truegap_core::sensor::builtin_sensor;

@@ -58,11 +58,11 @@ pub(super) fn staged(
     stages.iter().for_each(|stage| stage.dielectric(drive, &mut factors));
 
     let (mut plates, mut value, mut aspect) = (Vec::with_capacity(rows), Vec::with_capacity(rows), Vec::with_capacity(rows));
-    for row in 0..rows {
+    for (row, &strain) in strain.iter().enumerate() {
         let force_n = drive.load[row] * drive.full_load;
         let squeeze = Squeeze {
             force_n,
-            strain: strain[row],
+            strain,
             warp_kelvin: geometry.warp_kelvin[row],
             warp_factor: geometry.warp_factor,
             gap: geometry.gap[row],

@@ -1,0 +1,359 @@
+//! The stack as a simulator: parameters, columns, stages, errors.
+#![allow(clippy::unwrap_used)]
+
+use approx::assert_relative_eq;
+use truegap_core::{
+    Dielectric, Drive, FieldView, Geometry, Inputs, Readout, Sensor, SimulationError, Simulator, Stage, VACUUM_PERMITTIVITY,
+    sensor::builtin_sensor,
+};
+use truegap_model::{
+    CoefficientOptions, Point, SeriesOrder, Stack, StackOptions,
+    cases::{default_sensor, staircase},
+    coefficients, states,
+};
+
+fn centre(model: &dyn Simulator) -> Vec<f64> {
+    model.parameters().iter().map(|p| p.centre()).collect()
+}
+
+fn named(name: &str) -> Sensor {
+    builtin_sensor(name).unwrap().unwrap()
+}
+
+fn stack() -> Stack {
+    Stack::new(&default_sensor().unwrap(), StackOptions::default())
+}
+
+/// A stage made of closures' worth of numbers: each field acts at its own place.
+#[derive(Default)]
+struct Plug {
+    modulus: f64,
+    stiffening: [f64; 2],
+    strain: f64,
+    gap: f64,
+    warp: Option<f64>,
+    tilt: f64,
+    sag: f64,
+    beads: f64,
+    insulator: f64,
+    field_pf: f64,
+    readout_span: f64,
+    hotter: f64,
+    load: f64,
+}
+
+impl Stage for Plug {
+    fn load(&self, _: &Inputs, load: &mut [f64]) {
+        load.iter_mut().for_each(|l| *l += self.load);
+    }
+    fn thermal(&self, _: &Inputs, temperature_c: &mut [f64]) {
+        temperature_c.iter_mut().for_each(|t| *t += self.hotter);
+    }
+    fn modulus(&self, _: &Drive<'_>, factor: &mut [f64]) {
+        factor.iter_mut().for_each(|f| *f *= 1.0 + self.modulus);
+    }
+    fn stiffening(&self) -> [f64; 2] {
+        self.stiffening
+    }
+    fn strain(&self, _: &Drive<'_>, strain: &mut [f64]) {
+        strain.iter_mut().for_each(|e| *e += self.strain);
+    }
+    fn geometry(&self, _: &Drive<'_>, geometry: &mut Geometry<'_>) {
+        geometry.gap.iter_mut().for_each(|g| *g += self.gap);
+        geometry.tilt.iter_mut().for_each(|t| *t += self.tilt);
+        geometry.sag.iter_mut().for_each(|s| *s += self.sag);
+        geometry.warp_factor = self.warp.unwrap_or(geometry.warp_factor);
+    }
+    fn dielectric(&self, _: &Drive<'_>, factors: &mut Dielectric) {
+        factors.beads.iter_mut().for_each(|f| *f *= 1.0 + self.beads);
+        factors.insulator.iter_mut().for_each(|f| *f *= 1.0 + self.insulator);
+    }
+    fn field(&self, _: &Drive<'_>, view: &FieldView<'_>, extra: &mut [f64]) {
+        assert!(view.aspect.iter().all(|a| (0.01..0.04).contains(a)) && view.plates.iter().all(|c| (10.0..20.0).contains(c)));
+        extra.iter_mut().for_each(|x| *x += self.field_pf);
+    }
+    fn readout(&self, _: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
+        value.iter_mut().for_each(|v| *v += self.readout_span * readout.span);
+    }
+}
+
+/// One row: 2 N at 40 degrees Celsius.
+fn respond(model: &Stack, plug: Plug) -> f64 {
+    at(model, 2.0, 40.0, &plug).unwrap()
+}
+
+fn at(model: &Stack, force_n: f64, temperature_c: f64, plug: &Plug) -> Result<f64, SimulationError> {
+    let inputs =
+        Inputs { run: vec![1], force_n: Some(vec![force_n]), temperature_c: Some(vec![temperature_c]), ..Inputs::default() };
+    Ok(model.respond(&centre(model), &inputs, &[plug])?[0])
+}
+
+#[test]
+fn parameters_are_the_tolerances_of_the_sensor() {
+    let names =
+        |options| Stack::new(&default_sensor().unwrap(), options).parameters().iter().map(|p| p.name.clone()).collect::<Vec<_>>();
+    let all = names(StackOptions::default());
+    assert_eq!(
+        all,
+        [
+            "young_rtv",
+            "softening_rtv",
+            "height_rtv",
+            "thickness_copper",
+            "thickness_tin",
+            "thickness_polyimide",
+            "bead_diameter",
+            "electrode_diameter",
+            "stray_capacitance"
+        ]
+    );
+    let flat = names(StackOptions { warp: false, ..StackOptions::default() });
+    assert_eq!(all.iter().filter(|name| !flat.contains(name)).collect::<Vec<_>>(), ["thickness_copper", "thickness_tin"]);
+    let mut exact = default_sensor().unwrap();
+    exact.insulator.thickness.sd = 0.0;
+    assert_eq!(Stack::new(&exact, StackOptions::default()).parameters().len(), 8);
+    let stray = stack().parameters()[8].clone();
+    assert_eq!((stray.unit.as_str(), stray.sd()), ("pF", 0.3));
+}
+
+/// Each parameter moves the response, and by what the sensor file with that value says: another route through file, sensor and states.
+#[test]
+fn a_parameter_is_the_number_of_the_file() {
+    let file = truegap_core::sensor::builtin_sensors()[0].toml;
+    let changes = [
+        ("\"1.075 MPa", "\"1.2 MPa", 0, 1.2e6),
+        ("\"-7.6 kPa/K", "\"-5 kPa/K", 1, -5e3),
+        ("\"162 um", "\"170 um", 2, 170e-6),
+        ("\"34 um", "\"30 um", 3, 30e-6),
+        ("\"5 um", "\"6 um", 4, 6e-6),
+        ("\"25 um", "\"27 um", 5, 27e-6),
+        ("\"700 um", "\"650 um", 6, 650e-6),
+        ("\"15 mm", "\"14 mm", 7, 14e-3),
+        ("\"0 pF", "\"0.7 pF", 8, 0.7),
+    ];
+    let model = stack();
+    let inputs = Inputs { run: vec![1], force_n: Some(vec![2.0]), temperature_c: Some(vec![40.0]), ..Inputs::default() };
+    let point = Point { force_n: 2.0, temperature_c: 40.0 };
+    let nominal = model.respond(&centre(&model), &inputs, &[]).unwrap()[0];
+    for (old, new, index, value) in changes {
+        let mut values = centre(&model);
+        values[index] = value;
+        let response = model.respond(&values, &inputs, &[]).unwrap()[0];
+        let sensor = Sensor::from_toml(&file.replacen(old, new, 1), "changed.toml").unwrap();
+        let from_file = states(&sensor, StackOptions::default(), &[point]).unwrap()[0].c_total_pf;
+        assert_relative_eq!(response, from_file, max_relative = 1e-14);
+        assert!((response - nominal).abs() > 1e-5, "{old} does nothing");
+    }
+}
+
+#[test]
+fn the_plain_pass_and_the_staged_pass_agree() {
+    let model = stack();
+    let inputs = staircase(700, 4.5);
+    let plain = model.respond(&centre(&model), &inputs, &[]).unwrap();
+    let staged = model.respond(&centre(&model), &inputs, &[&Plug::default()]).unwrap();
+    let spread = plain.iter().copied().fold(f64::NEG_INFINITY, f64::max) - plain.iter().copied().fold(f64::INFINITY, f64::min);
+    assert!(spread > 2.0);
+    plain.iter().zip(&staged).for_each(|(a, b)| assert_relative_eq!(a, b, max_relative = 4e-16));
+}
+
+#[test]
+fn without_a_thermometer_the_sensor_is_at_its_reference_temperature() {
+    let model = stack();
+    let warm = Inputs { run: vec![1], force_n: Some(vec![3.0]), temperature_c: Some(vec![20.0]), ..Inputs::default() };
+    let unknown = Inputs { temperature_c: None, ..warm.clone() };
+    let values = centre(&model);
+    assert_eq!(model.respond(&values, &warm, &[]).unwrap(), model.respond(&values, &unknown, &[]).unwrap());
+}
+
+#[test]
+fn a_load_cell_may_read_slightly_below_zero() {
+    let model = stack();
+    let response = |force| at(&model, force, 20.0, &Plug::default()).unwrap();
+    let (below, zero, above) = (response(-0.01), response(0.0), response(0.01));
+    assert!(below < zero && zero < above);
+    assert_relative_eq!(zero - below, above - zero, max_relative = 0.01);
+}
+
+#[test]
+fn each_stage_acts_at_its_place() {
+    let model = stack();
+    let base = respond(&model, Plug::default());
+    let state = |force_n, temperature_c| {
+        states(&default_sensor().unwrap(), StackOptions::default(), &[Point { force_n, temperature_c }]).unwrap()[0]
+    };
+    let s = state(2.0, 40.0);
+    assert_relative_eq!(base, s.c_total_pf, max_relative = 1e-15);
+    // load path and thermal path: the state of another point
+    assert_relative_eq!(
+        respond(&model, Plug { load: 1.0 / 4.5, ..Plug::default() }),
+        state(3.0, 40.0).c_total_pf,
+        max_relative = 1e-14
+    );
+    assert_relative_eq!(
+        respond(&model, Plug { hotter: -10.0, ..Plug::default() }),
+        state(2.0, 30.0).c_total_pf,
+        max_relative = 1e-14
+    );
+    // field and readout add
+    assert_relative_eq!(respond(&model, Plug { field_pf: 0.5, ..Plug::default() }) - base, 0.5, max_relative = 1e-12);
+    let span = state(4.5, 20.0).c_total_pf - state(0.0, 20.0).c_total_pf;
+    assert_relative_eq!(respond(&model, Plug { readout_span: 0.1, ..Plug::default() }) - base, 0.1 * span, max_relative = 1e-11);
+    // extra air gap: 1/C adds h0 gap / (eps0 A)
+    let radius = 7.5e-3 * (1.0 + 16.7e-6 * 20.0);
+    let air = VACUUM_PERMITTIVITY * std::f64::consts::PI * radius * radius / (0.02 * 162e-6 * (1.0 + 200e-6 * 20.0)) * 1e12;
+    let rest = base - s.c_main_pf;
+    let expected = rest + 1.0 / (1.0 / s.c_main_pf + 1.0 / air);
+    assert_relative_eq!(respond(&model, Plug { gap: 0.02, ..Plug::default() }), expected, max_relative = 1e-13);
+    // wedge: factor on the bead layer, in series with the insulator
+    let beads = s.c_rtv_pf * 2.0 / (1.0 + 0.75f64.sqrt());
+    let expected = rest + beads * s.c_polyimide_pf / (beads + s.c_polyimide_pf);
+    assert_relative_eq!(respond(&model, Plug { tilt: 0.5, ..Plug::default() }), expected, max_relative = 1e-13);
+    // insulator: series, backing and tail
+    let thicker = s.c_polyimide_pf * 1.1;
+    let expected = s.c_rtv_pf * thicker / (s.c_rtv_pf + thicker) + 1.1 * (s.c_backing_pf + s.c_tail_pf);
+    assert_relative_eq!(respond(&model, Plug { insulator: 0.1, ..Plug::default() }), expected, max_relative = 1e-13);
+}
+
+/// Stress of stiffened beads is E e (1 + nu e)^2 (1 + a e + b e^2): at the strain e of the plain sensor it takes (1 + a e + b e^2) times the load.
+#[test]
+fn stiffening_multiplies_the_stress_and_a_modulus_factor_divides_the_strain() {
+    let model = stack();
+    let s =
+        states(&default_sensor().unwrap(), StackOptions::default(), &[Point { force_n: 2.0, temperature_c: 20.0 }]).unwrap()[0];
+    let e = -s.strain;
+    let plug = Plug { stiffening: [2.0, 5.0], ..Plug::default() };
+    let force = 2.0 * (1.0 + 2.0 * e + 5.0 * e * e);
+    let stiff = at(&model, force, 20.0, &plug).unwrap();
+    let softer = at(&model, 1.0, 20.0, &Plug { modulus: -0.5, ..Plug::default() }).unwrap();
+    // beads at the same strain; what is left is the insulator's own compression under another force, below 1e-4 pF
+    assert_relative_eq!(stiff, s.c_total_pf, epsilon = 2e-3);
+    assert_relative_eq!(softer, s.c_total_pf, epsilon = 2e-3);
+    assert!((at(&model, force, 20.0, &Plug::default()).unwrap() - s.c_total_pf).abs() > 0.1);
+}
+
+#[test]
+fn a_base_without_warp_can_be_given_it_back() {
+    let sensor = default_sensor().unwrap();
+    let flat = Stack::new(&sensor, StackOptions { warp: false, ..StackOptions::default() });
+    let bent = respond(&flat, Plug { warp: Some(1.0), ..Plug::default() });
+    assert_relative_eq!(bent, respond(&stack(), Plug::default()), max_relative = 1e-15);
+    assert!((bent - respond(&flat, Plug::default())).abs() > 0.01);
+    assert_eq!((flat.warps(), stack().warps()), (Some(false), Some(true)));
+    let single = Stack::new(&named("single-metal-s15"), StackOptions::default());
+    assert_eq!(single.warps(), None);
+    assert_eq!(respond(&single, Plug { warp: Some(1.0), ..Plug::default() }), respond(&single, Plug::default()));
+}
+
+/// A rim sag given as load sag is the same dome as one given as warp.
+#[test]
+fn load_sag_and_warp_make_the_same_dome() {
+    let sensor = default_sensor().unwrap();
+    let flat = Stack::new(&sensor, StackOptions { warp: false, ..StackOptions::default() });
+    let k = states(&sensor, StackOptions::default(), &[Point { force_n: 2.0, temperature_c: 40.0 }]).unwrap()[0].curvature_per_m;
+    let radius = 7.5e-3 * (1.0 + 16.7e-6 * 20.0);
+    let rim = (1.0 - (1.0 - k * k * radius * radius).sqrt()) / k;
+    let sag = rim / (162e-6 * (1.0 + 200e-6 * 20.0));
+    assert!(sag > 0.05);
+    // the rim was computed with the printed, cancelling form: 1e-16 / (k r)^2 is 2e-12 of it
+    assert_relative_eq!(
+        respond(&flat, Plug { sag, ..Plug::default() }),
+        respond(&stack(), Plug::default()),
+        max_relative = 1e-11
+    );
+}
+
+/// The exact order of (21) reads less than the printed one where the gap varies (0.2 % of C_main for the optimised design at 50 degC), and the same where it does not.
+#[test]
+fn both_orders_of_series_and_integral_agree_on_flat_plates_only() {
+    let sensor = named("singletact-s8-optimised");
+    let exact = StackOptions { series: SeriesOrder::SeriesThenIntegrate, ..StackOptions::default() };
+    let main = |options, temperature_c| states(&sensor, options, &[Point { force_n: 4.5, temperature_c }]).unwrap()[0].c_main_pf;
+    assert_relative_eq!(main(exact, 20.0), main(StackOptions::default(), 20.0), max_relative = 1e-14);
+    let (printed, ordered) = (main(StackOptions::default(), 50.0), main(exact, 50.0));
+    println!("C_main at 50 degC: integrate then series {printed} pF, series then integrate {ordered} pF");
+    assert!(printed / ordered - 1.0 > 1e-3);
+    // extra gap in series: both orders again the same on flat plates
+    let plug = |options| at(&Stack::new(&sensor, options), 0.0, 20.0, &FieldFree { gap: 0.1 });
+    assert_relative_eq!(plug(exact), plug(StackOptions::default()), max_relative = 1e-14);
+
+    struct FieldFree {
+        gap: f64,
+    }
+    impl Stage for FieldFree {
+        fn geometry(&self, _: &Drive<'_>, geometry: &mut Geometry<'_>) {
+            geometry.gap.iter_mut().for_each(|g| *g += self.gap);
+        }
+    }
+    fn at(model: &Stack, force_n: f64, temperature_c: f64, stage: &FieldFree) -> f64 {
+        let inputs =
+            Inputs { run: vec![1], force_n: Some(vec![force_n]), temperature_c: Some(vec![temperature_c]), ..Inputs::default() };
+        model.respond(&centre(model), &inputs, &[stage]).unwrap()[0]
+    }
+}
+
+/// Solid sheet: strain is load over A E, permittivity that of the sheet; by hand at the reference temperature.
+#[test]
+fn a_solid_dielectric_follows_equation_2() {
+    let s = states(&named("foam-s15"), StackOptions::default(), &[Point { force_n: 10.0, temperature_c: 20.0 }]).unwrap()[0];
+    let area = std::f64::consts::PI * 7.5e-3 * 7.5e-3;
+    assert_relative_eq!(s.strain, -10.0 / (area * 300e3), max_relative = 1e-14);
+    assert_relative_eq!(s.c_rtv_pf, 1.4 * 8.854 * area / (500e-6 * (1.0 + s.strain)), max_relative = 1e-13);
+    assert_eq!(s.curvature_per_m, 0.0);
+}
+
+#[test]
+fn mutual_capacitance_reads_the_main_gap_alone() {
+    let s = states(&named("mutual-s10"), StackOptions::default(), &[Point { force_n: 1.0, temperature_c: 35.0 }]).unwrap()[0];
+    assert_eq!((s.c_backing_pf, s.c_tail_pf), (0.0, 0.0));
+    assert_eq!(s.c_total_pf, s.c_main_pf);
+    assert!(s.c_main_pf > 4.0);
+}
+
+#[test]
+fn a_load_that_closes_the_gap_is_an_error_that_says_so() {
+    let model = stack();
+    let error = at(&model, 60.0, 20.0, &Plug::default()).unwrap_err();
+    assert!(matches!(error, SimulationError::GapCloses { row: 0, load_si: 60.0, strain } if strain >= 1.0), "{error}");
+    let error =
+        states(&default_sensor().unwrap(), StackOptions::default(), &[Point { force_n: 60.0, temperature_c: 20.0 }]).unwrap_err();
+    assert!(error.to_string().contains("closes the gap"), "{error}");
+    for plug in
+        [Plug { tilt: 1.0, ..Plug::default() }, Plug { sag: 5.0, ..Plug::default() }, Plug { strain: 1.0, ..Plug::default() }]
+    {
+        assert!(matches!(at(&model, 2.0, 20.0, &plug), Err(SimulationError::GapCloses { .. })));
+    }
+    let no_modulus = at(&model, 2.0, 20.0, &Plug { modulus: -1.0, ..Plug::default() });
+    assert!(matches!(no_modulus, Err(SimulationError::NotFinite { .. })));
+    let error = model.respond(&centre(&model), &Inputs { run: vec![1], ..Inputs::default() }, &[]).unwrap_err();
+    assert!(matches!(error, SimulationError::MissingColumn { .. }));
+}
+
+/// Coefficients from states at the four corners, by hand, and the linearity by a scan 100 times finer.
+#[test]
+fn the_greatest_deviation_is_that_of_a_fine_scan() {
+    for name in ["singletact-s15-4.5n", "singletact-s15-4.5n-stiffening", "singletact-s8-optimised"] {
+        let sensor = named(name);
+        let k = coefficients(&sensor, CoefficientOptions::default()).unwrap();
+        let response = |force_n: f64, temperature_c: f64| {
+            states(&sensor, StackOptions::default(), &[Point { force_n, temperature_c }]).unwrap()[0].c_total_pf
+        };
+        let (c0, cl, h0, hl) = (response(0.0, 20.0), response(4.5, 20.0), response(0.0, 50.0), response(4.5, 50.0));
+        assert_relative_eq!(k.baseline_pf, c0, max_relative = 1e-15);
+        assert_relative_eq!(k.span_pf, cl - c0, max_relative = 1e-12);
+        assert_relative_eq!(k.k_baseline_pf_per_k, (h0 - c0) / 30.0, max_relative = 1e-11);
+        assert_relative_eq!(k.k_baseline_pct_fsr_per_k, 100.0 * (h0 - c0) / (cl - c0) / 30.0, max_relative = 1e-10);
+        assert_relative_eq!(k.k_sensitivity_pct_per_k, 100.0 * ((hl - h0) / (cl - c0) - 1.0) / 30.0, max_relative = 1e-9);
+        let scan = |temperature_c: f64, from: f64, to: f64| {
+            let off = |i: i32| {
+                let force = 4.5 * f64::from(i) / 1e4;
+                (response(force, temperature_c) - from - (to - from) * force / 4.5).abs()
+            };
+            100.0 * (0..=10_000).map(off).fold(0.0, f64::max) / (to - from)
+        };
+        let (cold, hot) = (scan(20.0, c0, cl), scan(50.0, h0, hl));
+        assert_relative_eq!(k.linearity_pct, cold, max_relative = 1e-6);
+        assert_relative_eq!(k.k_linearity_pct_per_k, (hot - cold) / 30.0, max_relative = 1e-5);
+        println!("{name}: {k:?}");
+    }
+}

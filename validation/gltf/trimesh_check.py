@@ -14,7 +14,7 @@ def check(path: str) -> bool:
     meta = scene.metadata
     print(f"{path}: trimesh {trimesh.__version__}, {len(scene.geometry)} parts, "
           f"extents {numpy.array2string(1e3 * scene.extents, precision=4)} mm, "
-          f"field {(meta.get('field') or {}).get('name')}, made by {meta.get('provenance', {}).get('command')!r}")
+          f"fields {[f['name'] for f in meta.get('fields', [])]}, made by {meta.get('provenance', {}).get('command')!r}")
     for name, mesh in scene.geometry.items():
         transform = scene.graph.get(scene.graph.geometry_nodes[name][0])[0]
         solid = mesh.copy()
@@ -22,7 +22,7 @@ def check(path: str) -> bool:
         volume = solid.volume * numpy.linalg.det(transform[:3, :3])
         # With a material present, trimesh keeps COLOR_0 beside it.
         colours = mesh.visual.vertex_attributes.get("color")
-        values = mesh.vertex_attributes.get("_FIELD")
+        values = mesh.vertex_attributes.get("_FIELD_0")
         coloured = "no field" if values is None else f"field {values.min():.6g} to {values.max():.6g}"
         fine &= (colours is None) == (values is None) and bool(solid.is_watertight and volume > 0)
         print(f"  {name}: {len(mesh.faces)} triangles, watertight {solid.is_watertight}, volume {1e9 * volume:.6g} mm3, {coloured}")

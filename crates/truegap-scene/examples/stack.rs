@@ -31,7 +31,7 @@ fn grid(layer: &Layer) -> Grid {
         0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
     };
     Grid::new(layer.points.clone(), Cells::Triangles(layer.triangles.clone()))
-        .on_points("temperature [°C]", Data::Scalar(layer.field.clone()))
+        .on_points("temperature [°C]", Data::Scalar(layer.fields[0].clone()))
         .on_points("displacement [m]", Data::Vector(layer.displacement.clone()))
         .on_cells("area [m2]", Data::Scalar(layer.triangles.iter().map(area).collect()))
         .on_cells("region", Data::Label(vec![3; layer.triangles.len()]))
@@ -51,7 +51,10 @@ fn stack(sweep: Sweep) -> Scene {
     Scene {
         title: "Made-up stack".into(),
         layers,
-        field: Some(Field { name: "temperature".into(), unit: "°C".into(), map: ColourMap::Sequential, range: None }),
+        fields: vec![
+            Field { name: "temperature".into(), unit: "°C".into(), map: ColourMap::Sequential, range: None },
+            Field { name: "axial displacement".into(), unit: "µm".into(), map: ColourMap::Diverging, range: None },
+        ],
         sweep,
         exaggeration,
         provenance: Provenance {
@@ -94,7 +97,7 @@ fn disc(name: &str, colour: u32, [z0, z1]: [f64; 2]) -> Layer {
         name: name.into(),
         colour: Rgb::hex(colour),
         displacement: points.iter().map(bent).collect(),
-        field: points.iter().map(warmth).collect(),
+        fields: vec![points.iter().map(warmth).collect(), points.iter().map(|p| 1e6 * bent(p)[1]).collect()],
         points,
         triangles,
     }

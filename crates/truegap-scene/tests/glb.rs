@@ -13,7 +13,7 @@ fn bar(name: &str) -> Layer {
         colour: Rgb::hex(0xB87333),
         triangles: vec![[0, 1, 2], [0, 2, 3]],
         displacement: points.iter().map(|p| [1e-3 * p[0], 5e-3 * p[0]]).collect(),
-        field: points.iter().map(|p| 1e3 * (p[0] + p[1])).collect(),
+        fields: vec![points.iter().map(|p| 1e3 * (p[0] + p[1])).collect(), points.iter().map(|p| -p[1]).collect()],
         points,
     }
 }
@@ -21,11 +21,15 @@ fn bar(name: &str) -> Layer {
 fn scene() -> Scene {
     let mut second = bar("bare metal");
     second.points.iter_mut().for_each(|p| p[1] += 2e-3);
-    second.field.clear();
+    second.fields[1] = second.points.iter().map(|p| -p[1]).collect();
+    second.fields[0].clear();
     Scene {
         title: "bars".into(),
         layers: vec![bar("copper"), second],
-        field: Some(Field { name: "temperature".into(), unit: "K".into(), map: ColourMap::Sequential, range: None }),
+        fields: vec![
+            Field { name: "temperature".into(), unit: "K".into(), map: ColourMap::Sequential, range: None },
+            Field { name: "potential".into(), unit: "V".into(), map: ColourMap::Diverging, range: None },
+        ],
         sweep: Sweep::CUT_AWAY,
         exaggeration: Some(20.0),
         provenance: Provenance {
@@ -149,7 +153,7 @@ fn vertex_colours_are_linear_light_of_the_map_and_carry_their_values() {
     assert!(bare.reader(|b| Some(&read.buffers[b.index()])).read_colors(0).is_none());
     let factor = bare.material().pbr_metallic_roughness().base_color_factor();
     assert!(close(factor, [0.4793, 0.1714, 0.0331, 1.0]));
-    let values = primitive.attributes().find(|(s, _)| s.to_string() == "_FIELD").expect("values").1;
+    let values = primitive.attributes().find(|(s, _)| s.to_string() == "_FIELD_0").expect("values").1;
     assert_eq!((values.min().map(|v| v[0].as_f64()), values.max().map(|v| v[0].as_f64())), (Some(Some(3.0)), Some(Some(6.0))));
 }
 
@@ -159,9 +163,14 @@ fn the_metadata_says_units_legend_and_origin() {
     let extras = read.document.scenes().next().expect("a scene").extras().clone().expect("extras");
     let extras: Value = serde_json::from_str(extras.get()).expect("JSON");
     assert_eq!(extras["units"]["length"], "m");
-    assert_eq!((&extras["field"]["name"], &extras["field"]["unit"]), (&"temperature".into(), &"K".into()));
-    assert_eq!((extras["field"]["min"].as_f64(), extras["field"]["max"].as_f64()), (Some(3.0), Some(6.0)));
-    assert_eq!(extras["field"]["stops"][0]["srgb"], "#440154");
+    assert_eq!((&extras["fields"][0]["name"], &extras["fields"][0]["unit"]), (&"temperature".into(), &"K".into()));
+    assert_eq!((extras["fields"][0]["min"].as_f64(), extras["fields"][0]["max"].as_f64()), (Some(3.0), Some(6.0)));
+    assert_eq!(extras["fields"][0]["stops"][0]["srgb"], "#440154");
+    assert_eq!(extras["coloured_by"], "temperature");
+    // The second part reaches 3 mm up; its map is symmetric about zero.
+    let potential = &extras["fields"][1];
+    assert_eq!((potential["min"].as_f64(), potential["max"].as_f64()), (Some(-3e-3), Some(3e-3)));
+    assert_eq!((potential["data_max"].as_f64(), &potential["attribute"]), (Some(0.0), &"_FIELD_1".into()));
     assert_eq!(extras["provenance"]["version"], "1.2.3");
     assert_eq!(extras["provenance"]["notes"]["load"], "4.5 N");
     assert_eq!(extras["deformation"]["targets"][1]["factor"], 20.0);
@@ -217,10 +226,10 @@ fn scenes_that_contradict_themselves_are_typed_errors() {
     assert!(matches!(broken(&|s| s.layers.clear()), SceneError::NoLayer { .. }));
     assert!(matches!(broken(&|s| s.layers[1].name = "copper".into()), SceneError::SameName { .. }));
     assert!(matches!(broken(&|s| s.layers[1].displacement.clear()), SceneError::SomeRest { .. }));
-    assert!(matches!(broken(&|s| s.field = None), SceneError::UnnamedField { .. }));
-    assert!(matches!(broken(&|s| s.layers[0].field.clear()), SceneError::NoValues { .. }));
+    assert!(matches!(broken(&|s| s.fields.truncate(1)), SceneError::FieldCount { found: 2, wanted: 1, .. }));
+    assert!(matches!(broken(&|s| s.layers[0].fields[0].clear()), SceneError::NoValues { .. }));
     assert!(matches!(broken(&|s| s.exaggeration = Some(0.5)), SceneError::Exaggeration { .. }));
     assert!(matches!(broken(&|s| s.layers[0].points[0][0] = -1.0), SceneError::Solid(_)));
-    let range = broken(&|s| s.field.iter_mut().for_each(|f| f.range = Some((2.0, 1.0))));
+    let range = broken(&|s| s.fields[0].range = Some((2.0, 1.0)));
     assert!(matches!(range, SceneError::Range { .. }));
 }

@@ -13,7 +13,7 @@ fn rectangle([r0, r1]: [f64; 2], [z0, z1]: [f64; 2], nr: usize, nz: usize) -> La
         .flat_map(|j| (0..nr).map(move |i| j * (nr + 1) + i))
         .flat_map(|a| [[a, a + 1, a + nr + 1], [a + 1, a + nr + 1, a + nr + 2]])
         .collect();
-    Layer { name: "part".into(), colour: Rgb::hex(0xB87333), points, triangles, displacement: vec![], field: vec![] }
+    Layer { name: "part".into(), colour: Rgb::hex(0xB87333), points, triangles, displacement: vec![], fields: vec![] }
 }
 
 /// Half a disc of radius one: turned, a ball.
@@ -23,7 +23,7 @@ fn half_disc(n: usize) -> Layer {
     points[1][0] = 0.0;
     points[n + 1][0] = 0.0;
     let triangles = (1..=n).map(|i| [0, i, i + 1]).collect();
-    Layer { name: "ball".into(), colour: Rgb::hex(0), points, triangles, displacement: vec![], field: vec![] }
+    Layer { name: "ball".into(), colour: Rgb::hex(0), points, triangles, displacement: vec![], fields: vec![] }
 }
 
 fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -149,8 +149,11 @@ fn layers_that_are_no_solids_are_typed_errors() {
     assert!(matches!(broken(&|l| l.triangles.clear()), SolidError::EmptyLayer { .. }));
     assert!(matches!(broken(&|l| l.triangles[0][1] = 9), SolidError::NoSuchPoint { point: 9, .. }));
     assert!(matches!(broken(&|l| l.points[2][1] = f64::NAN), SolidError::NotFinite { what: "position", point: 2, .. }));
-    assert!(matches!(broken(&|l| l.field = vec![1.0, 2.0]), SolidError::Lengths { what: "field", .. }));
-    assert!(matches!(broken(&|l| l.field = vec![1.0, 2.0, f64::NAN, 0.0]), SolidError::NotFinite { what: "field", .. }));
+    assert!(matches!(broken(&|l| l.fields = vec![vec![1.0, 2.0]]), SolidError::Lengths { what: "field", .. }));
+    assert!(matches!(
+        broken(&|l| l.fields = vec![vec![], vec![1.0, 2.0, f64::NAN, 0.0]]),
+        SolidError::NotFinite { what: "field", .. }
+    ));
     assert!(matches!(broken(&|l| l.points[0][0] = -1.0), SolidError::BehindAxis { state: "at rest", .. }));
     let crosses = broken(&|l| l.displacement = vec![[-0.2, 0.0]; 4]);
     assert!(matches!(crosses, SolidError::BehindAxis { state: "deformed", .. }) && crosses.to_string().contains("smaller"));

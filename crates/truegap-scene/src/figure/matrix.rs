@@ -4,7 +4,7 @@ use super::error::FigureError;
 use super::scale::extent;
 use super::svg::{Anchor, Area, Svg, TEXT, WIDTH, fit, px, text_width};
 use super::ticks::fixed;
-use crate::colour::ColourMap;
+use crate::colour::{ColourMap, Rgb};
 
 const CELL_HEIGHT: f64 = 24.0;
 const WIDEST_CELL: f64 = 64.0;
@@ -106,13 +106,21 @@ impl Matrix {
         svg.finish(&self.title, bottom + 32.0)
     }
 
+    /// Amounts go from near-white to dark blue, so that nothing looks like nothing.
+    fn colour(&self, t: f64) -> Rgb {
+        match self.map {
+            ColourMap::Sequential => ColourMap::Diverging.at(0.5 - 0.5 * t),
+            ColourMap::Diverging => self.map.at(t),
+        }
+    }
+
     fn draw_cell(&self, svg: &mut Svg, place: Area, (j, i): (usize, usize), (low, high): (f64, f64)) {
         let value = self.values[j * self.columns.len() + i];
         if !value.is_finite() {
             svg.rect(place, r#"fill="currentColor" fill-opacity="0.06""#);
             return;
         }
-        let colour = self.map.at((value - low) / (high - low));
+        let colour = self.colour((value - low) / (high - low));
         let inner = Area { width: place.width - 1.0, height: place.height - 1.0, ..place };
         svg.rect(inner, &format!(r#"fill="{}""#, colour.css()));
         let text = fixed(value, self.decimals);

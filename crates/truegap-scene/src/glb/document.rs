@@ -20,14 +20,14 @@ const PER_METRE: f64 = 1000.0;
 
 /// The bytes of `scene`, which has been checked.
 pub(super) fn write(scene: &Scene) -> Result<Vec<u8>, SceneError> {
-    let (factors, legend) = (scene.factors(), scene.legend()?);
+    let (factors, legends) = (scene.factors(), scene.legends()?);
     let mut builder = Builder::new();
     let mut nodes = Vec::new();
     let mut bounds = view::Bounds::default();
     for layer in &scene.layers {
         let surface = revolve(layer, &factors, scene.sweep)?;
         surface.shapes.iter().for_each(|shape| bounds.include(&shape.positions));
-        nodes.push(add_layer(&mut builder, layer, &surface, &factors, legend.as_ref())?);
+        nodes.push(add_layer(&mut builder, layer, &surface, &factors, &legends)?);
     }
     animation::add(&mut builder, &nodes, &factors);
     let stack = builder.root.push(json::Node {
@@ -41,7 +41,7 @@ pub(super) fn write(scene: &Scene) -> Result<Vec<u8>, SceneError> {
         name: Some(scene.title.clone()),
         nodes: vec![stack, camera],
         extensions: None,
-        extras: extras::of_scene(scene, &factors, legend.as_ref())?,
+        extras: extras::of_scene(scene, &factors, &legends)?,
     });
     builder.root.scene = Some(top);
     builder.root.asset.generator = Some(format!("truegap-scene {}", env!("CARGO_PKG_VERSION")));
@@ -63,12 +63,11 @@ fn add_layer(
     layer: &Layer,
     surface: &Surface,
     factors: &[f64],
-    legend: Option<&Legend>,
+    legends: &[Legend],
 ) -> Result<json::Index<json::Node>, SceneError> {
-    let legend = legend.filter(|_| !layer.field.is_empty());
-    let material = builder.root.push(material(layer, legend.is_some()));
+    let material = builder.root.push(material(layer, layer.field(0).is_some()));
     let primitive = json::mesh::Primitive {
-        attributes: attributes(builder, layer, surface, legend),
+        attributes: attributes(builder, layer, surface, legends),
         indices: Some(builder.triangles(&format!("{}: triangles", layer.name), &surface.triangles)),
         material: Some(material),
         mode: Valid(json::mesh::Mode::Triangles),
@@ -86,7 +85,7 @@ fn add_layer(
     Ok(builder.root.push(json::Node {
         name: Some(layer.name.clone()),
         mesh: Some(mesh),
-        extras: extras::of_layer(layer, legend)?,
+        extras: extras::of_layer(layer, legends)?,
         ..Default::default()
     }))
 }
@@ -95,7 +94,7 @@ fn attributes(
     builder: &mut Builder,
     layer: &Layer,
     surface: &Surface,
-    legend: Option<&Legend>,
+    legends: &[Legend],
 ) -> BTreeMap<json::validation::Checked<json::mesh::Semantic>, json::Index<json::Accessor>> {
     use json::mesh::Semantic;
     let name = |what: &str| format!("{}: {what}", layer.name);
@@ -105,18 +104,17 @@ fn attributes(
     attributes.insert(Valid(Semantic::Positions), positions);
     let normals = builder.vectors(&name("normals"), &single(&rest.normals), false);
     attributes.insert(Valid(Semantic::Normals), normals);
-    if let Some(legend) = legend {
-        let values = || surface.source.iter().map(|&point| layer.field[point]);
-        let colours: Vec<[f32; 4]> = values()
-            .map(|value| {
-                let [r, g, b] = legend.colour(value).linear();
-                [r, g, b, 1.0]
-            })
-            .collect();
-        attributes.insert(Valid(Semantic::Colors(0)), builder.colours(&name("colours"), &colours));
+    for legend in legends {
+        let Some(values) = layer.field(legend.index) else { continue };
+        let values = || surface.source.iter().map(|&point| values[point]);
+        if legend.index == 0 {
+            let opaque = |[r, g, b]: [f32; 3]| [r, g, b, 1.0];
+            let colours: Vec<[f32; 4]> = values().map(|v| opaque(legend.colour(v).linear())).collect();
+            attributes.insert(Valid(Semantic::Colors(0)), builder.colours(&name("colours"), &colours));
+        }
         let numbers: Vec<f32> = values().map(|v| v as f32).collect();
-        let numbers = builder.scalars(&name("field values"), &numbers);
-        attributes.insert(Valid(Semantic::Extras("FIELD".into())), numbers);
+        let numbers = builder.scalars(&name(&legend.field.name), &numbers);
+        attributes.insert(Valid(Semantic::Extras(legend.attribute())), numbers);
     }
     attributes
 }

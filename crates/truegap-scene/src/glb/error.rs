@@ -24,11 +24,17 @@ pub enum SceneError {
         /// Name of the layer.
         layer: String,
     },
-    /// A layer carries values but the scene does not say of what.
-    #[error("layer `{layer}` carries field values but the scene names no field; set `Scene::field`, or empty the values")]
-    UnnamedField {
+    /// Fields of a layer that do not match the fields of the scene.
+    #[error(
+        "layer `{layer}` carries {found} fields, the scene names {wanted}; give one list of values for each (an empty one where the layer does not have the field), or none at all"
+    )]
+    FieldCount {
         /// Name of the layer.
         layer: String,
+        /// Fields of the layer.
+        found: usize,
+        /// Fields of the scene.
+        wanted: usize,
     },
     /// A field is named but no layer carries values.
     #[error("the scene shows `{field}` but no layer carries values of it")]

@@ -13,7 +13,7 @@ pub(super) fn target_name(factor: f64) -> String {
 }
 
 /// Of the scene: everything a reader needs to take numbers from the picture.
-pub(super) fn of_scene(scene: &Scene, factors: &[f64], legend: Option<&Legend>) -> Result<Extras, serde_json::Error> {
+pub(super) fn of_scene(scene: &Scene, factors: &[f64], legends: &[Legend]) -> Result<Extras, serde_json::Error> {
     let notes: serde_json::Map<String, Value> =
         scene.provenance.notes.iter().map(|(name, value)| (name.clone(), json!(value))).collect();
     let largest = scene.layers.iter().map(Layer::largest_displacement_m).fold(0.0, f64::max);
@@ -26,7 +26,8 @@ pub(super) fn of_scene(scene: &Scene, factors: &[f64], legend: Option<&Legend>) 
             "targets": factors.iter().map(|&f| json!({"name": target_name(f), "factor": f})).collect::<Vec<_>>(),
             "largest_displacement_m": largest,
         },
-        "field": legend.map(of_legend),
+        "coloured_by": legends.first().map(|l| &l.field.name),
+        "fields": legends.iter().map(of_legend).collect::<Vec<_>>(),
         "provenance": {
             "source": scene.provenance.source,
             "command": scene.provenance.command,
@@ -37,15 +38,18 @@ pub(super) fn of_scene(scene: &Scene, factors: &[f64], legend: Option<&Legend>) 
 }
 
 /// Of a layer's node.
-pub(super) fn of_layer(layer: &Layer, legend: Option<&Legend>) -> Result<Extras, serde_json::Error> {
-    let least = layer.field.iter().copied().reduce(f64::min);
-    let most = layer.field.iter().copied().reduce(f64::max);
+pub(super) fn of_layer(layer: &Layer, legends: &[Legend]) -> Result<Extras, serde_json::Error> {
+    let range = |l: &Legend| {
+        let values = layer.field(l.index)?;
+        let (least, most) = (values.iter().copied().reduce(f64::min), values.iter().copied().reduce(f64::max));
+        Some(json!({"name": l.field.name, "unit": l.field.unit, "min": least, "max": most}))
+    };
     raw(&json!({
         "layer": layer.name,
         "material_colour": layer.colour.css(),
         "section": {"points": layer.points.len(), "triangles": layer.triangles.len()},
         "largest_displacement_m": layer.largest_displacement_m(),
-        "field": legend.map(|l| json!({"name": l.field.name, "unit": l.field.unit, "min": least, "max": most})),
+        "fields": legends.iter().filter_map(range).collect::<Vec<_>>(),
     }))
 }
 
@@ -72,7 +76,7 @@ fn of_legend(legend: &Legend) -> Value {
         "data_max": legend.data.1,
         "map": match legend.field.map { ColourMap::Sequential => "sequential", ColourMap::Diverging => "diverging" },
         "interpolation": "linear in sRGB between stops; end colours beyond",
-        "attribute": "_FIELD",
+        "attribute": format!("_{}", legend.attribute()),
         "state": "deformed",
         "stops": stops.iter().enumerate().map(stop).collect::<Vec<_>>(),
     })

@@ -1,4 +1,4 @@
-//! The field that colours a scene, and its legend.
+//! The fields that colour a scene, and their legends.
 
 use super::error::SceneError;
 use crate::colour::{ColourMap, Rgb};
@@ -20,6 +20,8 @@ pub struct Field {
 /// A field with its range settled.
 #[derive(Debug, Clone)]
 pub(super) struct Legend<'a> {
+    /// Number of the field.
+    pub index: usize,
     pub field: &'a Field,
     /// Ends of the colour map.
     pub range: (f64, f64),
@@ -28,17 +30,22 @@ pub(super) struct Legend<'a> {
 }
 
 impl<'a> Legend<'a> {
-    pub fn new(field: &'a Field, layers: &[Layer]) -> Result<Self, SceneError> {
+    pub fn new(index: usize, field: &'a Field, layers: &[Layer]) -> Result<Self, SceneError> {
         let data = layers
             .iter()
-            .flat_map(|l| l.field.iter().copied())
+            .flat_map(|l| l.field(index).unwrap_or(&[]).iter().copied())
             .fold(None, |range, v| Some(range.map_or((v, v), |(low, high): (f64, f64)| (low.min(v), high.max(v)))))
             .ok_or_else(|| SceneError::NoValues { field: field.name.clone() })?;
         let (low, high) = field.range.unwrap_or(field.map.span(data.0, data.1));
         if !(low < high && low.is_finite() && high.is_finite()) {
             return Err(SceneError::Range { field: field.name.clone(), low, high });
         }
-        Ok(Self { field, range: (low, high), data })
+        Ok(Self { index, field, range: (low, high), data })
+    }
+
+    /// Name of the vertex attribute that holds the values, without its underscore.
+    pub fn attribute(&self) -> String {
+        format!("FIELD_{}", self.index)
     }
 
     /// Colour of a value.

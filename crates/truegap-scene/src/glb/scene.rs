@@ -25,8 +25,9 @@ pub struct Scene {
     pub title: String,
     /// The layers; either all of them have displacements or none.
     pub layers: Vec<Layer>,
-    /// The field that the layers' values are of; `None`: material colours.
-    pub field: Option<Field>,
+    /// The fields that the layers' values are of, in their order. The first one colours the file, the viewer offers all;
+    /// without any the parts have their material colours.
+    pub fields: Vec<Field>,
     /// Full turn or cut away.
     pub sweep: Sweep,
     /// Factor of a second, exaggerated deformation beside the true one; `None`: true scale only.
@@ -39,8 +40,8 @@ impl Scene {
     /// The scene as the bytes of a `.glb` file.
     ///
     /// # Errors
-    /// Layers that are no solids, share a name or have displacements only in part; values without a named field or a named
-    /// field without values; an exaggeration not above 1; more than 4 GiB.
+    /// Layers that are no solids, share a name or have displacements only in part; fields that do not match the
+    /// scene's or have no value anywhere; an exaggeration not above 1; more than 4 GiB.
     pub fn to_glb(&self) -> Result<Vec<u8>, SceneError> {
         self.check()?;
         document::write(self)
@@ -54,8 +55,9 @@ impl Scene {
         [1.0].into_iter().chain(self.exaggeration).collect()
     }
 
-    pub(super) fn legend(&self) -> Result<Option<Legend<'_>>, SceneError> {
-        self.field.as_ref().map(|field| Legend::new(field, &self.layers)).transpose()
+    pub(super) fn legends(&self) -> Result<Vec<Legend<'_>>, SceneError> {
+        let legend = |(index, field)| Legend::new(index, field, &self.layers);
+        self.fields.iter().enumerate().map(legend).collect()
     }
 
     fn check(&self) -> Result<(), SceneError> {
@@ -66,8 +68,9 @@ impl Scene {
             if self.layers[..i].iter().any(|other| other.name == layer.name) {
                 return Err(SceneError::SameName { name: layer.name.clone() });
             }
-            if self.field.is_none() && !layer.field.is_empty() {
-                return Err(SceneError::UnnamedField { layer: layer.name.clone() });
+            let (found, wanted) = (layer.fields.len(), self.fields.len());
+            if found != 0 && found != wanted {
+                return Err(SceneError::FieldCount { layer: layer.name.clone(), found, wanted });
             }
             if layer.displacement.is_empty() && !self.factors().is_empty() {
                 return Err(SceneError::SomeRest { layer: layer.name.clone() });

@@ -16,8 +16,8 @@ pub struct Layer {
     pub triangles: Vec<[usize; 3]>,
     /// Displacement (u_r, u_z) of every point, m; empty if the layer does not move.
     pub displacement: Vec<[f64; 2]>,
-    /// Value of the shown field at every point, in the field's unit; empty for a layer without field.
-    pub field: Vec<f64>,
+    /// Values of each field at every point, in the field's unit; an empty list where the layer does not have that field.
+    pub fields: Vec<Vec<f64>>,
 }
 
 impl Layer {
@@ -28,6 +28,11 @@ impl Layer {
         }
         let moved = |(p, u): (&[f64; 2], &[f64; 2])| [p[0] + factor * u[0], p[1] + factor * u[1]];
         self.points.iter().zip(&self.displacement).map(moved).collect()
+    }
+
+    /// Values of field number `index`, if the layer has it.
+    pub fn field(&self, index: usize) -> Option<&[f64]> {
+        self.fields.get(index).map(Vec::as_slice).filter(|values| !values.is_empty())
     }
 
     /// Largest displacement, m; zero for a layer that does not move.
@@ -42,7 +47,8 @@ impl Layer {
             return Err(SolidError::EmptyLayer { layer: layer() });
         }
         let points = self.points.len();
-        for (what, found) in [("displacement", self.displacement.len()), ("field", self.field.len())] {
+        let fields = self.fields.iter().map(|values| ("field", values.len()));
+        for (what, found) in fields.chain([("displacement", self.displacement.len())]) {
             if found != 0 && found != points {
                 return Err(SolidError::Lengths { layer: layer(), what, found, points });
             }
@@ -56,8 +62,8 @@ impl Layer {
         let bad = |pairs: &[[f64; 2]]| pairs.iter().position(|p| !(p[0].is_finite() && p[1].is_finite()));
         bad(&self.points).map_or(Ok(()), |p| Err(not_finite("position", p)))?;
         bad(&self.displacement).map_or(Ok(()), |p| Err(not_finite("displacement", p)))?;
-        let no_value = self.field.iter().position(|v| !v.is_finite());
-        no_value.map_or(Ok(()), |p| Err(not_finite("field", p)))?;
+        let mut no_value = self.fields.iter().filter_map(|f| f.iter().position(|v| !v.is_finite()));
+        no_value.next().map_or(Ok(()), |p| Err(not_finite("field", p)))?;
         self.check_radii(&self.points, "at rest")?;
         self.check_radii(&self.displaced(1.0), "deformed")?;
         self.check_radii(&self.displaced(factor), "deformed")

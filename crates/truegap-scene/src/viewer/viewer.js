@@ -17,10 +17,11 @@
       const kind = accessor.componentType === 5125 ? Uint32Array : Float32Array;
       return new kind(bytes.buffer, start + (view.byteOffset || 0), size);
     };
+    const about = json.scenes[json.scene || 0].extras || {};
     const parts = json.nodes.filter((node) => node.mesh !== undefined).map((node) => {
       const primitive = json.meshes[node.mesh].primitives[0];
       const material = json.materials[primitive.material].pbrMetallicRoughness || {};
-      const { POSITION, NORMAL, COLOR_0 } = primitive.attributes;
+      const { POSITION, NORMAL } = primitive.attributes;
       return {
         name: node.name,
         swatch: node.extras && node.extras.material_colour,
@@ -28,24 +29,43 @@
         factor: material.baseColorFactor || [1, 1, 1, 1],
         positions: array(POSITION),
         normals: array(NORMAL),
-        colours: COLOR_0 === undefined ? null : array(COLOR_0),
+        fields: (about.fields || []).map((f) => (f.attribute in primitive.attributes ? array(primitive.attributes[f.attribute]) : null)),
         indices: array(primitive.indices),
         targets: (primitive.targets || []).map((t) => [array(t.POSITION), array(t.NORMAL)]),
       };
     });
-    return { parts, about: json.scenes[json.scene || 0].extras || {} };
+    return { parts, about };
+  }
+
+  // --- colours ------------------------------------------------------------------------------------------------------
+  const bytesOf = (css) => [1, 3, 5].map((i) => parseInt(css.slice(i, i + 2), 16));
+  const linear = (byte) => { const c = byte / 255; return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4; };
+
+  // Linear-light colours of the values: stops interpolated in sRGB, as the metadata says.
+  function paint(values, field) {
+    const stops = field.stops.map((s) => bytesOf(s.srgb)), last = stops.length - 1, fine = 512;
+    const table = Array.from({ length: fine + 1 }, (_, n) => {
+      const place = (last * n) / fine, k = Math.min(Math.floor(place), last - 1), t = place - k;
+      return [0, 1, 2].map((c) => linear(stops[k][c] + t * (stops[k + 1][c] - stops[k][c])));
+    });
+    const colours = new Float32Array(3 * values.length);
+    values.forEach((v, i) => {
+      const t = Math.min(1, Math.max(0, (v - field.min) / (field.max - field.min)));
+      colours.set(table[Math.round(t * fine)], 3 * i);
+    });
+    return colours;
   }
 
   // --- drawing ------------------------------------------------------------------------------------------------------
   const VERTEX = `#version 300 es
-    layout(location = 0) in vec3 position; layout(location = 1) in vec3 normal; layout(location = 2) in vec4 colour;
+    layout(location = 0) in vec3 position; layout(location = 1) in vec3 normal; layout(location = 2) in vec3 colour;
     layout(location = 3) in vec3 move; layout(location = 4) in vec3 turn;
     uniform mat4 view; uniform float weight, stretch, lift; uniform vec3 centre;
     out vec3 light; out vec3 facing;
     void main() {
       vec3 p = position + weight * move - centre;
       facing = normalize((normal + weight * turn) * vec3(1.0, 1.0 / stretch, 1.0));
-      light = colour.rgb;
+      light = colour;
       gl_Position = view * vec4(p.x, stretch * (p.y + lift), p.z, 1.0);
     }`;
   const FRAGMENT = `#version 300 es
@@ -89,7 +109,9 @@
     };
     attribute(0, part.positions, 3);
     attribute(1, part.normals, 3);
-    if (part.colours) attribute(2, part.colours, 4);
+    part.paint = gl.createBuffer();
+    gl.bindBuffer(gl.ARRAY_BUFFER, part.paint);
+    gl.vertexAttribPointer(2, 3, gl.FLOAT, false, 0, 0);
     part.moves = part.targets.map(([move, turn]) => [buffer(move, gl.ARRAY_BUFFER), buffer(turn, gl.ARRAY_BUFFER)]);
     part.elements = buffer(part.indices, gl.ELEMENT_ARRAY_BUFFER);
     gl.bindVertexArray(null);
@@ -141,7 +163,8 @@
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const { view, lamp } = viewMatrix(box.radius, canvas.width / canvas.height);
+    const tall = 0.5 * (box.height * look.stretch + 0.7 * look.apart * box.radius);
+    const { view, lamp } = viewMatrix(Math.hypot(box.radius, tall), canvas.width / canvas.height);
     gl.uniformMatrix4fv(locations.view, false, view);
     gl.uniform3fv(locations.lamp, lamp);
     gl.uniform3fv(locations.centre, box.centre);
@@ -157,8 +180,8 @@
         gl.enableVertexAttribArray(location);
         gl.vertexAttribPointer(location, 3, gl.FLOAT, false, 0, 0);
       }
-      if (!part.colours) gl.vertexAttrib4f(2, 1, 1, 1, 1);
-      gl.uniform3fv(locations.factor, part.factor.slice(0, 3));
+      gl.vertexAttrib3f(2, 1, 1, 1);
+      gl.uniform3fv(locations.factor, part.painted ? [1, 1, 1] : part.swatch ? bytesOf(part.swatch).map(linear) : part.factor.slice(0, 3));
       const gap = (look.apart * 0.7 * box.radius) / look.stretch / Math.max(parts.length - 1, 1);
       gl.uniform1f(locations.lift, gap * (i - (parts.length - 1) / 2));
       gl.drawElements(gl.TRIANGLES, part.indices.length, gl.UNSIGNED_INT, 0);
@@ -179,9 +202,26 @@
     redraw();
   }
 
+  // Colours the parts by the chosen field, or with their materials.
+  function colourBy(choice) {
+    const field = (about.fields || [])[choice];
+    for (const part of parts) {
+      const values = field && part.fields[choice];
+      part.painted = Boolean(values);
+      gl.bindVertexArray(part.array);
+      if (!values) { gl.disableVertexAttribArray(2); continue; }
+      gl.bindBuffer(gl.ARRAY_BUFFER, part.paint);
+      gl.bufferData(gl.ARRAY_BUFFER, paint(values, field), gl.STATIC_DRAW);
+      gl.enableVertexAttribArray(2);
+    }
+    legend(field);
+    redraw();
+  }
+
   function legend(field) {
+    find("tg-bar").hidden = !field;
+    find("tg-bar-numbers").textContent = "";
     if (!field) return;
-    find("tg-bar").hidden = false;
     find("tg-bar-title").textContent = field.unit ? `${field.name} (${field.unit})` : field.name;
     find("tg-bar-colours").style.background = `linear-gradient(to right, ${field.stops.map((s) => s.srgb).join(", ")})`;
     const beyond = [field.data_min < field.min ? "≤ " : "", "", field.data_max > field.max ? "≥ " : ""];
@@ -191,7 +231,10 @@
   }
 
   function connectControls() {
-    const select = find("tg-target"), weight = find("tg-weight");
+    const select = find("tg-target"), weight = find("tg-weight"), field = find("tg-field");
+    (about.fields || []).forEach((f, i) => field.append(new Option(f.unit ? `${f.name} (${f.unit})` : f.name, i)));
+    field.append(new Option("materials", -1));
+    field.addEventListener("change", () => colourBy(Number(field.value)));
     targets.forEach((t, i) => select.append(new Option(t.name, i)));
     find("tg-morph").hidden = !targets.length;
     if (!targets.length) find("tg-morph").style.display = "none";
@@ -259,10 +302,11 @@
     });
   }
 
-  // An address that ends in #target=1&weight=0.5&stretch=8&apart=0.6 opens in that state.
+  // An address that ends in #field=0&target=1&weight=0.5&stretch=8&apart=0.6 opens in that state.
   function openAsAsked() {
     const asked = new URLSearchParams(location.hash.slice(1));
-    const set = (name, value) => { find(name).value = value; find(name).dispatchEvent(new Event(name === "tg-target" ? "change" : "input")); };
+    const set = (name, value) => { find(name).value = value; find(name).dispatchEvent(new Event(find(name).tagName === "SELECT" ? "change" : "input")); };
+    if (asked.has("field")) set("tg-field", asked.get("field"));
     if (asked.has("target") && targets[asked.get("target")]) set("tg-target", asked.get("target"));
     if (asked.has("weight") && targets.length) set("tg-weight", asked.get("weight"));
     if (asked.has("stretch")) set("tg-stretch", Math.log10(Number(asked.get("stretch"))));
@@ -281,8 +325,8 @@
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
     parts.forEach((part) => upload(gl, part));
-    legend(about.field);
     connectControls();
+    colourBy(Number(find("tg-field").value));
     connectPointer();
     openAsAsked();
     new ResizeObserver(redraw).observe(canvas);

@@ -23,6 +23,8 @@ pub struct Answer {
     pub detectability: f64,
     /// Detectability of each cause alone, in the order of `effects` (or of the stranger).
     pub each: Vec<f64>,
+    /// Detectability of each cause once the others are known but for their size: small where two look alike.
+    pub apart: Vec<f64>,
     /// Root mean square of the causes over the noise, before calibration.
     pub rms_before_calibration_over_noise: f64,
     /// And after it.

@@ -172,6 +172,7 @@ impl Setting {
             effects: if stranger { Vec::new() } else { names.clone() },
             stranger: names.first().filter(|_| stranger).cloned(),
             detectability: if conflict { left.with_conflict } else { left.detectability },
+            apart: bench.apart(&acts).map_err(closed)?,
             each,
             rms_before_calibration_over_noise: left.before,
             rms_after_calibration_over_noise: left.after,

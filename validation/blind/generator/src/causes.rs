@@ -106,6 +106,33 @@ impl<'a> Bench<'a> {
         Ok(self.calibration.leftover(&effect))
     }
 
+    /// What calibration leaves of any `effect` (pF, one entry a row), with the conflict.
+    pub fn strength_of(&self, effect: &[f64]) -> f64 {
+        self.calibration.leftover(effect).with_conflict
+    }
+
+    /// Detectability of each of `acts` once the others are known but for their size (conflict with the tolerances included).
+    ///
+    /// Little of it is left where two causes look alike: no tool can then tell both from one.
+    pub fn apart(&self, acts: &[Act]) -> Result<Vec<f64>, PlatesTouch> {
+        let mut effects = Vec::new();
+        for act in acts {
+            let truth = simulate(self.scene, self.warp, std::slice::from_ref(act))?;
+            effects.push(truth.iter().zip(&self.base).map(|(t, b)| t - b).collect::<Vec<f64>>());
+        }
+        let left = |chosen: &[usize]| -> Vec<Vec<f64>> {
+            let row = |i: &usize| chosen.iter().map(|j| self.calibration.in_common(&effects[*i], &effects[*j])).collect();
+            chosen.iter().map(row).collect()
+        };
+        Ok((0..acts.len())
+            .map(|which| {
+                // Schur complement: the cause asked for goes last, the others are eliminated.
+                let order: Vec<usize> = (0..acts.len()).filter(|other| *other != which).chain([which]).collect();
+                last_pivot(left(&order)).max(0.0).sqrt()
+            })
+            .collect())
+    }
+
     /// Detectability of one cause at `size`; closed plates count as endlessly detectable.
     fn seen(&self, mechanism: &dyn Mechanism, size: f64) -> f64 {
         let act = Act { mechanism: mechanism.boxed(), size };
@@ -151,4 +178,17 @@ impl<'a> Bench<'a> {
 /// The detectability by which a cause is sized: with the conflict where calibration hides it in the tolerances.
 pub fn strength(mechanism: &dyn Mechanism, left: &Leftover) -> f64 {
     if mechanism.needs().conflict { left.with_conflict } else { left.detectability }
+}
+
+/// Last pivot of a positive semi-definite matrix under elimination.
+fn last_pivot(mut matrix: Vec<Vec<f64>>) -> f64 {
+    let n = matrix.len();
+    for k in 0..n - 1 {
+        let pivot = matrix[k].clone();
+        for row in matrix.iter_mut().skip(k + 1) {
+            let share = if pivot[k] > 0.0 { row[k] / pivot[k] } else { 0.0 };
+            row.iter_mut().zip(&pivot).for_each(|(entry, above)| *entry -= share * above);
+        }
+    }
+    matrix[n - 1][n - 1]
 }

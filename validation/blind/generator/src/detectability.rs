@@ -69,6 +69,24 @@ impl Calibration {
     }
 }
 
+impl Calibration {
+    /// What calibration leaves of two effects (pF) in common: a'b less what the parameters take up, in units of the noise squared.
+    ///
+    /// For one effect it is the square of `with_conflict`.
+    pub fn in_common(&self, a: &[f64], b: &[f64]) -> f64 {
+        let project = |effect: &[f64]| {
+            let mut onto = [0.0; PARAMETERS];
+            for (entry, column) in onto.iter_mut().zip(&self.columns) {
+                *entry = dot(column, effect) / self.noise_pf;
+            }
+            onto
+        };
+        let (onto_a, mut onto_b) = (project(a), project(b));
+        solve(&self.factor, &mut onto_b);
+        dot(a, b) / (self.noise_pf * self.noise_pf) - dot(&onto_a, &onto_b)
+    }
+}
+
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -53,7 +53,8 @@ impl Shares {
         let stranger = draws.between(0.06, 0.15);
         let two = draws.between(0.08, 0.2);
         let three = draws.between(0.0, 0.03);
-        let weights = |count: usize, draws: &mut Draws| (0..count).map(|_| (0.5 * draws.normal()).exp()).collect::<Vec<f64>>();
+        let weights =
+            |count: usize, draws: &mut Draws| (0..count).map(|_| (0.4 * draws.truncated_normal(2.0)).exp()).collect::<Vec<f64>>();
         let kinds: &[Kind] = if options.protocols.is_empty() { &Kind::ALL } else { &options.protocols };
         let rich = |kind: &Kind| if matches!(kind, Kind::Full | Kind::Thermal | Kind::Mechanical) { 3.0 } else { 1.0 };
         Self {

@@ -64,3 +64,31 @@ fn every_library_cause_has_a_family_and_no_stranger_has_one() {
     assert!(LIBRARY.iter().all(|(id, _)| family(id) != Family::Unknown));
     assert!(STRANGERS.iter().all(|(id, _)| family(id) == Family::Unknown));
 }
+
+/// Two routes: elimination of the common part here, an unregularised least-squares fit of the other's size by search there.
+#[test]
+fn what_is_left_of_a_cause_beside_another_is_the_best_fit_of_that_other() {
+    let (sensor, history) = (Sensor::singletact_s15(), history());
+    let bench = Bench::new(Scene { sensor: &sensor, history: &history }, true, 0.004).expect("bench");
+    let base = simulate(bench.scene, true, &[]).expect("base");
+    let act = |id: &str| {
+        let shape = LIBRARY.iter().find(|(name, _)| *name == id).expect("known").1;
+        bench.sized(shape(&mut Draws::of(3, id)), 20.0).expect("sized")
+    };
+    // Readout causes are proportional to their size, so a cause and a multiple of another add up to one effect.
+    let acts = [act("offset_drift"), act("offset_steps")];
+    let effect = |act: &Act| -> Vec<f64> {
+        let truth = simulate(bench.scene, true, std::slice::from_ref(act)).expect("truth");
+        truth.iter().zip(&base).map(|(t, b)| t - b).collect()
+    };
+    let [drift, steps] = [effect(&acts[0]), effect(&acts[1])];
+    let left = |share: f64| {
+        let sum: Vec<f64> = drift.iter().zip(&steps).map(|(d, s)| d - share * s).collect();
+        bench.strength_of(&sum)
+    };
+    let best = (-400..=400).map(|k| left(f64::from(k) * 5e-3)).fold(f64::INFINITY, f64::min);
+    let apart = bench.apart(&acts).expect("apart")[0];
+    // The search steps by 5e-3 of a cause of strength 20: the minimum is met to (20 * 2.5e-3)^2 / (2 * best).
+    assert!((apart - best).abs() < 1.3e-3 / best, "{apart} against {best}");
+    assert!(apart < 20.5 && apart > 1.0);
+}

@@ -97,6 +97,7 @@ fn naming(cases: &[Scored]) -> Vec<Row> {
     let single = |case: &Scored| case.truth.causes.len() == 1 && case.truth.detectability >= 10.0;
     let near_six = |case: &Scored| !case.truth.is_null() && (5.0..7.2).contains(&case.truth.detectability);
     let pair = |case: &Scored| case.truth.causes.len() == 2 && case.truth.weakest >= 16.0;
+    let separable = |case: &Scored| pair(case) && case.truth.weakest_apart >= 16.0;
     let exact = |case: &Scored| case.outcome == Outcome::Right;
     let set = |case: &Scored| matches!(case.outcome, Outcome::Right | Outcome::WithinSet);
     vec![
@@ -105,6 +106,7 @@ fn naming(cases: &[Scored]) -> Vec<Row> {
         share("exact effect named, singles at d >= 10", Target::AtLeast(0.60), cases, single, exact),
         share("exact or within its set, singles at d >= 10", Target::None, cases, single, set),
         share("pairs, both found, each d >= 16", Target::AtLeast(0.90), cases, pair, holds_all),
+        share("pairs, both found, each d >= 16 beside the other", Target::None, cases, separable, holds_all),
     ]
 }
 

@@ -19,6 +19,8 @@ pub struct Truth {
     pub detectability: f64,
     /// Detectability of the weakest cause alone.
     pub weakest: f64,
+    /// The same with the other causes known but for their size: whether several can be told apart at all.
+    pub weakest_apart: f64,
     /// Coloured noise, where known.
     pub coloured: Option<bool>,
     /// Kind of protocol.
@@ -42,6 +44,7 @@ impl Truth {
             stranger: unlisted.first().map(|name| name.trim_start_matches("unlisted:").to_owned()),
             detectability,
             weakest: detectability,
+            weakest_apart: detectability,
             coloured: None,
             protocol: truth["protocol"].as_str()?.to_owned(),
         })
@@ -56,6 +59,7 @@ impl From<&Answer> for Truth {
             stranger: answer.stranger.clone(),
             detectability: answer.detectability,
             weakest: answer.each.iter().copied().reduce(f64::min).unwrap_or(0.0),
+            weakest_apart: answer.apart.iter().chain(&answer.each).copied().reduce(f64::min).unwrap_or(0.0),
             coloured: Some(answer.noise.is_coloured()),
             protocol: format!("{:?}", answer.protocol).to_lowercase(),
         }

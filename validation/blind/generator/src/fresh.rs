@@ -3,7 +3,7 @@
 //! Limits: the clock and the greatest load ever start again; random strangers go through their own course again.
 
 use crate::case::{BlindCase, CaseError};
-use crate::chain::{Scene, simulate};
+use crate::chain::{Act, Scene, simulate};
 use crate::draws::Draws;
 use crate::protocol::Kind;
 use crate::recording::{Declared, Recording};
@@ -17,6 +17,8 @@ pub struct Fresh {
     pub truth_pf: Vec<f64>,
     /// The same without noise on the inputs and the reading: drive a model with this to compare it with `truth_pf`.
     pub quiet: Recording,
+    /// Readings of the declared base model with the true sensor, pF: what the causes change is `truth_pf` less this.
+    pub base_pf: Vec<f64>,
     /// Kind of protocol.
     pub protocol: Kind,
 }
@@ -29,8 +31,11 @@ impl BlindCase {
         let protocol = kinds[stream("kind").index(kinds.len())];
         let history = protocol.history(true, &mut stream("protocol"));
         let scene = Scene { sensor: &self.answer.sensor, history: &history };
-        let truth_pf = simulate(scene, self.answer.warp_declared, &self.acts)
-            .map_err(|source| CaseError::Closed { case: self.answer.case.clone(), source })?;
+        let run = |acts: &[Act]| {
+            simulate(scene, self.answer.warp_declared, acts)
+                .map_err(|source| CaseError::Closed { case: self.answer.case.clone(), source })
+        };
+        let (truth_pf, base_pf) = (run(&self.acts)?, run(&[])?);
         let declared = Declared { warp: self.answer.warp_declared, humidity: self.answer.humidity_column };
         let recording = Recording::noisy(&history, &truth_pf, &self.answer.noise, declared, &mut stream("noise"));
         let quiet = Recording {
@@ -39,6 +44,6 @@ impl BlindCase {
             capacitance_pf: truth_pf.clone(),
             ..recording.clone()
         };
-        Ok(Fresh { recording, truth_pf, quiet, protocol })
+        Ok(Fresh { recording, truth_pf, quiet, base_pf, protocol })
     }
 }

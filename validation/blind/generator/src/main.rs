@@ -2,12 +2,11 @@
 //!
 //! Limits: `truegap prove` runs the same in one process; this binary is for studies that are kept or handed on.
 
-use anyhow::{Context, Result, ensure};
-use clap::{Parser, Subcommand};
-use serde_json::Value;
-use std::path::{Path, PathBuf};
-use truegap_generator::score::{Scored, score, table, truth::Truth};
-use truegap_generator::study::open;
+use anyhow::Result;
+use clap::{Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+use truegap_generator::score::{folder::score_folder, table, targets};
+use truegap_generator::study::Only;
 use truegap_generator::{Options, Study};
 
 #[derive(Parser)]
@@ -30,6 +29,15 @@ enum Command {
         /// Folder to write to.
         #[arg(long)]
         out: PathBuf,
+        /// Conceal one sort of cause only, to count it well.
+        #[arg(long, value_enum, default_value = "everything")]
+        only: Sort,
+        /// Least detectability asked of a cause.
+        #[arg(long, default_value_t = 4.0)]
+        from: f64,
+        /// Largest.
+        #[arg(long, default_value_t = 120.0)]
+        to: f64,
     },
     /// Open the key of a study (or the truth.json files of shared recordings) and score diagnoses.
     Score {
@@ -45,63 +53,45 @@ enum Command {
     },
 }
 
+#[derive(Clone, Copy, ValueEnum)]
+enum Sort {
+    Everything,
+    Nulls,
+    Singles,
+    Pairs,
+    Strangers,
+}
+
+impl From<Sort> for Only {
+    fn from(sort: Sort) -> Self {
+        match sort {
+            Sort::Everything => Self::Everything,
+            Sort::Nulls => Self::Nulls,
+            Sort::Singles => Self::Singles,
+            Sort::Pairs => Self::Pairs,
+            Sort::Strangers => Self::Strangers,
+        }
+    }
+}
+
 fn main() -> Result<()> {
     match Arguments::parse().command {
-        Command::Study { cases, seed, out } => {
-            Study::new(seed, cases, Options::default())?.write(&out, |_| ())?;
+        Command::Study { cases, seed, out, only, from, to } => {
+            let options = Options { only: only.into(), detectability_from: from, detectability_to: to, ..Options::default() };
+            Study::new(seed, cases, options)?.write(&out, |_| ())?;
             println!("{cases} cases in {}; publish the folder without `key`", out.display());
         }
         Command::Score { study, diagnoses, json } => {
-            let scored = scored(&study, &diagnoses)?;
+            let scores = score_folder(&study, &diagnoses)?;
             if json {
-                println!("{}", serde_json::to_string_pretty(&truegap_generator::score::targets::rows(&scored))?);
+                println!("{}", serde_json::to_string_pretty(&targets::rows(&scores.scored))?);
             } else {
-                print!("{}", table::table(&scored));
+                print!("{}", table::table(&scores.scored));
+            }
+            if !scores.absent.is_empty() {
+                eprintln!("not scored, no diagnosis: {}", scores.absent.join(", "));
             }
         }
     }
     Ok(())
-}
-
-/// Every case that has a diagnosis; says how many have none.
-fn scored(study: &Path, diagnoses: &Path) -> Result<Vec<Scored>> {
-    let truths = truths(study)?;
-    let mut scored = Vec::new();
-    let mut absent = 0;
-    for truth in truths {
-        let places = [diagnoses.join(&truth.case).join("diagnosis.json"), diagnoses.join(format!("{}.json", truth.case))];
-        let Some(path) = places.iter().find(|path| path.exists()) else {
-            absent += 1;
-            continue;
-        };
-        scored.push(score(truth, &json(path)?).with_context(|| path.display().to_string())?);
-    }
-    ensure!(!scored.is_empty(), "no diagnosis found in {}; expected CASE/diagnosis.json", diagnoses.display());
-    if absent > 0 {
-        eprintln!("{absent} cases have no diagnosis and are not scored");
-    }
-    Ok(scored)
-}
-
-/// Answers of a study, or the open truths of shared recordings.
-fn truths(study: &Path) -> Result<Vec<Truth>> {
-    if study.join("commitments.txt").exists() {
-        return Ok(open(study)?.iter().map(Truth::from).collect());
-    }
-    let mut truths = Vec::new();
-    for entry in std::fs::read_dir(study).with_context(|| study.display().to_string())? {
-        let folder = entry?.path();
-        let (file, case) = (folder.join("truth.json"), folder.file_name().unwrap_or_default().to_string_lossy().into_owned());
-        if file.exists() {
-            let truth = Truth::of_shared(&case, &json(&file)?);
-            truths.push(truth.with_context(|| format!("{}: not a truth.json of a blind recording", file.display()))?);
-        }
-    }
-    truths.sort_by(|a, b| a.case.cmp(&b.case));
-    Ok(truths)
-}
-
-fn json(path: &Path) -> Result<Value> {
-    let text = std::fs::read_to_string(path).with_context(|| path.display().to_string())?;
-    serde_json::from_str(&text).with_context(|| path.display().to_string())
 }

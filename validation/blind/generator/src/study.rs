@@ -19,11 +19,29 @@ pub struct Options {
     pub detectability_to: f64,
     /// Protocols to draw from; empty: all.
     pub protocols: Vec<Kind>,
+    /// What to conceal.
+    pub only: Only,
+}
+
+/// Restriction of a study, to count one thing well; a tool that is told of it is no longer blind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Only {
+    /// Everything, in shares that the seed draws.
+    #[default]
+    Everything,
+    /// Nothing is concealed.
+    Nulls,
+    /// One library cause each.
+    Singles,
+    /// Two library causes each.
+    Pairs,
+    /// A stranger each.
+    Strangers,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { detectability_from: 4.0, detectability_to: 120.0, protocols: Vec::new() }
+        Self { detectability_from: 4.0, detectability_to: 120.0, protocols: Vec::new(), only: Only::Everything }
     }
 }
 
@@ -58,7 +76,13 @@ impl Shares {
         let kinds: &[Kind] = if options.protocols.is_empty() { &Kind::ALL } else { &options.protocols };
         let rich = |kind: &Kind| if matches!(kind, Kind::Full | Kind::Thermal | Kind::Mechanical) { 3.0 } else { 1.0 };
         Self {
-            makeup: [nothing, 1.0 - nothing - stranger - two - three, two, three, stranger],
+            makeup: match options.only {
+                Only::Everything => [nothing, 1.0 - nothing - stranger - two - three, two, three, stranger],
+                Only::Nulls => [1.0, 0.0, 0.0, 0.0, 0.0],
+                Only::Singles => [0.0, 1.0, 0.0, 0.0, 0.0],
+                Only::Pairs => [0.0, 0.0, 1.0, 0.0, 0.0],
+                Only::Strangers => [0.0, 0.0, 0.0, 0.0, 1.0],
+            },
             library: weights(LIBRARY.len(), draws),
             strangers: weights(STRANGERS.len(), draws),
             protocols: kinds.iter().map(|kind| (*kind, rich(kind) * (0.3 * draws.normal()).exp())).collect(),

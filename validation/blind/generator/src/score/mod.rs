@@ -5,6 +5,7 @@
 pub mod calibration;
 pub mod claim;
 pub mod family;
+pub mod folder;
 pub mod interval;
 pub mod judge;
 pub mod misfit;
@@ -26,11 +27,15 @@ pub struct Scored {
     pub claim: Claim,
     /// How good that was.
     pub outcome: Outcome,
+    /// Share of the misfit removed on fresh histories (see `misfit`), where somebody measured it.
+    pub fresh_misfit_removed: Option<f64>,
+    /// Seconds that the diagnosis took, where somebody measured it.
+    pub seconds: Option<f64>,
 }
 
 /// Scores `diagnosis` (the content of a `diagnosis.json`) against `truth`.
 pub fn score(truth: Truth, diagnosis: &Value) -> Result<Scored, ClaimError> {
     let claim = Claim::read(diagnosis)?;
     let outcome = judge(&truth, &claim);
-    Ok(Scored { truth, claim, outcome })
+    Ok(Scored { truth, claim, outcome, fresh_misfit_removed: None, seconds: None })
 }

@@ -1,6 +1,8 @@
 //! The generator's physics against the shared reference values: 40-digit quadrature by another program.
 
 use std::path::PathBuf;
+use truegap_generator::chain::{Scene, simulate};
+use truegap_generator::history::History;
 use truegap_generator::physics::{beads, constants, field, layers, warp};
 use truegap_generator::sensor::Sensor;
 
@@ -78,4 +80,63 @@ fn every_reference_value_is_met_to_twelve_digits() {
     }
     assert!(rows > 100, "{rows} rows");
     println!("{rows} rows, worst relative difference {worst:.1e}");
+}
+
+/// Columns of an open recording as inputs, with its readings.
+fn recorded(path: &std::path::Path) -> (History, Vec<f64>) {
+    let text = std::fs::read_to_string(path).expect("recording");
+    let mut lines = text.lines();
+    let header: Vec<&str> = lines.next().expect("header").split(',').collect();
+    let place = |name: &str| header.iter().position(|column| *column == name).expect("column");
+    let [run, time, force, temperature, reading] = ["run", "time_s", "force_n", "temperature_c", "capacitance_pf"].map(place);
+    let (mut history, mut readings) = (History::default(), Vec::new());
+    for line in lines {
+        let numbers: Vec<f64> = line.split(',').map(|text| text.parse().expect("number")).collect();
+        history.run.push(numbers[run] as u32);
+        history.time.push(numbers[time]);
+        history.force.push(numbers[force]);
+        history.temperature.push(numbers[temperature]);
+        history.humidity.push(50.0);
+        readings.push(numbers[reading]);
+    }
+    (history, readings)
+}
+
+/// The open recordings without a cause, made by a third program: with its sensor the noise remains and nothing else.
+///
+/// 4 fF on the reading, and 5 mN on the load, which the slope of at most 0.7 pF/N turns into 3.5 fF: 5.4 fF together.
+#[test]
+fn open_recordings_without_a_cause_leave_only_their_noise() {
+    let Some(path) = reference() else {
+        println!("skipped: no ../shared and TRUEGAP_RECORDINGS is not set");
+        return;
+    };
+    let open = path.parent().and_then(|p| p.parent()).expect("shared").join("blind/open");
+    for case in ["case-04", "case-07", "case-12", "case-20"] {
+        let text = std::fs::read_to_string(open.join(case).join("truth.json")).expect("truth");
+        let truth: serde_json::Value = serde_json::from_str(&text).expect("truth");
+        let value = |name: &str| truth["sensor"][name].as_f64().expect("number");
+        let sensor = Sensor {
+            young_rtv: value("e_rtv"),
+            softening: value("kse"),
+            height_rtv: value("h_rtv"),
+            height_cu: value("h_cu"),
+            height_sn: value("h_sn"),
+            height_pa: value("h_pa"),
+            bead_diameter: value("bead_d"),
+            plate_diameter: value("d_el"),
+            stray: value("c_stray"),
+            beads: value("n"),
+        };
+        let (history, readings) = recorded(&open.join(case).join("recording.csv"));
+        let scene = Scene { sensor: &sensor, history: &history };
+        let model = simulate(scene, true, &[]).expect("open plates");
+        let rows = readings.len() as f64;
+        let apart = || readings.iter().zip(&model).map(|(r, m)| r - m);
+        let (mean, square) = (apart().sum::<f64>() / rows, apart().map(|a| a * a).sum::<f64>() / rows);
+        // A mean of coloured noise over 4400 rows wanders by 3 * 4 fF * sqrt(4 / 4400).
+        assert!(mean.abs() < 4e-4, "{case}: {mean} pF");
+        assert!((0.0035..0.0054).contains(&square.sqrt()), "{case}: {} pF", square.sqrt());
+        println!("{case}: mean {:.2e}, rms {:.2e} pF", mean, square.sqrt());
+    }
 }

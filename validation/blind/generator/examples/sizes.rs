@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let sensor = Sensor::singletact_s15();
     let scene = Scene { sensor: &sensor, history: &history };
     let benches = [Bench::new(scene, false, 0.004)?, Bench::new(scene, true, 0.004)?];
-    println!("{:<28} {:>4} {:>8} {:>8}  shape and size", "cause", "d", "before", "after");
+    println!("{:<28} {:>4} {:>8} {:>8}  shape and size", "cause", "d", "before", "residual");
     for (id, shape) in LIBRARY.iter().chain(&STRANGERS) {
         for asked in [10.0, 30.0, 120.0] {
             let mechanism = shape(&mut Draws::of(1, id));
@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 Ok(act) => {
                     let left = bench.leftover(std::slice::from_ref(&act))?;
                     let numbers = serde_json::Value::from(act.mechanism.numbers(act.size));
-                    println!("{id:<28} {asked:>4} {:>8.2} {:>8.2}  {numbers}", left.before, left.after);
+                    println!("{id:<28} {asked:>4} {:>8.2} {:>8.2}  {numbers}", left.before, left.residual);
                 }
             }
         }

@@ -25,7 +25,9 @@ pub struct Answer {
     pub each: Vec<f64>,
     /// Detectability of each cause once the others are known but for their size: small where two look alike.
     pub apart: Vec<f64>,
-    /// Root mean square of the causes over the noise, before calibration.
+    /// Share of the detectability that is seen in the residual; the rest is conflict with the tolerances.
+    pub residual_share: f64,
+    /// Spread of the causes over the noise, before calibration.
     pub rms_before_calibration_over_noise: f64,
     /// And after it.
     pub rms_after_calibration_over_noise: f64,

@@ -3,7 +3,7 @@
 //! Limits: causes that a protocol cannot show at a believable size are drawn again, so poor protocols hold fewer kinds of cause.
 
 use crate::answer::Answer;
-use crate::causes::{Bench, LIBRARY, STRANGERS, SizeError, strength};
+use crate::causes::{Bench, LIBRARY, STRANGERS, SizeError};
 use crate::chain::{Act, PlatesTouch, Scene, simulate};
 use crate::draws::Draws;
 use crate::history::History;
@@ -160,9 +160,8 @@ impl Setting {
         let mut each = Vec::new();
         for act in &acts {
             let alone = bench.leftover(std::slice::from_ref(act)).map_err(closed)?;
-            each.push(strength(act.mechanism.as_ref(), &alone));
+            each.push(alone.detectability);
         }
-        let conflict = acts.iter().any(|act| act.mechanism.needs().conflict);
         let names: Vec<String> = acts.iter().map(|act| act.mechanism.id().to_owned()).collect();
         let numbers = |act: &Act| (act.mechanism.id().to_owned(), Value::from(act.mechanism.numbers(act.size)));
         let stranger = makeup == Makeup::Stranger;
@@ -171,9 +170,10 @@ impl Setting {
             salt,
             effects: if stranger { Vec::new() } else { names.clone() },
             stranger: names.first().filter(|_| stranger).cloned(),
-            detectability: if conflict { left.with_conflict } else { left.detectability },
+            detectability: left.detectability,
             apart: bench.apart(&acts).map_err(closed)?,
             each,
+            residual_share: if left.detectability > 0.0 { left.residual / left.detectability } else { 0.0 },
             rms_before_calibration_over_noise: left.before,
             rms_after_calibration_over_noise: left.after,
             protocol: self.kind,
@@ -210,7 +210,6 @@ fn together(causes: &[Box<dyn Mechanism>]) -> Option<Needs> {
         all.warp |= needs.warp;
         all.no_warp |= needs.no_warp;
         all.humidity |= needs.humidity;
-        all.conflict |= needs.conflict;
     }
     (!(all.warp && all.no_warp)).then_some(all)
 }

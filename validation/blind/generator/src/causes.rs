@@ -106,12 +106,12 @@ impl<'a> Bench<'a> {
         Ok(self.calibration.leftover(&effect))
     }
 
-    /// What calibration leaves of any `effect` (pF, one entry a row), with the conflict.
-    pub fn strength_of(&self, effect: &[f64]) -> f64 {
-        self.calibration.leftover(effect).with_conflict
+    /// Detectability of any `effect` (pF, one entry a row).
+    pub fn detectability_of(&self, effect: &[f64]) -> f64 {
+        self.calibration.leftover(effect).detectability
     }
 
-    /// Detectability of each of `acts` once the others are known but for their size (conflict with the tolerances included).
+    /// Detectability of each of `acts` once the others are known but for their size.
     ///
     /// Little of it is left where two causes look alike: no tool can then tell both from one.
     pub fn apart(&self, acts: &[Act]) -> Result<Vec<f64>, PlatesTouch> {
@@ -136,7 +136,7 @@ impl<'a> Bench<'a> {
     /// Detectability of one cause at `size`; closed plates count as endlessly detectable.
     fn seen(&self, mechanism: &dyn Mechanism, size: f64) -> f64 {
         let act = Act { mechanism: mechanism.boxed(), size };
-        self.leftover(std::slice::from_ref(&act)).map_or(f64::INFINITY, |left| strength(mechanism, &left))
+        self.leftover(std::slice::from_ref(&act)).map_or(f64::INFINITY, |left| left.detectability)
     }
 
     /// `mechanism` at the size that gives detectability `asked`, to 0.5 %.
@@ -173,11 +173,6 @@ impl<'a> Bench<'a> {
         }
         Err(SizeError::NotSettled { cause, asked })
     }
-}
-
-/// The detectability by which a cause is sized: with the conflict where calibration hides it in the tolerances.
-pub fn strength(mechanism: &dyn Mechanism, left: &Leftover) -> f64 {
-    if mechanism.needs().conflict { left.with_conflict } else { left.detectability }
 }
 
 /// Last pivot of a positive semi-definite matrix under elimination.

@@ -1,7 +1,10 @@
-//! Detectability: what calibration within tolerance leaves of an effect, in units of the noise, times the root of the rows.
+//! Detectability: what calibration within tolerance leaves of an effect, in units of the noise.
 //!
-//! Limits: calibration is linear (finite-difference Jacobian at the true sensor, tolerance-scaled, ridge 1 per standard deviation);
-//! autocorrelation and noise on the inputs are ignored, as in the README of the shared blind recordings.
+//! $$ d^2 = \min_p \sum_i ((e_i - J_i p) / \sigma)^2 + |p|^2 $$
+//!
+//! with e the effect, J the Jacobian per standard deviation of each tolerance, sigma the noise: what stays in the residual and what
+//! the parameters had to be pushed for, in one number. That this is the number in the shared open recordings is tested on them.
+//! Limits: linear (finite differences at the true sensor); autocorrelation and noise on the inputs are ignored.
 
 use crate::chain::{PlatesTouch, Scene, simulate};
 use crate::sensor::{Sensor, Toleranced};
@@ -21,14 +24,14 @@ pub struct Calibration {
 /// What calibration leaves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leftover {
-    /// Root mean square before calibration over the noise.
+    /// Spread of the effect about its mean, before calibration, over the noise.
     pub before: f64,
-    /// After calibration.
+    /// Detectability over the root of the rows: the same after calibration.
     pub after: f64,
-    /// sqrt(rows) times `after`.
+    /// Detectability.
     pub detectability: f64,
-    /// The same with the conflict added in quadrature: how far the parameters had to move, in standard deviations.
-    pub with_conflict: f64,
+    /// The part of it that is seen in the residual; the rest is conflict with the tolerances.
+    pub residual: f64,
 }
 
 impl Calibration {
@@ -60,19 +63,17 @@ impl Calibration {
         let square: f64 = (0..scaled.len()).map(|row| left(row).powi(2)).sum();
         let rows = scaled.len() as f64;
         let conflict: f64 = moved.iter().map(|m| m * m).sum();
-        Leftover {
-            before: (dot(&scaled, &scaled) / rows).sqrt(),
-            after: (square / rows).sqrt(),
-            detectability: square.sqrt(),
-            with_conflict: (square + conflict).sqrt(),
-        }
+        let detectability = (square + conflict).sqrt();
+        let mean = scaled.iter().sum::<f64>() / rows;
+        let spread = scaled.iter().map(|e| (e - mean).powi(2)).sum::<f64>() / rows;
+        Leftover { before: spread.sqrt(), after: detectability / rows.sqrt(), detectability, residual: square.sqrt() }
     }
 }
 
 impl Calibration {
     /// What calibration leaves of two effects (pF) in common: a'b less what the parameters take up, in units of the noise squared.
     ///
-    /// For one effect it is the square of `with_conflict`.
+    /// For one effect it is the square of its detectability.
     pub fn in_common(&self, a: &[f64], b: &[f64]) -> f64 {
         let project = |effect: &[f64]| {
             let mut onto = [0.0; PARAMETERS];

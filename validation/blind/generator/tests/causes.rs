@@ -1,6 +1,6 @@
 //! Every cause is nothing at zero size and shows when it should.
 
-use truegap_generator::causes::{Bench, LIBRARY, STRANGERS, SizeError, strength};
+use truegap_generator::causes::{Bench, LIBRARY, STRANGERS, SizeError};
 use truegap_generator::chain::{Act, Scene, simulate};
 use truegap_generator::draws::Draws;
 use truegap_generator::history::History;
@@ -52,8 +52,12 @@ fn a_cause_sized_for_ten_is_seen_at_ten_and_changes_the_reading() {
         };
         let left = bench.leftover(std::slice::from_ref(&act)).expect("open plates");
         // The search stops at 0.5 %; 2 % is what a study promises.
-        assert!((strength(act.mechanism.as_ref(), &left) / 10.0 - 1.0).abs() < 0.02, "{id}");
-        assert!(left.before > 0.05, "{id}: {} times the noise before calibration", left.before);
+        assert!((left.detectability / 10.0 - 1.0).abs() < 0.02, "{id}");
+        let bend = !act.mechanism.needs().no_warp;
+        let [truth, base] = [&[act][..], &[]].map(|acts| simulate(scene, bend, acts).expect("open plates"));
+        let change = truth.iter().zip(&base).map(|(t, b)| (t - b).abs()).fold(0.0, f64::max);
+        // Ten is at least sqrt(rows) times 10 / rows of the noise somewhere.
+        assert!(change > 0.004 * 10.0 / (history.rows() as f64).sqrt(), "{id}: {change} pF");
     }
     // What calibration takes away almost wholly may stay below ten at a believable size; nothing else may.
     assert!(unseen.iter().all(|(id, _)| ["fringing_field"].contains(id)), "{unseen:?}");
@@ -84,7 +88,7 @@ fn what_is_left_of_a_cause_beside_another_is_the_best_fit_of_that_other() {
     let [drift, steps] = [effect(&acts[0]), effect(&acts[1])];
     let left = |share: f64| {
         let sum: Vec<f64> = drift.iter().zip(&steps).map(|(d, s)| d - share * s).collect();
-        bench.strength_of(&sum)
+        bench.detectability_of(&sum)
     };
     let best = (-400..=400).map(|k| left(f64::from(k) * 5e-3)).fold(f64::INFINITY, f64::min);
     let apart = bench.apart(&acts).expect("apart")[0];

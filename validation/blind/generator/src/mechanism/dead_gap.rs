@@ -2,7 +2,7 @@
 //!
 //! Limits: same thickness everywhere and at every load; the size is that thickness in m. Calibration hides most of it.
 
-use super::{Mechanism, Needs, Numbers, numbers};
+use super::{Mechanism, Numbers, numbers};
 use crate::chain::{Scene, State};
 use crate::draws::Draws;
 
@@ -24,9 +24,6 @@ impl Mechanism for DeadGap {
     }
     fn size_limit(&self) -> f64 {
         120e-6
-    }
-    fn needs(&self) -> Needs {
-        Needs { conflict: true, ..Needs::default() }
     }
     fn numbers(&self, size: f64) -> Numbers {
         numbers([("thickness_um", size * 1e6)])

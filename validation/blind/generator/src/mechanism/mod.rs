@@ -44,8 +44,6 @@ pub struct Needs {
     pub no_warp: bool,
     /// A humidity column.
     pub humidity: bool,
-    /// The conflict with the tolerances counts as evidence too, because calibration hides the effect in them.
-    pub conflict: bool,
 }
 
 /// A cause; the hooks are called in the order of the chain and do nothing unless written.

@@ -1,8 +1,8 @@
 //! `parasitic_capacitance`: a constant capacitance beside the sensor, larger than the stray that the maker allows for.
 //!
-//! Limits: constant, so calibration hides it almost wholly in the stray: its detectability counts the conflict with the tolerances.
+//! Limits: constant, so calibration hides it almost wholly in the stray: little is seen in the residual, most in the conflict with the tolerances.
 
-use super::{Mechanism, Needs, Numbers, numbers};
+use super::{Mechanism, Numbers, numbers};
 use crate::chain::{Scene, State};
 use crate::draws::Draws;
 
@@ -26,9 +26,6 @@ impl Mechanism for ParasiticCapacitance {
     }
     fn size_limit(&self) -> f64 {
         80.0
-    }
-    fn needs(&self) -> Needs {
-        Needs { conflict: true, ..Needs::default() }
     }
     fn numbers(&self, size: f64) -> Numbers {
         numbers([("capacitance_pf", self.sign * size)])

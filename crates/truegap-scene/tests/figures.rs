@@ -58,6 +58,36 @@ fn a_logarithmic_axis_puts_equal_ratios_at_equal_distances() {
 }
 
 #[test]
+fn a_window_on_a_long_series_shows_its_own_heights_and_stays_small() {
+    let x: Vec<f64> = (0..1_000_000).map(|i| f64::from(i) * 1e-3).collect();
+    let y: Vec<f64> = x.iter().map(|x| if *x < 500.0 { x.sin() } else { 1e6 }).collect();
+    let svg = Figure::new("").line("a", &x, &y).x_range(100.0, 110.0).to_svg().expect("drawable");
+    assert!(svg.len() < 100_000, "{} bytes", svg.len());
+    let (low, high) = corners(&svg, "a").iter().fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p.1), b.max(p.1)));
+    // Ten radians hold a whole wave: it fills the height of 300 up to twice the margin of 5 %.
+    assert!(((high - low) - 300.0 / 1.1).abs() < 0.1, "{low} {high}");
+}
+
+#[test]
+fn a_stack_takes_its_x_axis_from_the_first_panel() {
+    let (x, y) = ([1.0, 10.0, 100.0], [1.0, 2.0, 3.0]);
+    let first = Figure::new("").x("time", "s").log_x().line("a", &x, &y);
+    let svg = Stack::new("").panel(first).panel(Figure::new("").line("b", &x, &y)).to_svg().expect("drawable");
+    assert!(svg.contains(">time (s)<"));
+    let distances = |name| corners(&svg, name).iter().map(|p| p.0).collect::<Vec<_>>();
+    assert_eq!(distances("a"), distances("b"));
+}
+
+#[test]
+fn a_band_that_reaches_zero_runs_to_the_bottom_of_a_logarithmic_axis() {
+    let x = [0.0, 1.0, 2.0];
+    let svg = Figure::new("").log_y().band("b", &x, &[1.0, -1.0, 1.0], &[10.0; 3]).to_svg().expect("drawable");
+    let end = svg.find("<title>b</title></path>").expect("the band");
+    let data = &svg[svg[..end].rfind("d=\"").expect("data")..end];
+    assert!(data.matches('M').count() == 1 && data.contains(" 300L"), "{data}");
+}
+
+#[test]
 fn values_that_are_not_numbers_break_the_line() {
     let svg = Figure::new("").line("a", &[0.0, 1.0, 2.0, 3.0, 4.0], &[1.0, 2.0, f64::NAN, 2.0, 1.0]).to_svg().expect("drawable");
     let end = svg.find("<title>a</title>").expect("there");

@@ -17,18 +17,26 @@ const STROKES: usize = 20_000;
 /// Dots are thinned (to touching ones) above this number.
 const DOTS: usize = 5000;
 
-/// Thinned polyline of pixel points; points with a NaN lift the pen.
-pub(super) fn polyline(points: &[(f64, f64)]) -> Stroke {
+/// Thinned polyline of pixel points in a window from 0 to `width`; points with a NaN lift the pen.
+pub(super) fn polyline(points: &[(f64, f64)], width: f64) -> Stroke {
     if points.len() <= FEW {
         return points.iter().map(|&p| drawable(p).then_some(p)).collect();
     }
-    if is_forward(points) { columns(points) } else { loops(points) }
+    if is_forward(points) { columns(&points[visible(points.iter().map(|p| p.0), width)]) } else { loops(points) }
+}
+
+/// Points of a forward series inside the window, and one more on either side.
+fn visible(x: impl DoubleEndedIterator<Item = f64> + ExactSizeIterator + Clone, width: f64) -> std::ops::Range<usize> {
+    let start = x.clone().position(|x| x >= 0.0).unwrap_or(0).saturating_sub(1);
+    let end = x.clone().rposition(|x| x <= width).map_or(x.len(), |last| (last + 2).min(x.len()));
+    start..end.max(start)
 }
 
 /// Points of which no two share a cell: as fine as `finest` pixels, coarser (to `dot`) where that leaves too many.
 /// The lowest and highest point of every dot-wide column stay in any case.
-pub(super) fn scatter(points: &[(f64, f64)], finest: f64, dot: f64) -> Vec<(f64, f64)> {
-    let points: Vec<_> = points.iter().copied().filter(|&p| drawable(p)).collect();
+pub(super) fn scatter(points: &[(f64, f64)], width: f64, (finest, dot): (f64, f64)) -> Vec<(f64, f64)> {
+    let inside = |p: &(f64, f64)| drawable(*p) && (-dot..=width + dot).contains(&p.0);
+    let points: Vec<_> = points.iter().copied().filter(inside).collect();
     let mut size = finest;
     loop {
         let mut seen = HashSet::new();
@@ -61,14 +69,14 @@ fn edges(points: &[(f64, f64)], width: f64) -> impl Iterator<Item = (f64, f64)> 
 }
 
 /// Thinned band: `(x, lower, upper)` in data units with `column(x)` the pixel; keeps the widest of every half pixel.
-pub(super) fn band(points: &[(f64, f64, f64)]) -> Vec<Option<(f64, f64, f64)>> {
+pub(super) fn band(points: &[(f64, f64, f64)], width: f64) -> Vec<Option<(f64, f64, f64)>> {
     let finite = |p: &(f64, f64, f64)| p.0.is_finite() && p.1.is_finite() && p.2.is_finite();
     if points.len() <= FEW {
         return points.iter().map(|p| finite(p).then_some(*p)).collect();
     }
     let mut out: Vec<Option<(f64, f64, f64)>> = Vec::new();
     let (mut gap, mut last_x) = (false, f64::NEG_INFINITY);
-    for point in points {
+    for point in &points[visible(points.iter().map(|p| p.0), width)] {
         if !finite(point) {
             gap = true;
             continue;
@@ -210,7 +218,7 @@ mod tests {
         let mut points = noisy(1_000_000);
         points[654_321].1 = 3.0;
         points[123_456].1 = 290.0;
-        let thin = polyline(&points);
+        let thin = polyline(&points, 700.0);
         assert!(thin.len() <= 4 * 1401, "{}", thin.len());
         let y = || thin.iter().flatten().map(|p| p.1);
         assert_eq!(y().fold(f64::INFINITY, f64::min), 3.0);
@@ -220,7 +228,7 @@ mod tests {
     #[test]
     fn every_half_pixel_keeps_its_own_extremes() {
         let points = noisy(50_000);
-        let thin = polyline(&points);
+        let thin = polyline(&points, 700.0);
         for k in [0, 333, 1200] {
             let range = |all: &mut dyn Iterator<Item = (f64, f64)>| {
                 all.filter(|p| column(p.0) == k).fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p.1), b.max(p.1)))
@@ -236,7 +244,7 @@ mod tests {
         for p in &mut points[40_000..45_000] {
             p.1 = f64::NAN;
         }
-        let gaps = polyline(&points).iter().filter(|p| p.is_none()).count();
+        let gaps = polyline(&points, 700.0).iter().filter(|p| p.is_none()).count();
         assert_eq!(gaps, 1);
     }
 
@@ -246,7 +254,7 @@ mod tests {
             .map(|i| f64::from(i % 1000) / 1000.0 * std::f64::consts::TAU)
             .map(|a| (350.0 + 300.0 * a.cos(), 150.0 + 100.0 * a.sin()))
             .collect();
-        let thin = polyline(&points);
+        let thin = polyline(&points, 700.0);
         assert!((900..2100).contains(&thin.len()), "{}", thin.len());
         let right = thin.iter().flatten().map(|p| p.0).fold(0.0, f64::max);
         assert_eq!(right, 650.0);

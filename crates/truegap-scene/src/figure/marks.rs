@@ -16,9 +16,9 @@ impl Panel<'_> {
         match &series.mark {
             Mark::Line { dashed } => {
                 let dash = if *dashed { r#" stroke-dasharray="6 4""# } else { "" };
-                svg.path(&stroke(&decimate::polyline(&points)), &series.label, &format!("{wide}{dash}"));
+                svg.path(&stroke(&decimate::polyline(&points, self.x.pixels)), &series.label, &format!("{wide}{dash}"));
             }
-            Mark::Steps => svg.path(&stroke(&decimate::polyline(&stairs(&points))), &series.label, &wide),
+            Mark::Steps => svg.path(&stroke(&decimate::polyline(&stairs(&points), self.x.pixels)), &series.label, &wide),
             Mark::Points => self.draw_points(svg, series, &points, colour),
             Mark::Errors { below, above } => {
                 self.draw_error_bars(svg, series, (below, above), colour);
@@ -31,7 +31,10 @@ impl Panel<'_> {
     fn draw_points(&self, svg: &mut Svg, series: &Series, points: &[(f64, f64)], colour: &str) {
         let few = points.len() <= 200;
         let (size, cell) = if few { (6.0, 0.1) } else { (3.2, 0.8) };
-        let data: String = decimate::scatter(points, cell, size).iter().map(|p| format!("M{} {}h0", px(p.0), px(p.1))).collect();
+        let data: String = decimate::scatter(points, self.x.pixels, (cell, size))
+            .iter()
+            .map(|p| format!("M{} {}h0", px(p.0), px(p.1)))
+            .collect();
         let opacity = if few { "0.95" } else { "0.7" };
         let style =
             format!(r#"fill="none" stroke="{colour}" stroke-width="{size}" stroke-linecap="round" stroke-opacity="{opacity}""#);
@@ -41,14 +44,17 @@ impl Panel<'_> {
     fn draw_error_bars(&self, svg: &mut Svg, series: &Series, (below, above): (&[f64], &[f64]), colour: &str) {
         let mut data = String::new();
         for (i, (&x, &y)) in series.x.iter().zip(&series.y).enumerate() {
-            let (x, low, high) = (self.x.at(x), self.y.at(y - below[i]), self.y.at(y + above[i]));
-            // On a logarithmic axis a bar may reach below zero: it then runs to the bottom.
-            let low = if low.is_nan() && self.y.log { self.y.pixels } else { low };
+            let (x, low, high) = (self.x.at(x), self.lower_end(y - below[i]), self.y.at(y + above[i]));
             if x.is_finite() && low.is_finite() && high.is_finite() {
                 data += &format!("M{} {}V{}m-3.5 0h7M{} {}h7", px(x), px(low), px(high), px(x - 3.5), px(low));
             }
         }
         svg.path(&data, &series.label, &format!(r#"fill="none" stroke="{colour}" stroke-width="1.4""#));
+    }
+
+    /// Pixel of the lower end of a bar or band: on a logarithmic axis one that reaches zero runs to the bottom.
+    fn lower_end(&self, value: f64) -> f64 {
+        if self.y.log && value <= 0.0 { self.y.pixels } else { self.y.at(value) }
     }
 
     pub(super) fn draw_band(&self, svg: &mut Svg, series: &Series, colour: &str) {
@@ -59,10 +65,10 @@ impl Panel<'_> {
             .x
             .iter()
             .zip(series.y.iter().zip(upper))
-            .map(|(&x, (&low, &high))| (self.x.at(x), self.y.at(low), self.y.at(high)))
+            .map(|(&x, (&low, &high))| (self.x.at(x), self.lower_end(low), self.y.at(high)))
             .collect();
         let mut data = String::new();
-        for piece in decimate::band(&points).split(Option::is_none) {
+        for piece in decimate::band(&points, self.x.pixels).split(Option::is_none) {
             let piece: Vec<_> = piece.iter().flatten().collect();
             let there = piece.iter().map(|p| format!("{} {}", px(p.0), px(p.2)));
             let back = piece.iter().rev().map(|p| format!("{} {}", px(p.0), px(p.1)));

@@ -22,6 +22,7 @@ pub(super) enum XAxis {
 /// A checked figure with its axes laid out; pixels are filled in by `draw`.
 pub(super) struct Panel<'a> {
     figure: &'a Figure,
+    x_axis: &'a Axis,
     pub(super) x: Scale,
     pub(super) y: Scale,
     y_ticks: Ticks,
@@ -44,19 +45,21 @@ pub(super) fn x_range(figures: &[&Figure]) -> Result<(f64, f64), FigureError> {
 
 impl<'a> Panel<'a> {
     pub fn new(figure: &'a Figure) -> Result<Self, FigureError> {
-        let x = x_range(&[figure])?;
-        Self::with_x_range(figure, x)
+        Self::with_x(figure, &figure.x, x_range(&[figure])?)
     }
 
-    pub fn with_x_range(figure: &'a Figure, (x_low, x_high): (f64, f64)) -> Result<Self, FigureError> {
+    /// A panel whose x axis is that of another figure.
+    pub fn with_x(figure: &'a Figure, x_axis: &'a Axis, (x_low, x_high): (f64, f64)) -> Result<Self, FigureError> {
         figure.series.iter().try_for_each(|s| s.check(&figure.title))?;
-        let guides = figure.guides.iter().filter_map(|g| if let Guide::AtY(y, _) = g { Some(*y) } else { None });
-        let values = figure.series.iter().flat_map(Series::heights).chain(guides);
-        let (low, high) = range(&figure.title, "y", &figure.y, values, 0.05)?;
-        let x = Scale { low: x_low, high: x_high, log: figure.x.log, pixels: 1.0, flipped: false };
+        let guides = || figure.guides.iter().filter_map(|g| if let Guide::AtY(y, _) = g { Some(*y) } else { None });
+        let values = |from, to| figure.series.iter().flat_map(move |s| s.heights(from, to)).chain(guides());
+        let between = |from, to| range(&figure.title, "y", &figure.y, values(from, to), 0.05);
+        // A panel without a point inside the shown range still has lines that cross it.
+        let (low, high) = between(x_low, x_high).or_else(|_| between(f64::NEG_INFINITY, f64::INFINITY))?;
+        let x = Scale { low: x_low, high: x_high, log: x_axis.log, pixels: 1.0, flipped: false };
         let y = Scale { low, high, log: figure.y.log, pixels: figure.height, flipped: true };
         let y_ticks = Ticks::new(&y, (figure.height / 32.0) as usize);
-        Ok(Self { figure, x, y, y_ticks, hidden: hidden(figure) })
+        Ok(Self { figure, x_axis, x, y, y_ticks, hidden: hidden(figure, x_axis) })
     }
 
     /// Room that the y axis needs.
@@ -128,7 +131,7 @@ impl<'a> Panel<'a> {
         for (value, label) in &ticks.major {
             svg.text(area.left + self.x.at(*value), area.bottom() + 17.0, Anchor::Middle, label);
         }
-        let title = ticks.title(&self.figure.x.label, &self.figure.x.unit);
+        let title = ticks.title(&self.x_axis.label, &self.x_axis.unit);
         svg.text(area.left + area.width / 2.0, area.bottom() + 36.0, Anchor::Middle, &title);
     }
 }
@@ -151,8 +154,8 @@ fn range(
 }
 
 /// Points that a logarithmic axis cannot show.
-fn hidden(figure: &Figure) -> usize {
+fn hidden(figure: &Figure, x_axis: &Axis) -> usize {
     let lost = |log: bool, v: f64| log && v.is_finite() && v <= 0.0;
-    let count = |s: &Series| s.x.iter().zip(&s.y).filter(|(x, y)| lost(figure.x.log, **x) || lost(figure.y.log, **y)).count();
+    let count = |s: &Series| s.x.iter().zip(&s.y).filter(|(x, y)| lost(x_axis.log, **x) || lost(figure.y.log, **y)).count();
     figure.series.iter().filter(|s| !matches!(s.mark, Mark::Band { .. })).map(count).sum()
 }

@@ -64,16 +64,18 @@ impl Series {
         }
     }
 
-    /// Every y value that the axis should show.
-    pub fn heights(&self) -> Box<dyn Iterator<Item = f64> + '_> {
-        let y = self.y.iter().copied();
-        match &self.mark {
-            Mark::Band { upper } => Box::new(y.chain(upper.iter().copied())),
-            Mark::Errors { below, above } => Box::new(
-                y.chain(self.y.iter().zip(below).map(|(y, e)| y - e)).chain(self.y.iter().zip(above).map(|(y, e)| y + e)),
-            ),
-            _ => Box::new(y),
-        }
+    /// Every y value between two x that the axis should show.
+    pub fn heights(&self, low: f64, high: f64) -> impl Iterator<Item = f64> + '_ {
+        let outside = move |x: f64| x < low || x > high;
+        let values = move |i: usize| {
+            let y = self.y[i];
+            match &self.mark {
+                Mark::Band { upper } => [y, upper[i], y],
+                Mark::Errors { below, above } => [y, y - below[i], y + above[i]],
+                _ => [y; 3],
+            }
+        };
+        (0..self.x.len()).filter(move |&i| !outside(self.x[i])).flat_map(values)
     }
 }
 

@@ -38,7 +38,7 @@ impl Stack {
             return Err(FigureError::Empty { figure: self.title.clone(), axis: "x" });
         }
         let x_range = panel::x_range(&figures)?;
-        let panels = figures.iter().map(|f| Panel::with_x_range(f, x_range)).collect::<Result<Vec<_>, _>>()?;
+        let panels = figures.iter().map(|f| Panel::with_x(f, &figures[0].x, x_range)).collect::<Result<Vec<_>, _>>()?;
         let left = panels.iter().map(Panel::left_margin).fold(0.0, f64::max);
         let all = || figures.iter().flat_map(|f| f.series.iter());
         let colours = colours(all());

@@ -84,12 +84,11 @@ fn newton(q: f64, start: f64, law: BeadLaw) -> Option<f64> {
         let (load, slope) = law.reduced_load(strain);
         let step = (load - q) / slope;
         strain -= step;
-        if step.abs() <= 1e-9 * strain.abs() {
-            // one more step from here would change less than a rounding: the error is squared
-            let (load, slope) = law.reduced_load(strain);
+        // a step this small leaves an error of its square
+        if step.abs() <= 1e-8 * strain.abs() {
             let on_branch = slope > 0.0 && 1.0 + 3.0 * law.poisson * strain > 0.0 && strain.is_finite();
             let monotone = law.stiffening == [0.0, 0.0] || rises_to(strain, law);
-            return (on_branch && monotone).then(|| strain - (load - q) / slope);
+            return (on_branch && monotone).then_some(strain);
         }
     }
     (q == 0.0).then_some(0.0)

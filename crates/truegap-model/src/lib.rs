@@ -5,6 +5,7 @@
 pub mod base;
 pub mod cases;
 pub mod equations;
+pub mod errata;
 pub mod stack;
 
 pub use base::{BaseError, BaseModel, Recorded, base_model};

@@ -357,3 +357,25 @@ fn the_greatest_deviation_is_that_of_a_fine_scan() {
         println!("{name}: {k:?}");
     }
 }
+
+/// Improvements by the optimised design: 16.16, 16.47 and 14.74 % in the paper's abstract, K_baseline as (24) is printed. The paper's default dimensions are lost;
+/// both reconstructions are held to 1.5 points, which is how well they are known to fit. The second has silicone that stiffens, in both designs.
+#[test]
+fn both_reconstructions_give_the_papers_improvements() {
+    let k = |sensor: &Sensor| coefficients(sensor, CoefficientOptions::default()).unwrap();
+    for (name, sign) in [("singletact-s15-4.5n", -1.0), ("singletact-s15-4.5n-stiffening", 1.0)] {
+        let mut optimised = named("singletact-s8-optimised");
+        optimised.dielectric.layer.material.softening.value = sign * 7600.0;
+        let (before, after) = (k(&named(name)), k(&optimised));
+        let improved = |before: f64, after: f64| 100.0 * (1.0 - after.abs() / before.abs());
+        let improvements = [
+            (improved(before.k_baseline_pf_per_k, after.k_baseline_pf_per_k), 16.16),
+            (improved(before.k_sensitivity_pct_per_k, after.k_sensitivity_pct_per_k), 16.47),
+            (improved(before.k_linearity_pct_per_k, after.k_linearity_pct_per_k), 14.74),
+        ];
+        println!("{name}: {improvements:.2?}");
+        improvements.iter().for_each(|(ours, papers)| assert!((ours - papers).abs() < 1.5, "{ours} % against {papers} %"));
+        // the paper's sign flip of K_linearity is there in the second only
+        assert_eq!(before.k_linearity_pct_per_k * after.k_linearity_pct_per_k < 0.0, sign > 0.0);
+    }
+}

@@ -12,6 +12,7 @@ pub mod adapt;
 pub mod assembly;
 pub mod case;
 pub mod error;
+pub mod io;
 pub mod mesh;
 pub mod physics;
 pub mod solve;

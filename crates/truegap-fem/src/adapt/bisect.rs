@@ -16,21 +16,21 @@ pub fn longest_edge_first(mesh: &mut Mesh) {
     }
 }
 
-/// Halves all three edges of the marked triangles and closes the mesh.
+/// Halves all three edges of the marked triangles and closes the mesh; also returns the parent of every new triangle.
 ///
 /// **Source:** the closure by edges of Funken, Praetorius & Wissgott (2011), which ends for any choice of the first
 /// refinement edges (Karkulik, Pavlicek & Praetorius 2013).
-pub fn bisect(mesh: &Mesh, topology: &Topology, marked: &[bool]) -> Mesh {
+pub fn bisect(mesh: &Mesh, topology: &Topology, marked: &[bool]) -> (Mesh, Vec<u32>) {
     let halved = closed_marks(topology, marked);
     let mut out =
         Mesh { region_names: mesh.region_names.clone(), boundary_names: mesh.boundary_names.clone(), ..Mesh::default() };
     let middles = halve_edges(mesh, topology, &halved, &mut out.points);
+    let mut parents = Vec::new();
     for (t, &corners) in mesh.triangles.iter().enumerate() {
         let m = topology.triangle_edges[t].map(|e| middles[e as usize]);
-        let before = out.triangles.len();
         split(corners, m, &mut out.triangles);
-        let region = mesh.triangle_regions[t];
-        out.triangle_regions.extend(std::iter::repeat_n(region, out.triangles.len() - before));
+        out.triangle_regions.resize(out.triangles.len(), mesh.triangle_regions[t]);
+        parents.resize(out.triangles.len(), t as u32);
     }
     let middle = |[a, b]: [u32; 2]| topology.edge(a, b).map_or(NONE, |e| middles[e]);
     for e in &mesh.boundary_edges {
@@ -38,6 +38,27 @@ pub fn bisect(mesh: &Mesh, topology: &Topology, marked: &[bool]) -> Mesh {
     }
     for e in &mesh.curved_edges {
         halves(e.nodes, middle(e.nodes), |nodes| out.curved_edges.push(CurvedEdge { nodes, ..*e }));
+    }
+    (out, parents)
+}
+
+/// Halves the marked triangles once, and those that carry several times the least marked share once or twice more.
+///
+/// Near an edge singularity the squared error only halves with the triangle, so catching up takes several rounds; doing
+/// them without solving in between saves most of the levels.
+pub fn bisect_repeatedly(mesh: &Mesh, topology: &Topology, marked: &[bool], shares: &[f64]) -> Mesh {
+    let least = shares.iter().zip(marked).filter(|(_, m)| **m).map(|(s, _)| *s).fold(f64::INFINITY, f64::min);
+    let more = |share: f64| u8::from(share > 8.0 * least) + u8::from(share > 64.0 * least);
+    let (mut out, parents) = bisect(mesh, topology, marked);
+    let mut left: Vec<u8> = parents.iter().map(|&p| more(shares[p as usize])).collect();
+    for _ in 0..2 {
+        let again: Vec<bool> = left.iter().map(|&n| n > 0).collect();
+        if !again.contains(&true) {
+            break;
+        }
+        let (next, parents) = bisect(&out, &Topology::new(&out), &again);
+        left = parents.iter().map(|&p| left[p as usize].saturating_sub(1)).collect();
+        out = next;
     }
     out
 }

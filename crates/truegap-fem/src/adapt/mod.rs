@@ -4,6 +4,6 @@ mod bisect;
 mod bubbles;
 mod mark;
 
-pub use bisect::{bisect, longest_edge_first};
+pub use bisect::{bisect, bisect_repeatedly, longest_edge_first};
 pub use bubbles::{ABOVE_QUADRATIC, Bubble, bubbles_above_linear, bubbles_above_quadratic};
 pub use mark::mark_largest;

@@ -82,7 +82,8 @@ pub fn parse_quantity(text: &str, dimension: Dimension) -> Option<f64> {
         Some((value, text[end..].trim()))
     });
     let (value, unit) = number.filter(|n| n.0.is_finite())?;
-    unit_factor(unit, dimension).map(|factor| value * factor)
+    // Dividing by the whole number rounds once: "-5 um" is -5e-6 to the last bit.
+    unit_factor(unit, dimension).map(|factor| if factor < 1.0 { value / (1.0 / factor).round() } else { value * factor })
 }
 
 /// SI value of one `unit`.
@@ -98,7 +99,7 @@ mod tests {
     fn quantities_need_their_unit() {
         assert_eq!(parse_quantity("25 kPa", Dimension::Pressure), Some(25e3));
         assert_eq!(parse_quantity("-5um", Dimension::Length), Some(-5e-6));
-        assert_eq!(parse_quantity("200 ppm/K", Dimension::Expansion), Some(200.0 * 1e-6));
+        assert_eq!(parse_quantity("200 ppm/K", Dimension::Expansion), Some(200e-6));
         assert_eq!(parse_quantity("1e-5 1/K", Dimension::Expansion), Some(1e-5));
         assert_eq!(parse_quantity("1.7e-5 /K", Dimension::Expansion), Some(1.7e-5));
         for bad in ["25", "kPa", "25 kp", "nan Pa", "inf Pa", "25 V", ""] {

@@ -4,7 +4,7 @@ use super::goals::{Answer, Judged, Quantity, judge};
 use super::system::{Seconds, Solved};
 use super::{ElectrostaticsError, Problem};
 use crate::FemError;
-use crate::adapt::{bisect, longest_edge_first, mark_largest};
+use crate::adapt::{bisect_repeatedly, longest_edge_first, mark_largest};
 use crate::mesh::Mesh;
 use std::time::Instant;
 
@@ -86,8 +86,9 @@ pub fn solve_adaptive(
             return Err(not_reached.into());
         }
         let begin = Instant::now();
-        let marked = mark_largest(&shares(&judged, accuracy.target), accuracy.bulk);
-        *mesh = bisect(mesh, &topology, &marked);
+        let shares = shares(&judged, accuracy.target);
+        let marked = mark_largest(&shares, accuracy.bulk);
+        *mesh = bisect_repeatedly(mesh, &topology, &marked, &shares);
         seconds.mesh += begin.elapsed().as_secs_f64();
     }
 }

@@ -6,6 +6,7 @@
 //! `validation/verification`.
 
 use super::form::dielectric;
+use super::jumps::add_jumps;
 use super::system::Solved;
 use crate::adapt::{ABOVE_QUADRATIC, bubbles_above_quadratic};
 use crate::assembly::for_each_element;
@@ -45,6 +46,9 @@ pub(super) fn estimate_loaded(solved: &Solved, fields: &[&[f64]], loads: &[Point
     for_each_element(triangles, local, |_, products| {
         out.iter_mut().zip(products).for_each(|(list, p)| list.push(p));
     });
+    for (list, &pair) in out.iter_mut().zip(pairs) {
+        add_jumps(solved, fields, pair, list);
+    }
     out
 }
 
@@ -113,12 +117,8 @@ impl Local<'_> {
         residuals.into_iter().map(|r| (factor.solve(&r), r)).collect()
     }
 
-    fn permittivity(&self, t: usize) -> f64 {
-        self.solved.permittivity[self.solved.mesh.triangle_regions[t] as usize]
-    }
-
     fn interior(&self, element: &Element, fields: &[&[f64]], residuals: &mut [Lift]) -> Stiffness {
-        let permittivity = self.permittivity(self.t);
+        let permittivity = permittivity(self.solved, self.t);
         let symmetry = self.solved.problem.symmetry;
         let mut stiffness = Stiffness::zeros();
         for (q, slopes, bubbles) in &self.rules.inside {
@@ -131,7 +131,7 @@ impl Local<'_> {
                 }
             }
             for (u, r) in fields.iter().zip(residuals.iter_mut()) {
-                let g = self.slope_sum(self.t, slopes, u);
+                let g = slope_sum(self.solved, self.t, slopes, u);
                 let trial = Shape { value: 0.0, gradient: map.gradient(g) };
                 for i in 0..ABOVE_QUADRATIC {
                     r[i] -= weight * dielectric(permittivity, shapes[i], trial);
@@ -139,14 +139,6 @@ impl Local<'_> {
             }
         }
         stiffness
-    }
-
-    fn slope_sum(&self, t: usize, slopes: &[[f64; 2]; 6], u: &[f64]) -> [f64; 2] {
-        let nodes = &self.solved.nodes.triangles[t];
-        (0..6).fold([0.0; 2], |s, k| {
-            let u = u[nodes[k] as usize];
-            [s[0] + u * slopes[k][0], s[1] + u * slopes[k][1]]
-        })
     }
 
     fn prescribed(&self, k: usize) -> bool {
@@ -173,7 +165,7 @@ impl Local<'_> {
             }
             let bubbles = bubbles_above_quadratic(Element::edge_reference(k, t));
             for (u, r) in fields.iter().zip(residuals.iter_mut()) {
-                let here = self.flux(self.t, element, Element::edge_reference(k, t), p.normal, u);
+                let here = flux(self.solved, self.t, element, Element::edge_reference(k, t), p.normal, u);
                 let there = match other {
                     NONE => self.flux_behind(self.open[edge] as usize, t, p.normal, u),
                     other => self.flux_beside(other as usize, edge, t, p.normal, u),
@@ -185,15 +177,10 @@ impl Local<'_> {
         }
     }
 
-    fn flux(&self, t: usize, element: &Element, reference: [f64; 2], normal: Point, u: &[f64]) -> f64 {
-        let g = element.map_at(reference).gradient(self.slope_sum(t, &P2::at(reference).1, u));
-        self.permittivity(t) * (g[0] * normal[0] + g[1] * normal[1])
-    }
-
     fn flux_beside(&self, other: usize, edge: usize, t: f64, normal: Point, u: &[f64]) -> f64 {
         let k = self.solved.topology.triangle_edges[other].iter().position(|&e| e as usize == edge).unwrap_or(0);
         // The neighbour runs along the edge the other way.
-        self.flux(other, &self.solved.nodes.element(other), Element::edge_reference(k, 1.0 - t), normal, u)
+        flux(self.solved, other, &self.solved.nodes.element(other), Element::edge_reference(k, 1.0 - t), normal, u)
     }
 
     fn flux_behind(&self, k: usize, t: f64, normal: Point, u: &[f64]) -> f64 {
@@ -203,4 +190,22 @@ impl Local<'_> {
         let g = infinite.edge_gradient(t, &values);
         infinite.permittivity * (g[0] * normal[0] + g[1] * normal[1])
     }
+}
+
+fn permittivity(solved: &Solved, t: usize) -> f64 {
+    solved.permittivity[solved.mesh.triangle_regions[t] as usize]
+}
+
+fn slope_sum(solved: &Solved, t: usize, slopes: &[[f64; 2]; 6], u: &[f64]) -> [f64; 2] {
+    let nodes = &solved.nodes.triangles[t];
+    (0..6).fold([0.0; 2], |s, k| {
+        let u = u[nodes[k] as usize];
+        [s[0] + u * slopes[k][0], s[1] + u * slopes[k][1]]
+    })
+}
+
+/// ε ∇u · n of a field at a reference point of a triangle.
+pub(super) fn flux(solved: &Solved, t: usize, element: &Element, reference: [f64; 2], normal: Point, u: &[f64]) -> f64 {
+    let g = element.map_at(reference).gradient(slope_sum(solved, t, &P2::at(reference).1, u));
+    permittivity(solved, t) * (g[0] * normal[0] + g[1] * normal[1])
 }

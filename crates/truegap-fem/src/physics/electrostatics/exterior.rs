@@ -10,7 +10,7 @@
 
 use super::ElectrostaticsError;
 use crate::Symmetry;
-use crate::mesh::{Mesh, Point, Topology, plane};
+use crate::mesh::{Mesh, NONE, Point, Topology, plane};
 use crate::space::{edge_rule, edge_shape};
 
 /// Powers of s per node: multipoles up to this order leave no radial error.
@@ -39,7 +39,7 @@ impl Exterior {
             let Some(edge) = topology.edge(e.nodes[0], e.nodes[1]) else { continue };
             let at = mesh.points[e.nodes[0] as usize];
             let [t, other] = topology.edge_triangles[edge];
-            if other != crate::mesh::NONE {
+            if other != NONE {
                 let remedy = "set `open = true` on the outer rim only";
                 return Err(ElectrostaticsError::OpenBoundary { reason: "it runs through the inside of the domain", at, remedy });
             }
@@ -56,7 +56,11 @@ impl Exterior {
         if edges.is_empty() {
             return Ok(None);
         }
-        let centre = centre(mesh, symmetry, &edges)?;
+        let centre = centre(mesh, topology, symmetry, &edges)?;
+        if symmetry == Symmetry::Axisymmetric && centre[0].abs() > 1e-9 * plane::length(mesh.points[edges[0][0] as usize]) {
+            let remedy = "let it run from the axis to the axis, or to one ground plane";
+            return Err(ElectrostaticsError::OpenBoundary { reason: "its rays do not start on the axis", at: centre, remedy });
+        }
         let exterior = Exterior { centre, edges, triangles };
         exterior.check(mesh)?;
         Ok(Some(exterior))
@@ -77,35 +81,65 @@ impl Exterior {
     }
 }
 
-/// On the axis, or on the line through the two ends, or the middle of a closed boundary.
-fn centre(mesh: &Mesh, symmetry: Symmetry, edges: &[[u32; 2]]) -> Result<Point, ElectrostaticsError> {
-    let at = |i: u32| mesh.points[i as usize];
-    let ends: Vec<Point> =
-        edges.iter().flatten().filter(|&&i| edges.iter().flatten().filter(|&&j| j == i).count() == 1).map(|&i| at(i)).collect();
+/// Where the rays start: walls that reach the open boundary must go on as rays, so the centre is where their lines
+/// meet; on one common line, or without walls, it is the middle.
+fn centre(mesh: &Mesh, topology: &Topology, symmetry: Symmetry, edges: &[[u32; 2]]) -> Result<Point, ElectrostaticsError> {
+    let ends = ends(edges);
+    match ends.as_slice() {
+        [] => Ok(middle(mesh, symmetry, edges)),
+        [a, b] => {
+            let (p, q) = (mesh.points[*a as usize], mesh.points[*b as usize]);
+            let (u, v) = (wall(mesh, topology, edges, *a), wall(mesh, topology, edges, *b));
+            let d = plane::minus(q, p);
+            let parallel = plane::cross(u, v).abs() <= 1e-9;
+            if !parallel {
+                return Ok(plane::along(p, [p[0] + u[0], p[1] + u[1]], plane::cross(d, v) / plane::cross(u, v)));
+            }
+            if plane::cross(u, d).abs() <= 1e-9 * plane::length(d) {
+                return Ok(plane::along(p, q, 0.5));
+            }
+            let remedy = "walls that leave the domain must lie on lines that meet; move one, or close the domain there";
+            Err(ElectrostaticsError::OpenBoundary { reason: "the walls at its two ends are parallel", at: p, remedy })
+        }
+        many => Err(ElectrostaticsError::OpenBoundary {
+            reason: "it consists of several separate parts",
+            at: mesh.points[many[0] as usize],
+            remedy: "make it one connected path; side walls that are cut off need no boundary at all",
+        }),
+    }
+}
+
+/// Nodes that only one open edge has.
+fn ends(edges: &[[u32; 2]]) -> Vec<u32> {
+    let mut nodes: Vec<u32> = edges.iter().flatten().copied().collect();
+    nodes.sort_unstable();
+    let single = |i: usize| (i == 0 || nodes[i - 1] != nodes[i]) && nodes.get(i + 1) != Some(&nodes[i]);
+    (0..nodes.len()).filter(|&i| single(i)).map(|i| nodes[i]).collect()
+}
+
+/// Direction of the other outer edge at an end of the open boundary.
+fn wall(mesh: &Mesh, topology: &Topology, edges: &[[u32; 2]], end: u32) -> Point {
+    let is_open = |e: &[u32; 2]| edges.iter().any(|o| (o[0].min(o[1]), o[0].max(o[1])) == (e[0], e[1]));
+    let outer = topology.edges.iter().zip(&topology.edge_triangles).filter(|(e, t)| t[1] == NONE && e.contains(&end));
+    for (e, _) in outer.filter(|(e, _)| !is_open(e)) {
+        let d = plane::minus(mesh.points[e[1] as usize], mesh.points[e[0] as usize]);
+        let l = plane::length(d);
+        return [d[0] / l, d[1] / l];
+    }
+    [0.0, 1.0]
+}
+
+fn middle(mesh: &Mesh, symmetry: Symmetry, edges: &[[u32; 2]]) -> Point {
     let mut low = [f64::INFINITY; 2];
     let mut high = [f64::NEG_INFINITY; 2];
-    for p in edges.iter().flatten().map(|&i| at(i)) {
+    for p in edges.iter().flatten().map(|&i| mesh.points[i as usize]) {
         for k in 0..2 {
             low[k] = low[k].min(p[k]);
             high[k] = high[k].max(p[k]);
         }
     }
-    let middle = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
-    let scale = plane::distance(low, high);
-    match (symmetry, ends.as_slice()) {
-        (_, []) => Ok(middle),
-        (Symmetry::Axisymmetric, ends) => {
-            // An end off the axis lies on a plane z = const that goes on outwards: the rays must stay in it.
-            let plane_z = ends.iter().find(|p| p[0] > 1e-9 * scale).map(|p| p[1]);
-            Ok([0.0, plane_z.unwrap_or(middle[1])])
-        }
-        (Symmetry::Planar, [a, b]) => Ok(plane::along(*a, *b, 0.5)),
-        (Symmetry::Planar, many) => Err(ElectrostaticsError::OpenBoundary {
-            reason: "it consists of several separate parts",
-            at: many[0],
-            remedy: "make it one connected path; side walls that are cut off need no boundary at all",
-        }),
-    }
+    let r = if symmetry == Symmetry::Axisymmetric { 0.0 } else { 0.5 * (low[0] + high[0]) };
+    [r, 0.5 * (low[1] + high[1])]
 }
 
 /// Radial shapes at s, for the trace (value 1 at s = 1) and the higher powers (0 at s = 1): values and slopes by s.

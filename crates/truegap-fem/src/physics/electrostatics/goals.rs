@@ -87,8 +87,9 @@ struct Functional {
 /// 0.01 to 1, errors from 1e-3 to 1e-6) and nearly all of it in smooth fields; the estimate is raised by this factor so
 /// that a target is met.
 const SAFETY: f64 = 1.5;
-/// Smallest part of the sum of all local magnitudes that an estimate may fall to when local errors cancel.
-const CANCELLATION_FLOOR: f64 = 0.1;
+/// Smallest part of the sum of all local magnitudes that an estimate may fall to when local errors cancel: the true
+/// error of point potentials was about that part where their signed sum passed through zero.
+const CANCELLATION_FLOOR: f64 = 0.03;
 
 pub(super) fn judge(solved: &mut Solved, quantities: &[Quantity]) -> Result<Vec<Judged>, FemError> {
     let matrix = solved.capacitance_matrix();

@@ -10,6 +10,7 @@ mod exterior;
 mod fields;
 mod form;
 mod goals;
+mod jumps;
 mod system;
 
 pub use adaptive::{Accuracy, Outcome, solve_adaptive, solve_on};

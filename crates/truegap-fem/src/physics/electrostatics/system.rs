@@ -9,6 +9,7 @@ use crate::solve::{Direct, Kind, Memory};
 use crate::space::{Element, ElementDofs, Nodes, Numbering, P2, ShapeTable, triangle_rule};
 use crate::{FemError, Symmetry};
 use nalgebra_sparse::CscMatrix;
+use std::collections::BTreeMap;
 use std::time::Instant;
 
 /// Owner of unknowns that are zero in every solution.
@@ -39,6 +40,7 @@ pub struct Solved<'a> {
     pub(super) dofs: ElementDofs,
     pub(super) numbering: Numbering,
     pub(super) owner: Vec<u16>,
+    pub(super) junctions: Junctions,
     matrix: CscMatrix<f64>,
     direct: Direct,
     rule: Vec<ShapeTable<6>>,
@@ -65,7 +67,7 @@ impl<'a> Solved<'a> {
         let open = problem.open.iter().map(|name| mesh.boundary(name)).collect::<Result<Vec<_>, _>>()?;
         let exterior = Exterior::new(mesh, &topology, problem.symmetry, &open)?;
         let (dofs, sites) = unknowns(&nodes, &topology, exterior.as_ref());
-        let owner = owners(problem, mesh, &nodes, &topology, &dofs, sites.as_ref())?;
+        let (owner, junctions) = owners(problem, mesh, &nodes, &topology, &dofs, sites.as_ref())?;
         let far = match (&exterior, problem.symmetry) {
             // In three dimensions the potential vanishes at infinity; in two it floats unless a conductor goes there.
             (Some(_), Symmetry::Axisymmetric) => dofs.count - 1,
@@ -100,6 +102,7 @@ impl<'a> Solved<'a> {
             dofs,
             numbering,
             owner,
+            junctions,
             matrix,
             direct,
             rule,
@@ -115,8 +118,7 @@ impl<'a> Solved<'a> {
 
     fn solve_units(&mut self) -> Result<(), FemError> {
         let count = self.problem.conductors.len();
-        let prescribed = |c: usize| self.owner.iter().map(|&o| f64::from(u8::from(o as usize == c))).collect::<Vec<f64>>();
-        let mut units: Vec<Vec<f64>> = (0..count).map(prescribed).collect();
+        let mut units: Vec<Vec<f64>> = (0..count).map(|c| self.prescribed(c as u16)).collect();
         let loads = self.products(&units.iter().map(Vec::as_slice).collect::<Vec<_>>());
         for (u, load) in units.iter_mut().zip(&loads) {
             let rhs: Vec<f64> = self.numbering.restrict(load).iter().map(|x| -x).collect();
@@ -129,6 +131,16 @@ impl<'a> Solved<'a> {
         }
         self.units = units;
         Ok(())
+    }
+
+    /// Values of all prescribed unknowns when conductor `c` is at 1 V; a node where several touch takes the mean.
+    fn prescribed(&self, c: u16) -> Vec<f64> {
+        let mut u: Vec<f64> = self.owner.iter().map(|&o| f64::from(u8::from(o == c))).collect();
+        for (&node, touching) in &self.junctions {
+            let share = f64::from(u8::from(touching.contains(&c)));
+            u[node as usize] = share / touching.len() as f64;
+        }
+        u
     }
 
     /// Solves for the free unknowns with the factorised matrix.
@@ -189,13 +201,8 @@ impl<'a> Solved<'a> {
     /// Charges on the conductors (C, or C/m) by the consistent residual: the sum of K V over the nodes of each.
     pub fn charges(&self) -> Vec<f64> {
         let reaction = &self.products(&[&self.potential])[0];
-        let mut charges = vec![0.0; self.units.len()];
-        for (&o, q) in self.owner.iter().zip(reaction) {
-            if let Some(sum) = charges.get_mut(o as usize) {
-                *sum += q;
-            }
-        }
-        charges
+        let sum = |c: usize| self.prescribed(c as u16).iter().zip(reaction).map(|(u, q)| u * q).sum();
+        (0..self.units.len()).map(sum).collect()
     }
 
     /// Field energy (J, or J/m), the exterior included.
@@ -315,7 +322,10 @@ fn unknowns(nodes: &Nodes, topology: &Topology, exterior: Option<&Exterior>) -> 
     (dofs, Some(sites))
 }
 
-/// Conductor that fixes each unknown, `u16::MAX` where it is free.
+/// Conductors that touch at a node, for every such node.
+pub(super) type Junctions = BTreeMap<u32, Vec<u16>>;
+
+/// Conductor that fixes each unknown, `u16::MAX` where it is free; and the nodes that several conductors share.
 fn owners(
     problem: &Problem,
     mesh: &Mesh,
@@ -323,11 +333,12 @@ fn owners(
     topology: &Topology,
     dofs: &ElementDofs,
     sites: Option<&Vec<u32>>,
-) -> Result<Vec<u16>, FemError> {
+) -> Result<(Vec<u16>, Junctions), FemError> {
     if problem.conductors.is_empty() {
         return Err(ElectrostaticsError::NoConductor.into());
     }
     let mut owner = vec![u16::MAX; dofs.count];
+    let mut junctions = Junctions::new();
     for (c, conductor) in problem.conductors.iter().enumerate() {
         if !conductor.potential.is_finite() {
             return Err(ElectrostaticsError::BadPotential {
@@ -339,11 +350,18 @@ fn owners(
         for edge in mesh.edges_of(mesh.boundary(&conductor.boundary)?) {
             for node in nodes.edge(topology, edge).into_iter().flatten() {
                 let slot = &mut owner[node as usize];
-                *slot = (*slot).min(c as u16);
+                if *slot == u16::MAX {
+                    *slot = c as u16;
+                } else if *slot != c as u16 {
+                    let touching = junctions.entry(node).or_insert_with(|| vec![*slot]);
+                    if !touching.contains(&(c as u16)) {
+                        touching.push(c as u16);
+                    }
+                }
             }
         }
     }
-    let Some(sites) = sites else { return Ok(owner) };
+    let Some(sites) = sites else { return Ok((owner, junctions)) };
     // A conductor that reaches the open boundary goes on to infinity along the ray.
     for (node, &site) in sites.iter().enumerate().filter(|(_, s)| **s != NONE) {
         let c = owner[node];
@@ -361,5 +379,5 @@ fn owners(
         }
         *far = c;
     }
-    Ok(owner)
+    Ok((owner, junctions))
 }

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 use std::path::PathBuf;
 use truegap_generator::protocol::Kind;
 use truegap_generator::score::folder::{score_folder, truths};
-use truegap_generator::score::targets::{Row, rows};
+use truegap_generator::score::targets::{Row, by_detectability, rows};
 use truegap_generator::score::truth::Truth;
 use truegap_generator::score::{Scored, score, table::table};
 use truegap_generator::{Answer, Options, Study};
@@ -42,6 +42,10 @@ fn an_oracle_meets_every_target_that_has_cases() {
     let rows = rows(&scored(oracle));
     assert!(rows.iter().all(|row| row.met != Some(false)), "{rows:#?}");
     assert!(row(&rows, "exact effect named").of >= 5);
+    let bands = by_detectability(&scored(oracle));
+    assert!(
+        bands.iter().filter(|row| row.of > 0).all(|row| row.value == Some(f64::from(u8::from(!row.says.ends_with("wrong")))))
+    );
     assert_eq!(row(&rows, "exact effect named").value, Some(1.0));
     assert!(row(&rows, "calibration").value.is_some_and(|ece| (ece - 0.01).abs() < 1e-9));
 }

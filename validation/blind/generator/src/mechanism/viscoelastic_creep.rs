@@ -1,6 +1,7 @@
 //! `viscoelastic_creep`: the beads go on yielding under load by a power law of time, `J(t) = J0 (1 + c (t / 1 s)^n)`.
 //!
-//! Limits: linear in the elastic compression; the power law is carried from 1e-3 s to 1e5 s by its spectrum of rates (see `kernel`).
+//! Limits: linear in the elastic compression; what creeps within the first microsecond counts as elastic, since the spectrum of
+//! rates that carries the power law (see `kernel`) ends there.
 
 use super::{Mechanism, Numbers, numbers};
 use crate::chain::{Scene, State};

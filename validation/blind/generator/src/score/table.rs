@@ -4,16 +4,20 @@
 
 use super::Scored;
 use super::judge::Outcome;
-use super::targets::{Row, rows};
+use super::targets::{Row, by_detectability, rows};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Targets, then outcomes by cause, then the wrong claims one by one.
+/// Targets, naming against detectability, outcomes by cause, the wrong claims one by one.
 pub fn table(cases: &[Scored]) -> String {
     let mut text = format!("{:<52} {:>8} {:>9} {:>8}  {:<17} met\n", "target", "wanted", "count", "value", "95 % interval");
     for row in rows(cases) {
         // Writing to a string cannot fail, here and below.
         let _ = writeln!(text, "{}", line(&row));
+    }
+    text += "\nsingle causes by detectability\n";
+    for row in by_detectability(cases).iter().filter(|row| row.of > 0) {
+        let _ = writeln!(text, "{}", line(row));
     }
     text.push('\n');
     text += &by_cause(cases);

@@ -80,6 +80,22 @@ pub fn rows(cases: &[Scored]) -> Vec<Row> {
     rows
 }
 
+/// Detection and naming of single library causes in bands of detectability.
+pub fn by_detectability(cases: &[Scored]) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (from, to) in [(4.0, 6.0), (6.0, 10.0), (10.0, 16.0), (16.0, 40.0), (40.0, f64::INFINITY)] {
+        let within = |case: &Scored| case.truth.causes.len() == 1 && (from..to).contains(&case.truth.detectability);
+        let set = |case: &Scored| matches!(case.outcome, Outcome::Right | Outcome::WithinSet);
+        let band = if to.is_finite() { format!("d {from} to {to}") } else { format!("d above {from}") };
+        rows.push(share(&format!("{band}: detected"), Target::None, cases, within, |case| case.claim.verdict != "agrees"));
+        rows.push(share(&format!("{band}: family"), Target::None, cases, within, same_family));
+        rows.push(share(&format!("{band}: exact"), Target::None, cases, within, |case| case.outcome == Outcome::Right));
+        rows.push(share(&format!("{band}: exact or within its set"), Target::None, cases, within, set));
+        rows.push(share(&format!("{band}: wrong"), Target::None, cases, within, |case| case.outcome == Outcome::Wrong));
+    }
+    rows
+}
+
 fn false_alarms(cases: &[Scored]) -> Vec<Row> {
     let null = |colour: bool| move |case: &Scored| case.truth.is_null() && case.truth.coloured == Some(colour);
     let alarm = |case: &Scored| case.outcome == Outcome::Wrong;

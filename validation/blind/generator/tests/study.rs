@@ -102,3 +102,11 @@ fn a_range_of_detectability_that_runs_backwards_is_refused() {
     let options = Options { detectability_from: 50.0, detectability_to: 4.0, ..Options::default() };
     assert!(matches!(Study::new(1, 1, options), Err(StudyError::Range { .. })));
 }
+
+/// What makes the study blind to errors of the model: no truegap crate among the dependencies.
+#[test]
+fn the_generator_shares_no_code_with_the_model() {
+    let manifest = include_str!("../Cargo.toml");
+    let shared: Vec<&str> = manifest.lines().filter(|line| line.starts_with("truegap")).collect();
+    assert!(shared.is_empty() && manifest.contains("[dependencies]"), "{shared:?}");
+}

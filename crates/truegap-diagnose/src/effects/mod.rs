@@ -4,42 +4,58 @@
 
 use crate::effect::Effect;
 
+mod ageing;
 mod contact_toe_in;
 mod dead_gap;
 mod eccentric_load;
 mod electrode_warp;
+mod fringing_field;
 mod gain_drift;
 mod humidity_uptake;
+mod load_cell_error;
 mod mullins_softening;
 mod offset_drift;
+mod offset_steps;
 mod parasitic_capacitance;
 mod permittivity_temperature;
+mod plate_bending;
 mod rate_independent_hysteresis;
 mod readout_lag;
+mod saturation;
 mod scale;
 mod strain_stiffening;
 mod thermal_hysteresis;
 mod thermal_lag;
+mod time_offset;
+mod trapped_air_stiffness;
 mod viscoelastic_creep;
 
-/// Every effect that a diagnosis tries, in the order of the chain.
+/// Every effect that a diagnosis tries, in the order of the chain, in which their stages are to be plugged in.
 pub fn library() -> Vec<Box<dyn Effect>> {
     vec![
+        Box::new(time_offset::TimeOffset),
+        Box::new(load_cell_error::LoadCellError),
         Box::new(contact_toe_in::ContactToeIn),
         Box::new(eccentric_load::EccentricLoad),
         Box::new(thermal_lag::ThermalLag),
-        Box::new(viscoelastic_creep::ViscoelasticCreep),
+        Box::new(trapped_air_stiffness::TrappedAirStiffness),
         Box::new(rate_independent_hysteresis::RateIndependentHysteresis),
         Box::new(mullins_softening::MullinsSoftening),
+        Box::new(ageing::Ageing),
         Box::new(strain_stiffening::StrainStiffening),
+        Box::new(viscoelastic_creep::ViscoelasticCreep),
+        Box::new(plate_bending::PlateBending),
         Box::new(electrode_warp::ElectrodeWarp),
         Box::new(thermal_hysteresis::ThermalHysteresis),
         Box::new(dead_gap::DeadGap),
         Box::new(permittivity_temperature::PermittivityTemperature),
         Box::new(humidity_uptake::HumidityUptake),
+        Box::new(fringing_field::FringingField),
         Box::new(parasitic_capacitance::ParasiticCapacitance),
-        Box::new(readout_lag::ReadoutLag),
         Box::new(gain_drift::GainDrift),
+        Box::new(saturation::Saturation),
+        Box::new(readout_lag::ReadoutLag),
         Box::new(offset_drift::OffsetDrift),
+        Box::new(offset_steps::OffsetSteps),
     ]
 }

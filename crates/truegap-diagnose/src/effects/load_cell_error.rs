@@ -1,0 +1,102 @@
+//! The reference of the load errs.
+
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+    memory::play_set,
+};
+use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
+
+/// Error of linearity and hysteresis of the load cell; its gain and zero are taken up by calibration.
+pub struct LoadCellError;
+
+/// Half width of the cell's hysteresis, full loads.
+const WIDTH: f64 = 0.1;
+
+struct Cell {
+    size: f64,
+    hysteresis: f64,
+}
+
+impl Cell {
+    /// Adds the error of linearity `bow(load)`, 1 at half load, and of hysteresis.
+    fn apply(&self, inputs: &Inputs, load: &mut [f64], bow: impl Fn(f64) -> f64) {
+        let given = load.to_vec();
+        play_set(
+            inputs,
+            WIDTH,
+            |row| given[row],
+            |_| 0.0,
+            |row, slip| load[row] += self.size * (bow(given[row]) + self.hysteresis * slip),
+        );
+    }
+}
+
+impl Stage for Cell {
+    fn load(&self, inputs: &Inputs, load: &mut [f64]) {
+        self.apply(inputs, load, |load| 4.0 * load * (1.0 - load));
+    }
+}
+
+/// Sibling: a bow that follows a sine.
+struct Sine(Cell);
+
+impl Stage for Sine {
+    fn load(&self, inputs: &Inputs, load: &mut [f64]) {
+        self.0.apply(inputs, load, |load| (std::f64::consts::PI * load).sin());
+    }
+}
+
+fn cell(values: &[f64]) -> Cell {
+    Cell { size: values[0], hysteresis: values[1] }
+}
+
+impl Effect for LoadCellError {
+    fn id(&self) -> EffectId {
+        EffectId("load_cell_error")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Inputs
+    }
+    fn family(&self) -> Family {
+        Family::StaticMechanics
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "the load cell that the sensor is compared with is itself not straight",
+            equation: "L_true = L + q [4 L (1 - L) + h s], s the slip of three plays as in `rate_independent_hysteresis`, w = 0.1",
+            excitation: "load over the whole range, up and down",
+            impostors: &["strain_stiffening", "contact_toe_in", "rate_independent_hysteresis", "eccentric_load"],
+            separates: "the same error at the same load, whatever the temperature and whichever sensor; another reference changes it",
+            source: "VDI/VDE/DKD 2638 (load cells: linearity and hysteresis); class 0.1 to 0.5 of full scale",
+        }
+    }
+    fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
+        vec![
+            Parameter::normal("bow", "full loads", 0.0, 0.005, "error of linearity at half load").within(-0.1, 0.1),
+            Parameter::normal("hysteresis", "bows", 0.0, 0.5, "hysteresis of the cell over its error of linearity")
+                .within(-2.0, 2.0),
+        ]
+    }
+    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
+        vec![vec![0.0]]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Inputs)?;
+        context.has(StageName::LoadPath)?;
+        context.needs_load()
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(cell(values))
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Sine(cell(values))))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        format!(
+            "the load cell errs by {:.3} % of full load at half load (sd {:.3})",
+            100.0 * fitted[0].value,
+            100.0 * fitted[0].sd
+        )
+    }
+}

@@ -1,0 +1,94 @@
+//! The electrodes bend between and beyond the beads under load.
+
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+};
+use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
+
+/// Load-driven bending: a mean closing between the beads, and a sag from centre to rim with it.
+pub struct PlateBending;
+
+struct Bending {
+    size: f64,
+    sag_ratio: f64,
+}
+
+impl Bending {
+    /// Adds the bending at each row, `bent(load)` being 1 at full load.
+    fn apply(&self, drive: &Drive<'_>, geometry: &mut Geometry<'_>, bent: impl Fn(f64) -> f64) {
+        for (row, &load) in drive.load.iter().enumerate() {
+            let closing = self.size * bent(load);
+            geometry.gap[row] -= closing;
+            geometry.sag[row] += self.sag_ratio * closing;
+        }
+    }
+}
+
+impl Stage for Bending {
+    fn geometry(&self, drive: &Drive<'_>, geometry: &mut Geometry<'_>) {
+        self.apply(drive, geometry, |load| load);
+    }
+}
+
+/// Sibling: a plate that is held by its own stretch as it bends, so that the deflection falls behind the load.
+struct Stretched(Bending);
+
+impl Stage for Stretched {
+    fn geometry(&self, drive: &Drive<'_>, geometry: &mut Geometry<'_>) {
+        self.0.apply(drive, geometry, |load| 1.25 * load / (1.0 + 0.25 * load.abs()));
+    }
+}
+
+fn bending(values: &[f64]) -> Bending {
+    Bending { size: values[0], sag_ratio: values[1] }
+}
+
+impl Effect for PlateBending {
+    fn id(&self) -> EffectId {
+        EffectId("plate_bending")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Geometry
+    }
+    fn family(&self) -> Family {
+        Family::Field
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "the electrodes are thin: under load they bend into the gaps between the beads, and as a whole from centre to rim",
+            equation: "gap - s L, rim sag + q s L, in unloaded gaps, L over the full load: thin-plate deflection in proportion to the load",
+            excitation: "load; two temperatures tell it from a softer dielectric",
+            impostors: &["strain_stiffening", "eccentric_load", "contact_toe_in", "dead_gap"],
+            separates: "in proportion to the load at once and at every temperature, while strain grows as the silicone softens",
+            source: "Timoshenko & Woinowsky-Krieger, Theory of Plates and Shells, ch. 3 and 8",
+        }
+    }
+    fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
+        vec![
+            Parameter::normal("bending", "unloaded gaps", 0.0, 0.03, "closing between the beads at full load").within(0.0, 0.5),
+            Parameter::normal("sag_ratio", "1", 0.0, 2.0, "sag from centre to rim over the closing").within(0.0, 20.0),
+        ]
+    }
+    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
+        vec![vec![0.0], vec![4.0]]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Geometry)?;
+        context.needs_load()
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(bending(values))
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Stretched(bending(values))))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        format!(
+            "the electrodes bend under load: the gap closes by {:.2} % between the beads at full load (sd {:.2}), the rim sags {:.1} times that",
+            100.0 * fitted[0].value,
+            100.0 * fitted[0].sd,
+            fitted[1].value
+        )
+    }
+}

@@ -1,0 +1,110 @@
+//! The reading clips.
+
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+};
+use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
+
+/// Slope that is lost above a knee.
+pub struct Saturation;
+
+/// Rounding of the knee, as a share of the span.
+const ROUNDING: f64 = 0.01;
+
+struct Clip {
+    lost: f64,
+    knee: f64,
+}
+
+impl Clip {
+    /// Takes `lost excess(reading in spans above zero)` off each value.
+    fn apply(&self, readout: &Readout, value: &mut [f64], excess: impl Fn(f64) -> f64) {
+        if readout.span == 0.0 {
+            return;
+        }
+        for value in value {
+            let share = (*value - readout.zero) / readout.span;
+            *value -= self.lost * readout.span * excess(share);
+        }
+    }
+}
+
+/// Smooth part of `x` above 0, rounded over `width`.
+fn above(x: f64, width: f64) -> f64 {
+    0.5 * (x + x.hypot(2.0 * width))
+}
+
+impl Stage for Clip {
+    fn readout(&self, _: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
+        self.apply(readout, value, |share| above(share - self.knee, ROUNDING));
+    }
+}
+
+/// Sibling: slope that is lost little by little above the knee.
+struct Gradual(Clip);
+
+impl Stage for Gradual {
+    fn readout(&self, _: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
+        self.0.apply(readout, value, |share| {
+            let over = (share - self.0.knee).max(0.0);
+            over * over / (over + 0.05)
+        });
+    }
+}
+
+fn clip(values: &[f64]) -> Clip {
+    Clip { lost: values[0], knee: values[1] }
+}
+
+impl Effect for Saturation {
+    fn id(&self) -> EffectId {
+        EffectId("saturation")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Readout
+    }
+    fn family(&self) -> Family {
+        Family::Readout
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "amplifier or converter runs out of range: above a certain reading the slope falls, at the worst to nothing",
+            equation: "value = true - s [x + sqrt(x^2 + 4 w^2)] / 2, x the reading above the knee; w = 1 % of the span; s = 1 is a hard clip",
+            excitation: "readings at the upper end of the range",
+            impostors: &["strain_stiffening", "load_cell_error", "dead_gap"],
+            separates: "depends on the reading alone, with a corner in it, whatever load or temperature brought it there",
+            source: "Horowitz & Hill, The Art of Electronics, sec. 4.4 (limits of amplifiers)",
+        }
+    }
+    fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
+        vec![
+            Parameter::normal("lost", "1", 0.0, 0.3, "share of the slope that is lost above the knee").within(0.0, 1.0),
+            Parameter::normal("knee", "spans", 0.85, 0.2, "reading above which it is lost").within(0.1, 2.0),
+        ]
+    }
+    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
+        vec![vec![0.5], vec![0.7], vec![0.85], vec![0.95]]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Readout)?;
+        if context.simulator.name() == "constant" {
+            return Err("a value that does not move does not clip".into());
+        }
+        if context.inputs.gap_m.is_some() || context.inputs.simulated.is_some() { Ok(()) } else { context.needs_load() }
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(clip(values))
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Gradual(clip(values))))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        format!(
+            "the reading saturates: above {:.1} % of its span it loses {:.1} % of its slope (sd {:.1})",
+            100.0 * fitted[1].value,
+            100.0 * fitted[0].value,
+            100.0 * fitted[0].sd
+        )
+    }
+}

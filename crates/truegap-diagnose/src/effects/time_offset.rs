@@ -1,0 +1,79 @@
+//! The clocks of load and response differ.
+
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+};
+use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
+
+/// A constant difference of clocks.
+pub struct TimeOffset;
+
+struct Shift(f64);
+
+impl Stage for Shift {
+    fn late_s(&self) -> f64 {
+        self.0
+    }
+}
+
+/// Sibling: the shift to first order, along the slope between the neighbouring rows.
+struct Slope(f64);
+
+impl Stage for Slope {
+    fn load(&self, inputs: &Inputs, load: &mut [f64]) {
+        let Some(time) = &inputs.time_s else { return };
+        let given = load.to_vec();
+        for run in inputs.runs() {
+            for row in run.clone() {
+                let (before, after) = (row.saturating_sub(1).max(run.start), (row + 1).min(run.end - 1));
+                if time[after] > time[before] {
+                    load[row] += self.0 * (given[after] - given[before]) / (time[after] - time[before]);
+                }
+            }
+        }
+    }
+}
+
+impl Effect for TimeOffset {
+    fn id(&self) -> EffectId {
+        EffectId("time_offset")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Inputs
+    }
+    fn family(&self) -> Family {
+        Family::Readout
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "load and response were stamped by two clocks, or one of them was buffered",
+            equation: "the load at time t stands in the row of t + s; straight between rows",
+            excitation: "load that changes fast, at more than one rate, with a clock",
+            impostors: &["readout_lag", "rate_independent_hysteresis", "viscoelastic_creep", "trapped_air_stiffness"],
+            separates: "the loop over load grows with the rate and may run the wrong way round; corners stay sharp, where a lag rounds them",
+            source: "Oppenheim & Willsky, Signals and Systems, sec. 1.2 (time shift)",
+        }
+    }
+    fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
+        let scale = context.shortest_step_s.unwrap_or(1.0).max(0.05);
+        let most = (0.2 * context.longest_run_s).max(scale);
+        vec![Parameter::normal("late", "s", 0.0, scale, "time by which the load's clock is late").within(-most, most)]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Inputs)?;
+        context.needs_clock()?;
+        if context.inputs.gap_m.is_some() || context.inputs.simulated.is_some() { Ok(()) } else { context.needs_load() }
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(Shift(values[0]))
+    }
+    fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        context.simulator.full_load().map(|_| Box::new(Slope(values[0])) as Box<dyn Stage>)
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        let late = fitted[0].value;
+        let way = if late < 0.0 { "early" } else { "late" };
+        format!("the clock of the load is {:.2} ms {way} (sd {:.2})", 1e3 * late.abs(), 1e3 * fitted[0].sd)
+    }
+}

@@ -1,0 +1,91 @@
+//! Air shut in between the beads carries load and leaks out.
+
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+    memory::{Lag, walk},
+};
+use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
+
+/// A dashpot and spring beside the beads: the air takes a share of every change of load and gives it back as it leaks.
+pub struct TrappedAirStiffness;
+
+struct Air {
+    share: f64,
+    /// weight and time constant, s, of each way out
+    leaks: Vec<(f64, f64)>,
+}
+
+impl Stage for Air {
+    fn load(&self, inputs: &Inputs, load: &mut [f64]) {
+        if self.share == 0.0 {
+            return;
+        }
+        let mut leaks: Vec<(f64, Lag)> = self.leaks.iter().map(|(weight, tau)| (*weight, Lag::new(*tau))).collect();
+        walk(inputs, |row, step| {
+            let whole = load[row];
+            let leaked = |(weight, lag): &mut (f64, Lag)| match step {
+                None => *weight * lag.start(whole, 0.0),
+                Some(step) => *weight * lag.next(whole, step),
+            };
+            load[row] = whole - self.share * (whole - leaks.iter_mut().map(leaked).sum::<f64>());
+        });
+    }
+}
+
+impl Effect for TrappedAirStiffness {
+    fn id(&self) -> EffectId {
+        EffectId("trapped_air_stiffness")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Beads
+    }
+    fn family(&self) -> Family {
+        Family::MechanicalMemory
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "air shut in between the beads (or in the pores of a foam) carries a share of a fast load and leaks out",
+            equation: "L_beads = L - a (L - lag(L; tau)), no load borne by air before a run; the heating of the air is left out",
+            excitation: "fast steps of load and holds of several time constants, with a clock",
+            impostors: &["viscoelastic_creep", "readout_lag", "rate_independent_hysteresis", "thermal_lag"],
+            separates: "one time constant, where creep is spread over decades; stiffer when fast, and no stiffness left in a long hold; sealed or vented edges change it",
+            source: "Gibson & Ashby, Cellular Solids, sec. 5.3 (fluid in the cells); Biot, J. Appl. Phys. 12 (1941) 155",
+        }
+    }
+    fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
+        let shortest = context.shortest_step_s.unwrap_or(1.0);
+        let longest = context.longest_run_s.max(10.0 * shortest);
+        let middle = (shortest * longest).sqrt();
+        vec![
+            Parameter::normal("share", "1", 0.0, 0.05, "share of a sudden load that the air takes").within(0.0, 0.95),
+            Parameter::log_normal("tau", "s", middle, 0.4 * (longest / shortest).ln().max(1.0), "time constant of the leak")
+                .within(0.3 * shortest, 3.0 * longest),
+        ]
+    }
+    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
+        let shortest = context.shortest_step_s.unwrap_or(1.0);
+        let decades = (context.longest_run_s / shortest).max(10.0).log10();
+        (1..=4).map(|k| vec![shortest * 10f64.powf(decades * f64::from(k) / 5.0)]).collect()
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Beads)?;
+        context.needs_clock()?;
+        context.needs_load()
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(Air { share: values[0], leaks: vec![(1.0, values[1])] })
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        // diffusion of pressure through the layer: the first modes of a disc that is open at its rim
+        Some(Box::new(Air { share: values[0], leaks: vec![(0.75, 1.15 * values[1]), (0.25, 0.22 * values[1])] }))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        format!(
+            "air shut in takes {:.2} % (sd {:.2}) of a sudden load and leaks out with a time constant of {:.2} s",
+            100.0 * fitted[0].value,
+            100.0 * fitted[0].sd,
+            fitted[1].value
+        )
+    }
+}

@@ -1,0 +1,170 @@
+//! A simulator with every stage, and a recording that excites every effect: for tests and for the generated page of effects.
+//!
+//! Limits: not a sensor; its numbers are only of the right size.
+#![allow(dead_code)]
+
+pub mod page;
+
+use truegap_core::{
+    Dielectric, Drive, FieldView, Geometry, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage,
+    simulator::StageName,
+};
+
+/// Plates on a nonlinear dielectric, with a shield on an insulator and a bimetal electrode.
+pub struct Plate {
+    warps: Option<bool>,
+    parameters: Vec<Parameter>,
+}
+
+impl Plate {
+    pub fn new(warps: Option<bool>) -> Self {
+        let parameters = vec![
+            Parameter::normal("gain", "pF", 10.0, 1.0, "capacitance of the unloaded plates"),
+            Parameter::log_normal("modulus", "full loads", 6.0, 0.3, "load that would close the gap"),
+        ];
+        Self { warps, parameters }
+    }
+
+    pub fn centre(&self) -> Vec<f64> {
+        self.parameters.iter().map(Parameter::centre).collect()
+    }
+
+    fn row(&self, gain: f64, geometry: &Geometry<'_>, factors: &Dielectric, row: usize) -> (f64, f64) {
+        let solid = 1.0 - geometry.strain[row];
+        let gap = 0.3 * solid / factors.beads[row] + 0.7 * solid + geometry.gap[row];
+        let bent = geometry.warp_factor * geometry.warp_kelvin[row] * 1e-3 / gap;
+        let wedge = 2.0 / (1.0 + (1.0 - geometry.tilt[row].powi(2)).sqrt());
+        let dome = 1.0 + (0.5 * geometry.sag[row] / gap).powi(2) / 3.0;
+        (gain * wedge * dome * (1.0 + bent + bent * bent) / gap, gap)
+    }
+}
+
+/// Solves `modulus e (1 + a e + b e^2) = load`.
+fn strain(load: f64, modulus: f64, [a, b]: [f64; 2]) -> f64 {
+    let mut e = load / modulus;
+    for _ in 0..60 {
+        let residual = e * (1.0 + a * e + b * e * e) - load / modulus;
+        e -= residual / (1.0 + 2.0 * a * e + 3.0 * b * e * e);
+    }
+    e
+}
+
+impl Simulator for Plate {
+    fn name(&self) -> &str {
+        "stack"
+    }
+    fn unit(&self) -> &str {
+        "pF"
+    }
+    fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+    fn needs(&self) -> &[Role] {
+        &[Role::Force]
+    }
+    fn lacks(&self, _: StageName) -> Option<&'static str> {
+        None
+    }
+    fn full_load(&self) -> Option<f64> {
+        Some(4.5)
+    }
+    fn warps(&self) -> Option<bool> {
+        self.warps
+    }
+    fn load(&self, inputs: &Inputs) -> Option<Vec<f64>> {
+        inputs.force_n.as_ref().map(|force| force.iter().map(|f| f / 4.5).collect())
+    }
+    fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
+        let late: f64 = stages.iter().map(|s| s.late_s()).sum();
+        let inputs = &shifted(inputs, late);
+        let rows = inputs.len();
+        let mut load = self.load(inputs).unwrap_or_else(|| vec![0.0; rows]);
+        stages.iter().for_each(|s| s.load(inputs, &mut load));
+        let mut temperature_c = inputs.temperature_c.clone().unwrap_or_else(|| vec![20.0; rows]);
+        stages.iter().for_each(|s| s.thermal(inputs, &mut temperature_c));
+        let drive = Drive { inputs, load: &load, temperature_c: &temperature_c, reference_c: 20.0, full_load: 4.5 };
+        let mut modulus: Vec<f64> = temperature_c.iter().map(|t| values[1] * (1.0 - 0.007 * (t - 20.0))).collect();
+        stages.iter().for_each(|s| s.modulus(&drive, &mut modulus));
+        let curve = stages.iter().map(|s| s.stiffening()).fold([0.0; 2], |sum, s| [sum[0] + s[0], sum[1] + s[1]]);
+        let mut strains: Vec<f64> = (0..rows).map(|row| strain(load[row], modulus[row], curve)).collect();
+        stages.iter().for_each(|s| s.strain(&drive, &mut strains));
+        let mut geometry = flat(&strains, &temperature_c, f64::from(u8::from(self.warps == Some(true))));
+        stages.iter().for_each(|s| s.geometry(&drive, &mut geometry));
+        let mut factors = Dielectric { beads: vec![1.0; rows], insulator: vec![1.0; rows] };
+        stages.iter().for_each(|s| s.dielectric(&drive, &mut factors));
+        let (plates, aspect): (Vec<f64>, Vec<f64>) =
+            (0..rows).map(|row| self.row(values[0], &geometry, &factors, row)).map(|(plates, gap)| (plates, 0.024 * gap)).unzip();
+        let mut value: Vec<f64> = plates.iter().zip(&factors.insulator).map(|(p, i)| p + 200.0 * i).collect();
+        let mut extra = vec![0.0; rows];
+        stages.iter().for_each(|s| s.field(&drive, &FieldView { aspect: &aspect, plates: &plates }, &mut extra));
+        value.iter_mut().zip(&extra).for_each(|(value, extra)| *value += extra);
+        let span = values[0] / (1.0 - 1.0 / values[1]) - values[0];
+        stages.iter().for_each(|s| s.readout(&drive, &Readout { zero: values[0] + 200.0, span }, &mut value));
+        match value.iter().position(|v| !v.is_finite()) {
+            Some(row) => Err(SimulationError::NotFinite { row, value: value[row], parameters: values.to_vec() }),
+            None => Ok(value),
+        }
+    }
+}
+
+/// Flat plates at a strain.
+pub fn flat<'a>(strain: &'a [f64], temperature_c: &[f64], warp_factor: f64) -> Geometry<'a> {
+    let rows = strain.len();
+    let warp_kelvin = temperature_c.iter().map(|t| t - 20.0).collect();
+    Geometry { strain, gap: vec![0.0; rows], warp_kelvin, warp_factor, tilt: vec![0.0; rows], sag: vec![0.0; rows] }
+}
+
+/// The force column read `late` seconds further on.
+fn shifted(inputs: &Inputs, late: f64) -> Inputs {
+    let (mut moved, Some(time), Some(force)) = (inputs.clone(), &inputs.time_s, &inputs.force_n) else { return inputs.clone() };
+    if late != 0.0 {
+        let column: Vec<f64> = (0..time.len()).map(|row| at(time, force, time[row] + late)).collect();
+        moved.force_n = Some(column);
+    }
+    moved
+}
+
+/// Linear between rows, held beyond the ends.
+pub fn at(time: &[f64], column: &[f64], t: f64) -> f64 {
+    let after = time.partition_point(|x| *x < t).clamp(1, time.len() - 1);
+    let share = ((t - time[after - 1]) / (time[after] - time[after - 1])).clamp(0.0, 1.0);
+    column[after - 1] + share * (column[after] - column[after - 1])
+}
+
+/// Zigzag between `low` and `high` with a period of `period` seconds, at `low` where t = 0.
+fn zigzag(t: f64, period: f64, low: f64, high: f64) -> f64 {
+    let phase = (t / period).fract();
+    low + (high - low) * (1.0 - (2.0 * phase - 1.0).abs())
+}
+
+/// Load cycles to growing peaks, holds, a slow and a fast zigzag and sweeps of temperature, with humidity on its own course.
+pub fn recording() -> Inputs {
+    let mut inputs = Inputs {
+        time_s: Some(vec![]),
+        force_n: Some(vec![]),
+        temperature_c: Some(vec![]),
+        humidity_pct: Some(vec![]),
+        ..Inputs::default()
+    };
+    let mut start = 0.0;
+    let mut run = |rows: u32, step: f64, drive: &dyn Fn(f64) -> (f64, f64)| {
+        for row in 0..rows {
+            let t = f64::from(row) * step;
+            let (force, temperature) = drive(t);
+            inputs.run.push(start as u32);
+            inputs.time_s.iter_mut().for_each(|c| c.push(start + t));
+            inputs.force_n.iter_mut().for_each(|c| c.push(force));
+            inputs.temperature_c.iter_mut().for_each(|c| c.push(temperature));
+            inputs.humidity_pct.iter_mut().for_each(|c| c.push(50.0 + 15.0 * ((start + t) / 700.0).sin()));
+        }
+        start += f64::from(rows) * step + 900.0;
+    };
+    run(300, 0.2, &|t| (zigzag(t, 20.0, 0.0, 1.5 * (1.0 + (t / 20.0).floor())), 22.0));
+    run(240, 0.5, &|t| (4.5 * (t / 5.0).clamp(0.0, 1.0) * ((115.0 - t) / 5.0).clamp(0.0, 1.0), 25.0));
+    run(300, 0.05, &|t| (zigzag(t, 2.0, 0.0, 4.5 * (1.0 - t / 18.0)), 22.0));
+    run(150, 0.5, &|t| (zigzag(t, 30.0, 0.0, 4.5), 50.0));
+    run(300, 4.0, &|t| (0.0, zigzag(t, 1200.0, 20.0, 50.0)));
+    run(300, 4.0, &|t| (2.2, 20.0 + 30.0 * (t / 300.0).clamp(0.0, 1.0) - 15.0 * ((t - 700.0) / 200.0).clamp(0.0, 1.0)));
+    run(240, 0.5, &|t| (4.5 * (t / 5.0).clamp(0.0, 1.0) * ((115.0 - t) / 5.0).clamp(0.0, 1.0), 20.0));
+    inputs
+}

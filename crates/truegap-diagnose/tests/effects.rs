@@ -1,0 +1,306 @@
+//! What every effect of the library must keep, whatever its equation.
+
+mod common;
+
+use common::{Plate, flat, recording};
+use truegap_core::{Dielectric, Drive, FieldView, Inputs, Readout, Simulator, Stage, simulator::StageName};
+use truegap_diagnose::{Context, Effect, library};
+
+/// Base model that an effect is tried on: without warp where the effect is the warp.
+fn plate_for(effect: &dyn Effect) -> Plate {
+    Plate::new(Some(effect.id().0 != "electrode_warp"))
+}
+
+/// Parameters with the size at `deviations` of its prior, one list per starting point.
+fn points(effect: &dyn Effect, context: &Context<'_>, deviations: f64) -> Vec<Vec<f64>> {
+    let size = effect.parameters(context)[0].sd() * deviations;
+    effect.starts(context).iter().map(|rest| std::iter::once(size).chain(rest.iter().copied()).collect()).collect()
+}
+
+fn respond(plate: &Plate, inputs: &Inputs, stage: Option<&dyn Stage>) -> Vec<f64> {
+    let stages: Vec<&dyn Stage> = stage.into_iter().collect();
+    plate.respond(&plate.centre(), inputs, &stages).unwrap()
+}
+
+/// Calls `check` with each effect, the recording's facts and its base model.
+fn for_each(check: impl Fn(&dyn Effect, &Context<'_>, &Plate)) {
+    let inputs = recording();
+    for effect in library() {
+        let plate = plate_for(effect.as_ref());
+        check(effect.as_ref(), &Context::new(&inputs, &plate, 2.0, 0.004), &plate);
+    }
+}
+
+#[test]
+fn the_library_holds_every_id_of_the_contract_once() {
+    let mut ids: Vec<&str> = library().iter().map(|effect| effect.id().0).collect();
+    assert_eq!(ids.len(), 24);
+    ids.sort_unstable();
+    ids.dedup();
+    assert_eq!(ids.len(), 24);
+    for effect in library() {
+        for impostor in effect.about().impostors {
+            assert!(ids.contains(impostor) && *impostor != effect.id().0, "{} names {impostor}", effect.id());
+        }
+    }
+}
+
+#[test]
+fn every_effect_is_testable_where_everything_moves_and_none_where_nothing_was_recorded() {
+    for_each(|effect, context, _| assert_eq!(effect.testable(context), Ok(()), "{}", effect.id()));
+    let still = Inputs { run: vec![1; 5], force_n: Some(vec![0.0; 5]), ..Inputs::default() };
+    for effect in library() {
+        let plate = plate_for(effect.as_ref());
+        let facts = Context::new(&still, &plate, 2.0, 0.004);
+        // a constant beside the sensor needs no excitation, only a base model that does not hold it
+        let expected = effect.id().0 == "parasitic_capacitance";
+        assert_eq!(effect.testable(&facts).is_ok(), expected, "{}", effect.id());
+    }
+}
+
+#[test]
+fn a_size_of_zero_is_the_identity_to_the_last_bit() {
+    for_each(|effect, context, plate| {
+        let without = respond(plate, context.inputs, None);
+        for values in points(effect, context, 0.0) {
+            let with = respond(plate, context.inputs, Some(effect.with(&values, context).as_ref()));
+            assert_eq!(with, without, "{} at {values:?}", effect.id());
+        }
+    });
+}
+
+#[test]
+fn any_other_size_changes_the_response_by_more_than_noise() {
+    for_each(|effect, context, plate| {
+        let without = respond(plate, context.inputs, None);
+        for values in points(effect, context, 1.0) {
+            let with = respond(plate, context.inputs, Some(effect.with(&values, context).as_ref()));
+            let moved = with.iter().zip(&without).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            // one prior deviation has to be visible: the noise of a good instrument is 4 fF
+            assert!(moved > 1e-3, "{} at {values:?} moves the reading by {moved} pF", effect.id());
+        }
+    });
+}
+
+#[test]
+fn the_response_is_smooth_in_the_size_near_zero() {
+    for_each(|effect, context, plate| {
+        let without = respond(plate, context.inputs, None);
+        let slope = |deviations: f64| {
+            let values = &points(effect, context, deviations)[0];
+            let with = respond(plate, context.inputs, Some(effect.with(values, context).as_ref()));
+            with.iter().zip(&without).map(|(a, b)| (a - b) / deviations).collect::<Vec<f64>>()
+        };
+        let (near, nearer) = (slope(2e-3), slope(1e-3));
+        let far = near.iter().zip(&nearer).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+        let size = nearer.iter().map(|a| a * a).sum::<f64>().sqrt();
+        // a response of second order in the size would give 0.5 here, a kink 1
+        assert!(size > 0.0 && far < 0.02 * size, "{}: slopes differ by {far} of {size}", effect.id());
+    });
+}
+
+/// Columns that the hooks of a stage are tried on.
+struct Columns {
+    inputs: Inputs,
+    load: Vec<f64>,
+    strain: Vec<f64>,
+    value: Vec<f64>,
+}
+
+impl Columns {
+    fn new(inputs: Inputs) -> Self {
+        let load: Vec<f64> = inputs.force_n.iter().flatten().map(|f| f / 4.5).collect();
+        let strain: Vec<f64> = load.iter().map(|l| l / 6.0).collect();
+        let value = strain.iter().map(|e| 210.0 + 10.0 * e).collect();
+        Self { inputs, load, strain, value }
+    }
+
+    /// The columns after each hook of `stage`, by stage of the chain.
+    fn after(&self, stage: &dyn Stage) -> Vec<(StageName, Vec<f64>)> {
+        let rows = self.load.len();
+        let mut load = self.load.clone();
+        stage.load(&self.inputs, &mut load);
+        let temperature = self.inputs.temperature_c.clone().unwrap();
+        let mut sensor = temperature.clone();
+        stage.thermal(&self.inputs, &mut sensor);
+        let drive =
+            Drive { inputs: &self.inputs, load: &self.load, temperature_c: &temperature, reference_c: 20.0, full_load: 4.5 };
+        let (mut modulus, mut strain) = (vec![1.0; rows], self.strain.clone());
+        stage.modulus(&drive, &mut modulus);
+        stage.strain(&drive, &mut strain);
+        let mut geometry = flat(&self.strain, &temperature, 1.0);
+        stage.geometry(&drive, &mut geometry);
+        let mut factors = Dielectric { beads: vec![1.0; rows], insulator: vec![1.0; rows] };
+        stage.dielectric(&drive, &mut factors);
+        let (aspect, mut extra) = (vec![0.02; rows], vec![0.0; rows]);
+        stage.field(&drive, &FieldView { aspect: &aspect, plates: &self.value }, &mut extra);
+        let mut value = self.value.clone();
+        stage.readout(&drive, &Readout { zero: 210.0, span: 5.0 / 3.0 }, &mut value);
+        vec![
+            (StageName::Inputs, vec![stage.late_s()]),
+            (StageName::LoadPath, load),
+            (StageName::ThermalPath, sensor),
+            (StageName::Beads, modulus),
+            (StageName::Beads, strain),
+            (StageName::Beads, stage.stiffening().to_vec()),
+            (StageName::Geometry, geometry.gap),
+            (StageName::Geometry, geometry.warp_kelvin),
+            (StageName::Geometry, vec![geometry.warp_factor]),
+            (StageName::Geometry, geometry.tilt),
+            (StageName::Geometry, geometry.sag),
+            (StageName::Dielectric, factors.beads),
+            (StageName::Dielectric, factors.insulator),
+            (StageName::Field, extra),
+            (StageName::Readout, value),
+        ]
+    }
+}
+
+struct Nothing;
+impl Stage for Nothing {}
+
+/// Places of the chain where an effect of `stage` may act; what carries load acts on the load.
+fn allowed(effect: &dyn Effect) -> Vec<StageName> {
+    match (effect.stage(), effect.id().0) {
+        (StageName::Inputs, _) => vec![StageName::Inputs, StageName::LoadPath],
+        (StageName::LoadPath, "eccentric_load") => vec![StageName::Geometry],
+        (StageName::Beads, "rate_independent_hysteresis" | "trapped_air_stiffness") => vec![StageName::LoadPath],
+        (stage, _) => vec![stage],
+    }
+}
+
+#[test]
+fn an_effect_acts_at_its_own_stage_and_nowhere_else() {
+    let columns = Columns::new(recording());
+    for_each(|effect, context, _| {
+        let untouched = columns.after(&Nothing);
+        for values in points(effect, context, 1.0) {
+            let after = columns.after(effect.with(&values, context).as_ref());
+            let touched: Vec<StageName> = after.iter().zip(&untouched).filter(|(a, u)| a.1 != u.1).map(|(a, _)| a.0).collect();
+            let place = allowed(effect);
+            assert!(!touched.is_empty() && touched.iter().all(|t| place.contains(t)), "{} touches {touched:?}", effect.id());
+        }
+    });
+}
+
+/// The recording with a row put in between any two of a run, at a third of the way, on straight lines.
+fn divided(inputs: &Inputs) -> (Inputs, Vec<usize>) {
+    let (mut rows, mut kept) = (vec![], vec![]);
+    for row in 0..inputs.len() {
+        kept.push(rows.len());
+        rows.push((row, row));
+        if row + 1 < inputs.len() && inputs.run[row + 1] == inputs.run[row] {
+            rows.push((row, row + 1));
+        }
+    }
+    let mix = |column: &Option<Vec<f64>>| {
+        column.as_ref().map(|c| rows.iter().map(|&(a, b)| if a == b { c[a] } else { c[a] + (c[b] - c[a]) / 3.0 }).collect())
+    };
+    let finer = Inputs {
+        time_s: mix(&inputs.time_s),
+        run: rows.iter().map(|&(a, _)| inputs.run[a]).collect(),
+        force_n: mix(&inputs.force_n),
+        temperature_c: mix(&inputs.temperature_c),
+        humidity_pct: mix(&inputs.humidity_pct),
+        ..Inputs::default()
+    };
+    (finer, kept)
+}
+
+#[test]
+fn memory_does_not_depend_on_how_finely_time_is_divided() {
+    let coarse = Columns::new(recording());
+    let (finer, kept) = divided(&coarse.inputs);
+    let fine = Columns::new(finer);
+    for_each(|effect, context, _| {
+        for values in points(effect, context, 1.0) {
+            let stage = effect.with(&values, context);
+            for ((_, a), (_, b)) in coarse.after(stage.as_ref()).iter().zip(fine.after(stage.as_ref())) {
+                if a.len() < kept.len() {
+                    continue;
+                }
+                let worst = kept.iter().zip(a).map(|(&row, a)| (b[row] - a).abs()).fold(0.0, f64::max);
+                // recursions that are exact for straight lines: rounding of 2000 steps on readings of 200
+                assert!(worst < 1e-10, "{} at {values:?} differs by {worst}", effect.id());
+            }
+        }
+    });
+}
+
+/// Cosine of the angle between two changes of the reading.
+fn cosine(a: &[f64], b: &[f64]) -> f64 {
+    let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
+    dot(a, b) / (dot(a, a) * dot(b, b)).sqrt()
+}
+
+#[test]
+fn a_sibling_differs_from_its_effect_and_yet_resembles_it() {
+    for_each(|effect, context, plate| {
+        let without = respond(plate, context.inputs, None);
+        let change = |stage: &dyn Stage| -> Vec<f64> {
+            respond(plate, context.inputs, Some(stage)).iter().zip(&without).map(|(a, b)| a - b).collect()
+        };
+        for values in points(effect, context, 1.0) {
+            let sibling = change(effect.sibling(&values, context).expect("a sibling").as_ref());
+            // best of a coarse search over the numbers behind the size; the size itself scales out
+            let best = [0.4, 0.6, 0.8, 1.0, 1.25, 1.6, 2.5]
+                .iter()
+                .map(|scale| values.iter().enumerate().map(|(k, v)| if k == 0 { *v } else { v * scale }).collect::<Vec<f64>>())
+                .map(|values| cosine(&change(effect.with(&values, context).as_ref()), &sibling))
+                .fold(f64::NEG_INFINITY, f64::max);
+            // below 0.9 it would be another effect rather than another equation
+            assert!(best > 0.9, "{} at {values:?}: {best}", effect.id());
+            let same = change(effect.with(&values, context).as_ref());
+            let apart = same.iter().zip(&sibling).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            let size = same.iter().map(|a| a.abs()).fold(0.0, f64::max);
+            assert!(apart > 1e-3 * size, "the sibling of {} is the effect itself", effect.id());
+        }
+        let none: Vec<f64> = points(effect, context, 0.0).swap_remove(0);
+        let still = change(effect.sibling(&none, context).expect("a sibling").as_ref());
+        let moved = still.iter().map(|m| m.abs()).fold(0.0, f64::max);
+        assert!(moved < 1e-12, "the sibling of {} without size moves the reading by {moved}", effect.id());
+    });
+}
+
+#[test]
+fn a_reader_is_told_the_numbers() {
+    for_each(|effect, context, _| {
+        let values = &points(effect, context, 1.0)[0];
+        let fitted: Vec<_> = effect
+            .parameters(context)
+            .into_iter()
+            .zip(values)
+            .map(|(parameter, &value)| truegap_diagnose::FittedParameter {
+                sd: parameter.sd(),
+                parameter,
+                value,
+                at_limit: false,
+            })
+            .collect();
+        let says = effect.says(&fitted);
+        assert!(says.contains("sd") && says.chars().any(|c| c.is_ascii_digit()) && !says.contains("NaN"), "{says}");
+    });
+}
+
+#[test]
+fn starting_points_fit_the_parameters_and_their_bounds() {
+    for_each(|effect, context, _| {
+        let parameters = effect.parameters(context);
+        assert!(parameters[0].centre() == 0.0 && parameters[0].sd() > 0.0, "{}", effect.id());
+        let starts = effect.starts(context);
+        assert!(!starts.is_empty() && starts.len() <= 6);
+        for start in starts {
+            assert_eq!(start.len() + 1, parameters.len(), "{}", effect.id());
+            for (p, v) in parameters[1..].iter().zip(&start) {
+                assert!(p.bounds.0 <= *v && *v <= p.bounds.1, "{}: {} = {v}", effect.id(), p.name);
+            }
+        }
+    });
+}
+
+#[test]
+fn the_page_of_effects_is_up_to_date() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/effects.md");
+    let page = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(page == common::page::page(), "write it again: cargo run -p truegap-diagnose --example effects > docs/effects.md");
+}

@@ -177,7 +177,7 @@ fn gap_sag_and_warp_are_what_the_equations_say() {
     let bent = bench.geometry("plate_bending", &[0.1, 2.0], &strain);
     assert_eq!(bent.gap, vec![0.0, -0.1, -0.05]);
     assert_eq!(bent.sag, vec![0.0, 0.2, 0.1]);
-    let stuck = bench.geometry("thermal_hysteresis", &[3.0, 5.0], &strain).warp_kelvin;
+    let stuck = bench.geometry("thermal_hysteresis", &[3.0, 5.0, 0.0], &strain).warp_kelvin;
     for (kelvin, exact) in stuck.iter().zip([0.0, 27.0, 13.0]) {
         // 3 K behind on a long rise and on a long fall
         assert_abs_diff_eq!(*kelvin, exact, epsilon = 1e-13);

@@ -32,7 +32,7 @@ struct Gradual(Contact);
 
 impl Stage for Gradual {
     fn load(&self, _: &Inputs, load: &mut [f64]) {
-        self.0.apply(load, |ratio| 1.0 / (1.0 + ratio + 0.5 * ratio * ratio));
+        self.0.apply(load, |ratio| 1.0 / (1.0 + ratio * (1.0 + ratio * (0.5 + ratio / 6.0))));
     }
 }
 

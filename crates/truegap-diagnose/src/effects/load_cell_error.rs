@@ -15,6 +15,7 @@ const WIDTH: f64 = 0.1;
 
 struct Cell {
     size: f64,
+    /// never more than half of the error of linearity: a cell of nothing but hysteresis is not known, beads of it are
     hysteresis: f64,
 }
 
@@ -74,8 +75,8 @@ impl Effect for LoadCellError {
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         vec![
             Parameter::normal("bow", "full loads", 0.0, 0.005, "error of linearity at half load").within(-0.1, 0.1),
-            Parameter::normal("hysteresis", "bows", 0.0, 0.5, "hysteresis of the cell over its error of linearity")
-                .within(-2.0, 2.0),
+            Parameter::normal("hysteresis", "bows", 0.0, 0.3, "hysteresis of the cell over its error of linearity")
+                .within(-0.5, 0.5),
         ]
     }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {

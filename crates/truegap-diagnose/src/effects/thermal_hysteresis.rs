@@ -7,44 +7,60 @@ use crate::{
 };
 use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
 
-/// A set of plays on temperature that holds the electrode back.
+/// A play on temperature that holds the electrode back, evenly or the more the further it is from its flat state.
 pub struct ThermalHysteresis;
+
+/// Temperature above the reference at which the size is quoted, K.
+const QUOTED_AT: f64 = 30.0;
 
 /// Where the base model has no warp, the play moves the mean gap.
 struct Stick {
     size: f64,
     width_k: f64,
+    growth: f64,
     warps: bool,
 }
 
 impl Stick {
     fn new(values: &[f64], context: &Context<'_>) -> Self {
-        Self { size: values[0], width_k: values[1], warps: context.simulator.warps() == Some(true) }
+        let warps = context.simulator.warps() == Some(true);
+        Self { size: values[0], width_k: values[1], growth: values[2], warps }
+    }
+
+    /// What a slip of 1 moves where the temperature is `above` the reference.
+    fn reach(&self, above: f64) -> f64 {
+        self.size * (1.0 + self.growth * (above / QUOTED_AT - 1.0))
+    }
+
+    /// Column that moves.
+    fn moved<'a>(&self, geometry: &'a mut Geometry<'_>) -> &'a mut Vec<f64> {
+        if self.warps { &mut geometry.warp_kelvin } else { &mut geometry.gap }
     }
 }
 
 impl Stage for Stick {
     fn geometry(&self, drive: &Drive<'_>, geometry: &mut Geometry<'_>) {
-        let moved = if self.warps { &mut geometry.warp_kelvin } else { &mut geometry.gap };
-        let temperature = |row: usize| drive.temperature_c[row];
-        play_set(drive.inputs, self.width_k, temperature, |first| first, |row, slip| moved[row] += self.size * slip);
+        let moved = self.moved(geometry);
+        let mut play = Play::new(self.width_k, 0.0);
+        walk(drive.inputs, |row, step| {
+            let t = drive.temperature_c[row];
+            if step.is_none() {
+                play.state = t;
+            }
+            moved[row] += self.reach(t - drive.reference_c) * play.slip(t) / self.width_k;
+        });
     }
 }
 
-/// Sibling: one play, whose slip fades into the limit smoothly.
-struct Smooth(Stick);
+/// Sibling: a set of plays, which rounds the corners of the loop.
+struct Rounded(Stick);
 
-impl Stage for Smooth {
+impl Stage for Rounded {
     fn geometry(&self, drive: &Drive<'_>, geometry: &mut Geometry<'_>) {
-        let moved = if self.0.warps { &mut geometry.warp_kelvin } else { &mut geometry.gap };
-        let mut play = Play::new(1.6 * self.0.width_k, 0.0);
-        walk(drive.inputs, |row, step| {
-            if step.is_none() {
-                play.state = drive.temperature_c[row];
-            }
-            let slip = play.slip(drive.temperature_c[row]) / play.width;
-            moved[row] += self.0.size * (1.5 * slip - 0.5 * slip.powi(3));
-        });
+        let moved = self.0.moved(geometry);
+        let t = |row: usize| drive.temperature_c[row];
+        let add = |row: usize, slip: f64| moved[row] += self.0.reach(t(row) - drive.reference_c) * slip;
+        play_set(drive.inputs, self.0.width_k, t, |first| first, add);
     }
 }
 
@@ -61,7 +77,7 @@ impl Effect for ThermalHysteresis {
     fn about(&self) -> About {
         About {
             physics: "the electrode sticks to the beads or yields, so its warp is behind the temperature on heating and on cooling, however slow",
-            equation: "warp dT = (T - T0) + s p, p = sum_k (play(T; w_k) - T) / sum_k w_k, three plays with half widths (0.4, 0.8, 1.8) w at rest when a run starts; without warp in the base model: gap + s p",
+            equation: "warp dT = (T - T0) + s [1 - g + g (T - T0) / 30 K] p, p = (play(T; w) - T) / w, at rest when a run starts; without warp in the base model the gap moves so",
             excitation: "temperature that turns around, by more than twice the width",
             impostors: &["thermal_lag", "offset_drift", "permittivity_temperature"],
             separates: "the loop over temperature keeps its width at every rate and stays open in a hold",
@@ -71,20 +87,35 @@ impl Effect for ThermalHysteresis {
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let reach = (0.15 * context.temperature_span()).max(0.2);
         let size = if context.simulator.warps() == Some(true) {
-            Parameter::normal("lag", "K", 0.0, 4.0, "temperature by which the warp is behind, on a long rise or fall")
-                .within(0.0, 100.0)
+            Parameter::normal(
+                "lag",
+                "K",
+                0.0,
+                4.0,
+                "temperature by which the warp is behind on a long rise or fall, 30 K above the reference",
+            )
+            .within(0.0, 100.0)
         } else {
-            Parameter::normal("gap", "unloaded gaps", 0.0, 2e-3, "half opening of the loop of the mean gap").within(-0.2, 0.2)
+            Parameter::normal(
+                "gap",
+                "unloaded gaps",
+                0.0,
+                2e-3,
+                "half opening of the loop of the mean gap, 30 K above the reference",
+            )
+            .within(-0.2, 0.2)
         };
         vec![
             size,
             Parameter::log_normal("width", "K", reach, 0.7, "turn of the temperature after which half of it has changed sign")
                 .within(0.2, (2.0 * context.temperature_span()).max(1.0)),
+            Parameter::normal("growth", "1", 0.5, 0.5, "0: the same at every temperature, 1: in proportion to the warp")
+                .within(0.0, 1.0),
         ]
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let span = context.temperature_span().max(1.0);
-        vec![vec![0.05 * span], vec![0.15 * span], vec![0.4 * span]]
+        [0.05, 0.15, 0.4].iter().flat_map(|w| [vec![w * span, 0.1], vec![w * span, 0.9]]).collect()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Geometry)?;
@@ -94,7 +125,7 @@ impl Effect for ThermalHysteresis {
         Box::new(Stick::new(values, context))
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Smooth(Stick::new(values, context))))
+        Some(Box::new(Rounded(Stick::new(values, context))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let (size, width) = (&fitted[0], fitted[1].value);

@@ -30,15 +30,18 @@ impl Stage for Drift {
     }
 }
 
-/// Sibling: a zero that settles as the logarithm of the clock, with the same rate and the same fading at the start.
+/// Sibling: a zero that settles as the logarithm of the clock, with the same rate at the start.
 struct Settling(Drift);
+
+/// Fading of the sibling where the drift has none, 1/h: a logarithm is never straight.
+const LEAST_FADING: f64 = 0.2;
 
 impl Stage for Settling {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
         let Drift { per_hour, fading_per_hour } = self.0;
         for (row, value) in value.iter_mut().enumerate() {
             let hours = elapsed_s(drive.inputs, row) / HOUR;
-            let reach = fading_per_hour.abs().max(1e-6);
+            let reach = fading_per_hour.abs() + LEAST_FADING;
             let settled = (reach * hours).ln_1p() / reach;
             *value += per_hour * if fading_per_hour < 0.0 { 2.0 * hours - settled } else { settled };
         }

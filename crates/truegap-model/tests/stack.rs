@@ -379,3 +379,20 @@ fn both_reconstructions_give_the_papers_improvements() {
         assert_eq!(before.k_linearity_pct_per_k * after.k_linearity_pct_per_k < 0.0, sign > 0.0);
     }
 }
+
+/// A wedge with the insulator added point by point: the mean over the disc of 1 / ((1 + t x / r) / C_beads + 1 / C_insulator), by the midpoint rule in the angle.
+#[test]
+fn a_wedge_in_the_exact_order_is_the_mean_over_the_disc() {
+    let sensor = default_sensor().unwrap();
+    let exact = Stack::new(&sensor, StackOptions { series: SeriesOrder::SeriesThenIntegrate, ..StackOptions::default() });
+    let s = states(&sensor, StackOptions::default(), &[Point { force_n: 2.0, temperature_c: 20.0 }]).unwrap()[0];
+    let (tilt, strips) = (0.6, 4000);
+    let strip = |i: i32| {
+        let angle = std::f64::consts::PI * (f64::from(i) + 0.5) / f64::from(strips);
+        2.0 * angle.sin().powi(2) / ((1.0 + tilt * angle.cos()) / s.c_rtv_pf + 1.0 / s.c_polyimide_pf)
+    };
+    let main = (0..strips).map(strip).sum::<f64>() / f64::from(strips);
+    let expected = s.c_total_pf - s.c_main_pf + main;
+    assert!(main / s.c_main_pf > 1.05);
+    assert_relative_eq!(at(&exact, 2.0, 20.0, &Plug { tilt, ..Plug::default() }).unwrap(), expected, max_relative = 1e-13);
+}

@@ -5,6 +5,7 @@
 mod arrangement;
 mod curve;
 mod error;
+mod grid;
 mod label;
 #[expect(clippy::module_inception, reason = "the type and its module share the word")]
 mod mesh;
@@ -16,6 +17,7 @@ mod triangulate;
 
 pub use curve::{Circle, Curve};
 pub use error::MeshError;
+pub use grid::{Layer, layered_grid};
 pub use mesh::{BoundaryEdge, CurvedEdge, Mesh, Quality};
 pub use outline::{Boundary, BoundaryPath, Geometry, Outline, Region, Step};
 pub use plane::Point;

@@ -6,12 +6,11 @@ use super::body::Body;
 use super::kinematics::displacement_gradient;
 use super::laws::{Law, Linear, NeoHookean, SaintVenantKirchhoff};
 use super::material::{Formulation, LawKind, Material};
-use super::point::{At, Moduli};
+use super::point::{At, Moduli, Visitor};
 use super::problem::Order;
 use super::thermal::ThermalStretch;
-use crate::Symmetry;
 use crate::mesh::Point;
-use crate::space::{P1, P2, Shape, ShapeTable, triangle_rule};
+use crate::space::{P1, P2, PointMap, QuadraturePoint, Shape, ShapeTable, triangle_rule};
 
 /// Softest stand-in for an incompressible volume in the *matrix*, relative to the shear modulus: pivots stay away from
 /// zero, and refinement with the true residual removes the difference.
@@ -29,6 +28,13 @@ impl Tables {
         Tables { quadratic: [P2::table(&rules[0]), P2::table(&rules[1])], linear: [P1::table(&rules[0]), P1::table(&rules[1])] }
     }
 
+    /// The same rule for all laws.
+    pub(crate) fn of_degree(degree: usize) -> Tables {
+        let rule = triangle_rule(degree);
+        let (quadratic, linear) = (P2::table(&rule), P1::table(&rule));
+        Tables { quadratic: [quadratic.clone(), quadratic], linear: [linear.clone(), linear] }
+    }
+
     fn of(&self, law: LawKind) -> (&[ShapeTable<6>], &[ShapeTable<3>]) {
         let k = usize::from(law != LawKind::Linear);
         (&self.quadratic[k], &self.linear[k])
@@ -44,29 +50,38 @@ pub(crate) struct Station<'a> {
     pub shapes: &'a [Shape],
     /// Pressure shapes, empty without pressure.
     pub pressures: &'a [f64],
+    /// Barycentric coordinates of the point.
+    pub barycentric: [f64; 3],
+    /// The map there.
+    pub map: PointMap,
 }
 
 /// Visits the quadrature points of an element.
 pub(crate) fn stations(body: &Body, tables: &Tables, e: usize, mut visit: impl FnMut(Station)) {
-    let problem = &body.problem;
-    let material = material(body, e);
+    let (quadratic, linear) = tables.of(material(body, e).law);
     let element = body.nodes.element(e);
-    let (quadratic, linear) = tables.of(material.law);
     for (q, l) in quadratic.iter().zip(linear) {
-        let map = element.map(q);
-        let weight = q.weight * map.jacobian * problem.symmetry.weight(map.at[0]);
-        let six = map.shapes(q);
-        let three = map.shapes(l);
-        let shapes: &[Shape] = match problem.order {
+        station(body, e, element.map(q), q, l, &mut visit);
+    }
+}
+
+fn station(body: &Body, e: usize, map: PointMap, q: &ShapeTable<6>, l: &ShapeTable<3>, visit: &mut impl FnMut(Station)) {
+    let problem = &body.problem;
+    let (six, three) = (map.shapes(q), map.shapes(l));
+    visit(Station {
+        at: map.at,
+        weight: q.weight * map.jacobian * problem.symmetry.weight(map.at[0]),
+        shapes: match problem.order {
             Order::Linear => &three,
             Order::Quadratic => &six,
-        };
-        let pressures: &[f64] = match material.formulation {
+        },
+        pressures: match material(body, e).formulation {
             Formulation::Displacement => &[],
             Formulation::Mixed => &l.value,
-        };
-        visit(Station { at: map.at, weight, shapes, pressures });
-    }
+        },
+        barycentric: l.value,
+        map,
+    });
 }
 
 /// Material of an element.
@@ -74,49 +89,119 @@ pub(crate) fn material(body: &Body, e: usize) -> &Material {
     &body.problem.materials[body.problem.mesh.triangle_regions[e] as usize]
 }
 
-/// What is asked of an element.
-pub(crate) enum Ask<'a> {
-    /// Energy, added to the number.
-    Energy(&'a mut f64),
-    /// Inner forces, added to the vector.
-    Residual(&'a mut [f64]),
-    /// Tangent, column by column, added to the matrix.
-    Tangent(&'a mut [f64]),
-}
+/// Adds up the energy of an element.
+pub(crate) struct Energy(pub f64);
 
-/// Evaluates an element at the unknowns `state` (of the whole body) under the load factor `load`.
-pub(crate) fn evaluate(body: &Body, tables: &Tables, e: usize, state: &[f64], load: f64, ask: Ask) {
-    match material(body, e).law {
-        LawKind::Linear => with_law::<Linear>(body, tables, e, state, load, ask),
-        LawKind::SaintVenantKirchhoff => with_law::<SaintVenantKirchhoff>(body, tables, e, state, load, ask),
-        LawKind::NeoHookean => with_law::<NeoHookean>(body, tables, e, state, load, ask),
+impl Visitor for Energy {
+    fn visit<L: Law>(&mut self, at: &At<L>, s: &Station) {
+        self.0 += s.weight * at.energy();
     }
 }
 
-fn with_law<L: Law>(body: &Body, tables: &Tables, e: usize, state: &[f64], load: f64, mut ask: Ask) {
-    let material = material(body, e);
-    let symmetry: Symmetry = body.problem.symmetry;
-    let mut local = [0.0; 15];
-    let of = body.dofs.of(e);
-    of.iter().zip(&mut local).for_each(|(&d, l)| *l = state[d as usize]);
-    let inner = 2 * body.problem.order.nodes();
-    let mut moduli = Moduli::from(material.lame());
-    if let Ask::Tangent(_) = ask {
+/// Adds up the inner forces of an element.
+pub(crate) struct Residual<'a>(pub &'a mut [f64]);
+
+impl Visitor for Residual<'_> {
+    fn visit<L: Law>(&mut self, at: &At<L>, s: &Station) {
+        at.add_residual(s, self.0);
+    }
+}
+
+/// Adds up the tangent of an element, column by column.
+pub(crate) struct Tangent<'a>(pub &'a mut [f64]);
+
+impl Visitor for Tangent<'_> {
+    fn visit<L: Law>(&mut self, at: &At<L>, s: &Station) {
+        at.add_tangent(s, self.0);
+    }
+}
+
+/// Visits the quadrature points of an element at the unknowns `state` (of the whole body) under the load factor `load`.
+///
+/// `for_matrix` keeps an incompressible volume from a zero pivot.
+pub(crate) fn evaluate_points(
+    body: &Body,
+    tables: &Tables,
+    e: usize,
+    state: &[f64],
+    load: f64,
+    for_matrix: bool,
+    visitor: &mut impl Visitor,
+) {
+    dispatch(Place { body, e, state, load, moduli: moduli(body, e, for_matrix), points: Points::Rule(tables) }, visitor);
+}
+
+/// Visits one reference point of an element.
+pub(crate) fn evaluate_at(
+    body: &Body,
+    e: usize,
+    reference: [f64; 2],
+    state: &[f64],
+    load: f64,
+    for_matrix: bool,
+    visitor: &mut impl Visitor,
+) {
+    dispatch(Place { body, e, state, load, moduli: moduli(body, e, for_matrix), points: Points::One(reference) }, visitor);
+}
+
+fn moduli(body: &Body, e: usize, for_matrix: bool) -> Moduli {
+    let mut moduli = Moduli::from(material(body, e).lame());
+    if for_matrix {
         moduli.compliance = moduli.compliance.max(LEAST_COMPLIANCE / moduli.mu);
     }
-    stations(body, tables, e, |s| {
-        let h = displacement_gradient(symmetry, s.at[0], s.shapes, &local[..inner]);
-        let pressure = (!s.pressures.is_empty()).then(|| {
-            let p = &local[inner..];
-            s.pressures.iter().zip(p).map(|(n, p)| n * p).sum()
-        });
-        let heat = material.expansion * load * body.problem.temperature.at(s.at);
-        let split = ThermalStretch::new(material.law, heat);
-        let at = At::<L>::new(symmetry, &h, pressure, split, moduli);
-        match &mut ask {
-            Ask::Energy(sum) => **sum += s.weight * at.energy(),
-            Ask::Residual(out) => at.add_residual(&s, out),
-            Ask::Tangent(out) => at.add_tangent(&s, out),
-        }
-    });
+    moduli
 }
+
+fn dispatch(place: Place, visitor: &mut impl Visitor) {
+    match material(place.body, place.e).law {
+        LawKind::Linear => place.visit::<Linear>(visitor),
+        LawKind::SaintVenantKirchhoff => place.visit::<SaintVenantKirchhoff>(visitor),
+        LawKind::NeoHookean => place.visit::<NeoHookean>(visitor),
+    }
+}
+
+enum Points<'a> {
+    Rule(&'a Tables),
+    One([f64; 2]),
+}
+
+struct Place<'a> {
+    body: &'a Body,
+    points: Points<'a>,
+    e: usize,
+    state: &'a [f64],
+    load: f64,
+    moduli: Moduli,
+}
+
+impl Place<'_> {
+    fn visit<L: Law>(&self, visitor: &mut impl Visitor) {
+        let material = material(self.body, self.e);
+        let symmetry = self.body.problem.symmetry;
+        let mut local = [0.0; 15];
+        let of = self.body.dofs.of(self.e);
+        of.iter().zip(&mut local).for_each(|(&d, l)| *l = self.state[d as usize]);
+        let inner = 2 * self.body.problem.order.nodes();
+        let mut visit = |s: Station| {
+            let h = displacement_gradient(symmetry, s.at[0], s.shapes, &local[..inner]);
+            let pressure = (!s.pressures.is_empty()).then(|| {
+                let p = &local[inner..];
+                s.pressures.iter().zip(p).map(|(n, p)| n * p).sum()
+            });
+            let heat = material.expansion * self.load * self.body.problem.temperature.at(s.at);
+            let split = ThermalStretch::new(material.law, heat);
+            visitor.visit(&At::<L>::new(symmetry, &h, pressure, split, self.moduli), &s);
+        };
+        match self.points {
+            Points::Rule(tables) => stations(self.body, tables, self.e, visit),
+            Points::One(reference) => {
+                let rule = [QuadraturePoint { at: reference, weight: 1.0 }];
+                let map = self.body.nodes.element(self.e).map_at(reference);
+                station(self.body, self.e, map, &P2::table(&rule)[0], &P1::table(&rule)[0], &mut visit);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

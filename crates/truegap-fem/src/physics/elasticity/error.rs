@@ -147,4 +147,24 @@ pub enum ElasticityError {
         /// Relative change in the last one.
         change: f64,
     },
+    /// A component of a tensor that does not exist.
+    #[error("the component `{found}` is not known; use rr, zz, tt or rz (planar: xx, yy, tt or xy)")]
+    UnknownComponent {
+        /// What was asked for.
+        found: String,
+    },
+    /// Adaptive refinement ended before the target.
+    #[error(
+        "output `{output}` has an estimated relative error of {estimate:.1e} with {unknowns} unknowns, {wanted:.1e} was asked for; raise the target, or round the corner that makes the quantity infinite"
+    )]
+    NotReached {
+        /// Output.
+        output: String,
+        /// Estimate reached.
+        estimate: f64,
+        /// Unknowns used.
+        unknowns: usize,
+        /// Error wanted.
+        wanted: f64,
+    },
 }

@@ -5,6 +5,9 @@
 mod body;
 mod element;
 mod error;
+mod estimate;
+mod goals;
+pub mod harmonic;
 pub mod kinematics;
 pub mod laws;
 mod loads;
@@ -15,12 +18,15 @@ mod recovery;
 mod rigid;
 mod solution;
 mod solver;
+mod stability;
 mod thermal;
 
 pub use body::Body;
 pub use error::ElasticityError;
+pub use goals::{Accuracy, Answer, Goal, Outcome, Quantity, solve_goals, solve_goals_adaptive};
 pub use material::{Formulation, Lame, LawKind, Material};
 pub use problem::{Component, Condition, Field, Order, Place, Problem, Temperature};
 pub use solution::{Components, Solution};
 pub use solver::{Counters, NewtonOptions, Solver};
+pub use stability::{Harmonic, Instability, Mode};
 pub use thermal::ThermalStretch;

@@ -29,6 +29,12 @@ impl From<Lame> for Moduli {
     }
 }
 
+/// Something to be done at every quadrature point of an element, whatever its law.
+pub(crate) trait Visitor {
+    /// Visits one point.
+    fn visit<L: Law>(&mut self, at: &At<L>, station: &Station);
+}
+
 /// A law, evaluated at a point of a body.
 pub(crate) struct At<L> {
     symmetry: Symmetry,
@@ -62,6 +68,21 @@ impl<L: Law> At<L> {
         self.split.volume * (self.moduli.mu * self.law.shear_energy() + volumetric)
     }
 
+    /// Derivative of the volume by the displacement gradient, thermal growth included.
+    pub(crate) fn volume_slope(&self) -> Tensor {
+        self.law.volume_slope() * self.split.stress_factor()
+    }
+
+    /// Second derivative of the energy by the pressure unknown, with the sign turned (1/Pa).
+    pub(crate) fn pressure_compliance(&self) -> f64 {
+        self.split.volume * self.moduli.compliance
+    }
+
+    /// Volume measure that the pressure does not account for, thermal growth included; zero without pressure.
+    pub(crate) fn gap(&self) -> f64 {
+        self.mixed.map_or(0.0, |p| self.split.volume * (self.law.volume() - self.moduli.compliance * p))
+    }
+
     /// Nominal (first Piola-Kirchhoff) stress (Pa).
     pub(crate) fn stress(&self) -> Tensor {
         (self.law.shear_stress() * self.moduli.mu + self.law.volume_slope() * self.volumetric()) * self.split.stress_factor()
@@ -85,11 +106,8 @@ impl<L: Law> At<L> {
             out[2 * i] += s.weight * r;
             out[2 * i + 1] += s.weight * z;
         }
-        if let Some(p) = self.mixed {
-            let gap = self.law.volume() - self.moduli.compliance * p;
-            for (a, n) in s.pressures.iter().enumerate() {
-                out[2 * s.shapes.len() + a] += s.weight * self.split.volume * n * gap;
-            }
+        for (a, n) in s.pressures.iter().enumerate() {
+            out[2 * s.shapes.len() + a] += s.weight * n * self.gap();
         }
     }
 
@@ -115,8 +133,8 @@ impl<L: Law> At<L> {
     }
 
     fn add_mixed(&self, s: &Station, inner: usize, m: usize, out: &mut [f64]) {
-        let slope = self.law.volume_slope() * (s.weight * self.split.stress_factor());
-        let diagonal = s.weight * self.split.volume * self.moduli.compliance;
+        let slope = self.volume_slope() * s.weight;
+        let diagonal = s.weight * self.pressure_compliance();
         for (a, na) in s.pressures.iter().enumerate() {
             for (j, shape) in s.shapes.iter().enumerate() {
                 let [r, z] = work(self.symmetry, s.at[0], &slope, *shape);

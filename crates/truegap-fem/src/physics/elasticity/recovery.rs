@@ -7,14 +7,7 @@ use super::body::Body;
 use super::problem::Order;
 use crate::mesh::Point;
 use crate::space::P1;
-use nalgebra::{DMatrix, DVector};
-
-/// Value and gradient of a fitted polynomial.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Fitted {
-    pub value: f64,
-    pub gradient: [f64; 2],
-}
+use nalgebra::DMatrix;
 
 /// The nodes around a point.
 pub(crate) struct Patch {
@@ -25,10 +18,14 @@ pub(crate) struct Patch {
     pub reach: f64,
 }
 
-/// Terms of a cubic in two variables.
+/// Terms of a quartic in two variables.
+const QUARTIC: usize = 15;
+/// Terms of a cubic.
 const CUBIC: usize = 10;
 /// Terms of a quadratic.
 const QUADRATIC: usize = 6;
+/// Terms of a linear function.
+const LINEAR: usize = 3;
 
 impl Patch {
     /// Collects the nodes of the elements of the same region that touch `element`, and more while they do not
@@ -63,40 +60,36 @@ impl Patch {
         patch
     }
 
-    /// Least-squares polynomial through `value(node)`: cubic, or quadratic for linear elements.
-    pub(crate) fn fit(&self, body: &Body, value: impl Fn(usize) -> f64) -> Fitted {
-        let terms = match body.problem.order {
-            Order::Linear => QUADRATIC,
-            Order::Quadratic if self.nodes.len() < CUBIC => QUADRATIC,
-            Order::Quadratic => CUBIC,
+    /// For every node, its weights in the fitted value and in the two derivatives: cubic, quartic if `higher`; lower
+    /// where there are too few nodes.
+    pub(crate) fn weights(&self, body: &Body, higher: bool) -> Vec<(usize, [f64; 3])> {
+        let wanted = match (body.problem.order, higher) {
+            (Order::Linear, false) => QUADRATIC,
+            (Order::Linear, true) | (Order::Quadratic, false) => CUBIC,
+            (Order::Quadratic, true) => QUARTIC,
         };
-        let spread = [0, 1]
-            .map(|k| self.nodes.iter().map(|&n| (body.nodes.points[n][k] - self.at[k]).abs()).fold(f64::MIN_POSITIVE, f64::max));
-        let rows: Vec<[f64; CUBIC]> = self
-            .nodes
-            .iter()
-            .map(|&n| {
-                let p = body.nodes.points[n];
-                monomials((p[0] - self.at[0]) / spread[0], (p[1] - self.at[1]) / spread[1])
-            })
-            .collect();
+        let terms = [wanted, CUBIC, QUADRATIC].into_iter().find(|&t| t <= wanted && self.nodes.len() >= t + 2).unwrap_or(LINEAR);
+        let away = |n: usize, k: usize| body.nodes.points[n][k] - self.at[k];
+        let spread = [0, 1].map(|k| self.nodes.iter().map(|&n| away(n, k).abs()).fold(f64::MIN_POSITIVE, f64::max));
+        let rows: Vec<_> = self.nodes.iter().map(|&n| monomials(away(n, 0) / spread[0], away(n, 1) / spread[1])).collect();
         let a = DMatrix::from_fn(rows.len(), terms, |i, j| rows[i][j]);
-        let b = DVector::from_iterator(rows.len(), self.nodes.iter().map(|&n| value(n)));
-        let x = a.svd(true, true).solve(&b, 1e-12).unwrap_or(DVector::from_element(terms, f64::NAN));
-        Fitted { value: x[0], gradient: [x[1] / spread[0], x[2] / spread[1]] }
+        let inverse = a.svd(true, true).pseudo_inverse(1e-12).unwrap_or(DMatrix::repeat(terms, rows.len(), f64::NAN));
+        let weight = |i: usize| [inverse[(0, i)], inverse[(1, i)] / spread[0], inverse[(2, i)] / spread[1]];
+        self.nodes.iter().enumerate().map(|(i, &n)| (n, weight(i))).collect()
     }
 
-    /// Pressure unknown at the point (Pa).
-    pub(crate) fn pressure(&self, body: &Body, state: &[f64]) -> f64 {
+    /// The pressure unknowns of the element and their weights at the point.
+    pub(crate) fn pressure_weights(&self, body: &Body) -> [(usize, f64); 3] {
         let of = body.dofs.of(self.element);
         let reference = body.nodes.element(self.element).locate(self.at, 1.0).unwrap_or([1.0 / 3.0; 2]);
         let value = P1::at(reference).0;
-        (0..3).map(|i| value[i] * state[of[12 + i] as usize]).sum()
+        [0, 1, 2].map(|i| (of[12 + i] as usize, value[i]))
     }
 }
 
-fn monomials(x: f64, y: f64) -> [f64; CUBIC] {
-    [1.0, x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y]
+fn monomials(x: f64, y: f64) -> [f64; QUARTIC] {
+    let (xx, xy, yy) = (x * x, x * y, y * y);
+    [1.0, x, y, xx, xy, yy, x * xx, x * xy, y * xy, y * yy, xx * xx, xx * xy, xx * yy, xy * yy, yy * yy]
 }
 
 /// Element of a region (of any, if none is named) that holds a point, and the reference coordinates there.

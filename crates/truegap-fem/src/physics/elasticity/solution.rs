@@ -14,6 +14,7 @@ use super::recovery::Patch;
 use super::thermal::ThermalStretch;
 use crate::Symmetry;
 use crate::mesh::{Mesh, Point};
+use crate::space::P2;
 use std::sync::Arc;
 
 /// The four components that an axisymmetric or planar tensor has; `tt` is the hoop or out-of-plane one.
@@ -102,64 +103,130 @@ impl Solution {
     /// Recovered displacement gradient at a point, in the first region that has it.
     pub fn gradient_at(&self, at: Point) -> Result<Tensor, ElasticityError> {
         let (element, _) = self.locate(at, None)?;
-        self.gradient_in(element, at)
+        Ok(self.gradient_in(&Patch::around(&self.body, element, at), at, false))
     }
 
-    fn gradient_in(&self, element: usize, at: Point) -> Result<Tensor, ElasticityError> {
-        let patch = Patch::around(&self.body, element, at);
-        let [r, z] = [0, 1].map(|c| patch.fit(&self.body, |n| self.state[2 * n + c]));
+    fn gradient_in(&self, patch: &Patch, at: Point, higher: bool) -> Tensor {
+        patch.weights(&self.body, higher).iter().fold(Tensor::zeros(), |h, &(n, w)| {
+            h + self.nodal_gradient(patch, at, w, 0) * self.state[2 * n]
+                + self.nodal_gradient(patch, at, w, 1) * self.state[2 * n + 1]
+        })
+    }
+
+    /// Gradient of the fit for a unit displacement of one node.
+    fn nodal_gradient(&self, patch: &Patch, at: Point, weight: [f64; 3], component: usize) -> Tensor {
         let mut h = Tensor::zeros();
-        h[(R, R)] = r.gradient[0];
-        h[(R, Z)] = r.gradient[1];
-        h[(Z, R)] = z.gradient[0];
-        h[(Z, Z)] = z.gradient[1];
-        if self.body.problem.symmetry == Symmetry::Axisymmetric {
+        h[(component, R)] = weight[1];
+        h[(component, Z)] = weight[2];
+        if component == R && self.body.problem.symmetry == Symmetry::Axisymmetric {
             // Both are the hoop strain; on the axis only the second exists.
             let on_axis = at[0] <= 1e-9 * patch.reach;
-            h[(T, T)] = if on_axis { r.gradient[0] } else { r.value / at[0] };
+            h[(T, T)] = if on_axis { weight[1] } else { weight[0] / at[0] };
         }
-        Ok(h)
+        h
     }
 
     /// Total strain at a point of the undeformed body, thermal part included: small strain in linear materials, Green
     /// strain in the others.
     pub fn strain_at(&self, at: Point) -> Result<Components, ElasticityError> {
-        let (element, _) = self.locate(at, None)?;
-        let h = self.gradient_in(element, at)?;
-        let mut strain = (h + h.transpose()) * 0.5;
-        if material(&self.body, element).law != LawKind::Linear {
-            strain += h.tr_mul(&h) * 0.5;
-        }
-        Ok(Components::of(&strain))
+        self.tensor_at(at, false)
     }
 
     /// Cauchy stress (Pa) at a point of the undeformed body; on an interface, that of the first region there.
     pub fn stress_at(&self, at: Point) -> Result<Components, ElasticityError> {
-        self.stress(self.locate(at, None)?.0, at)
+        self.tensor_at(at, true)
     }
 
     /// Cauchy stress (Pa) at a point of a named region.
     pub fn stress_in(&self, region: &str, at: Point) -> Result<Components, ElasticityError> {
-        self.stress(self.locate(at, Some(region))?.0, at)
+        let (element, _) = self.locate(at, Some(region))?;
+        Ok(self.tensor_in(element, at, true, false))
     }
 
-    fn stress(&self, element: usize, at: Point) -> Result<Components, ElasticityError> {
-        let h = self.gradient_in(element, at)?;
-        let stress = match material(&self.body, element).law {
-            LawKind::Linear => self.at::<Linear>(element, at, &h).stress(),
-            LawKind::SaintVenantKirchhoff => self.at::<SaintVenantKirchhoff>(element, at, &h).cauchy(&h),
-            LawKind::NeoHookean => self.at::<NeoHookean>(element, at, &h).cauchy(&h),
-        };
-        Ok(Components::of(&stress))
+    /// Stress or strain at a point.
+    pub(crate) fn tensor_at(&self, at: Point, stress: bool) -> Result<Components, ElasticityError> {
+        let (element, _) = self.locate(at, None)?;
+        Ok(self.tensor_in(element, at, stress, false))
     }
 
-    fn at<L: Law>(&self, element: usize, at: Point, h: &Tensor) -> At<L> {
+    fn tensor_in(&self, element: usize, at: Point, stress: bool, higher: bool) -> Components {
+        let patch = Patch::around(&self.body, element, at);
+        let h = self.gradient_in(&patch, at, higher);
+        self.tensor(element, at, &h, self.pressure(&patch, element), stress)
+    }
+
+    fn pressure(&self, patch: &Patch, element: usize) -> Option<f64> {
+        let mixed = material(&self.body, element).formulation == Formulation::Mixed;
+        mixed.then(|| patch.pressure_weights(&self.body).iter().map(|&(d, w)| w * self.state[d]).sum())
+    }
+
+    /// Stress or strain of the material of an element at a displacement gradient and a pressure.
+    fn tensor(&self, element: usize, at: Point, h: &Tensor, pressure: Option<f64>, stress: bool) -> Components {
+        let law = material(&self.body, element).law;
+        if !stress {
+            let green = if law == LawKind::Linear { Tensor::zeros() } else { h.tr_mul(h) };
+            return Components::of(&((h + h.transpose() + green) * 0.5));
+        }
+        Components::of(&match law {
+            LawKind::Linear => self.at::<Linear>(element, at, h, pressure).stress(),
+            LawKind::SaintVenantKirchhoff => self.at::<SaintVenantKirchhoff>(element, at, h, pressure).cauchy(h),
+            LawKind::NeoHookean => self.at::<NeoHookean>(element, at, h, pressure).cauchy(h),
+        })
+    }
+
+    fn at<L: Law>(&self, element: usize, at: Point, h: &Tensor, pressure: Option<f64>) -> At<L> {
         let material = material(&self.body, element);
         let problem = &self.body.problem;
-        let pressure = (material.formulation == Formulation::Mixed)
-            .then(|| Patch::around(&self.body, element, at).pressure(&self.body, &self.state));
         let heat = material.expansion * self.load * problem.temperature.at(at);
-        At::new(problem.symmetry, h, pressure, ThermalStretch::new(material.law, heat), Moduli::from(material.lame()))
+        let split = ThermalStretch::new(material.law, heat);
+        At::new(problem.symmetry, h, pressure, split, Moduli::from(material.lame()))
+    }
+
+    /// Weight of every unknown in the displacement at a point.
+    pub(crate) fn displacement_weights(&self, at: Point, component: Component) -> Result<Vec<f64>, ElasticityError> {
+        let (element, reference) = self.locate(at, None)?;
+        let mut weights = vec![0.0; self.state.len()];
+        let of = self.body.dofs.of(element);
+        for (i, value) in P2::at(reference).0.iter().enumerate().take(self.body.problem.order.nodes()) {
+            weights[of[2 * i + component.index()] as usize] = *value;
+        }
+        Ok(weights)
+    }
+
+    /// Derivative of a component of the recovered stress or strain by every unknown, and how far a fit of higher degree
+    /// is from the one used.
+    pub(crate) fn tensor_weights(
+        &self,
+        at: Point,
+        stress: bool,
+        pick: &dyn Fn(&Components) -> f64,
+    ) -> Result<(Vec<f64>, f64), ElasticityError> {
+        let (element, _) = self.locate(at, None)?;
+        let patch = Patch::around(&self.body, element, at);
+        let h = self.gradient_in(&patch, at, false);
+        let p = self.pressure(&patch, element);
+        // Central differences: the tensors are smooth in H on the scale of one, exact where they are linear.
+        let step = 1e-5;
+        let value = |h: &Tensor, p: Option<f64>| pick(&self.tensor(element, at, h, p, stress));
+        let mut slope = Tensor::zeros();
+        for (i, j) in [(R, R), (R, Z), (Z, R), (Z, Z), (T, T)] {
+            let mut d = Tensor::zeros();
+            d[(i, j)] = step;
+            slope[(i, j)] = (value(&(h + d), p) - value(&(h - d), p)) / (2.0 * step);
+        }
+        let mut weights = vec![0.0; self.state.len()];
+        for (n, w) in patch.weights(&self.body, false) {
+            for c in [R, Z] {
+                weights[2 * n + c] += slope.dot(&self.nodal_gradient(&patch, at, w, c));
+            }
+        }
+        if let Some(p) = p {
+            let step = 1e-5 * material(&self.body, element).young;
+            let by_pressure = (value(&h, Some(p + step)) - value(&h, Some(p - step))) / (2.0 * step);
+            patch.pressure_weights(&self.body).iter().for_each(|&(d, w)| weights[d] += w * by_pressure);
+        }
+        let higher = pick(&self.tensor_in(element, at, stress, true));
+        Ok((weights, (higher - value(&h, p)).abs()))
     }
 
     /// Element and reference coordinates of a point, in a region if one is named.

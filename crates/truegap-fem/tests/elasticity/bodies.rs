@@ -1,7 +1,5 @@
 //! Bodies that several tests share.
 
-#![allow(dead_code, clippy::unwrap_used)]
-
 use std::sync::Arc;
 use truegap_fem::Symmetry;
 use truegap_fem::mesh::*;
@@ -127,4 +125,31 @@ pub fn apparent_modulus(mesh: Mesh, material: Material, order: Order, bonded_top
     let force = Solver::new(p).unwrap().solve().unwrap().reaction("top", Second).unwrap();
     let stress = force / (std::f64::consts::PI * a * a);
     stress / (press / h) / material.young
+}
+
+/// Free disc of 17 um copper under 5 um tin, radius 7.5 mm, at 1 K: load factors are kelvins.
+pub fn bimetal(law: LawKind) -> Problem {
+    let (radius, step) = (7.5e-3, 150e-6);
+    // Columns halve towards the rim, where an edge layer as wide as the disc is thick ends the bending.
+    let mut columns: Vec<f64> = (0..=48).map(|i| step * f64::from(i)).collect();
+    let mut gap = radius - columns[48];
+    while gap > 3e-6 {
+        gap *= 0.6;
+        columns.push(radius - gap);
+    }
+    columns.push(radius);
+    let layer = |name: &str, thickness, rows| Layer { name: name.into(), thickness, rows };
+    let mesh = layered_grid(&columns, 0.0, &[layer("copper", 17e-6, 3), layer("tin", 5e-6, 1)]).unwrap();
+    let metal = |young, poisson, expansion| Material { young, poisson, expansion, law, formulation: Formulation::Displacement };
+    let mut p = problem(mesh, metal(117e9, 0.34, 16.7e-6));
+    p.materials.push(metal(41.6e9, 0.36, 22.4e-6));
+    p.temperature = Temperature::uniform(1.0);
+    p.conditions = vec![Condition::pin([0.0, 0.0], Second)];
+    p
+}
+
+/// Height of the rim's mid-plane above the centre's, magnitude (um).
+pub fn rim_um(s: &Solution) -> f64 {
+    let at = |r: f64| s.displacement_at([r, 11e-6]).unwrap()[1];
+    1e6 * (at(7.5e-3) - at(0.0)).abs()
 }

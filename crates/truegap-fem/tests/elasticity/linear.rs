@@ -1,9 +1,6 @@
 //! Linear thermoelasticity against exact fields, closed forms and published values.
 
-#![allow(clippy::unwrap_used)]
-
-mod elastic;
-use elastic::*;
+use super::bodies::*;
 use std::f64::consts::{FRAC_PI_6, PI};
 use truegap_fem::Symmetry;
 use truegap_fem::mesh::*;

@@ -30,6 +30,7 @@ pub mod problem;
 pub mod score;
 pub mod search;
 pub mod select;
+pub mod thin;
 pub mod verdict;
 pub mod whiten;
 

@@ -8,13 +8,16 @@ use crate::{
 };
 use truegap_core::{Inputs, Role, Stage};
 
-/// A profile of load and temperature that a rig could play: (time s, load over full load, temperature degC, run).
+/// Rows of a profile: (time s, load over full load, temperature degC, run).
+pub type Points = Vec<(f64, f64, f64, u32)>;
+
+/// A profile of load and temperature that a rig could play.
 pub struct Profile {
     /// name, as `truegap simulate --profile` takes it
     pub name: &'static str,
     /// what to do
     pub says: &'static str,
-    points: fn(f64) -> Vec<(f64, f64, f64, u32)>,
+    points: fn(f64) -> Points,
 }
 
 /// Profiles that are weighed.
@@ -62,12 +65,12 @@ pub fn inputs(profile: &Profile, full: f64, role: Role, start_c: f64) -> Inputs 
     }
 }
 
-fn long_hold(t: f64) -> Vec<(f64, f64, f64, u32)> {
+fn long_hold(t: f64) -> Points {
     let hold = (0..1440).map(move |i| (5.0 * f64::from(i), if i < 4 { 0.0 } else { 0.5 }, t, 1));
     hold.chain((0..360).map(move |i| (7200.0 + 5.0 * f64::from(i), 0.0, t, 1))).collect()
 }
 
-fn rates(t: f64) -> Vec<(f64, f64, f64, u32)> {
+fn rates(t: f64) -> Points {
     let mut points = Vec::new();
     let mut clock = 0.0;
     for (run, half) in [0.05, 0.5, 5.0, 60.0, 300.0].into_iter().enumerate() {
@@ -83,7 +86,7 @@ fn rates(t: f64) -> Vec<(f64, f64, f64, u32)> {
     points
 }
 
-fn staircase(t: f64) -> Vec<(f64, f64, f64, u32)> {
+fn staircase(t: f64) -> Points {
     let level = |step: i32| f64::from(if step <= 8 { step } else { 16 - step }) / 8.0;
     let run = move |number: u32| {
         (0..17 * 60).map(move |i| (2.0 * f64::from(i) + 3600.0 * f64::from(number - 1), level(i / 60), t, number))
@@ -91,7 +94,7 @@ fn staircase(t: f64) -> Vec<(f64, f64, f64, u32)> {
     run(1).chain(run(2)).collect()
 }
 
-fn thermal(load: f64) -> Vec<(f64, f64, f64, u32)> {
+fn thermal(load: f64) -> Points {
     let sweep = |start: f64, half: f64, run: u32| {
         (0..400).map(move |i| {
             let phase = f64::from(i) / 200.0;
@@ -102,15 +105,15 @@ fn thermal(load: f64) -> Vec<(f64, f64, f64, u32)> {
     sweep(0.0, 600.0, 1).chain(sweep(3000.0, 7200.0, 2)).collect()
 }
 
-fn thermal_unloaded(_: f64) -> Vec<(f64, f64, f64, u32)> {
+fn thermal_unloaded(_: f64) -> Points {
     thermal(0.0)
 }
 
-fn thermal_loaded(_: f64) -> Vec<(f64, f64, f64, u32)> {
+fn thermal_loaded(_: f64) -> Points {
     thermal(1.0)
 }
 
-fn overnight(t: f64) -> Vec<(f64, f64, f64, u32)> {
+fn overnight(t: f64) -> Points {
     (0..12 * 120).map(|i| (30.0 * f64::from(i), if i % 120 < 4 { 1.0 } else { 0.0 }, t, 1)).collect()
 }
 

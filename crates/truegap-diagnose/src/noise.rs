@@ -33,7 +33,7 @@ pub fn noise_model(problem: &Problem<'_>, base: &[f64]) -> Result<NoiseModel, Si
     let rows = blocks.iter().map(|b| b.rows.len()).sum();
     let total = estimate(problem.response, &blocks);
     let response = without_inputs(total, &blocks, &extra_variance, problem.response);
-    Ok(NoiseModel { response, inputs, extra_variance, measured, rows, says })
+    Ok(NoiseModel { response, inputs, extra_variance, weights: None, measured, rows, says })
 }
 
 /// Stretches to take the noise from, whether they are apart from the mismatch, and a sentence about them.

@@ -89,6 +89,8 @@ pub struct NoiseModel {
     pub inputs: InputNoise,
     /// variance from the inputs, row by row
     pub extra_variance: Vec<f64>,
+    /// rows of the recording that each row is the mean of; absent where each is one
+    pub weights: Option<Vec<f64>>,
     /// measured apart from the mismatch
     pub measured: bool,
     /// rows that it rests on
@@ -100,7 +102,7 @@ pub struct NoiseModel {
 impl NoiseModel {
     /// Filter with the rows that `keep` names.
     pub fn whitener(&self, runs: &[Range<usize>], keep: Option<&[bool]>) -> Whitener {
-        Whitener::new(&self.response, &self.extra_variance, runs, keep)
+        Whitener::new(&self.response, &self.extra_variance, self.weights.as_deref(), runs, keep)
     }
 
     /// Standard deviation of one row.

@@ -92,7 +92,7 @@ fn sums(response: &[f64], blocks: &[Block], correlation: f64, share: f64) -> Sum
     let mut total = Sums::default();
     for block in blocks {
         let n = block.rows.len();
-        let filter = Whitener::new(&noise, &vec![0.0; n], std::slice::from_ref(&(0..n)), None);
+        let filter = Whitener::new(&noise, &vec![0.0; n], None, std::slice::from_ref(&(0..n)), None);
         let white = |column: Vec<f64>| {
             let mut column = column;
             filter.apply(&mut column);

@@ -84,7 +84,8 @@ mod tests {
         };
         let full = Whitener::new(&noise, &[0.0; 600], None, std::slice::from_ref(&(0..600)), None);
         let merged = Whitener::new(&noise, &[0.0; 60], Some(&[10.0; 60]), std::slice::from_ref(&(0..60)), None);
-        // the means of an AR(1) process are not AR(1): 5 % is what that approximation costs
-        approx::assert_relative_eq!(information(&merged, 60), information(&full, 600), max_relative = 0.05);
+        // means of an AR(1) process are ARMA(1, 1), taken as AR(1) here: that costs 9 % for this strong correlation, and never adds
+        let kept = information(&merged, 60) / information(&full, 600);
+        assert!((0.9..=1.0).contains(&kept), "{kept}");
     }
 }

@@ -11,8 +11,8 @@ use crate::{
     effects::library,
     gate::Gate,
     issues::{DiagnoseError, check},
-    noise::noise_model,
-    problem::{NoiseModel, Problem},
+    noise::{input_noise, noise_model, quiet_inputs},
+    problem::Problem,
     search::{Progress, Search},
     select::{Selection, select},
     verdict::decide,
@@ -49,7 +49,10 @@ pub fn diagnose(
 ) -> Result<Outcome, DiagnoseError> {
     let started = std::time::Instant::now();
     check(problem)?;
-    let noise = calibrated_noise(problem)?;
+    let input_noise = input_noise(problem.inputs, problem.simulator);
+    let (quiet, load_left, temperature_left) = quiet_inputs(problem.inputs, problem.simulator, &input_noise);
+    let problem = &Problem { inputs: &quiet, response: problem.response, simulator: problem.simulator };
+    let noise = noise_model(problem, &centre(problem), input_noise, (&load_left, &temperature_left))?;
     let whitener = noise.whitener(&problem.runs(), None);
     let span = crate::directions::spread(problem.response);
     let context = problem.context(span, noise.floor());
@@ -79,10 +82,9 @@ pub fn diagnose(
     Ok(outcome)
 }
 
-/// Noise, with the inputs' share taken at the prior's centre.
-fn calibrated_noise(problem: &Problem<'_>) -> Result<NoiseModel, DiagnoseError> {
-    let centre: Vec<f64> = problem.simulator.parameters().iter().map(truegap_core::Parameter::centre).collect();
-    Ok(noise_model(problem, &centre)?)
+/// The centre of the base model's prior.
+fn centre(problem: &Problem<'_>) -> Vec<f64> {
+    problem.simulator.parameters().iter().map(truegap_core::Parameter::centre).collect()
 }
 
 /// Effects that the recording could show, and those that it could not, with the reason.

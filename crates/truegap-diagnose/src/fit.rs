@@ -182,7 +182,7 @@ pub struct FitOptions {
 
 impl Default for FitOptions {
     fn default() -> Self {
-        Self { iterations: 25, tolerance: 1e-3 }
+        Self { iterations: 12, tolerance: 1e-2 }
     }
 }
 
@@ -226,6 +226,9 @@ pub fn fit_within(
 }
 
 /// The first damped step that lowers the objective: point, residual there, gain.
+///
+/// Parameters that trade off against one another make a valley that is curved and narrow. A straight step along it leaves it, so each step is
+/// corrected with the same Jacobian until it is back in the valley (chord iterations), and only then judged.
 fn best_step(
     model: &Model<'_>,
     whitener: &Whitener,
@@ -236,21 +239,35 @@ fn best_step(
     damping: &mut f64,
 ) -> Option<(Vec<f64>, Vec<f64>, f64)> {
     let gram = jacobian.tr_mul(jacobian);
-    let gradient = jacobian.tr_mul(&DVector::from_column_slice(residual)) - DVector::from_column_slice(z);
     let here = objective(residual, z);
-    for _ in 0..12 {
-        let next = bounded_step(&gram, &gradient, z, bounds, *damping)?;
-        if let Ok(there) = model.residual(&next, whitener) {
-            let gain = here - objective(&there, &next);
-            if gain > 0.0 && gain.is_finite() {
-                *damping = (*damping * 0.2).max(1e-9);
-                return Some((next, there, gain));
+    for _ in 0..10 {
+        let mut best: Option<(Vec<f64>, Vec<f64>, f64)> = None;
+        let (mut at, mut there) = (z.to_vec(), residual.to_vec());
+        for _ in 0..CHORDS {
+            let gradient = jacobian.tr_mul(&DVector::from_column_slice(&there)) - DVector::from_column_slice(&at);
+            at = bounded_step(&gram, &gradient, &at, bounds, *damping)?;
+            let Ok(next) = model.residual(&at, whitener) else { break };
+            there = next;
+            let gain = here - objective(&there, &at);
+            let before = best.as_ref().map_or(0.0, |b| b.2);
+            if gain > before && gain.is_finite() {
+                best = Some((at.clone(), there.clone(), gain));
+            }
+            if best.is_some() && gain < before + 0.01 * before.abs() {
+                break;
             }
         }
-        *damping = (*damping * 8.0).max(1e-4);
+        if best.is_some() {
+            *damping = (*damping * 0.1).max(1e-9);
+            return best;
+        }
+        *damping = (*damping * 10.0).max(1e-4);
     }
     None
 }
+
+/// Most corrections of a step with one Jacobian.
+const CHORDS: usize = 5;
 
 fn objective(residual: &[f64], z: &[f64]) -> f64 {
     0.5 * (residual.iter().map(|r| r * r).sum::<f64>() + z.iter().map(|z| z * z).sum::<f64>())

@@ -2,37 +2,65 @@
 //!
 //! Limits: one noise for the whole recording.
 
+pub mod denoise;
 mod input;
 mod likelihood;
 mod rest;
 
 use crate::problem::{InputNoise, NoiseModel, Problem};
-use crate::whiten::Noise;
 pub use input::scatter;
 use likelihood::{Block, estimate};
-use truegap_core::SimulationError;
+use truegap_core::{Inputs, SimulationError, Simulator};
 
 /// Fewest rows at rest that a noise model may rest on.
 const ENOUGH: usize = 120;
 /// Most rows at rest that are used; more would not change the figures.
 const PLENTY: usize = 6000;
 
-/// Noise of a problem; `base` are parameter values at which the inputs' noise is carried through.
+/// Noise of the recorded load (over the full load) and temperature.
+pub fn input_noise(inputs: &Inputs, simulator: &dyn Simulator) -> InputNoise {
+    let runs = inputs.runs();
+    InputNoise {
+        load: simulator.load(inputs).map_or(0.0, |l| scatter(&l, &runs)),
+        temperature: inputs.temperature_c.as_deref().map_or(0.0, |t| scatter(t, &runs)),
+    }
+}
+
+/// The inputs without their noise, and the share of its variance that is left, row by row: of the load and of the temperature.
+pub fn quiet_inputs(inputs: &Inputs, simulator: &dyn Simulator, noise: &InputNoise) -> (Inputs, Vec<f64>, Vec<f64>) {
+    let runs = inputs.runs();
+    let time = inputs.time_s.as_deref();
+    let mut quiet = inputs.clone();
+    let (mut load_left, mut temperature_left) = (vec![0.0; inputs.len()], vec![0.0; inputs.len()]);
+    let full = simulator.full_load().unwrap_or(1.0);
+    for column in [&mut quiet.force_n, &mut quiet.pressure_pa].into_iter().flatten() {
+        let found = denoise::denoise(column, time, &runs, noise.load * full);
+        (*column, load_left) = (found.column, found.left);
+    }
+    if let Some(column) = &mut quiet.temperature_c {
+        let found = denoise::denoise(column, time, &runs, noise.temperature);
+        (*column, temperature_left) = (found.column, found.left);
+    }
+    (quiet, load_left, temperature_left)
+}
+
+/// Noise of a problem whose inputs were quietened: `inputs` as recorded, `left` the shares of variance left in load and temperature,
+/// `base` the parameter values at which that is carried through.
 ///
 /// # Errors
 /// Those of the simulator.
-pub fn noise_model(problem: &Problem<'_>, base: &[f64]) -> Result<NoiseModel, SimulationError> {
+pub fn noise_model(
+    problem: &Problem<'_>,
+    base: &[f64],
+    inputs: InputNoise,
+    left: (&[f64], &[f64]),
+) -> Result<NoiseModel, SimulationError> {
     let load = problem.simulator.load(problem.inputs);
-    let runs = problem.runs();
-    let inputs = InputNoise {
-        load: load.as_deref().map_or(0.0, |l| scatter(l, &runs)),
-        temperature: problem.inputs.temperature_c.as_deref().map_or(0.0, |t| scatter(t, &runs)),
-    };
-    let extra_variance = problem.input_variance(base, &inputs)?;
+    let extra_variance = problem.input_variance(base, &inputs, left)?;
     let (blocks, measured, says) = blocks(problem, load.as_deref(), &inputs);
     let rows = blocks.iter().map(|b| b.rows.len()).sum();
-    let total = estimate(problem.response, &blocks);
-    let response = without_inputs(total, &blocks, &extra_variance, problem.response);
+    let mut response = estimate(problem.response, &blocks);
+    response.white_sd = response.white_sd.max(resolution(problem.response) / 12f64.sqrt());
     Ok(NoiseModel { response, inputs, extra_variance, weights: None, measured, rows, says })
 }
 
@@ -73,16 +101,6 @@ fn thin(blocks: &mut Vec<Block>) {
             block.truncate(PLENTY);
         }
     }
-}
-
-/// Takes the part of the white noise that comes from the inputs off the figure measured at rest.
-fn without_inputs(total: Noise, blocks: &[Block], extra: &[f64], response: &[f64]) -> Noise {
-    let rows = blocks.iter().flat_map(|b| &b.rows);
-    let (sum, count) = rows.fold((0.0, 0.0), |(s, n), row| (s + extra[*row], n + 1.0));
-    let white2 = total.white_sd.powi(2);
-    let floor = resolution(response) / 12f64.sqrt();
-    let left = white2 - if count > 0.0 { sum / count } else { 0.0 };
-    Noise { white_sd: left.max(0.05 * white2).sqrt().max(floor), ..total }
 }
 
 /// Smallest difference between two neighbouring values of a column; 0 where all are equal.

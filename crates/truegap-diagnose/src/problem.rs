@@ -34,23 +34,31 @@ impl Problem<'_> {
         self.inputs.runs()
     }
 
-    /// Variance that noise of the inputs adds to each row, at parameter values `base`.
+    /// Variance that noise of the inputs adds to each row, at parameter values `base`; `left` are the shares of it that quietening left.
     ///
     /// # Errors
     /// Those of the simulator.
-    pub fn input_variance(&self, base: &[f64], noise: &InputNoise) -> Result<Vec<f64>, SimulationError> {
+    pub fn input_variance(&self, base: &[f64], noise: &InputNoise, left: (&[f64], &[f64])) -> Result<Vec<f64>, SimulationError> {
         let mut variance = vec![0.0; self.inputs.len()];
         let here = self.simulator.respond(base, self.inputs, &[])?;
-        let mut add = |there: Vec<f64>, ratio: f64| {
-            variance.iter_mut().zip(there.iter().zip(&here)).for_each(|(v, (a, b))| *v += ((a - b) * ratio).powi(2));
+        let mut add = |there: Vec<f64>, ratio: f64, left: &[f64]| {
+            variance
+                .iter_mut()
+                .zip(there.iter().zip(&here))
+                .zip(left)
+                .for_each(|((v, (a, b)), l)| *v += ((a - b) * ratio).powi(2) * l);
         };
         if noise.load > 0.0 && self.simulator.full_load().is_some() {
             let step = 1e-3;
-            add(self.simulator.respond(base, self.inputs, &[&Nudge { load: step, kelvin: 0.0 }])?, noise.load / step);
+            add(self.simulator.respond(base, self.inputs, &[&Nudge { load: step, kelvin: 0.0 }])?, noise.load / step, left.0);
         }
         if noise.temperature > 0.0 && self.inputs.temperature_c.is_some() {
             let step = 0.1;
-            add(self.simulator.respond(base, self.inputs, &[&Nudge { load: 0.0, kelvin: step }])?, noise.temperature / step);
+            add(
+                self.simulator.respond(base, self.inputs, &[&Nudge { load: 0.0, kelvin: step }])?,
+                noise.temperature / step,
+                left.1,
+            );
         }
         Ok(variance)
     }

@@ -25,7 +25,8 @@ pub fn thin(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> Option<
     }
     let most = n.div_ceil(target);
     let groups = groups(problem, noise, most);
-    let mean = |column: &[f64]| groups.iter().map(|g| column[g.clone()].iter().sum::<f64>() / g.len() as f64).collect::<Vec<f64>>();
+    let mean =
+        |column: &[f64]| groups.iter().map(|g| column[g.clone()].iter().sum::<f64>() / g.len() as f64).collect::<Vec<f64>>();
     let option = |column: &Option<Vec<f64>>| column.as_deref().map(mean);
     let from = problem.inputs;
     let inputs = Inputs {
@@ -38,7 +39,12 @@ pub fn thin(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> Option<
         humidity_pct: option(&from.humidity_pct),
         simulated: option(&from.simulated),
     };
-    Some(Thinned { inputs, response: mean(problem.response), weights: groups.iter().map(|g| g.len() as f64).collect(), first: groups.iter().map(|g| g.start).collect() })
+    Some(Thinned {
+        inputs,
+        response: mean(problem.response),
+        weights: groups.iter().map(|g| g.len() as f64).collect(),
+        first: groups.iter().map(|g| g.start).collect(),
+    })
 }
 
 /// Row ranges to be merged: at most `most` rows, within which no input leaves its noise and the pace is even.

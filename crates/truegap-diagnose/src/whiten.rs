@@ -35,7 +35,8 @@ impl Noise {
     fn ar_correlation_of_means(&self, rows: f64, next: f64) -> f64 {
         let phi = self.ar_correlation;
         let decay = 1.0 - phi;
-        let covariance = self.ar_sd * self.ar_sd * phi * (1.0 - phi.powf(rows)) * (1.0 - phi.powf(next)) / (decay * decay * rows * next);
+        let covariance =
+            self.ar_sd * self.ar_sd * phi * (1.0 - phi.powf(rows)) * (1.0 - phi.powf(next)) / (decay * decay * rows * next);
         let variances = self.ar_variance_of_mean(rows) * self.ar_variance_of_mean(next);
         if variances > 0.0 { covariance / variances.sqrt() } else { 0.0 }
     }
@@ -59,7 +60,13 @@ impl Whitener {
     /// Filter for `noise`, with `extra_variance` (of recorded inputs, carried through the model) added row by row.
     ///
     /// `weights[row]` is the number of rows whose mean a row is (all 1 where absent); `keep[row] = false` leaves a row out.
-    pub fn new(noise: &Noise, extra_variance: &[f64], weights: Option<&[f64]>, runs: &[Range<usize>], keep: Option<&[bool]>) -> Self {
+    pub fn new(
+        noise: &Noise,
+        extra_variance: &[f64],
+        weights: Option<&[f64]>,
+        runs: &[Range<usize>],
+        keep: Option<&[bool]>,
+    ) -> Self {
         let n = extra_variance.len();
         let weight = |row: usize| weights.map_or(1.0, |w| w[row]);
         let mut filter = Self {

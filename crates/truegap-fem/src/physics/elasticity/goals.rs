@@ -172,7 +172,7 @@ fn refined(mesh: &Mesh, topology: &crate::mesh::Topology, judged: &[Judged], acc
     for j in judged.iter().filter(|j| !(ratio(j) <= accuracy.target)) {
         sum.iter_mut().zip(&j.shares).for_each(|(s, x)| *s += x / j.answer.scale);
     }
-    bisect(mesh, topology, &mark_largest(&sum, accuracy.bulk))
+    bisect(mesh, topology, &mark_largest(&sum, accuracy.bulk)).0
 }
 
 fn ratio(j: &Judged) -> f64 {

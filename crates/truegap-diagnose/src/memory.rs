@@ -97,11 +97,10 @@ pub fn lag_through_runs(inputs: &Inputs, tau_s: f64, x: &mut [f64]) {
         return;
     }
     let mut lag = Lag::new(tau_s);
-    for row in 0..x.len() {
-        let now = x[row];
-        x[row] = match row {
-            0 => lag.start(now, now),
-            _ => lag.next(now, elapsed_s(inputs, row) - elapsed_s(inputs, row - 1)),
+    for (row, x) in x.iter_mut().enumerate() {
+        *x = match row {
+            0 => lag.start(*x, *x),
+            _ => lag.next(*x, elapsed_s(inputs, row) - elapsed_s(inputs, row - 1)),
         };
     }
 }

@@ -1,0 +1,51 @@
+//! The subcommands, one file each.
+//!
+//! A new one is a file with a struct of arguments that implements [`Run`], a `mod` line and a line in [`commands`].
+
+mod coefficients;
+mod sensors;
+mod simulate;
+
+use crate::console::Console;
+
+/// How a command ended that could run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(dead_code)] // `LookAt` waits for the first command that looks at something
+pub enum Outcome {
+    /// nothing to look at: exit code 0
+    Fine,
+    /// the tool found something to look at: exit code 1
+    LookAt,
+}
+
+/// A subcommand: its arguments have been read, now do it.
+pub trait Run {
+    /// Prints the answer; an error is one paragraph that names file, value and remedy.
+    fn run(&self, console: &Console) -> anyhow::Result<Outcome>;
+}
+
+/// The enum that clap reads, and who runs it.
+macro_rules! commands {
+    ($($(#[$about:meta])* $Name:ident($arguments:ty),)*) => {
+        /// Subcommands.
+        #[derive(Debug, clap::Subcommand)]
+        pub enum Command {
+            $($(#[$about])* $Name($arguments),)*
+        }
+
+        impl Command {
+            /// Runs the subcommand.
+            pub fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
+                match self {
+                    $(Self::$Name(arguments) => arguments.run(console),)*
+                }
+            }
+        }
+    };
+}
+
+commands! {
+    Sensors(sensors::Sensors),
+    Coefficients(coefficients::Coefficients),
+    Simulate(simulate::Simulate),
+}

@@ -1,0 +1,185 @@
+//! Folders of results that are there whole or not at all.
+//!
+//! Limits: files are written beside the target as `NAME.PID.part` and renamed at the end, so target and its parent must be on one disk; a process that
+//! is killed leaves the `.part` folder behind, never a target.
+
+use std::ffi::OsString;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why a folder of results cannot be written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+#[allow(missing_docs)] // the fields are named by the messages
+pub enum OutputError {
+    /// Something else has that name.
+    #[error("{folder}: there is a file of this name; give -o a folder that is new or holds an earlier result")]
+    NotAFolder { folder: PathBuf },
+    /// The folder holds what is not a result of this kind.
+    #[error("{folder}: holds `{entry}`, which would be lost; give -o a folder that is new or holds an earlier result, or move `{entry}`")]
+    Foreign { folder: PathBuf, entry: String },
+    /// The disk says no.
+    #[error("{path}: cannot be written: {source}; check that its parent is there and may be written to")]
+    Write { path: PathBuf, source: io::Error },
+}
+
+/// A folder being filled; dropped without [`OutputFolder::publish`] it leaves nothing.
+#[derive(Debug)]
+pub struct OutputFolder {
+    target: PathBuf,
+    part: PathBuf,
+    published: bool,
+}
+
+impl OutputFolder {
+    /// Begins a folder that will be `target`; its parents are made where they are missing.
+    ///
+    /// # Errors
+    /// [`OutputError`] where `target` is a file, or the disk refuses.
+    pub fn begin(target: impl Into<PathBuf>) -> Result<Self, OutputError> {
+        let target = target.into();
+        if target.exists() && !target.is_dir() {
+            return Err(OutputError::NotAFolder { folder: target });
+        }
+        let part = beside(&target, "part");
+        let made = Self { target, part, published: false };
+        remove(&made.part).and_then(|()| fs::create_dir_all(&made.part)).map_err(|source| made.failed(&made.part, source))?;
+        Ok(made)
+    }
+
+    /// Where files are to be written meanwhile.
+    pub fn path(&self) -> &Path {
+        &self.part
+    }
+
+    /// Writes a file; `name` may hold folders, which are made.
+    ///
+    /// # Errors
+    /// [`OutputError::Write`] where the disk refuses.
+    pub fn write(&self, name: impl AsRef<Path>, bytes: impl AsRef<[u8]>) -> Result<(), OutputError> {
+        let path = self.part.join(name);
+        let parent = path.parent().unwrap_or(&self.part);
+        fs::create_dir_all(parent).and_then(|()| fs::write(&path, bytes)).map_err(|source| self.failed(&path, source))
+    }
+
+    /// Puts the folder in its place; an earlier result that holds nothing else is replaced.
+    ///
+    /// # Errors
+    /// [`OutputError::Foreign`] where the place holds anything that this folder does not, [`OutputError::Write`] where the disk refuses.
+    pub fn publish(mut self) -> Result<PathBuf, OutputError> {
+        let old = beside(&self.target, "old.part");
+        let replaces = self.target.is_dir();
+        if replaces {
+            self.check_replaceable()?;
+            fs::rename(&self.target, &old).map_err(|source| self.failed(&self.target, source))?;
+        }
+        if let Err(source) = fs::rename(&self.part, &self.target) {
+            if replaces {
+                fs::rename(&old, &self.target).map_err(|source| self.failed(&old, source))?;
+            }
+            return Err(self.failed(&self.target, source));
+        }
+        self.published = true;
+        remove(&old).map_err(|source| self.failed(&old, source))?;
+        Ok(self.target.clone())
+    }
+
+    /// Nothing may be lost but what is written again.
+    fn check_replaceable(&self) -> Result<(), OutputError> {
+        let new = entries(&self.part).map_err(|source| self.failed(&self.part, source))?;
+        let old = entries(&self.target).map_err(|source| self.failed(&self.target, source))?;
+        match old.into_iter().find(|entry| !new.contains(entry)) {
+            Some(entry) => Err(OutputError::Foreign { folder: self.target.clone(), entry: entry.to_string_lossy().into_owned() }),
+            None => Ok(()),
+        }
+    }
+
+    fn failed(&self, path: &Path, source: io::Error) -> OutputError {
+        OutputError::Write { path: path.to_owned(), source }
+    }
+}
+
+impl Drop for OutputFolder {
+    fn drop(&mut self) {
+        if !self.published {
+            let _ = remove(&self.part); // nothing more can be done where even removing fails
+        }
+    }
+}
+
+fn beside(target: &Path, ending: &str) -> PathBuf {
+    let mut name = target.file_name().map_or_else(|| OsString::from("out"), OsString::from);
+    name.push(format!(".{}.{ending}", std::process::id()));
+    target.with_file_name(name)
+}
+
+fn remove(folder: &Path) -> io::Result<()> {
+    if folder.exists() { fs::remove_dir_all(folder) } else { Ok(()) }
+}
+
+fn entries(folder: &Path) -> io::Result<Vec<OsString>> {
+    fs::read_dir(folder)?.map(|entry| entry.map(|e| e.file_name())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn place(name: &str) -> PathBuf {
+        let path = std::env::temp_dir().join(format!("truegap-output-{}-{name}", std::process::id()));
+        remove(&path).unwrap();
+        fs::create_dir_all(&path).unwrap();
+        path
+    }
+
+    #[test]
+    fn a_folder_appears_whole() {
+        let place = place("whole");
+        let target = place.join("deep/er/out");
+        let folder = OutputFolder::begin(&target).unwrap();
+        folder.write("meshes/a.glb", "1").unwrap();
+        assert!(!target.exists());
+        folder.publish().unwrap();
+        assert_eq!(fs::read_to_string(target.join("meshes/a.glb")).unwrap(), "1");
+        assert_eq!(entries(target.parent().unwrap()).unwrap(), ["out"]);
+        remove(&place).unwrap();
+    }
+
+    #[test]
+    fn what_is_given_up_leaves_nothing() {
+        let place = place("dropped");
+        let folder = OutputFolder::begin(place.join("out")).unwrap();
+        folder.write("a", "1").unwrap();
+        drop(folder);
+        assert!(entries(&place).unwrap().is_empty());
+        remove(&place).unwrap();
+    }
+
+    #[test]
+    fn an_earlier_result_is_replaced_and_anything_else_is_not() {
+        let place = place("again");
+        let target = place.join("out");
+        for round in ["1", "2"] {
+            let folder = OutputFolder::begin(&target).unwrap();
+            folder.write("a", round).unwrap();
+            folder.publish().unwrap();
+        }
+        assert_eq!(fs::read_to_string(target.join("a")).unwrap(), "2");
+        fs::write(target.join("thesis.tex"), "mine").unwrap();
+        let folder = OutputFolder::begin(&target).unwrap();
+        folder.write("a", "3").unwrap();
+        assert!(matches!(folder.publish(), Err(OutputError::Foreign { entry, .. }) if entry == "thesis.tex"));
+        assert_eq!(fs::read_to_string(target.join("a")).unwrap(), "2");
+        assert_eq!(entries(&place).unwrap(), ["out"]);
+        remove(&place).unwrap();
+    }
+
+    #[test]
+    fn a_file_is_not_a_folder() {
+        let place = place("file");
+        fs::write(place.join("out"), "x").unwrap();
+        assert!(matches!(OutputFolder::begin(place.join("out")), Err(OutputError::NotAFolder { .. })));
+        remove(&place).unwrap();
+    }
+}

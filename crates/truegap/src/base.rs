@@ -64,10 +64,10 @@ pub fn base_options(recording: &Recording) -> Result<StackOptions, BaseModelErro
     }
     let series = match further.get("series") {
         None => SeriesOrder::default(),
-        Some(value) => value.as_str().and_then(series_order).ok_or_else(|| BaseModelError::Series {
-            recording: name(),
-            found: value.to_string(),
-        })?,
+        Some(value) => value
+            .as_str()
+            .and_then(series_order)
+            .ok_or_else(|| BaseModelError::Series { recording: name(), found: value.to_string() })?,
     };
     Ok(StackOptions { warp: recording.base.warp.unwrap_or(true), series })
 }

@@ -17,7 +17,9 @@ pub enum OutputError {
     #[error("{folder}: there is a file of this name; give -o a folder that is new or holds an earlier result")]
     NotAFolder { folder: PathBuf },
     /// The folder holds what is not a result of this kind.
-    #[error("{folder}: holds `{entry}`, which would be lost; give -o a folder that is new or holds an earlier result, or move `{entry}`")]
+    #[error(
+        "{folder}: holds `{entry}`, which would be lost; give -o a folder that is new or holds an earlier result, or move `{entry}`"
+    )]
     Foreign { folder: PathBuf, entry: String },
     /// The disk says no.
     #[error("{path}: cannot be written: {source}; check that its parent is there and may be written to")]

@@ -5,10 +5,10 @@
 use serde::Serialize;
 use truegap_core::Sensor;
 use truegap_core::sensor::Filling;
+use truegap_model::StackOptions;
 use truegap_model::equations::load::{BeadLaw, compressive_strain, strain_as_printed};
 use truegap_model::equations::warp::{Cap, settling_cubic_minimum, settling_plane};
 use truegap_model::stack::Device;
-use truegap_model::StackOptions;
 
 /// (12) at one load.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

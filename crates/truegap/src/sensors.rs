@@ -16,7 +16,9 @@ pub const DEFAULT_SENSOR: &str = "singletact-s15-4.5n";
 #[allow(missing_docs)] // the fields are named by the messages
 pub enum FindSensorError {
     /// No built-in sensor has that name.
-    #[error("there is no sensor `{name}`; {hint}, or give the path of a sensor's TOML (`truegap sensors` lists what is built in)")]
+    #[error(
+        "there is no sensor `{name}`; {hint}, or give the path of a sensor's TOML (`truegap sensors` lists what is built in)"
+    )]
     Unknown { name: String, hint: String },
     /// The file cannot be read.
     #[error("{file}: cannot be read: {source}; give the path of a sensor's TOML, or a built-in name (`truegap sensors`)")]

@@ -60,7 +60,8 @@ impl Run for Simulate {
             let recording = Recording::open(path)?;
             recording.notes.iter().for_each(|note| console.note(note));
             let rows = drive(&sensor, options, &recording)?;
-            return if console.json { console.print_json_lines(&rows) } else { print_history(console, &rows) }.map(|()| Outcome::Fine);
+            return if console.json { console.print_json_lines(&rows) } else { print_history(console, &rows) }
+                .map(|()| Outcome::Fine);
         }
         let Some(load) = &self.load else { bail!("give --load, as in --load \"4.5 N\", or --drive RECORDING") };
         let forces = axis::values(load, Dimension::Force)?;
@@ -88,7 +89,8 @@ const STATE: [&str; 10] = [
 ];
 
 fn cells(s: &State) -> Vec<String> {
-    let mut cells = vec![digits(s.force_n, 4), digits(s.temperature_c, 4), digits(100.0 * s.strain, 4), digits(s.curvature_per_m, 4)];
+    let mut cells =
+        vec![digits(s.force_n, 4), digits(s.temperature_c, 4), digits(100.0 * s.strain, 4), digits(s.curvature_per_m, 4)];
     let capacitances = [s.c_rtv_pf, s.c_polyimide_pf, s.c_main_pf, s.c_backing_pf, s.c_tail_pf, s.c_total_pf];
     cells.extend(capacitances.map(|c| format!("{c:.4}")));
     cells

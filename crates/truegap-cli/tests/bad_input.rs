@@ -1,0 +1,128 @@
+//! Everything that a user may get wrong: file, line, value, remedy, exit code 2, nothing left behind.
+
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use common::Bench;
+
+const DRIVE: &[&str] = &["simulate", "--drive", "r.csv"];
+const DRIVE_TOML: &[&str] = &["simulate", "--drive", "r.toml"];
+
+/// A recording that the tool must refuse, and what it must say.
+fn refuse_csv(text: &str, parts: &[&str]) {
+    let bench = Bench::new();
+    bench.file("r.csv", text);
+    let parts: Vec<&str> = ["r.csv"].iter().chain(parts).copied().collect();
+    bench.refuses(DRIVE, &parts);
+}
+
+#[test]
+fn a_missing_column_is_named_with_those_that_are_there() {
+    refuse_csv("time_s,force_n\n0,1\n", &["response", "`capacitance_pf`", "`time_s`, `force_n`", "[columns]"]);
+}
+
+#[test]
+fn a_history_without_force_does_not_drive_a_sensor() {
+    refuse_csv("time_s,capacitance_pf\n0,74\n1,75\n", &["force", "singletact-s15-4.5n", "[columns]"]);
+}
+
+#[test]
+fn text_in_a_number_column_is_named() {
+    refuse_csv("time_s,force_n,capacitance_pf\n0,1,74\n1,heavy,75\n", &["line 3", "`heavy`", "`force_n`", "leave the row out"]);
+}
+
+#[test]
+fn time_running_backwards_is_named() {
+    refuse_csv("time_s,force_n,capacitance_pf\n0,1,74\n5,1,74\n4,1,75\n", &["line 4", "from 5 s to 4 s", "start a new run"]);
+}
+
+#[test]
+fn an_empty_file_and_a_header_alone_are_named() {
+    refuse_csv("", &["empty", "header"]);
+    refuse_csv("time_s,force_n,capacitance_pf\n", &["no row", "record something"]);
+}
+
+#[test]
+fn nan_and_an_empty_cell_are_named() {
+    refuse_csv("time_s,force_n,capacitance_pf\n0,1,74\n1,NaN,75\n", &["line 3", "`NaN`", "leave the row out"]);
+    refuse_csv("time_s,force_n,capacitance_pf\n0,1,\n", &["line 2", "`capacitance_pf`", "leave the row out"]);
+}
+
+#[test]
+fn a_wrong_unit_is_named_with_those_that_would_do() {
+    let bench = Bench::new();
+    bench.file("r.csv", "time_s,load,capacitance_pf\n0,1,74\n");
+    let toml = |unit: &str| {
+        format!("schema = \"truegap.recording/1\"\nfile = \"r.csv\"\n[columns]\nforce = \"load\"\n[units]\nforce = \"{unit}\"\n")
+    };
+    bench.file("r.toml", &toml("kPa"));
+    bench.refuses(DRIVE_TOML, &["r.toml", "line 6", "`kPa`", "mN, kN"]);
+    bench.refuses(&["simulate", "--load", "4.5 kPa"], &["`kPa`", "mN, kN"]);
+    bench.refuses(&["simulate", "--load", "4.5"], &["`4.5` has no unit", "mN, kN"]);
+    bench.refuses(&["simulate", "--load", "1 N", "--temperature", "50 bar"], &["`bar`", "degC"]);
+}
+
+#[test]
+fn an_unknown_key_and_another_schema_are_named() {
+    let bench = Bench::new();
+    bench.file("r.csv", "time_s,force_n,capacitance_pf\n0,1,74\n");
+    bench.file("r.toml", "schema = \"truegap.recording/1\"\nfile = \"r.csv\"\n[colums]\nforce = \"load\"\n");
+    bench.refuses(DRIVE_TOML, &["r.toml", "line 3", "colums", "columns"]);
+    bench.file("r.toml", "schema = \"truegap.case/1\"\nfile = \"r.csv\"\n");
+    bench.refuses(DRIVE_TOML, &["r.toml", "line 1", "truegap.case/1", "truegap.recording/1"]);
+}
+
+#[test]
+fn a_file_that_is_not_there_is_named() {
+    Bench::new().refuses(&["simulate", "--drive", "nowhere.toml"], &["nowhere.toml", "no such file"]);
+}
+
+/// The built-in sensor with one line changed.
+fn changed_sensor(from: &str, to: &str) -> String {
+    let built_in = truegap::core::sensor::builtin_sensors()[0].toml;
+    assert!(built_in.contains(from), "the built-in sensor no longer says `{from}`");
+    built_in.replace(from, to)
+}
+
+#[test]
+fn a_negative_thickness_is_named() {
+    let bench = Bench::new();
+    bench.file("s.toml", &changed_sensor("height = \"162 um +- 5 um\"", "height = \"-162 um\""));
+    for command in ["simulate", "coefficients"] {
+        let load: &[&str] = if command == "simulate" { &["--load", "1 N"] } else { &[] };
+        bench.refuses(&[&[command, "--sensor", "s.toml"], load].concat(), &["s.toml, line", "dielectric.height", "-162", "um"]);
+    }
+}
+
+#[test]
+fn beads_that_cover_more_than_the_electrode_are_named() {
+    let bench = Bench::new();
+    bench.file("s.toml", &changed_sensor("count = 65", "count = 6500"));
+    bench.refuses(&["coefficients", "--sensor", "s.toml"], &["s.toml, line", "6500 beads", "mm2", "fewer or smaller"]);
+}
+
+#[test]
+fn a_load_that_closes_the_gap_is_named() {
+    let bench = Bench::new();
+    bench.refuses(&["simulate", "--load", "1 N, 4.5 kN"], &["4500 N", "20 degC", "closes the gap", "stay below"]);
+    bench.file("r.csv", "time_s,force_n,capacitance_pf\n0,1,74\n1,9000,75\n");
+    bench.refuses(DRIVE, &["r.csv", "row 2", "9000 N", "closes the gap"]);
+}
+
+#[test]
+fn an_unknown_sensor_is_answered_with_the_nearest() {
+    let bench = Bench::new();
+    bench.refuses(&["coefficients", "--sensor", "singletact-s15-45n"], &["did you mean", "`singletact-s15-4.5n`"]);
+    bench.refuses(&["coefficients", "--sensor", "mine.toml"], &["mine.toml", "cannot be read", "truegap sensors"]);
+}
+
+#[test]
+fn arguments_that_clap_refuses_end_with_2_as_well() {
+    let bench = Bench::new();
+    for arguments in
+        [&["simulate"][..], &["simulate", "--load", "1 N", "--drive", "x"], &["nonsense"], &["coefficients", "--series", "wrong"]]
+    {
+        assert_eq!(bench.run(arguments).code, 2, "{arguments:?}");
+    }
+}

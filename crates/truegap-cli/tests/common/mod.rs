@@ -1,0 +1,63 @@
+//! The program run in a folder of its own.
+
+#![allow(dead_code, clippy::unwrap_used)] // each test file uses a part of this; a bench that cannot be set up is a failed test
+
+use std::path::PathBuf;
+use std::process::Command;
+
+/// A folder in which the program runs.
+pub struct Bench {
+    folder: tempfile::TempDir,
+}
+
+/// What the program said.
+pub struct Said {
+    pub code: i32,
+    pub out: String,
+    pub err: String,
+}
+
+impl Bench {
+    pub fn new() -> Self {
+        Self { folder: tempfile::tempdir().unwrap() }
+    }
+
+    /// Puts a file into the folder.
+    pub fn file(&self, name: &str, text: &str) -> &Self {
+        std::fs::write(self.folder.path().join(name), text).unwrap();
+        self
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// Names in the folder, sorted.
+    pub fn names(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(self.folder.path()).unwrap();
+        let mut names: Vec<String> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    pub fn run(&self, arguments: &[&str]) -> Said {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_truegap"));
+        let output = command.args(arguments).current_dir(self.folder.path()).output().unwrap();
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+        Said { code: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
+    }
+
+    /// Runs what must be refused: exit code 2, one paragraph that holds all `parts`, nothing on standard output, nothing left behind.
+    pub fn refuses(&self, arguments: &[&str], parts: &[&str]) -> String {
+        let before = self.names();
+        let said = self.run(arguments);
+        assert_eq!(said.code, 2, "{arguments:?} said: {}{}", said.out, said.err);
+        assert!(said.out.is_empty(), "{arguments:?} printed: {}", said.out);
+        assert!(said.err.starts_with("error: ") && said.err.trim_end().lines().count() == 1, "not one paragraph: {}", said.err);
+        for part in parts {
+            assert!(said.err.contains(part), "`{part}` is missing in: {}", said.err);
+        }
+        assert_eq!(self.names(), before, "{arguments:?} left something behind");
+        said.err
+    }
+}

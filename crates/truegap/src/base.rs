@@ -4,7 +4,7 @@
 
 use crate::sensors::{FindSensorError, find_sensor};
 use truegap_core::{Recording, Sensor, Simulator};
-use truegap_model::base::{BaseError, BaseSpec, Recorded};
+use truegap_model::base::{BaseError, BaseModel, Recorded};
 use truegap_model::{SeriesOrder, StackOptions};
 
 /// Why there is no base model.
@@ -29,7 +29,7 @@ pub enum BaseModelError {
 /// The model that a recording is compared with, how it is described, and its sensor where it has one.
 pub struct Base {
     /// description, from which the model can be built again
-    pub spec: BaseSpec,
+    pub spec: BaseModel,
     /// sensor of a `stack`
     pub sensor: Option<Sensor>,
     /// the model
@@ -45,7 +45,7 @@ pub fn base_model(recording: &Recording) -> Result<Base, BaseModelError> {
     let options = base_options(recording)?;
     let asked = &recording.base;
     let recorded = Recorded { inputs: &recording.inputs, response: &recording.response, unit: &recording.response_unit };
-    let spec = BaseSpec::of(&asked.model, asked.sensor.as_deref(), options, recorded).map_err(named)?;
+    let spec = BaseModel::of(&asked.model, asked.sensor.as_deref(), options, recorded).map_err(named)?;
     let sensor = spec.sensor().map(|name| find_sensor(name, recording.path.parent())).transpose();
     let sensor = sensor.map_err(|source| BaseModelError::Sensor { recording: recording.path.display().to_string(), source })?;
     let simulator = spec.build(sensor.as_ref()).map_err(named)?;

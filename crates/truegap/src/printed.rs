@@ -42,7 +42,7 @@ pub fn strains(sensor: &Sensor) -> Vec<Strains> {
 
 fn strains_at(sensor: &Sensor, force_n: f64) -> Strains {
     let warm = Device::new(sensor, StackOptions::default()).at(sensor.reference_c);
-    let reduced_load = force_n / (warm.young * warm.areas.beads);
+    let reduced_load = force_n / (warm.young * warm.areas.solid);
     let poisson = match sensor.dielectric.filling {
         Filling::Beads { .. } => sensor.dielectric.layer.material.poisson,
         Filling::Solid { .. } => 0.0,

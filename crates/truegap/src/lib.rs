@@ -8,6 +8,7 @@ pub mod nearest;
 pub mod output;
 pub mod predict;
 pub mod printed;
+pub mod report;
 pub mod sensors;
 
 pub use base::{BaseModelError, base_model, base_options};

@@ -1,0 +1,76 @@
+//! Every effect tried, what could not be tested, and how small an effect would have been seen.
+//!
+//! Limits: a bar chart of the first dozen; the table holds all.
+
+use super::draw;
+use super::number::{measured, percent, significant, spoken};
+use super::subject::Subject;
+use truegap_diagnose::diagnosis::{Candidate, SmallestVisible};
+use truegap_scene::figure::{Bars, FigureError};
+use truegap_scene::page::{Page, Table};
+
+const DRAWN: usize = 12;
+
+/// Chart, table, lists.
+pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
+    let diagnosis = subject.diagnosis;
+    let page = page.section("Everything that was tried");
+    let page = chart(page, &diagnosis.candidates);
+    let page = page.details("All candidates as a table").table(&table(&diagnosis.candidates)).end_details();
+    let page = if diagnosis.smallest_visible.is_empty() {
+        page
+    } else {
+        page.subsection("What would have been seen")
+            .text("An effect of this size would stand five standard deviations out of the noise, after calibration took its share; a smaller one may be there unseen.")
+            .table(&visible(&diagnosis.smallest_visible))
+    };
+    if diagnosis.not_testable.is_empty() {
+        return page;
+    }
+    let lines: Vec<String> = diagnosis.not_testable.iter().map(|n| format!("{}: {}", spoken(&n.effect), n.says)).collect();
+    page.subsection("What this recording could not show").list(&lines)
+}
+
+fn chart(page: Page, candidates: &[Candidate]) -> Page {
+    if candidates.is_empty() {
+        return page.text("No effect could be tried.");
+    }
+    let first = &candidates[..candidates.len().min(DRAWN)];
+    let page = page.text(
+        "Probability that each effect belongs to the model, and how much it alone improves the evidence (natural logarithm; 5 is strong). \
+         An effect can gain much alone and still not belong, when another one does the same better.",
+    );
+    let page = draw::figure(page, probabilities(first), "Probability of belonging to the model.");
+    draw::figure(page, scores(first), "Gain in log evidence of each effect alone over the calibrated model.")
+}
+
+fn labels(candidates: &[Candidate]) -> Vec<String> {
+    candidates.iter().map(|c| spoken(&c.effect)).collect()
+}
+
+fn probabilities(candidates: &[Candidate]) -> Result<String, FigureError> {
+    let names = labels(candidates);
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let values: Vec<f64> = candidates.iter().map(|c| 100.0 * c.probability).collect();
+    Bars::new("", &names).x("probability", "%").series("probability", &values).mark(50.0, "").to_svg()
+}
+
+fn scores(candidates: &[Candidate]) -> Result<String, FigureError> {
+    let names = labels(candidates);
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let values: Vec<f64> = candidates.iter().map(|c| c.score).collect();
+    Bars::new("", &names).x("gain in log evidence", "").series("gain", &values).to_svg()
+}
+
+fn table(candidates: &[Candidate]) -> Table {
+    candidates.iter().fold(Table::new(&["effect", "probability", "gain in log evidence, alone"]), |table, c| {
+        table.row(&[spoken(&c.effect), percent(c.probability), significant(c.score, 4)])
+    })
+}
+
+fn visible(sizes: &[SmallestVisible]) -> Table {
+    sizes.iter().fold(Table::new(&["effect", "parameter", "smallest size seen"]), |table, s| {
+        let size = if s.size.is_finite() { measured(s.size, 0.0, &s.unit) } else { "none, however large".into() };
+        table.row(&[spoken(&s.effect), spoken(&s.parameter), size])
+    })
+}

@@ -1,0 +1,87 @@
+//! Recording, base model and augmented model over time, with the inputs above, and the residual over each input.
+//!
+//! Limits: thinning for the screen keeps every extreme; nothing is smoothed.
+
+use super::draw::{self, AFTER, BEFORE, RECORDED};
+use super::{axis::Axis, number::Scale, subject::Subject};
+use truegap_scene::figure::{Figure, FigureError, Stack};
+use truegap_scene::page::Page;
+
+/// The recording against both models, and what is left over each input.
+pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
+    let page = page.section("Recording and models");
+    let page =
+        draw::figure(page, courses(subject, axis), "What was done (above), what was read, and what the models make of it.");
+    let drivers = drivers(subject);
+    if drivers.is_empty() {
+        return page;
+    }
+    let page =
+        page.text("What is left, drawn over each input: a curve is a missing law, a loop a missing memory, a cloud is noise.");
+    drivers.iter().fold(page, |page, driver| {
+        let caption = format!("Recorded less predicted over {}.", driver.label);
+        draw::figure(page, over(subject, driver), &caption)
+    })
+}
+
+/// One recorded input in its display unit.
+struct Driver {
+    label: &'static str,
+    unit: String,
+    values: Vec<f64>,
+}
+
+fn drivers(subject: &Subject<'_>) -> Vec<Driver> {
+    let inputs = subject.inputs;
+    let columns = [
+        ("force", "N", &inputs.force_n),
+        ("pressure", "Pa", &inputs.pressure_pa),
+        ("gap", "m", &inputs.gap_m),
+        ("temperature", "°C", &inputs.temperature_c),
+        ("humidity", "%", &inputs.humidity_pct),
+    ];
+    columns
+        .into_iter()
+        .filter_map(|(label, unit, column)| column.as_ref().map(|values| driver(label, unit, values)))
+        .filter(|driver| driver.values.iter().any(|v| *v != driver.values[0]))
+        .collect()
+}
+
+fn driver(label: &'static str, unit: &str, values: &[f64]) -> Driver {
+    let largest = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+    let scale = Scale::of(unit, largest);
+    Driver { label, values: scale.column(values), unit: scale.unit }
+}
+
+fn courses(subject: &Subject<'_>, axis: &Axis) -> Result<String, FigureError> {
+    let mut stack = Stack::new("");
+    let mut first = true;
+    for driver in drivers(subject) {
+        let panel = axis.on(Figure::new("").y(driver.label, &driver.unit).height(64.0), first);
+        stack = stack.panel(panel.line(driver.label, axis.x(), &axis.lift(&driver.values)).colour(RECORDED));
+        first = false;
+    }
+    let scale = subject.value_scale();
+    let lifted = |values: &[f64]| axis.lift(&scale.column(values));
+    let panel = axis.on(Figure::new("").y("reading", &scale.unit).height(240.0), first);
+    let panel = panel.line("recorded", axis.x(), &lifted(subject.response)).colour(RECORDED);
+    let panel = panel.line("calibrated model", axis.x(), &lifted(&subject.traces.before)).colour(BEFORE);
+    let panel = if subject.is_augmented() {
+        panel.dashed_line("with what was missing", axis.x(), &lifted(&subject.traces.after)).colour(AFTER)
+    } else {
+        panel
+    };
+    stack.panel(panel).to_svg()
+}
+
+fn over(subject: &Subject<'_>, driver: &Driver) -> Result<String, FigureError> {
+    let scale = subject.error_scale();
+    let figure = Figure::new("").x(driver.label, &driver.unit).y("residual", &scale.unit).height(190.0).mark_y(0.0, "");
+    let before = subject.residual(&subject.traces.before, &scale);
+    let figure = figure.points("calibrated model", &driver.values, &before).colour(BEFORE);
+    if !subject.is_augmented() {
+        return figure.to_svg();
+    }
+    let after = subject.residual(&subject.traces.after, &scale);
+    figure.points("with what was missing", &driver.values, &after).colour(AFTER).to_svg()
+}

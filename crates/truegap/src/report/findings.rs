@@ -1,0 +1,78 @@
+//! What is missing: per finding the physics, its equation, the fitted sizes, and what it could be mistaken for.
+//!
+//! Limits: equations and sources are those of the effect library.
+
+use super::number::{listed, measured, spoken};
+use super::{subject::Subject, wording};
+use truegap_diagnose::diagnosis::{Finding, ParameterFacts, Verdict};
+use truegap_diagnose::{About, library};
+use truegap_scene::page::{Page, Table};
+
+/// One part a finding, then the sets that cannot be told apart.
+pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
+    let diagnosis = subject.diagnosis;
+    let page = if diagnosis.findings.is_empty() { page } else { page.section(heading(diagnosis.verdict)) };
+    let page = diagnosis.findings.iter().fold(page, |page, finding| one(page, subject, finding));
+    ambiguity(page, &diagnosis.ambiguity)
+}
+
+fn heading(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Explained => "What is missing",
+        Verdict::Agrees | Verdict::Ambiguous => "What may be missing",
+        Verdict::WrongForm | Verdict::Unexplained | Verdict::Undecided => "What comes nearest",
+    }
+}
+
+/// What the library says of an effect.
+pub(super) fn about(id: &str) -> Option<About> {
+    library().iter().find(|effect| effect.id().0 == id).map(|effect| effect.about())
+}
+
+fn one(page: Page, subject: &Subject<'_>, finding: &Finding) -> Page {
+    let mut page = page.subsection(&spoken(&finding.effect)).text(&format!("{}.", wording::how_sure(finding)));
+    if let Some(about) = about(&finding.effect) {
+        page = page.text(&format!("The physics: {}.", about.physics)).code(about.equation);
+    }
+    page = page.table(&parameters(&finding.parameters));
+    let error = |value: f64| wording::error(subject.diagnosis, value);
+    let held = &finding.held_out;
+    page = page.text(&format!(
+        "Error on rows left out, without and with this effect: {} → {}.",
+        error(held.rmse_before),
+        error(held.rmse_after)
+    ));
+    if !finding.rivals.is_empty() {
+        let rivals: Vec<String> = finding.rivals.iter().map(|r| spoken(r)).collect();
+        page = page.text(&format!("Not quite excluded in its place: {}.", listed(&rivals, "and")));
+    }
+    match about(&finding.effect) {
+        None => page,
+        Some(about) => {
+            let impostors: Vec<String> = about.impostors.iter().map(|i| spoken(i)).collect();
+            let apart = format!("Told from {} by this: {}.", listed(&impostors, "and"), about.separates);
+            page.text(&apart).text(&format!("Source: {}.", about.source))
+        }
+    }
+}
+
+fn parameters(parameters: &[ParameterFacts]) -> Table {
+    let head = Table::new(&["parameter", "fitted", "assumed beforehand", ""]);
+    parameters.iter().fold(head, |table, p| {
+        let limit = if p.at_limit { "at its limit" } else { "" };
+        let prior = measured(p.prior[0], p.prior[1], &p.unit);
+        table.row(&[spoken(&p.name), measured(p.value, p.sd, &p.unit), prior, limit.to_owned()])
+    })
+}
+
+fn ambiguity(page: Page, sets: &[Vec<String>]) -> Page {
+    if sets.is_empty() {
+        return page;
+    }
+    let page = page.section("What this recording cannot tell apart");
+    sets.iter().fold(page, |page, set| {
+        let names: Vec<String> = set.iter().map(|m| spoken(m)).collect();
+        let lines: Vec<String> = set.iter().filter_map(|m| about(m).map(|a| format!("{}: {}", spoken(m), a.separates))).collect();
+        page.text(&format!("{}. What would tell:", listed(&names, "or"))).list(&lines)
+    })
+}

@@ -1,0 +1,63 @@
+//! Where in the plane of load and temperature the mismatch sits, before and after, and in words.
+//!
+//! Limits: cells and directions are those of the diagnosis.
+
+use super::draw;
+use super::number::{listed, p_value, significant};
+use super::subject::Subject;
+use truegap_diagnose::diagnosis::{Map, Mismatch};
+use truegap_scene::figure::{FigureError, HeatMap};
+use truegap_scene::page::{Page, Table};
+
+/// Sentences, table and maps.
+pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
+    let mismatch = &subject.diagnosis.mismatch;
+    let page = page.section("Where it is wrong");
+    let page = if mismatch.is_empty() {
+        page.text("No direction along which recording and calibrated model differ by more than noise allows.")
+    } else {
+        let says: Vec<&str> = mismatch.iter().map(|m| m.says.as_str()).collect();
+        page.list(&says).details("The same as a table").table(&table(mismatch)).end_details()
+    };
+    maps(page, subject)
+}
+
+fn table(mismatch: &[Mismatch]) -> Table {
+    let head = Table::new(&["ordered by", "where most of it lies", "runs", "share of the mismatch", "family-wise p"]);
+    mismatch.iter().fold(head, |table, m| {
+        let runs: Vec<String> = m.runs.iter().map(u32::to_string).collect();
+        let interval = format!("{} to {}", significant(m.interval[0], 4), significant(m.interval[1], 4));
+        let share = if m.share.is_finite() { format!("{:.0} %", 100.0 * m.share) } else { "–".into() };
+        table.row(&[m.driver.clone(), interval, listed(&runs, "and"), share, p_value(m.p_value)])
+    })
+}
+
+fn maps(page: Page, subject: &Subject<'_>) -> Page {
+    let traces = subject.traces;
+    let Some(before) = &traces.map_before else { return page };
+    let both = [Some(before), traces.map_after.as_ref()];
+    let cells = both.iter().flatten().flat_map(|map| map.values.iter().flatten());
+    let largest = cells.filter(|v| v.is_finite()).fold(3.0, |m: f64, v| m.max(v.abs()));
+    let first = draw_map("Calibrated model", before, largest);
+    match traces.map_after.as_ref().filter(|_| subject.is_augmented()) {
+        None => draw::figure(page, first, CAPTION),
+        Some(after) => {
+            let second = draw_map("With what was missing", after, largest);
+            draw::pair(page, [(first, CAPTION), (second, "The same with the missing physics added, on the same scale.")])
+        }
+    }
+}
+
+const CAPTION: &str = "Mean residual of each cell over the noise that such a mean has; beyond ± 3 it is not chance.";
+
+fn draw_map(title: &str, map: &Map, largest: f64) -> Result<String, FigureError> {
+    let cells: Vec<f64> = map.values.iter().flatten().copied().collect();
+    HeatMap::new(title, &map.x_edges, &map.y_edges, &cells)
+        .x(&map.x_label, "")
+        .y(&map.y_label, "")
+        .value("mean residual / its noise", "")
+        .diverging()
+        .value_range(-largest, largest)
+        .height(250.0)
+        .to_svg()
+}

@@ -1,0 +1,44 @@
+//! The report that a person reads: one page, no network, the answer first and everything behind it below.
+//!
+//! Limits: tells what a [`Diagnosis`](truegap_diagnose::diagnosis::Diagnosis) says; decides nothing.
+
+mod axis;
+mod candidates;
+mod courses;
+mod draw;
+mod findings;
+mod held_out;
+mod map;
+mod next;
+pub mod number;
+mod origin;
+mod parameters;
+mod subject;
+mod summary;
+pub mod terminal;
+pub mod wording;
+
+pub use subject::{Provenance, Subject};
+
+use axis::Axis;
+use truegap_scene::page::Page;
+
+/// The page as HTML.
+///
+/// Columns of `subject` that are shorter than the recording are left out of the figures, with a sentence in their place.
+pub fn html(subject: &Subject<'_>) -> String {
+    let axis = Axis::new(subject.inputs);
+    let page = Page::new(&format!("Diagnosis of {}", subject.diagnosis.recording.source)).raw_html(draw::STYLE);
+    let page = summary::add(page, subject, &axis);
+    let page = origin::issues(page, subject);
+    let page = findings::add(page, subject);
+    let page = map::add(page, subject);
+    let page = courses::add(page, subject, &axis);
+    let page = held_out::add(page, subject, &axis);
+    let page = parameters::add(page, subject);
+    let page = next::add(page, subject);
+    let page = candidates::add(page, subject);
+    let page = origin::bank(page, subject);
+    let page = origin::noise(page, subject);
+    origin::provenance(page, subject).to_html()
+}

@@ -1,0 +1,187 @@
+//! Numbers as a person reads them: units that fit the size, digits that fit the error.
+//!
+//! Limits: only SI units without a prefix are rescaled; what already carries a prefix is left as it is.
+
+/// A unit for display and the factor that leads to it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scale {
+    /// displayed value = factor x stored value
+    pub factor: f64,
+    /// displayed unit
+    pub unit: String,
+}
+
+const PREFIXES: [(&str, i32); 9] =
+    [("G", 9), ("M", 6), ("k", 3), ("", 0), ("m", -3), ("µ", -6), ("n", -9), ("p", -12), ("f", -15)];
+const FARADS: [(&str, i32); 5] = [("aF", -18), ("fF", -15), ("pF", -12), ("nF", -9), ("µF", -6)];
+const TAKES_PREFIX: [&str; 6] = ["Pa", "N", "m", "V", "Pa/K", "Hz"];
+
+impl Scale {
+    /// The unit in which a value of this size (stored in `unit`) reads as a number from 1 to 1000, where there is one.
+    pub fn of(unit: &str, size: f64) -> Self {
+        let same = Self { factor: 1.0, unit: if unit == "1" { String::new() } else { unit.to_owned() } };
+        if !size.is_finite() || size == 0.0 {
+            return same;
+        }
+        if let Some(exponent) = farad_exponent(unit) {
+            return farads(exponent, size.abs());
+        }
+        match unit {
+            "s" => seconds(size.abs()),
+            "1/K" if size.abs() < 1e-2 => Self { factor: 1e6, unit: "ppm/K".into() },
+            _ if TAKES_PREFIX.contains(&unit) => prefixed(unit, size.abs()),
+            _ => same,
+        }
+    }
+
+    /// `value` in the displayed unit with four significant digits, and the unit.
+    pub fn text(&self, value: f64) -> String {
+        join(&significant(value * self.factor, 4), &self.unit)
+    }
+
+    /// A column in the displayed unit.
+    pub fn column(&self, values: &[f64]) -> Vec<f64> {
+        values.iter().map(|v| v * self.factor).collect()
+    }
+}
+
+fn farad_exponent(unit: &str) -> Option<i32> {
+    match unit {
+        "F" => Some(0),
+        "uF" => Some(-6),
+        _ => FARADS.iter().find(|(name, _)| *name == unit).map(|(_, exponent)| *exponent),
+    }
+}
+
+fn farads(stored: i32, size: f64) -> Scale {
+    let fits = |exponent: i32| size * 10f64.powi(stored - exponent) >= 1.0;
+    let (name, exponent) = FARADS.iter().rev().find(|(_, exponent)| fits(*exponent)).unwrap_or(&FARADS[0]);
+    Scale { factor: 10f64.powi(stored - exponent), unit: (*name).to_owned() }
+}
+
+fn seconds(size: f64) -> Scale {
+    let (factor, unit) = match size {
+        s if s < 1.0 => (1e3, "ms"),
+        s if s < 600.0 => (1.0, "s"),
+        s if s < 10_800.0 => (1.0 / 60.0, "min"),
+        s if s < 345_600.0 => (1.0 / 3600.0, "h"),
+        _ => (1.0 / 86_400.0, "d"),
+    };
+    Scale { factor, unit: unit.into() }
+}
+
+fn prefixed(unit: &str, size: f64) -> Scale {
+    let fits = |exponent: &i32| size >= 10f64.powi(*exponent);
+    let (prefix, exponent) = PREFIXES.iter().find(|(_, exponent)| fits(exponent)).unwrap_or(&PREFIXES[8]);
+    Scale { factor: 10f64.powi(-exponent), unit: format!("{prefix}{unit}") }
+}
+
+fn join(number: &str, unit: &str) -> String {
+    if unit.is_empty() { number.to_owned() } else { format!("{number} {unit}") }
+}
+
+/// `value` with so many significant digits; powers of ten where it is very small or large.
+pub fn significant(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return "–".into();
+    }
+    if value == 0.0 {
+        return "0".into();
+    }
+    let exponent = value.abs().log10().floor() as i32;
+    if !(-4..7).contains(&exponent) {
+        return format!("{value:.*e}", digits.saturating_sub(1));
+    }
+    let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+    format!("{value:.decimals$}")
+}
+
+/// `value ± sd unit`, with two digits of the error; the unit fits the value.
+pub fn measured(value: f64, sd: f64, unit: &str) -> String {
+    let scale = Scale::of(unit, value.abs().max(sd));
+    let (value, sd) = (value * scale.factor, sd * scale.factor);
+    if !sd.is_finite() || sd <= 0.0 {
+        return join(&significant(value, 4), &scale.unit);
+    }
+    let places = 1 - sd.log10().floor() as i32;
+    if places > 7 || value.abs() >= 1e7 {
+        return join(&format!("{} ± {}", significant(value, 6), significant(sd, 2)), &scale.unit);
+    }
+    let decimals = places.max(0) as usize;
+    join(&format!("{value:.decimals$} ± {sd:.decimals$}"), &scale.unit)
+}
+
+/// A probability in per cent that never claims certainty.
+pub fn percent(probability: f64) -> String {
+    match probability {
+        p if !p.is_finite() => "–".into(),
+        p if p > 0.999 => "> 99.9 %".into(),
+        p if p < 0.001 => "< 0.1 %".into(),
+        p if p > 0.99 || p < 0.01 => format!("{:.1} %", 100.0 * p),
+        p => format!("{:.0} %", 100.0 * p),
+    }
+}
+
+/// A p-value to one digit, with a floor below which the digits mean nothing.
+pub fn p_value(p: f64) -> String {
+    match p {
+        p if !p.is_finite() => "–".into(),
+        p if p < 1e-12 => "< 1e-12".into(),
+        p if p < 1e-3 => format!("{p:.0e}"),
+        p => significant(p, 2),
+    }
+}
+
+/// `thermal lag` from `thermal_lag`.
+pub fn spoken(id: &str) -> String {
+    id.replace('_', " ")
+}
+
+/// `a`, `a and b`, `a, b and c`, with the given last word.
+pub fn listed<S: AsRef<str>>(items: &[S], last: &str) -> String {
+    match items {
+        [] => String::new(),
+        [one] => one.as_ref().to_owned(),
+        [start @ .., end] => {
+            let start: Vec<&str> = start.iter().map(AsRef::as_ref).collect();
+            format!("{} {last} {}", start.join(", "), end.as_ref())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_is_shown_in_the_unit_that_fits_it() {
+        let cases = [
+            (1.0753e6, 0.0121e6, "Pa", "1.075 ± 0.012 MPa"),
+            (162.3e-6, 4.8e-6, "m", "162.3 ± 4.8 µm"),
+            (0.0021, 0.0003, "pF", "2.10 ± 0.30 fF"),
+            (2.341e-10, 0.0, "F", "234.1 pF"),
+            (7200.0, 60.0, "s", "120.0 ± 1.0 min"),
+            (2.0e-4, 1e-5, "1/K", "200 ± 10 ppm/K"),
+            (0.25, 0.012, "1", "0.250 ± 0.012"),
+            (-7.6e3, 1.1e3, "Pa/K", "-7.6 ± 1.1 kPa/K"),
+            (239.7, 0.11, "counts", "239.70 ± 0.11 counts"),
+        ];
+        for (value, sd, unit, text) in cases {
+            assert_eq!(measured(value, sd, unit), text);
+        }
+    }
+
+    #[test]
+    fn no_probability_reads_as_certain() {
+        assert_eq!(percent(1.0), "> 99.9 %");
+        assert_eq!(percent(0.0), "< 0.1 %");
+        assert_eq!(percent(0.62), "62 %");
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_a_dash() {
+        assert_eq!(significant(f64::NAN, 3), "–");
+        assert_eq!(significant(f64::INFINITY, 3), "–");
+        assert_eq!(Scale::of("pF", f64::NAN), Scale { factor: 1.0, unit: "pF".into() });
+    }
+}

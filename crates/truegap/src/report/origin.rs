@@ -1,0 +1,88 @@
+//! The noise model, doubts about the recording, the recovery bank, and where everything comes from.
+//!
+//! Limits: told as the diagnosis tells it.
+
+use super::number::{Scale, significant};
+use super::subject::Subject;
+use truegap_diagnose::diagnosis::NoiseFacts;
+use truegap_scene::page::{Page, Table, Tone};
+
+/// Doubts about the recording, where there are any.
+pub(super) fn issues(page: Page, subject: &Subject<'_>) -> Page {
+    let issues = &subject.diagnosis.recording_issues;
+    if issues.is_empty() { page } else { page.section("Doubts about the recording").list(issues) }
+}
+
+/// Noise and what it rests on.
+pub(super) fn noise(page: Page, subject: &Subject<'_>) -> Page {
+    let noise = &subject.diagnosis.noise;
+    let page = page.section("Noise").text(&noise.says);
+    let page = if noise.measured {
+        page
+    } else {
+        page.callout(
+            Tone::Watch,
+            "The noise could not be measured apart from the mismatch; record some minutes at rest to be surer.",
+        )
+    };
+    page.table(&noise_table(noise, subject))
+}
+
+fn noise_table(noise: &NoiseFacts, subject: &Subject<'_>) -> Table {
+    let scale = subject.error_scale();
+    let mut table = Table::new(&["part", "standard deviation"])
+        .row(&["white, of each reading".to_owned(), scale.text(noise.white_sd)])
+        .row(&[format!("correlated from row to row ({} a row)", significant(noise.ar_correlation, 2)), scale.text(noise.ar_sd)]);
+    if noise.load_sd > 0.0 {
+        let unit = load_unit(subject);
+        table = table.row(&["recorded load".to_owned(), Scale::of(unit, noise.load_sd).text(noise.load_sd)]);
+    }
+    if noise.temperature_sd > 0.0 {
+        table = table.row(&["recorded temperature".to_owned(), format!("{} K", significant(noise.temperature_sd, 2))]);
+    }
+    table
+}
+
+fn load_unit(subject: &Subject<'_>) -> &'static str {
+    let inputs = subject.inputs;
+    match (&inputs.force_n, &inputs.pressure_pa, &inputs.gap_m) {
+        (Some(_), ..) => "N",
+        (None, Some(_), _) => "Pa",
+        (None, None, Some(_)) => "m",
+        _ => "",
+    }
+}
+
+/// Rows of the recovery bank, where it was run.
+pub(super) fn bank(page: Page, subject: &Subject<'_>) -> Page {
+    let Some(bank) = &subject.diagnosis.bank else { return page };
+    let page = page.section("How often this tool is right on a recording like this");
+    let page = page.text("Recordings with a known cause were simulated for this protocol, noise and prior knowledge, and diagnosed in the same way.");
+    if let Some(says) = bank.get("says").and_then(|s| s.as_str()) {
+        return page.text(says).details("All rows").code(&format!("{bank:#}")).end_details();
+    }
+    page.code(&format!("{bank:#}"))
+}
+
+/// Files, hashes, command, version, time.
+pub(super) fn provenance(page: Page, subject: &Subject<'_>) -> Page {
+    let (diagnosis, made) = (subject.diagnosis, subject.provenance);
+    let mut table = Table::new(&["", ""])
+        .row(&["command", &made.command])
+        .row(&["program", &format!("truegap {}", diagnosis.version)])
+        .row(&["made", &made.made_at])
+        .row(&["took", &format!("{} s", significant(diagnosis.seconds, 3))])
+        .row(&["rows, runs", &format!("{} rows in {} runs", diagnosis.recording.rows, diagnosis.recording.runs)]);
+    for (file, hash) in &made.files {
+        table = table.row(&["recording", file]).row(&["its SHA-256", hash]);
+    }
+    let page = page.section("Where this comes from").table(&table);
+    if !made.has_model {
+        return page.text("Beside this page: diagnosis.json (everything above for a program).");
+    }
+    let model = if subject.is_augmented() { "calibrated model with what was missing" } else { "calibrated model" };
+    page.text(&format!(
+        "Beside this page: diagnosis.json (everything above for a program), augmented.toml (the {model}, \
+         which `truegap simulate --model augmented.toml` runs), prediction.csv (every row with all predictions)."
+    ))
+}

@@ -1,0 +1,104 @@
+//! The top of the report: the verdict, what is missing with its size, how sure, and the residual at a glance.
+//!
+//! Limits: whoever reads nothing else has read the answer; details follow in the other sections.
+
+use super::draw::{self, AFTER, BEFORE, NOISE};
+use super::{axis::Axis, number::Scale, subject::Subject, wording};
+use truegap_diagnose::diagnosis::{Diagnosis, Verdict};
+use truegap_scene::figure::{Figure, FigureError, Stack};
+use truegap_scene::page::{Page, Tone};
+
+/// Verdict, findings, numbers and figure.
+pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
+    let diagnosis = subject.diagnosis;
+    let mut page = page.callout(tone(diagnosis.verdict), &wording::headline(diagnosis));
+    for finding in &diagnosis.findings {
+        let says = capitalised(&finding.says);
+        page =
+            page.raw_html("<div class=\"says\">").text(&format!("{says} – {}.", wording::how_sure(finding))).raw_html("</div>\n");
+    }
+    if diagnosis.says != wording::headline(diagnosis) {
+        page = page.text(&capitalised(&diagnosis.says));
+    }
+    if let Some(text) = wording::concealed(diagnosis) {
+        page = page.callout(Tone::Watch, &text);
+    }
+    if subject.provenance.interrupted {
+        page = page.callout(Tone::Watch, "The search was stopped before its end; this is what was known by then.");
+    }
+    page = draw::tiles(page, &tiles(diagnosis));
+    draw::figure(page, residuals(subject, axis), &caption(subject))
+}
+
+fn capitalised(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().map_or(String::new(), |first| first.to_uppercase().chain(characters).collect())
+}
+
+fn tone(verdict: Verdict) -> Tone {
+    match verdict {
+        Verdict::Agrees => Tone::Good,
+        Verdict::Explained | Verdict::Ambiguous | Verdict::WrongForm => Tone::Watch,
+        Verdict::Unexplained | Verdict::Undecided => Tone::Bad,
+    }
+}
+
+fn tiles(diagnosis: &Diagnosis) -> Vec<(String, String)> {
+    let fit = &diagnosis.fit;
+    let error = |value| wording::error(diagnosis, value);
+    let mut tiles = vec![(error(fit.in_sample.rmse_before), "misfit of the calibrated model (RMSE)".to_owned())];
+    if !diagnosis.findings.is_empty() {
+        tiles.push((error(fit.in_sample.rmse_after), "with what was missing added".to_owned()));
+        let held = format!("{} → {}", error(fit.held_out.rmse_before), error(fit.held_out.rmse_after));
+        tiles.push((held, "on data the fit did not see".to_owned()));
+    }
+    tiles.push((error(fit.noise_floor), "noise of one reading".to_owned()));
+    if let Some(share) = fit.held_out.misfit_removed.filter(|s| s.is_finite() && *s >= 0.0) {
+        tiles.push((format!("{:.0} %", 100.0 * share), "of the reproducible misfit removed on unseen data".to_owned()));
+    }
+    tiles
+}
+
+/// Residual before and after over the recording, one scale, with the noise band.
+pub(super) fn residuals(subject: &Subject<'_>, axis: &Axis) -> Result<String, FigureError> {
+    let before = ("calibrated model", subject.traces.before.as_slice());
+    let after = ("with what was missing", subject.traces.after.as_slice());
+    let both = [before, after];
+    residual_stack(subject, axis, if subject.is_augmented() { &both } else { &both[..1] })
+}
+
+/// Residuals of several predictions in panels of one height and scale.
+pub(super) fn residual_stack(subject: &Subject<'_>, axis: &Axis, predictions: &[(&str, &[f64])]) -> Result<String, FigureError> {
+    let scale = subject.error_scale();
+    let residuals: Vec<Vec<f64>> = predictions.iter().map(|(_, p)| subject.residual(p, &scale)).collect();
+    let largest = residuals.iter().flatten().filter(|r| r.is_finite()).fold(0.0, |m: f64, r| m.max(r.abs()));
+    let colours = [BEFORE, AFTER];
+    let mut stack = Stack::new("Recorded less predicted");
+    for (number, ((label, _), residual)) in predictions.iter().zip(&residuals).enumerate() {
+        let height = if predictions.len() == 1 { 170.0 } else { 130.0 };
+        let panel = axis.on(noise_panel(subject, axis, &scale).height(height), number == 0);
+        let panel = panel.points(label, axis.x(), &axis.lift(residual)).colour(colours[number.min(1)]);
+        stack = stack.panel(if largest > 0.0 { panel.y_range(-1.08 * largest, 1.08 * largest) } else { panel });
+    }
+    stack.to_svg()
+}
+
+fn noise_panel(subject: &Subject<'_>, axis: &Axis, scale: &Scale) -> Figure {
+    let figure = Figure::new("").y("residual", &scale.unit);
+    if subject.traces.noise_sd.len() != subject.response.len() {
+        return figure.mark_y(0.0, "");
+    }
+    let upper: Vec<f64> = subject.traces.noise_sd.iter().map(|sd| 2.0 * scale.factor * sd).collect();
+    let lower: Vec<f64> = upper.iter().map(|u| -u).collect();
+    figure.band("noise, ± 2 sd", axis.x(), &axis.lift(&lower), &axis.lift(&upper)).colour(NOISE).mark_y(0.0, "")
+}
+
+fn caption(subject: &Subject<'_>) -> String {
+    if subject.is_augmented() {
+        "At a glance: what the calibrated model leaves over, and what is left once the missing physics is added. \
+         Points inside the band are noise."
+            .into()
+    } else {
+        "At a glance: what the calibrated model leaves over. Points inside the band are noise.".into()
+    }
+}

@@ -1,0 +1,52 @@
+//! The answer in the few lines that fit a terminal.
+//!
+//! Limits: no colour, no table; at most a line a finding.
+
+use super::number::spoken;
+use super::wording;
+use truegap_diagnose::diagnosis::Diagnosis;
+
+/// Verdict, findings with sizes, errors, what next.
+pub fn summary(diagnosis: &Diagnosis) -> String {
+    let mut lines = vec![wording::headline(diagnosis)];
+    for finding in &diagnosis.findings {
+        lines.push(format!("  {}: {}", spoken(&finding.effect), finding.says));
+        lines.push(format!("    {}", wording::how_sure(finding)));
+    }
+    if diagnosis.concealed {
+        lines.push("Calibration had hidden it:".into());
+    } else if !diagnosis.conflicts.is_empty() {
+        lines.push("At odds with what was known beforehand:".into());
+    }
+    lines.extend(diagnosis.conflicts.iter().map(|c| format!("  {}", c.says)));
+    if !diagnosis.mismatch.is_empty() {
+        lines.push("Where it is wrong:".into());
+        lines.extend(diagnosis.mismatch.iter().take(4).map(|m| format!("  {}", m.says)));
+    }
+    lines.extend(errors(diagnosis));
+    if !diagnosis.recording_issues.is_empty() {
+        lines.push("Doubts about the recording:".into());
+        lines.extend(diagnosis.recording_issues.iter().map(|issue| format!("  {issue}")));
+    }
+    if !diagnosis.next_experiment.says.is_empty() {
+        lines.push(format!("Next: {}", diagnosis.next_experiment.says));
+    }
+    lines.join("\n")
+}
+
+fn errors(diagnosis: &Diagnosis) -> Vec<String> {
+    let fit = &diagnosis.fit;
+    let error = |value: f64| wording::error(diagnosis, value);
+    let held = &fit.held_out;
+    if diagnosis.findings.is_empty() {
+        let inside = error(fit.in_sample.rmse_before);
+        return vec![format!("RMSE {inside} in sample, {} held out; noise {}", error(held.rmse_before), error(fit.noise_floor))];
+    }
+    let pair = |before: f64, after: f64| format!("{} -> {}", error(before), error(after));
+    let removed =
+        wording::misfit_removed(diagnosis).map_or(String::new(), |share| format!("; reproducible misfit removed: {share}"));
+    vec![
+        format!("RMSE in sample {}; noise {}", pair(fit.in_sample.rmse_before, fit.in_sample.rmse_after), error(fit.noise_floor)),
+        format!("RMSE held out  {} ({}){removed}", pair(held.rmse_before, held.rmse_after), held.how),
+    ]
+}

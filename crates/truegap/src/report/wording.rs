@@ -1,0 +1,111 @@
+//! The sentences that say what was found, as strong as the evidence and no stronger.
+//!
+//! Limits: below a detectability of [`SURE`] nothing is called missing, only "most consistent with".
+
+use super::number::{listed, percent, spoken};
+use super::subject::error_scale;
+use truegap_diagnose::diagnosis::{Diagnosis, Finding, Verdict};
+
+/// Detectability from which an effect is called missing without a reserve.
+pub const SURE: f64 = 10.0;
+
+/// The verdict in one plain sentence.
+pub fn headline(diagnosis: &Diagnosis) -> String {
+    let names = || listed(&named(&diagnosis.findings), "and");
+    let sure = diagnosis.findings.iter().all(|f| f.detectability >= SURE);
+    let no_finding = diagnosis.findings.is_empty();
+    match diagnosis.verdict {
+        Verdict::Agrees => {
+            format!(
+                "Recording and model agree: nothing stands out of the noise of {}.",
+                error(diagnosis, diagnosis.fit.noise_floor)
+            )
+        }
+        Verdict::Explained if no_finding => diagnosis.says.clone(),
+        Verdict::Explained if sure => format!("Missing from the model: {}.", names()),
+        Verdict::Explained => format!("The recording is most consistent with {} missing from the model.", names()),
+        Verdict::Ambiguous => {
+            format!("Something is missing from the model: {}. This recording cannot tell which.", choices(diagnosis))
+        }
+        Verdict::WrongForm if no_finding => {
+            "The kind of physics is clear, the equation tried for it is not adequate: misfit remains.".into()
+        }
+        Verdict::WrongForm => {
+            format!("Missing from the model is something like {}, but its equation is not adequate: misfit remains.", names())
+        }
+        Verdict::Unexplained => "Something real is missing from the model that nothing in the library explains.".into(),
+        Verdict::Undecided => "Recording and model differ; the cause is not decided.".into(),
+    }
+}
+
+fn named(findings: &[Finding]) -> Vec<String> {
+    findings.iter().map(|f| spoken(&f.effect)).collect()
+}
+
+fn choices(diagnosis: &Diagnosis) -> String {
+    let set = |members: &Vec<String>| listed(&members.iter().map(|m| spoken(m)).collect::<Vec<_>>(), "or");
+    let sets: Vec<String> = diagnosis.ambiguity.iter().map(set).collect();
+    if sets.is_empty() { listed(&named(&diagnosis.findings), "or") } else { sets.join("; and ") }
+}
+
+/// An error of the response with its unit.
+pub(super) fn error(diagnosis: &Diagnosis, value: f64) -> String {
+    error_scale(diagnosis).text(value)
+}
+
+/// How sure a finding is, in words with the two numbers.
+pub fn how_sure(finding: &Finding) -> String {
+    let strength = match finding.detectability {
+        d if !d.is_finite() => return format!("probability {}", percent(finding.probability)),
+        d if d >= 16.0 => "stands far out of the noise",
+        d if d >= SURE => "stands clear of the noise",
+        d if d >= 5.0 => "visible, not beyond doubt",
+        _ => "barely visible",
+    };
+    format!("probability {}, detectability d = {:.1} ({strength})", percent(finding.probability), finding.detectability)
+}
+
+/// What calibration did to hide it, where it did.
+pub fn concealed(diagnosis: &Diagnosis) -> Option<String> {
+    if !diagnosis.concealed {
+        return None;
+    }
+    let conflicts: Vec<&str> = diagnosis.conflicts.iter().map(|c| c.says.as_str()).collect();
+    let detail = if conflicts.is_empty() { String::new() } else { format!(" {}.", conflicts.join("; ")) };
+    Some(format!(
+        "Calibration had hidden it: the residuals of the calibrated model look clean, because its parameters took up what is missing.{detail}"
+    ))
+}
+
+/// Share of the reproducible misfit that the findings remove on rows left out.
+pub fn misfit_removed(diagnosis: &Diagnosis) -> Option<String> {
+    diagnosis.fit.held_out.misfit_removed.filter(|share| share.is_finite()).map(|share| match share {
+        s if s < 0.0 => "none: the added physics predicts worse than the base model".into(),
+        s => format!("{:.0} %", 100.0 * s),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn finding(detectability: f64) -> Finding {
+        Finding {
+            effect: "thermal_lag".into(),
+            probability: 0.97,
+            says: String::new(),
+            detectability,
+            parameters: Vec::new(),
+            held_out: truegap_diagnose::diagnosis::BeforeAfterUnit { rmse_before: 1.0, rmse_after: 0.1, unit: "pF".into() },
+            rivals: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn how_sure_a_finding_is_follows_its_detectability() {
+        assert!(how_sure(&finding(31.0)).contains("far out of the noise"));
+        assert!(how_sure(&finding(7.0)).contains("not beyond doubt"));
+        assert!(how_sure(&finding(3.0)).contains("barely"));
+        assert!(!how_sure(&finding(f64::NAN)).contains("NaN"));
+    }
+}

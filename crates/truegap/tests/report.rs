@@ -1,0 +1,108 @@
+//! What a reader of a report must find in it, and what must not be there.
+
+#[path = "report/fixture.rs"]
+mod fixture;
+
+use truegap::report::{html, terminal, wording};
+use truegap_diagnose::diagnosis::Verdict;
+
+#[test]
+fn a_report_says_first_what_is_missing_with_size_unit_and_certainty() {
+    let fixture = fixture::thermal_lag();
+    let page = html(&fixture.subject());
+    std::fs::write(concat!(env!("CARGO_TARGET_TMPDIR"), "/report.html"), &page).unwrap();
+    let top = &page[page.find("<h1>").unwrap()..page.find("<h2>").unwrap()];
+    for expected in
+        ["Missing from the model: thermal lag.", "120 s (sd 6)", "98 %", "d = 31.0", "Calibration had hidden it", "4.7 prior sd"]
+    {
+        assert!(top.contains(expected), "{expected} is not at the top");
+    }
+    assert!(top.contains("<svg"), "no figure at a glance");
+}
+
+#[test]
+fn a_report_holds_every_part_of_the_answer() {
+    let fixture = fixture::thermal_lag();
+    let page = html(&fixture.subject());
+    let parts = [
+        "12 rows repeat the value before them",
+        "tau dT_s/dt = T - T_s",
+        "Incropera",
+        "readout lag",
+        "the reading is behind while the temperature moves",
+        "820.0 ± 6.0 kPa|821.0 ± 6.0 kPa",
+        "1.0620 ± 0.0070 MPa",
+        "-4.7 !",
+        "no humidity column",
+        "0.0021",
+        "heat at two rates under constant load",
+        "--profile thermal-steps",
+        "4 fF from 60 rows at rest",
+        "2026-01-02 03:04 UTC",
+        &"ab".repeat(32),
+        "each run in turn",
+        "97 %",
+    ];
+    for part in parts {
+        assert!(part.split('|').any(|p| page.contains(p)), "{part} is missing");
+    }
+    assert!(!page.contains("A figure is left out"), "a figure was not drawn");
+}
+
+#[test]
+fn a_report_loads_nothing_from_elsewhere_and_keeps_markup_of_names_out() {
+    let mut fixture = fixture::thermal_lag();
+    fixture.diagnosis.recording.source = "<script>alert(1)</script>.csv".into();
+    fixture.diagnosis.findings[0].says = "<img src=x>".into();
+    let page = html(&fixture.subject());
+    assert!(!page.contains("<script") && !page.contains("<img"));
+    let outside = page.replace("http://www.w3.org/2000/svg", "");
+    assert!(!outside.contains("http://") && !outside.contains("https://") && !outside.contains("url(h"));
+}
+
+#[test]
+fn weak_evidence_is_worded_weakly() {
+    let mut fixture = fixture::thermal_lag();
+    fixture.diagnosis.findings[0].detectability = 7.0;
+    assert!(wording::headline(&fixture.diagnosis).contains("most consistent with thermal lag"));
+    fixture.diagnosis.verdict = Verdict::Ambiguous;
+    fixture.diagnosis.ambiguity = vec![vec!["thermal_lag".into(), "viscoelastic_creep".into()]];
+    let says = wording::headline(&fixture.diagnosis);
+    assert!(says.contains("thermal lag or viscoelastic creep") && says.contains("cannot tell which"));
+    let page = html(&fixture.subject());
+    assert!(page.contains("straight in the logarithm of dwell"), "what separates them is not said");
+}
+
+#[test]
+fn a_report_without_findings_shows_one_residual_and_claims_nothing() {
+    let mut fixture = fixture::thermal_lag();
+    let diagnosis = &mut fixture.diagnosis;
+    (diagnosis.verdict, diagnosis.concealed) = (Verdict::Agrees, false);
+    diagnosis.findings.clear();
+    diagnosis.conflicts.clear();
+    diagnosis.mismatch.clear();
+    let page = html(&fixture.subject());
+    assert!(page.contains("Recording and model agree") && !page.contains("what was missing"));
+    assert!(!page.contains("Missing from the model") && !page.contains("A figure is left out"));
+}
+
+#[test]
+fn columns_that_do_not_fit_cost_a_figure_and_not_the_report() {
+    let mut fixture = fixture::thermal_lag();
+    fixture.traces.held_out_before.clear();
+    fixture.traces.held_out_after.clear();
+    fixture.traces.noise_sd.clear();
+    let page = html(&fixture.subject());
+    assert!(page.contains("No row has a prediction") && page.contains("Missing from the model: thermal lag."));
+}
+
+#[test]
+fn the_terminal_gets_verdict_sizes_errors_and_what_next() {
+    let fixture = fixture::thermal_lag();
+    let text = terminal::summary(&fixture.diagnosis);
+    for expected in
+        ["Missing from the model: thermal lag.", "120 s", "RMSE held out", "97 %", "Next: heat at two rates", "4.7 prior sd"]
+    {
+        assert!(text.contains(expected), "{expected} is missing in\n{text}");
+    }
+}

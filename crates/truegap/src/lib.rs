@@ -4,6 +4,8 @@
 
 pub mod axis;
 pub mod base;
+pub mod diagnosis;
+pub mod model_file;
 pub mod nearest;
 pub mod output;
 pub mod predict;

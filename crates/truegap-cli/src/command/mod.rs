@@ -3,6 +3,7 @@
 //! A new one is a file with a struct of arguments that implements [`Run`], a `mod` line and a line in [`commands`].
 
 mod coefficients;
+mod diagnose;
 mod sensors;
 mod simulate;
 
@@ -10,7 +11,6 @@ use crate::console::Console;
 
 /// How a command ended that could run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(dead_code)] // `LookAt` waits for the first command that looks at something
 pub enum Outcome {
     /// nothing to look at: exit code 0
     Fine,
@@ -48,4 +48,5 @@ commands! {
     Sensors(sensors::Sensors),
     Coefficients(coefficients::Coefficients),
     Simulate(simulate::Simulate),
+    Diagnose(diagnose::Diagnose),
 }

@@ -1,0 +1,181 @@
+//! `truegap diagnose`: where simulation and recording differ, what was left out, and whether it predicts what the fit has not seen.
+//!
+//! Limits: reads, calls, prints; a first Ctrl-C ends the search with what is known, a second one ends the program.
+
+use super::{Outcome, Run};
+use crate::console::Console;
+use anyhow::Context;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use truegap::Recording;
+use truegap::diagnose::{Progress, Verdict};
+use truegap::diagnosis::{Diagnosed, Request, diagnose, open};
+use truegap::report::terminal;
+
+/// Say what physics a simulation leaves out of a recording, and show it
+#[derive(Debug, clap::Args)]
+pub struct Diagnose {
+    /// TOML or CSV of a recording, or a folder with a recording.toml; several are taken as one, run after run
+    #[arg(required = true, value_name = "RECORDING")]
+    recordings: Vec<PathBuf>,
+    /// Folder for report.html, diagnosis.json, augmented.toml and prediction.csv
+    #[arg(long, short, value_name = "DIR", default_value = "diagnosis")]
+    output: PathBuf,
+    /// Diagnose each recording by itself, into a folder of its own below --output
+    #[arg(long)]
+    batch: bool,
+    /// Sensor in place of the recording's: built-in name or path of a sensor's TOML
+    #[arg(long)]
+    sensor: Option<String>,
+    /// Base model in place of the recording's: stack, parallel-plate, gap-plate, constant, external
+    #[arg(long, value_name = "MODEL")]
+    base: Option<String>,
+    /// Leave the warp of the electrode out of the base model
+    #[arg(long)]
+    no_warp: bool,
+    /// Try these effects only
+    #[arg(long, value_delimiter = ',', value_name = "A,B,C")]
+    effects: Vec<String>,
+    /// Hide an input column, to see what its absence does: temperature, humidity, force, pressure, gap
+    #[arg(long, value_delimiter = ',', value_name = "COLUMN")]
+    conceal: Vec<String>,
+    /// Sensor column of a recording that holds several
+    #[arg(long, value_name = "NAME")]
+    channel: Option<String>,
+}
+
+static STOP: AtomicBool = AtomicBool::new(false);
+
+impl Run for Diagnose {
+    fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
+        stop_on_interrupt()?;
+        if self.batch {
+            return self.each(console);
+        }
+        let diagnosed = self.one(&self.recordings, console)?;
+        let folder = diagnosed.write(&self.output)?;
+        if console.json {
+            console.print_json(&diagnosed.outcome.diagnosis)?;
+        } else {
+            console.print(terminal::summary(&diagnosed.outcome.diagnosis))?;
+            console.print(format!("Report: {}", folder.join("report.html").display()))?;
+        }
+        Ok(outcome(&diagnosed))
+    }
+}
+
+impl Diagnose {
+    fn one(&self, paths: &[PathBuf], console: &Console) -> anyhow::Result<Diagnosed> {
+        let recordings = paths.iter().map(Recording::open).collect::<Result<Vec<_>, _>>()?;
+        let files = paths.iter().zip(&recordings).map(|(path, r)| (path.display().to_string(), r.sha256.clone())).collect();
+        let request = self.request();
+        let recording = open(recordings, &request)?;
+        recording.notes.iter().for_each(|note| console.note(note));
+        let bar = bar(console);
+        let progress = |p: Progress| {
+            bar.set_position((1000.0 * p.done) as u64);
+            bar.set_message(format!("{}: {}", p.step, p.what));
+        };
+        let diagnosed = diagnose(recording, files, &request, &progress, &STOP);
+        bar.finish_and_clear();
+        Ok(diagnosed?)
+    }
+
+    /// Every recording by itself; one that cannot be diagnosed is named and does not keep the others waiting.
+    fn each(&self, console: &Console) -> anyhow::Result<Outcome> {
+        let (mut found, mut failed) = (false, 0);
+        for path in &self.recordings {
+            if STOP.load(Ordering::Relaxed) {
+                break;
+            }
+            let name = case_name(path);
+            let done = self.one(std::slice::from_ref(path), console).and_then(|diagnosed| {
+                diagnosed.write(&self.output.join(&name))?;
+                Ok(diagnosed)
+            });
+            match done {
+                Ok(diagnosed) => {
+                    found |= outcome(&diagnosed) == Outcome::LookAt;
+                    console.print(line(&name, &diagnosed))?;
+                }
+                Err(error) => {
+                    failed += 1;
+                    console.fail(&error);
+                }
+            }
+        }
+        anyhow::ensure!(failed == 0, "{failed} of {} recordings could not be diagnosed; their reasons are above", self.recordings.len());
+        Ok(if found { Outcome::LookAt } else { Outcome::Fine })
+    }
+
+    fn request(&self) -> Request {
+        let quoted = |word: String| if word.contains(char::is_whitespace) { format!("\"{word}\"") } else { word };
+        let words = std::env::args().skip(1).map(quoted);
+        Request {
+            sensor: self.sensor.clone(),
+            base: self.base.clone(),
+            no_warp: self.no_warp,
+            effects: self.effects.clone(),
+            conceal: self.conceal.clone(),
+            channel: self.channel.clone(),
+            command: std::iter::once("truegap".to_owned()).chain(words).collect::<Vec<_>>().join(" "),
+        }
+    }
+}
+
+fn outcome(diagnosed: &Diagnosed) -> Outcome {
+    if diagnosed.outcome.diagnosis.verdict == Verdict::Agrees { Outcome::Fine } else { Outcome::LookAt }
+}
+
+/// One line of a batch: name, verdict, findings with their probability, seconds.
+fn line(name: &str, diagnosed: &Diagnosed) -> String {
+    let diagnosis = &diagnosed.outcome.diagnosis;
+    let found: Vec<String> = diagnosis.findings.iter().map(|f| format!("{} {:.3} (d {:.1})", f.effect, f.probability, f.detectability)).collect();
+    let sets: Vec<String> = diagnosis.ambiguity.iter().map(|set| set.join("|")).collect();
+    let verdict = format!("{:?}", diagnosis.verdict).to_lowercase();
+    format!("{name}  {verdict:11}  {}  {}  {:.1} s", found.join(" + "), sets.join("; "), diagnosis.seconds)
+}
+
+/// Name of a recording's own folder: its file's, or its folder's where all files are called the same.
+fn case_name(path: &Path) -> String {
+    let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+    let parent = path.parent().and_then(Path::file_name).map(|p| p.to_string_lossy().into_owned());
+    match parent {
+        Some(parent) if stem == "recording" => parent,
+        _ if stem.is_empty() => "recording".into(),
+        _ => stem,
+    }
+}
+
+fn bar(console: &Console) -> ProgressBar {
+    if console.quiet {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(1000);
+    if let Ok(style) = ProgressStyle::with_template("{bar:24} {percent:>3} %  {wide_msg}  {elapsed}") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+fn stop_on_interrupt() -> anyhow::Result<()> {
+    let handler = || {
+        if STOP.swap(true, Ordering::Relaxed) {
+            std::process::exit(2);
+        }
+    };
+    ctrlc::set_handler(handler).context("Ctrl-C cannot be watched for on this system")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_case_is_named_after_what_tells_it_apart() {
+        assert_eq!(case_name(Path::new("open/case-01/recording.toml")), "case-01");
+        assert_eq!(case_name(Path::new("open/case-01")), "case-01");
+        assert_eq!(case_name(Path::new("insole/hold.toml")), "hold");
+    }
+}

@@ -1,0 +1,52 @@
+//! Why there is no diagnosis, or why it cannot be written.
+//!
+//! Limits: what is wrong with the recording's content is told by the crates that find it.
+
+use crate::base::BaseModelError;
+use crate::model_file::ModelFileError;
+use crate::output::OutputError;
+use truegap_core::RecordingError;
+use truegap_diagnose::DiagnoseError;
+
+/// Why there is no diagnosis.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+#[allow(missing_docs)] // the fields are named by the messages
+pub enum DiagnosisError {
+    /// A recording cannot be read.
+    #[error(transparent)]
+    Recording(#[from] RecordingError),
+    /// There is no base model.
+    #[error(transparent)]
+    Base(#[from] BaseModelError),
+    /// Nothing can be concluded.
+    #[error("{recording}: {source}")]
+    Diagnose { recording: String, source: DiagnoseError },
+    /// The files cannot be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// The model file cannot be written.
+    #[error(transparent)]
+    ModelFile(#[from] ModelFileError),
+    /// The answer cannot be written as JSON.
+    #[error("the diagnosis cannot be written as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+    /// No recording.
+    #[error("no recording is given; name a TOML or a CSV, or `example` for the built-in one")]
+    NoRecording,
+    /// Recordings that do not belong together.
+    #[error("{second} has {what} `{second_has}` where {first} has `{first_has}`; diagnose them one at a time")]
+    Different { first: String, second: String, what: &'static str, first_has: String, second_has: String },
+    /// A recording with several sensors.
+    #[error("{recording}: holds the sensors {names}; choose one with --channel, as in --channel \"{first}\"")]
+    SeveralSensors { recording: String, names: String, first: String },
+    /// No such sensor in the file.
+    #[error("{recording}: there is no sensor column `{name}`; there are {names}")]
+    NoSuchChannel { recording: String, name: String, names: String },
+    /// A column to be concealed that is not there.
+    #[error("{recording}: there is no input column `{column}` to conceal; there are {names}")]
+    NothingToConceal { recording: String, column: String, names: String },
+    /// An effect that the library does not have.
+    #[error("the library has no effect `{id}`; {hint}")]
+    UnknownEffect { id: String, hint: String },
+}

@@ -1,0 +1,13 @@
+//! From recordings on disk to a diagnosis and the folder of files that tells it.
+//!
+//! Limits: one base model for all recordings given together; decides nothing that `truegap_diagnose` does not decide.
+
+mod error;
+mod prediction;
+mod request;
+mod run;
+mod write;
+
+pub use error::DiagnosisError;
+pub use request::{Request, open};
+pub use run::{Diagnosed, diagnose};

@@ -1,0 +1,91 @@
+//! A diagnosis with everything that its report needs.
+//!
+//! Limits: the base model is the recording's (or the request's); nothing is kept on disk here.
+
+use super::request::{Request, named};
+use super::{DiagnosisError, prediction, write};
+use crate::base::{Base, base_model};
+use crate::report::{Provenance, Subject};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use truegap_core::Recording;
+use truegap_diagnose::{Options, Outcome, Problem, Progress, RecordingFacts};
+
+/// A recording and what was found in it.
+pub struct Diagnosed {
+    /// the recording as it was diagnosed
+    pub recording: Recording,
+    /// its base model
+    pub base: Base,
+    /// what was found
+    pub outcome: Outcome,
+    /// where it comes from
+    pub provenance: Provenance,
+}
+
+/// Diagnoses `recording`; `files` are what was read, with their SHA-256.
+///
+/// # Errors
+/// [`DiagnosisError`] where there is no base model or nothing can be concluded.
+pub fn diagnose(
+    recording: Recording,
+    files: Vec<(String, String)>,
+    request: &Request,
+    progress: &(dyn Fn(Progress) + Sync),
+    stop: &AtomicBool,
+) -> Result<Diagnosed, DiagnosisError> {
+    let base = base_model(&recording)?;
+    let problem = Problem { inputs: &recording.inputs, response: &recording.response, simulator: base.simulator.as_ref() };
+    let options = Options { effects: request.effects.clone() };
+    let outcome = truegap_diagnose::diagnose(&problem, facts(&recording, &files), &options, progress, stop);
+    let mut outcome = outcome.map_err(|source| DiagnosisError::Diagnose { recording: named(&recording), source })?;
+    outcome.diagnosis.base.sensor = base.sensor.as_ref().map(|s| s.name.clone());
+    let doubts = recording.notes.iter().map(ToString::to_string);
+    outcome.diagnosis.recording_issues.extend(doubts);
+    outcome.diagnosis.recording_issues.extend(request.conceal.iter().map(|c| format!("the column for {c} was hidden on request")));
+    let provenance = Provenance {
+        command: request.command.clone(),
+        made_at: write::utc_now(),
+        files,
+        interrupted: stop.load(Ordering::Relaxed),
+        has_model: true,
+    };
+    Ok(Diagnosed { recording, base, outcome, provenance })
+}
+
+fn facts(recording: &Recording, files: &[(String, String)]) -> RecordingFacts {
+    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+    let hashes: Vec<&str> = files.iter().map(|(_, hash)| hash.as_str()).collect();
+    RecordingFacts {
+        rows: recording.len(),
+        runs: recording.inputs.runs().len(),
+        sha256: hashes.join(" "),
+        source: if names.is_empty() { named(recording) } else { names.join(", ") },
+    }
+}
+
+impl Diagnosed {
+    /// What the report is about.
+    pub fn subject(&self) -> Subject<'_> {
+        Subject {
+            diagnosis: &self.outcome.diagnosis,
+            traces: &self.outcome.traces,
+            inputs: &self.recording.inputs,
+            response: &self.recording.response,
+            provenance: &self.provenance,
+        }
+    }
+
+    /// Every row with all predictions, as CSV.
+    pub fn prediction_csv(&self) -> String {
+        prediction::csv(&self.recording, &self.outcome.traces)
+    }
+
+    /// Writes diagnosis.json, report.html, augmented.toml and prediction.csv, all or none.
+    ///
+    /// # Errors
+    /// [`DiagnosisError`] where the disk refuses or the model cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<PathBuf, DiagnosisError> {
+        write::folder(self, folder)
+    }
+}

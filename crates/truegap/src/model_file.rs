@@ -1,0 +1,236 @@
+//! `augmented.toml`: a calibrated base model with added physics, as a file that simulates by itself.
+//!
+//! Limits: values and standard deviations, no correlations between them; an effect is known by its id, so a program must have it in its library.
+
+use crate::diagnosis::Diagnosed;
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+use truegap_core::sensor::{SensorError, builtin_sensors};
+use truegap_core::{Inputs, Sensor, SimulationError, Simulator};
+use truegap_diagnose::augmented::{AddedEffect, NamedValue, Scales, UnknownEffect};
+use truegap_diagnose::{Augmented, Context, library};
+use truegap_model::BaseModel;
+use truegap_model::base::BaseError;
+
+/// Identifier of the file format.
+pub const SCHEMA: &str = "truegap.model/1";
+
+/// The file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ModelFile {
+    /// always [`SCHEMA`]
+    pub schema: String,
+    /// program and version
+    pub made_by: String,
+    /// recording that it was fitted to
+    pub recording: String,
+    /// SHA-256 of that recording
+    pub sha256: String,
+    /// verdict of the diagnosis
+    pub verdict: String,
+    /// unit of the response
+    pub unit: String,
+    /// text of the sensor's file, where the base model has a sensor
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sensor: Option<String>,
+    /// the base model and how it is built
+    pub base: BaseModel,
+    /// what the effects' equations take from the recording
+    pub scales: Scales,
+    /// calibrated parameters of the base model
+    #[serde(rename = "parameter")]
+    pub parameters: Vec<NamedValue>,
+    /// added physics
+    #[serde(rename = "effect", default, skip_serializing_if = "Vec::is_empty")]
+    pub effects: Vec<AddedEffect>,
+}
+
+/// Why a model file cannot be written, read or run.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+#[allow(missing_docs)] // the fields are named by the messages
+pub enum ModelFileError {
+    /// The file cannot be read.
+    #[error("{file}: cannot be read: {source}; give the augmented.toml of a diagnosis")]
+    Read { file: PathBuf, source: std::io::Error },
+    /// Not TOML, or not a model.
+    #[error("{file}: {message}; a model file is written by `truegap diagnose` as augmented.toml")]
+    Parse { file: PathBuf, message: String },
+    /// Another kind of file.
+    #[error("{file}: schema is `{found}`; a model's is `{SCHEMA}`")]
+    Schema { file: PathBuf, found: String },
+    /// The sensor's file cannot be read.
+    #[error("the sensor file {file} cannot be read: {source}; it must stay where it was while the model is written")]
+    SensorFile { file: PathBuf, source: std::io::Error },
+    /// The sensor inside is wrong.
+    #[error("sensor of the model file: {0}")]
+    Sensor(#[from] SensorError),
+    /// The base model cannot be built.
+    #[error(transparent)]
+    Base(#[from] BaseError),
+    /// A parameter of the base model is not there.
+    #[error("the model file gives no value for `{name}` of the base model `{model}`; add a [[parameter]] with its name, unit, value, sd")]
+    MissingParameter { name: String, model: String },
+    /// A parameter that the base model does not have.
+    #[error("the base model `{model}` has no parameter `{name}`; take the [[parameter]] out, or correct its name")]
+    SurplusParameter { name: String, model: String },
+    /// An effect with more or fewer numbers than its equations have.
+    #[error("the effect `{id}` has {expected} parameters, the model file gives {found}; list each with name, unit, value, sd")]
+    ParameterCount { id: String, expected: usize, found: usize },
+    /// An effect that the library does not have.
+    #[error(transparent)]
+    Effect(#[from] UnknownEffect),
+    /// The model has no answer at these inputs.
+    #[error(transparent)]
+    Simulation(#[from] SimulationError),
+    /// The model cannot be written as TOML.
+    #[error("the model cannot be written as TOML: {0}")]
+    Write(#[from] toml::ser::Error),
+}
+
+impl ModelFile {
+    /// The model that a diagnosis ends with.
+    ///
+    /// # Errors
+    /// [`ModelFileError::SensorFile`] where the sensor's own file has gone.
+    pub fn of(diagnosed: &Diagnosed) -> Result<Self, ModelFileError> {
+        let (diagnosis, augmented) = (&diagnosed.outcome.diagnosis, &diagnosed.outcome.augmented);
+        let verdict = serde_json::to_value(diagnosis.verdict).ok().and_then(|v| v.as_str().map(str::to_owned));
+        let folder = diagnosed.recording.path.parent();
+        Ok(Self {
+            schema: SCHEMA.into(),
+            made_by: format!("truegap {}", diagnosis.version),
+            recording: diagnosis.recording.source.clone(),
+            sha256: diagnosis.recording.sha256.clone(),
+            verdict: verdict.unwrap_or_default(),
+            unit: diagnosis.fit.unit.clone(),
+            sensor: diagnosed.base.spec.sensor().map(|name| sensor_text(name, folder)).transpose()?,
+            base: diagnosed.base.spec.clone(),
+            scales: augmented.scales,
+            parameters: augmented.parameters.clone(),
+            effects: augmented.effects.clone(),
+        })
+    }
+
+    /// The file's text.
+    ///
+    /// # Errors
+    /// [`ModelFileError::Write`] where TOML cannot hold a number.
+    pub fn to_toml(&self) -> Result<String, ModelFileError> {
+        let head = "# Written by `truegap diagnose`; `truegap simulate --model` runs it. Values are in the unit beside them.\n";
+        Ok(head.to_owned() + &toml::to_string(self)?)
+    }
+
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// [`ModelFileError`] where it is not there or not a model.
+    pub fn open(file: &Path) -> Result<Self, ModelFileError> {
+        let text = std::fs::read_to_string(file).map_err(|source| ModelFileError::Read { file: file.to_owned(), source })?;
+        Self::parse(&text, file)
+    }
+
+    /// Reads a text; `file` is for messages.
+    ///
+    /// # Errors
+    /// [`ModelFileError`] where it is not a model.
+    pub fn parse(text: &str, file: &Path) -> Result<Self, ModelFileError> {
+        #[derive(Deserialize)]
+        struct Head {
+            schema: String,
+        }
+        let failed = |e: toml::de::Error| ModelFileError::Parse { file: file.to_owned(), message: e.to_string().trim().replace('\n', " ") };
+        let head: Head = toml::from_str(text).map_err(failed)?;
+        if head.schema != SCHEMA {
+            return Err(ModelFileError::Schema { file: file.to_owned(), found: head.schema });
+        }
+        toml::from_str(text).map_err(failed)
+    }
+
+    /// The model, ready to simulate.
+    ///
+    /// # Errors
+    /// [`ModelFileError`] where base model, parameters and effects do not fit together.
+    pub fn build(&self) -> Result<RunningModel, ModelFileError> {
+        let sensor = self.sensor.as_ref().map(|text| Sensor::from_toml(text, "sensor of the model file")).transpose()?;
+        let simulator = self.base.build(sensor.as_ref())?;
+        let values = self.values(simulator.as_ref())?;
+        let model = RunningModel { simulator, values, augmented: self.augmented() };
+        model.check()?;
+        Ok(model)
+    }
+
+    fn augmented(&self) -> Augmented {
+        Augmented { parameters: self.parameters.clone(), effects: self.effects.clone(), scales: self.scales }
+    }
+
+    fn values(&self, simulator: &dyn Simulator) -> Result<Vec<f64>, ModelFileError> {
+        let model = || simulator.name().to_owned();
+        let needed = simulator.parameters();
+        if let Some(surplus) = self.parameters.iter().find(|p| needed.iter().all(|n| n.name != p.name)) {
+            return Err(ModelFileError::SurplusParameter { name: surplus.name.clone(), model: model() });
+        }
+        let value = |name: &str| self.parameters.iter().find(|p| p.name == name).map(|p| p.value);
+        needed
+            .iter()
+            .map(|n| value(&n.name).ok_or_else(|| ModelFileError::MissingParameter { name: n.name.clone(), model: model() }))
+            .collect()
+    }
+}
+
+fn sensor_text(name: &str, folder: Option<&Path>) -> Result<String, ModelFileError> {
+    if let Some(built_in) = builtin_sensors().iter().find(|s| s.name == name) {
+        return Ok(built_in.toml.to_owned());
+    }
+    let beside = folder.map(|f| f.join(name)).filter(|path| path.is_file());
+    let file = beside.unwrap_or_else(|| PathBuf::from(name));
+    std::fs::read_to_string(&file).map_err(|source| ModelFileError::SensorFile { file, source })
+}
+
+/// A model that simulates: base model, its calibrated values, added physics.
+pub struct RunningModel {
+    simulator: Box<dyn Simulator>,
+    values: Vec<f64>,
+    augmented: Augmented,
+}
+
+impl RunningModel {
+    /// The base model.
+    pub fn simulator(&self) -> &dyn Simulator {
+        self.simulator.as_ref()
+    }
+
+    /// Response of each row, added physics included, in [`Simulator::unit`].
+    ///
+    /// # Errors
+    /// [`ModelFileError::Simulation`] where a row has no physical answer or a column is missing.
+    pub fn respond(&self, inputs: &Inputs) -> Result<Vec<f64>, ModelFileError> {
+        let mut context = Context::new(inputs, self.simulator.as_ref(), 0.0, 0.0);
+        self.augmented.apply_scales(&mut context);
+        let stages = self.augmented.stages(&library(), &context)?;
+        let stages: Vec<_> = stages.iter().map(AsRef::as_ref).collect();
+        Ok(self.simulator.respond(&self.values, inputs, &stages)?)
+    }
+
+    /// Every effect is known and has its numbers.
+    fn check(&self) -> Result<(), ModelFileError> {
+        let inputs = Inputs { run: vec![1], ..Inputs::default() };
+        let mut context = Context::new(&inputs, self.simulator.as_ref(), 0.0, 0.0);
+        self.augmented.apply_scales(&mut context);
+        let effects = library();
+        for added in &self.augmented.effects {
+            let Some(effect) = effects.iter().find(|e| e.id().0 == added.id) else { continue };
+            let (expected, found) = (effect.parameters(&context).len(), added.parameters.len());
+            if expected != found {
+                return Err(ModelFileError::ParameterCount { id: added.id.clone(), expected, found });
+            }
+        }
+        // an id that the library does not have is told with all that it has; nothing is walked here
+        let known = |added: &AddedEffect| effects.iter().any(|e| e.id().0 == added.id);
+        match self.augmented.effects.iter().all(known) {
+            true => Ok(()),
+            false => Ok(self.augmented.stages(&effects, &context).map(|_| ())?),
+        }
+    }
+}

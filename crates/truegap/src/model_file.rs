@@ -70,7 +70,9 @@ pub enum ModelFileError {
     #[error(transparent)]
     Base(#[from] BaseError),
     /// A parameter of the base model is not there.
-    #[error("the model file gives no value for `{name}` of the base model `{model}`; add a [[parameter]] with its name, unit, value, sd")]
+    #[error(
+        "the model file gives no value for `{name}` of the base model `{model}`; add a [[parameter]] with its name, unit, value, sd"
+    )]
     MissingParameter { name: String, model: String },
     /// A parameter that the base model does not have.
     #[error("the base model `{model}` has no parameter `{name}`; take the [[parameter]] out, or correct its name")]
@@ -140,7 +142,10 @@ impl ModelFile {
         struct Head {
             schema: String,
         }
-        let failed = |e: toml::de::Error| ModelFileError::Parse { file: file.to_owned(), message: e.to_string().trim().replace('\n', " ") };
+        let failed = |e: toml::de::Error| ModelFileError::Parse {
+            file: file.to_owned(),
+            message: e.to_string().trim().replace('\n', " "),
+        };
         let head: Head = toml::from_str(text).map_err(failed)?;
         if head.schema != SCHEMA {
             return Err(ModelFileError::Schema { file: file.to_owned(), found: head.schema });

@@ -105,7 +105,11 @@ impl Diagnose {
                 }
             }
         }
-        anyhow::ensure!(failed == 0, "{failed} of {} recordings could not be diagnosed; their reasons are above", self.recordings.len());
+        anyhow::ensure!(
+            failed == 0,
+            "{failed} of {} recordings could not be diagnosed; their reasons are above",
+            self.recordings.len()
+        );
         Ok(if found { Outcome::LookAt } else { Outcome::Fine })
     }
 
@@ -131,7 +135,8 @@ fn outcome(diagnosed: &Diagnosed) -> Outcome {
 /// One line of a batch: name, verdict, findings with their probability, seconds.
 fn line(name: &str, diagnosed: &Diagnosed) -> String {
     let diagnosis = &diagnosed.outcome.diagnosis;
-    let found: Vec<String> = diagnosis.findings.iter().map(|f| format!("{} {:.3} (d {:.1})", f.effect, f.probability, f.detectability)).collect();
+    let found: Vec<String> =
+        diagnosis.findings.iter().map(|f| format!("{} {:.3} (d {:.1})", f.effect, f.probability, f.detectability)).collect();
     let sets: Vec<String> = diagnosis.ambiguity.iter().map(|set| set.join("|")).collect();
     let verdict = format!("{:?}", diagnosis.verdict).to_lowercase();
     format!("{name}  {verdict:11}  {}  {}  {:.1} s", found.join(" + "), sets.join("; "), diagnosis.seconds)

@@ -60,7 +60,11 @@ fn check_effects(effects: &[String]) -> Result<(), DiagnosisError> {
         None => Ok(()),
         Some(id) => {
             let close = nearest(id, known.iter().copied());
-            let hint = if close.is_empty() { format!("it has {}", known.join(", ")) } else { format!("did you mean {}?", close.join(", ")) };
+            let hint = if close.is_empty() {
+                format!("it has {}", known.join(", "))
+            } else {
+                format!("did you mean {}?", close.join(", "))
+            };
             Err(DiagnosisError::UnknownEffect { id: id.clone(), hint })
         }
     }
@@ -139,7 +143,8 @@ fn join(mut first: Recording, second: Recording) -> Result<Recording, DiagnosisE
 }
 
 fn check_alike(first: &Recording, second: &Recording) -> Result<(), DiagnosisError> {
-    let roles = |r: &Recording| r.quantities().iter().map(|(role, _)| format!("{role:?}").to_lowercase()).collect::<Vec<_>>().join(", ");
+    let roles =
+        |r: &Recording| r.quantities().iter().map(|(role, _)| format!("{role:?}").to_lowercase()).collect::<Vec<_>>().join(", ");
     let base = |r: &Recording| format!("{:?}", (&r.base.model, &r.base.sensor, &r.base.warp));
     let checks = [
         ("columns", roles(first), roles(second)),

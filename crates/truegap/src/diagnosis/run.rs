@@ -42,7 +42,10 @@ pub fn diagnose(
     outcome.diagnosis.base.sensor = base.sensor.as_ref().map(|s| s.name.clone());
     let doubts = recording.notes.iter().map(ToString::to_string);
     outcome.diagnosis.recording_issues.extend(doubts);
-    outcome.diagnosis.recording_issues.extend(request.conceal.iter().map(|c| format!("the column for {c} was hidden on request")));
+    outcome
+        .diagnosis
+        .recording_issues
+        .extend(request.conceal.iter().map(|c| format!("the column for {c} was hidden on request")));
     let provenance = Provenance {
         command: request.command.clone(),
         made_at: write::utc_now(),

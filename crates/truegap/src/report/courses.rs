@@ -57,8 +57,8 @@ fn courses(subject: &Subject<'_>, axis: &Axis) -> Result<String, FigureError> {
     let mut stack = Stack::new("");
     let mut first = true;
     for driver in drivers(subject) {
-        let panel = axis.on(Figure::new("").y(driver.label, &driver.unit).height(64.0), first);
-        stack = stack.panel(panel.line(driver.label, axis.x(), &axis.lift(&driver.values)).colour(RECORDED));
+        let panel = axis.on(Figure::new("").y(driver.label, &driver.unit).height(84.0), first);
+        stack = stack.panel(panel.line("", axis.x(), &axis.lift(&driver.values)).colour(RECORDED));
         first = false;
     }
     let scale = subject.value_scale();

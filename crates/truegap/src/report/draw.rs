@@ -40,9 +40,10 @@ pub(super) fn tiles(page: Page, tiles: &[(String, String)]) -> Page {
 /// Rules that the tiles and pairs need beside those of every page.
 pub(super) const STYLE: &str = "<style>
 .tiles { display: flex; flex-wrap: wrap; gap: .8rem; margin: 1rem 0 1.2rem; }
-.tiles div { flex: 1 1 9rem; padding: .6rem .9rem; background: var(--shade); border-radius: .3rem; }
-.tiles strong { display: block; font-size: 1.25rem; white-space: nowrap; }
+.tiles div { flex: 1 1 7.5rem; padding: .6rem .9rem; background: var(--shade); border-radius: .3rem; }
+.tiles strong { display: block; font-size: 1.1rem; white-space: nowrap; }
 .tiles span { color: var(--soft); font-size: .85rem; }
+.verdict .callout { font-size: 1.3rem; font-weight: 600; line-height: 1.35; }
 .says { font-size: 1.06rem; }
 @media (min-width: 1180px) {
   .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; width: min(94vw, 1500px); margin-left: 50%; transform: translateX(-50%); }

@@ -34,9 +34,9 @@ impl Scale {
         }
     }
 
-    /// `value` in the displayed unit with four significant digits, and the unit.
+    /// `value` in the displayed unit with three significant digits, and the unit.
     pub fn text(&self, value: f64) -> String {
-        join(&significant(value * self.factor, 4), &self.unit)
+        join(&significant(value * self.factor, 3), &self.unit)
     }
 
     /// A column in the displayed unit.
@@ -135,6 +135,12 @@ pub fn p_value(p: f64) -> String {
 /// `thermal lag` from `thermal_lag`.
 pub fn spoken(id: &str) -> String {
     id.replace('_', " ")
+}
+
+/// The text with its first letter made a capital.
+pub fn capitalised(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().map_or(String::new(), |first| first.to_uppercase().chain(characters).collect())
 }
 
 /// `a`, `a and b`, `a, b and c`, with the given last word.

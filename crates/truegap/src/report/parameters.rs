@@ -3,7 +3,7 @@
 //! Limits: distances are in standard deviations of the prior; parameters without a proper prior are listed, not drawn.
 
 use super::draw;
-use super::number::{measured, significant, spoken};
+use super::number::{capitalised, measured, significant, spoken};
 use super::subject::Subject;
 use truegap_diagnose::diagnosis::ParameterFacts;
 use truegap_scene::figure::{Bars, FigureError};
@@ -17,7 +17,7 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     let base = &subject.diagnosis.base;
     let mut page = page.section("What calibration did to the parameters");
     for conflict in &subject.diagnosis.conflicts {
-        page = page.callout(Tone::Watch, &format!("{} ({:.1} prior sd).", conflict.says, conflict.z.abs()));
+        page = page.callout(Tone::Watch, &format!("{}.", capitalised(&conflict.says)));
     }
     page = page.text(&reading(subject));
     if base.parameters.is_empty() {

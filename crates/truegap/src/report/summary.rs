@@ -3,7 +3,8 @@
 //! Limits: whoever reads nothing else has read the answer; details follow in the other sections.
 
 use super::draw::{self, AFTER, BEFORE, NOISE};
-use super::{axis::Axis, number::Scale, subject::Subject, wording};
+use super::number::{Scale, capitalised};
+use super::{axis::Axis, subject::Subject, wording};
 use truegap_diagnose::diagnosis::{Diagnosis, Verdict};
 use truegap_scene::figure::{Figure, FigureError, Stack};
 use truegap_scene::page::{Page, Tone};
@@ -11,14 +12,15 @@ use truegap_scene::page::{Page, Tone};
 /// Verdict, findings, numbers and figure.
 pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
     let diagnosis = subject.diagnosis;
-    let mut page = page.callout(tone(diagnosis.verdict), &wording::headline(diagnosis));
+    let page = page.raw_html("<div class=\"verdict\">").callout(tone(diagnosis.verdict), &wording::headline(diagnosis));
+    let mut page = page.raw_html("</div>\n");
     for finding in &diagnosis.findings {
         let says = capitalised(&finding.says);
         page =
             page.raw_html("<div class=\"says\">").text(&format!("{says} – {}.", wording::how_sure(finding))).raw_html("</div>\n");
     }
-    if diagnosis.says != wording::headline(diagnosis) {
-        page = page.text(&capitalised(&diagnosis.says));
+    if wording::adds(diagnosis) {
+        page = page.text(&format!("{}.", capitalised(&diagnosis.says.replace('_', " "))));
     }
     if let Some(text) = wording::concealed(diagnosis) {
         page = page.callout(Tone::Watch, &text);
@@ -28,11 +30,6 @@ pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
     }
     page = draw::tiles(page, &tiles(diagnosis));
     draw::figure(page, residuals(subject, axis), &caption(subject))
-}
-
-fn capitalised(text: &str) -> String {
-    let mut characters = text.chars();
-    characters.next().map_or(String::new(), |first| first.to_uppercase().chain(characters).collect())
 }
 
 fn tone(verdict: Verdict) -> Tone {

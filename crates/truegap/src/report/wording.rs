@@ -2,7 +2,7 @@
 //!
 //! Limits: below a detectability of [`SURE`] nothing is called missing, only "most consistent with".
 
-use super::number::{listed, percent, spoken};
+use super::number::{capitalised, listed, percent, spoken};
 use super::subject::error_scale;
 use truegap_diagnose::diagnosis::{Diagnosis, Finding, Verdict};
 
@@ -38,6 +38,12 @@ pub fn headline(diagnosis: &Diagnosis) -> String {
     }
 }
 
+/// Whether the diagnosis's own sentence says more than [`headline`].
+pub(super) fn adds(diagnosis: &Diagnosis) -> bool {
+    let said = matches!(diagnosis.verdict, Verdict::Agrees | Verdict::Explained | Verdict::Ambiguous);
+    !said || diagnosis.says.contains(';') || diagnosis.findings.is_empty()
+}
+
 fn named(findings: &[Finding]) -> Vec<String> {
     findings.iter().map(|f| spoken(&f.effect)).collect()
 }
@@ -70,10 +76,9 @@ pub fn concealed(diagnosis: &Diagnosis) -> Option<String> {
     if !diagnosis.concealed {
         return None;
     }
-    let conflicts: Vec<&str> = diagnosis.conflicts.iter().map(|c| c.says.as_str()).collect();
-    let detail = if conflicts.is_empty() { String::new() } else { format!(" {}.", conflicts.join("; ")) };
+    let conflicts: String = diagnosis.conflicts.iter().map(|c| format!(" {}.", capitalised(&c.says))).collect();
     Some(format!(
-        "Calibration had hidden it: the residuals of the calibrated model look clean, because its parameters took up what is missing.{detail}"
+        "Calibration had hidden it: the residuals of the calibrated model look clean, because its parameters took up what is missing.{conflicts}"
     ))
 }
 

@@ -22,7 +22,9 @@ fn integral(c: &mut Criterion) {
     }
     group.sample_size(10);
     for (name, plates) in bent_plates() {
-        group.bench_function(format!("double integral, {name}"), |b| b.iter(|| plate_integral_by_quadrature(black_box(plates), SAME_ACCURACY)));
+        group.bench_function(format!("double integral, {name}"), |b| {
+            b.iter(|| plate_integral_by_quadrature(black_box(plates), SAME_ACCURACY))
+        });
     }
     group.finish();
 }

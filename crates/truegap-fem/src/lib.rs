@@ -15,6 +15,7 @@ pub mod error;
 pub mod io;
 pub mod mesh;
 pub mod physics;
+pub mod problems;
 pub mod solve;
 pub mod space;
 

@@ -55,6 +55,7 @@ pub struct Direct {
     workspace: MemBuffer,
     workspace_bytes: usize,
     probe_error: f64,
+    norm: f64,
 }
 
 impl Direct {
@@ -77,6 +78,7 @@ impl Direct {
             workspace_bytes: request.size_bytes(),
             symbolic,
             probe_error: f64::NAN,
+            norm: f64::NAN,
         })
     }
 
@@ -144,6 +146,8 @@ impl Direct {
                 }
             }
         }
+        let sizes: Vec<f64> = self.scaled.iter().map(|v| v.abs()).collect();
+        self.norm = largest(&symmetric_product(offsets, rows, &sizes, &vec![1.0; matrix.ncols()]));
         Ok(())
     }
 
@@ -207,12 +211,8 @@ impl Direct {
 
     fn backward_error(&self, matrix: &CscMatrix<f64>, b: &[f64], y: &[f64]) -> f64 {
         let ay = self.product(matrix, y);
-        let ones = vec![1.0; y.len()];
-        let (offsets, rows, _) = matrix.csc_data();
-        let sizes: Vec<f64> = self.scaled.iter().map(|v| v.abs()).collect();
-        let norm = largest(&symmetric_product(offsets, rows, &sizes, &ones));
         let r: Vec<f64> = b.iter().zip(&ay).map(|(b, a)| b - a).collect();
-        let below = norm * largest(y) + largest(b);
+        let below = self.norm * largest(y) + largest(b);
         if below == 0.0 { largest(&r) } else { largest(&r) / below }
     }
 

@@ -120,13 +120,13 @@ fn ends(edges: &[[u32; 2]]) -> Vec<u32> {
 /// Direction of the other outer edge at an end of the open boundary.
 fn wall(mesh: &Mesh, topology: &Topology, edges: &[[u32; 2]], end: u32) -> Point {
     let is_open = |e: &[u32; 2]| edges.iter().any(|o| (o[0].min(o[1]), o[0].max(o[1])) == (e[0], e[1]));
-    let outer = topology.edges.iter().zip(&topology.edge_triangles).filter(|(e, t)| t[1] == NONE && e.contains(&end));
-    for (e, _) in outer.filter(|(e, _)| !is_open(e)) {
-        let d = plane::minus(mesh.points[e[1] as usize], mesh.points[e[0] as usize]);
-        let l = plane::length(d);
-        return [d[0] / l, d[1] / l];
-    }
-    [0.0, 1.0]
+    let mut outer = topology.edges.iter().zip(&topology.edge_triangles).filter(|(e, t)| t[1] == NONE && e.contains(&end));
+    let Some((e, _)) = outer.find(|(e, _)| !is_open(e)) else {
+        return [0.0, 1.0];
+    };
+    let d = plane::minus(mesh.points[e[1] as usize], mesh.points[e[0] as usize]);
+    let l = plane::length(d);
+    [d[0] / l, d[1] / l]
 }
 
 fn middle(mesh: &Mesh, symmetry: Symmetry, edges: &[[u32; 2]]) -> Point {

@@ -79,7 +79,7 @@ impl<'a> Solved<'a> {
         let rule = P2::table(&triangle_rule(degree));
         let pattern = Pattern::new(&dofs, &numbering);
         let mut matrix = pattern.matrix();
-        let system = Element2 {
+        let system = System {
             nodes: &nodes,
             rule: &rule,
             mesh,
@@ -119,7 +119,9 @@ impl<'a> Solved<'a> {
     fn solve_units(&mut self) -> Result<(), FemError> {
         let count = self.problem.conductors.len();
         let mut units: Vec<Vec<f64>> = (0..count).map(|c| self.prescribed(c as u16)).collect();
-        let loads = self.products(&units.iter().map(Vec::as_slice).collect::<Vec<_>>());
+        let prescribed: Vec<&[f64]> = units.iter().map(Vec::as_slice).collect();
+        // Elements on which all vectors vanish contribute nothing: most of them, for prescribed values.
+        let loads = self.products(&prescribed, |of| of.iter().any(|&d| prescribed.iter().any(|u| u[d as usize] != 0.0)));
         for (u, load) in units.iter_mut().zip(&loads) {
             let rhs: Vec<f64> = self.numbering.restrict(load).iter().map(|x| -x).collect();
             let x = self.solve_free(&rhs)?;
@@ -150,8 +152,8 @@ impl<'a> Solved<'a> {
         Ok(solution.x)
     }
 
-    fn element(&self) -> Element2<'_> {
-        Element2 {
+    fn element(&self) -> System<'_> {
+        System {
             nodes: &self.nodes,
             rule: &self.rule,
             mesh: self.mesh,
@@ -162,22 +164,20 @@ impl<'a> Solved<'a> {
         }
     }
 
-    /// K u for several vectors over all unknowns, element by element.
-    pub(super) fn products(&self, vectors: &[&[f64]]) -> Vec<Vec<f64>> {
+    /// K u for several vectors over all unknowns, element by element; elements that `counts` refuses are left out.
+    fn products(&self, vectors: &[&[f64]], counts: impl Fn(&[u32]) -> bool + Sync) -> Vec<Vec<f64>> {
         let mut sums = vec![vec![0.0; self.dofs.count]; vectors.len()];
         let element = self.element();
         let local = |e: usize| {
             let of = self.dofs.of(e);
             let m = of.len();
-            // Elements on which all vectors vanish contribute nothing: most of them, for prescribed values.
-            if vectors.iter().all(|u| of.iter().all(|&d| u[d as usize] == 0.0)) {
+            if !counts(of) {
                 return Vec::new();
             }
             let mut k = vec![0.0; m * m];
             element.matrix(e, &mut k);
-            let product =
-                |u: &&[f64]| (0..m).map(|i| (0..m).map(|j| k[j * m + i] * u[of[j] as usize]).sum::<f64>()).collect::<Vec<f64>>();
-            vectors.iter().map(product).collect::<Vec<_>>()
+            let row = |u: &[f64], i: usize| (0..m).map(|j| k[j * m + i] * u[of[j] as usize]).sum::<f64>();
+            vectors.iter().map(|u| (0..m).map(|i| row(u, i)).collect::<Vec<f64>>()).collect::<Vec<_>>()
         };
         for_each_element(self.dofs.elements(), local, |e, parts| {
             for (sum, part) in sums.iter_mut().zip(parts) {
@@ -187,27 +187,33 @@ impl<'a> Solved<'a> {
         sums
     }
 
+    /// K u on the prescribed unknowns (charge at the nodes of the conductors); meaningless elsewhere.
+    fn reactions(&self, vectors: &[&[f64]]) -> Vec<Vec<f64>> {
+        self.products(vectors, |of| of.iter().any(|&d| self.owner[d as usize] != u16::MAX))
+    }
+
     /// Maxwell's capacitance matrix (F, or F/m if planar), in the order of the conductors: charge on i per volt on j.
     ///
-    /// **Source:** C_ij = ∫ ε ∇u_i · ∇u_j, which for Galerkin solutions is the charge by the consistent residual.
+    /// **Source:** C_ij = ∫ ε ∇u_i · ∇u_j, which for Galerkin solutions is the charge by the consistent residual: the sum of
+    /// K u_j over the nodes of i.
     pub fn capacitance_matrix(&self) -> Vec<Vec<f64>> {
-        let units: Vec<&[f64]> = self.units.iter().map(Vec::as_slice).collect();
-        let products = self.products(&units);
-        let entry = |i: usize, j: usize| self.units[i].iter().zip(&products[j]).map(|(u, k)| u * k).sum::<f64>();
-        let n = units.len();
+        let reactions = self.reactions(&self.units.iter().map(Vec::as_slice).collect::<Vec<_>>());
+        let n = self.units.len();
+        let own: Vec<Vec<f64>> = (0..n).map(|i| self.prescribed(i as u16)).collect();
+        let entry = |i: usize, j: usize| own[i].iter().zip(&reactions[j]).map(|(u, k)| u * k).sum::<f64>();
         (0..n).map(|i| (0..n).map(|j| 0.5 * (entry(i, j) + entry(j, i))).collect()).collect()
     }
 
     /// Charges on the conductors (C, or C/m) by the consistent residual: the sum of K V over the nodes of each.
     pub fn charges(&self) -> Vec<f64> {
-        let reaction = &self.products(&[&self.potential])[0];
+        let reaction = &self.reactions(&[&self.potential])[0];
         let sum = |c: usize| self.prescribed(c as u16).iter().zip(reaction).map(|(u, q)| u * q).sum();
         (0..self.units.len()).map(sum).collect()
     }
 
-    /// Field energy (J, or J/m), the exterior included.
+    /// Field energy (J, or J/m), the exterior included: half of V K V.
     pub fn energy(&self) -> f64 {
-        let product = &self.products(&[&self.potential])[0];
+        let product = &self.products(&[&self.potential], |_| true)[0];
         0.5 * self.potential.iter().zip(product).map(|(u, k)| u * k).sum::<f64>()
     }
 
@@ -227,7 +233,7 @@ impl<'a> Solved<'a> {
 }
 
 /// Everything an element matrix depends on.
-struct Element2<'a> {
+struct System<'a> {
     nodes: &'a Nodes,
     rule: &'a [ShapeTable<6>],
     mesh: &'a Mesh,
@@ -237,7 +243,7 @@ struct Element2<'a> {
     symmetry: Symmetry,
 }
 
-impl Element2<'_> {
+impl System<'_> {
     fn matrix(&self, e: usize, out: &mut [f64]) {
         let triangles = self.mesh.triangles.len();
         if e < triangles {

@@ -316,6 +316,20 @@ fn problems_without_sense_are_refused() {
     ));
     assert!(matches!(refuse(&|p| p.open.push("strip".into())), FemError::Electrostatics(E::OpenBoundary { .. })));
     assert!(matches!(refuse(&|p| drop(p.conductors.remove(0))), FemError::Electrostatics(E::NotAConductor { .. })));
+    let g = Geometry::default()
+        .region("air", Outline::rectangle([0.0, 0.0], [1.0, 1.0]))
+        .boundary("a", &[[0.0, 0.0], [0.5, 0.0]])
+        .boundary("b", &[[0.5, 0.0], [1.0, 0.0]]);
+    let touching = mesh_geometry(&g, &MeshOptions::default()).unwrap();
+    let conductor = |boundary: &str, potential| Conductor { boundary: boundary.into(), potential };
+    let problem = Problem {
+        symmetry: Symmetry::Planar,
+        permittivity: vec![("air".into(), 1.0)],
+        conductors: vec![conductor("a", 1.0), conductor("b", 0.0)],
+        open: vec![],
+    };
+    let error = solve_on(&problem, &capacitance("a"), &touching).unwrap_err();
+    assert!(matches!(error, FemError::Electrostatics(E::Touching { at: [0.5, 0.0], .. })), "{error}");
     let tight = Accuracy { target: 1e-9, max_unknowns: 5000, ..Accuracy::default() };
     let error = solve_adaptive(&good, &capacitance("strip"), &mut mesh.clone(), &tight).unwrap_err();
     assert!(matches!(error, FemError::Electrostatics(E::NotReached { .. })));

@@ -57,6 +57,35 @@ fn thin_layers_under_rotation_keep_their_angles() {
 }
 
 #[test]
+fn stacks_at_any_angle_with_any_layers_are_meshed() {
+    // A small generator of numbers in [0, 1): what the drawing is does not matter, that it varies does.
+    let mut state = 12345u64;
+    let mut next = move || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) as f64 / (1u64 << 31) as f64
+    };
+    for case in 0..120 {
+        let (s, c) = f64::sin_cos(6.3 * next());
+        let scale = 10f64.powf(-6.0 * next());
+        let mut drawing = Geometry::default();
+        let (mut y, width) = (0.0, 1.0 + next());
+        for layer in 0..1 + (4.0 * next()) as usize {
+            let (top, inset) = (y + 10f64.powf(-2.5 * next()), if next() < 0.5 { 0.0 } else { 0.3 * next() });
+            let at = |x: f64, y: f64| [scale * (c * x - s * y), scale * (s * x + c * y)];
+            let corners = [at(inset, y), at(width - inset, y), at(width - inset, top), at(inset, top)];
+            drawing = drawing.region(&format!("{layer}"), Outline::polygon(&corners));
+            y = top;
+        }
+        let max_edge = if next() < 0.5 { f64::INFINITY } else { 0.3 * scale };
+        let mesh = mesh_geometry(&drawing, &MeshOptions { size: SizeField::uniform(max_edge), ..Default::default() }).unwrap();
+        let q = mesh.quality();
+        assert!(q.least_angle_degrees >= 25.0, "case {case}: {q:?}, {} triangles", mesh.triangles.len());
+        // The size field asks for circumradii; single edges beside a boundary come out up to twice as long.
+        assert!(q.longest_edge <= 2.0 * max_edge, "case {case}: {q:?}, wanted {max_edge}");
+    }
+}
+
+#[test]
 fn the_size_field_is_followed() {
     let size = SizeField { max_edge: 0.2, growth: 0.3, sources: vec![SizeSource { at: [0.5, 0.5], size: 1e-3 }] };
     let drawing = Geometry::default().region("square", Outline::rectangle([0.0, 0.0], [1.0, 1.0]));

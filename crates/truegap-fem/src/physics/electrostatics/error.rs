@@ -33,6 +33,18 @@ pub enum ElectrostaticsError {
         /// Value (V).
         potential: f64,
     },
+    /// Two conductors that touch exchange an infinite charge.
+    #[error("conductors `{a}` and `{b}` touch at ({}, {}) m, so `{output}` is infinite; leave a gap between them or give them one name", at[0], at[1])]
+    Touching {
+        /// Output.
+        output: String,
+        /// One conductor.
+        a: String,
+        /// The other.
+        b: String,
+        /// Where (m).
+        at: [f64; 2],
+    },
     /// Output of a boundary that carries no potential.
     #[error("boundary `{boundary}` has no potential, so it has no charge; conductors are: {known}")]
     NotAConductor {

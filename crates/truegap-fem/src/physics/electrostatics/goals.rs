@@ -1,8 +1,8 @@
 //! Named outputs: their values from a solution, and the error estimate of each.
 
-use super::ElectrostaticsError;
 use super::estimate::{PointLoad, estimate_loaded};
 use super::system::Solved;
+use super::{Conductor, ElectrostaticsError};
 use crate::FemError;
 use crate::Symmetry;
 use crate::mesh::Point;
@@ -99,8 +99,14 @@ pub(super) fn judge(solved: &mut Solved, quantities: &[Quantity]) -> Result<Vec<
     for q in quantities {
         match &q.goal {
             Goal::Capacitance { boundary } => functionals.push(capacitance(solved, &matrix, &q.name, boundary)?),
-            Goal::CapacitanceMatrix => functionals.extend(entries(solved, &matrix, &q.name)),
-            Goal::Energy => functionals.push(energy(solved, &matrix, &q.name)),
+            Goal::CapacitanceMatrix => {
+                refuse_touching(solved, &q.name, |_, _| true)?;
+                functionals.extend(entries(solved, &matrix, &q.name));
+            }
+            Goal::Energy => {
+                refuse_touching(solved, &q.name, |a, b| a.potential != b.potential)?;
+                functionals.push(energy(solved, &matrix, &q.name));
+            }
             Goal::Potential { at } => {
                 let (dual, load) = point_dual(solved, *at, None, duals.len())?;
                 functionals.push(potential(solved, &q.name, &load));
@@ -131,6 +137,30 @@ fn judged(f: Functional, parts: Vec<f64>) -> Judged {
     Judged { answer: Answer { name: f.name, value: f.value, unit: f.unit, error_estimate, scale: f.scale }, shares }
 }
 
+/// An error where two conductors touch for which the output is infinite.
+fn refuse_touching(
+    solved: &Solved,
+    output: &str,
+    infinite: impl Fn(&Conductor, &Conductor) -> bool,
+) -> Result<(), ElectrostaticsError> {
+    let conductors = &solved.problem.conductors;
+    for (&node, touching) in &solved.junctions {
+        let pairs = touching.iter().flat_map(|&i| touching.iter().map(move |&j| (i, j))).filter(|(i, j)| i < j);
+        for (a, b) in pairs.map(|(i, j)| (&conductors[i as usize], &conductors[j as usize])) {
+            if infinite(a, b) {
+                let at = solved.nodes.points[node as usize];
+                return Err(ElectrostaticsError::Touching {
+                    output: output.into(),
+                    a: a.boundary.clone(),
+                    b: b.boundary.clone(),
+                    at,
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
 fn unit(solved: &Solved, planar: &'static str, body: &'static str) -> &'static str {
     match solved.problem.symmetry {
         Symmetry::Planar => planar,
@@ -151,6 +181,7 @@ fn capacitance(solved: &Solved, matrix: &[Vec<f64>], name: &str, boundary: &str)
         boundary: boundary.into(),
         known: conductors.iter().map(|c| c.boundary.as_str()).collect::<Vec<_>>().join(", "),
     })?;
+    refuse_touching(solved, name, |a, b| a.potential != b.potential && (a.boundary == boundary || b.boundary == boundary))?;
     let difference = difference(solved);
     if difference == 0.0 {
         return Err(ElectrostaticsError::NoDifference { potential: conductors[i].potential, boundary: boundary.into() });

@@ -2,8 +2,7 @@
 //!
 //! The exact potential jumps there; the element next to it blends over its edge. The blend meets the flux of the other
 //! field: that product is the error it makes in a charge, of second order in the edge because both sides take the mean
-//! at the common node. The charge of a conductor that touches another one at a different potential is infinite, and its
-//! estimate does not fall.
+//! at the common node. Charges that are infinite because their own conductor touches another are refused elsewhere.
 
 use super::estimate::flux;
 use super::system::Solved;

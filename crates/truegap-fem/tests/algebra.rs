@@ -107,8 +107,8 @@ fn ldlt_solves_what_is_indefinite_and_llt_says_so() {
     // Laplace minus a large mass on the diagonal: some eigenvalues become negative.
     pattern.assemble(&mut matrix, laplace(&s.nodes));
     let offsets = matrix.col_offsets().to_vec();
-    for j in 0..numbering.free.len() {
-        matrix.values_mut()[offsets[j]] -= 1.5;
+    for &diagonal in &offsets[..numbering.free.len()] {
+        matrix.values_mut()[diagonal] -= 1.5;
     }
     assert!(matches!(Direct::new(&matrix, Kind::Llt), Err(SolveError::NotPositiveDefinite { .. })));
     let mut direct = Direct::new(&matrix, Kind::Ldlt).unwrap();

@@ -91,3 +91,13 @@ fn vtu_files_hold_every_node_triangle_and_value() {
     assert_eq!(block("w (J/m3)"), energy);
     assert_eq!(block("connectivity").len(), 6 * mesh.triangles.len());
 }
+
+#[test]
+fn the_reference_meshes_of_the_repository_can_be_read() {
+    for (name, regions, boundaries) in [("disc_capacitor_0_1", 1, 3), ("bead_cell", 3, 2)] {
+        let path = format!("{}/../../meshes/{name}.msh", env!("CARGO_MANIFEST_DIR"));
+        let mesh = read_msh(&std::fs::read_to_string(&path).unwrap(), &path).unwrap();
+        assert_eq!((mesh.region_names.len(), mesh.boundary_names.len()), (regions, boundaries));
+        assert!(mesh.quality().least_angle_degrees > 25.0 && mesh.boundary_edges.len() > 8);
+    }
+}

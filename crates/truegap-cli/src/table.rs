@@ -2,12 +2,15 @@
 //!
 //! Limits: every column but the first is aligned to the right.
 
-use comfy_table::{CellAlignment, Table, presets};
+use comfy_table::{CellAlignment, LineStyle, Table, TableStyle};
+
+/// One line below the header, none between the rows.
+const STYLE: TableStyle = TableStyle::new().header_separator(LineStyle::none().fill('─').junction('─'));
 
 /// A table with a header; a `name\nunit` in the header puts the unit below the name.
 pub fn table<H: AsRef<str>>(header: &[H], rows: impl IntoIterator<Item = Vec<String>>) -> Table {
     let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_header(header.iter().map(AsRef::as_ref));
+    table.load_style(STYLE).set_header(header.iter().map(AsRef::as_ref));
     table.add_rows(rows);
     table.column_iter_mut().skip(1).for_each(|column| {
         column.set_cell_alignment(CellAlignment::Right);

@@ -58,8 +58,8 @@ impl Run for Simulate {
         let options = StackOptions { warp: !self.no_warp, series: self.series.into() };
         if let Some(path) = &self.drive {
             let recording = Recording::open(path)?;
-            recording.notes.iter().for_each(|note| console.note(note));
             let rows = drive(&sensor, options, &recording)?;
+            recording.notes.iter().for_each(|note| console.note(note));
             return if console.json { console.print_json_lines(&rows) } else { print_history(console, &rows) }
                 .map(|()| Outcome::Fine);
         }

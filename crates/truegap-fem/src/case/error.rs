@@ -68,10 +68,4 @@ pub enum CaseError {
         /// What is wrong and how to fix it.
         what: String,
     },
-    /// A physics that this build cannot solve.
-    #[error("{file}: elasticity cases cannot be solved by this build; use physics = \"electrostatics\"")]
-    PhysicsMissing {
-        /// File.
-        file: String,
-    },
 }

@@ -20,7 +20,11 @@ pub(super) fn geometry(file: &str, raw: &RawCase, unit: f64) -> Result<Geometry,
     for boundary in &raw.boundary {
         let place = format!("boundary `{}`", boundary.name);
         let path = match (&boundary.path, &boundary.region) {
-            (Some(steps), None) => BoundaryPath::Path(outline(file, &place, steps, unit)?),
+            (Some(steps), None) => match (steps.as_slice(), boundary.fix.is_empty() && boundary.displace.is_empty()) {
+                // A single point may be held: it pins an elastic body.
+                ([RawStep::Point(p)], false) => BoundaryPath::Path(Outline { start: p.map(|x| x * unit), steps: Vec::new() }),
+                _ => BoundaryPath::Path(outline(file, &place, steps, unit)?),
+            },
             (None, Some(region)) => BoundaryPath::OutlineOf(region.clone()),
             _ => {
                 let what = "give it either a path or a region".into();

@@ -2,6 +2,7 @@
 //!
 //! Text carries units; everything in a `Case` is SI. The file describes one body, one physics, one state.
 
+mod elasticity;
 mod electrostatics;
 mod error;
 mod geometry;
@@ -10,6 +11,7 @@ mod read;
 mod result;
 pub mod units;
 
+pub use elasticity::problem as elastic_problem;
 pub use error::CaseError;
 pub use read::read_case;
 pub use result::{CaseResult, MeshCounts, QuantityValue, SecondsSpent};
@@ -168,17 +170,23 @@ pub fn mesh_case(case: &Case) -> Result<Mesh, FemError> {
 pub fn solve_case(case: &Case) -> Result<CaseResult, FemError> {
     match case.physics {
         Physics::Electrostatics => Ok(electrostatics::solve(case)?.0),
-        Physics::Elasticity => Err(CaseError::PhysicsMissing { file: case.file.clone() }.into()),
+        Physics::Elasticity => Ok(elasticity::solve(case)?.0),
     }
 }
 
-/// Solves a case and returns the last mesh as well, with the potential at its quadratic nodes (electrostatics).
+/// Solves a case and returns the last mesh as well, with the potential (V) at its quadratic nodes in
+/// electrostatics, the displacement (m, `2 node + component`) in elasticity.
 pub fn solve_case_with_fields(case: &Case) -> Result<(CaseResult, Mesh, Vec<f64>), FemError> {
     match case.physics {
         Physics::Electrostatics => {
             let (result, mesh, outcome) = electrostatics::solve(case)?;
             Ok((result, mesh, outcome.potential))
         }
-        Physics::Elasticity => Err(CaseError::PhysicsMissing { file: case.file.clone() }.into()),
+        Physics::Elasticity => {
+            let (result, outcome) = elasticity::solve(case)?;
+            let body = outcome.solution.body();
+            let displacement = outcome.solution.state()[..body.displacements].to_vec();
+            Ok((result, body.problem.mesh.clone(), displacement))
+        }
     }
 }

@@ -94,7 +94,12 @@ impl Reader<'_> {
 
     fn material(&self, name: &str, raw: &RawMaterial) -> Result<Material, CaseError> {
         let place = |key: &str| format!("material `{name}`, {key}");
-        let laws = [("linear", Law::Linear), ("neo-hookean", Law::NeoHookean), ("st-venant-kirchhoff", Law::StVenantKirchhoff)];
+        let laws = [
+            ("linear", Law::Linear),
+            ("neo-hookean", Law::NeoHookean),
+            ("svk", Law::StVenantKirchhoff),
+            ("st-venant-kirchhoff", Law::StVenantKirchhoff),
+        ];
         if raw.relative_permittivity.is_some_and(|e| !(e > 0.0 && e.is_finite())) {
             return Err(self.invalid(place("relative_permittivity"), "must be positive and finite; vacuum is 1.0"));
         }

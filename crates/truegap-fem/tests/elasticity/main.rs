@@ -3,7 +3,10 @@
 #![allow(clippy::unwrap_used)]
 
 mod bodies;
+mod cases;
 mod finite;
+mod goals;
 mod linear;
 mod mixed;
+mod mutations;
 mod stability;

@@ -167,4 +167,10 @@ pub enum ElasticityError {
         /// Error wanted.
         wanted: f64,
     },
+    /// A reaction where nothing is held.
+    #[error("boundary `{boundary}` has no reaction in this component: nothing holds it there; fix or displace it")]
+    NoSupport {
+        /// Boundary.
+        boundary: String,
+    },
 }

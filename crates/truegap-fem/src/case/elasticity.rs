@@ -1,0 +1,146 @@
+//! Elastic cases: from conditions and outputs to the solver and back.
+//!
+//! Rubber (Poisson's ratio from 0.45 on) is solved in the mixed formulation; a boundary of a single point is a pin.
+
+use super::{Case, CaseError, CaseResult, Law, MeshCounts, Output, OutputKind, QuantityValue, SecondsSpent, mesh_case};
+use crate::mesh::{BoundaryPath, Mesh};
+use crate::physics::elasticity::{
+    Accuracy, Answer, Component, Condition, Formulation, Goal, LawKind, Material, Order, Outcome, Place, Problem, Quantity,
+    Temperature, solve_goals, solve_goals_adaptive,
+};
+use crate::{FemError, Symmetry};
+use std::time::Instant;
+
+pub(super) fn solve(case: &Case) -> Result<(CaseResult, Outcome), FemError> {
+    let quantities = case.outputs.iter().map(|o| quantity(case, o)).collect::<Result<Vec<_>, _>>()?;
+    let begin = Instant::now();
+    let mut problem = problem(case, mesh_case(case)?)?;
+    let meshing = begin.elapsed().as_secs_f64();
+    let outcome = match case.mesh.target_error {
+        Some(target) => solve_goals_adaptive(&mut problem, &quantities, &Accuracy { target, ..Accuracy::default() })?,
+        None => solve_goals(&problem, &quantities)?,
+    };
+    Ok((result(&outcome, meshing), outcome))
+}
+
+fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
+    let value = |a: &Answer| QuantityValue {
+        value: a.value,
+        unit: a.unit.into(),
+        error_estimate: a.error_estimate,
+        relative_error_estimate: a.relative_error_estimate(),
+    };
+    let body = outcome.solution.body();
+    CaseResult {
+        quantities: outcome.answers.iter().map(|a| (a.name.clone(), value(a))).collect(),
+        mesh: MeshCounts { triangles: body.problem.mesh.triangles.len(), unknowns: body.numbering.free.len() },
+        // Newton's method assembles and solves in turn; its time is not split.
+        seconds: SecondsSpent { mesh: meshing + outcome.seconds[0], assemble: 0.0, solve: outcome.seconds[1] },
+    }
+}
+
+/// The elastic problem of a case on a mesh of its geometry.
+pub fn problem(case: &Case, mesh: Mesh) -> Result<Problem, CaseError> {
+    if case.mesh.order != 2 {
+        let what = "elasticity is solved with order 2; remove `order` or set it to 2".into();
+        return Err(CaseError::Invalid { file: case.file.clone(), place: "mesh, order".into(), what });
+    }
+    let regions = case.geometry.regions.iter().zip(&case.region_materials);
+    let mut materials = Vec::new();
+    for name in &mesh.region_names {
+        if let Some((_, &m)) = regions.clone().find(|(r, _)| r.name == *name) {
+            materials.push(material(case, name, m)?);
+        }
+    }
+    let mut conditions = Vec::new();
+    for c in &case.conditions {
+        conditions.extend(condition(case, c)?);
+    }
+    let temperature = Temperature::Linear { base: case.temperature.base, gradient: case.temperature.gradient };
+    Ok(Problem { mesh, symmetry: case.symmetry, materials, conditions, temperature, body_force: None, order: Order::Quadratic })
+}
+
+fn material(case: &Case, region: &str, index: usize) -> Result<Material, CaseError> {
+    let m = &case.materials[index];
+    let needs = |value: Option<f64>, what| {
+        value.ok_or_else(|| CaseError::Missing {
+            file: case.file.clone(),
+            place: format!("material `{}` (of region `{region}`)", m.name),
+            what,
+            remedy: "elasticity needs it",
+        })
+    };
+    let poisson = needs(m.poisson, "poisson")?;
+    let (law, formulation) = match m.law {
+        Law::Linear => (LawKind::Linear, Formulation::suited(poisson)),
+        Law::NeoHookean => (LawKind::NeoHookean, Formulation::suited(poisson)),
+        Law::StVenantKirchhoff => (LawKind::SaintVenantKirchhoff, Formulation::Displacement),
+    };
+    Ok(Material { young: needs(m.young, "young")?, poisson, expansion: m.expansion, law, formulation })
+}
+
+fn condition(case: &Case, c: &super::Condition) -> Result<Vec<Condition>, CaseError> {
+    if c.potential.is_some() || c.open {
+        let what = "an elastic body has no potential and no open boundary; remove them".into();
+        return Err(CaseError::Invalid { file: case.file.clone(), place: format!("boundary `{}`", c.boundary), what });
+    }
+    let mut out = Vec::new();
+    for (k, component) in [Component::First, Component::Second].into_iter().enumerate() {
+        let fixed = c.fix[k].then_some(0.0);
+        for value in [fixed, c.displace[k]].into_iter().flatten() {
+            out.push(Condition::Displacement { place: place(case, &c.boundary), component, value });
+        }
+    }
+    if let Some(pressure) = c.pressure {
+        out.push(Condition::pressure(&c.boundary, pressure));
+    }
+    Ok(out)
+}
+
+fn place(case: &Case, boundary: &str) -> Place {
+    let path = case.geometry.boundaries.iter().find(|b| b.name == boundary).map(|b| &b.path);
+    match path {
+        Some(BoundaryPath::Path(outline)) if outline.steps.is_empty() => Place::Point(outline.start),
+        _ => Place::Boundary(boundary.into()),
+    }
+}
+
+fn quantity(case: &Case, output: &Output) -> Result<Quantity, CaseError> {
+    let at = output.at.unwrap_or([f64::NAN; 2]);
+    let tensor = || output.component.clone().unwrap_or_default();
+    let goal = match output.kind {
+        OutputKind::Energy => Goal::Energy,
+        OutputKind::Reaction => {
+            Goal::Reaction { boundary: output.boundary.clone().unwrap_or_default(), component: component(case, output)? }
+        }
+        OutputKind::Displacement => Goal::Displacement { at, component: component(case, output)? },
+        OutputKind::Stress => Goal::Stress { at, component: tensor() },
+        OutputKind::Strain => Goal::Strain { at, component: tensor() },
+        _ => {
+            return Err(CaseError::UnknownWord {
+                file: case.file.clone(),
+                place: format!("output `{}` of an elastic case, kind", output.name),
+                found: format!("{:?}", output.kind).to_lowercase(),
+                known: "energy, reaction, displacement, stress, strain".into(),
+            });
+        }
+    };
+    Ok(Quantity { name: output.name.clone(), goal })
+}
+
+fn component(case: &Case, output: &Output) -> Result<Component, CaseError> {
+    let names = match case.symmetry {
+        Symmetry::Axisymmetric => ["r", "z"],
+        Symmetry::Planar => ["x", "y"],
+    };
+    match output.component.as_deref().unwrap_or("(none)") {
+        found if found == names[0] => Ok(Component::First),
+        found if found == names[1] => Ok(Component::Second),
+        found => Err(CaseError::UnknownWord {
+            file: case.file.clone(),
+            place: format!("output `{}`, component", output.name),
+            found: found.into(),
+            known: names.join(", "),
+        }),
+    }
+}

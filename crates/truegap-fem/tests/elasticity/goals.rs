@@ -56,7 +56,8 @@ fn refinement_reaches_its_target_and_says_where_it_cannot() {
 
 #[test]
 fn outputs_that_do_not_exist_are_refused() {
-    let p = pressed(LawKind::Linear, 1e-3);
+    let mut p = pressed(LawKind::Linear, 1e-3);
+    p.conditions = vec![Condition::pin([0.0, 0.0], Second)];
     let err = |goal| solve_goals(&p, &[Quantity { name: "q".into(), goal }]).unwrap_err().to_string();
     assert!(err(Goal::Reaction { boundary: "outer".into(), component: Second }).contains("nothing holds it"));
     assert!(err(Goal::Reaction { boundary: "lid".into(), component: Second }).contains("lid"));

@@ -15,6 +15,7 @@ use super::thermal::ThermalStretch;
 use crate::Symmetry;
 use crate::mesh::{Mesh, Point};
 use crate::space::P2;
+use std::fmt;
 use std::sync::Arc;
 
 /// The four components that an axisymmetric or planar tensor has; `tt` is the hoop or out-of-plane one.
@@ -48,7 +49,7 @@ impl Components {
 }
 
 /// An equilibrium.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct Solution {
     body: Arc<Body>,
     state: Vec<f64>,
@@ -58,6 +59,17 @@ pub struct Solution {
     energy: f64,
     /// Largest last correction over largest displacement: the accuracy of the algebra.
     pub correction: f64,
+}
+
+impl fmt::Debug for Solution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Solution")
+            .field("unknowns", &self.state.len())
+            .field("load", &self.load)
+            .field("energy", &self.energy)
+            .field("correction", &self.correction)
+            .finish_non_exhaustive()
+    }
 }
 
 impl Solution {
@@ -88,7 +100,8 @@ impl Solution {
     /// Force that the supports on a boundary exert on the body (N; N/m in planar bodies), all around the axis.
     ///
     /// From the residual of the discrete equations, not from stresses. An axisymmetric body has no net radial force:
-    /// `First` there is the radial force summed over the circumference.
+    /// `First` there is the radial force summed over the circumference. A corner shared with another supported boundary
+    /// counts with its whole force.
     pub fn reaction(&self, boundary: &str, component: Component) -> Result<f64, ElasticityError> {
         let nodes = self.body.boundary_nodes(boundary)?;
         Ok(nodes.iter().map(|&n| self.forces[2 * n as usize + component.index()]).sum())

@@ -77,8 +77,8 @@ fn spheres_agree_with_closed_forms_and_images() {
 }
 
 #[test]
-fn coaxial_lines_agree_with_closed_forms() {
-    check(&["coaxial_cylinder", "coaxial_cable"]);
+fn lines_agree_with_closed_forms() {
+    check(&["coaxial_cylinder", "coaxial_cable", "two_wires", "wire_over_ground"]);
 }
 
 #[test]

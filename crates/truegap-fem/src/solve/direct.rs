@@ -15,6 +15,8 @@ use nalgebra_sparse::CscMatrix;
 
 /// Largest normwise backward error that a solution may have after refinement.
 const ALLOWED_RESIDUAL: f64 = 1e-11;
+/// Backward error above which a step of refinement can still gain something.
+const REFINE_ABOVE: f64 = 4.0 * f64::EPSILON;
 /// Largest relative error of a known solution before the matrix counts as singular.
 const ALLOWED_PROBE_ERROR: f64 = 0.05;
 
@@ -164,27 +166,24 @@ impl Direct {
         if error > ALLOWED_PROBE_ERROR { Err(SolveError::Singular { error, size }) } else { Ok(()) }
     }
 
-    /// Solves for one right-hand side, with one step of refinement and a check of the residual.
+    /// Solves for one right-hand side, with one step of refinement where rounding leaves room for it, and a check of the
+    /// residual.
     ///
     /// `matrix` is the one that was factorised.
     pub fn solve(&mut self, matrix: &CscMatrix<f64>, rhs: &[f64]) -> Result<Solution, SolveError> {
         let b: Vec<f64> = rhs.iter().zip(&self.scale).map(|(b, s)| b * s).collect();
-        let y = self.solve_scaled(matrix, &b)?;
-        let residual = self.backward_error(matrix, &b, &y);
+        let mut y = b.clone();
+        self.back_substitute(&mut y);
+        let (mut r, mut residual) = self.residual(matrix, &b, &y);
+        if !(residual <= REFINE_ABOVE) {
+            self.back_substitute(&mut r);
+            y.iter_mut().zip(&r).for_each(|(y, r)| *y += r);
+            residual = self.residual(matrix, &b, &y).1;
+        }
         if !(residual <= ALLOWED_RESIDUAL) {
             return Err(SolveError::Residual { residual, allowed: ALLOWED_RESIDUAL, size: b.len() });
         }
         Ok(Solution { x: y.iter().zip(&self.scale).map(|(y, s)| y * s).collect(), residual })
-    }
-
-    fn solve_scaled(&mut self, matrix: &CscMatrix<f64>, b: &[f64]) -> Result<Vec<f64>, SolveError> {
-        let mut y = b.to_vec();
-        self.back_substitute(&mut y);
-        let mut r = self.product(matrix, &y);
-        r.iter_mut().zip(b).for_each(|(r, b)| *r = b - *r);
-        self.back_substitute(&mut r);
-        y.iter_mut().zip(&r).for_each(|(y, r)| *y += r);
-        Ok(y)
     }
 
     /// Applies the inverse of the factorised matrix to a vector, without refinement or check; for iterations.
@@ -209,11 +208,12 @@ impl Direct {
         symmetric_product(offsets, rows, &self.scaled, x)
     }
 
-    fn backward_error(&self, matrix: &CscMatrix<f64>, b: &[f64], y: &[f64]) -> f64 {
-        let ay = self.product(matrix, y);
-        let r: Vec<f64> = b.iter().zip(&ay).map(|(b, a)| b - a).collect();
+    /// What is left of the scaled equations, and the normwise backward error.
+    fn residual(&self, matrix: &CscMatrix<f64>, b: &[f64], y: &[f64]) -> (Vec<f64>, f64) {
+        let r: Vec<f64> = b.iter().zip(self.product(matrix, y)).map(|(b, a)| b - a).collect();
         let below = self.norm * largest(y) + largest(b);
-        if below == 0.0 { largest(&r) } else { largest(&r) / below }
+        let error = if below == 0.0 { largest(&r) } else { largest(&r) / below };
+        (r, error)
     }
 
     /// Relative error with which a known solution came back from the last checked factorisation: about the condition

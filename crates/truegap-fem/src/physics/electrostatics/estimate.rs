@@ -126,8 +126,9 @@ impl Local<'_> {
             let map = element.map_at(q.at);
             let weight = q.weight * map.jacobian * symmetry.weight(map.at[0]);
             let shapes = bubbles.map(|(value, slope)| Shape { value, gradient: map.gradient(slope) });
+            // The factorisation reads the lower triangle only.
             for i in 0..ABOVE_QUADRATIC {
-                for j in 0..ABOVE_QUADRATIC {
+                for j in 0..=i {
                     stiffness[(i, j)] += weight * dielectric(permittivity, shapes[i], shapes[j]);
                 }
             }

@@ -74,6 +74,17 @@ fn weak_evidence_is_worded_weakly() {
 }
 
 #[test]
+fn what_is_certain_is_said_apart_from_what_cannot_be_told() {
+    let mut fixture = fixture::thermal_lag();
+    fixture.diagnosis.verdict = Verdict::Ambiguous;
+    let set = "ageing dead_gap saturation fringing_field plate_bending offset_drift";
+    fixture.diagnosis.ambiguity = vec![set.split(' ').map(String::from).collect()];
+    let says = wording::headline(&fixture.diagnosis);
+    assert!(says.starts_with("Missing from the model: thermal lag; beside it one of ageing, dead gap"), "{says}");
+    assert!(says.contains("or 2 more"), "{says}");
+}
+
+#[test]
 fn a_report_without_findings_shows_one_residual_and_claims_nothing() {
     let mut fixture = fixture::thermal_lag();
     let diagnosis = &mut fixture.diagnosis;

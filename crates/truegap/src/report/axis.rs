@@ -7,9 +7,10 @@ use std::ops::Range;
 use truegap_core::Inputs;
 use truegap_scene::figure::Figure;
 
-/// Above this number of runs their borders are no longer named, above the second no longer drawn.
-const NAMED: usize = 14;
+/// Above this number of runs their borders are no longer drawn.
 const DRAWN: usize = 80;
+/// Share of the axis that a run must take for its name to have room.
+const ROOM: f64 = 0.075;
 
 /// Horizontal positions of all rows, with one empty row between runs that lifts the pen.
 pub(super) struct Axis {
@@ -67,8 +68,11 @@ impl Axis {
         if self.borders.len() < 2 || self.borders.len() > DRAWN {
             return figure;
         }
-        self.borders.iter().fold(figure, |figure, (x, run)| {
-            let name = if named && self.borders.len() <= NAMED { format!("run {run}") } else { String::new() };
+        let end = self.x.last().copied().unwrap_or(0.0);
+        let width = |number: usize| self.borders.get(number + 1).map_or(end, |next| next.0) - self.borders[number].0;
+        self.borders.iter().enumerate().fold(figure, |figure, (number, (x, run))| {
+            let has_room = width(number) > ROOM * (end - self.borders[0].0);
+            let name = if named && has_room { format!("run {run}") } else { String::new() };
             figure.mark_x(*x, &name)
         })
     }

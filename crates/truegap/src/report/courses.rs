@@ -76,12 +76,16 @@ fn courses(subject: &Subject<'_>, axis: &Axis) -> Result<String, FigureError> {
 
 fn over(subject: &Subject<'_>, driver: &Driver) -> Result<String, FigureError> {
     let scale = subject.error_scale();
-    let figure = Figure::new("").x(driver.label, &driver.unit).y("residual", &scale.unit).height(190.0).mark_y(0.0, "");
     let before = subject.residual(&subject.traces.before, &scale);
-    let figure = figure.points("calibrated model", &driver.values, &before).colour(BEFORE);
-    if !subject.is_augmented() {
-        return figure.to_svg();
-    }
     let after = subject.residual(&subject.traces.after, &scale);
-    figure.points("with what was missing", &driver.values, &after).colour(AFTER).to_svg()
+    let columns = [("calibrated model", before, BEFORE), ("with what was missing", after, AFTER)];
+    let shown = &columns[..if subject.is_augmented() { 2 } else { 1 }];
+    let largest = shown.iter().flat_map(|(_, r, _)| r).filter(|r| r.is_finite()).fold(0.0, |m: f64, r| m.max(r.abs()));
+    let mut stack = Stack::new("");
+    for (label, residual, colour) in shown {
+        let figure = Figure::new("").x(driver.label, &driver.unit).y("residual", &scale.unit).height(120.0).mark_y(0.0, "");
+        let figure = figure.points(label, &driver.values, residual).colour(*colour);
+        stack = stack.panel(if largest > 0.0 { figure.y_range(-1.08 * largest, 1.08 * largest) } else { figure });
+    }
+    stack.to_svg()
 }

@@ -44,6 +44,7 @@ pub(super) const STYLE: &str = "<style>
 .tiles strong { display: block; font-size: 1.1rem; white-space: nowrap; }
 .tiles span { color: var(--soft); font-size: .85rem; }
 .verdict .callout { font-size: 1.3rem; font-weight: 600; line-height: 1.35; }
+pre { white-space: pre-wrap; }
 .says { font-size: 1.06rem; }
 @media (min-width: 1180px) {
   .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; width: min(94vw, 1500px); margin-left: 50%; transform: translateX(-50%); }

@@ -2,11 +2,14 @@
 //!
 //! Limits: equations and sources are those of the effect library.
 
-use super::number::{listed, measured, spoken};
+use super::number::{capitalised, listed, measured, spoken};
 use super::{subject::Subject, wording};
 use truegap_diagnose::diagnosis::{Finding, ParameterFacts, Verdict};
 use truegap_diagnose::{About, library};
 use truegap_scene::page::{Page, Table};
+
+/// Sets larger than this are folded.
+const LISTED: usize = 4;
 
 /// One part a finding, then the sets that cannot be told apart.
 pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
@@ -43,8 +46,7 @@ fn one(page: Page, subject: &Subject<'_>, finding: &Finding) -> Page {
         error(held.rmse_after)
     ));
     if !finding.rivals.is_empty() {
-        let rivals: Vec<String> = finding.rivals.iter().map(|r| spoken(r)).collect();
-        page = page.text(&format!("Not quite excluded in its place: {}.", listed(&rivals, "and")));
+        page = page.text(&format!("Not quite excluded in its place: {}.", wording::one_of(&finding.rivals)));
     }
     match about(&finding.effect) {
         None => page,
@@ -73,6 +75,11 @@ fn ambiguity(page: Page, sets: &[Vec<String>]) -> Page {
     sets.iter().fold(page, |page, set| {
         let names: Vec<String> = set.iter().map(|m| spoken(m)).collect();
         let lines: Vec<String> = set.iter().filter_map(|m| about(m).map(|a| format!("{}: {}", spoken(m), a.separates))).collect();
-        page.text(&format!("{}. What would tell:", listed(&names, "or"))).list(&lines)
+        let page = page.text(&format!("{}.", capitalised(&listed(&names, "or"))));
+        if lines.len() > LISTED {
+            page.details("What would tell them apart").list(&lines).end_details()
+        } else {
+            page.text("What would tell:").list(&lines)
+        }
     })
 }

@@ -9,6 +9,9 @@ use truegap_diagnose::diagnosis::{Map, Mismatch};
 use truegap_scene::figure::{FigureError, HeatMap};
 use truegap_scene::page::{Page, Table};
 
+/// Sentences above the table.
+const LISTED: usize = 5;
+
 /// Sentences, table and maps.
 pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     let mismatch = &subject.diagnosis.mismatch;
@@ -16,8 +19,8 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     let page = if mismatch.is_empty() {
         page.text("No direction along which recording and calibrated model differ by more than noise allows.")
     } else {
-        let says: Vec<&str> = mismatch.iter().map(|m| m.says.as_str()).collect();
-        page.list(&says).details("The same as a table").table(&table(mismatch)).end_details()
+        let says: Vec<&str> = mismatch.iter().take(LISTED).map(|m| m.says.as_str()).collect();
+        page.list(&says).details("All of them as a table").table(&table(mismatch)).end_details()
     };
     maps(page, subject)
 }

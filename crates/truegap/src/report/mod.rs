@@ -28,7 +28,7 @@ use truegap_scene::page::Page;
 /// Columns of `subject` that are shorter than the recording are left out of the figures, with a sentence in their place.
 pub fn html(subject: &Subject<'_>) -> String {
     let axis = Axis::new(subject.inputs);
-    let page = Page::new(&format!("Diagnosis of {}", subject.diagnosis.recording.source)).raw_html(draw::STYLE);
+    let page = Page::new(&format!("Diagnosis of {}", short(&subject.diagnosis.recording.source))).raw_html(draw::STYLE);
     let page = summary::add(page, subject, &axis);
     let page = origin::issues(page, subject);
     let page = findings::add(page, subject);
@@ -41,4 +41,14 @@ pub fn html(subject: &Subject<'_>) -> String {
     let page = origin::bank(page, subject);
     let page = origin::noise(page, subject);
     origin::provenance(page, subject).to_html()
+}
+
+/// File names without their folders; the folder too, where all recordings of a study are called the same.
+fn short(source: &str) -> String {
+    let one = |path: &str| {
+        let mut parts = path.rsplit(['/', '\\']);
+        let (file, folder) = (parts.next().unwrap_or(path), parts.next());
+        folder.filter(|_| file.starts_with("recording.")).map_or(file.to_owned(), |folder| format!("{folder}/{file}"))
+    };
+    source.split(", ").map(one).collect::<Vec<_>>().join(", ")
 }

@@ -51,7 +51,8 @@ fn tiles(diagnosis: &Diagnosis) -> Vec<(String, String)> {
     }
     tiles.push((error(fit.noise_floor), "noise of one reading".to_owned()));
     if let Some(share) = fit.held_out.misfit_removed.filter(|s| s.is_finite() && *s >= 0.0) {
-        tiles.push((format!("{:.0} %", 100.0 * share), "of the reproducible misfit removed on unseen data".to_owned()));
+        let share = if share >= 0.995 { "all".to_owned() } else { format!("{:.0} %", 100.0 * share) };
+        tiles.push((share, "of the reproducible misfit removed on unseen data".to_owned()));
     }
     tiles
 }

@@ -8,6 +8,8 @@ use truegap_diagnose::diagnosis::{Diagnosis, Finding, Verdict};
 
 /// Detectability from which an effect is called missing without a reserve.
 pub const SURE: f64 = 10.0;
+/// Sets larger than this are not spelled out in a sentence.
+const MANY: usize = 5;
 
 /// The verdict in one plain sentence.
 pub fn headline(diagnosis: &Diagnosis) -> String {
@@ -24,9 +26,7 @@ pub fn headline(diagnosis: &Diagnosis) -> String {
         Verdict::Explained if no_finding => diagnosis.says.clone(),
         Verdict::Explained if sure => format!("Missing from the model: {}.", names()),
         Verdict::Explained => format!("The recording is most consistent with {} missing from the model.", names()),
-        Verdict::Ambiguous => {
-            format!("Something is missing from the model: {}. This recording cannot tell which.", choices(diagnosis))
-        }
+        Verdict::Ambiguous => ambiguous(diagnosis),
         Verdict::WrongForm if no_finding => {
             "The kind of physics is clear, the equation tried for it is not adequate: misfit remains.".into()
         }
@@ -40,18 +40,40 @@ pub fn headline(diagnosis: &Diagnosis) -> String {
 
 /// Whether the diagnosis's own sentence says more than [`headline`].
 pub(super) fn adds(diagnosis: &Diagnosis) -> bool {
-    let said = matches!(diagnosis.verdict, Verdict::Agrees | Verdict::Explained | Verdict::Ambiguous);
-    !said || diagnosis.says.contains(';') || diagnosis.findings.is_empty()
+    match diagnosis.verdict {
+        Verdict::Ambiguous => false,
+        Verdict::Agrees | Verdict::Explained => diagnosis.says.contains(';'),
+        Verdict::WrongForm | Verdict::Unexplained | Verdict::Undecided => true,
+    }
 }
 
 fn named(findings: &[Finding]) -> Vec<String> {
     findings.iter().map(|f| spoken(&f.effect)).collect()
 }
 
-fn choices(diagnosis: &Diagnosis) -> String {
-    let set = |members: &Vec<String>| listed(&members.iter().map(|m| spoken(m)).collect::<Vec<_>>(), "or");
-    let sets: Vec<String> = diagnosis.ambiguity.iter().map(set).collect();
-    if sets.is_empty() { listed(&named(&diagnosis.findings), "or") } else { sets.join("; and ") }
+/// What is certain, then what it may be beside.
+fn ambiguous(diagnosis: &Diagnosis) -> String {
+    let open = |f: &&Finding| diagnosis.ambiguity.iter().any(|set| set.contains(&f.effect));
+    let certain: Vec<String> = diagnosis.findings.iter().filter(|f| !open(f)).map(|f| spoken(&f.effect)).collect();
+    let sets: Vec<String> = diagnosis.ambiguity.iter().map(|set| one_of(set)).collect();
+    let choice = if sets.is_empty() { listed(&named(&diagnosis.findings), "or") } else { sets.join("; and one of ") };
+    if certain.is_empty() {
+        format!("Missing from the model is one of {choice}. This recording cannot tell which.")
+    } else {
+        format!(
+            "Missing from the model: {}; beside it one of {choice}, and this recording cannot tell which.",
+            listed(&certain, "and")
+        )
+    }
+}
+
+/// The members of a set; of a large one the first few and how many more.
+pub(super) fn one_of(set: &[String]) -> String {
+    let names: Vec<String> = set.iter().map(|m| spoken(m)).collect();
+    if names.len() <= MANY {
+        return listed(&names, "or");
+    }
+    format!("{} or {} more", names[..MANY - 1].join(", "), names.len() + 1 - MANY)
 }
 
 /// An error of the response with its unit.
@@ -86,6 +108,7 @@ pub fn concealed(diagnosis: &Diagnosis) -> Option<String> {
 pub fn misfit_removed(diagnosis: &Diagnosis) -> Option<String> {
     diagnosis.fit.held_out.misfit_removed.filter(|share| share.is_finite()).map(|share| match share {
         s if s < 0.0 => "none: the added physics predicts worse than the base model".into(),
+        s if s >= 0.995 => "all that stands out of the noise".into(),
         s => format!("{:.0} %", 100.0 * s),
     })
 }

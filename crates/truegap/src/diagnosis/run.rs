@@ -11,6 +11,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use truegap_core::Recording;
 use truegap_diagnose::{Options, Outcome, Problem, Progress, RecordingFacts};
 
+/// Said where the search was stopped.
+const STOPPED: &str = "the search was stopped before its end: verdict and probabilities are among what had been tried by then";
+
 /// A recording and what was found in it.
 pub struct Diagnosed {
     /// the recording as it was diagnosed
@@ -46,6 +49,9 @@ pub fn diagnose(
         .diagnosis
         .recording_issues
         .extend(request.conceal.iter().map(|c| format!("the column for {c} was hidden on request")));
+    if stop.load(Ordering::Relaxed) {
+        outcome.diagnosis.recording_issues.insert(0, STOPPED.to_owned());
+    }
     let provenance = Provenance {
         command: request.command.clone(),
         made_at: write::utc_now(),

@@ -7,10 +7,10 @@ use super::subject::Subject;
 use truegap_diagnose::diagnosis::NoiseFacts;
 use truegap_scene::page::{Page, Table, Tone};
 
-/// Doubts about the recording, where there are any.
+/// Doubts, where there are any.
 pub(super) fn issues(page: Page, subject: &Subject<'_>) -> Page {
     let issues = &subject.diagnosis.recording_issues;
-    if issues.is_empty() { page } else { page.section("Doubts about the recording").list(issues) }
+    if issues.is_empty() { page } else { page.section("Doubts").list(issues) }
 }
 
 /// Noise and what it rests on.

@@ -25,7 +25,7 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
     }
     lines.extend(errors(diagnosis));
     if !diagnosis.recording_issues.is_empty() {
-        lines.push("Doubts about the recording:".into());
+        lines.push("Doubts:".into());
         lines.extend(diagnosis.recording_issues.iter().map(|issue| format!("  {issue}")));
     }
     if !diagnosis.next_experiment.says.is_empty() {

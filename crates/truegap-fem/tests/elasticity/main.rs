@@ -4,6 +4,7 @@
 
 mod bodies;
 mod cases;
+mod contact;
 mod finite;
 mod goals;
 mod linear;

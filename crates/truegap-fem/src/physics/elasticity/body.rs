@@ -107,6 +107,7 @@ fn check(problem: &Problem) -> Result<(), ElasticityError> {
         let (place, value) = match condition {
             Condition::Displacement { place, value, .. } => (format!("{place:?}"), *value),
             Condition::Pressure { boundary, pressure } => (boundary.clone(), *pressure),
+            Condition::Obstacle { boundary, position, travel, .. } => (boundary.clone(), position + travel),
         };
         if !value.is_finite() {
             return Err(ElasticityError::Value { place, value });
@@ -202,7 +203,7 @@ fn free_displacement(problem: &Problem, nodes: &Nodes) -> f64 {
     let heat = nodes.points.iter().map(|&p| problem.temperature.at(p).abs()).fold(0.0, f64::max);
     let push = problem.conditions.iter().map(|c| match c {
         Condition::Pressure { pressure, .. } => pressure.abs(),
-        Condition::Displacement { .. } => 0.0,
+        Condition::Displacement { .. } | Condition::Obstacle { .. } => 0.0,
     });
     let push = push.fold(0.0, f64::max);
     let strain = problem.materials.iter().map(|m| m.expansion.abs() * heat + push / m.young).fold(0.0, f64::max);

@@ -173,4 +173,12 @@ pub enum ElasticityError {
         /// Boundary.
         boundary: String,
     },
+    /// Contact forces that do not settle.
+    #[error("contact does not settle: {gap:.1e} m of penetration left after {rounds} rounds; load in smaller steps")]
+    Contact {
+        /// Deepest penetration (m).
+        gap: f64,
+        /// Rounds done.
+        rounds: usize,
+    },
 }

@@ -33,6 +33,15 @@ pub enum Place {
     Point(Point),
 }
 
+/// On which side of a plane a body stays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// At larger coordinates.
+    Above,
+    /// At smaller coordinates.
+    Below,
+}
+
 /// A condition on the body.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Condition {
@@ -51,6 +60,19 @@ pub enum Condition {
         boundary: String,
         /// Pressure (Pa), positive when it pushes.
         pressure: f64,
+    },
+    /// A rigid plane without friction that the boundary may touch and leave, not pass.
+    Obstacle {
+        /// Name of the boundary.
+        boundary: String,
+        /// Coordinate that the plane cuts.
+        component: Component,
+        /// Its value at the plane without load (m).
+        position: f64,
+        /// How far the plane moves at load factor 1 (m).
+        travel: f64,
+        /// Where the body stays.
+        side: Side,
     },
 }
 

@@ -1,34 +1,17 @@
-//! Newton's method with line search and load steps; a linear body is the case that needs one factorisation.
+//! A body with its pattern and factorisation: linear solutions, load steps, residuals, dual problems.
 //!
 //! The residual is always formed element by element, also to refine linear solutions: for thin layers (condition
 //! numbers of 1e14) an assembled matrix loses four digits that this keeps. Symbolic analysis is done once.
 
+use super::NewtonOptions;
 use super::body::Body;
 use super::element::{Energy, Residual, Tables, Tangent, evaluate_points};
+use super::obstacle::{Stop, stops};
 use super::{ElasticityError, LawKind, Problem, Solution};
 use crate::assembly::{Pattern, assemble_vector, element_residual};
 use crate::solve::{Direct, Kind};
 use nalgebra_sparse::CscMatrix;
 use std::sync::Arc;
-
-/// Settings of the search for equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NewtonOptions {
-    /// Largest relative correction at which an equilibrium is accepted.
-    pub tolerance: f64,
-    /// Iterations before a load step is halved.
-    pub iterations: usize,
-    /// First load step, as a part of the way; 1 tries the whole way at once.
-    pub first_step: f64,
-    /// Smallest load step, as a part of the way, before giving up.
-    pub least_step: f64,
-}
-
-impl Default for NewtonOptions {
-    fn default() -> Self {
-        NewtonOptions { tolerance: 1e-9, iterations: 25, first_step: 1.0, least_step: 1e-4 }
-    }
-}
 
 /// What a solver has done so far.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -45,16 +28,19 @@ pub struct Counters {
 
 /// A body with its pattern and factorisation, at a load factor.
 pub struct Solver {
-    body: Arc<Body>,
-    tables: Tables,
+    pub(super) body: Arc<Body>,
+    pub(super) tables: Tables,
     pattern: Pattern,
     matrix: CscMatrix<f64>,
     direct: Option<Direct>,
-    state: Vec<f64>,
+    pub(super) state: Vec<f64>,
     load: f64,
-    correction: f64,
+    pub(super) correction: f64,
     counters: Counters,
     linear: bool,
+    pub(super) stops: Vec<Stop>,
+    /// Contact forces of the stops (N).
+    pub(super) multipliers: Vec<f64>,
 }
 
 impl Solver {
@@ -65,6 +51,7 @@ impl Solver {
     pub fn new(problem: Problem) -> Result<Solver, ElasticityError> {
         let body = Body::new(problem)?;
         let pattern = Pattern::new(&body.dofs, &body.numbering);
+        let stops = stops(&body)?;
         Ok(Solver {
             matrix: pattern.matrix(),
             tables: Tables::new(),
@@ -74,7 +61,9 @@ impl Solver {
             load: 0.0,
             correction: 0.0,
             counters: Counters::default(),
-            linear: body.problem.materials.iter().all(|m| m.law == LawKind::Linear),
+            linear: stops.is_empty() && body.problem.materials.iter().all(|m| m.law == LawKind::Linear),
+            multipliers: vec![0.0; stops.len()],
+            stops,
             body: Arc::new(body),
         })
     }
@@ -112,8 +101,8 @@ impl Solver {
     ///
     /// # Errors
     /// `NotConverged` where load steps shrink below the least; the solver then stays at the last equilibrium. Rubber
-    /// bonded at a sharp rim ends so: the finer the mesh there, the earlier its corner elements fold (a disc of shape
-    /// factor 0.7 at 8 % with elements of h / 200, beyond 40 % with h / 8).
+    /// bonded at a sharp rim ends so when its bulging side would fold through the plate (a disc of shape factor 0.7 at
+    /// 11 % with elements of h / 100 at the rim): give the side obstacles at the plates.
     pub fn advance(&mut self, target: f64, options: &NewtonOptions) -> Result<Solution, ElasticityError> {
         if self.linear {
             self.solve_linear(target)?;
@@ -124,7 +113,7 @@ impl Solver {
         let mut done = 0.0;
         while done < 1.0 {
             let next = (done + step).min(1.0);
-            let (start, from) = (self.state.clone(), self.load);
+            let (start, from, held) = (self.state.clone(), self.load, self.multipliers.clone());
             let to = if next == 1.0 { target } else { target - way * (1.0 - next) };
             self.load = to;
             match self.newton(to, options) {
@@ -138,6 +127,7 @@ impl Solver {
                 Err(error) => {
                     self.state = start;
                     self.load = from;
+                    self.multipliers = held;
                     self.counters.cuts += 1;
                     step *= 0.5;
                     if step < options.least_step {
@@ -176,6 +166,28 @@ impl Solver {
         forces
     }
 
+    /// Residual with the forces of obstacles: zero at all free unknowns in equilibrium.
+    pub(super) fn unbalanced(&self, state: &[f64], load: f64) -> Vec<f64> {
+        let mut forces = self.residual(state, load);
+        for (stop, multiplier) in self.stops.iter().zip(&self.multipliers) {
+            stop.add_residual(state, load, *multiplier, &mut forces);
+        }
+        forces
+    }
+
+    /// Force of an obstacle (index among the problem's conditions) on the body, along its coordinate (N).
+    ///
+    /// `Solution::reaction` adds what all obstacles do to a boundary; this tells them apart.
+    pub fn obstacle_force(&self, condition: usize) -> f64 {
+        let stops = self.stops.iter().zip(&self.multipliers).filter(|(s, _)| s.condition == condition);
+        stops.map(|(s, m)| s.push(&self.state, self.load, *m)).sum()
+    }
+
+    /// Whether a body has obstacles.
+    pub(crate) fn has_obstacles(&self) -> bool {
+        !self.stops.is_empty()
+    }
+
     /// Stored energy (J, or J/m).
     pub(crate) fn energy(&self, state: &[f64], load: f64) -> f64 {
         let mut sum = 0.0;
@@ -191,11 +203,17 @@ impl Solver {
         sum
     }
 
-    fn factorise(&mut self, load: f64) -> Result<(), ElasticityError> {
+    pub(super) fn factorise(&mut self, load: f64) -> Result<(), ElasticityError> {
         let (body, tables, state) = (&self.body, &self.tables, &self.state);
         self.pattern.assemble(&mut self.matrix, |e, out| {
             evaluate_points(body, tables, e, state, load, true, &mut Tangent(out));
         });
+        let offsets = self.matrix.col_offsets().to_vec();
+        for (stop, multiplier) in self.stops.iter().zip(&self.multipliers) {
+            // The diagonal comes first in a lower column.
+            let column = self.body.numbering.rows[stop.dof] as usize;
+            self.matrix.values_mut()[offsets[column]] += stop.tangent(&self.state, load, *multiplier);
+        }
         if self.direct.is_none() {
             let definite = self.linear && !self.body.is_mixed();
             let kind = if definite { Kind::Llt } else { Kind::Ldlt };
@@ -211,7 +229,7 @@ impl Solver {
     }
 
     /// Solution of the factorised system for minus the free entries of `residual`.
-    fn descend(&mut self, residual: &[f64]) -> Vec<f64> {
+    pub(super) fn descend(&mut self, residual: &[f64]) -> Vec<f64> {
         let mut free = self.body.numbering.restrict(residual);
         free.iter_mut().for_each(|x| *x = -*x);
         if let Some(direct) = &mut self.direct {
@@ -238,7 +256,7 @@ impl Solver {
         Ok(prescribed)
     }
 
-    fn prescribe(&mut self, load: f64) {
+    pub(super) fn prescribe(&mut self, load: f64) {
         for (i, _) in self.body.fixed.iter().enumerate().filter(|(_, f)| **f) {
             self.state[i] = load * self.body.prescribed[i];
         }
@@ -270,12 +288,12 @@ impl Solver {
         Ok(())
     }
 
-    /// Largest displacement correction over the largest displacement (at least the body's scale); infinite if not a
-    /// number.
-    fn relative(&self, step: &[f64]) -> f64 {
+    /// Largest displacement correction over the largest displacement (at least the body's scale and the correction);
+    /// infinite if not a number.
+    pub(super) fn relative(&self, step: &[f64]) -> f64 {
         let u = self.body.displacements;
         let top = largest(&step[..u]);
-        let below = largest(&self.state[..u]).max(self.load_scale());
+        let below = largest(&self.state[..u]).max(self.load_scale()).max(top);
         let all_finite = step.iter().all(|x| x.is_finite());
         match (all_finite, top == 0.0) {
             (false, _) => f64::INFINITY,
@@ -287,81 +305,16 @@ impl Solver {
     fn load_scale(&self) -> f64 {
         self.body.scale * self.load.abs()
     }
-
-    /// One load step; returns the iterations it took.
-    fn newton(&mut self, load: f64, options: &NewtonOptions) -> Result<usize, ElasticityError> {
-        self.first_step(load)?;
-        let failed = |correction| ElasticityError::NotConverged { reached: load, wanted: load, correction };
-        let mut correction = f64::INFINITY;
-        for iteration in 1..=options.iterations {
-            let residual = self.residual(&self.state, load);
-            self.factorise(load)?;
-            let step = self.descend(&residual);
-            let size = self.relative(&step);
-            if !size.is_finite() {
-                return Err(failed(correction));
-            }
-            let part = self.line_search(&step, &residual, load).ok_or(failed(size))?;
-            add(&mut self.state, &step, part);
-            correction = size;
-            if part == 1.0 && size <= options.tolerance {
-                self.correction = size;
-                return Ok(iteration);
-            }
-        }
-        Err(failed(correction))
-    }
-
-    /// Moves prescribed displacements to their new values, the inside following by the tangent of the old state.
-    fn first_step(&mut self, load: f64) -> Result<(), ElasticityError> {
-        let mut jump = vec![0.0; self.state.len()];
-        for (i, _) in self.body.fixed.iter().enumerate().filter(|(_, f)| **f) {
-            jump[i] = load * self.body.prescribed[i] - self.state[i];
-        }
-        if largest(&jump) == 0.0 {
-            return Ok(());
-        }
-        self.factorise(load)?;
-        let (body, tables, state) = (&self.body, &self.tables, &self.state);
-        let mut residual = self.residual(state, load);
-        let follow = element_residual(&body.dofs, &jump, |e, out| {
-            evaluate_points(body, tables, e, state, load, true, &mut Tangent(out));
-        });
-        add(&mut residual, &follow, 1.0);
-        let step = self.descend(&residual);
-        add(&mut self.state, &step, 1.0);
-        self.prescribe(load);
-        Ok(())
-    }
-
-    /// Part of the step at which the forces along it have fallen: 1, 1/2, 1/4, ...
-    fn line_search(&self, step: &[f64], residual: &[f64], load: f64) -> Option<f64> {
-        let before = dot(residual, step).abs();
-        let mut part = 1.0;
-        let mut trial = self.state.clone();
-        for _ in 0..8 {
-            trial.copy_from_slice(&self.state);
-            add(&mut trial, step, part);
-            let along = dot(&self.residual(&trial, load), step).abs();
-            // Near the end rounding decides: a step that changes nothing visible is taken.
-            let admissible = self.energy(&trial, load).is_finite();
-            if admissible && (along <= 0.9 * before || self.relative(step) < 1e-7) {
-                return Some(part);
-            }
-            part *= 0.5;
-        }
-        None
-    }
 }
 
-fn add(a: &mut [f64], b: &[f64], factor: f64) {
+pub(super) fn add(a: &mut [f64], b: &[f64], factor: f64) {
     a.iter_mut().zip(b).for_each(|(a, b)| *a += factor * b);
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-fn largest(x: &[f64]) -> f64 {
+pub(super) fn largest(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |m, v| m.max(v.abs()))
 }

@@ -86,6 +86,13 @@ impl Harmonic {
     /// Inverse iteration. Residuals and quotients are formed from strains, point by point: products with element matrices
     /// lose five digits more in thin plates.
     pub fn softest(&mut self, solver: &Solver) -> Result<Mode, ElasticityError> {
+        if solver.has_obstacles() {
+            return Err(ElasticityError::Harmonic {
+                harmonic: self.n,
+                symmetry: "touching",
+                remedy: "replace obstacles by prescribed displacements",
+            });
+        }
         const ITERATIONS: usize = 60;
         const SETTLED: f64 = 1e-7;
         let form = second_variation(solver, self.n);

@@ -93,7 +93,7 @@ fn a_negative_thickness_is_named() {
         let load: &[&str] = if command == "simulate" { &["--load", "1 N"] } else { &[] };
         bench.refuses(
             &[&[command, "--sensor", "s.toml"], load].concat(),
-            &["s.toml, line", "`dielectric.height`: -16", "um", "greater than 0"],
+            &["s.toml, line", "`dielectric.height`: -162 um ", "greater than 0"],
         );
     }
 }
@@ -128,4 +128,92 @@ fn arguments_that_clap_refuses_end_with_2_as_well() {
     {
         assert_eq!(bench.run(arguments).code, 2, "{arguments:?}");
     }
+}
+
+/// What `diagnose -o` must refuse without leaving a folder.
+fn refuse_diagnosis(name: &str, parts: &[&str], files: &[(&str, &str)]) {
+    let bench = Bench::new();
+    files.iter().for_each(|(file, text)| {
+        bench.file(file, text);
+    });
+    // notes are not errors: -q keeps them apart
+    bench.refuses(&["-q", "diagnose", name, "-o", "out"], parts);
+}
+
+#[test]
+fn a_diagnosis_of_a_bad_csv_leaves_no_folder() {
+    let cases: [(&str, &[&str]); 8] = [
+        ("", &["r.csv", "empty", "header"]),
+        ("time_s,force_n,capacitance_pf\n", &["r.csv", "no row", "record something"]),
+        ("time_s,force_n\n0,1\n", &["r.csv", "`capacitance_pf`", "[columns]"]),
+        (
+            "time_s,force_n,capacitance_pf\n0,1,74\n1,heavy,75\n",
+            &["r.csv", "line 3", "`heavy`", "`force_n`", "leave the row out"],
+        ),
+        ("time_s,force_n,capacitance_pf\n0,1,74\n5,1,74\n4,1,75\n", &["r.csv", "line 4", "from 5 s to 4 s", "start a new run"]),
+        ("time_s,force_n,capacitance_pf\n0,1,74\n1,NaN,75\n", &["r.csv", "line 3", "`NaN`", "leave the row out"]),
+        ("time_s,force_n,capacitance_pf\n0,1,\n", &["r.csv", "line 2", "`capacitance_pf`", "leave the row out"]),
+        ("time_s,force_n,capacitance_pf\n0,1,74\n1,1,75\n", &["r.csv", "2 rows are too few", "at least"]),
+    ];
+    for (text, parts) in cases {
+        refuse_diagnosis("r.csv", parts, &[("r.csv", text)]);
+    }
+    refuse_diagnosis("nowhere.csv", &["nowhere.csv", "no such file"], &[]);
+}
+
+/// Three hundred rows that the paper's sensor could have recorded, but for the load of the last one.
+fn ramp(last_n: f64) -> String {
+    let rows = (0..300).map(|row| {
+        let force = if row == 299 { last_n } else { 4.5 * f64::from(row) / 299.0 };
+        format!("{row},{force:.4},{:.4}\n", 75.0 + 2.0 * force.min(4.5))
+    });
+    "time_s,force_n,capacitance_pf\n".to_owned() + &rows.collect::<String>()
+}
+
+fn manifest(base: &str) -> String {
+    format!("schema = \"truegap.recording/1\"\nfile = \"r.csv\"\n{base}")
+}
+
+#[test]
+fn a_diagnosis_with_a_wrong_unit_or_an_unknown_model_leaves_no_folder() {
+    let csv = ramp(4.5);
+    let bad = [
+        ("[units]\nforce = \"kPa\"\n", &["r.toml", "line 4", "`kPa`", "mN, kN"][..]),
+        ("[base]\nmodel = \"stak\"\n", &["r.toml", "`stak`", "stack"]),
+        ("[base]\nmodel = \"stack\"\nsensor = \"nowhere.toml\"\n", &["r.toml", "nowhere.toml", "cannot be read"]),
+    ];
+    for (base, parts) in bad {
+        refuse_diagnosis("r.toml", parts, &[("r.csv", &csv), ("r.toml", &manifest(base))]);
+    }
+}
+
+#[test]
+fn a_diagnosis_with_an_impossible_sensor_leaves_no_folder() {
+    let csv = ramp(4.5);
+    let toml = manifest("[base]\nmodel = \"stack\"\nsensor = \"s.toml\"\n");
+    let bad = [
+        (
+            "height = \"162 um +- 5 um\"",
+            "height = \"-162 um\"",
+            &["s.toml, line", "`dielectric.height`: -162 um ", "greater than 0"][..],
+        ),
+        ("count = 65", "count = 6500", &["s.toml, line", "6500 beads", "mm2", "fewer or smaller"]),
+    ];
+    for (from, to, parts) in bad {
+        refuse_diagnosis("r.toml", parts, &[("r.csv", &csv), ("r.toml", &toml), ("s.toml", &changed_sensor(from, to))]);
+    }
+}
+
+#[test]
+fn a_diagnosis_of_a_load_that_closes_the_gap_leaves_no_folder() {
+    let parts = ["r.csv, row 300", "9000 N", "closes the gap of `singletact-s15-4.5n`", "leave the row out"];
+    refuse_diagnosis("r.csv", &parts, &[("r.csv", &ramp(9000.0))]);
+}
+
+#[test]
+fn a_diagnosis_does_not_overwrite_what_it_did_not_write() {
+    let bench = Bench::new();
+    bench.file("out", "mine").file("r.csv", &ramp(4.5));
+    bench.refuses(&["-q", "diagnose", "r.csv", "-o", "out"], &["out", "file of this name", "-o"]);
+    assert_eq!(std::fs::read_to_string(bench.path("out")).unwrap(), "mine");
 }

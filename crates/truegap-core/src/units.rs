@@ -248,6 +248,12 @@ fn spread(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
     }
 }
 
+/// `value` at twelve significant digits, for messages: what scaling to another unit adds behind them was never written by anybody.
+pub fn twelve_digits(value: f64) -> f64 {
+    // a number printed by this program is one that it reads
+    format!("{value:.11e}").parse().unwrap_or(value)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -283,5 +289,17 @@ mod tests {
         assert!(matches!(parse("180 N", Dimension::Length), Err(UnitError::Unknown { .. })));
         assert!(matches!(parse("thick", Dimension::Length), Err(UnitError::NotANumber { .. })));
         assert!(matches!(parse("inf m", Dimension::Length), Err(UnitError::NotANumber { .. })));
+    }
+
+    #[test]
+    fn messages_show_the_number_that_was_written() {
+        // two products of the second kind that binary fractions do not hold
+        for (scaled, written) in
+            [(-162e-6 * 1e6, "-162"), (0.1 + 0.2, "0.3"), (-5e-4, "-0.0005"), (123_456.789_012, "123456.789012")]
+        {
+            assert_eq!(twelve_digits(scaled).to_string(), written);
+        }
+        assert_ne!((-162e-6 * 1e6).to_string(), "-162", "nothing to round here");
+        assert!(twelve_digits(f64::NAN).is_nan() && twelve_digits(f64::NEG_INFINITY) == f64::NEG_INFINITY);
     }
 }

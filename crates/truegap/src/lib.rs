@@ -2,9 +2,12 @@
 //!
 //! Limits: nothing here computes physics; text goes in and typed answers come out, printing is left to the caller.
 
+pub mod answer;
 pub mod axis;
 pub mod base;
+pub mod case_file;
 pub mod diagnosis;
+pub mod example;
 pub mod model_file;
 pub mod nearest;
 pub mod output;
@@ -14,6 +17,7 @@ pub mod report;
 pub mod sensors;
 
 pub use base::{BaseModelError, base_model, base_options};
+pub use example::{EXAMPLE, example_recording};
 pub use output::{OutputError, OutputFolder};
 pub use predict::{PredictError, coefficients, drive, grid, simulate};
 pub use sensors::{FindSensorError, find_sensor};

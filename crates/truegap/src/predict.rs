@@ -3,6 +3,7 @@
 //! Limits: steady state at every point; memory comes with the effects of an augmented model.
 
 use serde::Serialize;
+use truegap_core::units::twelve_digits;
 use truegap_core::{Recording, Sensor, SimulationError};
 use truegap_model::{CoefficientOptions, Coefficients, Point, StackOptions, State};
 
@@ -92,7 +93,7 @@ fn refused(sensor: &Sensor, points: &[Point], error: SimulationError, place: imp
     };
     let at = points.get(row).copied().unwrap_or(Point { force_n: f64::NAN, temperature_c: f64::NAN });
     let (sensor, place) = (sensor.name.clone(), place(row));
-    let Point { force_n, temperature_c } = at;
+    let (force_n, temperature_c) = (twelve_digits(at.force_n), twelve_digits(at.temperature_c));
     match error {
         SimulationError::GapCloses { strain, .. } => PredictError::GapCloses { place, sensor, force_n, temperature_c, strain },
         source => PredictError::NoAnswer { place, sensor, force_n, temperature_c, source },

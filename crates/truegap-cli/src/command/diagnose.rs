@@ -2,13 +2,12 @@
 //!
 //! Limits: reads, calls, prints; a first Ctrl-C ends the search with what is known, a second one ends the program.
 
-use super::{Outcome, Run};
+use super::{Outcome, Run, recorded};
 use crate::console::Console;
 use anyhow::Context;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use truegap::Recording;
 use truegap::diagnose::{Progress, Verdict};
 use truegap::diagnosis::{Diagnosed, Request, diagnose, open};
 use truegap::report::terminal;
@@ -16,7 +15,7 @@ use truegap::report::terminal;
 /// Say what physics a simulation leaves out of a recording, and show it
 #[derive(Debug, clap::Args)]
 pub struct Diagnose {
-    /// TOML or CSV of a recording, or a folder with a recording.toml; several are taken as one, run after run
+    /// TOML or CSV of a recording, a folder with a recording.toml, or `example` for the built-in one; several are taken as one, run after run
     #[arg(required = true, value_name = "RECORDING")]
     recordings: Vec<PathBuf>,
     /// Folder for report.html, diagnosis.json, augmented.toml and prediction.csv
@@ -67,7 +66,7 @@ impl Run for Diagnose {
 
 impl Diagnose {
     fn one(&self, paths: &[PathBuf], console: &Console) -> anyhow::Result<Diagnosed> {
-        let recordings = paths.iter().map(Recording::open).collect::<Result<Vec<_>, _>>()?;
+        let recordings = paths.iter().map(|path| recorded(path)).collect::<Result<Vec<_>, _>>()?;
         let files = paths.iter().zip(&recordings).map(|(path, r)| (path.display().to_string(), r.sha256.clone())).collect();
         let request = self.request();
         let recording = open(recordings, &request)?;

@@ -4,10 +4,14 @@
 
 mod coefficients;
 mod diagnose;
+mod mesh;
 mod sensors;
 mod simulate;
+mod solve;
 
 use crate::console::Console;
+use std::path::Path;
+use truegap::{EXAMPLE, Recording, RecordingError, example_recording};
 
 /// How a command ended that could run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +26,11 @@ pub enum Outcome {
 pub trait Run {
     /// Prints the answer; an error is one paragraph that names file, value and remedy.
     fn run(&self, console: &Console) -> anyhow::Result<Outcome>;
+}
+
+/// The built-in recording where its name is given and nothing on disk has that name.
+fn recorded(path: &Path) -> Result<Recording, RecordingError> {
+    if path == Path::new(EXAMPLE) && !path.exists() { example_recording() } else { Recording::open(path) }
 }
 
 /// The enum that clap reads, and who runs it.
@@ -49,4 +58,6 @@ commands! {
     Coefficients(coefficients::Coefficients),
     Simulate(simulate::Simulate),
     Diagnose(diagnose::Diagnose),
+    Mesh(mesh::Mesh),
+    Solve(solve::Solve),
 }

@@ -1,13 +1,16 @@
-//! `truegap simulate`: the analytic model at points, or along a recorded history.
+//! `truegap simulate`: the analytic model, or an augmented one, at points or along a recorded history.
 
-use super::{Outcome, Run};
+use super::{Outcome, Run, recorded};
 use crate::console::Console;
 use crate::table::{digits, table};
 use anyhow::bail;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use truegap::answer::{self, Answer};
 use truegap::axis;
-use truegap::core::{Dimension, Recording};
+use truegap::core::Dimension;
+use truegap::core::units::twelve_digits;
 use truegap::model::{SeriesOrder, StackOptions, State};
+use truegap::model_file::ModelFile;
 use truegap::predict::{Driven, drive, grid};
 use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
 
@@ -29,6 +32,9 @@ pub struct Simulate {
     /// Order of (19) and (21): as printed, or exact for a bent gap
     #[arg(long, value_enum, default_value = "printed")]
     series: Series,
+    /// Model file, as the augmented.toml of a diagnosis: its calibration and added physics in place of --sensor
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["sensor", "no_warp", "series"])]
+    model: Option<PathBuf>,
     /// Follow the loads and temperatures of a recording
     #[arg(long, value_name = "RECORDING")]
     drive: Option<PathBuf>,
@@ -54,23 +60,51 @@ impl From<Series> for SeriesOrder {
 
 impl Run for Simulate {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
+        if let Some(file) = &self.model {
+            return self.augmented(file, console);
+        }
         let sensor = find_sensor(&self.sensor, None)?;
         let options = StackOptions { warp: !self.no_warp, series: self.series.into() };
         if let Some(path) = &self.drive {
-            let recording = Recording::open(path)?;
+            let recording = recorded(path)?;
             let rows = drive(&sensor, options, &recording)?;
             recording.notes.iter().for_each(|note| console.note(note));
             return if console.json { console.print_json_lines(&rows) } else { print_history(console, &rows) }
                 .map(|()| Outcome::Fine);
         }
-        let Some(load) = &self.load else { bail!("give --load, as in --load \"4.5 N\", or --drive RECORDING") };
-        let forces = axis::values(load, Dimension::Force)?;
-        let temperatures = match &self.temperature {
-            Some(text) => axis::values(text, Dimension::Temperature)?,
-            None => vec![sensor.reference_c],
-        };
+        let forces = self.loads(Dimension::Force)?;
+        let temperatures = self.temperatures(sensor.reference_c)?;
         let states = truegap::simulate(&sensor, options, &grid(&forces, &temperatures))?;
         if console.json { console.print_json_lines(&states) } else { print_states(console, &states) }.map(|()| Outcome::Fine)
+    }
+}
+
+impl Simulate {
+    fn loads(&self, dimension: Dimension) -> anyhow::Result<Vec<f64>> {
+        let Some(load) = &self.load else { bail!("give --load, as in --load \"4.5 N\", or --drive RECORDING") };
+        Ok(axis::values(load, dimension)?)
+    }
+
+    fn temperatures(&self, reference_c: f64) -> anyhow::Result<Vec<f64>> {
+        match &self.temperature {
+            Some(text) => Ok(axis::values(text, Dimension::Temperature)?),
+            None => Ok(vec![reference_c]),
+        }
+    }
+
+    /// The same questions put to a model file.
+    fn augmented(&self, file: &Path, console: &Console) -> anyhow::Result<Outcome> {
+        let model = ModelFile::open(file)?.build()?;
+        let answers = if let Some(path) = &self.drive {
+            let recording = recorded(path)?;
+            recording.notes.iter().for_each(|note| console.note(note));
+            answer::along(&model, &recording)?
+        } else {
+            let loads = self.loads(answer::load_dimension(&model)?)?;
+            let temperatures = self.temperatures(model.simulator().reference_c())?;
+            answer::at_points(&model, &loads, &temperatures)?
+        };
+        if console.json { console.print_json_lines(&answers) } else { print_answers(console, &answers) }.map(|()| Outcome::Fine)
     }
 }
 
@@ -107,4 +141,23 @@ fn print_history(console: &Console, rows: &[Driven]) -> anyhow::Result<()> {
         [row.run.to_string(), time].into_iter().chain(cells(&row.state)).collect()
     });
     console.print(table(&header, lines))
+}
+
+fn print_answers(console: &Console, answers: &[Answer]) -> anyhow::Result<()> {
+    let unit = answers.first().map_or("", |a| a.unit.as_str());
+    let response = format!("response\n{unit}");
+    type Column = fn(&Answer) -> Option<f64>;
+    let inputs: [(&str, Column); 6] = [
+        ("run", |a| a.run.map(f64::from)),
+        ("time\ns", |a| a.time_s),
+        ("force\nN", |a| a.force_n),
+        ("pressure\nPa", |a| a.pressure_pa),
+        ("gap\nm", |a| a.gap_m),
+        ("temperature\ndegC", |a| a.temperature_c),
+    ];
+    let there: Vec<_> = inputs.into_iter().filter(|(_, get)| answers.iter().any(|a| get(a).is_some())).collect();
+    let header: Vec<&str> = there.iter().map(|(name, _)| *name).chain([response.as_str()]).collect();
+    let cell = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |v| twelve_digits(v).to_string());
+    let row = |a: &Answer| there.iter().map(|(_, get)| cell(get(a))).chain([digits(a.response, 7)]).collect();
+    console.print(table(&header, answers.iter().map(row)))
 }

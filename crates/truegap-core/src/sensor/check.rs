@@ -3,7 +3,7 @@
 //! Limits: at the reference temperature; the loads that cover the electrode or close the gap follow from the bead law (11), (12) without solving it.
 
 use super::{Filling, Layer, Sensor, SensorProblem};
-use crate::units::Measure;
+use crate::units::{Measure, twelve_digits};
 use std::f64::consts::PI;
 
 /// A dotted key and what is wrong with it.
@@ -37,19 +37,23 @@ fn out_of_range(key: &str, value: String, rule: &'static str) -> Finding {
 
 fn positive(key: &str, value: f64, unit: &str, scale: f64) -> Result<(), Finding> {
     let possible = value.is_finite() && value > 0.0;
-    possible.then_some(()).ok_or_else(|| out_of_range(key, format!("{} {unit}", value * scale), "it must be greater than 0"))
+    possible
+        .then_some(())
+        .ok_or_else(|| out_of_range(key, format!("{} {unit}", twelve_digits(value * scale)), "it must be greater than 0"))
 }
 
 fn not_negative(key: &str, value: f64) -> Result<(), Finding> {
     let possible = value.is_finite() && value >= 0.0;
-    possible.then_some(()).ok_or_else(|| out_of_range(key, format!("{} mm", value * 1e3), "it must be 0 or greater"))
+    possible
+        .then_some(())
+        .ok_or_else(|| out_of_range(key, format!("{} mm", twelve_digits(value * 1e3)), "it must be 0 or greater"))
 }
 
 /// A length above zero, by more than its own spread allows to doubt.
 fn length(key: &str, length: Measure) -> Result<(), Finding> {
     positive(key, length.value, "um", 1e6)?;
     let certain = length.sd < 0.5 * length.value;
-    let value = || format!("{} um +- {} um", length.value * 1e6, length.sd * 1e6);
+    let value = || format!("{} um +- {} um", twelve_digits(length.value * 1e6), twelve_digits(length.sd * 1e6));
     certain.then_some(()).ok_or_else(|| out_of_range(key, value(), "the spread must be below half of the value"))
 }
 
@@ -73,7 +77,7 @@ fn layer(key: &str, layer: &Layer, thickness: &str) -> Result<(), Finding> {
     }
     let expansion = material.expansion;
     let possible = expansion.abs() < 0.01;
-    let value = format!("{} ppm/K", expansion * 1e6);
+    let value = format!("{} ppm/K", twelve_digits(expansion * 1e6));
     possible
         .then_some(())
         .ok_or_else(|| out_of_range(&format!("materials.{name}.expansion"), value, "it must lie within 1 % a kelvin"))
@@ -106,7 +110,7 @@ fn beads(sensor: &Sensor, count: u32, diameter: Measure) -> Result<(), Finding> 
     // area (1 + nu e)^2 = electrode
     let covered = ((electrode / area).sqrt() - 1.0) / nu;
     if nu > 0.0 && covered < 1.0 && load(covered) <= sensor.full_scale {
-        let problem = SensorProblem::BeadsMeet { full_scale_n: sensor.full_scale, limit_n: load(covered) };
+        let problem = SensorProblem::BeadsMeet { full_scale_n: twelve_digits(sensor.full_scale), limit_n: load(covered) };
         return Err(("full_scale".to_owned(), problem));
     }
     Ok(())
@@ -116,7 +120,7 @@ fn solid(sensor: &Sensor, coverage: f64) -> Result<(), Finding> {
     if !(coverage > 0.0 && coverage <= 1.0) {
         return Err(out_of_range(
             "dielectric.solid.coverage",
-            format!("{} %", coverage * 100.0),
+            format!("{} %", twelve_digits(coverage * 100.0)),
             "it lies above 0 % and up to 100 %",
         ));
     }
@@ -125,6 +129,6 @@ fn solid(sensor: &Sensor, coverage: f64) -> Result<(), Finding> {
 
 fn closes(sensor: &Sensor, limit_n: f64) -> Result<(), Finding> {
     let open = sensor.full_scale < limit_n;
-    let problem = SensorProblem::GapCloses { full_scale_n: sensor.full_scale, limit_n };
+    let problem = SensorProblem::GapCloses { full_scale_n: twelve_digits(sensor.full_scale), limit_n };
     open.then_some(()).ok_or_else(|| ("full_scale".to_owned(), problem))
 }

@@ -22,6 +22,11 @@ pub enum DiagnosisError {
     /// Nothing can be concluded.
     #[error("{recording}: {source}")]
     Diagnose { recording: String, source: DiagnoseError },
+    /// A load that the sensor cannot bear.
+    #[error(
+        "{recording}, row {row}: {load} {unit} closes the gap of `{model}` (strain {strain:.3}); leave the row out, or describe a thicker or stiffer dielectric"
+    )]
+    GapCloses { recording: String, row: usize, load: f64, unit: &'static str, model: String, strain: f64 },
     /// The files cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),

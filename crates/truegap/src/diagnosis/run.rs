@@ -8,8 +8,9 @@ use crate::base::{Base, base_model};
 use crate::report::{Provenance, Subject};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use truegap_core::Recording;
-use truegap_diagnose::{Options, Outcome, Problem, Progress, RecordingFacts};
+use truegap_core::units::twelve_digits;
+use truegap_core::{Recording, Role, SimulationError};
+use truegap_diagnose::{DiagnoseError, Options, Outcome, Problem, Progress, RecordingFacts};
 
 /// Said where the search was stopped.
 const STOPPED: &str = "the search was stopped before its end: verdict and probabilities are among what had been tried by then";
@@ -41,7 +42,7 @@ pub fn diagnose(
     let problem = Problem { inputs: &recording.inputs, response: &recording.response, simulator: base.simulator.as_ref() };
     let options = Options { effects: request.effects.clone() };
     let outcome = truegap_diagnose::diagnose(&problem, facts(&recording, &files), &options, progress, stop);
-    let mut outcome = outcome.map_err(|source| DiagnosisError::Diagnose { recording: named(&recording), source })?;
+    let mut outcome = outcome.map_err(|source| refused(source, &recording, &base))?;
     outcome.diagnosis.base.sensor = base.sensor.as_ref().map(|s| s.name.clone());
     let doubts = recording.notes.iter().map(ToString::to_string);
     outcome.diagnosis.recording_issues.extend(doubts);
@@ -60,6 +61,22 @@ pub fn diagnose(
         has_model: true,
     };
     Ok(Diagnosed { recording, base, outcome, provenance })
+}
+
+/// Rows are counted from 1 for the user, and the load carries its unit.
+fn refused(source: DiagnoseError, recording: &Recording, base: &Base) -> DiagnosisError {
+    let recording = named(recording);
+    let DiagnoseError::Simulation(SimulationError::GapCloses { row, load_si, strain }) = source else {
+        return DiagnosisError::Diagnose { recording, source };
+    };
+    let needs = base.simulator.needs();
+    let unit = match needs.contains(&Role::Pressure) {
+        true => "Pa",
+        false if needs.contains(&Role::Gap) => "m",
+        false => "N",
+    };
+    let model = base.sensor.as_ref().map_or_else(|| base.simulator.name().to_owned(), |s| s.name.clone());
+    DiagnosisError::GapCloses { recording, row: row + 1, load: twelve_digits(load_si), unit, model, strain }
 }
 
 fn facts(recording: &Recording, files: &[(String, String)]) -> RecordingFacts {

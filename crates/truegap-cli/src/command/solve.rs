@@ -1,0 +1,60 @@
+//! `truegap solve`: a finite-element case, its quantities and how far they are to be trusted.
+//!
+//! Limits: reads, calls, prints.
+
+use super::{Outcome, Run};
+use crate::console::Console;
+use crate::table::{digits, table};
+use anyhow::anyhow;
+use std::path::PathBuf;
+use truegap::case_file::open_case;
+use truegap::fem::case::{Case, CaseResult, solve_case};
+
+/// Solve a finite-element case: electrostatics or elasticity, axisymmetric or planar
+#[derive(Debug, clap::Args)]
+pub struct Solve {
+    /// TOML of a case
+    #[arg(value_name = "CASE.toml")]
+    case: PathBuf,
+}
+
+impl Run for Solve {
+    fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
+        let case = open_case(&self.case)?;
+        let result = solve_case(&case).map_err(|source| anyhow!("{}: {source}", case.file))?;
+        if console.json {
+            console.print_json(&result)?;
+        } else {
+            print(console, &result)?;
+        }
+        Ok(judged(console, &case, &result))
+    }
+}
+
+/// Something to look at where an estimate is above the target of the case, or is none.
+fn judged(console: &Console, case: &Case, result: &CaseResult) -> Outcome {
+    let Some(target) = case.mesh.target_error else { return Outcome::Fine };
+    let met = |estimate: f64| estimate <= target;
+    let mut outcome = Outcome::Fine;
+    for (name, quantity) in result.quantities.iter().filter(|(_, q)| !met(q.relative_error_estimate)) {
+        let estimate = digits(quantity.relative_error_estimate, 2);
+        console.note(format!(
+            "the error of {name} is estimated at {estimate}, above the target of {target}; refine, or ask for less"
+        ));
+        outcome = Outcome::LookAt;
+    }
+    outcome
+}
+
+pub(super) fn print(console: &Console, result: &CaseResult) -> anyhow::Result<()> {
+    let rows = result.quantities.iter().map(|(name, q)| {
+        let [error, relative] = [q.error_estimate, q.relative_error_estimate].map(|e| digits(e, 2));
+        vec![name.clone(), digits(q.value, 9), q.unit.clone(), error, relative]
+    });
+    console.print(table(&["quantity", "value", "unit", "error\nestimate", "relative\nerror"], rows))?;
+    let [mesh, assemble, solve] = [result.seconds.mesh, result.seconds.assemble, result.seconds.solve].map(|s| digits(s, 2));
+    console.print(format!(
+        "\n{} triangles, {} unknowns; meshing {mesh} s, assembling {assemble} s, solving {solve} s",
+        result.mesh.triangles, result.mesh.unknowns
+    ))
+}

@@ -1,0 +1,130 @@
+//! What a model file answers at points, or along a recorded history.
+//!
+//! Limits: at a point the sensor has no past: every effect starts afresh there, so creep, lag and hysteresis show along a history only.
+
+use crate::model_file::{ModelFileError, RunningModel};
+use serde::Serialize;
+use truegap_core::units::{Dimension, twelve_digits};
+use truegap_core::{Inputs, Recording, Role, SimulationError};
+
+/// Why a model file has no answer.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+#[allow(missing_docs)] // the fields are named by the messages
+pub enum AnswerError {
+    /// A base model whose load cannot be typed.
+    #[error("the base model `{model}` has no load that --load could give; drive it with --drive RECORDING")]
+    NoLoad { model: String },
+    /// The plates touch.
+    #[error("{place} closes the gap (strain {strain:.3}); stay below that load")]
+    GapCloses { place: String, strain: f64 },
+    /// No finite answer, a column that is missing, or an effect that cannot be.
+    #[error("{place}: {source}")]
+    Model { place: String, source: ModelFileError },
+}
+
+/// One answer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Answer {
+    /// run of the row; absent at a point
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub run: Option<u32>,
+    /// clock, s
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_s: Option<f64>,
+    /// load, N
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub force_n: Option<f64>,
+    /// load, Pa
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_pa: Option<f64>,
+    /// separation of the plates, m
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gap_m: Option<f64>,
+    /// thermometer, degrees Celsius
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub temperature_c: Option<f64>,
+    /// response, in `unit`
+    pub response: f64,
+    /// unit of the response
+    pub unit: String,
+}
+
+/// What `--load` gives to this model: a force or a pressure.
+///
+/// # Errors
+/// [`AnswerError::NoLoad`] for a model that is loaded by neither.
+pub fn load_dimension(model: &RunningModel) -> Result<Dimension, AnswerError> {
+    let needs = model.simulator().needs();
+    if needs.contains(&Role::Force) {
+        Ok(Dimension::Force)
+    } else if needs.contains(&Role::Pressure) {
+        Ok(Dimension::Pressure)
+    } else {
+        Err(AnswerError::NoLoad { model: model.simulator().name().to_owned() })
+    }
+}
+
+/// The model at every load (N or Pa, by [`load_dimension`]) and temperature (degrees Celsius), each point by itself.
+///
+/// # Errors
+/// [`AnswerError`] for the first point that has no answer.
+pub fn at_points(model: &RunningModel, loads: &[f64], temperatures_c: &[f64]) -> Result<Vec<Answer>, AnswerError> {
+    let dimension = load_dimension(model)?;
+    let points = temperatures_c.iter().flat_map(|&t| loads.iter().map(move |&load| (load, t)));
+    points
+        .map(|(load, temperature_c)| {
+            let column = |of: Dimension| (dimension == of).then(|| vec![load]);
+            let inputs = Inputs {
+                run: vec![1],
+                time_s: Some(vec![0.0]),
+                force_n: column(Dimension::Force),
+                pressure_pa: column(Dimension::Pressure),
+                temperature_c: Some(vec![temperature_c]),
+                ..Inputs::default()
+            };
+            let [load, temperature] = [load, temperature_c].map(twelve_digits);
+            let place = |_| format!("{load} {} at {temperature} degC", dimension.si_unit());
+            let response = model.respond(&inputs).map_err(|error| refused(error, place))?;
+            let answer = answer(&inputs, 0, response[0], model);
+            Ok(Answer { run: None, time_s: None, ..answer })
+        })
+        .collect()
+}
+
+/// The model along the rows of a recording, effects with a memory included.
+///
+/// # Errors
+/// [`AnswerError`] for the first row that has no answer, or a column that is not there.
+pub fn along(model: &RunningModel, recording: &Recording) -> Result<Vec<Answer>, AnswerError> {
+    let name = recording.path.display().to_string();
+    let place = |row: Option<usize>| match row {
+        Some(row) => format!("{name}, row {}", row + 1),
+        None => name.clone(),
+    };
+    let responses = model.respond(&recording.inputs).map_err(|error| refused(error, place))?;
+    Ok(responses.into_iter().enumerate().map(|(row, response)| answer(&recording.inputs, row, response, model)).collect())
+}
+
+fn answer(inputs: &Inputs, row: usize, response: f64, model: &RunningModel) -> Answer {
+    let at = |column: &Option<Vec<f64>>| column.as_ref().map(|values| values[row]);
+    Answer {
+        run: Some(inputs.run[row]),
+        time_s: at(&inputs.time_s),
+        force_n: at(&inputs.force_n),
+        pressure_pa: at(&inputs.pressure_pa),
+        gap_m: at(&inputs.gap_m),
+        temperature_c: at(&inputs.temperature_c),
+        response,
+        unit: model.simulator().unit().to_owned(),
+    }
+}
+
+fn refused(error: ModelFileError, place: impl Fn(Option<usize>) -> String) -> AnswerError {
+    match error {
+        ModelFileError::Simulation(SimulationError::GapCloses { row, strain, .. }) => {
+            AnswerError::GapCloses { place: place(Some(row)), strain }
+        }
+        source => AnswerError::Model { place: place(None), source },
+    }
+}

@@ -293,13 +293,13 @@ mod tests {
 
     #[test]
     fn messages_show_the_number_that_was_written() {
-        // two products of the second kind that binary fractions do not hold
+        // there and back through SI, as a thickness in um goes
         for (scaled, written) in
-            [(-162e-6 * 1e6, "-162"), (0.1 + 0.2, "0.3"), (-5e-4, "-0.0005"), (123_456.789_012, "123456.789012")]
+            [(-162.0 * 1e-6 * 1e6, "-162"), (0.1 + 0.2, "0.3"), (-5e-4, "-0.0005"), (123_456.789_012, "123456.789012")]
         {
             assert_eq!(twelve_digits(scaled).to_string(), written);
         }
-        assert_ne!((-162e-6 * 1e6).to_string(), "-162", "nothing to round here");
+        assert_ne!((-162.0 * 1e-6 * 1e6).to_string(), "-162", "nothing to round here");
         assert!(twelve_digits(f64::NAN).is_nan() && twelve_digits(f64::NEG_INFINITY) == f64::NEG_INFINITY);
     }
 }

@@ -13,6 +13,7 @@ pub mod nearest;
 pub mod output;
 pub mod predict;
 pub mod printed;
+pub mod prove;
 pub mod report;
 pub mod sensors;
 

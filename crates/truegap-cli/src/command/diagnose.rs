@@ -44,7 +44,7 @@ pub struct Diagnose {
     channel: Option<String>,
 }
 
-static STOP: AtomicBool = AtomicBool::new(false);
+pub(super) static STOP: AtomicBool = AtomicBool::new(false);
 
 impl Run for Diagnose {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
@@ -163,7 +163,7 @@ fn bar(console: &Console) -> ProgressBar {
     bar
 }
 
-fn stop_on_interrupt() -> anyhow::Result<()> {
+pub(super) fn stop_on_interrupt() -> anyhow::Result<()> {
     let handler = || {
         if STOP.swap(true, Ordering::Relaxed) {
             std::process::exit(2);

@@ -5,6 +5,7 @@
 mod coefficients;
 mod diagnose;
 mod mesh;
+mod prove;
 mod sensors;
 mod simulate;
 mod solve;
@@ -60,4 +61,5 @@ commands! {
     Diagnose(diagnose::Diagnose),
     Mesh(mesh::Mesh),
     Solve(solve::Solve),
+    Prove(prove::Prove),
 }

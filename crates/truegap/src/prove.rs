@@ -1,0 +1,27 @@
+//! A blind study: recordings with sealed answers, a diagnosis of each, then the key is opened and the scores are counted.
+//!
+//! Limits: the diagnosis reads nothing but `CASE/recording.*`; key and plan lie in the same folder, so a study proves something to others only
+//! where its commitments were published, or its seed drawn, after the program was frozen.
+//!
+//! ```text
+//! DIR/commitments.txt            salted SHA-256 of every answer, written before the first diagnosis
+//! DIR/case-001/recording.*       what the diagnosis gets
+//! DIR/key/                       answers, and the plan with its seed
+//! DIR/diagnoses/case-001/        diagnosis.json, augmented.toml
+//! DIR/score.json, DIR/score.md   once every case has its diagnosis
+//! ```
+
+mod answers;
+mod controls;
+mod document;
+mod error;
+mod fresh;
+mod plan;
+mod score;
+
+pub use answers::{Answered, Told, answer, cases};
+pub use error::ProveError;
+pub use plan::{Plan, Sort, begin, entropy, resume};
+pub use score::{CaseScore, Control, Score, score};
+pub use truegap_generator::protocol::Kind;
+pub use truegap_generator::score::targets::Row;

@@ -1,0 +1,33 @@
+//! The augmented model on a history that it has never seen, against what the generator says without noise.
+//!
+//! Limits: one fresh history per case; the reading before is that of the declared base model with the true sensor.
+
+use super::answers::place;
+use crate::model_file::ModelFile;
+use std::path::Path;
+use truegap_core::Inputs;
+use truegap_generator::Study;
+use truegap_generator::recording::Recording;
+use truegap_generator::score::misfit::misfit_removed;
+
+/// Share of the misfit that `case` of `study` loses on a fresh history by its diagnosis; the reason where there is no such share.
+pub(super) fn misfit(folder: &Path, study: &Study, case: &str) -> Result<f64, String> {
+    let number = case.trim_start_matches("case-").parse::<usize>().ok().and_then(|n| n.checked_sub(1));
+    let number = number.ok_or_else(|| format!("`{case}` is not the name of a case"))?;
+    let fresh = study.case(number).and_then(|case| case.fresh(0)).map_err(|e| e.to_string())?;
+    let model =
+        ModelFile::open(&place(folder, case).join("augmented.toml")).and_then(|m| m.build()).map_err(|e| e.to_string())?;
+    let after = model.respond(&inputs(&fresh.quiet)).map_err(|e| e.to_string())?;
+    misfit_removed(&fresh.truth_pf, &fresh.base_pf, &after).ok_or_else(|| "nothing to remove".into())
+}
+
+fn inputs(recording: &Recording) -> Inputs {
+    Inputs {
+        run: recording.run.clone(),
+        time_s: Some(recording.time_s.clone()),
+        force_n: Some(recording.force_n.clone()),
+        temperature_c: Some(recording.temperature_c.clone()),
+        humidity_pct: recording.humidity_pct.clone(),
+        ..Inputs::default()
+    }
+}

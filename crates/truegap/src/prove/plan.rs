@@ -1,0 +1,105 @@
+//! What a study consists of, kept in its key so that it can be gone on with.
+//!
+//! Limits: the plan holds the seed, and with it every answer; it is as secret as the key.
+
+use super::error::{ProveError, json, write};
+use serde::{Deserialize, Serialize};
+use std::hash::{BuildHasher, Hasher, RandomState};
+use std::path::Path;
+use truegap_generator::protocol::Kind;
+use truegap_generator::study::Only;
+use truegap_generator::{Options, Study};
+
+/// Restriction of a study, to count one thing well; the diagnosis is not told of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[allow(missing_docs)] // their names say it
+pub enum Sort {
+    #[default]
+    Everything,
+    Nulls,
+    Singles,
+    Pairs,
+    Strangers,
+}
+
+/// A study before it is made.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Plan {
+    /// seed of everything that is drawn
+    pub seed: u64,
+    /// how many recordings
+    pub cases: usize,
+    /// what is concealed
+    pub only: Sort,
+    /// protocols to draw from; all where empty
+    pub protocols: Vec<Kind>,
+}
+
+impl Plan {
+    /// The study; the same from the same plan.
+    ///
+    /// # Errors
+    /// [`ProveError::NoCases`].
+    pub fn study(&self) -> Result<Study, ProveError> {
+        if self.cases == 0 {
+            return Err(ProveError::NoCases);
+        }
+        let only = match self.only {
+            Sort::Everything => Only::Everything,
+            Sort::Nulls => Only::Nulls,
+            Sort::Singles => Only::Singles,
+            Sort::Pairs => Only::Pairs,
+            Sort::Strangers => Only::Strangers,
+        };
+        Ok(Study::new(self.seed, self.cases, Options { only, protocols: self.protocols.clone(), ..Options::default() })?)
+    }
+
+    pub(super) fn read(folder: &Path) -> Result<Self, ProveError> {
+        let path = folder.join("key/plan.json");
+        if path.exists() { json(&path) } else { Err(ProveError::NoStudy { folder: folder.to_owned() }) }
+    }
+}
+
+/// A seed that nobody knows: the random keys that the system gives to the standard library's hash maps.
+pub fn entropy() -> u64 {
+    RandomState::new().build_hasher().finish()
+}
+
+/// Writes a new study into `folder`; `made` is called after each case with its number from 0.
+///
+/// # Errors
+/// [`ProveError`] where the folder holds anything, the disk refuses, or a case cannot be made.
+pub fn begin(plan: &Plan, folder: &Path, made: impl FnMut(usize)) -> Result<(), ProveError> {
+    let study = plan.study()?;
+    let failed = |source| ProveError::File { path: folder.to_owned(), source };
+    if folder.exists()
+        && let Some(entry) = std::fs::read_dir(folder).map_err(failed)?.next()
+    {
+        let entry = entry.map_err(failed)?.file_name().to_string_lossy().into_owned();
+        return Err(ProveError::Taken { folder: folder.to_owned(), entry });
+    }
+    let path = folder.join("key/plan.json");
+    let text = serde_json::to_string_pretty(plan).map_err(|source| ProveError::Json { path: path.clone(), source })?;
+    write(&path, &(text + "\n"))?;
+    Ok(study.write(folder, made)?)
+}
+
+/// Finds the study in `folder` again, and finishes writing it where that was broken off; `asked` is compared where it is given.
+///
+/// # Errors
+/// [`ProveError`] where there is none, or it is another one than asked for.
+pub fn resume(folder: &Path, seed: Option<u64>, cases: Option<usize>, made: impl FnMut(usize)) -> Result<Plan, ProveError> {
+    let plan = Plan::read(folder)?;
+    let other = |what, there: String, asked: String| ProveError::OtherPlan { folder: folder.to_owned(), what, there, asked };
+    if let Some(asked) = seed.filter(|asked| *asked != plan.seed) {
+        return Err(other("seed", plan.seed.to_string(), asked.to_string()));
+    }
+    if let Some(asked) = cases.filter(|asked| *asked != plan.cases) {
+        return Err(other("cases", plan.cases.to_string(), asked.to_string()));
+    }
+    if !folder.join("commitments.txt").exists() {
+        plan.study()?.write(folder, made)?;
+    }
+    Ok(plan)
+}

@@ -1,0 +1,170 @@
+//! Opens the key, compares it with its commitments, and counts.
+//!
+//! Limits: the rules are the generator's, which shares no code with the diagnosis.
+
+use super::answers::{Answered, place};
+use super::controls::RULES;
+use super::error::{ProveError, json, read, write};
+use super::plan::Plan;
+use super::{document, fresh};
+use serde::Serialize;
+use serde_json::Value;
+use std::path::Path;
+use truegap_generator::commitment::sha256;
+use truegap_generator::score::folder::score_folder;
+use truegap_generator::score::judge::Outcome;
+use truegap_generator::score::targets::{Row, by_detectability, rows};
+use truegap_generator::score::{Scored, score as judged, table};
+
+/// Detectability from which a model is tried on a fresh history, as the target has it.
+const STRONG: f64 = 16.0;
+
+/// What a study comes to.
+#[derive(Clone, Debug, Serialize)]
+pub struct Score {
+    /// what was asked for, seed included
+    pub plan: Plan,
+    /// version of the program
+    pub version: &'static str,
+    /// SHA-256 of `commitments.txt`
+    pub commitments_sha256: String,
+    /// the targets of `diagnosis.md`, with counts and intervals
+    pub targets: Vec<Row>,
+    /// single causes in bands of detectability
+    pub by_detectability: Vec<Row>,
+    /// simpler rules on the same fits
+    pub controls: Vec<Control>,
+    /// one by one
+    pub cases: Vec<CaseScore>,
+    /// recordings that the diagnosis refused, with its reason; they are in no share
+    pub refused: Vec<(String, String)>,
+    /// cases whose model could not be tried on a fresh history, with the reason
+    pub not_tried_afresh: Vec<(String, String)>,
+    /// targets, outcomes by cause and wrong claims, as a person reads them
+    #[serde(skip)]
+    pub table: String,
+}
+
+/// One rule of the controls.
+#[derive(Clone, Debug, Serialize)]
+pub struct Control {
+    /// the rule
+    pub says: String,
+    /// the targets, counted for it
+    pub targets: Vec<Row>,
+}
+
+/// One case.
+#[derive(Clone, Debug, Serialize)]
+pub struct CaseScore {
+    /// its name
+    pub case: String,
+    /// kind of protocol
+    pub protocol: String,
+    /// what was concealed; a stranger as `stranger:NAME`
+    pub concealed: Vec<String>,
+    /// detectability of all causes together
+    pub detectability: f64,
+    /// verdict
+    pub verdict: String,
+    /// effects named, with the probability stated
+    pub named: Vec<(String, Option<f64>)>,
+    /// how good that was
+    pub outcome: String,
+    /// share of the misfit removed on a fresh history
+    pub fresh_misfit_removed: Option<f64>,
+    /// wall-clock time of the diagnosis, s
+    pub seconds: Option<f64>,
+}
+
+/// Scores the study in `folder` and writes `score.json` and `score.md`; `command` is for the record.
+///
+/// # Errors
+/// [`ProveError`] where the key does not fit the commitments, or a file cannot be read or written.
+pub fn score(folder: &Path, answered: &Answered, command: &str) -> Result<Score, ProveError> {
+    let plan = Plan::read(folder)?;
+    let mut scored = score_folder(folder, &folder.join("diagnoses"))?.scored;
+    let study = plan.study()?;
+    let mut diagnoses = Vec::new();
+    let mut not_tried_afresh = Vec::new();
+    for case in &mut scored {
+        let diagnosis: Value = json(&place(folder, &case.truth.case).join("diagnosis.json"))?;
+        case.seconds = diagnosis["seconds"].as_f64();
+        if !case.truth.causes.is_empty() && case.truth.detectability >= STRONG {
+            match fresh::misfit(folder, &study, &case.truth.case) {
+                Ok(share) => case.fresh_misfit_removed = Some(share),
+                Err(reason) => not_tried_afresh.push((case.truth.case.clone(), reason)),
+            }
+        }
+        diagnoses.push(diagnosis);
+    }
+    let score = Score {
+        plan,
+        version: env!("CARGO_PKG_VERSION"),
+        commitments_sha256: sha256(&read(&folder.join("commitments.txt"))?),
+        targets: rows(&scored),
+        by_detectability: by_detectability(&scored),
+        controls: controls(folder, &scored, &diagnoses)?,
+        cases: scored.iter().map(case_score).collect(),
+        refused: answered.refused.clone(),
+        not_tried_afresh,
+        table: table::table(&scored),
+    };
+    let path = folder.join("score.json");
+    let text = serde_json::to_string_pretty(&score).map_err(|source| ProveError::Json { path: path.clone(), source })?;
+    write(&path, &(text + "\n"))?;
+    write(&folder.join("score.md"), &document::markdown(&score, command))?;
+    Ok(score)
+}
+
+impl Score {
+    /// Everything that is measured, as a person reads it.
+    pub fn text(&self) -> String {
+        document::text(self)
+    }
+
+    /// Whether every target that has cases is met.
+    pub fn is_met(&self) -> bool {
+        self.targets.iter().all(|row| row.met != Some(false)) && self.refused.is_empty()
+    }
+}
+
+/// The controls that claim a share; medians and probabilities are not theirs.
+fn controls(folder: &Path, scored: &[Scored], diagnoses: &[Value]) -> Result<Vec<Control>, ProveError> {
+    let control = |rule: &super::controls::Rule| {
+        let claims = scored.iter().zip(diagnoses).map(|(case, diagnosis)| {
+            let path = || place(folder, &case.truth.case).join("diagnosis.json");
+            judged(case.truth.clone(), &(rule.claims)(diagnosis)).map_err(|source| ProveError::Claim { path: path(), source })
+        });
+        let targets = rows(&claims.collect::<Result<Vec<_>, _>>()?).into_iter().filter(|row| row.hits.is_some()).collect();
+        Ok(Control { says: rule.says.to_owned(), targets })
+    };
+    RULES.iter().map(control).collect()
+}
+
+fn case_score(case: &Scored) -> CaseScore {
+    let truth = &case.truth;
+    let stranger = truth.stranger.iter().map(|name| format!("stranger:{name}"));
+    CaseScore {
+        case: truth.case.clone(),
+        protocol: truth.protocol.clone(),
+        concealed: truth.causes.iter().cloned().chain(stranger).collect(),
+        detectability: truth.detectability,
+        verdict: case.claim.verdict.clone(),
+        named: case.claim.findings.clone(),
+        outcome: outcome(case.outcome).to_owned(),
+        fresh_misfit_removed: case.fresh_misfit_removed,
+        seconds: case.seconds,
+    }
+}
+
+fn outcome(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::Right => "right",
+        Outcome::WithinSet => "within_set",
+        Outcome::Partial => "partial",
+        Outcome::Unnamed => "unnamed",
+        Outcome::Wrong => "wrong",
+        Outcome::Missed => "missed",
+    }
+}

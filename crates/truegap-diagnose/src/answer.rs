@@ -10,8 +10,9 @@ use crate::{
     diagnosis::*,
     directions::Direction,
     effect::FittedParameter,
+    fit::Model,
     gate::{Adequacy, Gate},
-    held_out::{HeldOutFit, held_out, misfit_removed},
+    held_out::{AllRows, HeldOutFit, held_out, misfit_removed},
     issues::doubts,
     locate::{locate, map},
     next::next_experiment,
@@ -28,8 +29,12 @@ const SEEN: f64 = 6.0;
 pub struct Answer<'a> {
     /// problem, context, library, noise filter
     pub search: &'a Search<'a>,
-    /// noise
+    /// noise of every row
     pub noise: &'a NoiseModel,
+    /// noise of the rows that are searched
+    pub searched_noise: &'a NoiseModel,
+    /// every row
+    pub all: AllRows<'a>,
     /// models and probabilities
     pub selection: &'a Selection,
     /// verdict
@@ -57,8 +62,9 @@ impl Answer<'_> {
     pub fn outcome(&self, recording: RecordingFacts, not_testable: Vec<(String, String)>) -> Outcome {
         let base = self.selection.base();
         let chosen = self.chosen();
-        let held_before = held_out(self.search, self.noise, base);
-        let held_after = if chosen.effects.is_empty() { None } else { Some(held_out(self.search, self.noise, chosen)) };
+        let held_before = held_out(self.search, self.searched_noise, base, self.all);
+        let held_after =
+            if chosen.effects.is_empty() { None } else { Some(held_out(self.search, self.searched_noise, chosen, self.all)) };
         let after = held_after.as_ref().unwrap_or(&held_before);
         let conflicts = conflicts(self.search, base);
         let findings = self.findings(&held_before, after);
@@ -95,7 +101,7 @@ impl Answer<'_> {
             smallest_visible: self.smallest_visible(),
             next_experiment: self.next(),
             bank: None,
-            recording_issues: doubts(self.search.problem),
+            recording_issues: doubts(self.all.problem),
             seconds: 0.0,
         };
         Outcome { diagnosis, traces, augmented: self.augmented(chosen) }
@@ -165,16 +171,18 @@ impl Answer<'_> {
     fn held_out_without(&self, chosen: &Tried, index: usize) -> Option<f64> {
         let others: Vec<usize> = chosen.effects.iter().enumerate().filter(|(i, _)| *i != index).map(|(_, e)| *e).collect();
         let tried = self.selection.with(&others).filter(|t| !t.effects.is_empty())?;
-        Some(held_out(self.search, self.noise, tried).rmse)
+        Some(held_out(self.search, self.searched_noise, tried, self.all).rmse)
     }
 
     fn traces(&self, base: &Tried, chosen: &Tried, held_before: &HeldOutFit, held_after: &HeldOutFit) -> Traces {
-        let respond = |t: &Tried| self.search.model(&t.effects).respond(&t.fit.z).unwrap_or_default();
+        let library = |t: &Tried| t.effects.iter().map(|e| self.search.library[*e]).collect();
+        let respond =
+            |t: &Tried| Model::new(self.all.problem, self.search.context, library(t)).respond(&t.fit.z).unwrap_or_default();
         let problem = self.search.problem;
         Traces {
             before: respond(base),
             after: respond(chosen),
-            noise_sd: (0..problem.response.len()).map(|row| self.noise.row_sd(row)).collect(),
+            noise_sd: (0..self.all.problem.response.len()).map(|row| self.noise.row_sd(row)).collect(),
             held_out_before: held_before.prediction.clone(),
             held_out_after: held_after.prediction.clone(),
             map_before: map(problem, &base.fit.residual),
@@ -183,7 +191,7 @@ impl Answer<'_> {
     }
 
     fn fit_facts(&self, traces: &Traces, before: &HeldOutFit, after: &HeldOutFit, unit: String) -> FitFacts {
-        let response = self.search.problem.response;
+        let response = self.all.problem.response;
         let rmse = |values: &[f64]| {
             (values.iter().zip(response).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / response.len() as f64).sqrt()
         };

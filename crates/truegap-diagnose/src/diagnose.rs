@@ -10,14 +10,19 @@ use crate::{
     effect::Effect,
     effects::library,
     gate::Gate,
+    held_out::AllRows,
     issues::{DiagnoseError, check},
     noise::{input_noise, noise_model, quiet_inputs},
     problem::Problem,
     search::{Progress, Search},
     select::{Selection, select},
+    thin::thin,
     verdict::decide,
 };
 use std::sync::atomic::AtomicBool;
+
+/// Rows that are searched; longer recordings are searched on means of their quiet rows (see [`crate::thin`]) and predicted row by row.
+const SEARCHED_ROWS: usize = 2500;
 
 /// What a caller may choose.
 #[derive(Clone, Debug, Default)]
@@ -53,23 +58,30 @@ pub fn diagnose(
     let (quiet, load_left, temperature_left) = quiet_inputs(problem.inputs, problem.simulator, &input_noise);
     let problem = &Problem { inputs: &quiet, response: problem.response, simulator: problem.simulator };
     let noise = noise_model(problem, &centre(problem), input_noise, (&load_left, &temperature_left))?;
-    let whitener = noise.whitener(&problem.runs(), None);
     let span = crate::directions::spread(problem.response);
     let context = problem.context(span, noise.floor());
     let everything = library();
     let (testable, not_testable) = part(&everything, &context, options);
-    let search = Search { problem, context: &context, library: testable, whitener: &whitener, progress, stop };
+    let thinned = thin(problem, &noise, SEARCHED_ROWS);
+    let fewer = thinned.as_ref().map(|t| Problem { inputs: &t.inputs, response: &t.response, simulator: problem.simulator });
+    let searched = fewer.as_ref().unwrap_or(problem);
+    let searched_noise = thinned.as_ref().map_or_else(|| noise.clone(), |t| t.noise(&noise));
+    let whitener = searched_noise.whitener(&searched.runs(), None);
+    let search = Search { problem: searched, context: &context, library: testable, whitener: &whitener, progress, stop };
     let base = search.base()?;
     let selection = select(&search, base);
-    let directions = directions(problem.inputs, problem.simulator);
-    let gate = Gate::new(&directions, &whitener, problem.runs());
+    let directions = directions(searched.inputs, searched.simulator);
+    let gate = Gate::new(&directions, &whitener, searched.runs());
     let named = selection.models.iter().position(|m| !m.effects.is_empty()).unwrap_or(selection.base);
     let before = gate.adequacy(&selection.base().fit);
     let after = gate.adequacy(&selection.models[named].fit);
     let decision = decide(&selection, &before, &after);
+    let all = AllRows { problem, first: thinned.as_ref().map(|t| t.first.as_slice()) };
     let answer = Answer {
         search: &search,
         noise: &noise,
+        searched_noise: &searched_noise,
+        all,
         selection: &selection,
         decision: &decision,
         before,

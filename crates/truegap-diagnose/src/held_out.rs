@@ -3,8 +3,8 @@
 //! Limits: free-run prediction, so a slow drift between runs cannot be foreseen and counts as error.
 
 use crate::{
-    fit::{Fit, FitOptions, fit},
-    problem::NoiseModel,
+    fit::{Fit, FitOptions, Model, fit},
+    problem::{NoiseModel, Problem},
     search::{Search, Tried},
 };
 use rayon::prelude::*;
@@ -57,18 +57,23 @@ pub fn parts(runs: &[Range<usize>], numbers: &[u32]) -> (String, Vec<Part>) {
     ("each run left out in turn, predicted without having been seen".into(), parts)
 }
 
-/// Fits `tried` without each part in turn and predicts it.
-pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried) -> HeldOutFit {
-    let runs = search.problem.runs();
-    let (how, parts) = parts(&runs, &search.problem.inputs.run);
-    let predicted: Vec<(usize, Option<Vec<f64>>)> = parts
-        .par_iter()
-        .enumerate()
-        .map(|(i, part)| {
-            (i, without(search, noise, tried, part, &runs).and_then(|f| search.model(&tried.effects).respond(&f.z).ok()))
-        })
-        .collect();
-    let response = search.problem.response;
+/// All rows of a recording, and where the rows that are fitted come from.
+#[derive(Clone, Copy)]
+pub struct AllRows<'a> {
+    /// every row
+    pub problem: &'a Problem<'a>,
+    /// first row that each fitted row is a mean of; absent where every row is fitted
+    pub first: Option<&'a [usize]>,
+}
+
+/// Fits `tried` without each part in turn and predicts every row of it.
+pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> HeldOutFit {
+    let runs = all.problem.runs();
+    let (how, parts) = parts(&runs, &all.problem.inputs.run);
+    let model = Model::new(all.problem, search.context, tried.effects.iter().map(|e| search.library[*e]).collect());
+    let predict = |part: &Part| model.respond(&without(search, noise, tried, part, all.first)?.z).ok();
+    let predicted: Vec<(usize, Option<Vec<f64>>)> = parts.par_iter().enumerate().map(|(i, part)| (i, predict(part))).collect();
+    let response = all.problem.response;
     let mut prediction = vec![f64::NAN; response.len()];
     let (mut errors, mut squares, mut rows) = (Vec::new(), 0.0, 0usize);
     for (index, values) in predicted {
@@ -89,10 +94,11 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried) -> HeldO
 }
 
 /// The fit without one part.
-fn without(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, part: &Part, runs: &[Range<usize>]) -> Option<Fit> {
-    let mut keep = vec![true; search.problem.response.len()];
-    part.rows.iter().cloned().flatten().for_each(|row| keep[row] = false);
-    let whitener = noise.whitener(runs, Some(&keep));
+fn without(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, part: &Part, first: Option<&[usize]>) -> Option<Fit> {
+    let source = |row: usize| first.map_or(row, |f| f[row]);
+    let keep: Vec<bool> =
+        (0..search.problem.response.len()).map(|row| !part.rows.iter().any(|r| r.contains(&source(row)))).collect();
+    let whitener = noise.whitener(&search.problem.runs(), Some(&keep));
     let options = FitOptions { iterations: 6, tolerance: 0.02 };
     fit(&search.model(&tried.effects), &whitener, &tried.fit.z, &options).ok()
 }

@@ -17,6 +17,22 @@ pub struct Thinned {
     pub first: Vec<usize>,
 }
 
+impl Thinned {
+    /// The noise of the means.
+    pub fn noise(&self, noise: &NoiseModel) -> NoiseModel {
+        let extra = |i: usize| {
+            let until = self.first.get(i + 1).copied().unwrap_or(noise.extra_variance.len());
+            let rows = &noise.extra_variance[self.first[i]..until];
+            rows.iter().sum::<f64>() / rows.len() as f64
+        };
+        NoiseModel {
+            extra_variance: (0..self.first.len()).map(extra).collect(),
+            weights: Some(self.weights.clone()),
+            ..noise.clone()
+        }
+    }
+}
+
 /// Merges rows until about `target` are left; `None` where the recording is no longer than that.
 pub fn thin(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> Option<Thinned> {
     let n = problem.response.len();

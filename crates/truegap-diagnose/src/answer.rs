@@ -204,7 +204,7 @@ impl Answer<'_> {
                 how: before.how.clone(),
                 rmse_before: before.rmse,
                 rmse_after: after.rmse,
-                misfit_removed: if named { misfit_removed(before.rmse, after.rmse, floor, response.len()) } else { None },
+                misfit_removed: if named { misfit_removed(before.rmse, after.rmse, floor, self.noise.rows) } else { None },
                 shuffled_control: None,
                 parts,
             },

@@ -69,7 +69,7 @@ pub fn diagnose(
     let whitener = searched_noise.whitener(&searched.runs(), None);
     let search = Search { problem: searched, context: &context, library: testable, whitener: &whitener, progress, stop };
     let base = search.base()?;
-    let selection = select(&search, base);
+    let selection = select(&search, base).merged(|tried| visible(&search, tried));
     let directions = directions(searched.inputs, searched.simulator);
     let gate = Gate::new(&directions, &whitener, searched.runs());
     let named = selection.models.iter().position(|m| !m.effects.is_empty()).unwrap_or(selection.base);
@@ -93,6 +93,15 @@ pub fn diagnose(
     outcome.diagnosis.seconds = started.elapsed().as_secs_f64();
     Ok(outcome)
 }
+
+/// Effects of a model whose contribution stands above the noise.
+fn visible(search: &Search<'_>, tried: &crate::search::Tried) -> Vec<usize> {
+    let seen = |index: &usize| crate::detectability::detectability(search, tried, *index) > VISIBLE;
+    (0..tried.effects.len()).filter(seen).map(|index| tried.effects[index]).collect()
+}
+
+/// Detectability below which an effect of a larger model is not claimed.
+const VISIBLE: f64 = 4.5;
 
 /// The centre of the base model's prior.
 fn centre(problem: &Problem<'_>) -> Vec<f64> {

@@ -165,6 +165,18 @@ impl Fit {
         Cholesky::new(self.hessian.clone())
     }
 
+    /// Whitened residual at the optimum of the linearised objective; the residual itself where the fit has converged.
+    pub fn settled_residual(&self) -> DVector<f64> {
+        let residual = DVector::from_column_slice(&self.residual);
+        let gradient = self.jacobian.tr_mul(&residual) - DVector::from_column_slice(&self.z);
+        let free = |i: usize| if self.at_limit[i] { 0.0 } else { gradient[i] };
+        let gradient = DVector::from_fn(self.z.len(), |i, _| free(i));
+        match self.factor() {
+            Some(factor) => residual - &self.jacobian * factor.solve(&gradient),
+            None => residual,
+        }
+    }
+
     /// Posterior covariance in z.
     pub fn covariance(&self) -> Option<DMatrix<f64>> {
         self.factor().map(|f| f.inverse())
@@ -182,7 +194,7 @@ pub struct FitOptions {
 
 impl Default for FitOptions {
     fn default() -> Self {
-        Self { iterations: 12, tolerance: 1e-2 }
+        Self { iterations: 20, tolerance: 0.05 }
     }
 }
 
@@ -220,7 +232,7 @@ pub fn fit_within(
         z = next;
         residual = next_residual;
         jacobian = model.jacobian(&z, &residual, whitener)?;
-        converged = gain < options.tolerance;
+        converged = gain < options.tolerance && promised(&jacobian, &residual, &z, bounds) < options.tolerance;
     }
     Ok(finish(z, residual, jacobian, bounds, iterations, converged))
 }
@@ -264,6 +276,15 @@ fn best_step(
         *damping = (*damping * 10.0).max(1e-4);
     }
     None
+}
+
+/// What a straight step to the optimum promises to lower the objective by.
+fn promised(jacobian: &DMatrix<f64>, residual: &[f64], z: &[f64], bounds: &[(f64, f64)]) -> f64 {
+    let gram = jacobian.tr_mul(jacobian);
+    let gradient = jacobian.tr_mul(&DVector::from_column_slice(residual)) - DVector::from_column_slice(z);
+    let Some(next) = bounded_step(&gram, &gradient, z, bounds, 0.0) else { return 0.0 };
+    let step = DVector::from_fn(z.len(), |i, _| next[i] - z[i]);
+    step.dot(&gradient) - 0.5 * (step.dot(&(&gram * &step)) + step.norm_squared())
 }
 
 /// Most corrections of a step with one Jacobian.

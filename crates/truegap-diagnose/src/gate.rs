@@ -94,8 +94,9 @@ fn stretches(fit: &Fit, runs: &[Range<usize>]) -> JointTest {
     if cells.len() < 4 {
         return none();
     }
-    let sum = |column: &[f64], cell: &Range<usize>| column[cell.clone()].iter().sum::<f64>();
-    let scores = DVector::from_fn(cells.len(), |i, _| sum(&fit.residual, &cells[i]));
+    let settled = fit.settled_residual();
+    let sum = |cell: &Range<usize>| settled.rows(cell.start, cell.len()).sum();
+    let scores = DVector::from_fn(cells.len(), |i, _| sum(&cells[i]));
     let cross = DMatrix::from_fn(fit.jacobian.ncols(), cells.len(), |p, i| {
         fit.jacobian.column(p).rows(cells[i].start, cells[i].len()).sum()
     });

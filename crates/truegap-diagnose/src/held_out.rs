@@ -106,7 +106,7 @@ fn without(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, part: &Part, 
 /// Share of the reproducible misfit that is removed, `1 - (after^2 - floor^2) / (before^2 - floor^2)`; `None` where nothing is there to remove.
 pub fn misfit_removed(before: f64, after: f64, floor: f64, rows: usize) -> Option<f64> {
     let there = before * before - floor * floor;
-    // the floor's own square is uncertain by floor^2 sqrt(2 / rows)
+    // the floor's own square is uncertain by floor^2 sqrt(2 / rows it was measured on)
     let uncertain = floor * floor * (2.0 / rows.max(1) as f64).sqrt();
-    (there > 2.0 * uncertain).then(|| 1.0 - (after * after - floor * floor) / there)
+    (there > 4.0 * uncertain).then(|| 1.0 - (after * after - floor * floor) / there)
 }

@@ -37,7 +37,7 @@ impl JointTest {
 
 /// Scores along whitened columns `b` (n x k).
 pub fn scores(fit: &Fit, b: &DMatrix<f64>) -> Scores {
-    let residual = DVector::from_column_slice(&fit.residual);
+    let residual = fit.settled_residual();
     let cross = fit.jacobian.tr_mul(b);
     let absorbed = fit.factor().map(|f| f.solve(&cross)).unwrap_or_else(|| DMatrix::zeros(cross.nrows(), cross.ncols()));
     Scores { scores: b.tr_mul(&residual), covariance: b.tr_mul(b) - cross.tr_mul(&absorbed) }

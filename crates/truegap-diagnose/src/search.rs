@@ -76,32 +76,31 @@ impl<'a> Search<'a> {
         Model::new(self.problem, self.context, effects.iter().map(|i| self.library[*i]).collect())
     }
 
-    /// Adds each of `candidates` to `from`, in parallel.
-    pub fn add_each(&self, from: &Tried, candidates: &[usize], step: &'static str) -> Vec<Tried> {
+    /// Adds each of `candidates` to `from`, in parallel; only the `most` that promise most are fitted.
+    pub fn add_each(&self, from: &Tried, candidates: &[usize], most: usize, step: &'static str) -> Vec<Tried> {
+        let open = |c: &&usize| !from.effects.contains(c) && !self.stop.load(Ordering::Relaxed);
+        let mut promising: Vec<(usize, Vec<Start>)> = candidates.par_iter().filter(open).map(|c| (*c, self.promising(from, *c))).collect();
+        promising.retain(|(_, starts)| !starts.is_empty());
+        promising.sort_by(|a, b| b.1[0].gain.total_cmp(&a.1[0].gain));
+        promising.truncate(most);
         let done = std::sync::atomic::AtomicUsize::new(0);
-        let total = candidates.len().max(1) as f64;
-        candidates
-            .par_iter()
-            .filter(|c| !from.effects.contains(c) && !self.stop.load(Ordering::Relaxed))
-            .filter_map(|candidate| {
-                let tried = self.add(from, *candidate);
-                let count = done.fetch_add(1, Ordering::Relaxed) + 1;
-                (self.progress)(Progress { step, what: self.library[*candidate].id().to_string(), done: count as f64 / total });
-                tried
-            })
-            .collect()
+        let total = promising.len().max(1) as f64;
+        let fitted = promising.par_iter().filter(|_| !self.stop.load(Ordering::Relaxed)).filter_map(|(candidate, starts)| {
+            let tried = self.add(from, *candidate, starts);
+            let count = done.fetch_add(1, Ordering::Relaxed) + 1;
+            (self.progress)(Progress { step, what: self.library[*candidate].id().to_string(), done: count as f64 / total });
+            tried
+        });
+        fitted.collect()
     }
 
     /// `from` with one more effect, fitted from its most promising starts; `None` where no start has an answer.
-    pub fn add(&self, from: &Tried, candidate: usize) -> Option<Tried> {
+    fn add(&self, from: &Tried, candidate: usize, starts: &[Start]) -> Option<Tried> {
         let mut effects = from.effects.clone();
         effects.push(candidate);
         let model = self.model(&effects);
-        let mut starts = self.promising(from, &model);
-        starts.truncate(2);
-        if starts.len() == 2 && starts[1].gain < 0.6 * starts[0].gain {
-            starts.truncate(1);
-        }
+        let close = starts.iter().take(2).filter(|s| s.gain >= 0.6 * starts[0].gain);
+        let starts: Vec<&Start> = if starts[0].gain > HOPELESS { close.collect() } else { vec![&starts[0]] };
         let fits = starts.iter().filter_map(|s| self.refine(&model, s, from.fit.z.len()));
         fits.max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence)).map(|fit| Tried { effects, fit })
     }
@@ -118,11 +117,15 @@ impl<'a> Search<'a> {
         } else {
             start.z.clone()
         };
-        fit(model, self.whitener, &z, &FitOptions::default()).ok()
+        let options = if start.gain > HOPELESS { FitOptions::default() } else { FitOptions { iterations: 3, tolerance: 0.5 } };
+        fit(model, self.whitener, &z, &options).ok()
     }
 
-    /// Starting points of the last effect of `model`, most promising first, judged by one straight step from `from`.
-    fn promising(&self, from: &Tried, model: &Model<'_>) -> Vec<Start> {
+    /// Starting points of one more effect, most promising first, judged by one straight step from `from`.
+    fn promising(&self, from: &Tried, candidate: usize) -> Vec<Start> {
+        let mut effects = from.effects.clone();
+        effects.push(candidate);
+        let model = &self.model(&effects);
         let last = model.effects.len() - 1;
         let parameters = &model.parameters[model.range_of(last)];
         let bounds = model.bounds()[model.first_of(last)];
@@ -156,6 +159,9 @@ impl<'a> Search<'a> {
         Some(Start { z, gain: score * step - 0.5 * variance * step * step })
     }
 }
+
+/// Promised gain in log likelihood below which an effect is fitted roughly: it cannot win.
+const HOPELESS: f64 = 1.5;
 
 /// A starting point and what a straight step promises of it.
 struct Start {

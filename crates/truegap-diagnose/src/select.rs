@@ -12,6 +12,10 @@ use std::{collections::BTreeMap, sync::atomic::Ordering};
 const NUMBER_PRIOR: [f64; 4] = [0.5, 0.35, 0.12, 0.03];
 /// Relative error that even the right physics has when written with the wrong equation (sibling forms; see `docs/diagnosis.md`).
 pub const FORM_ERROR: f64 = 0.15;
+/// Partners that are fitted at each step, those that promise most.
+const PARTNERS: usize = 6;
+/// Probability below which a model is not looked at more closely.
+const NEGLIGIBLE: f64 = 1e-4;
 /// Number of independent shapes over which that error spreads.
 const FORM_SHAPES: f64 = 10.0;
 
@@ -45,6 +49,42 @@ impl Selection {
         self.probability[self.base]
     }
 
+    /// Counts each likely model for the model of its visible effects: what cannot be seen in the fit is not claimed.
+    ///
+    /// `visible` names the effects of a model that stand above the noise.
+    #[must_use]
+    pub fn merged(mut self, visible: impl Fn(&Tried) -> Vec<usize>) -> Self {
+        let keys: Vec<Vec<usize>> = self.models.iter().map(Tried::key).collect();
+        for index in 0..self.models.len() {
+            if self.models[index].effects.is_empty() || self.probability[index] < NEGLIGIBLE {
+                continue;
+            }
+            let mut key = visible(&self.models[index]);
+            key.sort_unstable();
+            if key == keys[index] {
+                continue;
+            }
+            let target = keys.iter().position(|k| *k == key).unwrap_or(self.base);
+            self.probability[target] += self.probability[index];
+            self.probability[index] = 0.0;
+        }
+        self.sorted()
+    }
+
+    /// Likeliest first, with the probabilities of the effects added up again.
+    fn sorted(mut self) -> Self {
+        let mut order: Vec<usize> = (0..self.models.len()).collect();
+        order.sort_by(|a, b| self.probability[*b].total_cmp(&self.probability[*a]));
+        self.models = order.iter().map(|i| self.models[*i].clone()).collect();
+        self.probability = order.iter().map(|i| self.probability[*i]).collect();
+        self.base = self.models.iter().position(|m| m.effects.is_empty()).unwrap_or(0);
+        self.effect_probability.fill(0.0);
+        for (model, p) in self.models.iter().zip(&self.probability) {
+            model.effects.iter().for_each(|e| self.effect_probability[*e] += p);
+        }
+        self
+    }
+
     /// The model with exactly these effects.
     pub fn with(&self, effects: &[usize]) -> Option<&Tried> {
         let mut key = effects.to_vec();
@@ -63,7 +103,7 @@ fn log_prior(count: usize, library: usize) -> f64 {
 pub fn select(search: &Search<'_>, base: Tried) -> Selection {
     let all: Vec<usize> = (0..search.library.len()).collect();
     let mut tried: BTreeMap<Vec<usize>, Tried> = BTreeMap::new();
-    let singles = search.add_each(&base, &all, "one effect");
+    let singles = search.add_each(&base, &all, all.len(), "one effect");
     let order = ranked(&singles);
     let gain = order.first().map_or(0.0, |i| singles[*i].fit.log_evidence - base.fit.log_evidence);
     keep(&mut tried, std::iter::once(base).chain(singles.iter().cloned()));
@@ -94,11 +134,11 @@ fn keep(tried: &mut BTreeMap<Vec<usize>, Tried>, models: impl IntoIterator<Item 
 /// The best single with every other effect, then the best partner with every other (a swap), then all pairs of the best six.
 fn pairs(search: &Search<'_>, best: &[&Tried], all: &[usize], tried: &mut BTreeMap<Vec<usize>, Tried>) {
     let Some(first) = best.first() else { return };
-    let forward = search.add_each(first, all, "two effects");
+    let forward = search.add_each(first, all, PARTNERS, "two effects");
     let partner = ranked(&forward).first().map(|i| forward[*i].effects[1]);
     keep(tried, forward);
     if let Some(alone) = partner.and_then(|p| tried.get(&vec![p]).cloned()) {
-        keep(tried, search.add_each(&alone, all, "two effects, swapped"));
+        keep(tried, search.add_each(&alone, all, PARTNERS, "two effects, swapped"));
     }
     for (index, one) in best.iter().enumerate().skip(1) {
         let others: Vec<usize> = best[index + 1..]
@@ -106,7 +146,7 @@ fn pairs(search: &Search<'_>, best: &[&Tried], all: &[usize], tried: &mut BTreeM
             .map(|o| o.effects[0])
             .filter(|o| !tried.contains_key(&sorted(&[one.effects[0], *o])))
             .collect();
-        keep(tried, search.add_each(one, &others, "pairs of the best"));
+        keep(tried, search.add_each(one, &others, PARTNERS, "pairs of the best"));
     }
 }
 
@@ -119,7 +159,7 @@ fn triples(search: &Search<'_>, all: &[usize], tried: &mut BTreeMap<Vec<usize>, 
     let temper = temper(tried.get(&Vec::new()).map_or(0.0, |b| b.fit.chi2) - pair.fit.chi2);
     if (pair.fit.log_evidence - single.fit.log_evidence) / temper > 3.0 && !search.stop.load(Ordering::Relaxed) {
         let pair = pair.clone();
-        keep(tried, search.add_each(&pair, all, "three effects"));
+        keep(tried, search.add_each(&pair, all, PARTNERS, "three effects"));
     }
 }
 

@@ -14,7 +14,7 @@ use crate::{
     issues::{DiagnoseError, check},
     noise::{input_noise, noise_model, quiet_inputs},
     problem::Problem,
-    search::{Progress, Search},
+    search::{LOOSE, Progress, Search},
     select::{Selection, select},
     thin::thin,
     verdict::decide,
@@ -67,7 +67,8 @@ pub fn diagnose(
     let searched = fewer.as_ref().unwrap_or(problem);
     let searched_noise = thinned.as_ref().map_or_else(|| noise.clone(), |t| t.noise(&noise));
     let whitener = searched_noise.whitener(&searched.runs(), None);
-    let search = Search { problem: searched, context: &context, library: testable, whitener: &whitener, progress, stop };
+    let loose = searched_noise.scaled(LOOSE).whitener(&searched.runs(), None);
+    let search = Search { problem: searched, context: &context, library: testable, whitener: &whitener, loose: &loose, progress, stop };
     let base = search.base()?;
     let selection = select(&search, base).merged(|tried| visible(&search, tried));
     let directions = directions(searched.inputs, searched.simulator);

@@ -9,7 +9,7 @@ mod rest;
 
 use crate::problem::{InputNoise, NoiseModel, Problem};
 pub use input::scatter;
-use likelihood::{Block, estimate};
+use likelihood::{Block, estimate, without_outliers};
 use truegap_core::{Inputs, SimulationError, Simulator};
 
 /// Fewest rows at rest that a noise model may rest on.
@@ -66,7 +66,7 @@ pub fn noise_model(
 
 /// Stretches to take the noise from, whether they are apart from the mismatch, and a sentence about them.
 fn blocks(problem: &Problem<'_>, load: Option<&[f64]>, inputs: &InputNoise) -> (Vec<Block>, bool, String) {
-    let mut rest = rest::at_rest(problem.inputs, load, inputs);
+    let mut rest = without_outliers(problem.response, rest::at_rest(problem.inputs, load, inputs));
     thin(&mut rest);
     let rows: usize = rest.iter().map(|b| b.rows.len()).sum();
     if rows >= ENOUGH {

@@ -113,6 +113,14 @@ impl NoiseModel {
         Whitener::new(&self.response, &self.extra_variance, self.weights.as_deref(), runs, keep)
     }
 
+    /// The same noise, `factor` times larger.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let response = Noise { white_sd: self.response.white_sd * factor, ar_sd: self.response.ar_sd * factor, ..self.response };
+        let extra_variance = self.extra_variance.iter().map(|v| v * factor * factor).collect();
+        Self { response, extra_variance, ..self.clone() }
+    }
+
     /// Standard deviation of one row.
     pub fn row_sd(&self, row: usize) -> f64 {
         (self.response.white_sd.powi(2) + self.response.ar_sd.powi(2) + self.extra_variance[row]).sqrt()

@@ -54,6 +54,8 @@ pub struct Search<'a> {
     pub library: Vec<&'a dyn Effect>,
     /// noise
     pub whitener: &'a Whitener,
+    /// the same noise, many times larger: a fit to it stays near what is known beforehand
+    pub loose: &'a Whitener,
     /// told what is tried
     pub progress: &'a (dyn Fn(Progress) + Sync),
     /// set from outside to end early with what is known
@@ -79,14 +81,16 @@ impl<'a> Search<'a> {
     /// Adds each of `candidates` to `from`, in parallel; only the `most` that promise most are fitted.
     pub fn add_each(&self, from: &Tried, candidates: &[usize], most: usize, step: &'static str) -> Vec<Tried> {
         let open = |c: &&usize| !from.effects.contains(c) && !self.stop.load(Ordering::Relaxed);
-        let mut promising: Vec<(usize, Vec<Start>)> = candidates.par_iter().filter(open).map(|c| (*c, self.promising(from, *c))).collect();
+        let loosened = self.loosened(from);
+        let launch = loosened.as_ref().map_or(Launch { from, whitener: self.whitener }, |l| Launch { from: l, whitener: self.loose });
+        let mut promising: Vec<(usize, Vec<Start>)> = candidates.par_iter().filter(open).map(|c| (*c, self.promising(launch, *c))).collect();
         promising.retain(|(_, starts)| !starts.is_empty());
         promising.sort_by(|a, b| b.1[0].gain.total_cmp(&a.1[0].gain));
         promising.truncate(most);
         let done = std::sync::atomic::AtomicUsize::new(0);
         let total = promising.len().max(1) as f64;
         let fitted = promising.par_iter().filter(|_| !self.stop.load(Ordering::Relaxed)).filter_map(|(candidate, starts)| {
-            let tried = self.add(from, *candidate, starts);
+            let tried = self.add(launch, *candidate, starts);
             let count = done.fetch_add(1, Ordering::Relaxed) + 1;
             (self.progress)(Progress { step, what: self.library[*candidate].id().to_string(), done: count as f64 / total });
             tried
@@ -95,35 +99,51 @@ impl<'a> Search<'a> {
     }
 
     /// `from` with one more effect, fitted from its most promising starts; `None` where no start has an answer.
-    fn add(&self, from: &Tried, candidate: usize, starts: &[Start]) -> Option<Tried> {
-        let mut effects = from.effects.clone();
+    fn add(&self, launch: Launch<'_>, candidate: usize, starts: &[Start]) -> Option<Tried> {
+        let mut effects = launch.from.effects.clone();
         effects.push(candidate);
         let model = self.model(&effects);
         let close = starts.iter().take(2).filter(|s| s.gain >= 0.6 * starts[0].gain);
         let starts: Vec<&Start> = if starts[0].gain > HOPELESS { close.collect() } else { vec![&starts[0]] };
-        let fits = starts.iter().filter_map(|s| self.refine(&model, s, from.fit.z.len()));
+        let fits = starts.iter().filter_map(|s| self.refine(&model, s, launch));
         fits.max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence)).map(|fit| Tried { effects, fit })
     }
 
+    /// Where calibration has driven the parameters of `from` far from what is known of them, hiding physics that is missing: its fit to
+    /// larger noise, which stays near; more physics is better looked for from there.
+    fn loosened(&self, from: &Tried) -> Option<Tried> {
+        let model = self.model(&from.effects);
+        let base = model.base_count();
+        if from.fit.z[..base].iter().all(|z| z.abs() < DRIVEN_FAR) {
+            return None;
+        }
+        let mut start = from.fit.z.clone();
+        start[..base].fill(0.0);
+        fit(&model, self.loose, &start, &FitOptions::default()).ok().map(|fit| Tried { effects: from.effects.clone(), fit })
+    }
+
     /// Refits with everything free, after a first fit that holds the shape of the new effect.
-    fn refine(&self, model: &Model<'_>, start: &Start, before: usize) -> Option<Fit> {
+    fn refine(&self, model: &Model<'_>, start: &Start, launch: Launch<'_>) -> Option<Fit> {
+        let before = launch.from.fit.z.len();
         let mut bounds = model.bounds();
         for (bound, z) in bounds.iter_mut().zip(&start.z).skip(before + 1) {
             *bound = (*z, *z);
         }
         let held = FitOptions { iterations: 3, tolerance: 1.0 };
-        let z = if start.z.len() > before + 1 {
-            fit_within(model, self.whitener, &start.z, &bounds, &held).ok()?.z
-        } else {
-            start.z.clone()
-        };
+        let mut z = start.z.clone();
+        if z.len() > before + 1 {
+            z = fit_within(model, launch.whitener, &z, &bounds, &held).ok()?.z;
+        }
+        if !std::ptr::eq(launch.whitener, self.whitener) {
+            z = fit(model, launch.whitener, &z, &FitOptions { iterations: 8, tolerance: 0.5 }).ok()?.z;
+        }
         let options = if start.gain > HOPELESS { FitOptions::default() } else { FitOptions { iterations: 3, tolerance: 0.5 } };
         fit(model, self.whitener, &z, &options).ok()
     }
 
     /// Starting points of one more effect, most promising first, judged by one straight step from `from`.
-    fn promising(&self, from: &Tried, candidate: usize) -> Vec<Start> {
-        let mut effects = from.effects.clone();
+    fn promising(&self, launch: Launch<'_>, candidate: usize) -> Vec<Start> {
+        let mut effects = launch.from.effects.clone();
         effects.push(candidate);
         let model = &self.model(&effects);
         let last = model.effects.len() - 1;
@@ -134,7 +154,7 @@ impl<'a> Search<'a> {
             let z_shape: Vec<f64> = parameters.iter().skip(1).zip(&shape).map(|(p, v)| p.prior.z(*v)).collect();
             for trial in [0.01, 0.5, -0.5] {
                 if (bounds.0..=bounds.1).contains(&trial) {
-                    starts.extend(self.straight_step(from, model, trial, &z_shape, bounds));
+                    starts.extend(self.straight_step(launch, model, trial, &z_shape, bounds));
                 }
             }
         }
@@ -143,13 +163,14 @@ impl<'a> Search<'a> {
     }
 
     /// Size that a straight line through size 0 and `trial` promises, and its gain in log likelihood.
-    fn straight_step(&self, from: &Tried, model: &Model<'_>, trial: f64, shape: &[f64], bounds: (f64, f64)) -> Option<Start> {
+    fn straight_step(&self, launch: Launch<'_>, model: &Model<'_>, trial: f64, shape: &[f64], bounds: (f64, f64)) -> Option<Start> {
+        let from = launch.from;
         let zero = zero_size(model, model.effects.len() - 1);
         let size = if trial > 0.0 { (zero + trial).min(bounds.1) } else { (zero + trial).max(bounds.0) };
         let mut z = from.fit.z.clone();
         z.push(size);
         z.extend_from_slice(shape);
-        let there = model.residual(&z, self.whitener).ok()?;
+        let there = model.residual(&z, launch.whitener).ok()?;
         let column: Vec<f64> = from.fit.residual.iter().zip(&there).map(|(a, b)| (a - b) / (size - zero)).collect();
         let found = scores(&from.fit, &DMatrix::from_column_slice(column.len(), 1, &column));
         let (score, variance) = (found.scores[0], found.covariance[(0, 0)]);
@@ -162,6 +183,18 @@ impl<'a> Search<'a> {
 
 /// Promised gain in log likelihood below which an effect is fitted roughly: it cannot win.
 const HOPELESS: f64 = 1.5;
+
+/// Prior standard deviations beyond which a parameter counts as driven far.
+const DRIVEN_FAR: f64 = 4.0;
+/// Factor on the noise of a loose fit.
+pub const LOOSE: f64 = 30.0;
+
+/// A fitted model to start from, and the noise under which it was fitted.
+#[derive(Clone, Copy)]
+struct Launch<'a> {
+    from: &'a Tried,
+    whitener: &'a Whitener,
+}
 
 /// A starting point and what a straight step promises of it.
 struct Start {

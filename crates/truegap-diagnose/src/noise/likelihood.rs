@@ -64,6 +64,24 @@ impl Sums {
     }
 }
 
+/// Blocks whose scatter is not far above that of the others: a jump or a burst inside a stretch at rest is no noise.
+pub fn without_outliers(response: &[f64], blocks: Vec<Block>) -> Vec<Block> {
+    let scatter = |block: &Block| {
+        let sums = sums(response, std::slice::from_ref(block), 0.0, 0.0);
+        sums.squares / sums.freedom.max(1.0)
+    };
+    let all: Vec<f64> = blocks.iter().map(scatter).collect();
+    let mut sorted = all.clone();
+    sorted.sort_by(f64::total_cmp);
+    let Some(median) = sorted.get(sorted.len() / 2).copied().filter(|_| sorted.len() >= FEWEST_BLOCKS) else { return blocks };
+    blocks.into_iter().zip(all).filter(|(_, scatter)| *scatter <= OUTLYING * median).map(|(block, _)| block).collect()
+}
+
+/// Fewest stretches among which one can be told to stand out.
+const FEWEST_BLOCKS: usize = 5;
+/// Factor on the median variance above which a stretch is left out: 4 standard deviations for the shortest stretch.
+const OUTLYING: f64 = 1.9;
+
 /// Noise of `response` in these blocks.
 pub fn estimate(response: &[f64], blocks: &[Block]) -> Noise {
     let ordered = blocks.iter().any(|b| b.ordered);

@@ -342,6 +342,9 @@ impl Answer<'_> {
                 "something real is missing that nothing in the library explains (the likeliest effect removes {:.0} % of the misfit){line}",
                 100.0 * self.decision.removed
             ),
+            Verdict::Undecided if self.search.stop.load(std::sync::atomic::Ordering::Relaxed) => {
+                "stopped before the search was finished: causes are not decided".into()
+            }
             Verdict::Undecided => "there is a mismatch, but its cause cannot be decided from this recording".into(),
         }
     }

@@ -2,6 +2,7 @@
 //!
 //! Limits: refits by regime are one straight step from the common fit.
 
+use crate::context::load_column;
 use crate::{diagnosis::Conflict, fit::Fit, search::Search, search::Tried};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
@@ -88,7 +89,7 @@ fn regimes(search: &Search<'_>) -> Vec<Regime> {
         let middle = 0.5 * (low + high);
         list.push(Regime { first, second, in_second: column.iter().map(|v| *v > middle).collect() });
     };
-    if let Some(load) = search.problem.simulator.load(inputs) {
+    if let Some(load) = load_column(inputs, search.problem.simulator) {
         halves("at small loads", "at large loads", &load);
         let rising: Vec<f64> = (0..n).map(|i| if i > 0 && load[i] > load[i - 1] { 1.0 } else { 0.0 }).collect();
         halves("while unloading or at rest", "while loading", &rising);

@@ -107,7 +107,11 @@ impl<'a> Context<'a> {
     }
 }
 
-/// Recorded load over the full load of `simulator`: force, pressure, or closing of the gap.
+/// What drives the sensor, as a share of its greatest value: load over full load, or the closing of the gap where the gap is given.
 pub fn load_column(inputs: &Inputs, simulator: &dyn Simulator) -> Option<Vec<f64>> {
-    simulator.load(inputs)
+    simulator.load(inputs).or_else(|| {
+        let gap = inputs.gap_m.as_ref()?;
+        let widest = gap.iter().copied().fold(0.0, f64::max);
+        Some(gap.iter().map(|g| 1.0 - g / widest).collect())
+    })
 }

@@ -17,9 +17,9 @@ use crate::{
     search::{LOOSE, Progress, Search},
     select::{Selection, select},
     thin::thin,
-    verdict::decide,
+    verdict::{decide, interrupted},
 };
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Rows that are searched; longer recordings are searched on means of their quiet rows (see [`crate::thin`]) and predicted row by row.
 const SEARCHED_ROWS: usize = 2500;
@@ -68,7 +68,8 @@ pub fn diagnose(
     let searched_noise = thinned.as_ref().map_or_else(|| noise.clone(), |t| t.noise(&noise));
     let whitener = searched_noise.whitener(&searched.runs(), None);
     let loose = searched_noise.scaled(LOOSE).whitener(&searched.runs(), None);
-    let search = Search { problem: searched, context: &context, library: testable, whitener: &whitener, loose: &loose, progress, stop };
+    let search =
+        Search { problem: searched, context: &context, library: testable, whitener: &whitener, loose: &loose, progress, stop };
     let base = search.base()?;
     let selection = select(&search, base).merged(|tried| visible(&search, tried));
     let directions = directions(searched.inputs, searched.simulator);
@@ -76,7 +77,7 @@ pub fn diagnose(
     let named = selection.models.iter().position(|m| !m.effects.is_empty()).unwrap_or(selection.base);
     let before = gate.adequacy(&selection.base().fit);
     let after = gate.adequacy(&selection.models[named].fit);
-    let decision = decide(&selection, &before, &after);
+    let decision = if stop.load(Ordering::Relaxed) { interrupted(&selection) } else { decide(&selection, &before, &after) };
     let all = AllRows { problem, first: thinned.as_ref().map(|t| t.first.as_slice()) };
     let answer = Answer {
         search: &search,

@@ -261,7 +261,7 @@ pub struct SmallestVisible {
     pub parameter: String,
     /// unit of the size
     pub unit: String,
-    /// size at detectability 5
+    /// size at detectability 6
     pub size: f64,
 }
 

@@ -2,6 +2,7 @@
 //!
 //! Limits: smooth in the inputs, so that they see any library effect but fit none of them exactly.
 
+use crate::context::load_column;
 use crate::memory::{first_order_lag, play, running_maximum};
 use truegap_core::{Inputs, Simulator};
 
@@ -81,7 +82,7 @@ pub struct Direction {
 /// All directions that these inputs excite.
 pub fn directions(inputs: &Inputs, simulator: &dyn Simulator) -> Vec<Direction> {
     let mut list = Vec::new();
-    let load = simulator.load(inputs).filter(|l| spread(l) > 1e-3);
+    let load = load_column(inputs, simulator).filter(|l| spread(l) > 1e-3);
     let warm = inputs.temperature_c.as_ref().filter(|t| spread(t) > 0.3).map(|t| unit(t));
     if let Some(load) = &load {
         mechanical(inputs, &unit(load), &mut list);

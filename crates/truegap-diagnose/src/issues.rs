@@ -2,6 +2,7 @@
 //!
 //! Limits: looks at one column at a time.
 
+use crate::context::load_column;
 use crate::problem::Problem;
 use truegap_core::Inputs;
 
@@ -95,7 +96,7 @@ fn clipped(response: &[f64]) -> Option<String> {
 }
 
 fn constant_inputs(inputs: &Inputs, problem: &Problem<'_>) -> Option<String> {
-    let load = problem.simulator.load(inputs).is_some_and(|l| crate::directions::spread(&l) > 1e-3);
+    let load = load_column(inputs, problem.simulator).is_some_and(|l| crate::directions::spread(&l) > 1e-3);
     let temperature = inputs.temperature_c.as_ref().is_some_and(|t| crate::directions::spread(t) > 0.3);
     (!load && !temperature).then(|| "no input changes: only noise, drift and steps can show".to_owned())
 }

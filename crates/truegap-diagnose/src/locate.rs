@@ -2,6 +2,7 @@
 //!
 //! Limits: what calibration absorbs is not located here but by [`crate::conflicts`].
 
+use crate::context::load_column;
 use crate::{
     diagnosis::{Map, Mismatch},
     directions::{Direction, Driver},
@@ -50,6 +51,7 @@ fn label(problem: &Problem<'_>, driver: Driver) -> &'static str {
     match driver.column() {
         "load" if problem.inputs.force_n.is_some() => "a force in N",
         "load" if problem.inputs.pressure_pa.is_some() => "a pressure in Pa",
+        "load" if problem.inputs.gap_m.is_some() => "a gap in m",
         "load" => "a share of the full load",
         "temperature_c" => "temperatures in degC",
         "time_s" => "times in s",
@@ -67,7 +69,7 @@ fn driver_column(problem: &Problem<'_>, driver: Driver) -> Vec<f64> {
             .force_n
             .clone()
             .or_else(|| inputs.pressure_pa.clone())
-            .or_else(|| problem.simulator.load(inputs))
+            .or_else(|| load_column(inputs, problem.simulator))
             .unwrap_or_default(),
         "temperature_c" => or_empty(&inputs.temperature_c),
         "time_s" => or_empty(&inputs.time_s),

@@ -7,6 +7,7 @@ mod input;
 mod likelihood;
 mod rest;
 
+use crate::context::load_column;
 use crate::problem::{InputNoise, NoiseModel, Problem};
 pub use input::scatter;
 use likelihood::{Block, estimate, without_outliers};
@@ -55,7 +56,7 @@ pub fn noise_model(
     inputs: InputNoise,
     left: (&[f64], &[f64]),
 ) -> Result<NoiseModel, SimulationError> {
-    let load = problem.simulator.load(problem.inputs);
+    let load = load_column(problem.inputs, problem.simulator);
     let extra_variance = problem.input_variance(base, &inputs, left)?;
     let (blocks, measured, says) = blocks(problem, load.as_deref(), &inputs);
     let rows = blocks.iter().map(|b| b.rows.len()).sum();

@@ -82,8 +82,10 @@ impl<'a> Search<'a> {
     pub fn add_each(&self, from: &Tried, candidates: &[usize], most: usize, step: &'static str) -> Vec<Tried> {
         let open = |c: &&usize| !from.effects.contains(c) && !self.stop.load(Ordering::Relaxed);
         let loosened = self.loosened(from);
-        let launch = loosened.as_ref().map_or(Launch { from, whitener: self.whitener }, |l| Launch { from: l, whitener: self.loose });
-        let mut promising: Vec<(usize, Vec<Start>)> = candidates.par_iter().filter(open).map(|c| (*c, self.promising(launch, *c))).collect();
+        let launch =
+            loosened.as_ref().map_or(Launch { from, whitener: self.whitener }, |l| Launch { from: l, whitener: self.loose });
+        let mut promising: Vec<(usize, Vec<Start>)> =
+            candidates.par_iter().filter(open).map(|c| (*c, self.promising(launch, *c))).collect();
         promising.retain(|(_, starts)| !starts.is_empty());
         promising.sort_by(|a, b| b.1[0].gain.total_cmp(&a.1[0].gain));
         promising.truncate(most);
@@ -163,7 +165,14 @@ impl<'a> Search<'a> {
     }
 
     /// Size that a straight line through size 0 and `trial` promises, and its gain in log likelihood.
-    fn straight_step(&self, launch: Launch<'_>, model: &Model<'_>, trial: f64, shape: &[f64], bounds: (f64, f64)) -> Option<Start> {
+    fn straight_step(
+        &self,
+        launch: Launch<'_>,
+        model: &Model<'_>,
+        trial: f64,
+        shape: &[f64],
+        bounds: (f64, f64),
+    ) -> Option<Start> {
         let from = launch.from;
         let zero = zero_size(model, model.effects.len() - 1);
         let size = if trial > 0.0 { (zero + trial).min(bounds.1) } else { (zero + trial).max(bounds.0) };

@@ -2,6 +2,7 @@
 //!
 //! Limits: rows next to a change of load, temperature or pace are kept one by one; the share of information kept is measured, not assumed.
 
+use crate::context::load_column;
 use crate::problem::{NoiseModel, Problem};
 use truegap_core::Inputs;
 
@@ -67,7 +68,7 @@ pub fn thin(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> Option<
 fn groups(problem: &Problem<'_>, noise: &NoiseModel, most: usize) -> Vec<std::ops::Range<usize>> {
     let inputs = problem.inputs;
     let steps = inputs.steps_s();
-    let load = problem.simulator.load(inputs);
+    let load = load_column(inputs, problem.simulator);
     let mut columns: Vec<(&[f64], f64)> = Vec::new();
     if let Some(load) = load.as_deref() {
         columns.push((load, (4.0 * noise.inputs.load).max(2e-3)));

@@ -58,6 +58,11 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy) -> Dec
     Decision { verdict, model, sets, removed }
 }
 
+/// What may be said when the search was stopped: that it was not finished, and nothing of causes.
+pub fn interrupted(selection: &Selection) -> Decision {
+    Decision { verdict: Verdict::Undecided, model: selection.base, sets: Vec::new(), removed: 0.0 }
+}
+
 /// Share of the excess of the smooth and stretch tests that is gone.
 fn removed(before: &Adequacy, after: &Adequacy) -> f64 {
     let excess = |a: &Adequacy| a.smooth.excess().max(a.stretches.excess());

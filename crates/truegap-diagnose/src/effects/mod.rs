@@ -24,6 +24,7 @@ mod readout_lag;
 mod saturation;
 mod scale;
 mod strain_stiffening;
+mod temperature_coefficient;
 mod thermal_hysteresis;
 mod thermal_lag;
 mod time_offset;
@@ -53,6 +54,7 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(fringing_field::FringingField),
         Box::new(parasitic_capacitance::ParasiticCapacitance),
         Box::new(gain_drift::GainDrift),
+        Box::new(temperature_coefficient::TemperatureCoefficient),
         Box::new(saturation::Saturation),
         Box::new(readout_lag::ReadoutLag),
         Box::new(offset_drift::OffsetDrift),

@@ -1,0 +1,82 @@
+//! A reading that should not move moves with temperature, by a mechanism that the base model has no place for.
+
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+};
+use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
+
+/// Straight temperature coefficient of the reading, at the sensor's own (possibly lagging) temperature.
+pub struct TemperatureCoefficient;
+
+struct Slope {
+    per_k: f64,
+}
+
+impl Stage for Slope {
+    fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
+        for (value, t) in value.iter_mut().zip(drive.temperature_c) {
+            *value += self.per_k * (t - drive.reference_c);
+        }
+    }
+}
+
+/// Sibling: an exponential law with the same slope at the reference and a doubling over 300 K.
+struct Exponential {
+    per_k: f64,
+}
+
+impl Stage for Exponential {
+    fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
+        const SCALE_K: f64 = 433.0;
+        for (value, t) in value.iter_mut().zip(drive.temperature_c) {
+            *value += self.per_k * SCALE_K * ((t - drive.reference_c) / SCALE_K).exp_m1();
+        }
+    }
+}
+
+impl Effect for TemperatureCoefficient {
+    fn id(&self) -> EffectId {
+        EffectId("temperature_coefficient")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Readout
+    }
+    fn family(&self) -> Family {
+        Family::Thermal
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "the reading moves with temperature, by a mechanism for which the base model has no place",
+            equation: "value = true + k (T_s - T0), T_s the temperature behind the thermal path",
+            excitation: "a temperature that changes by some kelvin",
+            impostors: &["offset_drift", "thermal_lag", "humidity_uptake"],
+            separates: "comes back with the temperature; with a thermal lag it comes back late",
+            source: "definition of a temperature coefficient, IEC 60359",
+        }
+    }
+    fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
+        let scale = context.response_span / context.temperature_span().max(1.0);
+        let unit = format!("{}/K", context.simulator.unit());
+        vec![Parameter::normal("per_kelvin", &unit, 0.0, scale, "change of the reading per kelvin")]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Readout)?;
+        if context.has(StageName::Dielectric).is_ok() {
+            return Err("the base model has places for temperature of its own (permittivity, warp, modulus)".into());
+        }
+        context.needs_temperature(2.0)
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(Slope { per_k: values[0] })
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Exponential { per_k: values[0] }))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        format!(
+            "the reading moves by {:.4} {} (sd {:.4}) with temperature",
+            fitted[0].value, fitted[0].parameter.unit, fitted[0].sd
+        )
+    }
+}

@@ -1,5 +1,7 @@
 //! Each effect against a closed form of its equation, on an input that allows one.
 
+#![allow(clippy::unwrap_used)]
+
 mod common;
 
 use approx::assert_abs_diff_eq;

@@ -1,5 +1,7 @@
 //! What every effect of the library must keep, whatever its equation.
 
+#![allow(clippy::unwrap_used)]
+
 mod common;
 
 use common::{Plate, flat, recording};

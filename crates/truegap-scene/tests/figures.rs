@@ -1,5 +1,7 @@
 //! Figures as a reader of the SVG text sees them.
 
+#![allow(clippy::unwrap_used)]
+
 use truegap_scene::figure::{Bars, Figure, FigureError, HeatMap, Matrix, Stack};
 
 /// Names of the elements in document order; fails on a tag that is not closed in turn or on a bare ampersand.

@@ -1,5 +1,7 @@
 //! GLB files read back by the `gltf` crate, an implementation of the format that is not the writer's.
 
+#![allow(clippy::unwrap_used)]
+
 use serde_json::Value;
 use truegap_scene::colour::{ColourMap, Rgb};
 use truegap_scene::glb::{Field, Provenance, Scene, SceneError, suggested_exaggeration};

@@ -1,5 +1,7 @@
 //! Turned solids against the volumes, areas and normals that geometry gives.
 
+#![allow(clippy::unwrap_used)]
+
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 use truegap_scene::colour::Rgb;

@@ -1,5 +1,7 @@
 //! The viewer page as text: whole, self-contained, with the very file in it.
 
+#![allow(clippy::unwrap_used)]
+
 use base64::Engine;
 use truegap_scene::page::Page;
 use truegap_scene::viewer::Viewer;

@@ -1,5 +1,7 @@
 //! VTU files read back by a reader written from the format's description, not from the writer.
 
+#![allow(clippy::unwrap_used)]
+
 use base64::Engine;
 use truegap_scene::vtu::{Cells, Data, Grid, VtuError};
 

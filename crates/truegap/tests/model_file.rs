@@ -1,5 +1,7 @@
 //! A model file says the same as the parts it was made of, and what is wrong with it is named.
 
+#![allow(clippy::unwrap_used)]
+
 use std::path::Path;
 use truegap::core::{Inputs, Simulator, sensor::builtin_sensors};
 use truegap::diagnose::augmented::{AddedEffect, NamedValue, Scales};

@@ -1,5 +1,7 @@
 //! What a reader of a report must find in it, and what must not be there.
 
+#![allow(clippy::unwrap_used)]
+
 #[path = "report/fixture.rs"]
 mod fixture;
 

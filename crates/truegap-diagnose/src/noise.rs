@@ -80,7 +80,7 @@ fn blocks(problem: &Problem<'_>, load: Option<&[f64]>, inputs: &InputNoise) -> (
         let says = format!("from {repeated} rows measured again at the same inputs");
         return (replicates, true, says);
     }
-    let mut short = rest::short_stretches(problem.inputs);
+    let mut short = without_outliers(problem.response, rest::short_stretches(problem.inputs));
     thin(&mut short);
     let rows: usize = short.iter().map(|b| b.rows.len()).sum();
     (short, false, format!("no rest record: from the scatter of {rows} rows within short stretches; slow noise would go unseen"))

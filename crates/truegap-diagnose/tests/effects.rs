@@ -8,9 +8,10 @@ use common::{Plate, flat, recording};
 use truegap_core::{Dielectric, Drive, FieldView, Inputs, Readout, Simulator, Stage, simulator::StageName};
 use truegap_diagnose::{Context, Effect, library};
 
-/// Base model that an effect is tried on: without warp where the effect is the warp.
+/// Base model that an effect is tried on: without warp where the effect is the warp, without a dielectric where it stands in for one.
 fn plate_for(effect: &dyn Effect) -> Plate {
-    Plate::new(Some(effect.id().0 != "electrode_warp"))
+    let plate = Plate::new(Some(effect.id().0 != "electrode_warp"));
+    if effect.id().0 == "temperature_coefficient" { plate.without_dielectric() } else { plate }
 }
 
 /// Parameters with the size at `deviations` of its prior, one list per starting point.
@@ -36,10 +37,12 @@ fn for_each(check: impl Fn(&dyn Effect, &Context<'_>, &Plate)) {
 #[test]
 fn the_library_holds_every_id_of_the_contract_once() {
     let mut ids: Vec<&str> = library().iter().map(|effect| effect.id().0).collect();
-    assert_eq!(ids.len(), 24);
+    // 24 of the contract, and `temperature_coefficient` for base models that have no place for temperature
+    assert_eq!(ids.len(), 25);
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 24);
+    assert_eq!(ids.len(), 25);
+    assert!(ids.contains(&"temperature_coefficient"));
     for effect in library() {
         for impostor in effect.about().impostors {
             assert!(ids.contains(impostor) && *impostor != effect.id().0, "{} names {impostor}", effect.id());
@@ -58,6 +61,15 @@ fn every_effect_is_testable_where_everything_moves_and_none_where_nothing_was_re
         let expected = effect.id().0 == "parasitic_capacitance";
         assert_eq!(effect.testable(&facts).is_ok(), expected, "{}", effect.id());
     }
+}
+
+#[test]
+fn a_bare_temperature_coefficient_is_only_tried_where_temperature_has_no_other_place() {
+    let inputs = recording();
+    let plate = Plate::new(Some(true));
+    let facts = Context::new(&inputs, &plate, 2.0, 0.004);
+    let effect = library().into_iter().find(|e| e.id().0 == "temperature_coefficient").unwrap();
+    assert!(effect.testable(&facts).is_err());
 }
 
 #[test]

@@ -13,6 +13,7 @@ use truegap_core::{
 /// Plates on a nonlinear dielectric, with a shield on an insulator and a bimetal electrode.
 pub struct Plate {
     warps: Option<bool>,
+    no_dielectric: bool,
     parameters: Vec<Parameter>,
 }
 
@@ -22,7 +23,13 @@ impl Plate {
             Parameter::normal("gain", "pF", 10.0, 1.0, "capacitance of the unloaded plates"),
             Parameter::log_normal("modulus", "full loads", 6.0, 0.3, "load that would close the gap"),
         ];
-        Self { warps, parameters }
+        Self { warps, no_dielectric: false, parameters }
+    }
+
+    /// The same plate as a base model that has no place for permittivity.
+    #[allow(dead_code)]
+    pub fn without_dielectric(self) -> Self {
+        Self { no_dielectric: true, ..self }
     }
 
     pub fn centre(&self) -> Vec<f64> {
@@ -62,8 +69,8 @@ impl Simulator for Plate {
     fn needs(&self) -> &[Role] {
         &[Role::Force]
     }
-    fn lacks(&self, _: StageName) -> Option<&'static str> {
-        None
+    fn lacks(&self, stage: StageName) -> Option<&'static str> {
+        (self.no_dielectric && stage == StageName::Dielectric).then_some("this plate has no dielectric of its own")
     }
     fn full_load(&self) -> Option<f64> {
         Some(4.5)

@@ -3,8 +3,10 @@
 //! Limits: refits by regime are one straight step from the common fit.
 
 use crate::context::load_column;
+use crate::number::{significant, two, uncapitalised};
 use crate::{diagnosis::Conflict, fit::Fit, search::Search, search::Tried};
 use nalgebra::{Cholesky, DMatrix, DVector};
+use truegap_core::Parameter;
 
 /// Prior standard deviations beyond which a parameter contradicts what is known of it.
 const AGAINST_PRIOR: f64 = 3.5;
@@ -23,29 +25,21 @@ fn against_prior(search: &Search<'_>, base: &Tried) -> Vec<Conflict> {
     let values = model.values(&base.fit.z);
     let parameters = model.parameters.iter().zip(&base.fit.z).zip(values).take(model.base_count());
     let conflicting = parameters.filter(|((_, z), _)| z.abs() > AGAINST_PRIOR);
-    conflicting
-        .map(|((p, z), value)| {
-            let change = 100.0 * (value / p.centre() - 1.0);
-            let (verb, size) = if *z < 0.0 { ("fall", -change) } else { ("rise", change) };
-            let says = if change.is_finite() && size > 0.0 {
-                format!(
-                    "to fit, {} ({}) must {verb} by {size:.1} %, {:.1} standard deviations of what is known of it",
-                    p.name,
-                    p.meaning,
-                    z.abs()
-                )
-            } else {
-                format!(
-                    "to fit, {} ({}) must {verb} to {value:.4} {}, {:.1} standard deviations of what is known of it",
-                    p.name,
-                    p.meaning,
-                    p.unit,
-                    z.abs()
-                )
-            };
-            Conflict { says, parameter: p.name.clone(), z: *z }
-        })
-        .collect()
+    conflicting.map(|((p, z), value)| Conflict { says: pushed(p, *z, value), parameter: p.name.clone(), z: *z }).collect()
+}
+
+/// `to fit, Young's modulus (young_rtv) must fall from 1.08 MPa to 0.821 MPa (by 23.6 %), 4.7 standard deviations ...`.
+fn pushed(parameter: &Parameter, z: f64, value: f64) -> String {
+    let (known, wanted) = two(parameter.centre(), value, &parameter.unit);
+    let verb = if z < 0.0 { "fall" } else { "rise" };
+    let share = 100.0 * (value / parameter.centre() - 1.0).abs();
+    let share = if share.is_finite() && share < 1e3 { format!(" (by {} %)", significant(share, 3)) } else { String::new() };
+    let off = significant(z.abs(), 2);
+    format!(
+        "to fit, the {} ({}) must {verb} from {known} to {wanted}{share}, {off} standard deviations of what is known of it",
+        uncapitalised(&parameter.meaning),
+        parameter.name
+    )
 }
 
 /// A way to part the rows in two.
@@ -64,15 +58,14 @@ fn between_regimes(search: &Search<'_>, base: &Tried) -> Vec<Conflict> {
             (0..model.base_count()).map(|i| (i, apart(&first, &second, i))).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
         if let Some((index, z)) = worst.filter(|w| w.1.abs() > BETWEEN_REGIMES) {
             let p = &model.parameters[index];
-            let (a, b) = (p.prior.at(first.0[index]), p.prior.at(second.0[index]));
+            let (a, b) = two(p.prior.at(first.0[index]), p.prior.at(second.0[index]), &p.unit);
             let says = format!(
-                "{} ({}) would be {a:.5} {unit} {} but {b:.5} {unit} {}, {:.1} standard deviations apart",
+                "the {} ({}) would be {a} {} but {b} {}, {} standard deviations apart",
+                uncapitalised(&p.meaning),
                 p.name,
-                p.meaning,
                 regime.first,
                 regime.second,
-                z.abs(),
-                unit = p.unit
+                significant(z.abs(), 2)
             );
             found.push(Conflict { says, parameter: p.name.clone(), z });
         }
@@ -140,4 +133,25 @@ fn part(fit: &Fit, gram: &DMatrix<f64>, gradient: &DVector<f64>) -> Option<Parte
 
 fn apart(first: &Parted, second: &Parted, index: usize) -> f64 {
     (second.0[index] - first.0[index]) / first.1[index].hypot(second.1[index]).max(1e-9)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pushed_parameter_is_told_in_units_and_three_digits() {
+        let young = Parameter::normal("young_rtv", "Pa", 1.0753e6, 53_765.0, "Young's modulus of the silicone");
+        assert_eq!(
+            pushed(&young, -4.73, 0.8210e6),
+            "to fit, the Young's modulus of the silicone (young_rtv) must fall from 1.08 MPa to 0.821 MPa (by 23.6 %), \
+             4.7 standard deviations of what is known of it"
+        );
+        let stray = Parameter::normal("stray_capacitance", "pF", 0.0, 0.3, "capacitance beside the sensor");
+        let says = pushed(&stray, 5.0, 1.5);
+        assert!(
+            says.contains("must rise from 0 fF to 1.50 pF, 5.0 standard") || says.contains("from 0 pF to 1.50 pF,"),
+            "{says}"
+        );
+    }
 }

@@ -26,6 +26,7 @@ pub mod issues;
 pub mod locate;
 pub mod next;
 pub mod noise;
+pub mod number;
 pub mod problem;
 pub mod score;
 pub mod search;

@@ -8,6 +8,7 @@ use crate::{
     directions::{Direction, Driver},
     fit::Fit,
     gate::Gate,
+    number::{self, Scale},
     problem::Problem,
 };
 use std::collections::BTreeMap;
@@ -35,47 +36,47 @@ pub fn locate(problem: &Problem<'_>, fit: &Fit, gate: &Gate, directions: &[Direc
 }
 
 fn mismatch(problem: &Problem<'_>, fit: &Fit, driver: Driver, share: f64, p_value: f64) -> Mismatch {
-    let column = driver_column(problem, driver);
-    let interval = interval(&column, &fit.residual);
+    let quantity = quantity(problem, driver);
+    let interval = interval(&quantity.column, &fit.residual);
     let runs = runs(problem, fit);
-    let where_ = if interval[0] < interval[1] {
-        format!(", most of it for {} between {:.4} and {:.4}", label(problem, driver), interval[0], interval[1])
-    } else {
-        String::new()
-    };
+    let where_ = if interval[0] < interval[1] { format!(", most of it {}", quantity.between(interval)) } else { String::new() };
     let says = format!("recording and calibrated model differ {}{where_}", driver.says());
     Mismatch { says, driver: driver.column().into(), interval, runs, share: share.clamp(0.0, 1.0), p_value }
 }
 
-fn label(problem: &Problem<'_>, driver: Driver) -> &'static str {
-    match driver.column() {
-        "load" if problem.inputs.force_n.is_some() => "a force in N",
-        "load" if problem.inputs.pressure_pa.is_some() => "a pressure in Pa",
-        "load" if problem.inputs.gap_m.is_some() => "a gap in m",
-        "load" => "a share of the full load",
-        "temperature_c" => "temperatures in degC",
-        "time_s" => "times in s",
-        "humidity_pct" => "humidities in %",
-        _ => "runs",
+/// A column that orders a mismatch, with the words before its interval and its unit.
+struct Quantity {
+    at: &'static str,
+    unit: &'static str,
+    column: Vec<f64>,
+}
+
+impl Quantity {
+    /// Where it lies, in words: `at forces from 1.20 to 3.40 N`, `in runs 2 to 5`.
+    fn between(&self, [low, high]: [f64; 2]) -> String {
+        match self.unit {
+            "" => format!("{} {low:.0} to {high:.0}", self.at),
+            unit => format!("{} {}", self.at, number::interval(low, high, unit)),
+        }
     }
 }
 
-/// Column in SI that a reader knows.
-fn driver_column(problem: &Problem<'_>, driver: Driver) -> Vec<f64> {
+/// The column in SI that a reader knows.
+fn quantity(problem: &Problem<'_>, driver: Driver) -> Quantity {
     let inputs = problem.inputs;
-    let or_empty = |c: &Option<Vec<f64>>| c.clone().unwrap_or_default();
-    match driver.column() {
-        "load" => inputs
-            .force_n
-            .clone()
-            .or_else(|| inputs.pressure_pa.clone())
-            .or_else(|| load_column(inputs, problem.simulator))
-            .unwrap_or_default(),
-        "temperature_c" => or_empty(&inputs.temperature_c),
-        "time_s" => or_empty(&inputs.time_s),
-        "humidity_pct" => or_empty(&inputs.humidity_pct),
-        _ => inputs.run.iter().map(|r| f64::from(*r)).collect(),
-    }
+    let recorded = |column: &Option<Vec<f64>>, at, unit| column.clone().map(|column| Quantity { at, unit, column });
+    let found = match driver.column() {
+        "load" => recorded(&inputs.force_n, "at forces from", "N")
+            .or_else(|| recorded(&inputs.pressure_pa, "at pressures from", "Pa"))
+            .or_else(|| recorded(&inputs.gap_m, "at gaps from", "m"))
+            .or_else(|| recorded(&load_column(inputs, problem.simulator), "at shares of the full load from", "1")),
+        "temperature_c" => recorded(&inputs.temperature_c, "at temperatures from", "°C"),
+        "time_s" => recorded(&inputs.time_s, "at times from", "s"),
+        "humidity_pct" => recorded(&inputs.humidity_pct, "at humidities from", "%"),
+        _ => None,
+    };
+    let runs = || inputs.run.iter().map(|r| f64::from(*r)).collect();
+    found.unwrap_or_else(|| Quantity { at: "in runs", unit: "", column: runs() })
 }
 
 /// Shortest stretch of ten equally filled bins that holds 60 % of the squared bin means.
@@ -116,14 +117,18 @@ fn runs(problem: &Problem<'_>, fit: &Fit) -> Vec<u32> {
 pub fn map(problem: &Problem<'_>, residual: &[f64]) -> Option<Map> {
     let inputs = problem.inputs;
     let moving = |c: Option<Vec<f64>>| c.filter(|c| crate::directions::spread(c) > 1e-9);
-    let load = moving(inputs.force_n.clone())
-        .map(|c| ("force / N", c))
-        .or_else(|| moving(inputs.pressure_pa.clone()).map(|c| ("pressure / Pa", c)))
-        .or_else(|| moving(inputs.gap_m.clone()).map(|c| ("gap / m", c)));
-    let temperature = moving(inputs.temperature_c.clone()).map(|c| ("temperature / degC", c));
-    let clock = moving(inputs.time_s.clone())
-        .map(|c| ("time / s", c))
-        .or_else(|| moving(Some(inputs.run.iter().map(|r| f64::from(*r)).collect())).map(|c| ("run", c)));
+    let axis = |name: &str, unit: &str, column: &Option<Vec<f64>>| {
+        let column = moving(column.clone())?;
+        let scale = Scale::of(unit, column.iter().fold(0.0, |m: f64, v| m.max(v.abs())));
+        let label = if scale.unit.is_empty() { name.to_owned() } else { format!("{name} / {}", scale.unit) };
+        Some((label, scale.column(&column)))
+    };
+    let load = axis("force", "N", &inputs.force_n)
+        .or_else(|| axis("pressure", "Pa", &inputs.pressure_pa))
+        .or_else(|| axis("gap", "m", &inputs.gap_m));
+    let temperature = axis("temperature", "°C", &inputs.temperature_c);
+    let runs = Some(inputs.run.iter().map(|r| f64::from(*r)).collect());
+    let clock = axis("time", "s", &inputs.time_s).or_else(|| axis("run", "", &runs));
     let mut axes = [load, temperature, clock].into_iter().flatten();
     let ((x_label, x), (y_label, y)) = (axes.next()?, axes.next()?);
     let (x_edges, y_edges) = (edges(&x, 10), edges(&y, 8));
@@ -134,7 +139,7 @@ pub fn map(problem: &Problem<'_>, residual: &[f64]) -> Option<Map> {
     }
     let mean = |(sum, count): (f64, usize)| if count == 0 { f64::NAN } else { sum / (count as f64).sqrt() };
     let values = sums.into_iter().map(|line| line.into_iter().map(mean).collect()).collect();
-    Some(Map { x_label: x_label.into(), y_label: y_label.into(), x_edges, y_edges, values })
+    Some(Map { x_label, y_label, x_edges, y_edges, values })
 }
 
 fn edges(column: &[f64], bins: usize) -> Vec<f64> {
@@ -145,4 +150,18 @@ fn edges(column: &[f64], bins: usize) -> Vec<f64> {
 fn bin(edges: &[f64], value: f64) -> usize {
     let width = edges[1] - edges[0];
     (((value - edges[0]) / width) as usize).min(edges.len() - 2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_is_told_in_the_units_of_a_bench() {
+        let at = |at, unit, interval| Quantity { at, unit, column: Vec::new() }.between(interval);
+        assert_eq!(at("at gaps from", "m", [0.0005, 0.00725]), "at gaps from 0.50 to 7.25 mm");
+        assert_eq!(at("at times from", "s", [60.0, 5400.0]), "at times from 1.0 to 90.0 min");
+        assert_eq!(at("at pressures from", "Pa", [5562.0, 121_000.0]), "at pressures from 6 to 121 kPa");
+        assert_eq!(at("in runs", "", [2.0, 5.0]), "in runs 2 to 5");
+    }
 }

@@ -10,7 +10,6 @@ mod findings;
 mod held_out;
 mod map;
 mod next;
-pub mod number;
 mod origin;
 mod parameters;
 mod subject;
@@ -19,6 +18,7 @@ pub mod terminal;
 pub mod wording;
 
 pub use subject::{Provenance, Subject};
+pub use truegap_diagnose::number;
 
 use axis::Axis;
 use truegap_scene::page::Page;

@@ -30,6 +30,7 @@ impl Scale {
             "s" => seconds(size.abs()),
             "1/K" if size.abs() < 1e-2 => Self { factor: 1e6, unit: "ppm/K".into() },
             _ if TAKES_PREFIX.contains(&unit) => prefixed(unit, size.abs()),
+            _ if unit.ends_with(" m") => by_length(unit.trim_end_matches(" m"), size.abs()),
             _ => same,
         }
     }
@@ -76,6 +77,12 @@ fn prefixed(unit: &str, size: f64) -> Scale {
     Scale { factor: 10f64.powi(-exponent), unit: format!("{prefix}{unit}") }
 }
 
+/// A quantity times a length, such as pF m: the length takes the prefix.
+fn by_length(unit: &str, size: f64) -> Scale {
+    let length = prefixed("m", size);
+    Scale { factor: length.factor, unit: format!("{unit} {}", length.unit) }
+}
+
 fn join(number: &str, unit: &str) -> String {
     if unit.is_empty() { number.to_owned() } else { format!("{number} {unit}") }
 }
@@ -111,6 +118,34 @@ pub fn measured(value: f64, sd: f64, unit: &str) -> String {
     join(&format!("{value:.decimals$} ± {sd:.decimals$}"), &scale.unit)
 }
 
+/// `1.20 to 3.40 N`: both ends in the unit that fits the larger, with three significant digits of it.
+pub fn interval(low: f64, high: f64, unit: &str) -> String {
+    let scale = Scale::of(unit, low.abs().max(high.abs()));
+    let (low, high) = (low * scale.factor, high * scale.factor);
+    let largest = low.abs().max(high.abs());
+    let decimals = if largest > 0.0 { (2 - largest.log10().floor() as i32).clamp(0, 9) as usize } else { 0 };
+    join(&format!("{} to {}", fixed(low, decimals), fixed(high, decimals)), &scale.unit)
+}
+
+/// Fixed decimals, and no minus before a zero.
+fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    if text.trim_start_matches('-').chars().all(|c| matches!(c, '0' | '.')) {
+        text.trim_start_matches('-').to_owned()
+    } else {
+        text
+    }
+}
+
+/// Two values of one quantity in one unit: three significant digits, more where they would read the same.
+pub fn two(first: f64, second: f64, unit: &str) -> (String, String) {
+    let scale = Scale::of(unit, first.abs().max(second.abs()));
+    let text = |value: f64, digits: usize| join(&significant(value * scale.factor, digits), &scale.unit);
+    let apart = |digits: &usize| text(first, *digits) != text(second, *digits);
+    let digits = (3..=7).find(apart).unwrap_or(3);
+    (text(first, digits), text(second, digits))
+}
+
 /// A probability in per cent that never claims certainty.
 pub fn percent(probability: f64) -> String {
     match probability {
@@ -141,6 +176,16 @@ pub fn spoken(id: &str) -> String {
 pub fn capitalised(text: &str) -> String {
     let mut characters = text.chars();
     characters.next().map_or(String::new(), |first| first.to_uppercase().chain(characters).collect())
+}
+
+/// The text with its first letter made small, where it is not a name (`Young's modulus` stays).
+pub fn uncapitalised(text: &str) -> String {
+    const NAMES: [&str; 2] = ["Young", "Poisson"];
+    let mut characters = text.chars();
+    match characters.next() {
+        Some(first) if !NAMES.iter().any(|name| text.starts_with(name)) => first.to_lowercase().chain(characters).collect(),
+        _ => text.to_owned(),
+    }
 }
 
 /// `a`, `a and b`, `a, b and c`, with the given last word.
@@ -175,6 +220,22 @@ mod tests {
         for (value, sd, unit, text) in cases {
             assert_eq!(measured(value, sd, unit), text);
         }
+    }
+
+    #[test]
+    fn an_interval_has_one_unit_and_three_digits_of_its_larger_end() {
+        assert_eq!(interval(0.00123, 0.0081, "m"), "1.23 to 8.10 mm");
+        assert_eq!(interval(-3e-9, 4.5, "N"), "0.00 to 4.50 N");
+        assert_eq!(interval(0.0, 15_300.0, "s"), "0.00 to 4.25 h");
+        assert_eq!(interval(5_562.0, 121_000.0, "Pa"), "6 to 121 kPa");
+        assert_eq!(interval(20.04, 50.31, "°C"), "20.0 to 50.3 °C");
+    }
+
+    #[test]
+    fn two_values_that_differ_do_not_read_the_same() {
+        assert_eq!(two(1.0753e6, 0.821e6, "Pa"), ("1.08 MPa".into(), "0.821 MPa".into()));
+        assert_eq!(two(162.31e-6, 162.34e-6, "m"), ("162.31 µm".into(), "162.34 µm".into()));
+        assert_eq!(two(8.54e-4, 8.6e-4, "pF m"), ("854 pF µm".into(), "860 pF µm".into()));
     }
 
     #[test]

@@ -49,7 +49,4 @@ pub enum DesignError {
         "{refused} of {samples} sensors within the tolerances have plates that touch; the study would speak of the rest only: tighten the tolerances or lower the full-scale load"
     )]
     Refused { refused: usize, samples: usize },
-    /// A metric that does not move.
-    #[error("a weight of the objectives is {weight}; weights must be finite, not negative, and not all 0")]
-    Weight { weight: f64 },
 }

@@ -4,6 +4,7 @@
 
 pub mod error;
 pub mod metric;
+pub mod optimise;
 pub mod quantity;
 pub mod sample;
 pub mod sensitivity;

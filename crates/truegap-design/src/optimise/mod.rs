@@ -1,0 +1,22 @@
+//! Designs with smaller temperature coefficients: a mixed space, constraints that keep a sensor useful, fronts and the minimisation vector.
+//!
+//! Limits: the search sees a unit cube; levels and whole numbers are steps in it. L1 of the paper's Table 2 enters no equation and is no axis.
+
+mod constraint;
+mod directions;
+mod front;
+mod hypervolume;
+mod latin;
+mod pareto;
+mod problem;
+mod space;
+mod vector;
+
+pub use constraint::{CONSTRAINTS, Constraint, Useful};
+pub use front::{Evaluation, Front, FrontPoint, SearchOptions, front};
+pub use hypervolume::{hypervolume_2d, hypervolume_3d};
+pub use latin::latin_hypercube;
+pub use pareto::{dominates, insert};
+pub use problem::{Candidate, DesignProblem, Exclusion, OBJECTIVES};
+pub use space::{Axis, Choice, Space};
+pub use vector::descend;

@@ -5,10 +5,13 @@
 mod coefficients;
 mod diagnose;
 mod mesh;
+mod optimise;
 mod prove;
+mod sensitivity;
 mod sensors;
 mod simulate;
 mod solve;
+mod tolerance;
 
 use crate::console::Console;
 use std::path::Path;
@@ -58,6 +61,9 @@ commands! {
     Sensors(sensors::Sensors),
     Coefficients(coefficients::Coefficients),
     Simulate(simulate::Simulate),
+    Sensitivity(sensitivity::Sensitivity),
+    Optimise(optimise::Optimise),
+    Tolerance(tolerance::Tolerance),
     Diagnose(diagnose::Diagnose),
     Mesh(mesh::Mesh),
     Solve(solve::Solve),

@@ -78,6 +78,10 @@ pub trait Stage: Send + Sync {
     fn late_s(&self) -> f64 {
         0.0
     }
+    /// The same physics in a recording that begins after so many runs of others; `None` where the number of a run plays no part.
+    fn after_runs(&self, runs: usize) -> Option<Box<dyn Stage>> {
+        None
+    }
     /// Load path: turns recorded load into load on the dielectric, in units of `full_load`.
     fn load(&self, inputs: &Inputs, load: &mut [f64]) {}
     /// Thermal path: turns the thermometer's reading into the sensor's temperature, degrees Celsius.

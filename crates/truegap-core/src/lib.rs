@@ -5,6 +5,7 @@
 pub mod chain;
 pub mod effect;
 pub mod inputs;
+pub mod joined;
 pub mod parameter;
 pub mod recording;
 pub mod sensor;
@@ -14,6 +15,7 @@ pub mod units;
 pub use chain::{Dielectric, Drive, FieldView, Geometry, Readout, Stage};
 pub use effect::EffectId;
 pub use inputs::Inputs;
+pub use joined::Joined;
 pub use parameter::{Parameter, Prior};
 pub use recording::{BaseSpec, Note, Recording, RecordingError};
 pub use sensor::{Material, Sensor};

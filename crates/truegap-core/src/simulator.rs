@@ -2,7 +2,7 @@
 //!
 //! Limits: one scalar response a row.
 
-use crate::{chain::Stage, inputs::Inputs, parameter::Parameter};
+use crate::{chain::Stage, inputs::Inputs, joined::Joined, parameter::Parameter};
 use serde::{Deserialize, Serialize};
 
 /// What a column of a recording is.
@@ -52,6 +52,10 @@ pub trait Simulator: Send + Sync {
     /// Temperature at which the model is described, degrees Celsius.
     fn reference_c(&self) -> f64 {
         20.0
+    }
+    /// The recordings that the model joins; `None` where it is of one.
+    fn joined(&self) -> Option<&dyn Joined> {
+        None
     }
     /// Recorded load over [`Simulator::full_load`], before any stage; `None` where load plays no part.
     fn load(&self, inputs: &Inputs) -> Option<Vec<f64>>;

@@ -12,7 +12,7 @@ use crate::{
     effect::FittedParameter,
     fit::Model,
     gate::{Adequacy, Gate},
-    held_out::{AllRows, HeldOutFit, held_out, misfit_removed},
+    held_out::{AllRows, HeldOutFit, held_out, misfit_removed, rmse_of},
     issues::doubts,
     locate::{locate, map},
     next::next_experiment,
@@ -101,6 +101,8 @@ impl Answer<'_> {
             smallest_visible: self.smallest_visible(),
             next_experiment: self.next(),
             bank: None,
+            notices: Vec::new(),
+            concealed_column: None,
             recording_issues: doubts(self.all.problem),
             seconds: 0.0,
         };
@@ -207,10 +209,27 @@ impl Answer<'_> {
                 misfit_removed: if named { misfit_removed(before.rmse, after.rmse, floor, self.noise.rows) } else { None },
                 shuffled_control: None,
                 parts,
+                recordings: self.errors_by_recording(before, after),
             },
             noise_floor: floor,
             unit,
         }
+    }
+
+    /// Errors on rows left out, of each of several recordings.
+    fn errors_by_recording(&self, before: &HeldOutFit, after: &HeldOutFit) -> Vec<RecordingError> {
+        let problem = self.all.problem;
+        let Some(joined) = problem.simulator.joined() else { return Vec::new() };
+        let error = |k: usize| {
+            let rows = joined.rows(k, problem.inputs);
+            RecordingError {
+                recording: k + 1,
+                rmse_before: rmse_of(&before.prediction, problem.response, rows.clone()),
+                rmse_after: rmse_of(&after.prediction, problem.response, rows.clone()),
+                noise_floor: self.noise.floor_of(rows),
+            }
+        };
+        (0..joined.count()).map(error).collect()
     }
 
     /// Calibration hid the effect: most of its raw size is gone from the residual, or parameters are pushed away.
@@ -296,8 +315,12 @@ impl Answer<'_> {
             parameters: self.fitted(chosen, model.range_of(index)).into_iter().map(named).collect(),
         };
         let context = self.search.context;
+        let base = self.fitted(chosen, 0..model.base_count());
+        // of several recordings, the model of the first one's sensor
+        let own: Vec<usize> =
+            self.search.problem.simulator.joined().map_or_else(|| (0..base.len()).collect(), |joined| joined.places(0).to_vec());
         Augmented {
-            parameters: self.fitted(chosen, 0..model.base_count()).into_iter().map(named).collect(),
+            parameters: own.into_iter().map(|i| named(base[i].clone())).collect(),
             effects: chosen.effects.iter().enumerate().map(effect).collect(),
             scales: Scales {
                 longest_run_s: context.longest_run_s,
@@ -311,6 +334,13 @@ impl Answer<'_> {
 
     fn noise_facts(&self) -> NoiseFacts {
         let n = self.noise;
+        let of_recording = |(k, r): (usize, &crate::problem::RecordingNoise)| RecordingNoiseFacts {
+            recording: k + 1,
+            says: r.says.clone(),
+            white_sd: r.response.white_sd,
+            ar_sd: r.response.ar_sd,
+            ar_correlation: r.response.ar_correlation,
+        };
         NoiseFacts {
             says: n.says.clone(),
             white_sd: n.response.white_sd,
@@ -319,6 +349,7 @@ impl Answer<'_> {
             load_sd: n.inputs.load * self.search.problem.simulator.full_load().unwrap_or(0.0),
             temperature_sd: n.inputs.temperature,
             measured: n.measured,
+            recordings: n.recordings.iter().enumerate().map(of_recording).collect(),
         }
     }
 

@@ -6,7 +6,7 @@ use crate::context::load_column;
 use crate::number::{significant, two, uncapitalised};
 use crate::{diagnosis::Conflict, fit::Fit, search::Search, search::Tried};
 use nalgebra::{Cholesky, DMatrix, DVector};
-use truegap_core::Parameter;
+use truegap_core::{Inputs, Joined, Parameter};
 
 /// Prior standard deviations beyond which a parameter contradicts what is known of it.
 const AGAINST_PRIOR: f64 = 3.5;
@@ -44,8 +44,8 @@ fn pushed(parameter: &Parameter, z: f64, value: f64) -> String {
 
 /// A way to part the rows in two.
 struct Regime {
-    first: &'static str,
-    second: &'static str,
+    first: String,
+    second: String,
     in_second: Vec<bool>,
 }
 
@@ -77,10 +77,11 @@ fn regimes(search: &Search<'_>) -> Vec<Regime> {
     let inputs = search.problem.inputs;
     let n = inputs.len();
     let mut list = Vec::new();
-    let mut halves = |first, second, column: &[f64]| {
+    let mut halves = |first: &str, second: &str, column: &[f64]| {
         let (low, high) = column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
         let middle = 0.5 * (low + high);
-        list.push(Regime { first, second, in_second: column.iter().map(|v| *v > middle).collect() });
+        let in_second = column.iter().map(|v| *v > middle).collect();
+        list.push(Regime { first: first.into(), second: second.into(), in_second });
     };
     if let Some(load) = load_column(inputs, search.problem.simulator) {
         halves("at small loads", "at large loads", &load);
@@ -90,12 +91,33 @@ fn regimes(search: &Search<'_>) -> Vec<Regime> {
     if let Some(temperature) = &inputs.temperature_c {
         halves("when cool", "when warm", temperature);
     }
-    let order: Vec<f64> = (0..n).map(|i| i as f64).collect();
-    halves("in the first half of the recording", "in the second half", &order);
+    match search.problem.simulator.joined() {
+        Some(joined) => list.extend(by_recording(joined, inputs)),
+        None => {
+            let order: Vec<f64> = (0..n).map(|i| i as f64).collect();
+            halves("in the first half of the recording", "in the second half", &order);
+        }
+    }
     list
 }
 
-/// Optimum and standard deviations of each part, one straight step from the common fit: (z, sd) twice.
+/// Most recordings that are each set against the others.
+const RECORDINGS: usize = 8;
+
+/// One recording against the others.
+fn by_recording(joined: &dyn Joined, inputs: &Inputs) -> Vec<Regime> {
+    let count = joined.count();
+    let against = |index: usize| {
+        let rows = joined.rows(index, inputs);
+        let others = if count == 2 { "in recording 1".to_owned() } else { "in the other recordings".to_owned() };
+        let in_second = (0..inputs.len()).map(|row| rows.contains(&row)).collect();
+        Regime { first: others, second: format!("in recording {}", index + 1), in_second }
+    };
+    let first = if count == 2 { 1 } else { 0 };
+    (first..count.min(RECORDINGS)).map(against).collect()
+}
+
+/// Optimum and variances of each part, one straight step from the common fit: (z, variance) twice.
 type Parted = (Vec<f64>, Vec<f64>);
 
 fn both(fit: &Fit, in_second: &[bool]) -> Option<(Parted, Parted)> {
@@ -126,13 +148,16 @@ fn part(fit: &Fit, gram: &DMatrix<f64>, gradient: &DVector<f64>) -> Option<Parte
     let z = DVector::from_column_slice(&fit.z);
     let there = &z + factor.solve(&(gradient - &z));
     let covariance = factor.inverse();
-    // the prior is common to both parts: only what the data add can differ
-    let sd = (0..n).map(|i| (covariance[(i, i)] * (1.0 - covariance[(i, i)]).max(1e-6)).sqrt()).collect();
-    Some((there.iter().copied().collect(), sd))
+    Some((there.iter().copied().collect(), covariance.diagonal().iter().copied().collect()))
 }
 
+/// Standard deviations between the two optima of a parameter.
+///
+/// Both shrink towards the prior they have in common: for a parameter drawn from it, two optima with posterior variances a and b differ by
+/// a (1 - b) + b (1 - a). A part that says nothing of the parameter (variance 1) cannot contradict the other.
 fn apart(first: &Parted, second: &Parted, index: usize) -> f64 {
-    (second.0[index] - first.0[index]) / first.1[index].hypot(second.1[index]).max(1e-9)
+    let (a, b) = (first.1[index].min(1.0), second.1[index].min(1.0));
+    (second.0[index] - first.0[index]) / (a * (1.0 - b) + b * (1.0 - a)).max(1e-18).sqrt()
 }
 
 #[cfg(test)]

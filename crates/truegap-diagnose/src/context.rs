@@ -2,7 +2,7 @@
 //!
 //! Limits: only inputs, never the response's course; the response gives nothing but its span.
 
-use truegap_core::{Inputs, Simulator, simulator::StageName};
+use truegap_core::{Inputs, Joined, Simulator, simulator::StageName};
 
 /// Facts that priors, starting values and testability rest on.
 pub struct Context<'a> {
@@ -36,6 +36,13 @@ fn range(column: &[f64]) -> (f64, f64) {
     column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)))
 }
 
+/// From first to last row on one clock; of the longest recording where there are several.
+fn duration(time: &[f64], inputs: &Inputs, simulator: &dyn Simulator) -> f64 {
+    let elapsed = |rows: &[f64]| rows.last().copied().unwrap_or(0.0) - rows.first().copied().unwrap_or(0.0);
+    let of = |j: &dyn Joined| (0..j.count()).map(|k| elapsed(&time[j.rows(k, inputs)])).fold(0.0, f64::max);
+    simulator.joined().map_or_else(|| elapsed(time), of)
+}
+
 impl<'a> Context<'a> {
     /// Facts of `inputs` under `simulator`; `response_span` and `noise_sd` in the response's unit.
     pub fn new(inputs: &'a Inputs, simulator: &'a dyn Simulator, response_span: f64, noise_sd: f64) -> Self {
@@ -54,7 +61,7 @@ impl<'a> Context<'a> {
             humidity_range: inputs.humidity_pct.as_deref().map(range),
             shortest_step_s: clock.map(|_| steps.iter().copied().filter(|s| *s > 0.0).fold(f64::INFINITY, f64::min)),
             longest_run_s: longest,
-            duration_s: clock.map_or(0.0, |t| t.last().copied().unwrap_or(0.0) - t.first().copied().unwrap_or(0.0)),
+            duration_s: clock.map_or(0.0, |t| duration(t, inputs, simulator)),
             runs: runs.len(),
             reference_c: simulator.reference_c(),
         }

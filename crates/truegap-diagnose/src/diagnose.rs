@@ -9,12 +9,11 @@ use crate::{
     directions::directions,
     effect::Effect,
     effects::library,
-    fit::{FitOptions, Model, fit},
     gate::Gate,
     held_out::AllRows,
     issues::{DiagnoseError, check},
-    noise::{input_noise, noise_model, quiet_inputs},
-    problem::{NoiseModel, Problem},
+    joint::noise::measured,
+    problem::Problem,
     search::{LOOSE, Progress, Search},
     select::{Selection, select},
     thin::thin,
@@ -55,13 +54,9 @@ pub fn diagnose(
 ) -> Result<Outcome, DiagnoseError> {
     let started = std::time::Instant::now();
     check(problem)?;
-    let input_noise = input_noise(problem.inputs, problem.simulator);
-    let (quiet, load_left, temperature_left) = quiet_inputs(problem.inputs, problem.simulator, &input_noise);
+    let (quiet, noise) = measured(problem)?;
     let problem = &Problem { inputs: &quiet, response: problem.response, simulator: problem.simulator };
-    let noise = noise_model(problem, &centre(problem), input_noise, (&load_left, &temperature_left))?;
-    let noise = no_more_than_misfit(problem, noise)?;
-    let span = crate::directions::spread(problem.response);
-    let context = problem.context(span, noise.floor());
+    let context = problem.context(problem.span(), noise.floor());
     let everything = library();
     let (testable, not_testable) = part(&everything, &context, options);
     let thinned = thin(problem, &noise, SEARCHED_ROWS);
@@ -106,36 +101,6 @@ fn visible(search: &Search<'_>, tried: &crate::search::Tried) -> Vec<usize> {
 
 /// Detectability below which an effect of a larger model is not claimed.
 const VISIBLE: f64 = 4.5;
-
-/// Where noise could not be measured at rest, it is no more than what the calibrated base model leaves over: steps of a profile inside the short
-/// stretches would otherwise pass for noise, and everything would seem to agree.
-fn no_more_than_misfit(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, DiagnoseError> {
-    if noise.measured {
-        return Ok(noise);
-    }
-    let context = problem.context(crate::directions::spread(problem.response), noise.floor());
-    let model = Model::new(problem, &context, Vec::new());
-    let mut bounded = noise;
-    for _ in 0..3 {
-        let whitener = bounded.whitener(&problem.runs(), None);
-        let base = fit(&model, &whitener, &vec![0.0; model.parameters.len()], &FitOptions::default())?;
-        let ratio = base.chi2 / problem.response.len() as f64;
-        if ratio > 0.7 {
-            break;
-        }
-        bounded = bounded.scaled(ratio.sqrt());
-        bounded.says = format!(
-            "{}; no more than what the calibrated model leaves over",
-            bounded.says.split("; no more").next().unwrap_or_default()
-        );
-    }
-    Ok(bounded)
-}
-
-/// The centre of the base model's prior.
-fn centre(problem: &Problem<'_>) -> Vec<f64> {
-    problem.simulator.parameters().iter().map(truegap_core::Parameter::centre).collect()
-}
 
 /// Effects that the recording could show, and those that it could not, with the reason.
 fn part<'a>(

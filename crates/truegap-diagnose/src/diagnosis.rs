@@ -2,6 +2,7 @@
 //!
 //! Limits: plain data; nothing here decides anything.
 
+use crate::{latent::ConcealedColumn, notice::Notice};
 use serde::Serialize;
 
 /// Identifier of the file format.
@@ -47,6 +48,11 @@ pub struct Diagnosis {
     /// rows of the recovery bank, where it was run
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bank: Option<serde_json::Value>,
+    /// what is wrong with the recording: what, where, with unit, and how to fix it
+    pub notices: Vec<Notice>,
+    /// a column that was hidden on purpose, and how well its course was recovered without it
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub concealed_column: Option<ConcealedColumn>,
     /// doubts about the recording itself (dead channel, clipping, outliers, gaps in time)
     pub recording_issues: Vec<String>,
     /// wall-clock time, s
@@ -64,6 +70,32 @@ pub struct RecordingFacts {
     pub sha256: String,
     /// where it came from
     pub source: String,
+    /// each of several recordings
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub recordings: Vec<OneRecording>,
+    /// which parameters several recordings have in common
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sharing: Option<crate::joint::Sharing>,
+}
+
+/// One of several recordings.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct OneRecording {
+    /// number, from 1, as parameters and sentences have it
+    pub number: usize,
+    /// where it came from
+    pub source: String,
+    /// sensor, for `stack`
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sensor: Option<String>,
+    /// rows used
+    pub rows: usize,
+    /// runs
+    pub runs: usize,
+    /// number of its first run among all
+    pub first_run: u32,
+    /// SHA-256 of the CSV
+    pub sha256: String,
 }
 
 /// The calibrated base model.
@@ -114,6 +146,24 @@ pub struct NoiseFacts {
     pub temperature_sd: f64,
     /// whether the noise could be measured apart from the mismatch
     pub measured: bool,
+    /// of each of several recordings; the numbers above are those of the first
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub recordings: Vec<RecordingNoiseFacts>,
+}
+
+/// The noise of one of several recordings.
+#[derive(Clone, Debug, Serialize)]
+pub struct RecordingNoiseFacts {
+    /// its number, from 1
+    pub recording: usize,
+    /// where it comes from, for a reader
+    pub says: String,
+    /// white standard deviation, response unit
+    pub white_sd: f64,
+    /// stationary standard deviation of the autoregressive part, response unit
+    pub ar_sd: f64,
+    /// its correlation from row to row
+    pub ar_correlation: f64,
 }
 
 /// The six verdicts, and no others.
@@ -241,6 +291,22 @@ pub struct HeldOut {
     pub shuffled_control: Option<f64>,
     /// per part left out: name, before, after
     pub parts: Vec<(String, f64, f64)>,
+    /// of each of several recordings
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub recordings: Vec<RecordingError>,
+}
+
+/// Errors on rows left out of one of several recordings.
+#[derive(Clone, Debug, Serialize)]
+pub struct RecordingError {
+    /// its number, from 1
+    pub recording: usize,
+    /// calibrated base model
+    pub rmse_before: f64,
+    /// with the findings
+    pub rmse_after: f64,
+    /// noise of one row
+    pub noise_floor: f64,
 }
 
 /// An effect that this recording could not have shown.

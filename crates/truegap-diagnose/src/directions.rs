@@ -79,8 +79,26 @@ pub struct Direction {
     pub column: Vec<f64>,
 }
 
-/// All directions that these inputs excite.
+/// All directions that these inputs excite; those of each recording, where there are several, and one from recording to recording.
 pub fn directions(inputs: &Inputs, simulator: &dyn Simulator) -> Vec<Direction> {
+    let Some(joined) = simulator.joined() else { return of_one(inputs, simulator) };
+    let mut list = Vec::new();
+    for index in 0..joined.count() {
+        let rows = joined.rows(index, inputs);
+        let mut own = of_one(&joined.inputs(index, inputs), joined.model(index));
+        if index > 0 {
+            own.push(Direction { driver: Driver::Run, column: vec![1.0; rows.len()] });
+        }
+        for Direction { driver, column } in own {
+            let mut whole = vec![0.0; inputs.len()];
+            whole[rows.clone()].copy_from_slice(&column);
+            push(&mut list, driver, whole);
+        }
+    }
+    list
+}
+
+fn of_one(inputs: &Inputs, simulator: &dyn Simulator) -> Vec<Direction> {
     let mut list = Vec::new();
     let load = load_column(inputs, simulator).filter(|l| spread(l) > 1e-3);
     let warm = inputs.temperature_c.as_ref().filter(|t| spread(t) > 0.3).map(|t| unit(t));

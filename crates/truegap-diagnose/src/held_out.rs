@@ -9,6 +9,7 @@ use crate::{
 };
 use rayon::prelude::*;
 use std::ops::Range;
+use truegap_core::{Inputs, Joined};
 
 /// Most parts that are left out one after another.
 const MOST_PARTS: usize = 10;
@@ -57,6 +58,45 @@ pub fn parts(runs: &[Range<usize>], numbers: &[u32]) -> (String, Vec<Part>) {
     ("each run left out in turn, predicted without having been seen".into(), parts)
 }
 
+/// The same for several recordings: runs, and blocks of a single run whose recording has parameters that no other recording could tell.
+fn joint_parts(joined: &dyn Joined, inputs: &Inputs) -> (String, Vec<Part>) {
+    let mut chunks: Vec<(String, Range<usize>)> = Vec::new();
+    for index in 0..joined.count() {
+        let rows = joined.rows(index, inputs);
+        let runs: Vec<Range<usize>> = inputs.runs().into_iter().filter(|r| rows.contains(&r.start)).collect();
+        match runs.as_slice() {
+            [run] if joined.has_own(index) => {
+                let edge = |k: usize| run.start + k * run.len() / BLOCKS;
+                let block = |k: usize| (format!("block {} of recording {}", k + 1, index + 1), edge(k)..edge(k + 1));
+                chunks.extend((0..BLOCKS).map(block).filter(|(_, rows)| !rows.is_empty()));
+            }
+            runs => chunks.extend(runs.iter().map(|run| (format!("run {}", inputs.run[run.start]), run.clone()))),
+        }
+    }
+    let blocks = chunks.iter().any(|(name, _)| name.starts_with("block"));
+    let count = chunks.len().min(MOST_PARTS);
+    let mut parts: Vec<Part> = (0..count).map(|_| Part { name: String::new(), rows: Vec::new() }).collect();
+    for (index, (name, rows)) in chunks.into_iter().enumerate() {
+        let part = &mut parts[index % count];
+        part.name += if part.name.is_empty() { "" } else { ", " };
+        part.name += &name;
+        part.rows.push(rows);
+    }
+    let how = if blocks {
+        "runs, and blocks of a recording with parameters of its own, each left out in turn"
+    } else {
+        "each run left out in turn, predicted without having been seen"
+    };
+    (how.into(), parts)
+}
+
+/// Root-mean-square error over some rows, those without a prediction aside.
+pub fn rmse_of(prediction: &[f64], response: &[f64], rows: Range<usize>) -> f64 {
+    let squares: Vec<f64> =
+        rows.map(|row| (prediction[row] - response[row]).powi(2)).filter(|square| square.is_finite()).collect();
+    (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
+}
+
 /// All rows of a recording, and where the rows that are fitted come from.
 #[derive(Clone, Copy)]
 pub struct AllRows<'a> {
@@ -69,7 +109,10 @@ pub struct AllRows<'a> {
 /// Fits `tried` without each part in turn and predicts every row of it.
 pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> HeldOutFit {
     let runs = all.problem.runs();
-    let (how, parts) = parts(&runs, &all.problem.inputs.run);
+    let (how, parts) = match all.problem.simulator.joined() {
+        Some(joined) => joint_parts(joined, all.problem.inputs),
+        None => parts(&runs, &all.problem.inputs.run),
+    };
     let model = Model::new(all.problem, search.context, tried.effects.iter().map(|e| search.library[*e]).collect());
     let predict = |part: &Part| model.respond(&without(search, noise, tried, part, all.first)?.z).ok();
     let predicted: Vec<(usize, Option<Vec<f64>>)> = parts.par_iter().enumerate().map(|(i, part)| (i, predict(part))).collect();

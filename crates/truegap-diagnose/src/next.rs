@@ -196,7 +196,12 @@ fn separation(search: &Search<'_>, profile: &Profile, best: &Tried, rival: &Trie
     } else {
         Role::Force
     };
-    let inputs = inputs(profile, simulator.full_load()?, role, search.context.reference_c);
+    let mut inputs = inputs(profile, simulator.full_load()?, role, search.context.reference_c);
+    if simulator.joined().is_some() {
+        // runs that no recording holds are played on the first recording's sensor
+        let last = search.problem.inputs.run.iter().copied().max().unwrap_or(0);
+        inputs.run.iter_mut().for_each(|run| *run += last);
+    }
     let play = |tried: &Tried, z: &[f64]| -> Option<Vec<f64>> {
         let model = search.model(&tried.effects);
         let stages = model.stages(z);

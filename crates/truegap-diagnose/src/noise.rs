@@ -62,7 +62,8 @@ pub fn noise_model(
     let rows = blocks.iter().map(|b| b.rows.len()).sum();
     let mut response = estimate(problem.response, &blocks);
     response.white_sd = response.white_sd.max(resolution(problem.response) / 12f64.sqrt());
-    Ok(NoiseModel { response, inputs, extra_variance, weights: None, measured, rows, says })
+    let recordings = Vec::new();
+    Ok(NoiseModel { response, inputs, recordings, extra_variance, weights: None, measured, rows, says })
 }
 
 /// Stretches to take the noise from, whether they are apart from the mismatch, and a sentence about them.

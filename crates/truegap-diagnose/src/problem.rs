@@ -4,10 +4,11 @@
 
 use crate::{
     context::Context,
+    directions::spread,
     whiten::{Noise, Whitener},
 };
 use std::ops::Range;
-use truegap_core::{Inputs, SimulationError, Simulator, Stage};
+use truegap_core::{Inputs, Joined, SimulationError, Simulator, Stage};
 
 /// What was done, what was read, and what should have been read.
 pub struct Problem<'a> {
@@ -32,6 +33,12 @@ impl Problem<'_> {
     /// Runs, as row ranges.
     pub fn runs(&self) -> Vec<Range<usize>> {
         self.inputs.runs()
+    }
+
+    /// Range of the response; the widest of one recording where there are several.
+    pub fn span(&self) -> f64 {
+        let rows = |j: &dyn Joined, k: usize| spread(&self.response[j.rows(k, self.inputs)]);
+        self.simulator.joined().map_or_else(|| spread(self.response), |j| (0..j.count()).map(|k| rows(j, k)).fold(0.0, f64::max))
     }
 
     /// Variance that noise of the inputs adds to each row, at parameter values `base`; `left` are the shares of it that quietening left.
@@ -88,13 +95,28 @@ impl Stage for Nudge {
     }
 }
 
-/// The noise of a problem: of the response, and of the inputs carried through the model.
+/// The noise of one of several recordings.
 #[derive(Clone, Debug)]
-pub struct NoiseModel {
+pub struct RecordingNoise {
+    /// its rows
+    pub rows: Range<usize>,
     /// of the response
     pub response: Noise,
     /// of the inputs
     pub inputs: InputNoise,
+    /// where it comes from, for a reader
+    pub says: String,
+}
+
+/// The noise of a problem: of the response, and of the inputs carried through the model.
+#[derive(Clone, Debug)]
+pub struct NoiseModel {
+    /// of the response; of the first recording where there are several
+    pub response: Noise,
+    /// of the inputs; of the first recording where there are several
+    pub inputs: InputNoise,
+    /// one a recording, in the order of rows, where there are several; empty for one
+    pub recordings: Vec<RecordingNoise>,
     /// variance from the inputs, row by row
     pub extra_variance: Vec<f64>,
     /// rows of the recording that each row is the mean of; absent where each is one
@@ -110,26 +132,53 @@ pub struct NoiseModel {
 impl NoiseModel {
     /// Filter with the rows that `keep` names.
     pub fn whitener(&self, runs: &[Range<usize>], keep: Option<&[bool]>) -> Whitener {
-        Whitener::new(&self.response, &self.extra_variance, self.weights.as_deref(), runs, keep)
+        let of_run = |run: &Range<usize>| self.response_at(run.start);
+        Whitener::by_run(&of_run, &self.extra_variance, self.weights.as_deref(), runs, keep)
+    }
+
+    /// The recording that a row belongs to, where there are several.
+    fn recording_at(&self, row: usize) -> Option<&RecordingNoise> {
+        self.recordings.iter().find(|r| r.rows.contains(&row))
+    }
+
+    /// Noise of the response at a row.
+    pub fn response_at(&self, row: usize) -> Noise {
+        self.recording_at(row).map_or(self.response, |r| r.response)
+    }
+
+    /// Noise of the inputs at a row.
+    pub fn inputs_at(&self, row: usize) -> InputNoise {
+        self.recording_at(row).map_or(self.inputs, |r| r.inputs)
     }
 
     /// The same noise, `factor` times larger.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
-        let response = Noise { white_sd: self.response.white_sd * factor, ar_sd: self.response.ar_sd * factor, ..self.response };
+        let scaled = |n: Noise| Noise { white_sd: n.white_sd * factor, ar_sd: n.ar_sd * factor, ..n };
+        let recordings = self.recordings.iter().map(|r| RecordingNoise { response: scaled(r.response), ..r.clone() }).collect();
         let extra_variance = self.extra_variance.iter().map(|v| v * factor * factor).collect();
-        Self { response, extra_variance, ..self.clone() }
+        Self { response: scaled(self.response), recordings, extra_variance, ..self.clone() }
+    }
+
+    /// Variance of one row.
+    fn row_variance(&self, row: usize) -> f64 {
+        let noise = self.response_at(row);
+        noise.white_sd.powi(2) + noise.ar_sd.powi(2) + self.extra_variance[row]
     }
 
     /// Standard deviation of one row.
     pub fn row_sd(&self, row: usize) -> f64 {
-        (self.response.white_sd.powi(2) + self.response.ar_sd.powi(2) + self.extra_variance[row]).sqrt()
+        self.row_variance(row).sqrt()
+    }
+
+    /// Root mean square of one row's noise over some rows.
+    pub fn floor_of(&self, rows: Range<usize>) -> f64 {
+        let n = rows.len().max(1) as f64;
+        (rows.map(|row| self.row_variance(row)).sum::<f64>() / n).sqrt()
     }
 
     /// Root mean square of one row's noise over all rows.
     pub fn floor(&self) -> f64 {
-        let n = self.extra_variance.len().max(1) as f64;
-        let inputs = self.extra_variance.iter().sum::<f64>() / n;
-        (self.response.white_sd.powi(2) + self.response.ar_sd.powi(2) + inputs).sqrt()
+        self.floor_of(0..self.extra_variance.len())
     }
 }

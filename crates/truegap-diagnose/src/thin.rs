@@ -3,7 +3,7 @@
 //! Limits: rows next to a change of load, temperature or pace are kept one by one; the share of information kept is measured, not assumed.
 
 use crate::context::load_column;
-use crate::problem::{NoiseModel, Problem};
+use crate::problem::{NoiseModel, Problem, RecordingNoise};
 use truegap_core::Inputs;
 
 /// A recording with neighbouring rows merged.
@@ -26,7 +26,10 @@ impl Thinned {
             let rows = &noise.extra_variance[self.first[i]..until];
             rows.iter().sum::<f64>() / rows.len() as f64
         };
+        let moved = |row: usize| self.first.partition_point(|first| *first < row);
+        let of = |r: &RecordingNoise| RecordingNoise { rows: moved(r.rows.start)..moved(r.rows.end), ..r.clone() };
         NoiseModel {
+            recordings: noise.recordings.iter().map(of).collect(),
             extra_variance: (0..self.first.len()).map(extra).collect(),
             weights: Some(self.weights.clone()),
             ..noise.clone()
@@ -69,15 +72,12 @@ fn groups(problem: &Problem<'_>, noise: &NoiseModel, most: usize) -> Vec<std::op
     let inputs = problem.inputs;
     let steps = inputs.steps_s();
     let load = load_column(inputs, problem.simulator);
-    let mut columns: Vec<(&[f64], f64)> = Vec::new();
-    if let Some(load) = load.as_deref() {
-        columns.push((load, (4.0 * noise.inputs.load).max(2e-3)));
-    }
-    if let Some(temperature) = inputs.temperature_c.as_deref() {
-        columns.push((temperature, (5.0 * noise.inputs.temperature).max(0.3)));
-    }
     let mut groups = Vec::new();
     for run in inputs.runs() {
+        let here = noise.inputs_at(run.start);
+        let mut columns: Vec<(&[f64], f64)> = Vec::new();
+        columns.extend(load.as_deref().map(|load| (load, (4.0 * here.load).max(2e-3))));
+        columns.extend(inputs.temperature_c.as_deref().map(|t| (t, (5.0 * here.temperature).max(0.3))));
         let mut first = run.start;
         for row in run.start + 1..=run.end {
             let settled = row > run.start + 2 && row < run.end;

@@ -67,6 +67,17 @@ impl Whitener {
         runs: &[Range<usize>],
         keep: Option<&[bool]>,
     ) -> Self {
+        Self::by_run(&|_| *noise, extra_variance, weights, runs, keep)
+    }
+
+    /// As [`Whitener::new`], with the noise that `of_run` gives each run.
+    pub fn by_run(
+        of_run: &dyn Fn(&Range<usize>) -> Noise,
+        extra_variance: &[f64],
+        weights: Option<&[f64]>,
+        runs: &[Range<usize>],
+        keep: Option<&[bool]>,
+    ) -> Self {
         let n = extra_variance.len();
         let weight = |row: usize| weights.map_or(1.0, |w| w[row]);
         let mut filter = Self {
@@ -78,6 +89,7 @@ impl Whitener {
             rows: 0,
         };
         for run in runs {
+            let noise = &of_run(run);
             let mut predicted = noise.ar_variance_of_mean(weight(run.start));
             for row in run.clone() {
                 if keep.is_none_or(|k| k[row]) {

@@ -15,7 +15,7 @@ use truegap::report::terminal;
 /// Say what physics a simulation leaves out of a recording, and show it
 #[derive(Debug, clap::Args)]
 pub struct Diagnose {
-    /// TOML or CSV of a recording, a folder with a recording.toml, or `example` for the built-in one; several are taken as one, run after run
+    /// TOML or CSV of a recording, a folder with a recording.toml, or `example` for the built-in one; several are diagnosed together: one physics, each with its own noise, clock and runs
     #[arg(required = true, value_name = "RECORDING")]
     recordings: Vec<PathBuf>,
     /// Folder for report.html, diagnosis.json, augmented.toml and prediction.csv
@@ -39,6 +39,9 @@ pub struct Diagnose {
     /// Hide an input column, to see what its absence does: temperature, humidity, force, pressure, gap
     #[arg(long, value_delimiter = ',', value_name = "COLUMN")]
     conceal: Vec<String>,
+    /// Give each recording after the first its own gain or offset against the first: gain, offset, or gain,offset
+    #[arg(long, value_delimiter = ',', value_name = "WHAT", conflicts_with = "batch")]
+    free: Vec<String>,
     /// Sensor column of a recording that holds several
     #[arg(long, value_name = "NAME")]
     channel: Option<String>,
@@ -69,14 +72,14 @@ impl Diagnose {
         let recordings = paths.iter().map(|path| recorded(path)).collect::<Result<Vec<_>, _>>()?;
         let files = paths.iter().zip(&recordings).map(|(path, r)| (path.display().to_string(), r.sha256.clone())).collect();
         let request = self.request();
-        let recording = open(recordings, &request)?;
-        recording.notes.iter().for_each(|note| console.note(note));
+        let opened = open(recordings, &request)?;
+        opened.recording.notes.iter().for_each(|note| console.note(note));
         let bar = bar(console);
         let progress = |p: Progress| {
             bar.set_position((1000.0 * p.done) as u64);
             bar.set_message(format!("{}: {}", p.step, p.what));
         };
-        let diagnosed = diagnose(recording, files, &request, &progress, &STOP);
+        let diagnosed = diagnose(opened, files, &request, &progress, &STOP);
         bar.finish_and_clear();
         Ok(diagnosed?)
     }
@@ -122,6 +125,7 @@ impl Diagnose {
             effects: self.effects.clone(),
             conceal: self.conceal.clone(),
             channel: self.channel.clone(),
+            free: self.free.clone(),
             command: std::iter::once("truegap".to_owned()).chain(words).collect::<Vec<_>>().join(" "),
         }
     }

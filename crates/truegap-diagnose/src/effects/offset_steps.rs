@@ -12,22 +12,33 @@ pub struct OffsetSteps;
 /// Most runs with a zero of their own; beyond that the steps could follow anything.
 const MOST_RUNS: usize = 24;
 
+#[derive(Clone)]
 struct Steps {
     size: f64,
     jumps: Vec<f64>,
+    /// runs of other recordings before the first run
+    runs_before: usize,
 }
 
 impl Steps {
     fn new(values: &[f64]) -> Self {
-        Self { size: values[0], jumps: values[1..].to_vec() }
+        Self { size: values[0], jumps: values[1..].to_vec(), runs_before: 0 }
+    }
+
+    fn after(&self, runs_before: usize) -> Self {
+        Self { runs_before, ..self.clone() }
+    }
+
+    /// Jump before the run of this number from 0; runs beyond those fitted keep the last zero.
+    fn jump(&self, run: usize) -> f64 {
+        if run == 0 { 0.0 } else { self.size * self.jumps.get(run - 1).copied().unwrap_or(0.0) }
     }
 
     /// Adds the jumps so far to each row, the last one `settled(share of the run's rows gone by)`.
     fn apply(&self, drive: &Drive<'_>, value: &mut [f64], settled: impl Fn(f64) -> f64) {
-        let mut before = 0.0;
+        let mut before: f64 = (0..self.runs_before).map(|run| self.jump(run)).sum();
         for (index, run) in drive.inputs.runs().into_iter().enumerate() {
-            // runs beyond those fitted keep the last zero
-            let jump = if index == 0 { 0.0 } else { self.size * self.jumps.get(index - 1).copied().unwrap_or(0.0) };
+            let jump = self.jump(self.runs_before + index);
             let rows = run.len() as f64;
             for (gone, row) in run.enumerate() {
                 value[row] += before + jump * settled(gone as f64 / rows);
@@ -38,6 +49,9 @@ impl Steps {
 }
 
 impl Stage for Steps {
+    fn after_runs(&self, runs: usize) -> Option<Box<dyn Stage>> {
+        Some(Box::new(self.after(runs)))
+    }
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
         self.apply(drive, value, |_| 1.0);
     }
@@ -47,6 +61,9 @@ impl Stage for Steps {
 struct Settling(Steps);
 
 impl Stage for Settling {
+    fn after_runs(&self, runs: usize) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Self(self.0.after(runs))))
+    }
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
         self.0.apply(drive, value, |share| 1.0 - 0.5 * (-share / 0.05).exp());
     }

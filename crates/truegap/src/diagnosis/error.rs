@@ -48,6 +48,15 @@ pub enum DiagnosisError {
     /// No such sensor in the file.
     #[error("{recording}: there is no sensor column `{name}`; there are {names}")]
     NoSuchChannel { recording: String, name: String, names: String },
+    /// Recordings that cannot be joined.
+    #[error(transparent)]
+    Joint(#[from] truegap_diagnose::joint::JointError),
+    /// Not a thing that a recording can have of its own.
+    #[error("--free {word} is not known; a recording may have its own gain, offset, or both: --free gain,offset")]
+    UnknownFree { word: String },
+    /// One recording has nothing to be compared with.
+    #[error("--free gives each of several recordings a gain or offset against the first; name at least two, or leave --free out")]
+    NothingToFree,
     /// A column to be concealed that is not there.
     #[error("{recording}: there is no input column `{column}` to conceal; there are {names}")]
     NothingToConceal { recording: String, column: String, names: String },

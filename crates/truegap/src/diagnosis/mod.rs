@@ -1,7 +1,8 @@
 //! From recordings on disk to a diagnosis and the folder of files that tells it.
 //!
-//! Limits: one base model for all recordings given together; decides nothing that `truegap_diagnose` does not decide.
+//! Limits: one kind of reading for all recordings given together; decides nothing that `truegap_diagnose` does not decide.
 
+mod bases;
 mod error;
 mod prediction;
 mod request;
@@ -9,5 +10,5 @@ mod run;
 mod write;
 
 pub use error::DiagnosisError;
-pub use request::{Request, open};
+pub use request::{Hidden, Opened, Request, open};
 pub use run::{Diagnosed, diagnose};

@@ -7,8 +7,15 @@ use truegap_core::{Recording, Role};
 use truegap_diagnose::Traces;
 
 /// The CSV, units in the names of the columns.
-pub(super) fn csv(recording: &Recording, traces: &Traces) -> String {
-    let columns = columns(recording, traces);
+///
+/// Of several recordings, each row says which one it is of, and the clock is that recording's own.
+pub(super) fn csv(recording: &Recording, parts: &[Recording], traces: &Traces) -> String {
+    let own = own_clock(recording, parts);
+    let mut columns = columns(&own, traces);
+    let number: Vec<f64> = parts.iter().enumerate().flat_map(|(k, part)| vec![k as f64 + 1.0; part.len()]).collect();
+    if !parts.is_empty() {
+        columns.insert(0, ("recording".into(), &number));
+    }
     let mut text = String::from("run");
     columns.iter().for_each(|(name, _)| {
         text.push(',');
@@ -24,6 +31,15 @@ pub(super) fn csv(recording: &Recording, traces: &Traces) -> String {
         text.push('\n');
     }
     text
+}
+
+fn own_clock(recording: &Recording, parts: &[Recording]) -> Recording {
+    let mut own = recording.clone();
+    if let (false, Some(time)) = (parts.is_empty(), &mut own.inputs.time_s) {
+        let clock = |p: &Recording| p.inputs.time_s.clone().unwrap_or_else(|| (0..p.len()).map(|row| row as f64).collect());
+        *time = parts.iter().flat_map(clock).collect();
+    }
+    own
 }
 
 fn columns<'a>(recording: &'a Recording, traces: &'a Traces) -> Vec<(String, &'a [f64])> {

@@ -1,10 +1,11 @@
-//! Recordings as they are to be diagnosed: joined, one sensor chosen, columns concealed, base model replaced.
+//! Recordings as they are to be diagnosed: one sensor chosen, columns concealed, base model replaced, several put behind one another.
 //!
-//! Limits: recordings given together must have the same columns, unit and base model; their runs follow one another.
+//! Limits: recordings given together must be read in the same unit.
 
 use super::DiagnosisError;
 use crate::nearest::nearest;
 use truegap_core::{Inputs, Recording};
+use truegap_diagnose::joint::{Free, behind_one_another};
 
 /// What the user asks for beside the recordings.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,23 +22,67 @@ pub struct Request {
     pub conceal: Vec<String>,
     /// sensor column of a recording that holds several
     pub channel: Option<String>,
+    /// what each of several recordings has of its own: gain, offset
+    pub free: Vec<String>,
     /// command line, for the record
     pub command: String,
 }
 
-/// The recordings as one, changed as `request` says.
+/// Recordings, changed as a [`Request`] says.
+pub struct Opened {
+    /// all rows: runs numbered on, the clock carried on; for figures and tables
+    pub recording: Recording,
+    /// each by itself, where there are several
+    pub parts: Vec<Recording>,
+    /// what each has of its own
+    pub free: Free,
+    /// columns hidden on purpose, a value a row of `recording`
+    pub hidden: Vec<Hidden>,
+}
+
+/// A column that was hidden on purpose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hidden {
+    /// role
+    pub column: String,
+    /// unit of `values`
+    pub unit: &'static str,
+    /// one a row; NaN where a recording does not have the column
+    pub values: Vec<f64>,
+}
+
+/// The recordings, changed as `request` says.
 ///
 /// # Errors
 /// [`DiagnosisError`] where they do not belong together, or `request` names what is not there.
-pub fn open(recordings: Vec<Recording>, request: &Request) -> Result<Recording, DiagnosisError> {
+pub fn open(recordings: Vec<Recording>, request: &Request) -> Result<Opened, DiagnosisError> {
     check_effects(&request.effects)?;
-    let chosen: Vec<Recording> = recordings.into_iter().map(|r| channel(r, request)).collect::<Result<_, _>>()?;
-    let mut all = chosen.into_iter();
-    let first = all.next().ok_or(DiagnosisError::NoRecording)?;
-    let mut recording = all.try_fold(first, join)?;
+    let free = free(request, recordings.len())?;
+    let mut parts: Vec<Recording> = recordings.into_iter().map(|r| channel(r, request)).collect::<Result<_, _>>()?;
+    let mut hidden = Vec::new();
     for column in &request.conceal {
-        conceal(&mut recording, column)?;
+        hidden.push(conceal(&mut parts, column)?);
     }
+    parts.iter_mut().for_each(|part| replace_base(part, request));
+    if parts.len() == 1 {
+        let recording = parts.remove(0);
+        return Ok(Opened { recording, parts, free, hidden });
+    }
+    Ok(Opened { recording: together(&parts)?, parts, free, hidden })
+}
+
+fn free(request: &Request, recordings: usize) -> Result<Free, DiagnosisError> {
+    if let Some(word) = request.free.iter().find(|word| !matches!(word.as_str(), "gain" | "offset")) {
+        return Err(DiagnosisError::UnknownFree { word: word.clone() });
+    }
+    if recordings < 2 && !request.free.is_empty() {
+        return Err(DiagnosisError::NothingToFree);
+    }
+    let has = |word: &str| request.free.iter().any(|w| w == word);
+    Ok(Free { gain: has("gain"), offset: has("offset") })
+}
+
+fn replace_base(recording: &mut Recording, request: &Request) {
     let base = &mut recording.base;
     if let Some(model) = &request.base {
         base.model.clone_from(model);
@@ -51,7 +96,6 @@ pub fn open(recordings: Vec<Recording>, request: &Request) -> Result<Recording, 
     if request.no_warp {
         base.warp = Some(false);
     }
-    Ok(recording)
 }
 
 fn check_effects(effects: &[String]) -> Result<(), DiagnosisError> {
@@ -91,70 +135,59 @@ pub(super) fn named(recording: &Recording) -> String {
 /// One of the input columns, to be taken away.
 type Column = fn(&mut Inputs) -> &mut Option<Vec<f64>>;
 
-const CONCEALABLE: [(&str, Column); 5] = [
-    ("temperature", |i| &mut i.temperature_c),
-    ("humidity", |i| &mut i.humidity_pct),
-    ("force", |i| &mut i.force_n),
-    ("pressure", |i| &mut i.pressure_pa),
-    ("gap", |i| &mut i.gap_m),
+const CONCEALABLE: [(&str, &str, Column); 5] = [
+    ("temperature", "°C", |i| &mut i.temperature_c),
+    ("humidity", "%", |i| &mut i.humidity_pct),
+    ("force", "N", |i| &mut i.force_n),
+    ("pressure", "Pa", |i| &mut i.pressure_pa),
+    ("gap", "m", |i| &mut i.gap_m),
 ];
 
-fn conceal(recording: &mut Recording, column: &str) -> Result<(), DiagnosisError> {
-    let in_file = recording.columns.iter().find(|(_, name)| *name == column).map(|(role, _)| format!("{role:?}").to_lowercase());
+/// Takes a column away from all recordings that have it.
+fn conceal(parts: &mut [Recording], column: &str) -> Result<Hidden, DiagnosisError> {
+    let Some(first) = parts.first_mut() else { return Err(DiagnosisError::NoRecording) };
+    let in_file = first.columns.iter().find(|(_, name)| *name == column).map(|(role, _)| format!("{role:?}").to_lowercase());
     let wanted = in_file.as_deref().unwrap_or(column);
-    let found = CONCEALABLE.iter().find(|(role, get)| *role == wanted && get(&mut recording.inputs).is_some());
-    let Some((_, get)) = found else {
-        let there = CONCEALABLE.iter().filter(|(_, get)| get(&mut recording.inputs).is_some());
-        let names = there.map(|(role, _)| *role).collect::<Vec<_>>().join(", ");
-        return Err(DiagnosisError::NothingToConceal { recording: named(recording), column: column.into(), names });
+    let found = CONCEALABLE.iter().find(|(role, _, get)| *role == wanted && get(&mut first.inputs).is_some());
+    let Some((role, unit, get)) = found else {
+        let there = CONCEALABLE.iter().filter(|(_, _, get)| get(&mut first.inputs).is_some());
+        let names = there.map(|(role, ..)| *role).collect::<Vec<_>>().join(", ");
+        return Err(DiagnosisError::NothingToConceal { recording: named(first), column: column.into(), names });
     };
-    *get(&mut recording.inputs) = None;
-    Ok(())
+    let take = |part: &mut Recording| get(&mut part.inputs).take().unwrap_or_else(|| vec![f64::NAN; part.len()]);
+    Ok(Hidden { column: (*role).into(), unit, values: parts.iter_mut().flat_map(take).collect() })
 }
 
-/// `second` behind `first`, its runs numbered on, its clock carried on where it would run back.
-fn join(mut first: Recording, second: Recording) -> Result<Recording, DiagnosisError> {
-    check_alike(&first, &second)?;
-    let runs_before = first.inputs.run.iter().max().copied().unwrap_or(0);
-    let least = second.inputs.run.iter().min().copied().unwrap_or(0);
-    let (a, b) = (&mut first.inputs, second.inputs);
-    a.run.extend(b.run.iter().map(|run| run - least + runs_before + 1));
-    if let (Some(clock), Some(next)) = (&mut a.time_s, &b.time_s) {
-        let (end, start) = (clock.last().copied().unwrap_or(0.0), next.first().copied().unwrap_or(0.0));
-        let shift = if start > end { 0.0 } else { end - start };
-        clock.extend(next.iter().map(|t| t + shift));
-    }
-    let pairs = [
-        (&mut a.force_n, b.force_n),
-        (&mut a.pressure_pa, b.pressure_pa),
-        (&mut a.gap_m, b.gap_m),
-        (&mut a.temperature_c, b.temperature_c),
-        (&mut a.humidity_pct, b.humidity_pct),
-        (&mut a.simulated, b.simulated),
-    ];
-    for (to, from) in pairs {
-        if let (Some(to), Some(from)) = (to, from) {
-            to.extend(from);
-        }
-    }
-    first.response.extend(second.response);
-    first.notes.extend(second.notes);
-    Ok(first)
-}
+/// Temperature that stands for one that was not recorded, degrees Celsius; drawn, never simulated.
+const ROOM_C: f64 = 20.0;
 
-fn check_alike(first: &Recording, second: &Recording) -> Result<(), DiagnosisError> {
-    let roles =
-        |r: &Recording| r.quantities().iter().map(|(role, _)| format!("{role:?}").to_lowercase()).collect::<Vec<_>>().join(", ");
-    let base = |r: &Recording| format!("{:?}", (&r.base.model, &r.base.sensor, &r.base.warp));
-    let checks = [
-        ("columns", roles(first), roles(second)),
-        ("unit", first.response_unit.clone(), second.response_unit.clone()),
-        ("base model", base(first), base(second)),
-    ];
-    match checks.into_iter().find(|(_, a, b)| a != b) {
-        None => Ok(()),
-        Some((what, first_has, second_has)) => {
-            Err(DiagnosisError::Different { first: named(first), second: named(second), what, first_has, second_has })
+/// All rows behind one another, as far as they are drawn and listed: runs numbered on, the clock carried on where it would run back.
+pub(super) fn together(parts: &[Recording]) -> Result<Recording, DiagnosisError> {
+    let first = parts.first().ok_or(DiagnosisError::NoRecording)?;
+    if let Some(other) = parts.iter().find(|p| p.response_unit != first.response_unit) {
+        return Err(DiagnosisError::Different {
+            first: named(first),
+            second: named(other),
+            what: "unit",
+            first_has: first.response_unit.clone(),
+            second_has: other.response_unit.clone(),
+        });
+    }
+    let (mut inputs, _) = behind_one_another(&parts.iter().map(|p| (&p.inputs, ROOM_C)).collect::<Vec<_>>());
+    if let Some(clock) = &mut inputs.time_s {
+        let mut row = 0;
+        for part in &parts[..parts.len() - 1] {
+            row += part.len();
+            let (end, start) = (clock[row - 1], clock[row]);
+            let shift = if start > end { 0.0 } else { end - start };
+            clock[row..].iter_mut().for_each(|t| *t += shift);
         }
     }
+    Ok(Recording {
+        inputs,
+        response: parts.iter().flat_map(|p| p.response.iter().copied()).collect(),
+        notes: parts.iter().flat_map(|p| p.notes.clone()).collect(),
+        sensors: None,
+        ..first.clone()
+    })
 }

@@ -2,14 +2,17 @@
 //!
 //! Limits: the base model is the recording's (or the request's); nothing is kept on disk here.
 
-use super::request::{Request, named};
+use super::bases::{Bases, MATERIALS, bases};
+use super::request::{Opened, Request, named};
 use super::{DiagnosisError, prediction, write};
-use crate::base::{Base, base_model};
+use crate::base::Base;
 use crate::report::{Provenance, Subject};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use truegap_core::units::twelve_digits;
-use truegap_core::{Recording, Role, SimulationError};
+use truegap_core::{Inputs, Recording, Role, SimulationError};
+use truegap_diagnose::diagnosis::OneRecording;
+use truegap_diagnose::joint::{Member, Together};
 use truegap_diagnose::{DiagnoseError, Options, Outcome, Problem, Progress, RecordingFacts};
 
 /// Said where the search was stopped.
@@ -17,9 +20,11 @@ const STOPPED: &str = "the search was stopped before its end: verdict and probab
 
 /// A recording and what was found in it.
 pub struct Diagnosed {
-    /// the recording as it was diagnosed
+    /// the recording as it was diagnosed; of several, all rows behind one another
     pub recording: Recording,
-    /// its base model
+    /// each of several by itself
+    pub parts: Vec<Recording>,
+    /// its base model; of several recordings, the first one's
     pub base: Base,
     /// what was found
     pub outcome: Outcome,
@@ -27,31 +32,31 @@ pub struct Diagnosed {
     pub provenance: Provenance,
 }
 
-/// Diagnoses `recording`; `files` are what was read, with their SHA-256.
+/// Diagnoses what was opened; `files` are what was read, with their SHA-256.
 ///
 /// # Errors
 /// [`DiagnosisError`] where there is no base model or nothing can be concluded.
 pub fn diagnose(
-    recording: Recording,
+    opened: Opened,
     files: Vec<(String, String)>,
     request: &Request,
     progress: &(dyn Fn(Progress) + Sync),
     stop: &AtomicBool,
 ) -> Result<Diagnosed, DiagnosisError> {
-    let base = base_model(&recording)?;
-    let problem = Problem { inputs: &recording.inputs, response: &recording.response, simulator: base.simulator.as_ref() };
-    let options = Options { effects: request.effects.clone() };
-    let outcome = truegap_diagnose::diagnose(&problem, facts(&recording, &files), &options, progress, stop);
-    let mut outcome = outcome.map_err(|source| refused(source, &recording, &base))?;
-    outcome.diagnosis.base.sensor = base.sensor.as_ref().map(|s| s.name.clone());
-    let doubts = recording.notes.iter().map(ToString::to_string);
-    outcome.diagnosis.recording_issues.extend(doubts);
-    outcome
-        .diagnosis
-        .recording_issues
-        .extend(request.conceal.iter().map(|c| format!("the column for {c} was hidden on request")));
+    let bases = bases(&opened)?;
+    let run = Run { request, progress, stop };
+    let mut outcome = match opened.parts.is_empty() {
+        true => of_one(&opened, &bases, &files, &run)?,
+        false => of_several(&opened, &bases, &files, &run)?,
+    };
+    let mut bases = bases.bases.into_iter();
+    let base = bases.next().ok_or(DiagnosisError::NoRecording)?;
+    let diagnosis = &mut outcome.diagnosis;
+    diagnosis.base.sensor = base.sensor.as_ref().map(|s| s.name.clone());
+    diagnosis.recording_issues.extend(opened.recording.notes.iter().map(ToString::to_string));
+    diagnosis.recording_issues.extend(request.conceal.iter().map(|c| format!("the column for {c} was hidden on request")));
     if stop.load(Ordering::Relaxed) {
-        outcome.diagnosis.recording_issues.insert(0, STOPPED.to_owned());
+        diagnosis.recording_issues.insert(0, STOPPED.to_owned());
     }
     let provenance = Provenance {
         command: request.command.clone(),
@@ -60,7 +65,96 @@ pub fn diagnose(
         interrupted: stop.load(Ordering::Relaxed),
         has_model: true,
     };
-    Ok(Diagnosed { recording, base, outcome, provenance })
+    Ok(Diagnosed { recording: opened.recording, parts: opened.parts, base, outcome, provenance })
+}
+
+/// How a diagnosis is to be run.
+struct Run<'a> {
+    request: &'a Request,
+    progress: &'a (dyn Fn(Progress) + Sync),
+    stop: &'a AtomicBool,
+}
+
+impl Run<'_> {
+    fn diagnose(&self, problem: &Problem<'_>, facts: RecordingFacts) -> Result<Outcome, DiagnoseError> {
+        let options = Options { effects: self.request.effects.clone() };
+        truegap_diagnose::diagnose(problem, facts, &options, self.progress, self.stop)
+    }
+}
+
+fn of_one(opened: &Opened, bases: &Bases, files: &[(String, String)], run: &Run<'_>) -> Result<Outcome, DiagnosisError> {
+    let recording = &opened.recording;
+    let base = &bases.bases[0];
+    let problem = Problem { inputs: &recording.inputs, response: &recording.response, simulator: base.simulator.as_ref() };
+    run.diagnose(&problem, facts(recording, files)).map_err(|source| refused(source, recording, base))
+}
+
+fn of_several(opened: &Opened, bases: &Bases, files: &[(String, String)], run: &Run<'_>) -> Result<Outcome, DiagnosisError> {
+    let members = members(opened, bases);
+    let joint = Together::new(&members, &MATERIALS, opened.free)?;
+    let problem = Problem { inputs: &joint.inputs, response: &joint.response, simulator: &joint.model };
+    let mut facts = facts(&opened.recording, files);
+    facts.recordings = each(opened, bases, files, &joint.inputs);
+    facts.sharing = Some(joint.sharing.clone());
+    run.diagnose(&problem, facts).map_err(|source| {
+        let row = match &source {
+            DiagnoseError::Simulation(SimulationError::GapCloses { row, .. }) => *row,
+            _ => return DiagnosisError::Diagnose { recording: named(&opened.recording), source },
+        };
+        let (index, first) = part_of(&opened.parts, row);
+        refused(moved_up(source, first), &opened.parts[index], &bases.bases[bases.specimen[index]])
+    })
+}
+
+fn members<'a>(opened: &'a Opened, bases: &'a Bases) -> Vec<Member<'a>> {
+    let member = |(part, specimen): (&'a Recording, &usize)| Member {
+        name: named(part),
+        simulator: bases.bases[*specimen].simulator.as_ref(),
+        specimen: *specimen,
+        inputs: &part.inputs,
+        response: &part.response,
+    };
+    opened.parts.iter().zip(&bases.specimen).map(member).collect()
+}
+
+/// The recording that a joint row belongs to, and its first row.
+fn part_of(parts: &[Recording], row: usize) -> (usize, usize) {
+    let mut first = 0;
+    for (index, part) in parts.iter().enumerate() {
+        if row < first + part.len() || index + 1 == parts.len() {
+            return (index, first);
+        }
+        first += part.len();
+    }
+    (0, 0)
+}
+
+fn moved_up(source: DiagnoseError, rows: usize) -> DiagnoseError {
+    match source {
+        DiagnoseError::Simulation(SimulationError::GapCloses { row, load_si, strain }) => {
+            DiagnoseError::Simulation(SimulationError::GapCloses { row: row - rows, load_si, strain })
+        }
+        other => other,
+    }
+}
+
+/// Each of several recordings, for the record.
+fn each(opened: &Opened, bases: &Bases, files: &[(String, String)], joint: &Inputs) -> Vec<OneRecording> {
+    let mut row = 0;
+    let one = |(index, part): (usize, &Recording)| {
+        let first_run = joint.run.get(row).copied().unwrap_or(1);
+        row += part.len();
+        OneRecording {
+            number: index + 1,
+            source: files.get(index).map_or_else(|| named(part), |(name, _)| name.clone()),
+            sensor: bases.bases[bases.specimen[index]].sensor.as_ref().map(|s| s.name.clone()),
+            rows: part.len(),
+            runs: part.inputs.runs().len(),
+            first_run,
+            sha256: part.sha256.clone(),
+        }
+    };
+    opened.parts.iter().enumerate().map(one).collect()
 }
 
 /// Rows are counted from 1 for the user, and the load carries its unit.
@@ -87,6 +181,7 @@ fn facts(recording: &Recording, files: &[(String, String)]) -> RecordingFacts {
         runs: recording.inputs.runs().len(),
         sha256: hashes.join(" "),
         source: if names.is_empty() { named(recording) } else { names.join(", ") },
+        ..RecordingFacts::default()
     }
 }
 
@@ -104,7 +199,7 @@ impl Diagnosed {
 
     /// Every row with all predictions, as CSV.
     pub fn prediction_csv(&self) -> String {
-        prediction::csv(&self.recording, &self.outcome.traces)
+        prediction::csv(&self.recording, &self.parts, &self.outcome.traces)
     }
 
     /// Writes diagnosis.json, report.html, augmented.toml and prediction.csv, all or none.

@@ -95,7 +95,13 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
     Diagnosis {
         schema: SCHEMA,
         version: "0.0.0",
-        recording: RecordingFacts { rows: ROWS, runs: 3, sha256: "ab".repeat(32), source: "recording.csv".into() },
+        recording: RecordingFacts {
+            rows: ROWS,
+            runs: 3,
+            sha256: "ab".repeat(32),
+            source: "recording.csv".into(),
+            ..RecordingFacts::default()
+        },
         base: BaseFacts {
             model: "stack".into(),
             sensor: Some("singletact-s15-4.5n".into()),
@@ -118,6 +124,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             load_sd: 0.005,
             temperature_sd: 0.05,
             measured: true,
+            recordings: Vec::new(),
         },
         verdict: Verdict::Explained,
         says: "missing: thermal_lag; nothing else is needed".into(),
@@ -158,6 +165,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
                 rmse_after: after * 1.1,
                 misfit_removed: Some(0.97),
                 shuffled_control: Some(0.01),
+                recordings: Vec::new(),
                 parts: vec![("run 1".into(), 0.005, 0.0042), ("run 2".into(), 0.05, 0.0043), ("run 3".into(), 0.1, 0.0045)],
             },
             noise_floor: NOISE,
@@ -181,6 +189,8 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             }],
         },
         bank: None,
+        notices: Vec::new(),
+        concealed_column: None,
         recording_issues: vec!["12 rows repeat the value before them".into()],
         seconds: 3.2,
     }

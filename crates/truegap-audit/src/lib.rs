@@ -7,6 +7,7 @@ pub mod assumption;
 pub mod assumptions;
 pub mod audit;
 pub mod cache;
+pub mod disc;
 pub mod effect;
 pub mod error;
 pub mod finding;

@@ -1,0 +1,66 @@
+//! `LAYERS-OUTSIDE-IGNORED`: what is bonded behind the electrode bends with it.
+//!
+//! Limits: the insulator of the sensor file only; shields and covers behind it are not described there and would stiffen the electrode further.
+
+use super::warp::{figure, paper_sag_um, paper_shape, warps};
+use crate::disc::{Disc, Laminate, Loading, Strains, refined, shaped};
+use crate::{Assumption, AuditError, Finding, Measure, Study, finding::Measured};
+use truegap_core::Sensor;
+
+/// Only the two metals of the electrode bend.
+pub struct LayersOutsideIgnored;
+
+impl Assumption for LayersOutsideIgnored {
+    fn id(&self) -> &'static str {
+        "LAYERS-OUTSIDE-IGNORED"
+    }
+
+    fn says(&self) -> &'static str {
+        "the insulator bonded behind the electrode does not change its warp"
+    }
+
+    fn source(&self) -> &'static str {
+        "(9), text: `only the centre electrode contributes significantly`; against finite elements with the insulator bonded on, small deflection"
+    }
+
+    fn applies(&self, sensor: &Sensor) -> Result<(), String> {
+        warps(sensor)
+    }
+
+    fn examine(&self, study: &Study<'_>) -> Result<Finding, AuditError> {
+        let kelvin = study.hot_kelvin();
+        let (bare, plate) = (Laminate::electrode(study.sensor), Laminate::backed(study.sensor));
+        let fem = refined(
+            |fineness| {
+                let disc = Disc::free(plate.clone(), Strains::Small, fineness)?;
+                disc.profile(&disc.solve(kelvin, Loading::None, &[])?)
+            },
+            |shape| 1e6 * shape.sag(),
+        )?;
+        let stretching = |p: &Laminate| p.sheets.iter().map(|s| s.young * s.thickness).sum::<f64>();
+        let mut finding = Measured {
+            unit: "um",
+            analytic: paper_sag_um(study)?,
+            fem: fem.value,
+            error_estimate: fem.error,
+            measure: Measure {
+                name: "E h of the layers outside / E h of the metals".into(),
+                value: stretching(&plate) / stretching(&bare) - 1.0,
+                limit: 0.003,
+            },
+            effect_on: study.effect(shaped(&fem.result, kelvin))?,
+            figure: Some(figure(
+                study,
+                "Free electrode with the insulator behind it at the hot end",
+                &[("two metals (9)", &paper_shape(study)?), ("finite elements, insulator bonded", &fem.result)],
+            )),
+        }
+        .finding(self);
+        finding.reason += &format!(
+            "; rim above centre by plate theory {:.3} um with the insulator, {:.3} um without",
+            1e6 * plate.free_sag(kelvin),
+            1e6 * bare.free_sag(kelvin)
+        );
+        Ok(finding)
+    }
+}

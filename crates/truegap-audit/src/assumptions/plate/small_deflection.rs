@@ -1,0 +1,84 @@
+//! `SMALL-DEFLECTION`: (9) lets a disc become a sphere at no cost; bending in two directions stretches it.
+//!
+//! Limits: free electrode that stays a bowl; `SPHERICAL-STABLE` asks whether it does.
+
+use super::warp::{figure, paper_sag_um, paper_shape, warps};
+use crate::disc::{Disc, Laminate, Loading, Profile, Strains, refined};
+use crate::{Assumption, AuditError, Curve, Finding, Measure, Study, Swap, finding::Measured};
+use truegap_core::Sensor;
+
+/// The warp is small against the electrode's thickness.
+pub struct SmallDeflection;
+
+impl Assumption for SmallDeflection {
+    fn id(&self) -> &'static str {
+        "SMALL-DEFLECTION"
+    }
+
+    fn says(&self) -> &'static str {
+        "the warp is so small against the electrode's thickness that it grows in proportion to the temperature"
+    }
+
+    fn source(&self) -> &'static str {
+        "(9) against axisymmetric finite elements with large rotations (Saint Venant-Kirchhoff), free electrode"
+    }
+
+    fn applies(&self, sensor: &Sensor) -> Result<(), String> {
+        warps(sensor)
+    }
+
+    fn examine(&self, study: &Study<'_>) -> Result<Finding, AuditError> {
+        let kelvin = study.hot_kelvin();
+        let plate = Laminate::electrode(study.sensor);
+        let at = |part: f64| {
+            refined(
+                |fineness| {
+                    let disc = Disc::free(plate.clone(), Strains::Large, fineness)?;
+                    disc.profile(&disc.solve(part * kelvin, Loading::None, &[])?)
+                },
+                |shape: &Profile| 1e6 * shape.sag(),
+            )
+        };
+        let steps = [0.25, 0.5, 0.75].map(at);
+        let fem = at(1.0)?;
+        study.keep_going()?;
+        let mut points = vec![(study.sensor.reference_c, 0.0)];
+        let mut errors = vec![0.0];
+        for (part, step) in [0.25, 0.5, 0.75].into_iter().zip(steps) {
+            let step = step?;
+            points.push((study.sensor.reference_c + part * kelvin, step.value));
+            errors.push(step.error);
+        }
+        points.push((study.options.hot_c, fem.value));
+        errors.push(fem.error);
+        let mut figure = figure(study, "Rim above centre of the free electrode", &[]);
+        (figure.x, figure.y) = ("temperature (degC)".into(), "rim above centre (um)".into());
+        let analytic = paper_sag_um(study)?;
+        let straight = vec![(study.sensor.reference_c, 0.0), (study.options.hot_c, analytic)];
+        figure.curves = vec![
+            Curve { name: "small deflection (9)".into(), points: straight, errors: Vec::new() },
+            Curve { name: "finite elements, large deflection".into(), points, errors },
+        ];
+        // At the two temperatures of the coefficients: none, and all of it.
+        let (hot, sphere) = (fem.result.clone(), paper_shape(study)?);
+        let swap = Swap::none().shape(move |warm, _| {
+            let t = if kelvin == 0.0 { 0.0 } else { warm.kelvin / kelvin };
+            let large = hot.times(t);
+            Ok(if t.abs() < 1.0 { sphere.times(t).towards(&large, t.abs()) } else { large })
+        });
+        Ok(Measured {
+            unit: "um",
+            analytic,
+            fem: fem.value,
+            error_estimate: fem.error,
+            measure: Measure {
+                name: "rim above centre (9) / thickness".into(),
+                value: (1e-6 * analytic / plate.thickness()).abs(),
+                limit: 0.3,
+            },
+            effect_on: study.effect(swap)?,
+            figure: Some(figure),
+        }
+        .finding(self))
+    }
+}

@@ -1,0 +1,84 @@
+//! `SPHERICAL-STABLE`: beyond a critical temperature a free bowl turns into a cylinder.
+//!
+//! Limits: the critical temperature by finite elements (second variation per harmonic), the shape beyond it by energy with two curvatures.
+
+use super::warp::{paper_curvature, paper_shape, warps};
+use crate::disc::buckled::{buckled, critical_curvature, gain};
+use crate::disc::{Disc, Laminate, Loading, Strains, refined};
+use crate::{Assumption, AuditError, Finding, Measure, Study, Swap, finding::Measured};
+use truegap_core::Sensor;
+use truegap_fem::physics::elasticity::{NewtonOptions, Solver};
+use truegap_model::equations::electrodes::series;
+
+/// The warped electrode stays a body of revolution.
+pub struct SphericalStable;
+
+impl Assumption for SphericalStable {
+    fn id(&self) -> &'static str {
+        "SPHERICAL-STABLE"
+    }
+
+    fn says(&self) -> &'static str {
+        "the warped electrode stays a spherical cap over the whole range of temperatures and does not buckle into a cylinder"
+    }
+
+    fn source(&self) -> &'static str {
+        "(9), (18) against the temperature rise at which harmonic 2 of the heated free disc loses its stiffness (finite elements); shape beyond by energy"
+    }
+
+    fn applies(&self, sensor: &Sensor) -> Result<(), String> {
+        warps(sensor)
+    }
+
+    fn examine(&self, study: &Study<'_>) -> Result<Finding, AuditError> {
+        let range = study.hot_kelvin().abs();
+        let plate = Laminate::electrode(study.sensor);
+        let fem = refined(|fineness| critical_kelvin(&plate, fineness), |kelvin| *kelvin)?;
+        let mut finding = Measured {
+            unit: "K",
+            analytic: range,
+            fem: fem.value,
+            error_estimate: fem.error,
+            measure: Measure { name: "range / critical temperature rise".into(), value: range / fem.value, limit: 1.0 },
+            effect_on: if range < fem.value { study.effect(Swap::none())? } else { study.effect(cylinder(study, &plate)?)? },
+            figure: None,
+        }
+        .finding(self);
+        finding.reason = if range < fem.value {
+            format!("the free electrode would buckle {:.1} K above the reference; the range ends at {range:.1} K", fem.value)
+        } else {
+            format!("the free electrode buckles {:.1} K above the reference, within the range; {}", fem.value, finding.reason)
+        };
+        Ok(finding)
+    }
+}
+
+/// Temperature rise at which the free disc buckles, K.
+fn critical_kelvin(plate: &Laminate, fineness: crate::disc::Fineness) -> Result<f64, AuditError> {
+    let disc = Disc::free(plate.clone(), Strains::Large, fineness)?;
+    let nu = plate.poisson();
+    let guess = 2.0 * critical_curvature(plate) / ((1.0 + nu) * plate.curvature_per_kelvin().abs());
+    let named = || AuditError::fem("instability of the heated disc");
+    let mut solver = Solver::new(disc.problem(1.0, Loading::None, &[])).map_err(named())?;
+    let found = solver.critical_load(2, [0.5 * guess, 1.3 * guess], 1e-5, &NewtonOptions::default()).map_err(named())?;
+    Ok(found.load)
+}
+
+/// The chain with the buckled shape at the hot end, the paper's sphere at the reference.
+fn cylinder<'a>(study: &Study<'_>, plate: &Laminate) -> Result<Swap<'a>, AuditError> {
+    let (radius, kelvin) = (plate.radius, study.hot_kelvin());
+    let free = paper_curvature(study)?;
+    let (plate, flat) = (plate.clone(), paper_shape(study)?.times(0.0));
+    Ok(Swap::none().shape(move |_, _| Ok(flat.clone())).parts(move |warm, row, parts| {
+        let gap = warm.layers.beads * (1.0 - row.strain);
+        let shape = buckled(&plate, free * warm.kelvin / kelvin);
+        let factor = gain(shape, radius, gap).ok_or(AuditError::NoResponse {
+            force_n: row.force_n,
+            temperature_c: warm.kelvin,
+            strain: row.strain,
+        })?;
+        parts.beads *= factor;
+        parts.shares.main = series([parts.beads, parts.insulator]);
+        Ok(())
+    }))
+}

@@ -1,0 +1,48 @@
+//! What the assumptions about the warp share: the paper's sag, shapes as figures.
+//!
+//! Limits: shapes at the hot end of the range.
+
+use crate::disc::Profile;
+use crate::{AuditError, Curve, Figure, Study};
+use truegap_core::Sensor;
+use truegap_model::equations::warp::{Dome, rim_sag};
+
+/// A sensor without plating has no warp to speak of.
+pub(super) fn warps(sensor: &Sensor) -> Result<(), String> {
+    match sensor.plating {
+        Some(_) => Ok(()),
+        None => Err("the electrode is one metal and does not warp".into()),
+    }
+}
+
+/// Curvature of (9) at the hot end, 1/m.
+pub(super) fn paper_curvature(study: &Study<'_>) -> Result<f64, AuditError> {
+    Ok(study.chain(crate::Swap::none()).row(0.0, study.options.hot_c)?.parts.curvature)
+}
+
+/// Rim above centre by (9) at the hot end, um.
+pub(super) fn paper_sag_um(study: &Study<'_>) -> Result<f64, AuditError> {
+    Ok(1e6 * rim_sag(Dome { curvature: paper_curvature(study)?, radius: 0.5 * study.sensor.diameter.value }))
+}
+
+/// Shapes of the electrode over its radius; heights above the mean.
+pub(super) fn figure(study: &Study<'_>, title: &str, shapes: &[(&str, &Profile)]) -> Figure {
+    let millimetres = 0.5e3 * study.sensor.diameter.value;
+    let curve = |&(name, shape): &(&str, &Profile)| {
+        let mean = shape.mean();
+        let at = |i: u32| f64::from(i) / 60.0;
+        let points = (0..=60).map(|i| (at(i) * millimetres, 1e6 * (shape.height(at(i)) - mean))).collect();
+        Curve { name: name.into(), points, errors: Vec::new() }
+    };
+    Figure {
+        title: title.into(),
+        x: "distance from the axis (mm)".into(),
+        y: "height above the mean (um)".into(),
+        curves: shapes.iter().map(curve).collect(),
+    }
+}
+
+/// The sphere of (9) at the hot end.
+pub(super) fn paper_shape(study: &Study<'_>) -> Result<Profile, AuditError> {
+    Ok(Profile::sphere(paper_curvature(study)?, 0.5 * study.sensor.diameter.value))
+}

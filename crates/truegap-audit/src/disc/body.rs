@@ -1,0 +1,182 @@
+//! The disc as an elastic problem: materials, supports, heat and load.
+//!
+//! Beads answer linearly with the modulus of [`BeadSpring`] and do not spread; metals and insulator bend by small or large rotations.
+
+use super::{BeadSpring, Gap, Laminate, Profile, Section, submesh::part};
+use crate::AuditError;
+use truegap_fem::Symmetry;
+use truegap_fem::mesh::Mesh;
+use truegap_fem::physics::elasticity::{
+    Component, Condition, Formulation, LawKind, Material, Order, Problem, Side, Solution, Solver, Temperature,
+};
+
+/// How fine a section is meshed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fineness {
+    /// columns along the radius, grading at the rim not counted
+    pub columns: usize,
+    /// factor on the rows across each layer
+    pub rows: usize,
+}
+
+impl Fineness {
+    /// For values.
+    pub const FINE: Self = Self { columns: 64, rows: 2 };
+    /// Half of it, for the estimate of the error.
+    pub const COARSE: Self = Self { columns: 32, rows: 1 };
+}
+
+/// Which rotations are taken into account.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Strains {
+    /// small ones: the plate theory that (9) belongs to
+    Small,
+    /// large ones: bending stretches the disc
+    Large,
+}
+
+/// What presses on the disc.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Loading {
+    /// nothing
+    None,
+    /// a force (N) spread evenly, as by a fluid or a fingertip
+    Even(f64),
+    /// a rigid flat plate without friction, pushed down so far (m) from where it first touched the flat disc
+    Plate(f64),
+}
+
+/// A disc to be solved.
+#[derive(Clone, Debug)]
+pub struct Disc {
+    /// electrode and what is bonded to it
+    pub plate: Laminate,
+    /// its mesh
+    pub section: Section,
+    /// beads below; `None` for a free plate
+    pub beads: Option<BeadSpring>,
+    /// rotations
+    pub strains: Strains,
+}
+
+/// A bent disc.
+#[derive(Clone, Debug)]
+pub struct Bent {
+    /// the equilibrium
+    pub solution: Solution,
+    /// force of the load plate, N; zero without one
+    pub plate_force: f64,
+}
+
+impl Disc {
+    /// A plate that nothing holds.
+    ///
+    /// # Errors
+    /// A layer without thickness.
+    pub fn free(plate: Laminate, strains: Strains, fineness: Fineness) -> Result<Self, AuditError> {
+        let section = Section::new(&plate, &Gap::None, None, fineness)?;
+        Ok(Self { plate, section, beads: None, strains })
+    }
+
+    /// A plate on a layer that stands for the beads.
+    ///
+    /// # Errors
+    /// A layer without thickness.
+    pub fn on_layer(plate: Laminate, beads: BeadSpring, strains: Strains, fineness: Fineness) -> Result<Self, AuditError> {
+        let section = Section::new(&plate, &Gap::Layer(beads.height), None, fineness)?;
+        Ok(Self { plate, section, beads: Some(beads), strains })
+    }
+
+    /// A plate on `zones` rings of beads.
+    ///
+    /// # Errors
+    /// A layer without thickness.
+    pub fn on_rings(
+        plate: Laminate,
+        beads: BeadSpring,
+        zones: usize,
+        strains: Strains,
+        fineness: Fineness,
+    ) -> Result<Self, AuditError> {
+        let gap = Gap::Rings { height: beads.height, coverage: beads.coverage, zones };
+        let section = Section::new(&plate, &gap, None, fineness)?;
+        Ok(Self { plate, section, beads: Some(beads), strains })
+    }
+
+    /// The elastic problem with the rings that `attached` tells (all of them where there are none to tell apart).
+    pub fn problem(&self, kelvin: f64, loading: Loading, attached: &[bool]) -> Problem {
+        let bodies = |name: &str| match name.strip_prefix("ring ") {
+            Some(number) => number.parse().ok().and_then(|j: usize| attached.get(j - 1)).copied().unwrap_or(true),
+            None => name != "air",
+        };
+        let mesh = part(&self.section.mesh, bodies).mesh;
+        let materials = mesh.region_names.iter().map(|name| self.material(name)).collect();
+        let mut conditions = match &self.beads {
+            None => vec![Condition::pin([0.0, 0.0], Component::Second)],
+            Some(_) => [Component::First, Component::Second].map(|c| Condition::fix("bottom", c)).to_vec(),
+        };
+        conditions.extend(self.load(loading, &mesh));
+        Problem {
+            mesh,
+            symmetry: Symmetry::Axisymmetric,
+            materials,
+            conditions,
+            temperature: Temperature::uniform(kelvin),
+            body_force: None,
+            order: Order::Quadratic,
+        }
+    }
+
+    /// Equilibrium with the rings that `attached` tells.
+    ///
+    /// # Errors
+    /// Where Newton's method finds none.
+    pub fn solve(&self, kelvin: f64, loading: Loading, attached: &[bool]) -> Result<Bent, AuditError> {
+        let problem = self.problem(kelvin, loading, attached);
+        let obstacle = problem.conditions.iter().position(|c| matches!(c, Condition::Obstacle { .. }));
+        let mut solver = Solver::new(problem).map_err(AuditError::fem("heated disc"))?;
+        let solution = solver.solve().map_err(AuditError::fem("heated disc"))?;
+        let plate_force = obstacle.map_or(0.0, |condition| -solver.obstacle_force(condition));
+        Ok(Bent { solution, plate_force })
+    }
+
+    /// Shape of the electrode's face.
+    ///
+    /// # Errors
+    /// A section without a face, which the meshes here do not have.
+    pub fn profile(&self, bent: &Bent) -> Result<Profile, AuditError> {
+        Profile::of_face(&bent.solution)
+    }
+
+    fn load(&self, loading: Loading, mesh: &Mesh) -> Option<Condition> {
+        match loading {
+            Loading::None => None,
+            Loading::Even(force) => {
+                let radius = mesh.points.iter().map(|p| p[0]).fold(0.0, f64::max);
+                Some(Condition::pressure("top", force / (std::f64::consts::PI * radius * radius)))
+            }
+            Loading::Plate(travel) => Some(Condition::Obstacle {
+                boundary: "top".into(),
+                component: Component::Second,
+                position: self.section.top,
+                travel: -travel,
+                side: Side::Below,
+            }),
+        }
+    }
+
+    fn material(&self, region: &str) -> Material {
+        let law = match self.strains {
+            Strains::Small => LawKind::Linear,
+            Strains::Large => LawKind::SaintVenantKirchhoff,
+        };
+        if let Some(s) = self.plate.sheets.iter().find(|s| s.name == region) {
+            let (young, poisson, expansion) = (s.young, s.poisson, s.expansion);
+            return Material { young, poisson, expansion, law, formulation: Formulation::suited(poisson) };
+        }
+        // Bead material: what is neither sheet nor ring is the layer that stands for all beads.
+        let (young, coverage, expansion) = self.beads.map_or((f64::NAN, 1.0, 0.0), |b| (b.young, b.coverage, b.expansion));
+        let share = if region.starts_with("ring ") { 1.0 } else { coverage };
+        Material { young: share * young, poisson: 0.0, expansion, law: LawKind::Linear, formulation: Formulation::Displacement }
+    }
+}

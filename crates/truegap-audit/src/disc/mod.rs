@@ -1,0 +1,24 @@
+//! The whole disc: a stack of layers on beads, heated and pressed, as finite elements and as the closed forms it is checked against.
+//!
+//! Axisymmetric: beads become rings of equal area fraction. What has no axis (a cylinder after buckling) is in [`buckled`], by energy.
+
+pub mod bead_spring;
+pub mod body;
+pub mod buckled;
+pub mod columns;
+pub mod contact;
+pub mod foundation;
+pub mod laminate;
+pub mod profile;
+pub mod refined;
+pub mod section;
+pub mod shaped;
+pub mod submesh;
+
+pub use bead_spring::BeadSpring;
+pub use body::{Disc, Fineness, Loading, Strains};
+pub use laminate::{Laminate, Sheet};
+pub use profile::Profile;
+pub use refined::{Refined, refined};
+pub use section::{Gap, Section};
+pub use shaped::shaped;

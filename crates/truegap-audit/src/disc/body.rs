@@ -5,9 +5,9 @@
 use super::{BeadSpring, Gap, Laminate, Profile, Section, submesh::part};
 use crate::AuditError;
 use truegap_fem::Symmetry;
-use truegap_fem::mesh::Mesh;
+use truegap_fem::mesh::{Mesh, Point};
 use truegap_fem::physics::elasticity::{
-    Component, Condition, Formulation, LawKind, Material, Order, Problem, Side, Solution, Solver, Temperature,
+    Component, Condition, Formulation, LawKind, Material, Order, Place, Problem, Solution, Solver, Temperature,
 };
 
 /// How fine a section is meshed.
@@ -36,14 +36,19 @@ pub enum Strains {
 }
 
 /// What presses on the disc.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Loading {
     /// nothing
     None,
     /// a force (N) spread evenly, as by a fluid or a fingertip
     Even(f64),
-    /// a rigid flat plate without friction, pushed down so far (m) from where it first touched the flat disc
-    Plate(f64),
+    /// a rigid flat plate without friction
+    Plate {
+        /// how far it went down (m) from where it first touched the flat disc
+        travel: f64,
+        /// nodes of the top that it touches (m)
+        touched: Vec<Point>,
+    },
 }
 
 /// A disc to be solved.
@@ -57,15 +62,6 @@ pub struct Disc {
     pub beads: Option<BeadSpring>,
     /// rotations
     pub strains: Strains,
-}
-
-/// A bent disc.
-#[derive(Clone, Debug)]
-pub struct Bent {
-    /// the equilibrium
-    pub solution: Solution,
-    /// force of the load plate, N; zero without one
-    pub plate_force: f64,
 }
 
 impl Disc {
@@ -104,7 +100,7 @@ impl Disc {
     }
 
     /// The elastic problem with the rings that `attached` tells (all of them where there are none to tell apart).
-    pub fn problem(&self, kelvin: f64, loading: Loading, attached: &[bool]) -> Problem {
+    pub fn problem(&self, kelvin: f64, loading: &Loading, attached: &[bool]) -> Problem {
         let bodies = |name: &str| match name.strip_prefix("ring ") {
             Some(number) => number.parse().ok().and_then(|j: usize| attached.get(j - 1)).copied().unwrap_or(true),
             None => name != "air",
@@ -131,37 +127,34 @@ impl Disc {
     ///
     /// # Errors
     /// Where Newton's method finds none.
-    pub fn solve(&self, kelvin: f64, loading: Loading, attached: &[bool]) -> Result<Bent, AuditError> {
-        let problem = self.problem(kelvin, loading, attached);
-        let obstacle = problem.conditions.iter().position(|c| matches!(c, Condition::Obstacle { .. }));
-        let mut solver = Solver::new(problem).map_err(AuditError::fem("heated disc"))?;
-        let solution = solver.solve().map_err(AuditError::fem("heated disc"))?;
-        let plate_force = obstacle.map_or(0.0, |condition| -solver.obstacle_force(condition));
-        Ok(Bent { solution, plate_force })
+    pub fn solve(&self, kelvin: f64, loading: &Loading, attached: &[bool]) -> Result<Solution, AuditError> {
+        let mut solver = Solver::new(self.problem(kelvin, loading, attached)).map_err(AuditError::fem("heated disc"))?;
+        solver.solve().map_err(AuditError::fem("heated disc"))
     }
 
     /// Shape of the electrode's face.
     ///
     /// # Errors
     /// A section without a face, which the meshes here do not have.
-    pub fn profile(&self, bent: &Bent) -> Result<Profile, AuditError> {
-        Profile::of_face(&bent.solution)
+    pub fn profile(&self, bent: &Solution) -> Result<Profile, AuditError> {
+        Profile::of_face(bent)
     }
 
-    fn load(&self, loading: Loading, mesh: &Mesh) -> Option<Condition> {
+    fn load(&self, loading: &Loading, mesh: &Mesh) -> Vec<Condition> {
         match loading {
-            Loading::None => None,
+            Loading::None => Vec::new(),
             Loading::Even(force) => {
                 let radius = mesh.points.iter().map(|p| p[0]).fold(0.0, f64::max);
-                Some(Condition::pressure("top", force / (std::f64::consts::PI * radius * radius)))
+                vec![Condition::pressure("top", force / (std::f64::consts::PI * radius * radius))]
             }
-            Loading::Plate(travel) => Some(Condition::Obstacle {
-                boundary: "top".into(),
-                component: Component::Second,
-                position: self.section.top,
-                travel: -travel,
-                side: Side::Below,
-            }),
+            Loading::Plate { travel, touched } => {
+                let held = |&at: &Point| Condition::Displacement {
+                    place: Place::Point(at),
+                    component: Component::Second,
+                    value: -travel,
+                };
+                touched.iter().map(held).collect()
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 //!
 //! Axisymmetric: beads become rings of equal area fraction. What has no axis (a cylinder after buckling) is in [`buckled`], by energy.
 
+pub mod baselines;
 pub mod bead_spring;
 pub mod body;
 pub mod buckled;
@@ -15,6 +16,7 @@ pub mod section;
 pub mod shaped;
 pub mod submesh;
 
+pub use baselines::{Baseline, baselines};
 pub use bead_spring::BeadSpring;
 pub use body::{Disc, Fineness, Loading, Strains};
 pub use laminate::{Laminate, Sheet};

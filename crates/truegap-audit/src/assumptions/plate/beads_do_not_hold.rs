@@ -35,7 +35,7 @@ impl Assumption for BeadsDoNotHold {
         let fem = refined(
             |fineness| {
                 let disc = Disc::on_layer(plate.clone(), beads, Strains::Small, fineness)?;
-                disc.profile(&disc.solve(kelvin, Loading::None, &[])?)
+                disc.profile(&disc.solve(kelvin, &Loading::None, &[])?)
             },
             |shape| 1e6 * shape.sag(),
         )?;

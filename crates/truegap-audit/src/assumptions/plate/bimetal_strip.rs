@@ -33,7 +33,7 @@ impl Assumption for BimetalStrip {
         let fem = refined(
             |fineness| {
                 let disc = Disc::free(plate.clone(), Strains::Small, fineness)?;
-                disc.profile(&disc.solve(kelvin, crate::disc::Loading::None, &[])?)
+                disc.profile(&disc.solve(kelvin, &crate::disc::Loading::None, &[])?)
             },
             |shape| 1e6 * shape.sag(),
         )?;

@@ -20,7 +20,7 @@ impl Assumption for LayersOutsideIgnored {
     }
 
     fn source(&self) -> &'static str {
-        "(9), text: `only the centre electrode contributes significantly`; against finite elements with the insulator bonded on, small deflection"
+        "(9), text: where only the centre electrode is said to matter; against finite elements with the insulator bonded on, small deflection"
     }
 
     fn applies(&self, sensor: &Sensor) -> Result<(), String> {
@@ -33,7 +33,7 @@ impl Assumption for LayersOutsideIgnored {
         let fem = refined(
             |fineness| {
                 let disc = Disc::free(plate.clone(), Strains::Small, fineness)?;
-                disc.profile(&disc.solve(kelvin, Loading::None, &[])?)
+                disc.profile(&disc.solve(kelvin, &Loading::None, &[])?)
             },
             |shape| 1e6 * shape.sag(),
         )?;

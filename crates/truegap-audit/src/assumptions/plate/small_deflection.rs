@@ -34,7 +34,7 @@ impl Assumption for SmallDeflection {
             refined(
                 |fineness| {
                     let disc = Disc::free(plate.clone(), Strains::Large, fineness)?;
-                    disc.profile(&disc.solve(part * kelvin, Loading::None, &[])?)
+                    disc.profile(&disc.solve(part * kelvin, &Loading::None, &[])?)
                 },
                 |shape: &Profile| 1e6 * shape.sag(),
             )

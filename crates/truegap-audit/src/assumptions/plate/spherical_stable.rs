@@ -2,13 +2,13 @@
 //!
 //! Limits: the critical temperature by finite elements (second variation per harmonic), the shape beyond it by energy with two curvatures.
 
-use super::warp::{paper_curvature, paper_shape, warps};
-use crate::disc::buckled::{buckled, critical_curvature, gain};
+use super::warp::{paper_curvature, warps};
+use crate::disc::baselines::cylindrical;
+use crate::disc::buckled::critical_curvature;
 use crate::disc::{Disc, Laminate, Loading, Strains, refined};
 use crate::{Assumption, AuditError, Finding, Measure, Study, Swap, finding::Measured};
 use truegap_core::Sensor;
 use truegap_fem::physics::elasticity::{NewtonOptions, Solver};
-use truegap_model::equations::electrodes::series;
 
 /// The warped electrode stays a body of revolution.
 pub struct SphericalStable;
@@ -40,7 +40,11 @@ impl Assumption for SphericalStable {
             fem: fem.value,
             error_estimate: fem.error,
             measure: Measure { name: "range / critical temperature rise".into(), value: range / fem.value, limit: 1.0 },
-            effect_on: if range < fem.value { study.effect(Swap::none())? } else { study.effect(cylinder(study, &plate)?)? },
+            effect_on: if range < fem.value {
+                study.effect(Swap::none())?
+            } else {
+                study.effect(cylindrical(&plate, paper_curvature(study)? / study.hot_kelvin()))?
+            },
             figure: None,
         }
         .finding(self);
@@ -59,26 +63,7 @@ fn critical_kelvin(plate: &Laminate, fineness: crate::disc::Fineness) -> Result<
     let nu = plate.poisson();
     let guess = 2.0 * critical_curvature(plate) / ((1.0 + nu) * plate.curvature_per_kelvin().abs());
     let named = || AuditError::fem("instability of the heated disc");
-    let mut solver = Solver::new(disc.problem(1.0, Loading::None, &[])).map_err(named())?;
-    let found = solver.critical_load(2, [0.5 * guess, 1.3 * guess], 1e-5, &NewtonOptions::default()).map_err(named())?;
+    let mut solver = Solver::new(disc.problem(1.0, &Loading::None, &[])).map_err(named())?;
+    let found = solver.critical_load(2, [0.5 * guess, 1.3 * guess], 1e-4, &NewtonOptions::default()).map_err(named())?;
     Ok(found.load)
-}
-
-/// The chain with the buckled shape at the hot end, the paper's sphere at the reference.
-fn cylinder<'a>(study: &Study<'_>, plate: &Laminate) -> Result<Swap<'a>, AuditError> {
-    let (radius, kelvin) = (plate.radius, study.hot_kelvin());
-    let free = paper_curvature(study)?;
-    let (plate, flat) = (plate.clone(), paper_shape(study)?.times(0.0));
-    Ok(Swap::none().shape(move |_, _| Ok(flat.clone())).parts(move |warm, row, parts| {
-        let gap = warm.layers.beads * (1.0 - row.strain);
-        let shape = buckled(&plate, free * warm.kelvin / kelvin);
-        let factor = gain(shape, radius, gap).ok_or(AuditError::NoResponse {
-            force_n: row.force_n,
-            temperature_c: warm.kelvin,
-            strain: row.strain,
-        })?;
-        parts.beads *= factor;
-        parts.shares.main = series([parts.beads, parts.insulator]);
-        Ok(())
-    }))
 }

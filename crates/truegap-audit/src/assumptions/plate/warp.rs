@@ -22,7 +22,8 @@ pub(super) fn paper_curvature(study: &Study<'_>) -> Result<f64, AuditError> {
 
 /// Rim above centre by (9) at the hot end, um.
 pub(super) fn paper_sag_um(study: &Study<'_>) -> Result<f64, AuditError> {
-    Ok(1e6 * rim_sag(Dome { curvature: paper_curvature(study)?, radius: 0.5 * study.sensor.diameter.value }))
+    let radius = study.device.at(study.options.hot_c).radius;
+    Ok(1e6 * rim_sag(Dome { curvature: paper_curvature(study)?, radius }))
 }
 
 /// Shapes of the electrode over its radius; heights above the mean.
@@ -44,5 +45,5 @@ pub(super) fn figure(study: &Study<'_>, title: &str, shapes: &[(&str, &Profile)]
 
 /// The sphere of (9) at the hot end.
 pub(super) fn paper_shape(study: &Study<'_>) -> Result<Profile, AuditError> {
-    Ok(Profile::sphere(paper_curvature(study)?, 0.5 * study.sensor.diameter.value))
+    Ok(Profile::sphere(paper_curvature(study)?, study.device.at(study.options.hot_c).radius))
 }

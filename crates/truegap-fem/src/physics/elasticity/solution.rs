@@ -107,6 +107,11 @@ impl Solution {
         Ok(nodes.iter().map(|&n| self.forces[2 * n as usize + component.index()]).sum())
     }
 
+    /// Force of the supports on one node (N; N/m in planar bodies), zero but for rounding where nothing holds it.
+    pub fn support_force(&self, node: usize) -> [f64; 2] {
+        [self.forces[2 * node], self.forces[2 * node + 1]]
+    }
+
     /// Displacement at a point of the undeformed body (m).
     pub fn displacement_at(&self, at: Point) -> Result<[f64; 2], ElasticityError> {
         let (element, reference) = self.locate(at, None)?;

@@ -50,6 +50,8 @@ pub struct Harmonic {
     direct: Option<Direct>,
     mass: Vec<f64>,
     guess: Vec<f64>,
+    /// Largest magnitude of an eigenvalue found so far: near an instability rounding stays relative to this.
+    scale: f64,
 }
 
 impl Harmonic {
@@ -76,6 +78,7 @@ impl Harmonic {
             mass: volumes(body, &dofs),
             // Uneven, so that no mode is orthogonal to it by symmetry.
             guess: (0..dofs.count).map(|i| 0.5 + (i as f64 * 0.754_877_666).fract()).collect(),
+            scale: 0.0,
             numbering,
             dofs,
         })
@@ -95,6 +98,7 @@ impl Harmonic {
         }
         const ITERATIONS: usize = 60;
         const SETTLED: f64 = 1e-7;
+        const NEAR_ZERO: f64 = 1e-3;
         let form = second_variation(solver, self.n);
         self.pattern.assemble(&mut self.matrix, &form);
         let mut direct = match self.direct.take() {
@@ -112,11 +116,12 @@ impl Harmonic {
             let y = self.refined(&mut direct, solver, &load);
             x = self.normalised(y);
             let next = dot(&self.forces(solver, &x), &x);
-            change = ((next - value) / next).abs();
+            change = (next - value).abs() / next.abs().max(NEAR_ZERO * self.scale);
             value = next;
         }
         self.guess = x.clone();
         self.direct = Some(direct);
+        self.scale = self.scale.max(value.abs());
         if !(change < SETTLED) {
             return Err(ElasticityError::Eigenvalue { harmonic: self.n, iterations, change });
         }

@@ -98,6 +98,17 @@ pub struct Figure {
     pub curves: Vec<Curve>,
 }
 
+impl Figure {
+    /// The figure with a band of relative errors about one of its curves.
+    #[must_use]
+    pub fn with_errors(mut self, curve: usize, relative: f64) -> Self {
+        if let Some(curve) = self.curves.get_mut(curve) {
+            curve.errors = curve.points.iter().map(|p| relative * p.1.abs()).collect();
+        }
+        self
+    }
+}
+
 /// One row of the audit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finding {

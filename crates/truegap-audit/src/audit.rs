@@ -12,6 +12,7 @@ use std::{
     },
 };
 use truegap_core::Sensor;
+use truegap_model::Coefficients;
 
 /// An assumption that the sensor has nothing to do with.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -23,12 +24,14 @@ pub struct NotApplicable {
 }
 
 /// The audit of one sensor.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Audit {
     /// `truegap.audit/1`
     pub schema: String,
     /// name of the sensor
     pub sensor: String,
+    /// what the analytic model says between the two temperatures
+    pub coefficients: Coefficients,
     /// one row an assumption, in the order of the register
     pub assumptions: Vec<Finding>,
     /// what the sensor has nothing to do with
@@ -71,6 +74,7 @@ pub fn run(
     Ok(Audit {
         schema: "truegap.audit/1".into(),
         sensor: sensor.name.clone(),
+        coefficients: *study.base(),
         ranking: ranking(&findings),
         assumptions: findings,
         not_applicable,

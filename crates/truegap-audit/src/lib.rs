@@ -25,6 +25,6 @@ pub use effect::{EffectOn, coefficients_of};
 pub use error::AuditError;
 pub use finding::{Curve, FemValue, Figure, Finding, Measure, Value, Verdict};
 pub use ranking::{Ranked, Ranking, ranking};
-pub use register::register;
+pub use register::{chosen, register};
 pub use study::{Options, Progress, Study, Watch};
 pub use swap::{Chain, Swap};

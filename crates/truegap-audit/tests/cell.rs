@@ -78,3 +78,20 @@ fn a_smooth_bead_follows_the_closed_form_of_uniaxial_compression() {
         assert!((step.profile.volume() - low * low * axial).abs() < 1e-7);
     }
 }
+
+#[test]
+fn held_expansion_lies_between_its_closed_forms() {
+    let nu: f64 = 0.49;
+    let slender = held_expansion(&Cell { bead: 10e-6, ..reference_cell(nu) }).unwrap();
+    // Saint-Venant: two ends, each a bead radius long, are held.
+    assert!(slender.value > 1.0 && slender.value < 1.1, "{slender:?}");
+    let flat = held_expansion(&Cell { bead: 198e-6 * 40.0, ..reference_cell(nu) }).unwrap();
+    let limit = (1.0 + nu) / (1.0 - nu);
+    // The free side relieves an edge about as wide as sqrt(bulk / shear) heights: 1 / (1 - 2 nu) = 50.
+    assert!(flat.value < limit && flat.value > 0.6 * limit, "{flat:?} {limit}");
+    let bead = held_expansion(&reference_cell(nu)).unwrap();
+    assert!(bead.value > 1.3 && bead.value < 2.2 && bead.error_estimate < 0.02, "{bead:?}");
+    // Without lateral contraction a squeezed bead has axial stress only, so by Betti's theorem holding the faces changes no height.
+    let cork = held_expansion(&reference_cell(0.0)).unwrap();
+    assert!((cork.value - 1.0).abs() < 1e-9, "{cork:?}");
+}

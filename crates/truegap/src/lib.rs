@@ -3,6 +3,8 @@
 //! Limits: nothing here computes physics; text goes in and typed answers come out, printing is left to the caller.
 
 pub mod answer;
+pub mod audit_report;
+pub mod audit_run;
 pub mod axis;
 pub mod base;
 pub mod case_file;

@@ -5,10 +5,12 @@
 
 mod charge;
 mod geometry;
+mod heat;
 mod law;
 mod press;
 
 pub use charge::{Charged, Filled, cell_capacitance};
 pub use geometry::{Cell, Profile};
+pub use heat::{Estimated, heated_stiffness, held_expansion};
 pub use law::{Law, bonded_law};
 pub use press::{Bonding, Pressed, PressedAt, error_by_rim, press};

@@ -2,6 +2,7 @@
 //!
 //! A new one is a file with a struct of arguments that implements [`Run`], a `mod` line and a line in [`commands`].
 
+mod audit;
 mod coefficients;
 mod diagnose;
 mod mesh;
@@ -64,6 +65,7 @@ commands! {
     Sensitivity(sensitivity::Sensitivity),
     Optimise(optimise::Optimise),
     Tolerance(tolerance::Tolerance),
+    Audit(audit::Audit),
     Diagnose(diagnose::Diagnose),
     Mesh(mesh::Mesh),
     Solve(solve::Solve),

@@ -3,17 +3,27 @@
 //! Limits: one bead stands for all; interaction with the plate's shape is in [`super::plate`].
 
 mod free_bead_spread;
+mod free_expansion;
+mod linear_softening;
 mod mixing_parallel;
 mod no_fringing;
+mod permittivity_constant;
+mod polyimide_uniform_stress;
 mod series_of_integrals;
 pub mod tail_parallel_plate;
+mod uniform_temperature;
 
 use crate::{Assumption, AuditError, Study, Swap};
 use truegap_core::{Sensor, sensor::Filling};
 
 /// The list, in the order of the model's chain.
 pub const ASSUMPTIONS: &[&dyn Assumption] = &[
+    &uniform_temperature::UniformTemperature,
+    &free_expansion::FreeExpansion,
+    &linear_softening::LinearSoftening,
     &free_bead_spread::FreeBeadSpread,
+    &polyimide_uniform_stress::PolyimideUniformStress,
+    &permittivity_constant::PermittivityConstant,
     &mixing_parallel::MixingParallel,
     &series_of_integrals::SeriesOfIntegrals,
     &no_fringing::NoFringing,

@@ -1,0 +1,94 @@
+//! An audit with everything that its report needs, and the folder it is written to.
+//!
+//! Limits: the physics is in `truegap-audit`; here are names, files and the place of the cache.
+
+use crate::audit_report;
+use crate::output::{OutputError, OutputFolder};
+use std::path::{Path, PathBuf};
+use truegap_audit::{Audit, AuditError, Cache, Options, Watch, chosen, run};
+use truegap_core::Sensor;
+
+/// Why there is no audit.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum AuditRunError {
+    /// The audit failed.
+    #[error(transparent)]
+    Audit(#[from] AuditError),
+    /// It cannot be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// It cannot be put into words.
+    #[error("the audit cannot be written as JSON: {0}; please report this")]
+    Json(#[from] serde_json::Error),
+}
+
+/// What to audit.
+#[derive(Clone, Debug)]
+pub struct AuditRequest {
+    /// the sensor
+    pub sensor: Sensor,
+    /// assumptions by name; all where empty
+    pub only: Vec<String>,
+    /// range and accuracy
+    pub options: Options,
+    /// where findings are remembered
+    pub cache: Cache,
+    /// the command, for the report
+    pub command: String,
+}
+
+/// An audit and where it comes from.
+#[derive(Clone, Debug)]
+pub struct Audited {
+    /// what was found
+    pub audit: Audit,
+    /// range and accuracy
+    pub options: Options,
+    /// full load, N
+    pub full_n: f64,
+    /// the command that made it
+    pub command: String,
+}
+
+/// A body to look at beside the table.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// name of the file, with `.glb`
+    pub name: String,
+    /// what it shows, a sentence
+    pub says: String,
+    /// the file
+    pub glb: Vec<u8>,
+}
+
+/// Runs an audit.
+///
+/// # Errors
+/// [`AuditRunError`] where an assumption cannot be examined.
+pub fn audit(request: AuditRequest, watch: &Watch<'_>) -> Result<Audited, AuditRunError> {
+    let AuditRequest { sensor, only, options, cache, command } = request;
+    let audit = run(&sensor, &chosen(&only)?, options, &cache, watch)?;
+    Ok(Audited { audit, options, full_n: sensor.full_scale, command })
+}
+
+impl Audited {
+    /// Writes audit.json, report.html and the bodies, all or none.
+    ///
+    /// # Errors
+    /// [`AuditRunError`] where the disk refuses.
+    pub fn write(&self, folder: &Path, bodies: &[Body]) -> Result<PathBuf, AuditRunError> {
+        let out = OutputFolder::begin(folder)?;
+        out.write("audit.json", serde_json::to_string_pretty(&self.audit)? + "\n")?;
+        out.write("report.html", audit_report::html(self, bodies))?;
+        bodies.iter().try_for_each(|body| out.write(&body.name, &body.glb))?;
+        Ok(out.publish()?)
+    }
+}
+
+/// Where findings are remembered unless told otherwise: `truegap` in the user's cache folder; none where the system names no such folder.
+pub fn default_cache() -> Cache {
+    let named = |variable: &str| std::env::var_os(variable).filter(|v| !v.is_empty()).map(PathBuf::from);
+    let folder = named("XDG_CACHE_HOME").or_else(|| named("HOME").map(|home| home.join(".cache")));
+    folder.map_or_else(Cache::none, |folder| Cache::in_folder(&folder.join("truegap").join("audit")))
+}

@@ -3,7 +3,7 @@
 //! Prints a page in Markdown with nothing but computed numbers; the verdict of each row follows from them by the rule that the row states.
 
 use truegap_core::{Sensor, sensor::builtin_sensor};
-use truegap_design::optimise::{DesignProblem, OBJECTIVES, SearchOptions, Space, Useful};
+use truegap_design::optimise::{DesignProblem, OBJECTIVES, SearchOptions, Space, Useful, search};
 use truegap_design::sensitivity::{PAPER_QUANTITIES, one_at_a_time, ranked};
 use truegap_design::tolerance::{BatchOptions, batch};
 use truegap_design::{Metric, MetricOptions, Metrics, Quantity, metrics};
@@ -168,7 +168,9 @@ fn worse_third(pair: &Pair) -> Result<(), Failure> {
 
 fn close_to_optimal(pair: &Pair) -> Result<(), Failure> {
     let problem = problem(pair)?;
-    let best = problem.candidate(&problem.along_vector(SearchOptions::default())?);
+    let front = search(&problem, &[0, 1, 2], SearchOptions::default())?.designs;
+    let best = problem.along_vector(&front).ok_or("the front is empty")?.0;
+    let best = problem.candidate(&best);
     let least = best.ratios.iter().map(|r| 100.0 * (1.0 - r)).fold(f64::INFINITY, f64::min);
     let parts: Vec<String> = problem
         .space()

@@ -39,6 +39,15 @@ pub enum DesignError {
     /// A list of values without a value.
     #[error("{quantity} has no value to choose from; list at least one")]
     NoLevel { quantity: Quantity },
+    /// Nothing to choose.
+    #[error("nothing may vary; leave at least one quantity free")]
+    NoAxis,
+    /// The sensor has no such part.
+    #[error("`{sensor}` has no {quantity}; leave it out of the space")]
+    NoSuchPart { sensor: String, quantity: Quantity },
+    /// A limit that means nothing.
+    #[error("the limit on the {limit} is {value}; give a number above 0, for the coverage at most 1")]
+    NoSuchLimit { limit: &'static str, value: f64 },
     /// No point of the space is a sensor.
     #[error(
         "none of {tried} designs of the space meets all constraints; {excluded}; widen the space or relax the first of these"

@@ -3,13 +3,13 @@
 //! Limits: two temperatures; linearity against the end-point line, its greatest deviation by parabolas instead of a fine scan.
 
 use crate::DesignError;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use truegap_core::Sensor;
 use truegap_model::stack::{Device, Refusal, StackOptions, Warm};
 
 /// A number of a data sheet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Metric {
     /// capacitance without load at the lower temperature, pF

@@ -2,12 +2,12 @@
 //!
 //! Limits: the quantities of the paper's Table 2 that its equations contain, plus thermal softening and stray capacitance; L1 enters no equation.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use truegap_core::{Sensor, sensor::Filling, units::Measure};
 
 /// A quantity of the design.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
     /// Young's modulus of the silicone, Pa
@@ -61,6 +61,11 @@ impl Quantity {
             Self::Diameter => "diameter",
             Self::Stray => "stray",
         }
+    }
+
+    /// The quantity of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        QUANTITIES.into_iter().find(|q| q.name() == name)
     }
 
     /// The paper's symbol.

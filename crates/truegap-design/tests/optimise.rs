@@ -40,7 +40,8 @@ fn the_number_of_threads_changes_no_front() {
 fn designs_along_the_vector_beat_the_start_in_all_three_and_break_nothing() {
     let problem = DesignProblem::new(Space::paper(default()).unwrap(), Useful::default(), MetricOptions::default()).unwrap();
     let search = SearchOptions { starts: 400, directions: 45, sweeps: 40, seed: 1 };
-    let unit = problem.along_vector(search).unwrap();
+    let found = truegap_design::optimise::search(&problem, &[0, 1, 2], search).unwrap();
+    let unit = problem.along_vector(&found.designs).unwrap().0;
     let best = problem.candidate(&unit);
     assert!(best.ratios.iter().all(|&r| r < 1.0), "{best:?}");
     assert!(best.violations.iter().all(|&v| v == 0.0));
@@ -64,4 +65,12 @@ fn empty_ranges_are_refused() {
     let range = |choice: Choice| Space::new(default(), vec![Axis { quantity: Quantity::Height, choice }]).unwrap_err();
     assert!(matches!(range(Choice::Continuous(2e-4, 1e-4)), DesignError::EmptyRange { .. }));
     assert!(matches!(range(Choice::Levels(vec![])), DesignError::NoLevel { .. }));
+    assert!(matches!(Space::new(default(), vec![]), Err(DesignError::NoAxis)));
+    let foam = truegap_core::sensor::builtin_sensor("foam-s15").unwrap().unwrap();
+    let beads = vec![Axis { quantity: Quantity::BeadCount, choice: Choice::Whole(50, 97) }];
+    assert!(matches!(Space::new(foam.clone(), beads), Err(DesignError::NoSuchPart { .. })));
+    assert_eq!(Space::paper(foam).unwrap().axes().len(), 5, "the space of the paper without beads and plating");
+    let none = Useful { span: f64::NAN, ..Default::default() };
+    let problem = DesignProblem::new(Space::paper(default()).unwrap(), none, MetricOptions::default());
+    assert!(matches!(problem, Err(DesignError::NoSuchLimit { limit: "span", .. })));
 }

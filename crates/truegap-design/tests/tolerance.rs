@@ -3,8 +3,9 @@
 #![allow(clippy::unwrap_used)]
 
 use truegap_core::{Sensor, sensor::builtin_sensors, units::Measure};
+use truegap_design::sample::BATCH;
 use truegap_design::sensitivity::{PAPER_QUANTITIES, SobolOptions, one_at_a_time, tolerance_indices};
-use truegap_design::tolerance::{BatchOptions, Limit, Specification, batch, tighten};
+use truegap_design::tolerance::{BatchOptions, Limit, Specification, Summary, batch, join, part, tighten};
 use truegap_design::{DesignError, Metric, MetricOptions, QUANTITIES, Quantity, metrics};
 
 fn default() -> Sensor {
@@ -32,7 +33,7 @@ fn the_yield_of_a_normal_metric_is_that_of_the_normal_distribution() {
     approx::assert_abs_diff_eq!(yielded.share, known, epsilon = 2.0 / 65_536.0);
     assert!(yielded.standard_error.unwrap() < 1e-4 && yielded.touching == 0.0);
     approx::assert_abs_diff_eq!(yielded.excluded[0], 1.0 - yielded.share, epsilon = 1e-12);
-    let scatter = made.scatter()[0];
+    let scatter = &made.scatter()[0];
     approx::assert_relative_eq!(scatter.sd, 0.5, max_relative = 1e-3);
     approx::assert_relative_eq!(scatter.mean, centre, max_relative = 1e-6);
 }
@@ -73,7 +74,7 @@ fn another_seed_is_another_batch_with_the_same_scatter() {
 #[test]
 fn sobol_indices_of_the_tolerances_add_up_to_the_variance() {
     let options = SobolOptions { rows: 2048, resamples: 20, seed: 3 };
-    let rows = tolerance_indices(&default(), MetricOptions::default(), options).unwrap();
+    let rows = tolerance_indices(&default(), MetricOptions::default(), options, |_| true).unwrap().quantities;
     // tolerances of a few per cent: almost linear, so the first-order indices share out nearly all
     let sum: f64 = rows.iter().map(|r| r.first[Metric::Baseline as usize].value).sum();
     approx::assert_abs_diff_eq!(sum, 1.0, epsilon = 0.05);
@@ -113,4 +114,26 @@ fn studies_that_mean_nothing_are_refused() {
     assert!(matches!(Specification::new(limits), Err(DesignError::EmptyLimit { low: 2.0, high: 1.0, .. })));
     let few = batch(&default(), BatchOptions { samples: 3, ..Default::default() });
     assert!(matches!(few, Err(DesignError::TooFewSamples { .. })));
+}
+
+#[test]
+fn parts_join_to_the_whole() {
+    let sensor = default();
+    let options = BatchOptions { samples: 2 * BATCH + 1000, ..Default::default() };
+    let specification = Specification::new(vec![Limit::new(Metric::Span, 2.3, 2.6).unwrap()]).unwrap();
+    let whole = batch(&sensor, options).unwrap();
+    let ranges = [0..BATCH, BATCH..2 * BATCH, 2 * BATCH..options.samples];
+    let parts = ranges.map(|r| Summary::of(&part(&sensor, options, r).unwrap(), &specification));
+    let (scatter, good) = join(&parts);
+    assert_eq!(good, whole.yield_of(&specification), "counts are exact");
+    assert!(good.share > 0.5 && good.share < 0.9);
+    for (joined, whole) in scatter.iter().zip(whole.scatter()) {
+        approx::assert_relative_eq!(joined.mean, whole.mean, max_relative = 1e-10);
+        approx::assert_relative_eq!(joined.sd, whole.sd, max_relative = 1e-10);
+        // means of three quantiles against the quantile of all: a thousandth of the scatter in the middle, more in the thin tails
+        let tolerance = |p: f64| whole.sd * if (0.05..0.95).contains(&p) { 2e-2 } else { 0.2 };
+        for (&p, quantile) in truegap_design::tolerance::PROBABILITIES.iter().zip(&joined.quantiles) {
+            approx::assert_abs_diff_eq!(*quantile, whole.quantile(p).unwrap(), epsilon = tolerance(p));
+        }
+    }
 }

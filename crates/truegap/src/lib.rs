@@ -18,6 +18,7 @@ pub mod printed;
 pub mod prove;
 pub mod report;
 pub mod sensors;
+pub mod study;
 
 pub use base::{BaseModelError, base_model, base_options};
 pub use example::{EXAMPLE, example_recording};
@@ -32,5 +33,6 @@ pub use truegap_diagnose as diagnose;
 pub use truegap_fem as fem;
 pub use truegap_model as model;
 pub use truegap_scene as scene;
+pub use truegap_sweep as sweep;
 
 pub use truegap_core::{Recording, RecordingError, Sensor};

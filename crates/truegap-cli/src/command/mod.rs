@@ -5,6 +5,7 @@
 mod audit;
 mod coefficients;
 mod diagnose;
+mod merge;
 mod mesh;
 mod optimise;
 mod prove;
@@ -12,6 +13,7 @@ mod sensitivity;
 mod sensors;
 mod simulate;
 mod solve;
+mod study;
 mod tolerance;
 
 use crate::console::Console;
@@ -66,6 +68,7 @@ commands! {
     Optimise(optimise::Optimise),
     Tolerance(tolerance::Tolerance),
     Audit(audit::Audit),
+    Merge(merge::Merge),
     Diagnose(diagnose::Diagnose),
     Mesh(mesh::Mesh),
     Solve(solve::Solve),

@@ -1,18 +1,19 @@
-//! `truegap optimise`: smaller temperature coefficients within the paper's space.
+//! `truegap optimise`: smaller temperature coefficients within the paper's space, or one's own.
 //!
 //! Limits: reads, calls, prints.
 
+use super::study::{Where, outcome};
 use super::{Outcome, Run};
 use crate::console::Console;
 use crate::table::{digits, table};
-use serde::Serialize;
-use std::fmt::Write;
-use std::path::PathBuf;
-use truegap::design::optimise::{Candidate, DesignProblem, Exclusion, OBJECTIVES, SearchOptions, Space, Useful};
-use truegap::design::{METRICS, MetricOptions};
-use truegap::output::OutputFolder;
-use truegap::scene::figure::Figure;
-use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
+use anyhow::{Context, anyhow, ensure};
+use std::time::Instant;
+use truegap::core::units::{Dimension, parse};
+use truegap::design::optimise::{Axis, Choice, OBJECTIVES, SearchOptions, Space, Useful};
+use truegap::design::{METRICS, QUANTITIES, Quantity};
+use truegap::sensors::DEFAULT_SENSOR;
+use truegap::study::SensorText;
+use truegap::study::optimise::{OptimiseAnswer, OptimiseRequest};
 
 /// Designs with smaller temperature coefficients: three two-metric fronts, the three-metric front, the minimisation vector
 #[derive(Debug, clap::Args)]
@@ -20,6 +21,12 @@ pub struct Optimise {
     /// Starting design: built-in sensor or path of a sensor's TOML
     #[arg(long, default_value = DEFAULT_SENSOR)]
     sensor: String,
+    /// What a quantity may be, in place of the paper's range: "height=150 um:210 um", "conductor=10 um,17 um", "bead_count=50:97"
+    #[arg(long, value_name = "QUANTITY=RANGE")]
+    vary: Vec<String>,
+    /// Keep a quantity as the starting design has it
+    #[arg(long, value_name = "QUANTITY")]
+    hold: Vec<String>,
     /// Least baseline, share of the starting design's
     #[arg(long, default_value_t = Useful::default().baseline)]
     least_baseline: f64,
@@ -32,129 +39,128 @@ pub struct Optimise {
     /// Greatest share of the electrode that the unloaded beads may cover
     #[arg(long, default_value_t = Useful::default().covered)]
     most_covered: f64,
-    /// Seed
+    /// Searches for each front, each with its own seed; their union is told
+    #[arg(long, default_value_t = 4)]
+    searches: u64,
+    /// Seed of the first search
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Folder for fronts.csv and an SVG a front
-    #[arg(long, short, value_name = "DIR")]
-    output: Option<PathBuf>,
-}
-
-#[derive(Serialize)]
-struct Answer {
-    sensor: String,
-    seed: u64,
-    feasible: f64,
-    exclusions: Vec<Exclusion>,
-    axes: Vec<&'static str>,
-    vector: Candidate,
-    fronts: Vec<Shown>,
-}
-
-#[derive(Serialize)]
-struct Shown {
-    objectives: Vec<&'static str>,
-    evaluations: usize,
-    designs: Vec<Candidate>,
+    #[command(flatten)]
+    place: Where,
 }
 
 impl Run for Optimise {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
-        let sensor = find_sensor(&self.sensor, None)?;
-        let useful = Useful {
-            baseline: self.least_baseline,
-            span: self.least_span,
-            linearity: self.most_linearity,
-            covered: self.most_covered,
+        ensure!(self.searches > 0, "--searches 0: there is nothing to search with; give 1 or more");
+        let sensor = SensorText::find(&self.sensor)?;
+        let request = OptimiseRequest {
+            axes: self.axes(&sensor)?,
+            sensor,
+            useful: Useful {
+                baseline: self.least_baseline,
+                span: self.least_span,
+                linearity: self.most_linearity,
+                covered: self.most_covered,
+            },
+            search: SearchOptions { seed: self.seed, ..Default::default() },
+            searches: self.searches,
         };
-        let problem = DesignProblem::new(Space::paper(sensor.clone())?, useful, MetricOptions::default())?;
-        let search = SearchOptions { seed: self.seed, ..Default::default() };
-        let vector = problem.candidate(&problem.along_vector(search)?);
-        let mut fronts = Vec::new();
-        for pair in [[0, 1], [0, 2], [1, 2]] {
-            fronts.push(shown(&problem, pair, search)?);
-        }
-        fronts.push(shown(&problem, [0, 1, 2], search)?);
-        let (exclusions, feasible) = problem.exclusions(search.starts, self.seed);
-        let axes = problem.space().axes().iter().map(|a| a.quantity.symbol()).collect();
-        let answer = Answer { sensor: sensor.name, seed: self.seed, feasible, exclusions, axes, vector, fronts };
-        if let Some(folder) = &self.output {
-            let folder = OutputFolder::begin(folder)?;
-            folder.write("fronts.csv", answer.csv())?;
-            for (front, [a, b]) in answer.fronts.iter().zip([[0, 1], [0, 2], [1, 2]]) {
-                folder.write(format!("{}_{}.svg", OBJECTIVES[a], OBJECTIVES[b]), figure(front, [a, b])?)?;
-            }
-            folder.publish()?;
-        }
-        if console.json {
-            console.print_json(&answer)?
-        } else {
-            answer.print(console, &problem)?
-        }
-        Ok(Outcome::Fine)
+        let begin = Instant::now();
+        let Some(answer) = self.place.run(console, |work| request.run(work))? else { return Ok(Outcome::Fine) };
+        let outcome = tell(console, &answer)?;
+        let evaluations: usize = answer.fronts.iter().map(|f| f.evaluations).sum();
+        console.note(format!("{evaluations} evaluations, seed {}, {:.2} s", self.seed, begin.elapsed().as_secs_f64()));
+        Ok(outcome)
     }
 }
 
-fn shown<const M: usize>(problem: &DesignProblem, objectives: [usize; M], search: SearchOptions) -> anyhow::Result<Shown> {
-    let front = problem.front(objectives, search)?;
-    Ok(Shown {
-        objectives: objectives.iter().map(|&o| OBJECTIVES[o].name()).collect(),
-        evaluations: front.evaluations,
-        designs: front.points.iter().map(|p| problem.candidate(&p.unit)).collect(),
-    })
-}
-
-impl Answer {
-    fn print(&self, console: &Console, problem: &DesignProblem) -> anyhow::Result<()> {
-        console.print(format!(
-            "{}: {:.1} % of the space is feasible (seed {})",
-            self.sensor,
-            100.0 * self.feasible,
-            self.seed
-        ))?;
-        let rows = self
-            .exclusions
-            .iter()
-            .map(|e| vec![e.constraint.says().to_owned(), format!("{:.1}", 100.0 * e.share), format!("{:.1}", 100.0 * e.alone)]);
-        console.print(table(&["constraint", "broken by\n%", "by this one alone\n%"], rows))?;
-        console.print("\nDesign along the minimisation vector")?;
-        let axes = problem.space().axes().iter().zip(&self.vector.values).map(|(axis, value)| {
-            let (unit, factor) = axis.quantity.unit();
-            vec![axis.quantity.symbol().to_owned(), digits(value * factor, 4), unit.to_owned()]
-        });
-        console.print(table(&["quantity", "value", "unit"], axes))?;
-        if let Some(found) = self.vector.metrics {
-            let rows = METRICS
-                .map(|m| vec![m.name().to_owned(), digits(problem.base().of(m), 4), digits(found.of(m), 4), m.unit().to_owned()]);
-            console.print(table(&["metric", "before", "after", "unit"], rows))?;
+impl Optimise {
+    /// The paper's axes with what the user changes.
+    fn axes(&self, sensor: &SensorText) -> anyhow::Result<Vec<Axis>> {
+        let mut axes = Space::paper(sensor.sensor()?)?.axes().to_vec();
+        for name in &self.hold {
+            let quantity = quantity(name)?;
+            axes.retain(|axis| axis.quantity != quantity);
         }
-        for front in &self.fronts {
-            let (names, count) = (front.objectives.join(", "), front.designs.len());
-            console.print(format!("Front of {names}: {count} designs from {} evaluations", front.evaluations))?;
-        }
-        Ok(())
-    }
-
-    fn csv(&self) -> String {
-        let mut text =
-            format!("front,{},{}\n", self.axes.join("_si,") + "_si", OBJECTIVES.map(|o| format!("{o}_ratio")).join(","));
-        for front in &self.fronts {
-            for design in &front.designs {
-                let numbers: Vec<String> = design.values.iter().chain(&design.ratios).map(f64::to_string).collect();
-                let _ = writeln!(text, "{},{}", front.objectives.join("+"), numbers.join(",")); // a String takes everything
+        for text in &self.vary {
+            let axis = axis(text)?;
+            match axes.iter_mut().find(|a| a.quantity == axis.quantity) {
+                Some(place) => *place = axis,
+                None => axes.push(axis),
             }
         }
-        text
+        Ok(axes)
     }
 }
 
-fn figure(front: &Shown, [a, b]: [usize; 2]) -> anyhow::Result<String> {
-    let column = |o: usize| -> Vec<f64> { front.designs.iter().map(|d| d.ratios[o]).collect() };
-    let (x, y) = (OBJECTIVES[a], OBJECTIVES[b]);
-    let figure = Figure::new(&format!("{x} against {y}"))
-        .x(&format!("size of {x} over the starting design's"), "")
-        .y(&format!("size of {y} over the starting design's"), "")
-        .points("front", &column(a), &column(b))
-        .points("starting design", &[1.0], &[1.0]);
-    Ok(figure.to_svg()?)
+fn quantity(name: &str) -> anyhow::Result<Quantity> {
+    let known = || format!("there is no quantity `{name}`; take one of {}", QUANTITIES.map(Quantity::name).join(", "));
+    Quantity::named(name.trim()).with_context(known)
+}
+
+/// `QUANTITY=LOW:HIGH` or `QUANTITY=A,B,C`.
+fn axis(text: &str) -> anyhow::Result<Axis> {
+    let remedy = || {
+        format!("--vary {text}: write \"height=150 um:210 um\" for a range or \"conductor=10 um,17 um\" for what can be bought")
+    };
+    let (name, range) = text.split_once('=').with_context(remedy)?;
+    let quantity = quantity(name)?;
+    let choice = match (range.split_once(':'), quantity) {
+        (Some((low, high)), Quantity::BeadCount) => {
+            let whole = |part: &str| part.trim().parse::<u32>().with_context(remedy);
+            Choice::Whole(whole(low)?, whole(high)?)
+        }
+        (Some((low, high)), _) => Choice::Continuous(value(quantity, low)?, value(quantity, high)?),
+        (None, _) => Choice::Levels(range.split(',').map(|level| value(quantity, level)).collect::<anyhow::Result<_>>()?),
+    };
+    Ok(Axis { quantity, choice })
+}
+
+fn value(quantity: Quantity, text: &str) -> anyhow::Result<f64> {
+    let dimension = match quantity {
+        Quantity::Young => Dimension::Pressure,
+        Quantity::Softening => Dimension::PressurePerKelvin,
+        Quantity::BeadCount => Dimension::Ratio,
+        Quantity::Stray => Dimension::Capacitance,
+        _ => Dimension::Length,
+    };
+    parse(text.trim(), dimension).map_err(|source| anyhow!("--vary {quantity}: {source}"))
+}
+
+/// Prints an answer.
+pub(super) fn tell(console: &Console, answer: &OptimiseAnswer) -> anyhow::Result<Outcome> {
+    if console.json {
+        console.print_json(answer)?;
+        return Ok(outcome(answer.complete));
+    }
+    let (feasible, seed) = (100.0 * answer.feasible, answer.search.seed);
+    console.print(format!("{}: {feasible:.1} % of the space is feasible (seed {seed})", answer.sensor))?;
+    let rows = answer
+        .exclusions
+        .iter()
+        .map(|e| vec![e.constraint.says().to_owned(), format!("{:.1}", 100.0 * e.share), format!("{:.1}", 100.0 * e.alone)]);
+    console.print(table(&["constraint", "broken by\n%", "by this one alone\n%"], rows))?;
+    print_vector(console, answer)?;
+    let rows = answer.fronts.iter().map(|f| {
+        let numbers =
+            [f.searches.to_string(), f.evaluations.to_string(), f.designs.len().to_string(), format!("{:.4}", f.hypervolume)];
+        std::iter::once(f.objectives.join(", ")).chain(numbers).collect()
+    });
+    console.print(table(&["\nfront of", "searches", "evaluations", "designs told", "hypervolume"], rows))?;
+    Ok(outcome(answer.complete))
+}
+
+fn print_vector(console: &Console, answer: &OptimiseAnswer) -> anyhow::Result<()> {
+    let Some(vector) = &answer.vector else { return Ok(()) };
+    let gains = OBJECTIVES.iter().zip(vector.ratios).map(|(o, r)| format!("{o} by {:.2} %", 100.0 * (1.0 - r)));
+    console.print(format!("\nAlong the minimisation vector, in size: {}", gains.collect::<Vec<_>>().join(", ")))?;
+    let axes = answer.axes.iter().zip(&vector.values).map(|(axis, value)| {
+        let (unit, factor) = axis.quantity.unit();
+        vec![axis.quantity.symbol().to_owned(), digits(value * factor, 4), unit.to_owned()]
+    });
+    console.print(table(&["quantity", "value", "unit"], axes))?;
+    let Some(found) = vector.metrics else { return Ok(()) };
+    let rows =
+        METRICS.map(|m| vec![m.name().to_owned(), digits(answer.base.of(m), 4), digits(found.of(m), 4), m.unit().to_owned()]);
+    console.print(format!("\n{}", table(&["metric", "before", "after", "unit"], rows)))
 }

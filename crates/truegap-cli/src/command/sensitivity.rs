@@ -2,19 +2,17 @@
 //!
 //! Limits: reads, calls, prints.
 
-use super::{Outcome, Run};
+use super::diagnose::{STOP, stop_on_interrupt};
+use super::{Outcome, Run, study};
 use crate::console::Console;
 use crate::table::{digits, table};
-use serde::Serialize;
-use std::fmt::Write;
 use std::path::PathBuf;
-use truegap::design::sensitivity::{
-    LocalSensitivity, OneAtATime, PAPER_QUANTITIES, QuantityIndices, SobolOptions, local, one_at_a_time, tolerance_indices,
-};
-use truegap::design::{METRICS, Metric, MetricOptions};
-use truegap::output::OutputFolder;
-use truegap::scene::figure::Bars;
-use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
+use std::sync::atomic::Ordering;
+use truegap::design::METRICS;
+use truegap::design::sensitivity::QuantityIndices;
+use truegap::sensors::DEFAULT_SENSOR;
+use truegap::study::SensorText;
+use truegap::study::sensitivity::{SensitivityRequest, SensorSensitivity};
 
 /// Which quantity moves which number: one at a time, derivatives, Sobol indices over the tolerances
 #[derive(Debug, clap::Args)]
@@ -22,6 +20,9 @@ pub struct Sensitivity {
     /// Built-in sensor or path of a sensor's TOML
     #[arg(long, default_value = DEFAULT_SENSOR)]
     sensor: String,
+    /// A second sensor to set beside it, such as an optimised one
+    #[arg(long, value_name = "SENSOR")]
+    compare: Option<String>,
     /// By how many per cent each quantity goes down and up
     #[arg(long, default_value_t = 10.0, value_name = "PERCENT")]
     change: f64,
@@ -31,20 +32,9 @@ pub struct Sensitivity {
     /// Seed of the Sobol study
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Folder for a CSV and one SVG a metric
+    /// Folder for numbers, figures and report.html
     #[arg(long, short, value_name = "DIR")]
     output: Option<PathBuf>,
-}
-
-#[derive(Serialize)]
-struct Answer {
-    sensor: String,
-    change_pct: f64,
-    seed: u64,
-    metrics: [Metric; METRICS.len()],
-    one_at_a_time: Vec<OneAtATime>,
-    local: Vec<LocalSensitivity>,
-    sobol: Vec<QuantityIndices>,
 }
 
 impl Run for Sensitivity {
@@ -54,74 +44,59 @@ impl Run for Sensitivity {
             "--change {}: give a number of per cent above 0 and below 100",
             self.change
         );
-        let sensor = find_sensor(&self.sensor, None)?;
-        let options = MetricOptions::default();
-        let answer = Answer {
-            sensor: sensor.name.clone(),
-            change_pct: self.change,
-            seed: self.seed,
-            metrics: METRICS,
-            one_at_a_time: one_at_a_time(&sensor, &PAPER_QUANTITIES, 0.01 * self.change, options)?,
-            local: local(&sensor, &PAPER_QUANTITIES, options)?,
-            sobol: tolerance_indices(&sensor, options, SobolOptions { rows: self.rows, seed: self.seed, ..Default::default() })?,
-        };
+        let sensors = [Some(&self.sensor), self.compare.as_ref()].into_iter().flatten();
+        let sensors = sensors.map(|name| SensorText::find(name)).collect::<Result<_, _>>()?;
+        let request = SensitivityRequest { sensors, change_pct: self.change, rows: self.rows, seed: self.seed };
+        stop_on_interrupt()?;
+        let bar = study::bar(console);
+        let answer = request.run(|done, of| {
+            bar.set_length(of as u64);
+            bar.set_position(done as u64);
+            !STOP.load(Ordering::Relaxed)
+        });
+        bar.finish_and_clear();
+        let answer = answer?;
         if let Some(folder) = &self.output {
-            let folder = OutputFolder::begin(folder)?;
-            folder.write("one_at_a_time.csv", csv(&answer.one_at_a_time))?;
-            for metric in METRICS {
-                folder.write(format!("{metric}.svg"), bars(&answer, metric)?)?;
-            }
-            folder.publish()?;
+            answer.write(folder)?;
         }
         if console.json {
             console.print_json(&answer)?;
-            return Ok(Outcome::Fine);
+        } else {
+            answer.sensors.iter().try_for_each(|of| self.print(console, of))?;
         }
+        let stopped = STOP.load(Ordering::Relaxed);
+        if stopped {
+            console.note("stopped; the Sobol indices rest on the rows that were done");
+        }
+        Ok(study::outcome(!stopped))
+    }
+}
+
+impl Sensitivity {
+    fn print(&self, console: &Console, of: &SensorSensitivity) -> anyhow::Result<()> {
         let header: Vec<String> =
             ["quantity".to_owned()].into_iter().chain(METRICS.iter().map(|m| format!("{m}\n{}", m.unit()))).collect();
         let change = self.change;
-        console.print(format!("{}: change when a quantity goes up by {change} %, all others as they are", sensor.name))?;
-        console.print(table(&header, answer.one_at_a_time.iter().map(|r| line(r.quantity.symbol(), &r.up))))?;
+        console.print(format!("{}: change when a quantity goes up by {change} %, all others as they are", of.sensor))?;
+        console.print(table(&header, of.one_at_a_time.iter().map(|r| line(r.quantity.symbol(), &r.up))))?;
         console.print(format!("\nChange when it goes down by {change} %"))?;
-        console.print(table(&header, answer.one_at_a_time.iter().map(|r| line(r.quantity.symbol(), &r.down))))?;
+        console.print(table(&header, of.one_at_a_time.iter().map(|r| line(r.quantity.symbol(), &r.down))))?;
         console.print("\nDerivative, per 1 % of the quantity")?;
-        console.print(table(&header, answer.local.iter().map(|r| line(r.quantity.symbol(), &r.per_percent))))?;
-        console.print(format!(
-            "\nTotal Sobol index over the tolerances, with 95 % interval (seed {}, {} rows)",
-            self.seed, self.rows
-        ))?;
+        console.print(table(&header, of.local.iter().map(|r| line(r.quantity.symbol(), &r.per_percent))))?;
+        let Some(sobol) = &of.sobol else {
+            return console.print("\nNo tolerance in the sensor's file, so no Sobol indices");
+        };
+        let told = format!("with 95 % interval (seed {}, {} rows)", sobol.seed, sobol.rows);
+        console.print(format!("\nTotal Sobol index over the tolerances, {told}"))?;
         let indices = |r: &QuantityIndices| {
             let cells = r.total.iter().map(|i| format!("{:.3} ({:.3}-{:.3})", i.value, i.low, i.high));
             std::iter::once(r.quantity.symbol().to_owned()).chain(cells).collect()
         };
-        console.print(table(&header, answer.sobol.iter().map(indices)))?;
-        Ok(Outcome::Fine)
+        console.print(table(&header, sobol.quantities.iter().map(indices)))?;
+        console.print("")
     }
 }
 
 fn line(name: &str, values: &[f64]) -> Vec<String> {
     std::iter::once(name.to_owned()).chain(values.iter().map(|&v| digits(v, 3))).collect()
-}
-
-fn csv(rows: &[OneAtATime]) -> String {
-    let mut text = String::from("quantity,metric,unit,down,up\n");
-    for row in rows {
-        for (i, metric) in METRICS.into_iter().enumerate() {
-            let _ = writeln!(text, "{},{metric},{},{},{}", row.quantity, metric.unit(), row.down[i], row.up[i]); // a String takes everything
-        }
-    }
-    text
-}
-
-fn bars(answer: &Answer, metric: Metric) -> anyhow::Result<String> {
-    let labels: Vec<&str> = answer.one_at_a_time.iter().map(|r| r.quantity.symbol()).collect();
-    let column = |pick: fn(&OneAtATime) -> &[f64; METRICS.len()]| -> Vec<f64> {
-        answer.one_at_a_time.iter().map(|r| pick(r)[metric as usize]).collect()
-    };
-    let change = answer.change_pct;
-    let bars = Bars::new(&format!("{metric} of {}", answer.sensor), &labels)
-        .x(&format!("change of {metric}"), metric.unit())
-        .series(&format!("-{change} %"), &column(|r| &r.down))
-        .series(&format!("+{change} %"), &column(|r| &r.up));
-    Ok(bars.ranked().overlaid().to_svg()?)
 }

@@ -2,8 +2,8 @@
 //!
 //! Limits: the paper says "useful baseline, FSR, and linearity" without numbers; the shares here are ours.
 
-use crate::{Metric, Metrics};
-use serde::Serialize;
+use crate::{DesignError, Metric, Metrics};
+use serde::{Deserialize, Serialize};
 use truegap_core::{Sensor, sensor::Filling};
 
 /// A condition on a design.
@@ -40,7 +40,7 @@ impl Constraint {
 }
 
 /// How useful a sensor must stay.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Useful {
     /// least baseline, share of the starting design's
     pub baseline: f64,
@@ -59,6 +59,23 @@ impl Default for Useful {
 }
 
 impl Useful {
+    /// Shares that something can meet.
+    ///
+    /// # Errors
+    /// [`DesignError::NoSuchLimit`] for a limit that is not a positive number, or a coverage above 1.
+    pub fn check(&self) -> Result<(), DesignError> {
+        let limits = [
+            ("baseline", self.baseline, f64::INFINITY),
+            ("span", self.span, f64::INFINITY),
+            ("linearity", self.linearity, f64::INFINITY),
+            ("coverage", self.covered, 1.0),
+        ];
+        match limits.into_iter().find(|(_, value, most)| !(*value > 0.0 && value.is_finite() && value <= most)) {
+            Some((limit, value, _)) => Err(DesignError::NoSuchLimit { limit, value }),
+            None => Ok(()),
+        }
+    }
+
     /// By how much each constraint is violated, relative to its limit, 0 where it holds; `metrics` is `None` where the plates touch.
     pub fn violations(&self, sensor: &Sensor, metrics: Option<&Metrics>, base: &Metrics) -> [f64; CONSTRAINTS.len()] {
         let ratio = |metric: Metric| metrics.map(|m| m.of(metric) / base.of(metric));

@@ -10,6 +10,7 @@ mod latin;
 mod pareto;
 mod problem;
 mod space;
+mod union;
 mod vector;
 
 pub use constraint::{CONSTRAINTS, Constraint, Useful};
@@ -19,4 +20,5 @@ pub use latin::latin_hypercube;
 pub use pareto::{dominates, insert};
 pub use problem::{Candidate, DesignProblem, Exclusion, OBJECTIVES};
 pub use space::{Axis, Choice, Space};
+pub use union::{Design, KEPT, Searched, search, thin, unite};
 pub use vector::descend;

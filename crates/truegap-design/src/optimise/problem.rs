@@ -7,6 +7,7 @@ use super::{
     front::{Evaluation, Front, SearchOptions, front},
     latin::latin_hypercube,
     space::Space,
+    union::Design,
     vector::descend,
 };
 use crate::{DesignError, Metric, MetricOptions, Metrics, metrics};
@@ -53,8 +54,9 @@ impl DesignProblem {
     /// A problem around the space's own sensor.
     ///
     /// # Errors
-    /// As [`metrics`] for the starting design.
+    /// As [`metrics`] for the starting design; [`DesignError::NoSuchLimit`].
     pub fn new(space: Space, useful: Useful, options: MetricOptions) -> Result<Self, DesignError> {
+        useful.check()?;
         let base = metrics(space.base(), options)?;
         Ok(Self { space, useful, options, base })
     }
@@ -107,6 +109,7 @@ impl DesignProblem {
         if found.points.is_empty() { Err(self.infeasible(search)) } else { Ok(found) }
     }
 
+    /// Why there is no design: which constraint excludes how much.
     fn infeasible(&self, search: SearchOptions) -> DesignError {
         let (mut rows, _) = self.exclusions(search.starts, search.seed);
         rows.sort_by(|a, b| b.share.total_cmp(&a.share));
@@ -115,19 +118,16 @@ impl DesignProblem {
         DesignError::Infeasible { tried: search.starts, excluded: told.collect::<Vec<_>>().join(", ") }
     }
 
-    /// The minimisation vector: the design whose worst coefficient, relative to the starting design, is smallest. Returns its point of the unit cube.
-    ///
-    /// # Errors
-    /// As [`DesignProblem::front`].
-    pub fn along_vector(&self, search: SearchOptions) -> Result<Vec<f64>, DesignError> {
+    /// The minimisation vector: from the best of a front, the design whose worst coefficient, relative to the starting design, is smallest. Returns its point of the
+    /// unit cube and the evaluations spent; `None` for an empty front.
+    pub fn along_vector(&self, front: &[Design]) -> Option<(Vec<f64>, usize)> {
         let worst = |ratios: &[f64; 3]| ratios.iter().copied().fold(0.0, f64::max);
-        let front = self.front([0, 1, 2], search)?;
-        let start = front.points.iter().min_by(|a, b| worst(&a.objectives).total_cmp(&worst(&b.objectives)));
-        let start = start.ok_or_else(|| self.infeasible(search))?;
+        let start = front.iter().min_by(|a, b| worst(&a.ratios).total_cmp(&worst(&b.ratios)))?;
         let value = |unit: &[f64]| {
             let candidate = self.candidate(unit);
             if candidate.violations.iter().all(|&v| v == 0.0) { worst(&candidate.ratios) } else { f64::INFINITY }
         };
-        Ok(descend(value, &start.unit, 5000).0)
+        let (unit, _, evaluations) = descend(value, &start.unit, 5000);
+        Some((unit, evaluations))
     }
 }

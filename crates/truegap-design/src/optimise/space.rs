@@ -3,11 +3,12 @@
 //! Limits: axes are independent; what they exclude together is for the constraints to say.
 
 use crate::{DesignError, Quantity};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use truegap_core::{Sensor, sensor::Filling};
 
 /// What one axis may be, SI.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Choice {
     /// anything from the first to the second
     Continuous(f64, f64),
@@ -18,7 +19,7 @@ pub enum Choice {
 }
 
 /// A quantity and what it may be.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Axis {
     /// the quantity
     pub quantity: Quantity,
@@ -60,20 +61,24 @@ impl Space {
     /// A space around a sensor.
     ///
     /// # Errors
-    /// [`DesignError::EmptyRange`], [`DesignError::NoLevel`].
+    /// [`DesignError::EmptyRange`], [`DesignError::NoLevel`], [`DesignError::NoAxis`], [`DesignError::NoSuchPart`].
     pub fn new(base: Sensor, axes: Vec<Axis>) -> Result<Self, DesignError> {
         axes.iter().try_for_each(Axis::check)?;
+        if axes.is_empty() {
+            return Err(DesignError::NoAxis);
+        }
+        if let Some(axis) = axes.iter().find(|axis| axis.quantity.of(&base).is_none()) {
+            return Err(DesignError::NoSuchPart { sensor: base.name, quantity: axis.quantity });
+        }
         Ok(Self { base, axes })
     }
 
-    /// The paper's space around a sensor: Table 2, with foils that can be bought inside its ranges (copper of 0.3, 0.5 and 1 oz/ft²; tin 0, 5, 9 um; polyimide 10,
+    /// The axes of the paper's Table 2, with foils that can be bought inside its ranges (copper of 0.3, 0.5 and 1 oz/ft²; tin 0, 5, 9 um; polyimide 10,
     /// 25, 50, 75 um).
     ///
     /// **Source:** [hampson2023] Table 2 for the ranges; the levels inside them are ours, the paper does not list them.
     ///
-    /// # Errors
-    /// None for these ranges.
-    pub fn paper(base: Sensor) -> Result<Self, DesignError> {
+    pub fn paper_axes() -> Vec<Axis> {
         let um = |levels: &[f64]| Choice::Levels(levels.iter().map(|l| l * 1e-6).collect());
         let axes = [
             (Quantity::Young, Choice::Continuous(0.7e6, 1.5e6)),
@@ -85,7 +90,16 @@ impl Space {
             (Quantity::BeadCount, Choice::Whole(50, 97)),
             (Quantity::Diameter, Choice::Continuous(6e-3, 15e-3)),
         ];
-        Self::new(base, axes.map(|(quantity, choice)| Axis { quantity, choice }).to_vec())
+        axes.map(|(quantity, choice)| Axis { quantity, choice }).to_vec()
+    }
+
+    /// The paper's space around a sensor; parts that the sensor has not are no axes.
+    ///
+    /// # Errors
+    /// [`DesignError::NoAxis`].
+    pub fn paper(base: Sensor) -> Result<Self, DesignError> {
+        let axes = Self::paper_axes().into_iter().filter(|axis| axis.quantity.of(&base).is_some()).collect();
+        Self::new(base, axes)
     }
 
     /// The axes.

@@ -65,14 +65,14 @@ mod tests {
         let sensor = builtin_sensors()[0].sensor().unwrap();
         let options = MetricOptions::default();
         let rows = local(&sensor, &PAPER_QUANTITIES, options).unwrap();
-        for i in 0..METRICS.len() {
+        for (i, metric) in METRICS.into_iter().enumerate() {
             let largest = rows.iter().map(|r| r.per_percent[i].abs()).fold(0.0, f64::max);
             assert!(largest > 0.0);
             for row in &rows {
                 let value = row.quantity.of(&sensor).unwrap().value;
                 let other = derivative(&sensor, row.quantity, value, 1.3e-3, options).unwrap();
                 let off = (other.per_percent[i] - row.per_percent[i]).abs();
-                assert!(off < 1e-5 * largest, "{} {:?}: {off:e} of {largest:e}", METRICS[i], row.quantity);
+                assert!(off < 1e-5 * largest, "{metric} {:?}: {off:e} of {largest:e}", row.quantity);
             }
         }
     }

@@ -42,7 +42,9 @@ pub struct Indices {
     pub first: Vec<Vec<Index>>,
     /// share of the variance that stays when all other inputs are known
     pub total: Vec<Vec<Index>>,
-    /// rows left out because an answer was not finite
+    /// rows evaluated
+    pub rows: usize,
+    /// of these, left out because an answer was not finite
     pub refused: usize,
 }
 
@@ -61,6 +63,22 @@ pub fn sobol_indices<const M: usize>(
     inputs: usize,
     options: SobolOptions,
 ) -> Result<Indices, DesignError> {
+    watched_indices(function, inputs, options, |_| true)
+}
+
+/// Rows between two calls of whoever watches.
+const WATCHED: usize = 512;
+
+/// As [`sobol_indices`]; `watch` is told how many rows are done, and where it answers `false` these rows are all there will be.
+///
+/// # Errors
+/// As [`sobol_indices`].
+pub fn watched_indices<const M: usize>(
+    function: impl Fn(&[f64]) -> [f64; M] + Sync,
+    inputs: usize,
+    options: SobolOptions,
+    watch: impl Fn(usize) -> bool,
+) -> Result<Indices, DesignError> {
     let SobolOptions { rows: samples, resamples, seed } = options;
     if samples < 64 {
         return Err(DesignError::TooFewSamples { samples, least: 64 });
@@ -75,7 +93,16 @@ pub fn sobol_indices<const M: usize>(
         ((0..inputs).map(mixed).collect(), function(&a), function(&b))
     };
     let finite = |r: &Row<M>| r.0.iter().flatten().chain(&r.1).chain(&r.2).all(|v| v.is_finite());
-    let rows: Vec<Row<M>> = (0..samples).into_par_iter().map(row).filter(finite).collect();
+    let (mut rows, mut done): (Vec<Row<M>>, usize) = (Vec::with_capacity(samples), 0);
+    while done < samples {
+        let next = (done + WATCHED).min(samples);
+        rows.par_extend((done..next).into_par_iter().map(row).filter(finite));
+        done = next;
+        if !watch(done) {
+            break;
+        }
+    }
+    let samples = done;
     let refused = samples - rows.len();
     if refused * 100 > samples {
         return Err(DesignError::Refused { refused, samples });
@@ -96,7 +123,7 @@ pub fn sobol_indices<const M: usize>(
         Index { value, low: quantile(0.025), high: quantile(0.975) }
     };
     let table = |which: usize| (0..inputs).map(|i| (0..M).map(|m| index(i, m, which)).collect()).collect();
-    Ok(Indices { first: table(0), total: table(1), refused })
+    Ok(Indices { first: table(0), total: table(1), rows: samples, refused })
 }
 
 /// `[input][output][first, total]` from some rows.
@@ -152,6 +179,14 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn a_study_that_is_stopped_is_one_with_fewer_rows() {
+        let function = |u: &[f64]| [u[0] + u[1] * u[1]];
+        let options = SobolOptions { rows: 4096, resamples: 20, seed: 9 };
+        let stopped = watched_indices(function, 2, options, |done| done < 1024).unwrap();
+        assert_eq!(stopped, sobol_indices(function, 2, SobolOptions { rows: 1024, ..options }).unwrap());
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! Limits: independent normal tolerances, as in a batch.
 
-use super::sobol::{Index, SobolOptions, sobol_indices};
+use super::sobol::{Index, SobolOptions, watched_indices};
 use crate::sample::normal_quantile;
 use crate::tolerance::toleranced;
 use crate::{DesignError, METRICS, MetricOptions, Quantity, metrics};
@@ -20,15 +20,27 @@ pub struct QuantityIndices {
     pub total: Vec<Index>,
 }
 
-/// Indices of every quantity that has a tolerance.
+/// Indices over all tolerances.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ToleranceIndices {
+    /// rows evaluated
+    pub rows: usize,
+    /// seed
+    pub seed: u64,
+    /// one entry a tolerance
+    pub quantities: Vec<QuantityIndices>,
+}
+
+/// Indices of every quantity that has a tolerance; `watch` as in [`watched_indices`].
 ///
 /// # Errors
-/// [`DesignError::NoTolerance`]; otherwise as [`sobol_indices`].
+/// [`DesignError::NoTolerance`]; otherwise as [`watched_indices`].
 pub fn tolerance_indices(
     sensor: &Sensor,
     metric_options: MetricOptions,
     options: SobolOptions,
-) -> Result<Vec<QuantityIndices>, DesignError> {
+    watch: impl Fn(usize) -> bool,
+) -> Result<ToleranceIndices, DesignError> {
     let spread = toleranced(sensor);
     if spread.is_empty() {
         return Err(DesignError::NoTolerance { sensor: sensor.name.clone() });
@@ -38,7 +50,8 @@ pub fn tolerance_indices(
         spread.iter().zip(u).for_each(|((q, m), &u)| q.set(&mut mine, m.value + m.sd * normal_quantile(u)));
         metrics(&mine, metric_options).map_or([f64::NAN; METRICS.len()], |m| m.0)
     };
-    let indices = sobol_indices(function, spread.len(), options)?;
+    let indices = watched_indices(function, spread.len(), options, watch)?;
     let rows = spread.iter().zip(indices.first).zip(indices.total);
-    Ok(rows.map(|((&(quantity, _), first), total)| QuantityIndices { quantity, first, total }).collect())
+    let quantities = rows.map(|((&(quantity, _), first), total)| QuantityIndices { quantity, first, total }).collect();
+    Ok(ToleranceIndices { rows: indices.rows, seed: options.seed, quantities })
 }

@@ -1,12 +1,14 @@
-//! A batch of sensors, its scatter and its yield.
+//! A batch of sensors and its scatter.
 //!
-//! Limits: standard errors come from independent scrambles, so there is none below two of them (131 072 sensors).
+//! Limits: all of it in memory, 56 bytes a sensor; larger ones by [`part`] and [`Summary`](super::Summary).
 
 use super::Specification;
+use super::count::{Counts, Yield};
 use crate::sample::{BATCH, normal_quantile, uniform};
 use crate::{DesignError, METRICS, Metric, MetricOptions, Metrics, QUANTITIES, Quantity, metrics};
 use rayon::prelude::*;
 use serde::Serialize;
+use std::ops::Range;
 use truegap_core::{Sensor, units::Measure};
 
 /// How many sensors, and which.
@@ -33,7 +35,7 @@ pub struct Batch {
 }
 
 /// Scatter of one metric.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Scatter {
     /// which metric
     pub metric: Metric,
@@ -43,23 +45,22 @@ pub struct Scatter {
     pub sd: f64,
     /// standard deviation in per cent of the size of the mean
     pub sd_pct: f64,
-    /// 0.135, 2.5, 50, 97.5 and 99.865 % of all sensors lie below
-    pub quantiles: [f64; 5],
+    /// below which [`PROBABILITIES`] of all sensors lie
+    pub quantiles: Vec<f64>,
 }
 
-/// Share of good sensors.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Yield {
-    /// share of all sensors that keeps every limit
-    pub share: f64,
-    /// standard error of the share from independent scrambles; `None` for fewer than two
-    pub standard_error: Option<f64>,
-    /// share of sensors whose plates touch
-    pub touching: f64,
-    /// share of all sensors that each limit excludes, in the order of the specification
-    pub excluded: Vec<f64>,
-    /// share of all sensors that each limit excludes and no other does
-    pub excluded_alone: Vec<f64>,
+/// Shares of all sensors for which quantiles are given.
+pub const PROBABILITIES: [f64; 21] = [
+    0.001_35, 0.005, 0.01, 0.025, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.85, 0.9, 0.95, 0.975, 0.99, 0.995,
+    0.998_65,
+];
+
+impl Scatter {
+    /// Quantile of one of [`PROBABILITIES`]; `None` for any other.
+    pub fn quantile(&self, probability: f64) -> Option<f64> {
+        let place = PROBABILITIES.iter().position(|&p| p == probability)?;
+        self.quantiles.get(place).copied()
+    }
 }
 
 /// Quantities with a spread.
@@ -72,6 +73,15 @@ pub(crate) fn toleranced(sensor: &Sensor) -> Vec<(Quantity, Measure)> {
 /// # Errors
 /// [`DesignError::NoTolerance`], [`DesignError::TooFewSamples`].
 pub fn batch(sensor: &Sensor, options: BatchOptions) -> Result<Batch, DesignError> {
+    part(sensor, options, 0..options.samples)
+}
+
+/// Draws some of the sensors of a batch: those at these places in the order of drawing. Parts that begin at multiples of [`BATCH`](crate::sample::BATCH) are
+/// independent of each other.
+///
+/// # Errors
+/// As [`batch`].
+pub fn part(sensor: &Sensor, options: BatchOptions, points: Range<usize>) -> Result<Batch, DesignError> {
     let spread = toleranced(sensor);
     if spread.is_empty() {
         return Err(DesignError::NoTolerance { sensor: sensor.name.clone() });
@@ -85,7 +95,7 @@ pub fn batch(sensor: &Sensor, options: BatchOptions) -> Result<Batch, DesignErro
         }
         metrics(mine, options.metrics).ok()
     };
-    let sensors = (0..options.samples).into_par_iter().with_min_len(256).map_init(|| sensor.clone(), made).collect();
+    let sensors = points.into_par_iter().with_min_len(256).map_init(|| sensor.clone(), made).collect();
     Ok(Batch { sensors })
 }
 
@@ -107,38 +117,13 @@ impl Batch {
         let count = values.len() as f64;
         let mean = values.iter().sum::<f64>() / count;
         let sd = (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / count).sqrt();
-        let quantiles = [0.001_35, 0.025, 0.5, 0.975, 0.998_65].map(|p| values[(p * last as f64).round() as usize]);
+        let quantiles = PROBABILITIES.iter().map(|p| values[(p * last as f64).round() as usize]).collect();
         Some(Scatter { metric, mean, sd, sd_pct: 100.0 * sd / mean.abs(), quantiles })
     }
 
     /// Share of sensors that keep a specification.
     pub fn yield_of(&self, specification: &Specification) -> Yield {
-        let limits = &specification.limits;
-        let (mut excluded, mut alone) = (vec![0usize; limits.len()], vec![0usize; limits.len()]);
-        for metrics in self.sensors.iter().flatten() {
-            let broken: Vec<usize> = (0..limits.len()).filter(|&i| !limits[i].holds(metrics)).collect();
-            broken.iter().for_each(|&i| excluded[i] += 1);
-            if let [only] = broken[..] {
-                alone[only] += 1;
-            }
-        }
-        let share = |count: usize| count as f64 / self.sensors.len() as f64;
-        let good = |part: &[Option<Metrics>]| part.iter().flatten().filter(|m| specification.holds(m)).count();
-        let parts: Vec<f64> = self.sensors.chunks_exact(BATCH).map(|part| good(part) as f64 / BATCH as f64).collect();
-        Yield {
-            share: share(good(&self.sensors)),
-            standard_error: standard_error(&parts),
-            touching: share(self.sensors.iter().filter(|s| s.is_none()).count()),
-            excluded: excluded.into_iter().map(share).collect(),
-            excluded_alone: alone.into_iter().map(share).collect(),
-        }
+        let parts: Vec<Counts> = self.sensors.chunks(BATCH).map(|part| Counts::of(part, specification)).collect();
+        Yield::of(&parts)
     }
-}
-
-/// Standard error of the mean of independent estimates.
-fn standard_error(parts: &[f64]) -> Option<f64> {
-    let count = parts.len() as f64;
-    let mean = parts.iter().sum::<f64>() / count;
-    let square = parts.iter().map(|p| (p - mean).powi(2)).sum::<f64>();
-    (parts.len() > 1).then(|| (square / (count - 1.0) / count).sqrt())
 }

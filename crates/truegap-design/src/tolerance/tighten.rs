@@ -2,7 +2,7 @@
 //!
 //! Limits: one tolerance at a time; the gain is a difference on the same random numbers, so small gains are seen as well.
 
-use super::{BatchOptions, Specification, batch};
+use super::{BatchOptions, Scatter, Specification, Yield, batch};
 use crate::{DesignError, METRICS, Quantity};
 use serde::Serialize;
 use truegap_core::Sensor;
@@ -25,25 +25,43 @@ pub struct Tightened {
 /// # Errors
 /// As [`batch`].
 pub fn tighten(sensor: &Sensor, specification: &Specification, options: BatchOptions) -> Result<Vec<Tightened>, DesignError> {
-    let before = batch(sensor, options)?;
-    let (share, scatter) = (before.yield_of(specification).share, before.scatter());
-    let mut rows = Vec::new();
-    for (quantity, _) in super::toleranced(sensor) {
-        let after = batch(&halved(sensor, quantity), options)?;
-        let now = after.yield_of(specification).share;
-        let mut falls = [0.0; METRICS.len()];
-        for ((fall, old), new) in falls.iter_mut().zip(&scatter).zip(after.scatter()) {
+    let numbers = |sensor: &Sensor| -> Result<_, DesignError> {
+        let made = batch(sensor, options)?;
+        Ok((made.scatter(), made.yield_of(specification)))
+    };
+    let before = numbers(sensor)?;
+    let rows = tolerances(sensor).into_iter().map(|quantity| {
+        let (scatter, good) = numbers(&halved(sensor, quantity))?;
+        Ok(Tightened::new(quantity, (&before.0, &before.1), (&scatter, &good)))
+    });
+    Ok(rank(rows.collect::<Result<_, DesignError>>()?))
+}
+
+impl Tightened {
+    /// What scatter and yield say before and after; both from the same random numbers.
+    pub fn new(quantity: Quantity, before: (&[Scatter], &Yield), after: (&[Scatter], &Yield)) -> Self {
+        let mut scatter_falls_pct = [0.0; METRICS.len()];
+        for ((fall, old), new) in scatter_falls_pct.iter_mut().zip(before.0).zip(after.0) {
             *fall = 100.0 * (1.0 - new.sd / old.sd);
         }
-        rows.push(Tightened { quantity, share: now, gain: now - share, scatter_falls_pct: falls });
+        Self { quantity, share: after.1.share, gain: after.1.share - before.1.share, scatter_falls_pct }
     }
+}
+
+/// The first to tighten first.
+pub fn rank(mut rows: Vec<Tightened>) -> Vec<Tightened> {
     let mean = |row: &Tightened| row.scatter_falls_pct.iter().sum::<f64>();
     rows.sort_by(|a, b| b.gain.total_cmp(&a.gain).then(mean(b).total_cmp(&mean(a))));
-    Ok(rows)
+    rows
+}
+
+/// Quantities of a sensor that have a tolerance.
+pub fn tolerances(sensor: &Sensor) -> Vec<Quantity> {
+    super::toleranced(sensor).into_iter().map(|(quantity, _)| quantity).collect()
 }
 
 /// The sensor with one spread halved.
-fn halved(sensor: &Sensor, quantity: Quantity) -> Sensor {
+pub fn halved(sensor: &Sensor, quantity: Quantity) -> Sensor {
     let mut sensor = sensor.clone();
     if let Some(measure) = quantity.of(&sensor) {
         quantity.set_spread(&mut sensor, 0.5 * measure.sd);

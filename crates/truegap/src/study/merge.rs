@@ -1,0 +1,46 @@
+//! Joining what shards have computed.
+//!
+//! Limits: the folder says which study it is; the cases are listed anew from its request.
+
+use super::optimise::{OptimiseAnswer, OptimiseRequest};
+use super::tolerance::{ToleranceAnswer, ToleranceRequest};
+use super::{StudyError, optimise, tolerance};
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+use std::path::Path;
+use truegap_sweep::describe;
+
+/// A study that was computed in shards.
+#[derive(Clone, Debug)]
+pub enum Study {
+    /// `truegap tolerance`
+    Tolerance(Box<ToleranceAnswer>),
+    /// `truegap optimise`
+    Optimise(Box<OptimiseAnswer>),
+}
+
+/// Joins the cases in `folder`, writes the results beside them and returns the answer; `partial` takes what is there.
+///
+/// # Errors
+/// [`SweepError::Missing`](truegap_sweep::SweepError::Missing) names what is missing; otherwise as [`StudyError`] says.
+pub fn merge(folder: &Path, partial: bool) -> Result<Study, StudyError> {
+    let there = describe(folder)?;
+    if there.study == tolerance::STUDY {
+        let request: ToleranceRequest = request(there.context)?;
+        let answer = request.merge(folder, partial)?;
+        answer.write(folder)?;
+        return Ok(Study::Tolerance(Box::new(answer)));
+    }
+    if there.study == optimise::STUDY {
+        let request: OptimiseRequest = request(there.context)?;
+        let answer = request.merge(folder, partial)?;
+        answer.write(folder)?;
+        return Ok(Study::Optimise(Box::new(answer)));
+    }
+    let known = [tolerance::STUDY, optimise::STUDY].map(|s| format!("`{s}`")).join(" and ");
+    Err(StudyError::UnknownStudy { study: there.study, known })
+}
+
+fn request<R: DeserializeOwned>(context: Value) -> Result<R, StudyError> {
+    serde_json::from_value(context).map_err(|source| StudyError::Request { reason: source.to_string() })
+}

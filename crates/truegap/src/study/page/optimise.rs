@@ -1,0 +1,133 @@
+//! Fronts, the minimisation vector, and what the constraints exclude.
+//!
+//! Limits: fronts of two as plots; the front of three as three plots of its shadows.
+
+use super::{number, spoken, values};
+use crate::study::StudyError;
+use crate::study::optimise::{FrontAnswer, OptimiseAnswer};
+use truegap_design::METRICS;
+use truegap_design::optimise::{Candidate, Choice, OBJECTIVES};
+use truegap_scene::figure::{Figure, FigureError};
+use truegap_scene::page::{Page, Table, Tone};
+
+const PAIRS: [[usize; 2]; 3] = [[0, 1], [0, 2], [1, 2]];
+
+/// A figure a pair of objectives.
+pub(in crate::study) fn figures(answer: &OptimiseAnswer) -> Result<Vec<(String, String)>, StudyError> {
+    PAIRS.iter().map(|&[a, b]| Ok((format!("{}_{}.svg", OBJECTIVES[a], OBJECTIVES[b]), plot(answer, a, b)?))).collect()
+}
+
+/// All designs that are known, in the plane of two objectives.
+fn plot(answer: &OptimiseAnswer, a: usize, b: usize) -> Result<String, FigureError> {
+    let column = |designs: &[Candidate], o: usize| -> Vec<f64> { designs.iter().map(|d| d.ratios[o]).collect() };
+    let axis = |o: usize| format!("{} over that of the starting design", spoken(OBJECTIVES[o]));
+    let mut figure = Figure::new("").x(&axis(a), "").y(&axis(b), "").height(340.0);
+    let find = |places: &[usize]| answer.fronts.iter().find(|f| f.places == places);
+    if let Some(front) = find(&[0, 1, 2]) {
+        figure = figure.points("front of all three", &column(&front.designs, a), &column(&front.designs, b));
+    }
+    if let Some(front) = find(&[a, b]) {
+        figure = figure.points("front of these two", &column(&front.designs, a), &column(&front.designs, b));
+    }
+    if let Some(vector) = &answer.vector {
+        figure = figure.points("along the vector", &[vector.ratios[a]], &[vector.ratios[b]]);
+        figure = figure.dashed_line("minimisation vector", &[1.0, vector.ratios[a]], &[1.0, vector.ratios[b]]);
+    }
+    figure.points("starting design", &[1.0], &[1.0]).y_include(0.0).to_svg()
+}
+
+/// The page.
+pub(in crate::study) fn html(answer: &OptimiseAnswer) -> Result<String, StudyError> {
+    let mut page = Page::new(&format!("Designs with smaller temperature coefficients than {}", answer.sensor));
+    if !answer.complete {
+        page = page.callout(Tone::Watch, "Stopped before all searches were done; this is what was found by then.");
+    }
+    page = match &answer.vector {
+        Some(vector) => with_vector(page, answer, vector),
+        None => page.text("The front of all three coefficients was not searched, so there is no minimisation vector yet."),
+    };
+    page = page.section("Fronts").text(
+        "Each point is a design that no other found one beats in the coefficients of its front. Coefficients count by their size, over those of the starting design at (1, 1); \
+         left and below is better.",
+    );
+    for [a, b] in PAIRS {
+        let third = OBJECTIVES[3 - a - b];
+        let caption = worse(answer, &[a, b], 3 - a - b).map_or_else(String::new, |(worse, all)| {
+            format!(
+                "{worse} of {all} designs of the front of these two have a larger {} than the starting design.",
+                spoken(third)
+            )
+        });
+        page = page.figure(&plot(answer, a, b)?, &caption);
+    }
+    Ok(space(searches(page, answer), answer).to_html())
+}
+
+fn worse(answer: &OptimiseAnswer, places: &[usize], third: usize) -> Option<(usize, usize)> {
+    let front = answer.fronts.iter().find(|f| f.places == places)?;
+    Some((front.designs.iter().filter(|d| d.ratios[third] > 1.0).count(), front.designs.len()))
+}
+
+fn with_vector(page: Page, answer: &OptimiseAnswer, vector: &Candidate) -> Page {
+    let gains: Vec<String> =
+        OBJECTIVES.iter().zip(vector.ratios).map(|(o, r)| format!("{} by {:.1} %", spoken(*o), 100.0 * (1.0 - r))).collect();
+    let design =
+        answer.axes.iter().zip(&vector.values).fold(Table::new(&["quantity", "symbol", "value"]), |table, (axis, value)| {
+            let (unit, factor) = axis.quantity.unit();
+            table.row(&[
+                axis.quantity.name().replace('_', " "),
+                axis.quantity.symbol().to_owned(),
+                format!("{} {unit}", number(value * factor)),
+            ])
+        });
+    let page = page
+        .section("Along the minimisation vector")
+        .callout(Tone::Good, &format!("All three coefficients fall in size: {}.", gains.join(", ")))
+        .text("The design whose worst coefficient, relative to the starting design, is smallest.")
+        .table(&design);
+    let Some(found) = vector.metrics else { return page };
+    let rows = METRICS.iter().zip(values(&answer.base).into_iter().zip(values(&found)));
+    page.table(&rows.fold(Table::new(&["number", "before", "after", "unit"]), |table, (metric, (before, after))| {
+        table.row(&[spoken(*metric).to_owned(), number(before), number(after), metric.unit().to_owned()])
+    }))
+}
+
+fn searches(page: Page, answer: &OptimiseAnswer) -> Page {
+    let row = |table: Table, front: &FrontAnswer| {
+        let names: Vec<&str> = front.places.iter().map(|&o| spoken(OBJECTIVES[o])).collect();
+        table.row(&[
+            names.join(", "),
+            front.searches.to_string(),
+            front.evaluations.to_string(),
+            format!("{:.4}", front.hypervolume),
+        ])
+    };
+    let table = answer.fronts.iter().fold(Table::new(&["front of", "searches", "evaluations", "hypervolume"]), row);
+    page.section("Searches").table(&table).text(&format!(
+        "Hypervolume: share of the box between no drift at all and the starting design that the front beats. Seed {}; the k-th search of a front has this seed plus k, from 0.",
+        answer.search.seed
+    ))
+}
+
+fn space(page: Page, answer: &OptimiseAnswer) -> Page {
+    let axes = answer.axes.iter().fold(Table::new(&["quantity", "may be"]), |table, axis| {
+        let (unit, factor) = axis.quantity.unit();
+        let told = match &axis.choice {
+            Choice::Continuous(low, high) => format!("{} to {} {unit}", number(low * factor), number(high * factor)),
+            Choice::Whole(low, high) => format!("whole, {low} to {high}"),
+            Choice::Levels(levels) => {
+                format!("{} {unit}", levels.iter().map(|l| number(l * factor)).collect::<Vec<_>>().join(", "))
+            }
+        };
+        table.row(&[axis.quantity.name().replace('_', " "), told])
+    });
+    let excluded = answer.exclusions.iter().fold(Table::new(&["constraint", "excludes", "alone"]), |table, e| {
+        table.row(&[e.constraint.says().to_owned(), format!("{:.1} %", 100.0 * e.share), format!("{:.1} %", 100.0 * e.alone)])
+    });
+    let useful = &answer.useful;
+    page.section("The space, and what keeps a sensor useful").table(&axes).table(&excluded).text(&format!(
+        "{:.1} % of the space meets all constraints: baseline at least {} and span at least {} of the starting design's, linearity error at most {} times its, beads on at most {} of the electrode, \
+         plates apart from 20 to 50 °C up to full load. \"Alone\" is what no other constraint excludes. The paper keeps \"useful\" designs without giving numbers; these are ours.",
+        100.0 * answer.feasible, useful.baseline, useful.span, useful.linearity, useful.covered
+    ))
+}

@@ -1,8 +1,9 @@
 //! The disc as an elastic problem: materials, supports, heat and load.
 //!
-//! Beads answer linearly with the modulus of [`BeadSpring`] and do not spread; metals and insulator bend by small or large rotations.
+//! Beads answer linearly with the modulus of [`BeadSpring`] and do not spread, or are rings of neo-Hookean rubber that do; metals and insulator bend by
+//! small or large rotations. Air that is kept is a solid too soft to matter, so that it moves along.
 
-use super::{BeadSpring, Gap, Laminate, Profile, Section, submesh::part};
+use super::{BeadSpring, Gap, Laminate, Profile, Section, Sheet, submesh::part};
 use crate::AuditError;
 use truegap_fem::Symmetry;
 use truegap_fem::mesh::{Mesh, Point};
@@ -51,6 +52,23 @@ pub enum Loading {
     },
 }
 
+/// What the rings are made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Rings {
+    /// springs with the modulus of [`BeadSpring`]
+    Springs,
+    /// nearly incompressible rubber that bulges
+    Rubber {
+        /// Young's modulus, Pa
+        young: f64,
+        /// Poisson's ratio
+        poisson: f64,
+    },
+}
+
+/// Modulus of air, Pa: a millionth of the beads', so that it moves along and carries nothing.
+const AIR: f64 = 1.0;
+
 /// A disc to be solved.
 #[derive(Clone, Debug)]
 pub struct Disc {
@@ -60,6 +78,12 @@ pub struct Disc {
     pub section: Section,
     /// beads below; `None` for a free plate
     pub beads: Option<BeadSpring>,
+    /// what rings are made of
+    pub rings: Rings,
+    /// insulator below the gap
+    pub facing: Option<Sheet>,
+    /// whether the air between the rings is part of the body
+    pub air: bool,
     /// rotations
     pub strains: Strains,
 }
@@ -71,7 +95,7 @@ impl Disc {
     /// A layer without thickness.
     pub fn free(plate: Laminate, strains: Strains, fineness: Fineness) -> Result<Self, AuditError> {
         let section = Section::new(&plate, &Gap::None, None, fineness)?;
-        Ok(Self { plate, section, beads: None, strains })
+        Ok(Self { plate, section, beads: None, rings: Rings::Springs, facing: None, air: false, strains })
     }
 
     /// A plate on a layer that stands for the beads.
@@ -80,7 +104,7 @@ impl Disc {
     /// A layer without thickness.
     pub fn on_layer(plate: Laminate, beads: BeadSpring, strains: Strains, fineness: Fineness) -> Result<Self, AuditError> {
         let section = Section::new(&plate, &Gap::Layer(beads.height), None, fineness)?;
-        Ok(Self { plate, section, beads: Some(beads), strains })
+        Ok(Self { plate, section, beads: Some(beads), rings: Rings::Springs, facing: None, air: false, strains })
     }
 
     /// A plate on `zones` rings of beads.
@@ -96,14 +120,14 @@ impl Disc {
     ) -> Result<Self, AuditError> {
         let gap = Gap::Rings { height: beads.height, coverage: beads.coverage, zones };
         let section = Section::new(&plate, &gap, None, fineness)?;
-        Ok(Self { plate, section, beads: Some(beads), strains })
+        Ok(Self { plate, section, beads: Some(beads), rings: Rings::Springs, facing: None, air: false, strains })
     }
 
     /// The elastic problem with the rings that `attached` tells (all of them where there are none to tell apart).
     pub fn problem(&self, kelvin: f64, loading: &Loading, attached: &[bool]) -> Problem {
         let bodies = |name: &str| match name.strip_prefix("ring ") {
             Some(number) => number.parse().ok().and_then(|j: usize| attached.get(j - 1)).copied().unwrap_or(true),
-            None => name != "air",
+            None => self.air || name != "air",
         };
         let mesh = part(&self.section.mesh, bodies).mesh;
         let materials = mesh.region_names.iter().map(|name| self.material(name)).collect();
@@ -163,13 +187,27 @@ impl Disc {
             Strains::Small => LawKind::Linear,
             Strains::Large => LawKind::SaintVenantKirchhoff,
         };
-        if let Some(s) = self.plate.sheets.iter().find(|s| s.name == region) {
+        if region == "air" {
+            return Material {
+                young: AIR,
+                poisson: 0.0,
+                expansion: 0.0,
+                law: LawKind::Linear,
+                formulation: Formulation::Displacement,
+            };
+        }
+        if let Some(s) = self.plate.sheets.iter().chain(&self.facing).find(|s| s.name == region) {
             let (young, poisson, expansion) = (s.young, s.poisson, s.expansion);
             return Material { young, poisson, expansion, law, formulation: Formulation::suited(poisson) };
         }
         // Bead material: what is neither sheet nor ring is the layer that stands for all beads.
         let (young, coverage, expansion) = self.beads.map_or((f64::NAN, 1.0, 0.0), |b| (b.young, b.coverage, b.expansion));
-        let share = if region.starts_with("ring ") { 1.0 } else { coverage };
+        let ring = region.starts_with("ring ");
+        if let (Rings::Rubber { young, poisson }, true) = (self.rings, ring) {
+            let formulation = Formulation::suited(poisson);
+            return Material { young, poisson, expansion, law: LawKind::NeoHookean, formulation };
+        }
+        let share = if ring { 1.0 } else { coverage };
         Material { young: share * young, poisson: 0.0, expansion, law: LawKind::Linear, formulation: Formulation::Displacement }
     }
 }

@@ -93,6 +93,17 @@ impl Disc {
         Err(unsettled("travel of the load plate"))
     }
 
+    /// Force (N) of a rigid plate that touches all of the top and has gone down so far (m), cold.
+    ///
+    /// # Errors
+    /// Where Newton's method finds no equilibrium.
+    pub fn flattened(&self, travel: f64) -> Result<f64, AuditError> {
+        let contact = Contact::new(self);
+        let all = vec![true; self.section.rings.len()];
+        let solution = self.solve(0.0, &Loading::Plate { travel, touched: contact.touched() }, &all)?;
+        Ok(contact.plate_force(&solution))
+    }
+
     /// Equilibrium below a rigid plate at a given travel; `contact` starts from the last one.
     fn under_plate(&self, kelvin: f64, travel: f64, bond: Bond, contact: &mut Contact) -> Result<Carried, AuditError> {
         let mut seen = BTreeSet::new();

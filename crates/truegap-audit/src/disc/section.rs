@@ -58,7 +58,7 @@ impl Section {
     /// A layer without thickness.
     pub fn new(plate: &Laminate, gap: &Gap, facing: Option<f64>, fineness: Fineness) -> Result<Self, AuditError> {
         let rings = rings(gap, plate.radius);
-        let stops: Vec<f64> = rings.iter().flat_map(|r| [r.inner, r.outer]).filter(|r| *r > 0.0).chain([plate.radius]).collect();
+        let stops = stops(&rings, gap, plate.radius, fineness);
         let rows = ROWS * fineness.rows;
         let mut layers = Vec::new();
         layers.extend(facing.map(|thickness| Layer { name: "facing".into(), thickness, rows: fineness.rows }));
@@ -97,6 +97,23 @@ fn rings(gap: &Gap, radius: f64) -> Vec<Ring> {
         Ring { inner: middle - 0.5 * coverage * zone, outer: middle + 0.5 * coverage * zone }
     };
     (0..*zones).map(ring).collect()
+}
+
+/// Columns that must be there: edges of the rings, a few within them, and beside them where they bulge.
+fn stops(rings: &[Ring], gap: &Gap, radius: f64, fineness: Fineness) -> Vec<f64> {
+    let height = if let Gap::Rings { height, .. } = gap { *height } else { 0.0 };
+    let within = 2 * fineness.rows;
+    let mut stops = Vec::new();
+    for (j, ring) in rings.iter().enumerate() {
+        let before = if j == 0 { 0.0 } else { rings[j - 1].outer };
+        let after = rings.get(j + 1).map_or(radius, |next| next.inner);
+        let beside = |room: f64, part: f64| part * (0.45 * room).min(height);
+        stops.extend([1.0, 0.4].map(|part| ring.inner - beside(ring.inner - before, part)));
+        stops.extend((0..=within).map(|i| ring.inner + (ring.outer - ring.inner) * i as f64 / within as f64));
+        stops.extend([0.4, 1.0].map(|part| ring.outer + beside(after - ring.outer, part)));
+    }
+    stops.push(radius);
+    stops
 }
 
 fn rename(mesh: &mut Mesh, from: &str, to: &str) {

@@ -66,6 +66,15 @@ pub enum Rings {
     },
 }
 
+/// The insulator below the gap and what carries it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Facing {
+    /// insulator
+    pub sheet: Sheet,
+    /// expansion of the shield that it is bonded to, 1/K: flat, and free to grow on what carries the sensor
+    pub shield_expansion: f64,
+}
+
 /// Modulus of air, Pa: a millionth of the beads', so that it moves along and carries nothing.
 const AIR: f64 = 1.0;
 
@@ -80,8 +89,8 @@ pub struct Disc {
     pub beads: Option<BeadSpring>,
     /// what rings are made of
     pub rings: Rings,
-    /// insulator below the gap
-    pub facing: Option<Sheet>,
+    /// insulator below the gap, on a shield
+    pub facing: Option<Facing>,
     /// whether the air between the rings is part of the body
     pub air: bool,
     /// rotations
@@ -133,8 +142,13 @@ impl Disc {
         let materials = mesh.region_names.iter().map(|name| self.material(name)).collect();
         let mut conditions = match &self.beads {
             None => vec![Condition::pin([0.0, 0.0], Component::Second)],
-            Some(_) => [Component::First, Component::Second].map(|c| Condition::fix("bottom", c)).to_vec(),
+            Some(_) => vec![Condition::fix("bottom", Component::Second)],
         };
+        match (&self.beads, &self.facing) {
+            (Some(_), Some(facing)) => conditions.extend(self.grown(facing.shield_expansion * kelvin)),
+            (Some(_), None) => conditions.push(Condition::fix("bottom", Component::First)),
+            (None, _) => {}
+        }
         conditions.extend(self.load(loading, &mesh));
         Problem {
             mesh,
@@ -182,6 +196,15 @@ impl Disc {
         }
     }
 
+    /// Radial displacements of the bottom that grows by a strain.
+    fn grown(&self, strain: f64) -> Vec<Condition> {
+        let level = self.section.level(0.0);
+        // The axis is held by symmetry.
+        let moved =
+            |at: Point| Condition::Displacement { place: Place::Point(at), component: Component::First, value: strain * at[0] };
+        level.into_iter().filter(|p| p[0] > 0.0).map(moved).collect()
+    }
+
     fn material(&self, region: &str) -> Material {
         let law = match self.strains {
             Strains::Small => LawKind::Linear,
@@ -196,7 +219,7 @@ impl Disc {
                 formulation: Formulation::Displacement,
             };
         }
-        if let Some(s) = self.plate.sheets.iter().chain(&self.facing).find(|s| s.name == region) {
+        if let Some(s) = self.plate.sheets.iter().chain(self.facing.as_ref().map(|f| &f.sheet)).find(|s| s.name == region) {
             let (young, poisson, expansion) = (s.young, s.poisson, s.expansion);
             return Material { young, poisson, expansion, law, formulation: Formulation::suited(poisson) };
         }

@@ -26,7 +26,7 @@ pub struct Carried {
     pub solution: Solution,
     /// rings that push (or pull, if bonded)
     pub attached: Vec<bool>,
-    /// force of each ring on the plate, N, positive in compression; empty where the beads are one layer
+    /// force of each ring on the plate, N, positive in compression; empty where the beads are one layer or stand on an insulator
     pub forces: Vec<f64>,
     /// force of the load plate, N; zero without one
     pub plate_force: f64,
@@ -93,14 +93,14 @@ impl Disc {
         Err(unsettled("travel of the load plate"))
     }
 
-    /// Force (N) of a rigid plate that touches all of the top and has gone down so far (m), cold.
+    /// Force (N) of a rigid plate that holds all of the top and has gone down so far (m).
     ///
     /// # Errors
     /// Where Newton's method finds no equilibrium.
-    pub fn flattened(&self, travel: f64) -> Result<f64, AuditError> {
+    pub fn flattened(&self, kelvin: f64, travel: f64) -> Result<f64, AuditError> {
         let contact = Contact::new(self);
         let all = vec![true; self.section.rings.len()];
-        let solution = self.solve(0.0, &Loading::Plate { travel, touched: contact.touched() }, &all)?;
+        let solution = self.solve(kelvin, &Loading::Plate { travel, touched: contact.touched() }, &all)?;
         Ok(contact.plate_force(&solution))
     }
 
@@ -137,6 +137,9 @@ impl Disc {
     }
 
     fn forces(&self, solution: &Solution, attached: &[bool]) -> Result<Vec<f64>, AuditError> {
+        if self.facing.is_some() {
+            return Ok(Vec::new()); // the feet stand on an insulator, not on supports
+        }
         let force = |(j, &on): (usize, &bool)| {
             if !on {
                 return Ok(0.0);
@@ -189,13 +192,7 @@ struct Contact {
 
 impl Contact {
     fn new(disc: &Disc) -> Self {
-        let mesh = &disc.section.mesh;
-        let on_top = |p: &&Point| (p[1] - disc.section.top).abs() < 1e-12;
-        let mut corners: Vec<Point> = mesh.points.iter().filter(on_top).copied().collect();
-        corners.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let middles = corners.windows(2).map(|p| [0.5 * (p[0][0] + p[1][0]), 0.5 * (p[0][1] + p[1][1])]);
-        let mut nodes: Vec<Point> = corners.iter().copied().chain(middles).collect();
-        nodes.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let nodes = disc.section.level(disc.section.top);
         Self { touching: vec![true; nodes.len()], attached: vec![true; disc.section.rings.len()], nodes }
     }
 

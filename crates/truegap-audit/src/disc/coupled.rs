@@ -1,13 +1,14 @@
 //! The whole disc coupled: heat and load, the deformed section, the field on it, C(F, T).
 //!
-//! Beads are bonded rings of rubber with the force-strain law of the bead cell; the rim is a guard ring (no field outside of the plates); the tail is the
-//! model's. Steady state, one temperature.
+//! Beads are bonded rings of rubber with the force-strain law of the bead cell; the shield below is flat and grows like the conductor; the rim is a guard
+//! ring (no field outside of the plates); the tail is the model's. Steady state, one temperature.
 
-use super::body::{Loading, Rings, Strains};
+use super::body::{Facing, Loading, Rings, Strains};
 use super::contact::{Bond, Carried};
 use super::field::{Field, field};
 use super::{BeadSpring, Disc, Fineness, Gap, Laminate, Section, Sheet};
-use crate::AuditError;
+use crate::cell::{Cell, bonded_law, held_expansion};
+use crate::{AuditError, Study};
 use std::f64::consts::PI;
 use truegap_core::sensor::Filling;
 use truegap_core::{Sensor, VACUUM_PERMITTIVITY};
@@ -17,7 +18,7 @@ use truegap_model::equations::electrodes::tail_capacitance;
 use truegap_model::stack::{Device, Warm};
 
 /// Compressive strain of a bead of the warm sensor under a force (N) on all of them.
-pub type BeadStrain<'a> = dyn Fn(&Warm, f64) -> Result<f64, AuditError> + Sync + 'a;
+pub type BeadStrain<'a> = Box<dyn Fn(&Warm, f64) -> Result<f64, AuditError> + Send + Sync + 'a>;
 
 /// How a force reaches the disc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,32 +83,90 @@ pub struct Coupled {
     pub kelvin: f64,
 }
 
+/// What the rings must do: that of real beads, from the bead cell.
+pub struct Beads<'a> {
+    /// force-strain law
+    pub strain: BeadStrain<'a>,
+    /// expansion of the height between the plates, 1/K
+    pub expansion: f64,
+}
+
 /// A sensor whose disc is to be solved.
 pub struct Whole<'a> {
     sensor: &'a Sensor,
     device: &'a Device,
-    strain: &'a BeadStrain<'a>,
+    beads: Beads<'a>,
     options: CoupledOptions,
+    /// expansion of the rings' rubber that gives the beads' of the height, 1/K
+    ring_expansion: f64,
 }
 
 /// Strain at which the rings are matched to the bead where the load is nearly none.
 const AT_REST: f64 = 1e-3;
 
-impl<'a> Whole<'a> {
-    /// A sensor with the force-strain law of its beads.
+impl<'a> Beads<'a> {
+    /// Beads that stick to both plates, by the finite elements of the cell.
     ///
     /// # Errors
-    /// [`AuditError::Lacks`] where the dielectric has no beads.
-    pub fn new(
-        sensor: &'a Sensor,
-        device: &'a Device,
-        strain: &'a BeadStrain<'a>,
-        options: CoupledOptions,
-    ) -> Result<Self, AuditError> {
-        match sensor.dielectric.filling {
-            Filling::Beads { .. } => Ok(Self { sensor, device, strain, options }),
-            Filling::Solid { .. } => Err(AuditError::Lacks { sensor: sensor.name.clone(), part: "beads" }),
-        }
+    /// [`AuditError::Lacks`] where the dielectric has no beads; what the cell refuses.
+    pub fn bonded(study: &Study<'_>) -> Result<Self, AuditError> {
+        let law = bonded_law(study)?;
+        let held = held_expansion(&Cell::of(study.sensor)?)?;
+        let (own, plates) = (study.sensor.dielectric.layer.material.expansion, study.sensor.conductor.material.expansion);
+        let strain = Box::new(move |warm: &Warm, force_n: f64| law.strain(force_n / (warm.areas.solid * warm.young)));
+        Ok(Self { strain, expansion: plates + held.value * (own - plates) })
+    }
+
+    /// Beads that spread and expand freely: (3), (11), (12).
+    pub fn free(sensor: &Sensor, device: &'a Device) -> Self {
+        let strain = Box::new(move |warm: &Warm, force_n: f64| {
+            let temperature_c = device.reference_c + warm.kelvin;
+            device.strain(warm, force_n, 1.0, [0.0; 2]).map_err(|_| AuditError::NoResponse {
+                force_n,
+                temperature_c,
+                strain: 1.0,
+            })
+        });
+        Self { strain, expansion: sensor.dielectric.layer.material.expansion }
+    }
+}
+
+impl<'a> Whole<'a> {
+    /// The disc of a study with bonded beads.
+    ///
+    /// # Errors
+    /// As [`Whole::new`] and [`Beads::bonded`].
+    pub fn bonded(study: &'a Study<'_>, options: CoupledOptions) -> Result<Self, AuditError> {
+        Self::new(study.sensor, &study.device, Beads::bonded(study)?, options)
+    }
+
+    /// A sensor and the behaviour of its beads.
+    ///
+    /// # Errors
+    /// [`AuditError::Lacks`] where the dielectric has no beads; what the solver refuses.
+    pub fn new(sensor: &'a Sensor, device: &'a Device, beads: Beads<'a>, options: CoupledOptions) -> Result<Self, AuditError> {
+        let Filling::Beads { .. } = sensor.dielectric.filling else {
+            return Err(AuditError::Lacks { sensor: sensor.name.clone(), part: "beads" });
+        };
+        let mut whole = Self { sensor, device, beads, options, ring_expansion: 0.0 };
+        whole.ring_expansion = whole.matched_expansion()?;
+        Ok(whole)
+    }
+
+    /// The expansion of a ring's height is `plates + g (own - plates)`, with g from one kelvin under a fixed plate.
+    fn matched_expansion(&self) -> Result<f64, AuditError> {
+        let mut disc = self.section(0.0, self.sensor.reference_c)?;
+        let Some(beads) = disc.beads else { return Ok(0.0) };
+        let own = self.sensor.dielectric.layer.material.expansion;
+        let push = |disc: &mut Disc, expansion: f64| {
+            disc.beads = Some(BeadSpring { expansion, ..beads });
+            disc.flattened(1.0, 0.0)
+        };
+        let (hot, still) = (push(&mut disc, own)?, push(&mut disc, 0.0)?);
+        let stiffness = disc.flattened(0.0, AT_REST * beads.height)? / (AT_REST * beads.height);
+        let g = (hot - still) / (stiffness * own * beads.height);
+        let plates = self.sensor.conductor.material.expansion;
+        Ok(plates + (self.beads.expansion - plates) / g)
     }
 
     /// Equilibrium, deformed section, field and capacitance at a force (N) and a temperature (degrees Celsius).
@@ -140,23 +199,30 @@ impl<'a> Whole<'a> {
     /// # Errors
     /// As [`Whole::solve`].
     pub fn disc(&self, force_n: f64, temperature_c: f64) -> Result<Disc, AuditError> {
+        let mut disc = self.section(force_n, temperature_c)?;
+        let (Some(beads), Rings::Rubber { young, poisson }) = (disc.beads, disc.rings) else { return Ok(disc) };
+        let stiffness = PI * disc.plate.radius * disc.plate.radius * beads.stiffness();
+        // A ring is stiffer or softer than a bead of the same rubber; force goes with the modulus, so one solution tells by how much.
+        let travel = (force_n / stiffness).max(AT_REST * beads.height);
+        let found = disc.flattened(0.0, travel)?;
+        disc.rings = Rings::Rubber { young: young * travel * stiffness / found, poisson };
+        Ok(disc)
+    }
+
+    /// The disc with rings of the bead's apparent modulus.
+    fn section(&self, force_n: f64, temperature_c: f64) -> Result<Disc, AuditError> {
         let warm = self.device.at(temperature_c);
-        let beads = BeadSpring::new(self.sensor, &warm, force_n, self.strain)?;
-        let insulator = Sheet::of("facing", &self.sensor.insulator);
+        let mut beads = BeadSpring::new(self.sensor, &warm, force_n, &self.beads.strain)?;
+        beads.expansion = self.ring_expansion;
+        let facing = Facing {
+            sheet: Sheet::of("facing", &self.sensor.insulator),
+            shield_expansion: self.sensor.conductor.material.expansion,
+        };
         let plate = Laminate::backed(self.sensor);
         let gap = Gap::Rings { height: beads.height, coverage: beads.coverage, zones: BeadSpring::zones(self.sensor) };
-        let section = Section::new(&plate, &gap, Some(insulator.thickness), self.options.fineness)?;
-        let poisson = self.sensor.dielectric.layer.material.poisson;
-        let rings = Rings::Rubber { young: beads.young, poisson };
-        let mut disc =
-            Disc { plate, section, beads: Some(beads), rings, facing: Some(insulator), air: true, strains: Strains::Large };
-        let area = PI * disc.plate.radius * disc.plate.radius;
-        let strain = (force_n / (area * beads.coverage * beads.young)).max(AT_REST);
-        // A ring is stiffer or softer than a bead of the same rubber; force goes with the modulus, so one solution tells by how much.
-        let found = disc.flattened(strain * beads.height)?;
-        let wanted = strain * area * beads.coverage * beads.young;
-        disc.rings = Rings::Rubber { young: beads.young * wanted / found, poisson };
-        Ok(disc)
+        let section = Section::new(&plate, &gap, Some(facing.sheet.thickness), self.options.fineness)?;
+        let rings = Rings::Rubber { young: beads.young, poisson: self.sensor.dielectric.layer.material.poisson };
+        Ok(Disc { plate, section, beads: Some(beads), rings, facing: Some(facing), air: true, strains: Strains::Large })
     }
 
     fn permittivity(&self, region: &str) -> f64 {

@@ -21,8 +21,8 @@ pub mod von_mises;
 
 pub use baselines::{Baseline, baselines};
 pub use bead_spring::BeadSpring;
-pub use body::{Disc, Fineness, Loading, Strains};
-pub use coupled::{BeadStrain, Charged, Coupled, CoupledOptions, Press, Whole};
+pub use body::{Disc, Facing, Fineness, Loading, Rings, Strains};
+pub use coupled::{BeadStrain, Beads, Charged, Coupled, CoupledOptions, Press, Whole};
 pub use laminate::{Laminate, Sheet};
 pub use profile::Profile;
 pub use refined::{Refined, refined};

@@ -5,7 +5,7 @@
 use super::columns::columns;
 use super::{Fineness, Laminate};
 use crate::AuditError;
-use truegap_fem::mesh::{BoundaryEdge, Layer, Mesh, layered_grid};
+use truegap_fem::mesh::{BoundaryEdge, Layer, Mesh, Point, layered_grid};
 
 /// What lies between the electrode and what carries it.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,6 +85,17 @@ impl Section {
             Gap::Rings { .. } => label_rings(&mut mesh, &rings),
         }
         Ok(Self { mesh, rings, face, top })
+    }
+
+    /// Quadratic nodes at a height (m) of the undeformed section, from the axis outwards (m).
+    pub fn level(&self, height: f64) -> Vec<Point> {
+        let there = |p: &&Point| (p[1] - height).abs() < 1e-12;
+        let mut corners: Vec<Point> = self.mesh.points.iter().filter(there).copied().collect();
+        corners.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let middle = |p: &[Point]| [0.5 * (p[0][0] + p[1][0]), 0.5 * (p[0][1] + p[1][1])];
+        let mut nodes: Vec<Point> = corners.iter().copied().chain(corners.windows(2).map(middle)).collect();
+        nodes.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        nodes
     }
 }
 

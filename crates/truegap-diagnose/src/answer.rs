@@ -189,6 +189,7 @@ impl Answer<'_> {
             held_out_after: held_after.prediction.clone(),
             map_before: map(problem, &base.fit.residual),
             map_after: map(problem, &chosen.fit.residual),
+            course: None,
         }
     }
 

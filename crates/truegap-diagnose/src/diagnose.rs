@@ -5,7 +5,7 @@
 use crate::{
     answer::Answer,
     augmented::Augmented,
-    diagnosis::{Diagnosis, RecordingFacts, Traces},
+    diagnosis::{Diagnosis, NextExperiment, RecordingFacts, Traces, Verdict},
     directions::directions,
     effect::Effect,
     effects::library,
@@ -13,11 +13,12 @@ use crate::{
     held_out::AllRows,
     issues::{DiagnoseError, check},
     joint::noise::measured,
+    latent::{Hidden, SlowInput},
     problem::Problem,
     search::{LOOSE, Progress, Search},
     select::{Selection, select},
     thin::thin,
-    verdict::{decide, interrupted},
+    verdict::{Decision, decide, interrupted},
 };
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -29,6 +30,10 @@ const SEARCHED_ROWS: usize = 2500;
 pub struct Options {
     /// ids of the effects to try; all where empty
     pub effects: Vec<String>,
+    /// columns that were hidden on purpose: the first is set beside the slow course that the recording asks for without it
+    pub hidden: Vec<Hidden>,
+    /// why no physics may be named, where something is wrong with the recording
+    pub withheld: Option<String>,
 }
 
 /// What comes out.
@@ -75,6 +80,8 @@ pub fn diagnose(
     let before = gate.adequacy(&selection.base().fit);
     let after = gate.adequacy(&selection.models[named].fit);
     let decision = if stop.load(Ordering::Relaxed) { interrupted(&selection) } else { decide(&selection, &before, &after) };
+    let slow = options.hidden.first().and_then(|hidden| SlowInput::of(&search, &selection).map(|slow| (slow, hidden)));
+    let (decision, because) = reserved(decision, &selection, slow.as_ref().map(|(slow, _)| slow), options);
     let all = AllRows { problem, first: thinned.as_ref().map(|t| t.first.as_slice()) };
     let answer = Answer {
         search: &search,
@@ -89,9 +96,40 @@ pub fn diagnose(
         directions: &directions,
     };
     let mut outcome = answer.outcome(facts, not_testable);
+    if let Some(because) = because {
+        outcome.diagnosis.says = because;
+    }
+    if let Some((slow, hidden)) = slow {
+        if slow.is_missing() {
+            outcome.diagnosis.next_experiment = NextExperiment { says: RECORD_IT.into(), ..NextExperiment::default() };
+        }
+        let (column, trace) = slow.opened(&search, selection.base(), problem, hidden);
+        outcome.diagnosis.concealed_column = Some(column);
+        outcome.traces.course = Some(trace);
+    }
     outcome.diagnosis.seconds = started.elapsed().as_secs_f64();
     Ok(outcome)
 }
+
+/// The decision, taken back where the recording may not be trusted or an input is missing that was hidden on purpose; with the reason.
+fn reserved(
+    decision: Decision,
+    selection: &Selection,
+    slow: Option<&SlowInput>,
+    options: &Options,
+) -> (Decision, Option<String>) {
+    if let Some(why) = &options.withheld {
+        return (interrupted(selection), Some(why.clone()));
+    }
+    match slow.filter(|slow| slow.is_missing()) {
+        Some(slow) => (Decision { verdict: Verdict::Unexplained, ..interrupted(selection) }, Some(slow.says())),
+        None => (decision, None),
+    }
+}
+
+/// What to do where an input is missing.
+const RECORD_IT: &str =
+    "record what moves slowly beside the sensor: temperature, humidity, supply voltage, the state of the fixture";
 
 /// Effects of a model whose contribution stands above the noise.
 fn visible(search: &Search<'_>, tried: &crate::search::Tried) -> Vec<usize> {

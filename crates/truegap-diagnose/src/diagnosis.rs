@@ -372,6 +372,21 @@ pub struct Traces {
     pub map_before: Option<Map>,
     /// the same with the findings
     pub map_after: Option<Map>,
+    /// course of an input that was hidden on purpose, beside the input itself
+    pub course: Option<CourseTrace>,
+}
+
+/// A course that was recovered, a value a row.
+#[derive(Clone, Debug, Default)]
+pub struct CourseTrace {
+    /// the course, in `course_unit`
+    pub course: Vec<f64>,
+    /// its standard deviation
+    pub sd: Vec<f64>,
+    /// the hidden column, in its own unit
+    pub hidden: Vec<f64>,
+    /// unit of the course; 1 for a relative gain
+    pub course_unit: String,
 }
 
 /// Mean residual over noise in cells of load and temperature (or time, where one of them does not change).

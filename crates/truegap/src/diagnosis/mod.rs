@@ -10,5 +10,5 @@ mod run;
 mod write;
 
 pub use error::DiagnosisError;
-pub use request::{Hidden, Opened, Request, open};
+pub use request::{Opened, Request, open};
 pub use run::{Diagnosed, diagnose};

@@ -6,6 +6,7 @@ use super::DiagnosisError;
 use crate::nearest::nearest;
 use truegap_core::{Inputs, Recording};
 use truegap_diagnose::joint::{Free, behind_one_another};
+use truegap_diagnose::latent::Hidden;
 
 /// What the user asks for beside the recordings.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -38,17 +39,6 @@ pub struct Opened {
     pub free: Free,
     /// columns hidden on purpose, a value a row of `recording`
     pub hidden: Vec<Hidden>,
-}
-
-/// A column that was hidden on purpose.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Hidden {
-    /// role
-    pub column: String,
-    /// unit of `values`
-    pub unit: &'static str,
-    /// one a row; NaN where a recording does not have the column
-    pub values: Vec<f64>,
 }
 
 /// The recordings, changed as `request` says.
@@ -155,7 +145,7 @@ fn conceal(parts: &mut [Recording], column: &str) -> Result<Hidden, DiagnosisErr
         return Err(DiagnosisError::NothingToConceal { recording: named(first), column: column.into(), names });
     };
     let take = |part: &mut Recording| get(&mut part.inputs).take().unwrap_or_else(|| vec![f64::NAN; part.len()]);
-    Ok(Hidden { column: (*role).into(), unit, values: parts.iter_mut().flat_map(take).collect() })
+    Ok(Hidden { column: (*role).into(), unit: (*unit).into(), values: parts.iter_mut().flat_map(take).collect() })
 }
 
 /// Temperature that stands for one that was not recorded, degrees Celsius; drawn, never simulated.

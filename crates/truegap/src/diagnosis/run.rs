@@ -76,8 +76,8 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
-    fn diagnose(&self, problem: &Problem<'_>, facts: RecordingFacts) -> Result<Outcome, DiagnoseError> {
-        let options = Options { effects: self.request.effects.clone() };
+    fn diagnose(&self, opened: &Opened, problem: &Problem<'_>, facts: RecordingFacts) -> Result<Outcome, DiagnoseError> {
+        let options = Options { effects: self.request.effects.clone(), hidden: opened.hidden.clone(), ..Options::default() };
         truegap_diagnose::diagnose(problem, facts, &options, self.progress, self.stop)
     }
 }
@@ -86,7 +86,7 @@ fn of_one(opened: &Opened, bases: &Bases, files: &[(String, String)], run: &Run<
     let recording = &opened.recording;
     let base = &bases.bases[0];
     let problem = Problem { inputs: &recording.inputs, response: &recording.response, simulator: base.simulator.as_ref() };
-    run.diagnose(&problem, facts(recording, files)).map_err(|source| refused(source, recording, base))
+    run.diagnose(opened, &problem, facts(recording, files)).map_err(|source| refused(source, recording, base))
 }
 
 fn of_several(opened: &Opened, bases: &Bases, files: &[(String, String)], run: &Run<'_>) -> Result<Outcome, DiagnosisError> {
@@ -96,7 +96,7 @@ fn of_several(opened: &Opened, bases: &Bases, files: &[(String, String)], run: &
     let mut facts = facts(&opened.recording, files);
     facts.recordings = each(opened, bases, files, &joint.inputs);
     facts.sharing = Some(joint.sharing.clone());
-    run.diagnose(&problem, facts).map_err(|source| {
+    run.diagnose(opened, &problem, facts).map_err(|source| {
         let row = match &source {
             DiagnoseError::Simulation(SimulationError::GapCloses { row, .. }) => *row,
             _ => return DiagnosisError::Diagnose { recording: named(&opened.recording), source },

@@ -4,6 +4,7 @@
 
 mod axis;
 mod candidates;
+mod concealed;
 mod courses;
 mod draw;
 mod findings;
@@ -31,6 +32,7 @@ pub fn html(subject: &Subject<'_>) -> String {
     let page = Page::new(&format!("Diagnosis of {}", short(&subject.diagnosis.recording.source))).raw_html(draw::STYLE);
     let page = summary::add(page, subject, &axis);
     let page = origin::issues(page, subject);
+    let page = concealed::add(page, subject, &axis);
     let page = findings::add(page, subject);
     let page = map::add(page, subject);
     let page = courses::add(page, subject, &axis);

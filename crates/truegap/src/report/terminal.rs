@@ -24,6 +24,9 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
         lines.extend(diagnosis.mismatch.iter().take(4).map(|m| format!("  {}", m.says)));
     }
     lines.extend(errors(diagnosis));
+    if let Some(column) = &diagnosis.concealed_column {
+        lines.push(format!("Hidden column: {}", column.says));
+    }
     if !diagnosis.recording_issues.is_empty() {
         lines.push("Doubts:".into());
         lines.extend(diagnosis.recording_issues.iter().map(|issue| format!("  {issue}")));

@@ -62,6 +62,7 @@ pub fn thermal_lag() -> Fixture {
         noise_sd: vec![NOISE; ROWS],
         map_before: Some(map(6.0)),
         map_after: Some(map(0.4)),
+        course: None,
     };
     Fixture { diagnosis: diagnosis(before, after), traces, inputs, response, provenance: provenance() }
 }

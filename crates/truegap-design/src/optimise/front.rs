@@ -2,7 +2,7 @@
 //!
 //! Limits: a fixed number of evaluations, no claim of optimality; the same seed gives the same front for any number of threads.
 
-use super::{directions::directions, latin::latin_hypercube, pareto::insert};
+use super::{directions::directions, latin::latin_hypercube, pareto::nondominated};
 use crate::sample::mix;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -64,7 +64,10 @@ struct Search<const M: usize> {
     weights: Vec<[f64; M]>,
     neighbours: Vec<Vec<usize>>,
     incumbents: Vec<(Vec<f64>, Evaluation<M>)>,
-    archive: Vec<([f64; M], Vec<f64>)>,
+    /// every feasible design that was met
+    met: Vec<([f64; M], Vec<f64>)>,
+    /// best value of each objective so far
+    ideal: [f64; M],
 }
 
 /// Searches the unit cube for the front of `function`.
@@ -100,14 +103,12 @@ pub fn front<const M: usize>(
             })
             .collect();
         evaluations += trials.len();
-        let (ideal, scale) = search.frame();
+        let scale = search.scale();
         for (i, (unit, evaluation)) in trials.into_iter().enumerate() {
-            search.hand_on(i, unit, evaluation, ideal, scale);
+            search.hand_on(i, unit, evaluation, scale);
         }
     }
-    let mut points: Vec<_> = search.archive.into_iter().map(|(objectives, unit)| FrontPoint { unit, objectives }).collect();
-    points.sort_by(|a, b| a.objectives[0].total_cmp(&b.objectives[0]));
-    Front { points, evaluations }
+    Front { points: search.front(), evaluations }
 }
 
 impl<const M: usize> Search<M> {
@@ -120,28 +121,43 @@ impl<const M: usize> Search<M> {
             order
         };
         let neighbours = weights.iter().map(near).collect();
-        let mut archive = Vec::new();
-        for (unit, e) in found.iter().filter(|(_, e)| e.violation == 0.0) {
-            insert(&mut archive, e.objectives, unit.clone());
-        }
-        let mut search = Self { weights, neighbours, incumbents: Vec::new(), archive };
-        let (ideal, scale) = search.frame();
+        let mut search = Self { weights, neighbours, incumbents: Vec::new(), met: Vec::new(), ideal: [f64::INFINITY; M] };
+        found.iter().for_each(|(unit, e)| search.meet(unit, e));
+        let (ideal, scale) = (search.finite_ideal(), search.scale());
         let best = |w: &[f64; M]| found.iter().min_by(|a, b| rank(&a.1, w, ideal, scale).total_cmp(&rank(&b.1, w, ideal, scale)));
         search.incumbents = search.weights.iter().filter_map(|w| best(w).cloned()).collect();
         search
     }
 
-    /// Best value of each objective so far, and the width of the front.
-    fn frame(&self) -> ([f64; M], [f64; M]) {
-        let (mut ideal, mut nadir) = ([f64::INFINITY; M], [f64::NEG_INFINITY; M]);
-        for (objectives, _) in &self.archive {
-            for m in 0..M {
-                ideal[m] = ideal[m].min(objectives[m]);
-                nadir[m] = nadir[m].max(objectives[m]);
-            }
+    /// Keeps a feasible design for the front.
+    fn meet(&mut self, unit: &[f64], e: &Evaluation<M>) {
+        if e.violation == 0.0 {
+            self.ideal = std::array::from_fn(|m| self.ideal[m].min(e.objectives[m]));
+            self.met.push((e.objectives, unit.to_vec()));
         }
-        let scale = std::array::from_fn(|m| if nadir[m] > ideal[m] { nadir[m] - ideal[m] } else { 1.0 });
-        (ideal.map(|i| if i.is_finite() { i } else { 0.0 }), scale)
+    }
+
+    /// What was met and nothing else beats.
+    fn front(self) -> Vec<FrontPoint<M>> {
+        let objectives: Vec<[f64; M]> = self.met.iter().map(|(objectives, _)| *objectives).collect();
+        let point = |i: usize| FrontPoint { unit: self.met[i].1.clone(), objectives: objectives[i] };
+        nondominated(&objectives).into_iter().map(point).collect()
+    }
+
+    fn finite_ideal(&self) -> [f64; M] {
+        self.ideal.map(|i| if i.is_finite() { i } else { 0.0 })
+    }
+
+    /// Width of the front: of the incumbents, before there are any of all designs met.
+    fn scale(&self) -> [f64; M] {
+        let feasible = self.incumbents.iter().filter(|(_, e)| e.violation == 0.0).map(|(_, e)| e.objectives);
+        let mut points: Vec<[f64; M]> = feasible.collect();
+        if self.incumbents.is_empty() {
+            points = self.met.iter().map(|(objectives, _)| *objectives).collect();
+        }
+        let front = nondominated(&points);
+        let nadir = |m: usize| front.iter().map(|&i| points[i][m]).fold(f64::NEG_INFINITY, f64::max);
+        std::array::from_fn(|m| if nadir(m) > self.ideal[m] { nadir(m) - self.ideal[m] } else { 1.0 })
     }
 
     /// A trial of one direction.
@@ -166,17 +182,15 @@ impl<const M: usize> Search<M> {
     }
 
     /// Gives a trial to the neighbours that it serves better than what they have.
-    fn hand_on(&mut self, i: usize, unit: Vec<f64>, evaluation: Evaluation<M>, ideal: [f64; M], scale: [f64; M]) {
-        let mut given = 0;
-        for k in self.neighbours[i].clone() {
+    fn hand_on(&mut self, i: usize, unit: Vec<f64>, evaluation: Evaluation<M>, scale: [f64; M]) {
+        self.meet(&unit, &evaluation);
+        let (mut given, ideal) = (0, self.finite_ideal());
+        for &k in &self.neighbours[i] {
             let rank = |e: &Evaluation<M>| rank(e, &self.weights[k], ideal, scale);
             if given < HANDED_ON && rank(&evaluation) < rank(&self.incumbents[k].1) {
                 self.incumbents[k] = (unit.clone(), evaluation);
                 given += 1;
             }
-        }
-        if evaluation.violation == 0.0 {
-            insert(&mut self.archive, evaluation.objectives, unit);
         }
     }
 }

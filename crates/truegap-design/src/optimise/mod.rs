@@ -17,7 +17,7 @@ pub use constraint::{CONSTRAINTS, Constraint, Useful};
 pub use front::{Evaluation, Front, FrontPoint, SearchOptions, front};
 pub use hypervolume::{hypervolume_2d, hypervolume_3d};
 pub use latin::latin_hypercube;
-pub use pareto::{dominates, insert};
+pub use pareto::nondominated;
 pub use problem::{Candidate, DesignProblem, Exclusion, OBJECTIVES};
 pub use space::{Axis, Choice, Space};
 pub use union::{Design, KEPT, Searched, search, thin, unite};

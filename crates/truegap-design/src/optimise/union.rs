@@ -2,7 +2,7 @@
 //!
 //! Limits: a search hands on at most [`KEPT`] designs, spread evenly over its front.
 
-use super::{DesignProblem, SearchOptions, pareto::insert};
+use super::{DesignProblem, SearchOptions, pareto::nondominated};
 use crate::DesignError;
 use serde::{Deserialize, Serialize};
 use std::collections::HashSet;
@@ -52,11 +52,9 @@ fn units<const M: usize>(
 
 /// Designs of several searches that none of the others beats, sorted by the first objective.
 pub fn unite(searches: &[Searched], objectives: &[usize]) -> Vec<Design> {
-    let mut front = Vec::new();
-    for design in searches.iter().flat_map(|s| &s.designs) {
-        insert(&mut front, wanted(design, objectives), design.clone());
-    }
-    let mut designs: Vec<Design> = front.into_iter().map(|(_, design)| design).collect();
+    let all: Vec<&Design> = searches.iter().flat_map(|s| &s.designs).collect();
+    let points: Vec<[f64; 3]> = all.iter().map(|d| wanted(d, objectives)).collect();
+    let mut designs: Vec<Design> = nondominated(&points).into_iter().map(|i| all[i].clone()).collect();
     sort(&mut designs, objectives);
     designs
 }

@@ -10,6 +10,7 @@ pub mod base;
 pub mod case_file;
 pub mod diagnosis;
 pub mod example;
+pub mod export;
 pub mod model_file;
 pub mod nearest;
 pub mod output;

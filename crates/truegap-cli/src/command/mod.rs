@@ -5,6 +5,7 @@
 mod audit;
 mod coefficients;
 mod diagnose;
+mod export;
 mod merge;
 mod mesh;
 mod optimise;
@@ -68,6 +69,7 @@ commands! {
     Optimise(optimise::Optimise),
     Tolerance(tolerance::Tolerance),
     Audit(audit::Audit),
+    Export(export::Export),
     Merge(merge::Merge),
     Diagnose(diagnose::Diagnose),
     Mesh(mesh::Mesh),

@@ -32,6 +32,8 @@ pub struct Options {
     pub effects: Vec<String>,
     /// columns that were hidden on purpose: the first is set beside the slow course that the recording asks for without it
     pub hidden: Vec<Hidden>,
+    /// the only effects that may be named, and why, where something is wrong with the recording
+    pub restricted: Option<(Vec<&'static str>, &'static str)>,
     /// why no physics may be named, where something is wrong with the recording
     pub withheld: Option<String>,
 }
@@ -58,6 +60,8 @@ pub fn diagnose(
     stop: &AtomicBool,
 ) -> Result<Outcome, DiagnoseError> {
     let started = std::time::Instant::now();
+    let halted = AtomicBool::new(true);
+    let stop = if options.withheld.is_some() { &halted } else { stop };
     check(problem)?;
     let (quiet, noise) = measured(problem)?;
     let problem = &Problem { inputs: &quiet, response: problem.response, simulator: problem.simulator };
@@ -99,6 +103,10 @@ pub fn diagnose(
     if let Some(because) = because {
         outcome.diagnosis.says = because;
     }
+    if options.withheld.is_some() {
+        outcome.diagnosis.concealed = false;
+        outcome.diagnosis.next_experiment = NextExperiment { says: REPAIR_IT.into(), ..NextExperiment::default() };
+    }
     if let Some((slow, hidden)) = slow {
         if slow.is_missing() {
             outcome.diagnosis.next_experiment = NextExperiment { says: RECORD_IT.into(), ..NextExperiment::default() };
@@ -127,6 +135,9 @@ fn reserved(
     }
 }
 
+/// What to do where the recording may not be trusted.
+const REPAIR_IT: &str = "repair what the notices name, and diagnose the recording again";
+
 /// What to do where an input is missing.
 const RECORD_IT: &str =
     "record what moves slowly beside the sensor: temperature, humidity, supply voltage, the state of the fixture";
@@ -151,6 +162,10 @@ fn part<'a>(
         let id = effect.id().to_string();
         if !options.effects.is_empty() && !options.effects.contains(&id) {
             not.push((id, "left out on request".into()));
+            continue;
+        }
+        if let Some((_, why)) = options.restricted.as_ref().filter(|(only, _)| !only.contains(&id.as_str())) {
+            not.push((id, (*why).to_owned()));
             continue;
         }
         match effect.testable(context) {

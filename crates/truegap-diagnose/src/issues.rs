@@ -1,10 +1,13 @@
 //! Doubts about a recording itself, found before any physics is named.
 //!
-//! Limits: looks at one column at a time.
+//! Limits: looks at one column at a time; what is certainly wrong is told by [`crate::screen`].
 
 use crate::context::load_column;
+use crate::directions::spread;
+use crate::noise::scatter;
+use crate::number::Scale;
 use crate::problem::Problem;
-use truegap_core::Inputs;
+use truegap_core::{Inputs, Role};
 
 /// Why nothing can be concluded from a recording.
 #[derive(Debug, thiserror::Error)]
@@ -26,6 +29,19 @@ pub enum DiagnoseError {
         /// its unit
         unit: String,
     },
+    /// Nothing is done to the sensor.
+    #[error(
+        "the {column} is {value} in all {rows} rows and no temperature changes: nothing can be told of a sensor to which nothing is done; record a \
+         load cycle or a temperature sweep, or set model = \"constant\" under [base] for a study of drift"
+    )]
+    ConstantInput {
+        /// force, pressure or gap
+        column: &'static str,
+        /// its value with unit
+        value: String,
+        /// rows
+        rows: usize,
+    },
     /// The model has no answer at the recording's inputs.
     #[error(transparent)]
     Simulation(#[from] truegap_core::SimulationError),
@@ -46,19 +62,50 @@ pub fn check(problem: &Problem<'_>) -> Result<(), DiagnoseError> {
     if rows < FEWEST_ROWS {
         return Err(DiagnoseError::TooFewRows { rows, needed: FEWEST_ROWS });
     }
-    if crate::directions::spread(problem.response) == 0.0 {
+    if spread(problem.response) == 0.0 {
         return Err(DiagnoseError::DeadChannel { value: problem.response[0], unit: problem.simulator.unit().into() });
     }
-    Ok(())
+    match constant(problem) {
+        Some((column, value)) => Err(DiagnoseError::ConstantInput { column, value, rows }),
+        None => Ok(()),
+    }
+}
+
+/// Spread of a column that is noise and nothing else, in its standard deviations.
+const ONLY_NOISE: f64 = 10.0;
+/// Temperature change that counts as one, K.
+const WARMS: f64 = 0.3;
+
+/// The column that drives the model and its value, where neither it nor temperature changes.
+fn constant(problem: &Problem<'_>) -> Option<(&'static str, String)> {
+    let inputs = problem.inputs;
+    let runs = inputs.runs();
+    let stands = |column: &[f64], least: f64| spread(column) <= least.max(ONLY_NOISE * scatter(column, &runs));
+    if inputs.temperature_c.as_ref().is_some_and(|t| !stands(t, WARMS)) {
+        return None;
+    }
+    let driving = |role: Role| match role {
+        Role::Force => inputs.force_n.as_ref().map(|c| ("force", "N", c)),
+        Role::Pressure => inputs.pressure_pa.as_ref().map(|c| ("pressure", "Pa", c)),
+        Role::Gap => inputs.gap_m.as_ref().map(|c| ("gap", "m", c)),
+        _ => None,
+    };
+    let all: Vec<_> = problem.simulator.needs().iter().filter_map(|role| driving(*role)).collect();
+    let full = problem.simulator.full_load();
+    let still = |(_, _, column): &(&str, &str, &Vec<f64>)| {
+        let greatest = column.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        stands(column, 1e-3 * full.unwrap_or(greatest))
+    };
+    let (name, unit, column) = *all.first()?;
+    let value = column.iter().sum::<f64>() / column.len() as f64;
+    all.iter().all(still).then(|| (name, Scale::of(unit, value.abs()).text(value)))
 }
 
 /// Doubts that a reader should know of, worst first.
 pub fn doubts(problem: &Problem<'_>) -> Vec<String> {
     let mut list = Vec::new();
     list.extend(stuck(problem.response));
-    list.extend(clipped(problem.response));
     list.extend(constant_inputs(problem.inputs, problem));
-    list.extend(pauses(problem.inputs));
     list
 }
 
@@ -83,31 +130,8 @@ fn stuck(response: &[f64]) -> Option<String> {
     })
 }
 
-/// Many rows at exactly the greatest or the least value.
-fn clipped(response: &[f64]) -> Option<String> {
-    let greatest = response.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let least = response.iter().copied().fold(f64::INFINITY, f64::min);
-    let at = |v: f64| response.iter().filter(|r| **r == v).count();
-    let share = 0.02 * response.len() as f64;
-    [(greatest, "greatest"), (least, "least")]
-        .into_iter()
-        .find(|(v, _)| at(*v) as f64 > share.max(20.0))
-        .map(|(v, name)| format!("{} rows lie exactly at the {name} value {v}: the reading may be clipped", at(v)))
-}
-
 fn constant_inputs(inputs: &Inputs, problem: &Problem<'_>) -> Option<String> {
-    let load = load_column(inputs, problem.simulator).is_some_and(|l| crate::directions::spread(&l) > 1e-3);
-    let temperature = inputs.temperature_c.as_ref().is_some_and(|t| crate::directions::spread(t) > 0.3);
+    let load = load_column(inputs, problem.simulator).is_some_and(|l| spread(&l) > 1e-3);
+    let temperature = inputs.temperature_c.as_ref().is_some_and(|t| spread(t) > 0.3);
     (!load && !temperature).then(|| "no input changes: only noise, drift and steps can show".to_owned())
-}
-
-/// Pauses inside runs much longer than the usual step.
-fn pauses(inputs: &Inputs) -> Option<String> {
-    inputs.time_s.as_ref()?;
-    let steps = inputs.steps_s();
-    let mut sorted: Vec<f64> = steps.iter().copied().filter(|s| *s > 0.0).collect();
-    sorted.sort_by(f64::total_cmp);
-    let usual = *sorted.get(sorted.len() / 2)?;
-    let (row, longest) = steps.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1))?;
-    (*longest > 30.0 * usual).then(|| format!("time jumps by {longest:.1} s at row {} inside a run (usual step {usual:.3} s): what happened in between is unknown to effects with a memory", row + 1))
 }

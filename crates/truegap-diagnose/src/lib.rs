@@ -32,6 +32,7 @@ pub mod notice;
 pub mod number;
 pub mod problem;
 pub mod score;
+pub mod screen;
 pub mod search;
 pub mod select;
 pub mod thin;

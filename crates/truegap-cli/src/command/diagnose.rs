@@ -132,7 +132,8 @@ impl Diagnose {
 }
 
 fn outcome(diagnosed: &Diagnosed) -> Outcome {
-    if diagnosed.outcome.diagnosis.verdict == Verdict::Agrees { Outcome::Fine } else { Outcome::LookAt }
+    let diagnosis = &diagnosed.outcome.diagnosis;
+    if diagnosis.verdict == Verdict::Agrees && diagnosis.notices.is_empty() { Outcome::Fine } else { Outcome::LookAt }
 }
 
 /// One line of a batch: name, verdict, findings with their probability, seconds.

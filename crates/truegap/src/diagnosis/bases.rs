@@ -18,6 +18,13 @@ pub(super) struct Bases {
     pub specimen: Vec<usize>,
 }
 
+impl Bases {
+    /// Model of a recording.
+    pub fn simulator(&self, recording: usize) -> &dyn truegap_core::Simulator {
+        self.bases[self.specimen.get(recording).copied().unwrap_or(0)].simulator.as_ref()
+    }
+}
+
 /// The base models of what was opened.
 pub(super) fn bases(opened: &Opened) -> Result<Bases, DiagnosisError> {
     if opened.parts.is_empty() {

@@ -7,6 +7,7 @@ mod error;
 mod prediction;
 mod request;
 mod run;
+mod screen;
 mod write;
 
 pub use error::DiagnosisError;

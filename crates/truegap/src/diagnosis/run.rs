@@ -2,8 +2,9 @@
 //!
 //! Limits: the base model is the recording's (or the request's); nothing is kept on disk here.
 
-use super::bases::{Bases, MATERIALS, bases};
+use super::bases::{Bases, MATERIALS};
 use super::request::{Opened, Request, named};
+use super::screen::{Screened, reserve, screen};
 use super::{DiagnosisError, prediction, write};
 use crate::base::Base;
 use crate::report::{Provenance, Subject};
@@ -13,6 +14,7 @@ use truegap_core::units::twelve_digits;
 use truegap_core::{Inputs, Recording, Role, SimulationError};
 use truegap_diagnose::diagnosis::OneRecording;
 use truegap_diagnose::joint::{Member, Together};
+use truegap_diagnose::notice::Notice;
 use truegap_diagnose::{DiagnoseError, Options, Outcome, Problem, Progress, RecordingFacts};
 
 /// Said where the search was stopped.
@@ -43,8 +45,8 @@ pub fn diagnose(
     progress: &(dyn Fn(Progress) + Sync),
     stop: &AtomicBool,
 ) -> Result<Diagnosed, DiagnosisError> {
-    let bases = bases(&opened)?;
-    let run = Run { request, progress, stop };
+    let Screened { opened, bases, notices } = screen(opened)?;
+    let run = Run { request, notices: &notices, progress, stop };
     let mut outcome = match opened.parts.is_empty() {
         true => of_one(&opened, &bases, &files, &run)?,
         false => of_several(&opened, &bases, &files, &run)?,
@@ -65,12 +67,14 @@ pub fn diagnose(
         interrupted: stop.load(Ordering::Relaxed),
         has_model: true,
     };
+    outcome.diagnosis.notices = notices;
     Ok(Diagnosed { recording: opened.recording, parts: opened.parts, base, outcome, provenance })
 }
 
 /// How a diagnosis is to be run.
 struct Run<'a> {
     request: &'a Request,
+    notices: &'a [Notice],
     progress: &'a (dyn Fn(Progress) + Sync),
     stop: &'a AtomicBool,
 }
@@ -78,6 +82,7 @@ struct Run<'a> {
 impl Run<'_> {
     fn diagnose(&self, opened: &Opened, problem: &Problem<'_>, facts: RecordingFacts) -> Result<Outcome, DiagnoseError> {
         let options = Options { effects: self.request.effects.clone(), hidden: opened.hidden.clone(), ..Options::default() };
+        let options = reserve(self.notices, options);
         truegap_diagnose::diagnose(problem, facts, &options, self.progress, self.stop)
     }
 }

@@ -14,12 +14,17 @@ pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
     let diagnosis = subject.diagnosis;
     let page = page.raw_html("<div class=\"verdict\">").callout(tone(diagnosis.verdict), &wording::headline(diagnosis));
     let mut page = page.raw_html("</div>\n");
+    for notice in &diagnosis.notices {
+        let tone = if notice.withholds { Tone::Bad } else { Tone::Watch };
+        page = page.callout(tone, &format!("{}.", capitalised(&notice.says)));
+    }
     for finding in &diagnosis.findings {
         let says = capitalised(&finding.says);
         page =
             page.raw_html("<div class=\"says\">").text(&format!("{says} – {}.", wording::how_sure(finding))).raw_html("</div>\n");
     }
-    if wording::adds(diagnosis) {
+    let withheld = diagnosis.notices.iter().any(|n| n.withholds);
+    if wording::adds(diagnosis) && !withheld {
         page = page.text(&format!("{}.", capitalised(&diagnosis.says.replace('_', " "))));
     }
     if let Some(text) = wording::concealed(diagnosis) {

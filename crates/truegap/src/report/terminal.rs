@@ -9,6 +9,7 @@ use truegap_diagnose::diagnosis::Diagnosis;
 /// Verdict, findings with sizes, errors, what next.
 pub fn summary(diagnosis: &Diagnosis) -> String {
     let mut lines = vec![wording::headline(diagnosis)];
+    lines.extend(diagnosis.notices.iter().map(|notice| format!("  notice: {}", notice.says)));
     for finding in &diagnosis.findings {
         lines.push(format!("  {}: {}", spoken(&finding.effect), finding.says));
         lines.push(format!("    {}", wording::how_sure(finding)));

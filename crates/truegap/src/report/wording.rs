@@ -16,6 +16,9 @@ pub fn headline(diagnosis: &Diagnosis) -> String {
     let names = || listed(&named(&diagnosis.findings), "and");
     let sure = diagnosis.findings.iter().all(|f| f.detectability >= SURE);
     let no_finding = diagnosis.findings.is_empty();
+    if diagnosis.notices.iter().any(|n| n.withholds) {
+        return "Something is wrong with this recording, so no physics is named.".into();
+    }
     match diagnosis.verdict {
         Verdict::Agrees => {
             format!(

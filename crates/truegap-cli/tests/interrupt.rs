@@ -1,0 +1,63 @@
+//! Ctrl-C in the middle of a diagnosis: a report of what is known by then.
+//!
+//! The signal is sent to the built program by `kill -INT`, once its first note shows that it has begun; the recording is long enough to keep it
+//! busy for some seconds.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use common::Bench;
+use std::io::{BufRead, BufReader, Read};
+use std::process::{Command, Stdio};
+
+/// The built-in example many times over, a run after another.
+fn long_recording() -> String {
+    let example = truegap::example_recording().unwrap();
+    let (time, force) = (example.inputs.time_s.as_ref().unwrap(), example.inputs.force_n.as_ref().unwrap());
+    let temperature = example.inputs.temperature_c.as_ref().unwrap();
+    let mut text = String::from("run,time_s,force_n,temperature_c,capacitance_pf\n");
+    for again in 0..12u32 {
+        let later = f64::from(again) * 20_000.0;
+        for row in 0..example.len() {
+            let run = example.inputs.run[row] + 10 * again;
+            let reading = example.response[row] + 1e-3 * f64::from(again % 3);
+            text += &format!("{run},{:.3},{:.4},{:.3},{reading:.5}\n", time[row] + later, force[row], temperature[row]);
+        }
+    }
+    text
+}
+
+#[test]
+fn ctrl_c_leaves_a_report_of_what_is_known() {
+    let bench = Bench::new();
+    bench.file("long.csv", &long_recording());
+    let mut program = Command::new(env!("CARGO_BIN_EXE_truegap"))
+        .args(["diagnose", "long.csv", "-o", "out"])
+        .current_dir(bench.path("."))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut lines = BufReader::new(program.stderr.take().unwrap()).lines();
+    let first = lines.next().unwrap().unwrap();
+    assert!(first.starts_with("note:"), "{first}");
+    let kill = Command::new("kill").args(["-INT", &program.id().to_string()]).status().unwrap();
+    assert!(kill.success());
+    lines.for_each(drop);
+    let status = program.wait().unwrap();
+    let mut out = String::new();
+    program.stdout.take().unwrap().read_to_string(&mut out).unwrap();
+    assert_eq!(status.code(), Some(1), "{out}");
+    let json = std::fs::read_to_string(bench.path("out/diagnosis.json")).unwrap();
+    let diagnosis: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(diagnosis["verdict"], "undecided");
+    assert!(diagnosis["says"].as_str().unwrap().contains("stopped"), "{}", diagnosis["says"]);
+    assert_eq!(diagnosis["findings"].as_array().unwrap().len(), 0);
+    // what is known by then: the calibrated base model and its errors
+    assert!(diagnosis["base"]["parameters"].as_array().unwrap().iter().all(|p| p["sd"].as_f64().unwrap() > 0.0));
+    assert!(diagnosis["fit"]["in_sample"]["rmse_before"].as_f64().unwrap() > 0.0);
+    let page = std::fs::read_to_string(bench.path("out/report.html")).unwrap();
+    assert!(page.contains("stopped before its end"));
+}

@@ -1,0 +1,32 @@
+//! Pauses inside runs, of which nothing was recorded.
+//!
+//! Limits: only with a clock; what happened in a pause cannot be known.
+
+use super::Rows;
+use crate::notice::{Notice, NoticeKind};
+use crate::number::Scale;
+use crate::problem::Problem;
+
+/// Usual steps beyond which a step is a pause.
+const STEPS: f64 = 30.0;
+
+/// A notice where time jumps inside a run.
+pub fn pauses(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
+    problem.inputs.time_s.as_ref()?;
+    let steps = problem.inputs.steps_s();
+    let mut sorted: Vec<f64> = steps.iter().copied().filter(|s| *s > 0.0).collect();
+    let middle = sorted.len() / 2;
+    let usual = *sorted.get_mut(..).filter(|s| !s.is_empty())?.select_nth_unstable_by(middle, f64::total_cmp).1;
+    let found: Vec<usize> = (0..steps.len()).filter(|row| steps[*row] > STEPS * usual).collect();
+    let longest = *found.iter().max_by(|a, b| steps[**a].total_cmp(&steps[**b]))?;
+    let text = |s: f64| Scale::of("s", s).text(s);
+    let says = format!(
+        "time jumps by {} before {}, inside a run whose usual step is {}{}: what happened meanwhile is unknown to physics that remembers. \
+         Start a new run there if the sensor was touched",
+        text(steps[longest]),
+        rows.place(longest),
+        text(usual),
+        if found.len() > 1 { format!(" ({} such pauses)", found.len()) } else { String::new() }
+    );
+    Some(Notice { kind: NoticeKind::Gap, says, rows: found.iter().map(|r| rows.number(*r)).collect(), withholds: false })
+}

@@ -1,0 +1,87 @@
+//! What is wrong with the recordings: outliers are left out, everything else is noted.
+//!
+//! Limits: each recording by itself; rows in notices are counted as in the file, without its header.
+
+use super::DiagnosisError;
+use super::bases::{Bases, bases};
+use super::request::{Opened, together};
+use truegap_core::{Recording, Simulator};
+use truegap_diagnose::issues::FEWEST_ROWS;
+use truegap_diagnose::notice::{Notice, NoticeKind};
+use truegap_diagnose::screen::{OF_CLIPPED, Rows, outliers, troubles};
+use truegap_diagnose::{Options, Problem};
+
+/// Recordings without their outliers, with their base models and what is wrong with them.
+pub(super) struct Screened {
+    pub opened: Opened,
+    pub bases: Bases,
+    pub notices: Vec<Notice>,
+}
+
+/// Screens what was opened.
+pub(super) fn screen(mut opened: Opened) -> Result<Screened, DiagnosisError> {
+    let first = bases(&opened)?;
+    let several = opened.parts.len();
+    let mut notices = Vec::new();
+    let mut kept: Vec<Vec<usize>> = Vec::new();
+    for (index, part) in parts(&opened).iter().enumerate() {
+        let mut keep: Vec<usize> = (0..part.len()).collect();
+        if let Some((notice, out)) = with(part, first.simulator(index), None, outliers).flatten() {
+            keep.retain(|row| out.binary_search(row).is_err());
+            notices.push(of(notice, index, several));
+        }
+        kept.push(keep);
+    }
+    if kept.iter().zip(parts(&opened)).any(|(keep, part)| keep.len() < part.len()) {
+        opened = without(opened, &kept)?;
+    }
+    let bases = bases(&opened)?;
+    for (index, part) in parts(&opened).iter().enumerate() {
+        let found = with(part, bases.simulator(index), Some(&kept[index]), troubles).unwrap_or_default();
+        notices.extend(found.into_iter().map(|notice| of(notice, index, several)));
+    }
+    Ok(Screened { opened, bases, notices })
+}
+
+fn parts(opened: &Opened) -> &[Recording] {
+    if opened.parts.is_empty() { std::slice::from_ref(&opened.recording) } else { &opened.parts }
+}
+
+/// What `look` finds in a recording; `None` where it is too short to be looked at.
+fn with<T>(
+    part: &Recording,
+    simulator: &dyn Simulator,
+    given: Option<&[usize]>,
+    look: impl Fn(&Problem<'_>, &Rows<'_>) -> T,
+) -> Option<T> {
+    let problem = Problem { inputs: &part.inputs, response: &part.response, simulator };
+    (part.len() >= FEWEST_ROWS).then(|| look(&problem, &Rows { inputs: &part.inputs, given, unit: &part.response_unit }))
+}
+
+/// A notice, with the recording's number where there are several.
+fn of(notice: Notice, index: usize, several: usize) -> Notice {
+    if several == 0 { notice } else { Notice { says: format!("recording {}: {}", index + 1, notice.says), ..notice } }
+}
+
+/// The rows that `kept` names, recording by recording.
+fn without(opened: Opened, kept: &[Vec<usize>]) -> Result<Opened, DiagnosisError> {
+    let mut rows = Vec::new();
+    let mut first = 0;
+    for (keep, part) in kept.iter().zip(parts(&opened)) {
+        rows.extend(keep.iter().map(|row| first + row));
+        first += part.len();
+    }
+    let mut hidden = opened.hidden;
+    hidden.iter_mut().for_each(|h| h.values = rows.iter().map(|row| h.values[*row]).collect());
+    let parts: Vec<Recording> = opened.parts.iter().zip(kept).map(|(part, keep)| part.select(keep)).collect();
+    let recording = if parts.is_empty() { opened.recording.select(&rows) } else { together(&parts)? };
+    Ok(Opened { recording, parts, hidden, free: opened.free })
+}
+
+/// Options as the notices allow.
+pub(super) fn reserve(notices: &[Notice], options: Options) -> Options {
+    let withheld = notices.iter().find(|n| n.withholds).map(|n| format!("no physics is named: {}", n.says));
+    let clipped = notices.iter().any(|n| n.kind == NoticeKind::Clipped);
+    let restricted = clipped.then(|| (OF_CLIPPED.to_vec(), "readings are clipped, so nothing but saturation is looked for"));
+    Options { withheld, restricted, ..options }
+}

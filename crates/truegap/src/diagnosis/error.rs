@@ -22,6 +22,9 @@ pub enum DiagnosisError {
     /// Nothing can be concluded.
     #[error("{recording}: {source}")]
     Diagnose { recording: String, source: DiagnoseError },
+    /// Something is wrong with the recording, and the model has no answer to it.
+    #[error("{recording}: {says}")]
+    Untrusted { recording: String, says: String },
     /// A load that the sensor cannot bear.
     #[error(
         "{recording}, row {row}: {load} {unit} closes the gap of `{model}` (strain {strain:.3}); leave the row out, or describe a thicker or stiffer dielectric"

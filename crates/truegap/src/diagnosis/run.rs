@@ -47,10 +47,11 @@ pub fn diagnose(
 ) -> Result<Diagnosed, DiagnosisError> {
     let Screened { opened, bases, notices } = screen(opened)?;
     let run = Run { request, notices: &notices, progress, stop };
-    let mut outcome = match opened.parts.is_empty() {
-        true => of_one(&opened, &bases, &files, &run)?,
-        false => of_several(&opened, &bases, &files, &run)?,
+    let outcome = match opened.parts.is_empty() {
+        true => of_one(&opened, &bases, &files, &run),
+        false => of_several(&opened, &bases, &files, &run),
     };
+    let mut outcome = outcome.map_err(|error| noticed(error, &notices))?;
     let mut bases = bases.bases.into_iter();
     let base = bases.next().ok_or(DiagnosisError::NoRecording)?;
     let diagnosis = &mut outcome.diagnosis;
@@ -69,6 +70,18 @@ pub fn diagnose(
     };
     outcome.diagnosis.notices = notices;
     Ok(Diagnosed { recording: opened.recording, parts: opened.parts, base, outcome, provenance })
+}
+
+/// Where the model has no answer and something is known to be wrong with the recording, that is the reason to be told.
+fn noticed(error: DiagnosisError, notices: &[Notice]) -> DiagnosisError {
+    let why = notices.iter().find(|n| n.withholds);
+    match (error, why) {
+        (
+            DiagnosisError::Diagnose { recording, source: DiagnoseError::Simulation(SimulationError::NotFinite { .. }) },
+            Some(why),
+        ) => DiagnosisError::Untrusted { recording, says: why.says.clone() },
+        (error, _) => error,
+    }
 }
 
 /// How a diagnosis is to be run.

@@ -49,6 +49,28 @@ pub enum AuditError {
         /// how to fix it
         remedy: &'static str,
     },
+    /// A table of corrections does not cover the sensor.
+    #[error("{what} = {value} lies outside of {low} to {high}; {remedy}")]
+    Uncovered {
+        /// quantity
+        what: String,
+        /// its value
+        value: f64,
+        /// least value covered
+        low: f64,
+        /// greatest value covered
+        high: f64,
+        /// how to fix it
+        remedy: &'static str,
+    },
+    /// A table of corrections is at fault.
+    #[error("the table {name} of corrections cannot be used: {problem}; make it again with the command in its file")]
+    Table {
+        /// table
+        name: &'static str,
+        /// what is wrong
+        problem: String,
+    },
     /// The sensor has not what was asked about.
     #[error("sensor {sensor} has no {part}; leave this assumption out for it")]
     Lacks {

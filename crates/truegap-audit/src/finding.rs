@@ -66,11 +66,18 @@ impl Verdict {
         };
         let side = if measure.value > measure.limit { "beyond" } else { "within" };
         let reason = format!(
-            "the largest effect is {worst:+.3} % on {name}; {} = {:.4} is {side} its limit {}",
-            measure.name, measure.value, measure.limit
+            "the largest effect is {worst:+.3} % on {name}; {}, {}, is {side} its limit {}",
+            measure.name,
+            readable(measure.value),
+            measure.limit
         );
         (verdict, reason)
     }
+}
+
+/// Four digits, in powers of ten where the number is small.
+fn readable(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) { format!("{value:.4}") } else { format!("{value:.3e}") }
 }
 
 /// A named line of a figure.

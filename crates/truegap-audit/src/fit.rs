@@ -68,8 +68,13 @@ impl Chebyshev {
     /// # Errors
     /// [`AuditError::OutOfRange`] outside of the range.
     pub fn at(&self, x: f64) -> Result<f64, AuditError> {
-        let t = polynomials(self.reduced(x)?, self.coefficients.len());
-        Ok(t.iter().zip(&self.coefficients).map(|(t, c)| t * c).sum())
+        let t = self.reduced(x)?;
+        // Clenshaw's recurrence
+        let (mut next, mut after) = (0.0, 0.0);
+        for c in self.coefficients.iter().skip(1).rev() {
+            (next, after) = (c + 2.0 * t * next - after, next);
+        }
+        Ok(self.coefficients.first().copied().unwrap_or(0.0) + t * next - after)
     }
 
     /// Largest distance from the points.

@@ -8,6 +8,7 @@ pub mod assumptions;
 pub mod audit;
 pub mod cache;
 pub mod cell;
+pub mod corrections;
 pub mod disc;
 pub mod effect;
 pub mod error;

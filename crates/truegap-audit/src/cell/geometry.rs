@@ -107,7 +107,7 @@ impl Profile {
 /// Distance, over the height, within which a point lies on a plate.
 const SNAP: f64 = 1e-4;
 /// Greatest distance of a dropped point from the line that replaces it.
-const FLAT: f64 = 1e-4;
+const FLAT: f64 = 2e-5;
 
 /// Drops points that lie on the line between their neighbours (Douglas and Peucker).
 fn simplified(points: &[Point]) -> Vec<Point> {

@@ -8,9 +8,11 @@ mod geometry;
 mod heat;
 mod law;
 mod press;
+mod rim;
 
 pub use charge::{Charged, Filled, cell_capacitance};
 pub use geometry::{Cell, Profile};
 pub use heat::{Estimated, heated_stiffness, held_expansion};
 pub use law::{Law, bonded_law};
-pub use press::{Bonding, Pressed, PressedAt, error_by_rim, press};
+pub use press::{Bonding, Pressed, PressedAt, error_by_rim, heated_and_loaded, press};
+pub use rim::Layered;

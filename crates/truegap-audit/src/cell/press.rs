@@ -91,7 +91,7 @@ pub fn error_by_rim(cell: &Cell, bonding: Bonding, pressed: &Pressed) -> Result<
 
 fn press_with(cell: &Cell, bonding: Bonding, strains: &[f64], rim: f64) -> Result<Pressed, FemError> {
     let greatest = strains.last().copied().unwrap_or(AT_REST);
-    let mut solver = Solver::new(half_bead(cell, bonding, greatest, rim)?)?;
+    let mut solver = Solver::new(half_bead(cell, bonding, greatest, 0.0, rim)?)?;
     let mut squeeze = |strain: f64| -> Result<PressedAt, FemError> {
         let solution = solver.advance(strain / greatest, &NewtonOptions::default())?;
         pressed_at(cell, strain, &solution)
@@ -101,8 +101,8 @@ fn press_with(cell: &Cell, bonding: Bonding, strains: &[f64], rim: f64) -> Resul
     Ok(Pressed { steps, stiffness, rim, unknowns: solver.body().numbering.free.len() })
 }
 
-/// Lower half of a bead of unit height and unit modulus, squeezed by `strain` at load factor 1.
-fn half_bead(cell: &Cell, bonding: Bonding, strain: f64, rim: f64) -> Result<Problem, FemError> {
+/// Lower half of a bead of unit height and unit modulus, at load factor 1 squeezed by `strain` and heated by a thermal strain.
+fn half_bead(cell: &Cell, bonding: Bonding, strain: f64, heat: f64, rim: f64) -> Result<Problem, FemError> {
     let mut conditions =
         vec![Condition::fix("face", Component::Second), Condition::displace("middle", Component::Second, -0.5 * strain)];
     if bonding == Bonding::Bonded {
@@ -115,10 +115,46 @@ fn half_bead(cell: &Cell, bonding: Bonding, strain: f64, rim: f64) -> Result<Pro
         symmetry: Symmetry::Axisymmetric,
         materials: vec![silicone(cell.poisson)],
         conditions,
-        temperature: Temperature::uniform(0.0),
+        temperature: Temperature::uniform(heat),
         body_force: None,
         order: Order::Quadratic,
     })
+}
+
+/// A bonded bead that was heated by a thermal strain (its own less that of the plates) and carries a load over modulus and face: strain and profile are
+/// relative to the cold bead.
+///
+/// Heat and load at once, at finite strain; the load is met by the secant rule to 1e-9.
+///
+/// # Errors
+/// [`AuditError::Fem`] where no equilibrium is found with any rim.
+pub fn heated_and_loaded(cell: &Cell, heat: f64, reduced_load: f64, start: f64) -> Result<PressedAt, AuditError> {
+    let mut last = ElasticityError::IllConditioned { correction: f64::INFINITY };
+    for rim in RIMS {
+        match equilibrium(cell, heat, reduced_load, start, rim) {
+            Err(FemError::Elasticity(e @ (ElasticityError::NotConverged { .. } | ElasticityError::Contact { .. }))) => last = e,
+            other => return other.map_err(AuditError::fem("heated and loaded bead")),
+        }
+    }
+    Err(AuditError::Fem { problem: "heated and loaded bead".into(), source: last.into() })
+}
+
+fn equilibrium(cell: &Cell, heat: f64, reduced_load: f64, start: f64, rim: f64) -> Result<PressedAt, FemError> {
+    let at = |strain: f64| -> Result<PressedAt, FemError> {
+        let solution = Solver::new(half_bead(cell, Bonding::Bonded, strain, heat, rim)?)?.solve()?;
+        pressed_at(cell, strain, &solution)
+    };
+    let (mut before, mut now) = (at(start)?, at(start + 1e-3)?);
+    for _ in 0..12 {
+        let slope = (now.reduced_load - before.reduced_load) / (now.strain - before.strain);
+        let step = (reduced_load - now.reduced_load) / slope;
+        if step.abs() < 1e-9 || slope == 0.0 {
+            break;
+        }
+        let next = at(now.strain + step)?;
+        before = std::mem::replace(&mut now, next);
+    }
+    Ok(now)
 }
 
 /// Rubber of unit modulus and unit expansion; the volumetric stress is an unknown of its own from a Poisson's ratio of 0.45 on.

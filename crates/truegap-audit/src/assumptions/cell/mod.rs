@@ -13,6 +13,8 @@ mod series_of_integrals;
 pub mod tail_parallel_plate;
 mod uniform_temperature;
 
+pub(crate) use mixing_parallel::{filled, mixed_capacitance};
+
 use crate::{Assumption, AuditError, Study, Swap};
 use truegap_core::{Sensor, sensor::Filling};
 

@@ -75,7 +75,8 @@ impl<'a> Coupled<'a> {
         let insulator = VACUUM_PERMITTIVITY * self.sensor.insulator.material.permittivity;
         let gap = hot.height * (1.0 - bead.strain);
         let layered = self.layers(warm.radius, film, gap, main, insulator);
-        let rim = layered.rim(self.target)?.value;
+        // a small difference of large numbers
+        let rim = layered.rim(0.2 * self.target)?.value;
         let shielded = self.sensor.layout == Layout::Shielded;
         let backing = if shielded { insulator * PI * warm.radius * warm.radius / film } else { 0.0 };
         let (length, width) = self.sensor.tail;

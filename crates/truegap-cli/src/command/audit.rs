@@ -3,15 +3,22 @@
 //! Limits: reads, calls, prints; Ctrl-C stops between two solves, and what was finished is remembered.
 
 use super::diagnose::{STOP, stop_on_interrupt};
+use super::optimise::axis;
+use super::study::Where;
 use super::{Outcome, Run};
 use crate::console::Console;
-use crate::table::table;
+use crate::table::{digits, table};
+use anyhow::anyhow;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use truegap::audit::{Cache, Options, Progress, Verdict, Watch};
 use truegap::audit_report::{count, summary_lines};
 use truegap::audit_run::{AuditRequest, Audited, audit, default_cache};
+use truegap::design::optimise::Space;
 use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
+use truegap::study::SensorText;
+use truegap::study::audit::{SpaceAuditAnswer, SpaceAuditRequest, SpaceFile};
+use truegap::sweep::Shard;
 
 /// Say which assumptions of the analytic model hold for a sensor, by how much the others are off, and what that does
 #[derive(Debug, clap::Args)]
@@ -31,10 +38,19 @@ pub struct Audit {
     /// Compute everything afresh and remember nothing
     #[arg(long, conflicts_with = "cache")]
     no_cache: bool,
+    /// Audit the designs of a space instead: a TOML with sensor, designs, seed and axes (docs/audit.md)
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["sensor", "cache", "no_cache"])]
+    space: Option<PathBuf>,
+    /// Compute this share of the designs only, as 3/16; `truegap merge DIR` joins the shares
+    #[arg(long, value_name = "INDEX/COUNT", requires = "space")]
+    shard: Option<Shard>,
 }
 
 impl Run for Audit {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
+        if let Some(file) = &self.space {
+            return self.audit_space(file, console);
+        }
         stop_on_interrupt()?;
         let bar = bar(console);
         let tell = |p: &Progress| {
@@ -58,6 +74,24 @@ impl Run for Audit {
 }
 
 impl Audit {
+    fn audit_space(&self, file: &Path, console: &Console) -> anyhow::Result<Outcome> {
+        let text = std::fs::read_to_string(file)
+            .map_err(|source| anyhow!("{}: cannot be read: {source}; give the path of a space's TOML", file.display()))?;
+        let space = SpaceFile::from_toml(&text).map_err(|source| anyhow!("{}: {source}", file.display()))?;
+        let axes = space.axes.iter().map(|(name, range)| axis(&format!("{name}={range}"))).collect::<anyhow::Result<Vec<_>>>()?;
+        let sensor = SensorText::find(&space.sensor)?;
+        let request = SpaceAuditRequest {
+            axes: if axes.is_empty() { Space::paper(sensor.sensor()?)?.axes().to_vec() } else { axes },
+            sensor,
+            designs: space.designs,
+            seed: space.seed,
+            only: if self.only.is_empty() { space.only } else { self.only.clone() },
+        };
+        let place = Where { output: Some(self.output.clone()), shard: self.shard };
+        let Some(answer) = place.run(console, |work| request.run(work))? else { return Ok(Outcome::Fine) };
+        tell(console, &answer)
+    }
+
     fn request(&self) -> anyhow::Result<AuditRequest> {
         let quoted = |word: String| if word.contains(char::is_whitespace) { format!("\"{word}\"") } else { word };
         let words = std::env::args().skip(1).map(quoted);
@@ -74,6 +108,26 @@ impl Audit {
             command: std::iter::once("truegap".to_owned()).chain(words).collect::<Vec<_>>().join(" "),
         })
     }
+}
+
+/// Prints the audit of a space.
+pub(super) fn tell(console: &Console, answer: &SpaceAuditAnswer) -> anyhow::Result<Outcome> {
+    if console.json {
+        console.print_json(answer)?;
+    } else {
+        let rows = answer.shares.iter().map(|s| {
+            let pct = |share: f64| format!("{:.1}", 100.0 * share);
+            let median = s.median_relative_error.map_or_else(|| "-".to_owned(), |e| digits(100.0 * e, 3));
+            vec![s.id.clone(), s.designs.to_string(), pct(s.holds), pct(s.strained), pct(s.broken), median]
+        });
+        console.print(table(&["assumption", "designs", "holds\n%", "strained\n%", "broken\n%", "median off by\n%"], rows))?;
+        console.print(format!(
+            "{} designs audited, {} without an answer of the analytic model or of the finite elements",
+            answer.audited, answer.refused
+        ))?;
+    }
+    let fine = answer.complete && answer.refused == 0 && answer.shares.iter().all(|s| s.holds == 1.0);
+    Ok(if fine { Outcome::Fine } else { Outcome::LookAt })
 }
 
 fn print(console: &Console, audited: &Audited) -> anyhow::Result<()> {

@@ -2,7 +2,7 @@
 //!
 //! Limits: reads, calls, prints.
 
-use super::{Outcome, Run, optimise, tolerance};
+use super::{Outcome, Run, audit, optimise, tolerance};
 use crate::console::Console;
 use std::path::PathBuf;
 use truegap::study::{Study, merge};
@@ -23,6 +23,7 @@ impl Run for Merge {
         match merge(&self.folder, self.partial)? {
             Study::Tolerance(answer) => tolerance::tell(console, &answer),
             Study::Optimise(answer) => optimise::tell(console, &answer),
+            Study::Audit(answer) => audit::tell(console, &answer),
         }
     }
 }

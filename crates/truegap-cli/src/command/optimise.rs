@@ -99,7 +99,8 @@ fn quantity(name: &str) -> anyhow::Result<Quantity> {
 }
 
 /// `QUANTITY=LOW:HIGH` or `QUANTITY=A,B,C`.
-fn axis(text: &str) -> anyhow::Result<Axis> {
+/// An axis from `height=150 um:210 um`.
+pub(super) fn axis(text: &str) -> anyhow::Result<Axis> {
     let remedy = || {
         format!("--vary {text}: write \"height=150 um:210 um\" for a range or \"conductor=10 um,17 um\" for what can be bought")
     };

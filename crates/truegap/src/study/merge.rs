@@ -2,9 +2,10 @@
 //!
 //! Limits: the folder says which study it is; the cases are listed anew from its request.
 
+use super::audit::{SpaceAuditAnswer, SpaceAuditRequest};
 use super::optimise::{OptimiseAnswer, OptimiseRequest};
 use super::tolerance::{ToleranceAnswer, ToleranceRequest};
-use super::{StudyError, optimise, tolerance};
+use super::{StudyError, audit, optimise, tolerance};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::path::Path;
@@ -17,6 +18,8 @@ pub enum Study {
     Tolerance(Box<ToleranceAnswer>),
     /// `truegap optimise`
     Optimise(Box<OptimiseAnswer>),
+    /// `truegap audit --space`
+    Audit(Box<SpaceAuditAnswer>),
 }
 
 /// Joins the cases in `folder`, writes the results beside them and returns the answer; `partial` takes what is there.
@@ -37,7 +40,13 @@ pub fn merge(folder: &Path, partial: bool) -> Result<Study, StudyError> {
         answer.write(folder)?;
         return Ok(Study::Optimise(Box::new(answer)));
     }
-    let known = [tolerance::STUDY, optimise::STUDY].map(|s| format!("`{s}`")).join(" and ");
+    if there.study == audit::STUDY {
+        let request: SpaceAuditRequest = request(there.context)?;
+        let answer = request.merge(folder, partial)?;
+        answer.write(folder)?;
+        return Ok(Study::Audit(Box::new(answer)));
+    }
+    let known = [tolerance::STUDY, optimise::STUDY, audit::STUDY].map(|s| format!("`{s}`")).join(" and ");
     Err(StudyError::UnknownStudy { study: there.study, known })
 }
 

@@ -3,8 +3,10 @@
 //! Limits: the physics is in `truegap-audit`; here are names, files and the place of the cache.
 
 use crate::audit_report;
+use crate::export;
 use crate::output::{OutputError, OutputFolder};
 use std::path::{Path, PathBuf};
+use truegap_audit::disc::CoupledOptions;
 use truegap_audit::{Audit, AuditError, Cache, Options, Watch, chosen, run};
 use truegap_core::Sensor;
 
@@ -54,12 +56,37 @@ pub struct Audited {
 /// A body to look at beside the table.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// name of the file, with `.glb`
+    /// name of its files, without ending
     pub name: String,
     /// what it shows, a sentence
     pub says: String,
-    /// the file
+    /// for 3D viewers
     pub glb: Vec<u8>,
+    /// its section, for ParaView
+    pub vtu: String,
+}
+
+/// The stack of a sensor, heated and under full load.
+///
+/// # Errors
+/// [`ExportError`](export::ExportError) where the sensor has no beads or its disc no equilibrium.
+pub fn loaded_stack(sensor: &Sensor, options: Options, command: &str) -> Result<Body, export::ExportError> {
+    let (force_n, temperature_c) = (sensor.full_scale, options.hot_c);
+    let solved = export::solve(export::Request {
+        sensor,
+        force_n,
+        temperature_c,
+        colour: export::Colour::default(),
+        wedge: true,
+        beads: export::BeadModel::default(),
+        options: CoupledOptions::default(),
+        command: command.to_owned(),
+    })?;
+    let says = format!(
+        "{} at {force_n} N and {temperature_c} degC by coupled finite elements, with bonded beads as rings of equal area share; a quarter is cut out.",
+        sensor.name
+    );
+    Ok(Body { name: "stack".into(), says, glb: solved.scene().to_glb()?, vtu: solved.vtu()? })
 }
 
 /// Runs an audit.
@@ -81,7 +108,10 @@ impl Audited {
         let out = OutputFolder::begin(folder)?;
         out.write("audit.json", serde_json::to_string_pretty(&self.audit)? + "\n")?;
         out.write("report.html", audit_report::html(self, bodies))?;
-        bodies.iter().try_for_each(|body| out.write(&body.name, &body.glb))?;
+        for body in bodies {
+            out.write(format!("{}.glb", body.name), &body.glb)?;
+            out.write(format!("{}.vtu", body.name), &body.vtu)?;
+        }
         Ok(out.publish()?)
     }
 }

@@ -60,7 +60,9 @@ fn a_stack_has_its_layers_with_their_fields_and_moves_as_it_was_pressed() {
 fn the_section_is_a_file_of_vtk_with_the_same_fields() {
     let sensor = sensor();
     let text = solved(&sensor).vtu().unwrap();
-    for name in ["displacement [m]", "temperature [degC]", "potential [V]", "von Mises stress [Pa]", "field strength [V/m]", "region"] {
+    for name in
+        ["displacement [m]", "temperature [degC]", "potential [V]", "von Mises stress [Pa]", "field strength [V/m]", "region"]
+    {
         assert!(text.contains(&format!("Name=\"{name}\"")), "{name}");
     }
     assert!(text.contains("UnstructuredGrid"));

@@ -13,7 +13,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use truegap::audit::{Cache, Options, Progress, Verdict, Watch};
 use truegap::audit_report::{count, summary_lines};
-use truegap::audit_run::{AuditRequest, Audited, audit, default_cache};
+use truegap::audit_run::{AuditRequest, Audited, Body, audit, default_cache, loaded_stack};
 use truegap::design::optimise::Space;
 use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
 use truegap::study::SensorText;
@@ -26,7 +26,7 @@ pub struct Audit {
     /// Built-in sensor or path of a sensor's TOML
     #[arg(long, default_value = DEFAULT_SENSOR)]
     sensor: String,
-    /// Folder for report.html and audit.json
+    /// Folder for report.html, audit.json, stack.glb and stack.vtu
     #[arg(long, short, value_name = "DIR", default_value = "audit")]
     output: PathBuf,
     /// Examine these assumptions only
@@ -38,6 +38,9 @@ pub struct Audit {
     /// Compute everything afresh and remember nothing
     #[arg(long, conflicts_with = "cache")]
     no_cache: bool,
+    /// Leave out the deformed stack (stack.glb, stack.vtu and the viewer in the report)
+    #[arg(long)]
+    no_scene: bool,
     /// Audit the designs of a space instead: a TOML with sensor, designs, seed and axes (docs/audit.md)
     #[arg(long, value_name = "FILE", conflicts_with_all = ["sensor", "cache", "no_cache"])]
     space: Option<PathBuf>,
@@ -61,7 +64,7 @@ impl Run for Audit {
         let audited = audit(self.request()?, &Watch { progress: Some(&tell), cancel: Some(&STOP) });
         bar.finish_and_clear();
         let audited = audited?;
-        let folder = audited.write(&self.output, &[])?;
+        let folder = audited.write(&self.output, &self.bodies(&audited, console)?)?;
         if console.json {
             console.print_json(&audited.audit)?;
         } else {
@@ -74,6 +77,21 @@ impl Run for Audit {
 }
 
 impl Audit {
+    /// The deformed stack, where all assumptions were asked for and the sensor has one.
+    fn bodies(&self, audited: &Audited, console: &Console) -> anyhow::Result<Vec<Body>> {
+        if self.no_scene || !self.only.is_empty() {
+            return Ok(Vec::new());
+        }
+        let sensor = find_sensor(&self.sensor, None)?;
+        match loaded_stack(&sensor, audited.options, &audited.command) {
+            Ok(body) => Ok(vec![body]),
+            Err(reason) => {
+                console.note(format!("no deformed stack: {reason}"));
+                Ok(Vec::new())
+            }
+        }
+    }
+
     fn audit_space(&self, file: &Path, console: &Console) -> anyhow::Result<Outcome> {
         let text = std::fs::read_to_string(file)
             .map_err(|source| anyhow!("{}: cannot be read: {source}; give the path of a space's TOML", file.display()))?;

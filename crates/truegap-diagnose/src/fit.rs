@@ -94,13 +94,26 @@ impl<'a> Model<'a> {
     /// # Errors
     /// Those of the simulator.
     pub fn jacobian(&self, z: &[f64], at: &[f64], whitener: &Whitener) -> Result<DMatrix<f64>, SimulationError> {
-        let bounds = self.bounds();
         let mut jacobian = DMatrix::zeros(at.len(), z.len());
-        for (index, bound) in bounds.iter().enumerate() {
-            let column = self.derivative(z, index, at, *bound, whitener)?;
+        self.refresh(&mut jacobian, 0..z.len(), z, at, whitener, &self.bounds())?;
+        Ok(jacobian)
+    }
+
+    /// Computes these columns of a Jacobian anew; a parameter held between equal bounds has none.
+    fn refresh(
+        &self,
+        jacobian: &mut DMatrix<f64>,
+        columns: std::ops::Range<usize>,
+        z: &[f64],
+        at: &[f64],
+        whitener: &Whitener,
+        bounds: &[(f64, f64)],
+    ) -> Result<(), SimulationError> {
+        for index in columns.filter(|i| bounds[*i].0 < bounds[*i].1) {
+            let column = self.derivative(z, index, at, bounds[index], whitener)?;
             jacobian.column_mut(index).copy_from_slice(&column);
         }
-        Ok(jacobian)
+        Ok(())
     }
 
     /// One column of [`Model::jacobian`]; `at` is the whitened residual at `z`.
@@ -203,38 +216,134 @@ impl Default for FitOptions {
 /// # Errors
 /// Those of the simulator at the starting point; later steps that have no answer are shortened.
 pub fn fit(model: &Model<'_>, whitener: &Whitener, start: &[f64], options: &FitOptions) -> Result<Fit, SimulationError> {
-    fit_within(model, whitener, start, &model.bounds(), options)
+    let bounds = model.bounds();
+    let mut search = Descent::at(model, whitener, start, &bounds)?;
+    search.refresh(0)?;
+    search.run(options)?;
+    Ok(search.finish())
 }
 
-/// As [`fit`], inside narrower bounds in z; equal bounds hold a parameter still.
+/// As [`fit`], from a point where the derivatives by the first parameters are known already: `known` holds their columns.
 ///
 /// # Errors
 /// As [`fit`].
-pub fn fit_within(
+pub fn fit_onwards(
+    model: &Model<'_>,
+    whitener: &Whitener,
+    start: &[f64],
+    known: &DMatrix<f64>,
+    options: &FitOptions,
+) -> Result<Fit, SimulationError> {
+    let bounds = model.bounds();
+    let mut search = Descent::at(model, whitener, start, &bounds)?;
+    search.know(known)?;
+    search.run(options)?;
+    Ok(search.finish())
+}
+
+/// A few steps inside narrower bounds (equal bounds hold a parameter still), from where the derivatives by the first parameters are known and not
+/// computed again: a better starting point, not a fit.
+///
+/// # Errors
+/// As [`fit`].
+pub fn approach(
     model: &Model<'_>,
     whitener: &Whitener,
     start: &[f64],
     bounds: &[(f64, f64)],
+    known: &DMatrix<f64>,
     options: &FitOptions,
-) -> Result<Fit, SimulationError> {
-    let mut z: Vec<f64> = start.iter().zip(bounds).map(|(z, b)| z.clamp(b.0, b.1)).collect();
-    let mut residual = model.residual(&z, whitener)?;
-    let mut damping = 1e-6;
-    let (mut iterations, mut converged) = (0, false);
-    let mut jacobian = model.jacobian(&z, &residual, whitener)?;
-    while iterations < options.iterations && !converged {
-        iterations += 1;
-        let step = best_step(model, whitener, bounds, &z, &residual, &jacobian, &mut damping);
-        let Some((next, next_residual, gain)) = step else {
-            converged = true;
+) -> Result<Vec<f64>, SimulationError> {
+    let mut search = Descent::at(model, whitener, start, bounds)?;
+    for _ in 0..options.iterations {
+        search.know(known)?;
+        if search.step().is_none_or(|gain| gain < options.tolerance) {
             break;
-        };
-        z = next;
-        residual = next_residual;
-        jacobian = model.jacobian(&z, &residual, whitener)?;
-        converged = gain < options.tolerance && promised(&jacobian, &residual, &z, bounds) < options.tolerance;
+        }
     }
-    Ok(finish(z, residual, jacobian, bounds, iterations, converged))
+    Ok(search.z)
+}
+
+/// A search on its way down.
+///
+/// The derivatives by the parameters of the base model change little from step to step, those by the parameters of an effect much: every second step renews
+/// only the latter. Nothing is called converged before all derivatives have been computed where it stands.
+struct Descent<'a, 'm> {
+    model: &'a Model<'m>,
+    whitener: &'a Whitener,
+    bounds: &'a [(f64, f64)],
+    z: Vec<f64>,
+    residual: Vec<f64>,
+    jacobian: DMatrix<f64>,
+    damping: f64,
+    /// whether some columns were computed elsewhere
+    stale: bool,
+    iterations: usize,
+    converged: bool,
+}
+
+impl<'a, 'm> Descent<'a, 'm> {
+    fn at(
+        model: &'a Model<'m>,
+        whitener: &'a Whitener,
+        start: &[f64],
+        bounds: &'a [(f64, f64)],
+    ) -> Result<Self, SimulationError> {
+        let z: Vec<f64> = start.iter().zip(bounds).map(|(z, b)| z.clamp(b.0, b.1)).collect();
+        let residual = model.residual(&z, whitener)?;
+        let jacobian = DMatrix::zeros(residual.len(), z.len());
+        Ok(Self { model, whitener, bounds, z, residual, jacobian, damping: 1e-6, stale: false, iterations: 0, converged: false })
+    }
+
+    /// Computes the columns from `first` on anew.
+    fn refresh(&mut self, first: usize) -> Result<(), SimulationError> {
+        let columns = first..self.z.len();
+        self.model.refresh(&mut self.jacobian, columns, &self.z, &self.residual, self.whitener, self.bounds)?;
+        self.stale = first > 0;
+        Ok(())
+    }
+
+    /// Takes over the first columns, computes the others.
+    fn know(&mut self, known: &DMatrix<f64>) -> Result<(), SimulationError> {
+        self.jacobian.columns_mut(0, known.ncols()).copy_from(known);
+        self.refresh(known.ncols())
+    }
+
+    /// One step; the gain, or `None` where no step lowers the objective.
+    fn step(&mut self) -> Option<f64> {
+        let (next, residual, gain) =
+            best_step(self.model, self.whitener, self.bounds, &self.z, &self.residual, &self.jacobian, &mut self.damping)?;
+        (self.z, self.residual) = (next, residual);
+        Some(gain)
+    }
+
+    fn run(&mut self, options: &FitOptions) -> Result<(), SimulationError> {
+        while self.iterations < options.iterations && !self.converged {
+            self.iterations += 1;
+            let was_stale = self.stale;
+            match self.step() {
+                None if was_stale => {
+                    self.refresh(0)?;
+                    self.damping = 1e-6;
+                }
+                None => self.converged = true,
+                Some(gain) => {
+                    let only_effects = !was_stale && gain > options.tolerance && self.model.base < self.z.len();
+                    self.refresh(if only_effects { self.model.base } else { 0 })?;
+                    self.converged = !self.stale && gain < options.tolerance && self.promised() < options.tolerance;
+                }
+            }
+        }
+        if self.stale { self.refresh(0) } else { Ok(()) }
+    }
+
+    fn promised(&self) -> f64 {
+        promised(&self.jacobian, &self.residual, &self.z, self.bounds)
+    }
+
+    fn finish(self) -> Fit {
+        finish(self.z, self.residual, self.jacobian, self.bounds, self.iterations, self.converged)
+    }
 }
 
 /// The first damped step that lowers the objective: point, residual there, gain.

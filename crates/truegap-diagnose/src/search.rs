@@ -5,7 +5,7 @@
 use crate::{
     context::Context,
     effect::Effect,
-    fit::{Fit, FitOptions, Model, fit, fit_within},
+    fit::{Fit, FitOptions, Model, approach, fit, fit_onwards},
     problem::Problem,
     score::scores,
     whiten::Whitener,
@@ -111,6 +111,13 @@ impl<'a> Search<'a> {
         fits.max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence)).map(|fit| Tried { effects, fit })
     }
 
+    /// The same model, fitted to the end.
+    pub fn polished(&self, tried: &Tried) -> Option<Tried> {
+        let model = self.model(&tried.effects);
+        let fit = fit_onwards(&model, self.whitener, &tried.fit.z, &tried.fit.jacobian, &FitOptions::default()).ok()?;
+        Some(Tried { effects: tried.effects.clone(), fit })
+    }
+
     /// Where calibration has driven the parameters of `from` far from what is known of them, hiding physics that is missing: its fit to
     /// larger noise, which stays near; more physics is better looked for from there.
     fn loosened(&self, from: &Tried) -> Option<Tried> {
@@ -134,12 +141,13 @@ impl<'a> Search<'a> {
         let held = FitOptions { iterations: 3, tolerance: 1.0 };
         let mut z = start.z.clone();
         if z.len() > before + 1 {
-            z = fit_within(model, launch.whitener, &z, &bounds, &held).ok()?.z;
+            z = approach(model, launch.whitener, &z, &bounds, &launch.from.fit.jacobian, &held).ok()?;
         }
-        if !std::ptr::eq(launch.whitener, self.whitener) {
-            z = fit(model, launch.whitener, &z, &FitOptions { iterations: 8, tolerance: 0.5 }).ok()?.z;
+        let options = FitOptions { iterations: if start.gain > HOPELESS { 6 } else { 3 }, tolerance: 0.5 };
+        if std::ptr::eq(launch.whitener, self.whitener) {
+            return fit_onwards(model, self.whitener, &z, &launch.from.fit.jacobian, &options).ok();
         }
-        let options = if start.gain > HOPELESS { FitOptions::default() } else { FitOptions { iterations: 3, tolerance: 0.5 } };
+        z = fit(model, launch.whitener, &z, &FitOptions { iterations: 8, tolerance: 0.5 }).ok()?.z;
         fit(model, self.whitener, &z, &options).ok()
     }
 

@@ -4,9 +4,13 @@
 
 use crate::{
     evidence::log_sum_exp,
-    search::{Search, Tried},
+    search::{Progress, Search, Tried},
 };
-use std::{collections::BTreeMap, sync::atomic::Ordering};
+use rayon::prelude::*;
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::atomic::{AtomicUsize, Ordering},
+};
 
 /// Prior probabilities of 0, 1, 2 and 3 effects, shared evenly within each number.
 const NUMBER_PRIOR: [f64; 4] = [0.5, 0.35, 0.12, 0.03];
@@ -112,8 +116,40 @@ pub fn select(search: &Search<'_>, base: Tried) -> Selection {
         pairs(search, &best, &all, &mut tried);
         triples(search, &all, &mut tried);
     }
+    polish(search, &mut tried);
     weigh(tried, search.library.len())
 }
+
+/// Fits to the end what could still matter; the search itself is content with rough fits.
+fn polish(search: &Search<'_>, tried: &mut BTreeMap<Vec<usize>, Tried>) {
+    let mut done: BTreeSet<Vec<usize>> = BTreeSet::from([Vec::new()]);
+    loop {
+        let temper = temper_of(tried.values());
+        let weight = |m: &Tried| m.fit.log_evidence / temper + log_prior(m.effects.len(), search.library.len());
+        let best = tried.values().map(weight).fold(f64::NEG_INFINITY, f64::max);
+        let near = |(key, m): &(&Vec<usize>, &Tried)| !done.contains(*key) && weight(m) > best - CLOSE;
+        let rough: Vec<&Tried> = tried.iter().filter(near).map(|(_, m)| m).collect();
+        if rough.is_empty() || search.stop.load(Ordering::Relaxed) {
+            return;
+        }
+        done.extend(rough.iter().map(|m| m.key()));
+        let count = rough.len() as f64;
+        let finished = AtomicUsize::new(0);
+        let better: Vec<Tried> = rough
+            .par_iter()
+            .filter_map(|m| {
+                let polished = search.polished(m);
+                let done = (finished.fetch_add(1, Ordering::Relaxed) + 1) as f64 / count;
+                (search.progress)(Progress { step: "closer look", what: format!("{} models", rough.len()), done });
+                polished
+            })
+            .collect();
+        keep(tried, better);
+    }
+}
+
+/// Difference in log weight beyond which a model is not looked at more closely.
+const CLOSE: f64 = 12.0;
 
 fn ranked(models: &[Tried]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..models.len()).collect();
@@ -175,11 +211,16 @@ pub fn temper(deviance: f64) -> f64 {
     1.0 + FORM_ERROR * FORM_ERROR * deviance.max(0.0) / FORM_SHAPES
 }
 
+/// [`temper`] of the misfit that the best of some models explains.
+fn temper_of<'t>(models: impl Iterator<Item = &'t Tried> + Clone) -> f64 {
+    let base_chi2 = models.clone().find(|m| m.effects.is_empty()).map_or(0.0, |b| b.fit.chi2);
+    let least = models.map(|m| m.fit.chi2).fold(f64::INFINITY, f64::min);
+    temper(base_chi2 - least)
+}
+
 fn weigh(tried: BTreeMap<Vec<usize>, Tried>, library: usize) -> Selection {
     let mut models: Vec<Tried> = tried.into_values().collect();
-    let base_chi2 = models.iter().find(|m| m.effects.is_empty()).map_or(0.0, |b| b.fit.chi2);
-    let least = models.iter().map(|m| m.fit.chi2).fold(f64::INFINITY, f64::min);
-    let temper = temper(base_chi2 - least);
+    let temper = temper_of(models.iter());
     let weight = |m: &Tried| m.fit.log_evidence / temper + log_prior(m.effects.len(), library);
     models.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
     let weights: Vec<f64> = models.iter().map(weight).collect();

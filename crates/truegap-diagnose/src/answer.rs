@@ -4,7 +4,9 @@
 
 use crate::{
     augmented::{AddedEffect, Augmented, NamedValue, Scales},
+    bank::Bank,
     conflicts::conflicts,
+    control::shuffled,
     detectability::{detectability, visible_size},
     diagnose::Outcome,
     diagnosis::*,
@@ -39,6 +41,8 @@ pub struct Answer<'a> {
     pub selection: &'a Selection,
     /// verdict
     pub decision: &'a Decision,
+    /// recovery bank, where it was run
+    pub bank: Option<&'a Bank>,
     /// adequacy of the base model
     pub before: Adequacy,
     /// adequacy of the likeliest model
@@ -100,7 +104,9 @@ impl Answer<'_> {
             not_testable: not_testable.into_iter().map(|(effect, says)| NotTestable { effect, says }).collect(),
             smallest_visible: self.smallest_visible(),
             next_experiment: self.next(),
-            bank: None,
+            bank: self.bank.map(|bank| self.bank_facts(bank)),
+            adequacy: AdequacyFacts { before: Some(self.before), after: Some(self.after), removed: self.decision.removed },
+            evidence_check: self.selection.check,
             notices: Vec::new(),
             concealed_column: None,
             recording_issues: doubts(self.all.problem),
@@ -208,7 +214,7 @@ impl Answer<'_> {
                 rmse_before: before.rmse,
                 rmse_after: after.rmse,
                 misfit_removed: if named { misfit_removed(before.rmse, after.rmse, floor, self.noise.rows) } else { None },
-                shuffled_control: None,
+                shuffled_control: if named { self.shuffled() } else { None },
                 parts,
                 recordings: self.errors_by_recording(before, after),
             },
@@ -255,13 +261,34 @@ impl Answer<'_> {
         if raw > 0.0 { 1.0 - (left / raw).sqrt().min(1.0) } else { 0.0 }
     }
 
+    /// What an added term of equal freedom removes when its history is shuffled.
+    fn shuffled(&self) -> Option<f64> {
+        let problem = self.search.problem;
+        shuffled(&self.selection.base().fit, &self.chosen().fit, &problem.runs(), &problem.inputs.run)
+    }
+
+    /// The bank with the rows that matter for what is named, and for its rivals.
+    fn bank_facts(&self, bank: &Bank) -> serde_json::Value {
+        let mut effects: Vec<usize> = self.chosen().effects.clone();
+        effects.extend(self.decision.sets.iter().flatten());
+        let mut seen = std::collections::BTreeSet::new();
+        effects.retain(|e| seen.insert(*e));
+        let mut lines = bank.says_overall();
+        lines.extend(effects.iter().flat_map(|e| bank.says(&self.id(*e))));
+        let mut value = serde_json::to_value(bank).unwrap_or_default();
+        value["says"] = lines.into();
+        value
+    }
+
     fn candidates(&self) -> Vec<Candidate> {
-        let base = self.selection.base().fit.log_evidence;
+        let base = &self.selection.base().fit;
         let single = |effect: usize| {
             self.selection.with(&[effect]).map(|t| Candidate {
                 effect: self.id(effect),
                 probability: self.selection.effect_probability[effect],
-                score: t.fit.log_evidence - base,
+                score: t.fit.log_evidence - base.log_evidence,
+                chi2_drop: base.chi2 - t.fit.chi2,
+                freedom: t.fit.z.len() - base.z.len(),
             })
         };
         let mut list: Vec<Candidate> = (0..self.search.library.len()).filter_map(single).collect();

@@ -5,10 +5,12 @@
 use crate::{
     answer::Answer,
     augmented::Augmented,
+    bank::{BankOptions, Whole, fill},
     diagnosis::{Diagnosis, NextExperiment, RecordingFacts, Traces, Verdict},
     directions::directions,
     effect::Effect,
     effects::library,
+    examine::{Examined, examine, judge},
     gate::Gate,
     held_out::AllRows,
     issues::{DiagnoseError, check},
@@ -16,11 +18,11 @@ use crate::{
     latent::{Hidden, SlowInput},
     problem::Problem,
     search::{LOOSE, Progress, Search},
-    select::{Selection, select},
     thin::thin,
-    verdict::{Decision, decide, interrupted},
+    select::Selection,
+    verdict::{Decision, interrupted},
 };
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, atomic::AtomicBool};
 
 /// Rows that are searched; longer recordings are searched on means of their quiet rows (see [`crate::thin`]) and predicted row by row.
 const SEARCHED_ROWS: usize = 2500;
@@ -36,6 +38,8 @@ pub struct Options {
     pub restricted: Option<(Vec<&'static str>, &'static str)>,
     /// why no physics may be named, where something is wrong with the recording
     pub withheld: Option<String>,
+    /// recovery bank; none where absent
+    pub bank: Option<Arc<BankOptions>>,
 }
 
 /// What comes out.
@@ -76,26 +80,30 @@ pub fn diagnose(
     let loose = searched_noise.scaled(LOOSE).whitener(&searched.runs(), None);
     let search =
         Search { problem: searched, context: &context, library: testable, whitener: &whitener, loose: &loose, progress, stop };
-    let base = search.base()?;
-    let selection = select(&search, base).merged(|tried| visible(&search, tried));
     let directions = directions(searched.inputs, searched.simulator);
-    let gate = Gate::new(&directions, &whitener, searched.runs());
-    let named = selection.models.iter().position(|m| !m.effects.is_empty()).unwrap_or(selection.base);
-    let before = gate.adequacy(&selection.base().fit);
-    let after = gate.adequacy(&selection.models[named].fit);
-    let decision = if stop.load(Ordering::Relaxed) { interrupted(&selection) } else { decide(&selection, &before, &after) };
-    let slow = options.hidden.first().and_then(|hidden| SlowInput::of(&search, &selection).map(|slow| (slow, hidden)));
-    let (decision, because) = reserved(decision, &selection, slow.as_ref().map(|(slow, _)| slow), options);
+    let gate = Gate::new(&directions, &whitener, searched.runs(), searched_noise.uncertainty);
+    let mut examined = examine(&search, &gate)?;
+    let bank = match &options.bank {
+        Some(wanted) => Some(fill(&search, Whole { problem, noise: &noise }, &examined, wanted)?),
+        None => None,
+    };
+    if let Some(bank) = &bank {
+        examined = judge(&search, &gate, examined.selection.sharpened(bank.power));
+    }
+    let Examined { selection, before, after, decision } = &examined;
+    let slow = options.hidden.first().and_then(|hidden| SlowInput::of(&search, selection).map(|slow| (slow, hidden)));
+    let (decision, because) = reserved(decision.clone(), selection, slow.as_ref().map(|(slow, _)| slow), options);
     let all = AllRows { problem, first: thinned.as_ref().map(|t| t.first.as_slice()) };
     let answer = Answer {
         search: &search,
         noise: &noise,
         searched_noise: &searched_noise,
         all,
-        selection: &selection,
+        selection,
         decision: &decision,
-        before,
-        after,
+        before: *before,
+        after: *after,
+        bank: bank.as_ref(),
         gate: &gate,
         directions: &directions,
     };
@@ -142,15 +150,6 @@ const REPAIR_IT: &str = "repair what the notices name, and diagnose the recordin
 const RECORD_IT: &str =
     "record what moves slowly beside the sensor: temperature, humidity, supply voltage, the state of the fixture";
 
-/// Effects of a model whose contribution stands above the noise.
-fn visible(search: &Search<'_>, tried: &crate::search::Tried) -> Vec<usize> {
-    let seen = |index: &usize| crate::detectability::detectability(search, tried, *index) > VISIBLE;
-    (0..tried.effects.len()).filter(seen).map(|index| tried.effects[index]).collect()
-}
-
-/// Detectability below which an effect of a larger model is not claimed.
-const VISIBLE: f64 = 4.5;
-
 /// Effects that the recording could show, and those that it could not, with the reason.
 fn part<'a>(
     all: &'a [Box<dyn Effect>],
@@ -174,12 +173,4 @@ fn part<'a>(
         }
     }
     (testable, not)
-}
-
-/// The selection alone, for callers that need no report (the recovery bank).
-///
-/// # Errors
-/// As [`diagnose`].
-pub fn select_only(search: &Search<'_>) -> Result<Selection, DiagnoseError> {
-    Ok(select(search, search.base()?))
 }

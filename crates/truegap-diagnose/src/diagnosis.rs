@@ -2,7 +2,7 @@
 //!
 //! Limits: plain data; nothing here decides anything.
 
-use crate::{latent::ConcealedColumn, notice::Notice};
+use crate::{gate::Adequacy, latent::ConcealedColumn, notice::Notice, select::EvidenceCheck};
 use serde::Serialize;
 
 /// Identifier of the file format.
@@ -48,6 +48,10 @@ pub struct Diagnosis {
     /// rows of the recovery bank, where it was run
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bank: Option<serde_json::Value>,
+    /// tests of what is left over: of the base model, and of the likeliest model that names something
+    pub adequacy: AdequacyFacts,
+    /// how the approximation of the evidence fared against sampling
+    pub evidence_check: EvidenceCheck,
     /// what is wrong with the recording: what, where, with unit, and how to fix it
     pub notices: Vec<Notice>,
     /// a column that was hidden on purpose, and how well its course was recovered without it
@@ -57,6 +61,17 @@ pub struct Diagnosis {
     pub recording_issues: Vec<String>,
     /// wall-clock time, s
     pub seconds: f64,
+}
+
+/// Is a model adequate? Tests that know no effect.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct AdequacyFacts {
+    /// of the calibrated base model
+    pub before: Option<Adequacy>,
+    /// of the likeliest model that names something
+    pub after: Option<Adequacy>,
+    /// share of the misfit that the latter removes
+    pub removed: f64,
 }
 
 /// What was read.
@@ -251,6 +266,10 @@ pub struct Candidate {
     pub probability: f64,
     /// gain in log evidence over the base model
     pub score: f64,
+    /// fall of the sum of squares of the whitened residual
+    pub chi2_drop: f64,
+    /// free parameters that it adds
+    pub freedom: usize,
 }
 
 /// Errors before and after.

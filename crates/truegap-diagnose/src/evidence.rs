@@ -1,6 +1,6 @@
 //! Log evidence of a fit: Laplace's approximation, with one-sided parameters integrated over their half line.
 //!
-//! Limits: Gaussian away from bounds; checked by sampling near the top ([`importance`]).
+//! Limits: Gaussian away from bounds; checked by sampling near the top ([`crate::importance`]).
 
 use nalgebra::{Cholesky, DMatrix};
 use statrs::function::erf::erfc;
@@ -47,7 +47,7 @@ fn half_line(gradient: f64, variance: f64) -> f64 {
 }
 
 /// Probability of a unit normal between two points.
-fn normal_between(low: f64, high: f64) -> f64 {
+pub(crate) fn normal_between(low: f64, high: f64) -> f64 {
     let upper_tail = |x: f64| 0.5 * erfc(x / std::f64::consts::SQRT_2);
     if low > 0.0 { upper_tail(low) - upper_tail(high) } else { upper_tail(-high) - upper_tail(-low) }
 }

@@ -14,6 +14,9 @@ use std::ops::Range;
 /// Probability below which a test fires.
 pub const LEVEL: f64 = 1e-4;
 
+/// Relative uncertainty of the noise beyond which the tests are not blunted further.
+const MOST_UNCERTAIN: f64 = 0.5;
+
 /// Whitened directions, ready for scoring any fit of the same noise model.
 pub struct Gate {
     /// n x k
@@ -21,10 +24,12 @@ pub struct Gate {
     /// squared length of each column
     pub lengths: Vec<f64>,
     runs: Vec<Range<usize>>,
+    /// factor by which the noise may be larger than taken, two standard deviations up
+    slack: f64,
 }
 
 /// Outcome of the three tests.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, serde::Serialize)]
 pub struct Adequacy {
     /// smooth directions
     pub smooth: JointTest,
@@ -49,8 +54,8 @@ impl Adequacy {
 }
 
 impl Gate {
-    /// Whitens the directions.
-    pub fn new(directions: &[Direction], whitener: &Whitener, runs: Vec<Range<usize>>) -> Self {
+    /// Whitens the directions; `uncertainty` is the relative standard deviation of the noise's variance.
+    pub fn new(directions: &[Direction], whitener: &Whitener, runs: Vec<Range<usize>>, uncertainty: f64) -> Self {
         let rows = directions.first().map_or(0, |d| d.column.len());
         let mut columns = DMatrix::zeros(rows, directions.len());
         for (index, direction) in directions.iter().enumerate() {
@@ -59,7 +64,7 @@ impl Gate {
             columns.column_mut(index).copy_from_slice(&column);
         }
         let lengths = columns.column_iter().map(|c| c.norm_squared()).collect();
-        Self { columns, lengths, runs }
+        Self { columns, lengths, runs, slack: 1.0 + 2.0 * uncertainty.min(MOST_UNCERTAIN) }
     }
 
     /// Scores along the directions.
@@ -71,7 +76,8 @@ impl Gate {
     pub fn adequacy(&self, fit: &Fit) -> Adequacy {
         let smooth = if self.columns.ncols() == 0 { none() } else { self.scores(fit).joint() };
         let (line_p_value, line_at) = strongest_line(&fit.residual, &self.runs);
-        Adequacy { smooth, stretches: stretches(fit, &self.runs), line_p_value, line_at }
+        let stretches = stretches(fit, &self.runs);
+        Adequacy { smooth: smooth.over(self.slack), stretches: stretches.over(self.slack), line_p_value, line_at }
     }
 }
 

@@ -57,14 +57,31 @@ pub fn noise_model(
     left: (&[f64], &[f64]),
 ) -> Result<NoiseModel, SimulationError> {
     let load = load_column(problem.inputs, problem.simulator);
-    let extra_variance = problem.input_variance(base, &inputs, left)?;
+    let input_error = problem.input_variance(base, &inputs, left)?;
     let (blocks, measured, says) = blocks(problem, load.as_deref(), &inputs);
     let rows = blocks.iter().map(|b| b.rows.len()).sum();
-    let mut response = estimate(problem.response, &blocks);
+    let (mut response, uncertainty) = estimate(problem.response, &blocks);
     response.white_sd = response.white_sd.max(resolution(problem.response) / 12f64.sqrt());
     let recordings = Vec::new();
-    Ok(NoiseModel { response, inputs, recordings, extra_variance, weights: None, measured, rows, says })
+    Ok(NoiseModel { response, inputs, recordings, input_error, uncertainty, weights: None, measured, rows, says })
 }
+
+/// Noise of a recording that never rests, from what a calibrated model leaves over inside short stretches: there a slow misfit is taken out with the cubic,
+/// and a fast one counts as noise.
+pub fn from_misfit(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> NoiseModel {
+    let mut short = without_outliers(misfit, rest::short_stretches(problem.inputs));
+    thin(&mut short);
+    let rows = short.iter().map(|b| b.rows.len()).sum();
+    let (mut response, uncertainty) = estimate(misfit, &short);
+    response.white_sd = response.white_sd.max(resolution(problem.response) / 12f64.sqrt());
+    let says = format!(
+        "no rest record: from what the calibrated model leaves over in {rows} rows of short stretches; slow noise would go unseen"
+    );
+    NoiseModel { response, rows, uncertainty: uncertainty.max(UNSEEN), says, ..noise.clone() }
+}
+
+/// Least relative uncertainty of a noise that was not measured at rest.
+const UNSEEN: f64 = 0.25;
 
 /// Stretches to take the noise from, whether they are apart from the mismatch, and a sentence about them.
 fn blocks(problem: &Problem<'_>, load: Option<&[f64]>, inputs: &InputNoise) -> (Vec<Block>, bool, String) {

@@ -5,7 +5,7 @@
 use crate::{
     context::Context,
     directions::spread,
-    whiten::{Noise, Whitener},
+    whiten::{InputError, Noise, Whitener},
 };
 use std::ops::Range;
 use truegap_core::{Inputs, Joined, SimulationError, Simulator, Stage};
@@ -41,19 +41,24 @@ impl Problem<'_> {
         self.simulator.joined().map_or_else(|| spread(self.response), |j| (0..j.count()).map(|k| rows(j, k)).fold(0.0, f64::max))
     }
 
-    /// Variance that noise of the inputs adds to each row, at parameter values `base`; `left` are the shares of it that quietening left.
+    /// Error that noise of the inputs adds to each row, at parameter values `base`; `left` are the shares of it that quietening left in a row.
     ///
     /// # Errors
     /// Those of the simulator.
-    pub fn input_variance(&self, base: &[f64], noise: &InputNoise, left: (&[f64], &[f64])) -> Result<Vec<f64>, SimulationError> {
-        let mut variance = vec![0.0; self.inputs.len()];
+    pub fn input_variance(
+        &self,
+        base: &[f64],
+        noise: &InputNoise,
+        left: (&[f64], &[f64]),
+    ) -> Result<InputError, SimulationError> {
+        let mut error = InputError::white(vec![0.0; self.inputs.len()]);
         let here = self.simulator.respond(base, self.inputs, &[])?;
         let mut add = |there: Vec<f64>, ratio: f64, left: &[f64]| {
-            variance
-                .iter_mut()
-                .zip(there.iter().zip(&here))
-                .zip(left)
-                .for_each(|((v, (a, b)), l)| *v += ((a - b) * ratio).powi(2) * l);
+            for (row, (a, b)) in there.iter().zip(&here).enumerate() {
+                let recorded = ((a - b) * ratio).powi(2);
+                error.variance[row] += recorded * left[row];
+                error.level[row] += recorded;
+            }
         };
         if noise.load > 0.0 && self.simulator.full_load().is_some() {
             let step = 1e-3;
@@ -67,7 +72,7 @@ impl Problem<'_> {
                 left.1,
             );
         }
-        Ok(variance)
+        Ok(error)
     }
 
     /// Facts that effects scale their priors by.
@@ -117,8 +122,10 @@ pub struct NoiseModel {
     pub inputs: InputNoise,
     /// one a recording, in the order of rows, where there are several; empty for one
     pub recordings: Vec<RecordingNoise>,
-    /// variance from the inputs, row by row
-    pub extra_variance: Vec<f64>,
+    /// error from the inputs, row by row
+    pub input_error: InputError,
+    /// relative standard deviation of the noise's weight in the mean of many rows
+    pub uncertainty: f64,
     /// rows of the recording that each row is the mean of; absent where each is one
     pub weights: Option<Vec<f64>>,
     /// measured apart from the mismatch
@@ -133,7 +140,7 @@ impl NoiseModel {
     /// Filter with the rows that `keep` names.
     pub fn whitener(&self, runs: &[Range<usize>], keep: Option<&[bool]>) -> Whitener {
         let of_run = |run: &Range<usize>| self.response_at(run.start);
-        Whitener::by_run(&of_run, &self.extra_variance, self.weights.as_deref(), runs, keep)
+        Whitener::by_run(&of_run, &self.input_error, self.weights.as_deref(), runs, keep)
     }
 
     /// The recording that a row belongs to, where there are several.
@@ -156,14 +163,15 @@ impl NoiseModel {
     pub fn scaled(&self, factor: f64) -> Self {
         let scaled = |n: Noise| Noise { white_sd: n.white_sd * factor, ar_sd: n.ar_sd * factor, ..n };
         let recordings = self.recordings.iter().map(|r| RecordingNoise { response: scaled(r.response), ..r.clone() }).collect();
-        let extra_variance = self.extra_variance.iter().map(|v| v * factor * factor).collect();
-        Self { response: scaled(self.response), recordings, extra_variance, ..self.clone() }
+        let scale = |column: &[f64]| column.iter().map(|v| v * factor * factor).collect();
+        let input_error = InputError { variance: scale(&self.input_error.variance), level: scale(&self.input_error.level) };
+        Self { response: scaled(self.response), recordings, input_error, ..self.clone() }
     }
 
     /// Variance of one row.
     fn row_variance(&self, row: usize) -> f64 {
         let noise = self.response_at(row);
-        noise.white_sd.powi(2) + noise.ar_sd.powi(2) + self.extra_variance[row]
+        noise.white_sd.powi(2) + noise.ar_sd.powi(2) + self.input_error.variance[row]
     }
 
     /// Standard deviation of one row.
@@ -179,6 +187,6 @@ impl NoiseModel {
 
     /// Root mean square of one row's noise over all rows.
     pub fn floor(&self) -> f64 {
-        self.floor_of(0..self.extra_variance.len())
+        self.floor_of(0..self.input_error.variance.len())
     }
 }

@@ -18,7 +18,7 @@ pub struct Scores {
 }
 
 /// Joint test of several scores.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, serde::Serialize)]
 pub struct JointTest {
     /// quadratic form, chi-squared where the model is right
     pub statistic: f64,
@@ -29,6 +29,13 @@ pub struct JointTest {
 }
 
 impl JointTest {
+    /// The same test where the noise has `factor` times the variance.
+    #[must_use]
+    pub fn over(self, factor: f64) -> Self {
+        let statistic = self.statistic / factor;
+        Self { statistic, p_value: upper_tail(statistic, self.freedom), ..self }
+    }
+
     /// What is left above expectation.
     pub fn excess(&self) -> f64 {
         (self.statistic - self.freedom as f64).max(0.0)

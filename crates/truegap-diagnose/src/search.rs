@@ -82,17 +82,20 @@ impl<'a> Search<'a> {
     pub fn add_each(&self, from: &Tried, candidates: &[usize], most: usize, step: &'static str) -> Vec<Tried> {
         let open = |c: &&usize| !from.effects.contains(c) && !self.stop.load(Ordering::Relaxed);
         let loosened = self.loosened(from);
-        let launch =
-            loosened.as_ref().map_or(Launch { from, whitener: self.whitener }, |l| Launch { from: l, whitener: self.loose });
-        let mut promising: Vec<(usize, Vec<Start>)> =
-            candidates.par_iter().filter(open).map(|c| (*c, self.promising(launch, *c))).collect();
-        promising.retain(|(_, starts)| !starts.is_empty());
-        promising.sort_by(|a, b| b.1[0].gain.total_cmp(&a.1[0].gain));
+        let mut launches = vec![Launch { from, whitener: self.whitener }];
+        launches.extend(loosened.as_ref().map(|l| Launch { from: l, whitener: self.loose }));
+        let starts = |candidate: usize| launches.iter().map(|l| self.promising(*l, candidate)).collect::<Vec<_>>();
+        let mut promising: Vec<(usize, Vec<Vec<Start>>)> = candidates.par_iter().filter(open).map(|c| (*c, starts(*c))).collect();
+        let gain =
+            |starts: &[Vec<Start>]| starts.iter().filter_map(|s| s.first()).map(|s| s.gain).fold(f64::NEG_INFINITY, f64::max);
+        promising.retain(|(_, starts)| gain(starts) > f64::NEG_INFINITY);
+        promising.sort_by(|a, b| gain(&b.1).total_cmp(&gain(&a.1)));
         promising.truncate(most);
         let done = std::sync::atomic::AtomicUsize::new(0);
         let total = promising.len().max(1) as f64;
         let fitted = promising.par_iter().filter(|_| !self.stop.load(Ordering::Relaxed)).filter_map(|(candidate, starts)| {
-            let tried = self.add(launch, *candidate, starts);
+            let fits = launches.iter().zip(starts).filter_map(|(launch, starts)| self.add(*launch, *candidate, starts));
+            let tried = fits.max_by(|a, b| a.fit.log_evidence.total_cmp(&b.fit.log_evidence));
             let count = done.fetch_add(1, Ordering::Relaxed) + 1;
             (self.progress)(Progress { step, what: self.library[*candidate].id().to_string(), done: count as f64 / total });
             tried
@@ -100,15 +103,29 @@ impl<'a> Search<'a> {
         fitted.collect()
     }
 
-    /// `from` with one more effect, fitted from its most promising starts; `None` where no start has an answer.
+    /// `launch` with one more effect, fitted from its most promising starts; `None` where no start has an answer.
     fn add(&self, launch: Launch<'_>, candidate: usize, starts: &[Start]) -> Option<Tried> {
         let mut effects = launch.from.effects.clone();
         effects.push(candidate);
         let model = self.model(&effects);
-        let close = starts.iter().take(2).filter(|s| s.gain >= 0.6 * starts[0].gain);
-        let starts: Vec<&Start> = if starts[0].gain > HOPELESS { close.collect() } else { vec![&starts[0]] };
+        let best = starts.first()?;
+        let close = starts.iter().take(2).filter(|s| s.gain >= 0.6 * best.gain);
+        let starts: Vec<&Start> = if best.gain > HOPELESS { close.collect() } else { vec![best] };
         let fits = starts.iter().filter_map(|s| self.refine(&model, s, launch));
-        fits.max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence)).map(|fit| Tried { effects, fit })
+        let fit = fits.max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence))?;
+        // a larger model cannot fit worse than the one that it holds: start again from there
+        let lost = std::ptr::eq(launch.whitener, self.whitener) && fit.objective() > launch.from.fit.objective() + 0.5;
+        let again = if lost { self.from_nothing(&model, launch, best) } else { None };
+        Some(Tried { effects, fit: again.unwrap_or(fit) })
+    }
+
+    /// A fit that starts where the new effect is absent, with the shape of `start`.
+    fn from_nothing(&self, model: &Model<'_>, launch: Launch<'_>, start: &Start) -> Option<Fit> {
+        let mut z = start.z.clone();
+        let first = launch.from.fit.z.len();
+        z[..first].copy_from_slice(&launch.from.fit.z);
+        z[first] = zero_size(model, model.effects.len() - 1);
+        fit_onwards(model, self.whitener, &z, &launch.from.fit.jacobian, &FitOptions::default()).ok()
     }
 
     /// The same model, fitted to the end.
@@ -148,7 +165,7 @@ impl<'a> Search<'a> {
             return fit_onwards(model, self.whitener, &z, &launch.from.fit.jacobian, &options).ok();
         }
         z = fit(model, launch.whitener, &z, &FitOptions { iterations: 8, tolerance: 0.5 }).ok()?.z;
-        fit(model, self.whitener, &z, &options).ok()
+        fit(model, self.whitener, &z, &FitOptions { iterations: 20, tolerance: 0.5 }).ok()
     }
 
     /// Starting points of one more effect, most promising first, judged by one straight step from `from`.

@@ -4,6 +4,7 @@
 
 use crate::{
     evidence::log_sum_exp,
+    importance::{Sampled, sampled},
     search::{Progress, Search, Tried},
 };
 use rayon::prelude::*;
@@ -35,6 +36,21 @@ pub struct Selection {
     pub temper: f64,
     /// index of the base model in `models`
     pub base: usize,
+    /// how Laplace's approximation fared near the top
+    pub check: EvidenceCheck,
+}
+
+/// Laplace's approximation against importance sampling.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+pub struct EvidenceCheck {
+    /// models sampled
+    pub models: usize,
+    /// models whose evidence is the sampled one; the others had too few effective draws
+    pub replaced: usize,
+    /// largest change of log evidence among those replaced
+    pub largest_change: f64,
+    /// effective share of the draws: smallest and greatest over the models sampled
+    pub effective_share: [f64; 2],
 }
 
 impl Selection {
@@ -53,25 +69,34 @@ impl Selection {
         self.probability[self.base]
     }
 
-    /// Counts each likely model for the model of its visible effects: what cannot be seen in the fit is not claimed.
+    /// Counts each likely model for the one without its least visible effect, while that cannot be seen in the fit: it is not claimed.
     ///
-    /// `visible` names the effects of a model that stand above the noise.
+    /// `hidden` names the least visible effect of a model, where it does not stand above the noise. One effect is dropped at a time: two that can stand in
+    /// for one another are each hidden by the other, and together they are not nothing.
     #[must_use]
-    pub fn merged(mut self, visible: impl Fn(&Tried) -> Vec<usize>) -> Self {
+    pub fn merged(mut self, hidden: impl Fn(&Tried) -> Option<usize>) -> Self {
         let keys: Vec<Vec<usize>> = self.models.iter().map(Tried::key).collect();
-        for index in 0..self.models.len() {
-            if self.models[index].effects.is_empty() || self.probability[index] < NEGLIGIBLE {
-                continue;
+        let largest = keys.iter().map(Vec::len).max().unwrap_or(0);
+        for size in (1..=largest).rev() {
+            for index in 0..self.models.len() {
+                if keys[index].len() != size || self.probability[index] < NEGLIGIBLE {
+                    continue;
+                }
+                let Some(dropped) = hidden(&self.models[index]) else { continue };
+                let key: Vec<usize> = keys[index].iter().copied().filter(|e| *e != dropped).collect();
+                let target = keys.iter().position(|k| *k == key).unwrap_or(self.base);
+                self.probability[target] += self.probability[index];
+                self.probability[index] = 0.0;
             }
-            let mut key = visible(&self.models[index]);
-            key.sort_unstable();
-            if key == keys[index] {
-                continue;
-            }
-            let target = keys.iter().position(|k| *k == key).unwrap_or(self.base);
-            self.probability[target] += self.probability[index];
-            self.probability[index] = 0.0;
         }
+        self.sorted()
+    }
+
+    /// The same models with the probabilities raised to a power: above 1 they were too modest, below 1 too bold (see [`crate::bank`]).
+    #[must_use]
+    pub fn sharpened(mut self, power: f64) -> Self {
+        let total: f64 = self.probability.iter().map(|p| p.powf(power)).sum();
+        self.probability.iter_mut().for_each(|p| *p = p.powf(power) / total);
         self.sorted()
     }
 
@@ -117,7 +142,41 @@ pub fn select(search: &Search<'_>, base: Tried) -> Selection {
         triples(search, &all, &mut tried);
     }
     polish(search, &mut tried);
-    weigh(tried, search.library.len())
+    let check = check(search, &mut tried);
+    Selection { check, ..weigh(tried, search.library.len()) }
+}
+
+/// Models that are sampled, those with the most weight, and the draws for each.
+const SAMPLED: (usize, usize) = (8, 128);
+/// Effective share of draws from which a sampled evidence stands in for Laplace's.
+const ENOUGH: f64 = 0.1;
+
+/// Replaces Laplace's evidence by a sampled one for the models with the most weight, and for the base model.
+fn check(search: &Search<'_>, tried: &mut BTreeMap<Vec<usize>, Tried>) -> EvidenceCheck {
+    let temper = temper_of(tried.values());
+    let weight = |m: &Tried| m.fit.log_evidence / temper + log_prior(m.effects.len(), search.library.len());
+    let mut order: Vec<(Vec<usize>, f64)> = tried.iter().map(|(key, m)| (key.clone(), weight(m))).collect();
+    order.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let best = order.first().map_or(0.0, |o| o.1);
+    let near = |(place, (key, w)): &(usize, (Vec<usize>, f64))| key.is_empty() || (*place < SAMPLED.0 && *w > best - CLOSE);
+    let keys: Vec<Vec<usize>> = order.into_iter().enumerate().filter(near).map(|(_, (key, _))| key).collect();
+    let look = |key: &Vec<usize>| {
+        let m = tried.get(key)?;
+        let seed = key.iter().fold(0x7a11_u64, |seed, e| seed.wrapping_mul(31).wrapping_add(*e as u64 + 1));
+        sampled(&search.model(&m.effects), search.whitener, &m.fit, SAMPLED.1, seed).map(|s| (key.clone(), s))
+    };
+    let stopped = || search.stop.load(Ordering::Relaxed);
+    let found: Vec<(Vec<usize>, Sampled)> = keys.par_iter().filter(|_| !stopped()).filter_map(look).collect();
+    let mut report = EvidenceCheck { models: found.len(), ..EvidenceCheck::default() };
+    let shares = found.iter().map(|(_, s)| s.effective_share);
+    report.effective_share = [shares.clone().fold(1.0, f64::min), shares.fold(0.0, f64::max)];
+    for (key, sampled) in found.into_iter().filter(|(_, s)| s.effective_share > ENOUGH) {
+        let Some(m) = tried.get_mut(&key) else { continue };
+        report.replaced += 1;
+        report.largest_change = report.largest_change.max((sampled.log_evidence - m.fit.log_evidence).abs());
+        m.fit.log_evidence = sampled.log_evidence;
+    }
+    report
 }
 
 /// Fits to the end what could still matter; the search itself is content with rough fits.
@@ -231,5 +290,5 @@ fn weigh(tried: BTreeMap<Vec<usize>, Tried>, library: usize) -> Selection {
         model.effects.iter().for_each(|e| effect_probability[*e] += p);
     }
     let base = models.iter().position(|m| m.effects.is_empty()).unwrap_or(0);
-    Selection { models, probability, effect_probability, temper, base }
+    Selection { models, probability, effect_probability, temper, base, check: EvidenceCheck::default() }
 }

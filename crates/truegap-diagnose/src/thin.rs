@@ -3,7 +3,10 @@
 //! Limits: rows next to a change of load, temperature or pace are kept one by one; the share of information kept is measured, not assumed.
 
 use crate::context::load_column;
-use crate::problem::{NoiseModel, Problem, RecordingNoise};
+use crate::{
+    problem::{NoiseModel, Problem, RecordingNoise},
+    whiten::InputError,
+};
 use truegap_core::Inputs;
 
 /// A recording with neighbouring rows merged.
@@ -21,16 +24,16 @@ pub struct Thinned {
 impl Thinned {
     /// The noise of the means.
     pub fn noise(&self, noise: &NoiseModel) -> NoiseModel {
-        let extra = |i: usize| {
-            let until = self.first.get(i + 1).copied().unwrap_or(noise.extra_variance.len());
-            let rows = &noise.extra_variance[self.first[i]..until];
+        let mean = |column: &[f64], i: usize| {
+            let rows = &column[self.first[i]..self.first.get(i + 1).copied().unwrap_or(column.len())];
             rows.iter().sum::<f64>() / rows.len() as f64
         };
+        let means = |column: &[f64]| (0..self.first.len()).map(|i| mean(column, i)).collect();
         let moved = |row: usize| self.first.partition_point(|first| *first < row);
         let of = |r: &RecordingNoise| RecordingNoise { rows: moved(r.rows.start)..moved(r.rows.end), ..r.clone() };
         NoiseModel {
             recordings: noise.recordings.iter().map(of).collect(),
-            extra_variance: (0..self.first.len()).map(extra).collect(),
+            input_error: InputError { variance: means(&noise.input_error.variance), level: means(&noise.input_error.level) },
             weights: Some(self.weights.clone()),
             ..noise.clone()
         }
@@ -94,7 +97,7 @@ fn groups(problem: &Problem<'_>, noise: &NoiseModel, most: usize) -> Vec<std::op
 
 #[cfg(test)]
 mod tests {
-    use crate::whiten::{Noise, Whitener};
+    use crate::whiten::{InputError, Noise, Whitener};
 
     /// A constant under white + AR noise: the information in means is that in the rows.
     #[test]
@@ -105,8 +108,9 @@ mod tests {
             filter.apply(&mut one);
             one.iter().map(|v| v * v).sum::<f64>()
         };
-        let full = Whitener::new(&noise, &[0.0; 600], None, std::slice::from_ref(&(0..600)), None);
-        let merged = Whitener::new(&noise, &[0.0; 60], Some(&[10.0; 60]), std::slice::from_ref(&(0..60)), None);
+        let full = Whitener::new(&noise, &InputError::white(vec![0.0; 600]), None, std::slice::from_ref(&(0..600)), None);
+        let merged =
+            Whitener::new(&noise, &InputError::white(vec![0.0; 60]), Some(&[10.0; 60]), std::slice::from_ref(&(0..60)), None);
         // means of an AR(1) process are ARMA(1, 1), taken as AR(1) here: that costs 9 % for this strong correlation, and never adds
         let kept = information(&merged, 60) / information(&full, 600);
         assert!((0.9..=1.0).contains(&kept), "{kept}");

@@ -33,7 +33,6 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy) -> Dec
     let nothing = |verdict| Decision { verdict, model: selection.base, sets: Vec::new(), removed: 0.0 };
     let none = selection.probability_none();
     let library_sees = none < DETECTED;
-    let removed = removed(before, after);
     if !library_sees {
         return if before.fires() {
             nothing(Verdict::Unexplained)
@@ -42,6 +41,7 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy) -> Dec
         };
     }
     let Some(best) = selection.models.iter().position(|m| !m.effects.is_empty()) else { return nothing(Verdict::Undecided) };
+    let removed = removed(2.0 * (selection.base().fit.objective() - selection.models[best].fit.objective()), after);
     let sets = rival_sets(selection, best);
     let rivals = sets.iter().any(|s| s.len() > 1);
     let sure = selection.models[best].effects.iter().all(|e| selection.effect_probability[*e] >= SURE);
@@ -63,11 +63,13 @@ pub fn interrupted(selection: &Selection) -> Decision {
     Decision { verdict: Verdict::Undecided, model: selection.base, sets: Vec::new(), removed: 0.0 }
 }
 
-/// Share of the excess of the smooth and stretch tests that is gone.
-fn removed(before: &Adequacy, after: &Adequacy) -> f64 {
-    let excess = |a: &Adequacy| a.smooth.excess().max(a.stretches.excess());
-    let there = excess(before);
-    if there <= 0.0 { 1.0 } else { 1.0 - excess(after) / there }
+/// Share of the misfit that the best model removes: what it explains, in units of the noise variance, over that and what the tests still find.
+///
+/// Parameters pushed away from what is known of them are misfit too, which is why the fall of the whole objective counts and not that of the residual.
+fn removed(explained: f64, after: &Adequacy) -> f64 {
+    let left = after.smooth.excess().max(after.stretches.excess());
+    let explained = explained.max(0.0);
+    if explained + left > 0.0 { explained / (explained + left) } else { 1.0 }
 }
 
 /// For each effect of model `best`, the effects that could stand in its place.

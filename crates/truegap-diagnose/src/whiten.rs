@@ -1,4 +1,7 @@
-//! Noise of a row: white plus first-order autoregressive, taken out exactly by a scalar Kalman filter.
+//! Noise of a row: white, first-order autoregressive, and the error of quietened inputs, taken out exactly by a Kalman filter with two states.
+//!
+//! Inputs that were replaced by straight lines err little, but alike over the whole line: per row that error is small, in the mean of many rows it is that of
+//! the noise as recorded. It is taken as autoregressive with the memory that gives both.
 //!
 //! A row may stand for the mean of several rows of the recording (see [`crate::thin`]); its noise is that of the mean.
 //!
@@ -42,13 +45,41 @@ impl Noise {
     }
 }
 
+/// Error of the response that errors of the inputs make, row by row.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct InputError {
+    /// variance in one row
+    pub variance: Vec<f64>,
+    /// variance that white noise would have that weighs as much in the mean of many rows; not below `variance`
+    pub level: Vec<f64>,
+}
+
+impl InputError {
+    /// Independent from row to row.
+    pub fn white(variance: Vec<f64>) -> Self {
+        Self { level: variance.clone(), variance }
+    }
+
+    /// Error in the mean of `rows` rows: its variance, and its correlation with the next mean as memory and length have it.
+    fn of_mean(&self, row: usize, rows: f64) -> Noise {
+        let (variance, level) = (self.variance[row], self.level[row].max(self.variance[row]));
+        let correlation = if variance > 0.0 { (level - variance) / (level + variance) } else { 0.0 };
+        Noise {
+            white_sd: 0.0,
+            ar_sd: Noise { white_sd: 0.0, ar_sd: variance.sqrt(), ar_correlation: correlation }.ar_variance_of_mean(rows).sqrt(),
+            ar_correlation: correlation.powf(rows),
+        }
+    }
+}
+
 /// A linear filter that turns noise of a known kind into unit white noise; rows that are left out come out as 0.
 #[derive(Clone, Debug)]
 pub struct Whitener {
-    gain: Vec<f64>,
+    /// gains of the two states
+    gain: Vec<[f64; 2]>,
     inverse_sd: Vec<f64>,
-    /// correlation with the row after
-    correlation: Vec<f64>,
+    /// factors from a row's states to those of the row after
+    carry: Vec<[f64; 2]>,
     runs: Vec<Range<usize>>,
     /// sum of the logarithms of the innovation variances
     pub log_determinant: f64,
@@ -56,78 +87,114 @@ pub struct Whitener {
     pub rows: usize,
 }
 
+/// Covariance of the two states.
+#[derive(Clone, Copy)]
+struct States {
+    response: f64,
+    cross: f64,
+    input: f64,
+}
+
 impl Whitener {
-    /// Filter for `noise`, with `extra_variance` (of recorded inputs, carried through the model) added row by row.
+    /// Filter for `noise`, with the error of the inputs (carried through the model) added row by row.
     ///
     /// `weights[row]` is the number of rows whose mean a row is (all 1 where absent); `keep[row] = false` leaves a row out.
-    pub fn new(
-        noise: &Noise,
-        extra_variance: &[f64],
-        weights: Option<&[f64]>,
-        runs: &[Range<usize>],
-        keep: Option<&[bool]>,
-    ) -> Self {
-        Self::by_run(&|_| *noise, extra_variance, weights, runs, keep)
+    pub fn new(noise: &Noise, input: &InputError, weights: Option<&[f64]>, runs: &[Range<usize>], keep: Option<&[bool]>) -> Self {
+        Self::by_run(&|_| *noise, input, weights, runs, keep)
     }
 
     /// As [`Whitener::new`], with the noise that `of_run` gives each run.
     pub fn by_run(
         of_run: &dyn Fn(&Range<usize>) -> Noise,
-        extra_variance: &[f64],
+        input: &InputError,
         weights: Option<&[f64]>,
         runs: &[Range<usize>],
         keep: Option<&[bool]>,
     ) -> Self {
-        let n = extra_variance.len();
+        let n = input.variance.len();
         let weight = |row: usize| weights.map_or(1.0, |w| w[row]);
         let mut filter = Self {
-            gain: vec![0.0; n],
+            gain: vec![[0.0; 2]; n],
             inverse_sd: vec![0.0; n],
-            correlation: vec![0.0; n],
+            carry: vec![[0.0; 2]; n],
             runs: runs.to_vec(),
             log_determinant: 0.0,
             rows: 0,
         };
         for run in runs {
-            let noise = &of_run(run);
-            let mut predicted = noise.ar_variance_of_mean(weight(run.start));
+            let (noise, first) = (&of_run(run), weight(run.start));
+            let mut predicted = States {
+                response: noise.ar_variance_of_mean(first),
+                cross: 0.0,
+                input: input.of_mean(run.start, first).ar_sd.powi(2),
+            };
             for row in run.clone() {
                 if keep.is_none_or(|k| k[row]) {
-                    let variance = predicted + (noise.white_sd * noise.white_sd + extra_variance[row]) / weight(row);
-                    filter.gain[row] = predicted / variance;
-                    filter.inverse_sd[row] = variance.sqrt().recip();
-                    filter.log_determinant += variance.ln();
-                    filter.rows += 1;
+                    predicted = filter.observe(row, predicted, noise.white_sd * noise.white_sd / weight(row));
                 }
                 if row + 1 < run.end {
-                    predicted = filter.step(noise, row, predicted, weight(row), weight(row + 1));
+                    predicted = filter.step(noise, input, row, predicted, (weight(row), weight(row + 1)));
                 }
             }
         }
         filter
     }
 
-    /// Variance predicted for the row after, and its correlation with this row.
-    fn step(&mut self, noise: &Noise, row: usize, predicted: f64, weight: f64, next: f64) -> f64 {
+    /// Gains of a row that is seen, and the covariance after it.
+    fn observe(&mut self, row: usize, p: States, white: f64) -> States {
+        let (response, input) = (p.response + p.cross, p.cross + p.input);
+        let variance = response + input + white;
+        self.gain[row] = [response / variance, input / variance];
+        self.inverse_sd[row] = variance.sqrt().recip();
+        self.log_determinant += variance.ln();
+        self.rows += 1;
+        let [a, b] = self.gain[row];
+        States { response: p.response - a * response, cross: p.cross - a * input, input: p.input - b * input }
+    }
+
+    /// Covariance predicted for the row after, and the factors that lead there.
+    fn step(&mut self, noise: &Noise, input: &InputError, row: usize, p: States, (weight, next): (f64, f64)) -> States {
         let (here, there) = (noise.ar_variance_of_mean(weight), noise.ar_variance_of_mean(next));
         let phi = noise.ar_correlation_of_means(weight, next);
-        self.correlation[row] = if here > 0.0 { phi * (there / here).sqrt() } else { 0.0 };
-        let updated = predicted * (1.0 - self.gain[row]);
-        self.correlation[row].powi(2) * updated + (1.0 - phi * phi) * there
+        let (now, then) = (input.of_mean(row, weight), input.of_mean(row + 1, next));
+        // a line ends where the next row has less memory
+        let memory = now.ar_correlation.min(then.ar_correlation);
+        let ratio = |from: f64, to: f64| if from > 0.0 { to / from } else { 0.0 };
+        let [a, b] = [phi * ratio(here, there).sqrt(), memory * ratio(now.ar_sd, then.ar_sd)];
+        self.carry[row] = [a, b];
+        let fresh = if now.ar_sd > 0.0 { (1.0 - memory * memory) * then.ar_sd.powi(2) } else { then.ar_sd.powi(2) };
+        States {
+            response: a * a * p.response + (1.0 - phi * phi) * there,
+            cross: a * b * p.cross,
+            input: b * b * p.input + fresh,
+        }
     }
 
     /// Whitens a column in place.
     pub fn apply(&self, column: &mut [f64]) {
-        if self.gain.iter().all(|g| *g == 0.0) {
-            column.iter_mut().zip(&self.inverse_sd).for_each(|(x, w)| *x *= w);
-            return;
-        }
         for run in &self.runs {
-            let mut state = 0.0;
+            let (mut response, mut input) = (0.0, 0.0);
             for row in run.clone() {
-                let innovation = column[row] - state;
+                let innovation = column[row] - (response + input);
                 column[row] = innovation * self.inverse_sd[row];
-                state = self.correlation[row] * (state + self.gain[row] * innovation);
+                let ([a, b], [c, d]) = (self.gain[row], self.carry[row]);
+                response = c * (response + a * innovation);
+                input = d * (input + b * innovation);
+            }
+        }
+    }
+
+    /// Undoes [`Whitener::apply`] in place: unit white noise becomes noise of the kind that the filter takes out. Rows left out stay 0.
+    pub fn colour(&self, column: &mut [f64]) {
+        for run in &self.runs {
+            let (mut response, mut input) = (0.0, 0.0);
+            for row in run.clone() {
+                let seen = self.inverse_sd[row] > 0.0;
+                let innovation = if seen { column[row] / self.inverse_sd[row] } else { 0.0 };
+                column[row] = if seen { innovation + response + input } else { 0.0 };
+                let ([a, b], [c, d]) = (self.gain[row], self.carry[row]);
+                response = c * (response + a * innovation);
+                input = d * (input + b * innovation);
             }
         }
     }
@@ -158,18 +225,53 @@ mod tests {
         let dense = covariance.clone().cholesky().unwrap();
         let v = DVector::from_column_slice(&x);
         let quadratic = v.dot(&dense.solve(&v));
-        let filter = Whitener::new(&noise, &extra, None, &[0..5, 5..12], None);
+        let filter = Whitener::new(&noise, &InputError::white(extra), None, &[0..5, 5..12], None);
         let mut w = x;
         filter.apply(&mut w);
         approx::assert_relative_eq!(w.iter().map(|a| a * a).sum::<f64>(), quadratic, max_relative = 1e-12);
         approx::assert_relative_eq!(filter.log_determinant, covariance.determinant().ln(), max_relative = 1e-10);
     }
 
+    /// Unit lines over 40 rows with independent errors of their means, as smoothing leaves them: the filter must find the mean of all rows as uncertain as the
+    /// dense covariance of a moving average does, within what an autoregression can copy of it.
+    #[test]
+    fn the_error_of_smoothed_inputs_weighs_in_the_mean_like_the_noise_as_recorded() {
+        let (n, window) = (600usize, 30usize);
+        let noise = Noise { white_sd: 0.5, ar_sd: 0.0, ar_correlation: 0.0 };
+        let covariance = DMatrix::from_fn(n, n, |i, j| {
+            let shared = (window as f64 - i.abs_diff(j) as f64).max(0.0) / (window * window) as f64;
+            shared + if i == j { 0.25 } else { 0.0 }
+        });
+        let ones = DVector::from_element(n, 1.0);
+        let dense = ones.dot(&covariance.cholesky().unwrap().solve(&ones));
+        let smoothed = InputError { variance: vec![1.0 / window as f64; n], level: vec![1.0; n] };
+        let information = |input: &InputError| {
+            let mut one = vec![1.0; n];
+            Whitener::new(&noise, input, None, &[0..n], None).apply(&mut one);
+            one.iter().map(|v| v * v).sum::<f64>()
+        };
+        approx::assert_relative_eq!(information(&smoothed), dense, max_relative = 0.05);
+        // taken as independent, it would promise four times as much
+        assert!(information(&InputError::white(smoothed.variance.clone())) > 4.0 * dense);
+    }
+
+    #[test]
+    fn noise_that_was_coloured_is_whitened_again() {
+        let noise = Noise { white_sd: 0.7, ar_sd: 1.3, ar_correlation: 0.8 };
+        let filter = Whitener::new(&noise, &InputError::white(vec![0.1; 9]), Some(&[3.0; 9]), &[0..4, 4..9], None);
+        let white: Vec<f64> = (0..9).map(|i| (1.7 * f64::from(i)).cos()).collect();
+        let mut column = white.clone();
+        filter.colour(&mut column);
+        assert!(column.iter().zip(&white).any(|(a, b)| (a - b).abs() > 0.1));
+        filter.apply(&mut column);
+        column.iter().zip(&white).for_each(|(a, b)| approx::assert_relative_eq!(a, b, max_relative = 1e-12));
+    }
+
     #[test]
     fn a_row_left_out_carries_no_weight() {
         let noise = Noise { white_sd: 0.7, ar_sd: 1.3, ar_correlation: 0.8 };
         let keep = [true, true, false, true];
-        let filter = Whitener::new(&noise, &[0.0; 4], None, &[0..4], Some(&keep));
+        let filter = Whitener::new(&noise, &InputError::white(vec![0.0; 4]), None, &[0..4], Some(&keep));
         let (mut a, mut b) = (vec![1.0, 2.0, 3.0, 4.0], vec![1.0, 2.0, -50.0, 4.0]);
         filter.apply(&mut a);
         filter.apply(&mut b);

@@ -45,6 +45,9 @@ pub struct Diagnose {
     /// Sensor column of a recording that holds several
     #[arg(long, value_name = "NAME")]
     channel: Option<String>,
+    /// Simulate recordings with known causes on this protocol, diagnose them too, and correct the probabilities by how often they were right
+    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "150", value_parser = clap::value_parser!(u32).range(30..=5000))]
+    bank: Option<u32>,
 }
 
 pub(super) static STOP: AtomicBool = AtomicBool::new(false);
@@ -126,6 +129,7 @@ impl Diagnose {
             conceal: self.conceal.clone(),
             channel: self.channel.clone(),
             free: self.free.clone(),
+            bank: self.bank.map(|n| n as usize),
             command: std::iter::once("truegap".to_owned()).chain(words).collect::<Vec<_>>().join(" "),
         }
     }

@@ -5,7 +5,7 @@
 use crate::{
     fit::{FitOptions, Model, fit},
     issues::DiagnoseError,
-    noise::{input_noise, noise_model, quiet_inputs},
+    noise::{from_misfit, input_noise, noise_model, quiet_inputs},
     problem::{NoiseModel, Problem, RecordingNoise},
 };
 use std::ops::Range;
@@ -27,7 +27,7 @@ fn of_one(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseError> 
     let (quiet, load_left, temperature_left) = quiet_inputs(problem.inputs, problem.simulator, &input_noise);
     let still = Problem { inputs: &quiet, response: problem.response, simulator: problem.simulator };
     let noise = noise_model(&still, &centre(&still), input_noise, (&load_left, &temperature_left))?;
-    let noise = no_more_than_misfit(&still, noise)?;
+    let noise = without_rest(&still, noise)?;
     Ok((quiet, noise))
 }
 
@@ -46,7 +46,9 @@ fn of_several(problem: &Problem<'_>, joined: &dyn Joined) -> Result<(Inputs, Noi
         let first = all.is_none();
         let joint = all.get_or_insert_with(|| NoiseModel { rows: 0, says: String::new(), ..noise.clone() });
         if !first {
-            joint.extra_variance.extend(&noise.extra_variance);
+            joint.input_error.variance.extend(&noise.input_error.variance);
+            joint.input_error.level.extend(&noise.input_error.level);
+            joint.uncertainty = joint.uncertainty.max(noise.uncertainty);
             joint.measured &= noise.measured;
             joint.says += "; ";
         }
@@ -71,29 +73,25 @@ fn put(all: &mut Inputs, rows: &Range<usize>, own: &Inputs) {
     }
 }
 
-/// Where noise could not be measured at rest, it is no more than what the calibrated base model leaves over: steps of a profile inside the short
-/// stretches would otherwise pass for noise, and everything would seem to agree.
-fn no_more_than_misfit(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, DiagnoseError> {
+/// Where noise could not be measured at rest, it is taken from what the calibrated base model leaves over inside short stretches; never more than what it
+/// leaves over in all.
+fn without_rest(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, DiagnoseError> {
     if noise.measured {
         return Ok(noise);
     }
     let context = problem.context(problem.span(), noise.floor());
     let model = Model::new(problem, &context, Vec::new());
-    let mut bounded = noise;
-    for _ in 0..3 {
-        let whitener = bounded.whitener(&problem.runs(), None);
-        let base = fit(&model, &whitener, &vec![0.0; model.parameters.len()], &FitOptions::default())?;
-        let ratio = base.chi2 / problem.response.len() as f64;
-        if ratio > 0.7 {
-            break;
-        }
-        bounded = bounded.scaled(ratio.sqrt());
-        bounded.says = format!(
-            "{}; no more than what the calibrated model leaves over",
-            bounded.says.split("; no more").next().unwrap_or_default()
-        );
+    let mut start = vec![0.0; model.parameters.len()];
+    let mut known = noise;
+    for _ in 0..2 {
+        let whitener = known.whitener(&problem.runs(), None);
+        start = fit(&model, &whitener, &start, &FitOptions::default())?.z;
+        let misfit: Vec<f64> = problem.response.iter().zip(model.respond(&start)?).map(|(y, m)| y - m).collect();
+        known = from_misfit(problem, &misfit, &known);
     }
-    Ok(bounded)
+    let whitener = known.whitener(&problem.runs(), None);
+    let left = fit(&model, &whitener, &start, &FitOptions::default())?.chi2 / problem.response.len() as f64;
+    Ok(if left < 0.7 { known.scaled(left.sqrt()) } else { known })
 }
 
 /// The centre of the base model's prior.

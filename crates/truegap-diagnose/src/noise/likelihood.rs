@@ -2,7 +2,7 @@
 //!
 //! Limits: a grid over correlation and share, which is finer than the data can tell.
 
-use crate::whiten::{Noise, Whitener};
+use crate::whiten::{InputError, Noise, Whitener};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 
@@ -24,10 +24,10 @@ impl Block {
         Self::with(rows, move |i| vec![1.0, i as f64 / n, (i as f64 / n).powi(2), dwell(i)], true)
     }
 
-    /// A short stretch: a cubic is taken out; too short to tell correlated noise from a slow course, so only white noise is looked for.
+    /// A short stretch: a cubic is taken out. What is correlated over more than a few rows goes with it.
     pub fn stretch(rows: Range<usize>) -> Self {
         let n = rows.len() as f64;
-        Self::with(rows, move |i| (0..4).map(|k| (i as f64 / n).powi(k)).collect(), false)
+        Self::with(rows, move |i| (0..4).map(|k| (i as f64 / n).powi(k)).collect(), true)
     }
 
     /// Rows at the same inputs: their mean is taken out.
@@ -82,15 +82,19 @@ const FEWEST_BLOCKS: usize = 5;
 /// Factor on the median variance above which a stretch is left out: 4 standard deviations for the shortest stretch.
 const OUTLYING: f64 = 1.9;
 
-/// Noise of `response` in these blocks.
-pub fn estimate(response: &[f64], blocks: &[Block]) -> Noise {
+/// Noise of `response` in these blocks, and the relative standard deviation of its weight in the mean of many rows: how far the noises that the blocks
+/// allow differ there.
+pub fn estimate(response: &[f64], blocks: &[Block]) -> (Noise, f64) {
     let ordered = blocks.iter().any(|b| b.ordered);
     let white = sums(response, blocks, 0.0, 0.0);
     let mut best = (white.log_likelihood() + WORTH, 0.0, 0.0, white.squares / white.freedom.max(1.0));
+    let mut allowed = vec![(white.log_likelihood(), best.3)];
     if ordered {
         for correlation in [0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.88, 0.94, 0.97] {
             for share in [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0] {
                 let sums = sums(response, blocks, correlation, share);
+                let level = 1.0 - share + share * (1.0 + correlation) / (1.0 - correlation);
+                allowed.push((sums.log_likelihood(), level * sums.squares / sums.freedom));
                 if sums.log_likelihood() > best.0 {
                     best = (sums.log_likelihood(), correlation, share, sums.squares / sums.freedom);
                 }
@@ -99,7 +103,22 @@ pub fn estimate(response: &[f64], blocks: &[Block]) -> Noise {
     }
     let (_, correlation, share, variance) = best;
     let variance = if variance.is_finite() { variance } else { 0.0 };
-    Noise { white_sd: (variance * (1.0 - share)).sqrt(), ar_sd: (variance * share).sqrt(), ar_correlation: correlation }
+    let noise =
+        Noise { white_sd: (variance * (1.0 - share)).sqrt(), ar_sd: (variance * share).sqrt(), ar_correlation: correlation };
+    let level = variance * (1.0 - share + share * (1.0 + correlation) / (1.0 - correlation));
+    (noise, spread(&allowed, level).hypot((2.0 / white.freedom.max(1.0)).sqrt()))
+}
+
+/// Relative root mean square by which levels, weighted by their likelihood, differ from `chosen`.
+fn spread(allowed: &[(f64, f64)], chosen: f64) -> f64 {
+    let best = allowed.iter().map(|a| a.0).fold(f64::NEG_INFINITY, f64::max);
+    let (mut weights, mut squares) = (0.0, 0.0);
+    for (log, level) in allowed {
+        let weight = (log - best).exp();
+        weights += weight;
+        squares += weight * (level / chosen - 1.0).powi(2);
+    }
+    if weights > 0.0 && squares.is_finite() { (squares / weights).sqrt() } else { 0.0 }
 }
 
 /// Log likelihood that two more parameters must gain (BIC at a few hundred rows is about 6; AIC is 2).
@@ -110,7 +129,7 @@ fn sums(response: &[f64], blocks: &[Block], correlation: f64, share: f64) -> Sum
     let mut total = Sums::default();
     for block in blocks {
         let n = block.rows.len();
-        let filter = Whitener::new(&noise, &vec![0.0; n], None, std::slice::from_ref(&(0..n)), None);
+        let filter = Whitener::new(&noise, &InputError::white(vec![0.0; n]), None, std::slice::from_ref(&(0..n)), None);
         let white = |column: Vec<f64>| {
             let mut column = column;
             filter.apply(&mut column);
@@ -152,7 +171,9 @@ mod tests {
     #[test]
     fn both_parts_of_the_noise_are_found_beside_a_slow_course() {
         let y = simulated(0.4, 0.3, 0.7, 3000);
-        let found = estimate(&y, &[Block::at_rest(0..3000)]);
+        let (found, uncertainty) = estimate(&y, &[Block::at_rest(0..3000)]);
+        // the level of correlated noise is known to 5 to 20 % from so many rows
+        assert!((0.03..0.3).contains(&uncertainty), "{uncertainty}");
         // 3000 rows: total variance to 3 %, the split to about 15 %
         approx::assert_relative_eq!(found.white_sd.hypot(found.ar_sd), 0.5, max_relative = 0.06);
         approx::assert_relative_eq!(found.ar_sd, 0.3, max_relative = 0.35);
@@ -161,7 +182,7 @@ mod tests {
 
     #[test]
     fn white_noise_is_called_white() {
-        let found = estimate(&simulated(0.4, 0.0, 0.0, 800), &[Block::at_rest(0..800)]);
+        let (found, _) = estimate(&simulated(0.4, 0.0, 0.0, 800), &[Block::at_rest(0..800)]);
         assert_eq!(found.ar_sd, 0.0);
         approx::assert_relative_eq!(found.white_sd, 0.4, max_relative = 0.08);
     }

@@ -2,6 +2,7 @@
 //!
 //! Limits: one kind of reading for all recordings given together; decides nothing that `truegap_diagnose` does not decide.
 
+mod bank_store;
 mod bases;
 mod error;
 mod prediction;

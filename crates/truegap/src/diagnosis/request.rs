@@ -25,6 +25,8 @@ pub struct Request {
     pub channel: Option<String>,
     /// what each of several recordings has of its own: gain, offset
     pub free: Vec<String>,
+    /// recordings of the recovery bank; none where absent
+    pub bank: Option<usize>,
     /// command line, for the record
     pub command: String,
 }

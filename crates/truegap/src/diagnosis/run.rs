@@ -5,7 +5,7 @@
 use super::bases::{Bases, MATERIALS};
 use super::request::{Opened, Request, named};
 use super::screen::{Screened, reserve, screen};
-use super::{DiagnosisError, prediction, write};
+use super::{DiagnosisError, bank_store, prediction, write};
 use crate::base::Base;
 use crate::report::{Provenance, Subject};
 use std::path::{Path, PathBuf};
@@ -94,7 +94,7 @@ struct Run<'a> {
 
 impl Run<'_> {
     fn diagnose(&self, opened: &Opened, problem: &Problem<'_>, facts: RecordingFacts) -> Result<Outcome, DiagnoseError> {
-        let options = Options { effects: self.request.effects.clone(), hidden: opened.hidden.clone(), ..Options::default() };
+        let options = Options { effects: self.request.effects.clone(), hidden: opened.hidden.clone(), bank: self.request.bank.map(bank_store::options), ..Options::default() };
         let options = reserve(self.notices, options);
         truegap_diagnose::diagnose(problem, facts, &options, self.progress, self.stop)
     }

@@ -58,9 +58,8 @@ pub(super) fn bank(page: Page, subject: &Subject<'_>) -> Page {
     let Some(bank) = &subject.diagnosis.bank else { return page };
     let page = page.section("How often this tool is right on a recording like this");
     let page = page.text("Recordings with a known cause were simulated for this protocol, noise and prior knowledge, and diagnosed in the same way.");
-    if let Some(says) = bank.get("says").and_then(|s| s.as_str()) {
-        return page.text(says).details("All rows").code(&format!("{bank:#}")).end_details();
-    }
+    let lines = bank.get("says").and_then(|s| s.as_array()).into_iter().flatten().filter_map(|l| l.as_str());
+    let page = lines.fold(page, |page, line| page.text(&format!("{line}.")));
     page.code(&format!("{bank:#}"))
 }
 

@@ -153,9 +153,9 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             rivals: vec!["readout_lag".into()],
         }],
         candidates: vec![
-            Candidate { effect: "thermal_lag".into(), probability: 0.98, score: 480.0 },
-            Candidate { effect: "viscoelastic_creep".into(), probability: 0.01, score: 120.0 },
-            Candidate { effect: "offset_drift".into(), probability: 0.002, score: -3.0 },
+            Candidate { effect: "thermal_lag".into(), probability: 0.98, score: 480.0, chi2_drop: 970.0, freedom: 1 },
+            Candidate { effect: "viscoelastic_creep".into(), probability: 0.01, score: 120.0, chi2_drop: 250.0, freedom: 2 },
+            Candidate { effect: "offset_drift".into(), probability: 0.002, score: -3.0, chi2_drop: 2.0, freedom: 2 },
         ],
         ambiguity: Vec::new(),
         fit: FitFacts {
@@ -192,6 +192,8 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
         bank: None,
         notices: Vec::new(),
         concealed_column: None,
+        adequacy: Default::default(),
+        evidence_check: Default::default(),
         recording_issues: vec!["12 rows repeat the value before them".into()],
         seconds: 3.2,
     }

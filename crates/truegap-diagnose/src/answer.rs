@@ -356,6 +356,7 @@ impl Answer<'_> {
                 duration_s: context.duration_s,
                 response_span: context.response_span,
                 noise_sd: context.noise_sd,
+                runs: Some(context.runs),
             },
         }
     }

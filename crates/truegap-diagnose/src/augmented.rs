@@ -52,6 +52,9 @@ pub struct Scales {
     pub response_span: f64,
     /// noise, response unit
     pub noise_sd: f64,
+    /// runs; an effect may have a number for each
+    #[serde(default)]
+    pub runs: Option<usize>,
 }
 
 /// An effect that the library does not have.
@@ -88,5 +91,6 @@ impl Augmented {
         context.shortest_step_s = (self.scales.shortest_step_s > 0.0).then_some(self.scales.shortest_step_s);
         context.response_span = self.scales.response_span;
         context.noise_sd = self.scales.noise_sd;
+        context.runs = self.scales.runs.unwrap_or(context.runs);
     }
 }

@@ -12,8 +12,10 @@ use crate::{
 use std::sync::atomic::Ordering;
 use truegap_core::SimulationError;
 
-/// Detectability below which an effect of a larger model is not claimed.
+/// Detectability below which an effect is not claimed.
 const VISIBLE: f64 = 4.5;
+/// The same as a share of the whole misfit: the right physics in the wrong equation leaves as much behind, and another effect can pick that up.
+const VISIBLE_SHARE: f64 = 0.2;
 
 /// What was found before it is put into words.
 pub struct Examined {
@@ -33,7 +35,8 @@ pub struct Examined {
 /// Those of the simulator at the centre of the prior.
 pub fn examine(search: &Search<'_>, gate: &Gate) -> Result<Examined, SimulationError> {
     let base = search.base()?;
-    Ok(judge(search, gate, select(search, base).merged(|tried| hidden(search, tried))))
+    let nothing = base.fit.objective();
+    Ok(judge(search, gate, select(search, base).merged(|tried| hidden(search, tried, nothing))))
 }
 
 /// The verdict on a selection.
@@ -46,8 +49,14 @@ pub fn judge(search: &Search<'_>, gate: &Gate, selection: Selection) -> Examined
     Examined { selection, before, after, decision }
 }
 
-/// The effect of a model that stands least above the noise, where that is not enough.
-fn hidden(search: &Search<'_>, tried: &Tried) -> Option<usize> {
+/// The effect of a model that stands least above the noise, and above the error of its equations, where that is not enough; `nothing` is the objective of the
+/// base model.
+fn hidden(search: &Search<'_>, tried: &Tried, nothing: f64) -> Option<usize> {
+    let whole = (2.0 * (nothing - tried.fit.objective())).max(0.0).sqrt();
+    let needed = VISIBLE.max(VISIBLE_SHARE * whole);
     let seen = (0..tried.effects.len()).map(|index| (detectability(search, tried, index), tried.effects[index]));
-    seen.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(d, _)| *d < VISIBLE).map(|(_, effect)| effect)
+    let least = seen.min_by(|a, b| a.0.total_cmp(&b.0));
+    // alone, an effect is the whole misfit
+    let needed = if tried.effects.len() > 1 { needed } else { VISIBLE };
+    least.filter(|(d, _)| *d < needed).map(|(_, effect)| effect)
 }

@@ -91,6 +91,7 @@ impl<'a> Search<'a> {
         promising.retain(|(_, starts)| gain(starts) > f64::NEG_INFINITY);
         promising.sort_by(|a, b| gain(&b.1).total_cmp(&gain(&a.1)));
         promising.truncate(most);
+        keep_best(&mut promising, 1, LOOSE_FITS);
         let done = std::sync::atomic::AtomicUsize::new(0);
         let total = promising.len().max(1) as f64;
         let fitted = promising.par_iter().filter(|_| !self.stop.load(Ordering::Relaxed)).filter_map(|(candidate, starts)| {
@@ -214,6 +215,20 @@ impl<'a> Search<'a> {
         Some(Start { z, gain: score * step - 0.5 * variance * step * step })
     }
 }
+
+/// Leaves the starts from launch `launch` to the `count` candidates that promise most from there.
+fn keep_best(promising: &mut [(usize, Vec<Vec<Start>>)], launch: usize, count: usize) {
+    let gain = |starts: &[Vec<Start>]| starts.get(launch).and_then(|s| s.first()).map_or(f64::NEG_INFINITY, |s| s.gain);
+    let mut gains: Vec<f64> = promising.iter().map(|(_, starts)| gain(starts)).collect();
+    gains.sort_by(|a, b| b.total_cmp(a));
+    let Some(least) = gains.get(count).copied() else { return };
+    promising.iter_mut().filter(|(_, starts)| gain(starts) <= least).for_each(|(_, starts)| {
+        starts.get_mut(launch).map(Vec::clear);
+    });
+}
+
+/// Candidates that are fitted from near the prior as well, where calibration has driven the parameters far.
+const LOOSE_FITS: usize = 8;
 
 /// Promised gain in log likelihood below which an effect is fitted roughly: it cannot win.
 const HOPELESS: f64 = 1.5;

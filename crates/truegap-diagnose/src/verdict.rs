@@ -13,7 +13,7 @@ const SURE: f64 = 0.9;
 /// Odds against the best model within which a rival is not excluded.
 const RIVAL: f64 = 0.05;
 /// Share of the misfit that the right family removes even with the wrong equation.
-pub const RIGHT_FAMILY: f64 = 0.85;
+pub const RIGHT_FAMILY: f64 = 0.7;
 
 /// What was decided.
 #[derive(Clone, Debug)]

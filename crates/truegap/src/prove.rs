@@ -7,7 +7,7 @@
 //! DIR/commitments.txt            salted SHA-256 of every answer, written before the first diagnosis
 //! DIR/case-001/recording.*       what the diagnosis gets
 //! DIR/key/                       answers, and the plan with its seed
-//! DIR/diagnoses/case-001/        diagnosis.json, augmented.toml
+//! DIR/diagnoses/case-001/        diagnosis.json, augmented.toml, controls.json (what simpler methods say of the same residual)
 //! DIR/score.json, DIR/score.md   once every case has its diagnosis
 //! ```
 
@@ -17,7 +17,9 @@ mod document;
 mod error;
 mod fresh;
 mod plan;
+mod process;
 mod score;
+mod sparse;
 
 pub use answers::{Answered, Told, answer, cases};
 pub use error::ProveError;

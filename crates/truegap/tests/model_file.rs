@@ -64,6 +64,7 @@ fn file() -> ModelFile {
         sensor: Some(builtin_sensors()[0].toml.into()),
         base: BaseModel::Stack { sensor: builtin_sensors()[0].name.into(), warp: true, series: SeriesOrder::default() },
         scales: Scales {
+            runs: None,
             longest_run_s: context.longest_run_s,
             shortest_step_s: 2.0,
             duration_s: context.duration_s,

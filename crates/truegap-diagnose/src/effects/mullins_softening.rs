@@ -5,6 +5,7 @@ use crate::{
     effect::{About, Effect, Family, FittedParameter},
     memory::greatest_so_far,
 };
+use statrs::function::erf::erf;
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
 
 /// Damage by the greatest load ever, with a share that heals on the way back up to it.
@@ -21,8 +22,8 @@ impl Softening {
         Self { depth: values[0], scale: values[1], healing: values[2] }
     }
 
-    /// Multiplies the modulus by `1 - depth damage(greatest load) (1 - healing (load / greatest)^2)`.
-    fn apply(&self, drive: &Drive<'_>, factor: &mut [f64], damage: impl Fn(f64) -> f64) {
+    /// Multiplies the modulus by `1 - depth [(1 - healing) damage(greatest load) + healing below(load², greatest load²)]`.
+    fn apply(&self, drive: &Drive<'_>, factor: &mut [f64], damage: impl Fn(f64) -> f64, below: impl Fn(f64, f64) -> f64) {
         let mut known = (0.0, 0.0);
         let greatest = greatest_so_far(drive.load, 0.0);
         for ((factor, &load), greatest) in factor.iter_mut().zip(drive.load).zip(greatest) {
@@ -32,24 +33,29 @@ impl Softening {
             if greatest != known.0 {
                 known = (greatest, damage(greatest));
             }
-            let back = (load / greatest).max(0.0);
-            *factor *= 1.0 - self.depth * known.1 * (1.0 - self.healing * back * back);
+            let load = load.max(0.0);
+            let healing = below(greatest * greatest - load * load, self.scale * self.scale + SLOPE * greatest * greatest);
+            *factor *= 1.0 - self.depth * ((1.0 - self.healing) * known.1 + self.healing * healing);
         }
     }
 }
 
 impl Stage for Softening {
     fn modulus(&self, drive: &Drive<'_>, factor: &mut [f64]) {
-        self.apply(drive, factor, |greatest| -(-greatest / self.scale).exp_m1());
+        self.apply(drive, factor, |greatest| -(-greatest / self.scale).exp_m1(), |below, scale| erf(below / scale));
     }
 }
 
-/// Sibling: damage as a rational function of the greatest load.
+/// Growth of the energy scale with the greatest energy; values between 0.1 and 0.5 are usual for filled rubbers.
+const SLOPE: f64 = 0.3;
+
+/// Sibling: rational functions of the greatest load and of what is left below it.
 struct Rational(Softening);
 
 impl Stage for Rational {
     fn modulus(&self, drive: &Drive<'_>, factor: &mut [f64]) {
-        self.0.apply(drive, factor, |greatest| 1.4 * greatest / (greatest + self.0.scale));
+        let damage = |greatest: f64| 1.4 * greatest / (greatest + self.0.scale);
+        self.0.apply(drive, factor, damage, |below, scale| 1.4 * below / (below + scale));
     }
 }
 
@@ -66,7 +72,7 @@ impl Effect for MullinsSoftening {
     fn about(&self) -> About {
         About {
             physics: "chains of the rubber let go as the load passes what it has borne before; below that load the beads are softer ever after",
-            equation: "E = E0 [1 - d (1 - exp(-M / l)) (1 - q (L / M)^2)], M the greatest load over all runs; q = 0 damage for good, q = 1 only below M",
+            equation: "E = E0 [1 - d ((1 - q) (1 - exp(-M / l)) + q erf((M² - L²) / (l² + 0.3 M²)))], M the greatest load over all runs; q = 0 damage for good, q = 1 only below M",
             excitation: "a first loading, at best to growing peaks, and loads repeated below them",
             impostors: &["ageing", "strain_stiffening", "rate_independent_hysteresis", "viscoelastic_creep"],
             separates: "the first cycle to a new peak differs from all later ones, which agree with one another; no recovery over a rest",
@@ -77,7 +83,7 @@ impl Effect for MullinsSoftening {
         vec![
             Parameter::normal("depth", "1", 0.0, 0.1, "share of the modulus that a very large load takes away").within(0.0, 0.9),
             Parameter::log_normal("load", "full loads", 0.5, 0.7, "load that does two thirds of the damage").within(0.02, 20.0),
-            Parameter::normal("healing", "1", 0.5, 0.5, "share of the softening that is gone at the greatest load itself")
+            Parameter::normal("healing", "1", 0.5, 0.5, "share of the softening that is there below the greatest load only")
                 .within(0.0, 1.0),
         ]
     }
@@ -95,7 +101,9 @@ impl Effect for MullinsSoftening {
         Some(Box::new(Rational(Softening::new(values))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        let full = fitted[0].value * -(-1.0 / fitted[1].value).exp_m1();
+        let (scale, healing) = (fitted[1].value, fitted[2].value);
+        let unloaded = (1.0 - healing) * -(-1.0 / scale).exp_m1() + healing * erf(1.0 / (scale * scale + SLOPE));
+        let full = fitted[0].value * unloaded;
         let share = if fitted[0].value > 0.0 { full / fitted[0].value } else { 0.0 };
         format!(
             "after its first loading the dielectric is softer for good: {:.2} % (sd {:.2}) once the full load has been borne",
@@ -127,9 +135,10 @@ mod tests {
         for (f, exact) in for_good.iter().zip([1.0, 0.9, 0.9]) {
             approx::assert_abs_diff_eq!(*f, exact, epsilon = 1e-15);
         }
-        let below = factors(&Softening { depth: 0.2, scale, healing: 1.0 }, &[0.0, 1.0, 0.5]);
-        for (f, exact) in below.iter().zip([1.0, 1.0, 1.0 - 0.1 * 0.75]) {
-            approx::assert_abs_diff_eq!(*f, exact, epsilon = 1e-15);
+        // erf(0.75 / (0.2 + 0.3)) = erf(1.5) = 0.966105146475310727
+        let below = factors(&Softening { depth: 0.2, scale: 0.2f64.sqrt(), healing: 1.0 }, &[0.0, 1.0, 0.5]);
+        for (f, exact) in below.iter().zip([1.0, 1.0, 1.0 - 0.2 * 0.966_105_146_475_310_7]) {
+            approx::assert_abs_diff_eq!(*f, exact, epsilon = 1e-12);
         }
     }
 }

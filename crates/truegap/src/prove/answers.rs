@@ -3,6 +3,7 @@
 //! Limits: opens `CASE/recording.toml` and its CSV only, never the key; a diagnosis that was broken off is not kept.
 
 use super::error::{ProveError, read};
+use super::{process, sparse};
 use crate::diagnosis::{Diagnosed, Request, diagnose, open};
 use crate::model_file::ModelFile;
 use crate::output::OutputFolder;
@@ -114,9 +115,21 @@ fn one(folder: &Path, case: &str, stop: &AtomicBool) -> Result<Option<String>, P
     if let Some(model) = ModelFile::of(&diagnosed).ok().and_then(|model| model.to_toml().ok()) {
         out.write("augmented.toml", model)?; // without it the case has no figure on fresh histories, which is said there
     }
+    out.write("controls.json", controls(&diagnosed).to_string() + "\n")?;
     out.write("diagnosis.json", text + "\n")?;
     out.publish()?;
     Ok(None)
+}
+
+/// What a sparse regression and a Gaussian process make of the residual of the calibrated model.
+fn controls(diagnosed: &Diagnosed) -> serde_json::Value {
+    let (recording, traces) = (&diagnosed.recording, &diagnosed.outcome.traces);
+    let noise = diagnosed.outcome.diagnosis.fit.noise_floor;
+    let residual: Vec<f64> = recording.response.iter().zip(&traces.before).map(|(r, b)| r - b).collect();
+    serde_json::json!({
+        "sparse": sparse::claims(&recording.inputs, &residual, noise),
+        "process_misfit_removed": process::misfit_removed(&recording.inputs, &residual, noise),
+    })
 }
 
 fn recorded(path: &Path, stop: &AtomicBool) -> Result<Diagnosed, crate::diagnosis::DiagnosisError> {

@@ -1,6 +1,6 @@
 //! What a simpler rule would have said of the same fits.
 //!
-//! Limits: rules over the single candidates in `diagnosis.json`, which hold evidences and no likelihoods: none of them is a BIC, and none refits.
+//! Limits: rules over the single candidates in `diagnosis.json`; none refits.
 
 use serde_json::{Value, json};
 
@@ -11,7 +11,11 @@ pub(super) struct Rule {
 }
 
 /// The rules scored beside the diagnosis.
-pub(super) const RULES: [Rule; 2] = [
+pub(super) const RULES: [Rule; 3] = [
+    Rule {
+        says: "BIC: names the single effect of the lowest chi2 + k ln(rows), where that is below none's; no prior, no gate, no pairs",
+        claims: lowest_bic,
+    },
     Rule {
         says: "best single evidence: names the effect of the highest log evidence where that beats none; no prior for how many were tried, no gate",
         claims: best_evidence,
@@ -22,6 +26,18 @@ pub(super) const RULES: [Rule; 2] = [
 fn best_evidence(diagnosis: &Value) -> Value {
     match best(diagnosis) {
         Some((effect, score)) if score > 0.0 => named(effect),
+        _ => json!({"verdict": "agrees"}),
+    }
+}
+
+/// Schwarz's criterion over the single effects.
+fn lowest_bic(diagnosis: &Value) -> Value {
+    let rows = diagnosis["recording"]["rows"].as_f64().unwrap_or(1.0);
+    let gain = |c: &Value| Some(c["chi2_drop"].as_f64()? - c["freedom"].as_f64()? * rows.ln());
+    let candidates = diagnosis["candidates"].as_array().into_iter().flatten();
+    let best = candidates.filter_map(|c| Some((c["effect"].as_str()?, gain(c)?))).max_by(|a, b| a.1.total_cmp(&b.1));
+    match best {
+        Some((effect, gain)) if gain > 0.0 => named(effect),
         _ => json!({"verdict": "agrees"}),
     }
 }
@@ -51,5 +67,12 @@ mod tests {
         assert_eq!(best_evidence(&diagnosis(-2.0, -1.0))["verdict"], "agrees");
         assert_eq!(always(&diagnosis(-1.0, -2.0))["findings"][0]["effect"], "a");
         assert_eq!(always(&json!({"candidates": []}))["verdict"], "agrees");
+        // 1000 rows: a parameter must gain 6.9
+        let fitted = |drop: f64| {
+            json!({"recording": {"rows": 1000}, "candidates": [
+            {"effect": "a", "chi2_drop": drop, "freedom": 1}, {"effect": "b", "chi2_drop": drop + 5.0, "freedom": 2}]})
+        };
+        assert_eq!(lowest_bic(&fitted(6.0))["verdict"], "agrees");
+        assert_eq!(lowest_bic(&fitted(8.0))["findings"][0]["effect"], "a");
     }
 }

@@ -9,6 +9,13 @@ use std::fmt::Write;
 pub(super) fn text(score: &Score) -> String {
     let mut text = score.table.clone();
     score.controls.iter().for_each(|control| text += &rule(control));
+    if let Some((share, cases)) = score.process_misfit_removed {
+        // writing to a String cannot fail
+        let _ = writeln!(
+            text,
+            "\ncontrol, Gaussian process on the residual, no physics: removes {share:.3} of the held-out misfit at d >= 16 (median of {cases}), names nothing"
+        );
+    }
     text += &listed("refused (in no share above)", &score.refused);
     text += &listed("not tried on a fresh history", &score.not_tried_afresh);
     text

@@ -34,6 +34,8 @@ pub struct Score {
     pub by_detectability: Vec<Row>,
     /// simpler rules on the same fits
     pub controls: Vec<Control>,
+    /// median share of the held-out misfit that a Gaussian process without physics removes, and the cases it rests on: singles and pairs at d >= 16
+    pub process_misfit_removed: Option<(f64, usize)>,
     /// one by one
     pub cases: Vec<CaseScore>,
     /// recordings that the diagnosis refused, with its reason; they are in no share
@@ -86,6 +88,7 @@ pub fn score(folder: &Path, answered: &Answered, command: &str) -> Result<Score,
     let mut scored = score_folder(folder, &folder.join("diagnoses"))?.scored;
     let study = plan.study()?;
     let mut diagnoses = Vec::new();
+    let mut others = Vec::new();
     let mut not_tried_afresh = Vec::new();
     for case in &mut scored {
         let diagnosis: Value = json(&place(folder, &case.truth.case).join("diagnosis.json"))?;
@@ -97,6 +100,7 @@ pub fn score(folder: &Path, answered: &Answered, command: &str) -> Result<Score,
             }
         }
         diagnoses.push(diagnosis);
+        others.push(json(&place(folder, &case.truth.case).join("controls.json"))?);
     }
     let score = Score {
         plan,
@@ -104,7 +108,8 @@ pub fn score(folder: &Path, answered: &Answered, command: &str) -> Result<Score,
         commitments_sha256: sha256(&read(&folder.join("commitments.txt"))?),
         targets: rows(&scored),
         by_detectability: by_detectability(&scored),
-        controls: controls(folder, &scored, &diagnoses)?,
+        controls: controls(folder, &scored, &diagnoses, &others)?,
+        process_misfit_removed: process_median(&scored, &others),
         cases: scored.iter().map(case_score).collect(),
         refused: answered.refused.clone(),
         not_tried_afresh,
@@ -130,16 +135,31 @@ impl Score {
 }
 
 /// The controls that claim a share; medians and probabilities are not theirs.
-fn controls(folder: &Path, scored: &[Scored], diagnoses: &[Value]) -> Result<Vec<Control>, ProveError> {
-    let control = |rule: &super::controls::Rule| {
-        let claims = scored.iter().zip(diagnoses).map(|(case, diagnosis)| {
+fn controls(folder: &Path, scored: &[Scored], diagnoses: &[Value], others: &[Value]) -> Result<Vec<Control>, ProveError> {
+    let counted = |says: &str, claims: Vec<Value>| {
+        let judgements = scored.iter().zip(&claims).map(|(case, claim)| {
             let path = || place(folder, &case.truth.case).join("diagnosis.json");
-            judged(case.truth.clone(), &(rule.claims)(diagnosis)).map_err(|source| ProveError::Claim { path: path(), source })
+            judged(case.truth.clone(), claim).map_err(|source| ProveError::Claim { path: path(), source })
         });
-        let targets = rows(&claims.collect::<Result<Vec<_>, _>>()?).into_iter().filter(|row| row.hits.is_some()).collect();
-        Ok(Control { says: rule.says.to_owned(), targets })
+        let targets = rows(&judgements.collect::<Result<Vec<_>, _>>()?).into_iter().filter(|row| row.hits.is_some()).collect();
+        Ok(Control { says: says.to_owned(), targets })
     };
-    RULES.iter().map(control).collect()
+    let rules = RULES.iter().map(|rule| counted(rule.says, diagnoses.iter().map(rule.claims).collect()));
+    let sparse = counted(SPARSE, others.iter().map(|o| o["sparse"].clone()).collect());
+    rules.chain(std::iter::once(sparse)).collect()
+}
+
+/// What the sparse regression is.
+const SPARSE: &str =
+    "sparse regression on the residual (thresholded least squares over a dictionary of the inputs), its terms read as physics";
+
+/// Median share that the Gaussian process removes where the causes are of the library and strong.
+fn process_median(scored: &[Scored], others: &[Value]) -> Option<(f64, usize)> {
+    let strong = |case: &Scored| !case.truth.causes.is_empty() && case.truth.detectability >= STRONG;
+    let share = |(_, other): (&Scored, &Value)| other["process_misfit_removed"].as_f64();
+    let mut shares: Vec<f64> = scored.iter().zip(others).filter(|(case, _)| strong(case)).filter_map(share).collect();
+    shares.sort_by(f64::total_cmp);
+    shares.get(shares.len() / 2).map(|median| (*median, shares.len()))
 }
 
 fn case_score(case: &Scored) -> CaseScore {

@@ -16,7 +16,7 @@ use std::{
 /// Prior probabilities of 0, 1, 2 and 3 effects, shared evenly within each number.
 const NUMBER_PRIOR: [f64; 4] = [0.5, 0.35, 0.12, 0.03];
 /// Relative error that even the right physics has when written with the wrong equation (sibling forms; see `docs/diagnosis.md`).
-pub const FORM_ERROR: f64 = 0.25;
+pub const FORM_ERROR: f64 = 0.2;
 /// Partners that are fitted at each step, those that promise most.
 const PARTNERS: usize = 6;
 /// Probability below which a model is not looked at more closely.

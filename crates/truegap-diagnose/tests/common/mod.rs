@@ -51,7 +51,11 @@ fn strain(load: f64, modulus: f64, [a, b]: [f64; 2]) -> f64 {
     let mut e = load / modulus;
     for _ in 0..60 {
         let residual = e * (1.0 + a * e + b * e * e) - load / modulus;
-        e -= residual / (1.0 + 2.0 * a * e + 3.0 * b * e * e);
+        let step = residual / (1.0 + 2.0 * a * e + 3.0 * b * e * e);
+        e -= step;
+        if step.abs() < 1e-16 {
+            break;
+        }
     }
     e
 }

@@ -58,7 +58,7 @@ fn a_bank_recovers_what_it_conceals_is_stored_and_comes_out_the_same() {
     let run = |recordings: usize| {
         let bank = Some(Arc::new(BankOptions { recordings, store: Box::new(memory.clone()) }));
         let effects = ["viscoelastic_creep", "rate_independent_hysteresis", "thermal_lag", "offset_drift"];
-        let options = Options { effects: effects.iter().map(|e| (*e).to_owned()).collect(), bank };
+        let options = Options { effects: effects.iter().map(|e| (*e).to_owned()).collect(), bank, ..Options::default() };
         diagnose(&problem, RecordingFacts::default(), &options, &|_| {}, &stop).unwrap().diagnosis
     };
     let first = run(18);

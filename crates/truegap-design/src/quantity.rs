@@ -63,6 +63,22 @@ impl Quantity {
         }
     }
 
+    /// In words.
+    pub fn says(self) -> &'static str {
+        match self {
+            Self::Young => "modulus of the silicone",
+            Self::Softening => "softening of the silicone",
+            Self::Height => "height of the beads",
+            Self::Conductor => "thickness of the copper",
+            Self::Plating => "thickness of the tin",
+            Self::Insulator => "thickness of the polyimide",
+            Self::BeadDiameter => "diameter of a bead",
+            Self::BeadCount => "number of beads",
+            Self::Diameter => "diameter of the electrode",
+            Self::Stray => "stray capacitance",
+        }
+    }
+
     /// The quantity of a name.
     pub fn named(name: &str) -> Option<Self> {
         QUANTITIES.into_iter().find(|q| q.name() == name)

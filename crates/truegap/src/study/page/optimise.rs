@@ -75,7 +75,7 @@ fn with_vector(page: Page, answer: &OptimiseAnswer, vector: &Candidate) -> Page 
         answer.axes.iter().zip(&vector.values).fold(Table::new(&["quantity", "symbol", "value"]), |table, (axis, value)| {
             let (unit, factor) = axis.quantity.unit();
             table.row(&[
-                axis.quantity.name().replace('_', " "),
+                axis.quantity.says().to_owned(),
                 axis.quantity.symbol().to_owned(),
                 format!("{} {unit}", number(value * factor)),
             ])
@@ -119,7 +119,7 @@ fn space(page: Page, answer: &OptimiseAnswer) -> Page {
                 format!("{} {unit}", levels.iter().map(|l| number(l * factor)).collect::<Vec<_>>().join(", "))
             }
         };
-        table.row(&[axis.quantity.name().replace('_', " "), told])
+        table.row(&[axis.quantity.says().to_owned(), told])
     });
     let excluded = answer.exclusions.iter().fold(Table::new(&["constraint", "excludes", "alone"]), |table, e| {
         table.row(&[e.constraint.says().to_owned(), format!("{:.1} %", 100.0 * e.share), format!("{:.1} %", 100.0 * e.alone)])

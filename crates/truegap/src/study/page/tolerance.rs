@@ -7,6 +7,7 @@ use crate::study::StudyError;
 use crate::study::tolerance::{BatchAnswer, ToleranceAnswer};
 use truegap_design::tolerance::PROBABILITIES;
 use truegap_design::{METRICS, Metric};
+use truegap_diagnose::number::significant;
 use truegap_scene::figure::{Bars, Figure, FigureError};
 use truegap_scene::page::{Page, Table, Tone};
 
@@ -72,7 +73,7 @@ pub(in crate::study) fn html(answer: &ToleranceAnswer) -> Result<String, StudyEr
         page = page.figure(&shares(answer, metric)?, &format!("Share of sensors below a {}.", spoken(metric)));
     }
     if let Some(first) = answer.tighten.first() {
-        let told = format!("Halving the tolerance of {} helps most.", first.quantity.symbol());
+        let told = format!("Halving the tolerance of {} (the {}) helps most.", first.quantity.symbol(), first.quantity.says());
         page = page.section("Which tolerance to tighten first").text(&told);
         page = page.figure(
             &tightened(answer)?,
@@ -94,7 +95,8 @@ fn yields(page: Page, answer: &ToleranceAnswer) -> Page {
         } else {
             Tone::Bad
         };
-        let error = good.standard_error.map_or_else(String::new, |e| format!(" ± {} (standard error)", number(100.0 * e)));
+        let error =
+            good.standard_error.map_or_else(String::new, |e| format!(" ± {} (standard error)", significant(100.0 * e, 2)));
         page = page.callout(
             tone,
             &format!("{}: {:.3} %{error} of the sensors keep the specification.", batch.sensor, 100.0 * good.share),

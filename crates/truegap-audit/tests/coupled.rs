@@ -9,7 +9,8 @@ use truegap_core::{Sensor, VACUUM_PERMITTIVITY};
 use truegap_model::StackOptions;
 use truegap_model::stack::{Device, Warm};
 
-const QUICK: CoupledOptions = CoupledOptions { press: Press::RigidPlate, fineness: Fineness { columns: 32, rows: 1 } };
+const QUICK: CoupledOptions =
+    CoupledOptions { press: Press::RigidPlate, fineness: Fineness { columns: 32, rows: 1 }, target: 1e-4 };
 
 fn sensor(name: &str) -> Sensor {
     builtin_sensor(name).unwrap().unwrap()

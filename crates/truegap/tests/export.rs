@@ -11,7 +11,7 @@ fn sensor() -> Sensor {
 }
 
 fn solved(sensor: &Sensor) -> Solved<'_> {
-    let options = CoupledOptions { press: Press::RigidPlate, fineness: Fineness { columns: 24, rows: 1 } };
+    let options = CoupledOptions { press: Press::RigidPlate, fineness: Fineness { columns: 24, rows: 1 }, target: 1e-3 };
     let command = "truegap export".to_owned();
     let (force_n, temperature_c, beads) = (4.5, 50.0, BeadModel::Free);
     solve(Request { sensor, force_n, temperature_c, colour: Colour::Potential, wedge: true, beads, options, command }).unwrap()

@@ -34,13 +34,15 @@ pub enum Press {
 pub struct CoupledOptions {
     /// how the force reaches the disc
     pub press: Press,
-    /// mesh
+    /// mesh of the section
     pub fineness: Fineness,
+    /// relative error wanted of the capacitances on the deformed section
+    pub target: f64,
 }
 
 impl Default for CoupledOptions {
     fn default() -> Self {
-        Self { press: Press::RigidPlate, fineness: Fineness { columns: 48, rows: 2 } }
+        Self { press: Press::RigidPlate, fineness: Fineness { columns: 48, rows: 2 }, target: 1e-4 }
     }
 }
 
@@ -55,7 +57,7 @@ pub struct Charged {
     pub tail: f64,
     /// beside the sensor
     pub stray: f64,
-    /// estimated magnitude of the error of main + backing on this mesh
+    /// estimated magnitude of the error of main + backing as a field on this section; that of its shape comes from two finenesses
     pub error_estimate: f64,
 }
 
@@ -181,7 +183,7 @@ impl<'a> Whole<'a> {
             _ => disc.carried(kelvin, &Loading::Even(force_n), Bond::Bonded)?,
         };
         let deformed = carried.solution.deformed_mesh();
-        let field = field(&deformed, &|region| self.permittivity(region))?;
+        let field = field(&deformed, &|region| self.permittivity(region), self.options.target)?;
         let charged = self.charged(&field, temperature_c);
         Ok(Coupled { disc, carried, deformed, field, charged, kelvin })
     }

@@ -1,12 +1,13 @@
 //! The electric field on a deformed section.
 //!
-//! Insulators, beads and air between conductors; natural condition at the rim, so no field outside of the plates. Quadratic shapes, one mesh.
+//! Insulators, beads and air between conductors; natural condition at the rim, so no field outside of the plates. Potentials are on the section's own
+//! mesh, capacitances on one refined from it; both keep the section's straight edges.
 
 use super::submesh::{Part, part};
 use crate::AuditError;
 use truegap_fem::Symmetry;
 use truegap_fem::mesh::{Mesh, Topology};
-use truegap_fem::physics::electrostatics::{Conductor, Goal, Problem, Quantity, solve_on};
+use truegap_fem::physics::electrostatics::{Accuracy, Conductor, Goal, Problem, Quantity, solve_adaptive, solve_on};
 use truegap_fem::space::{Nodes, P2};
 
 /// Electrode at 1 V against shields at 0 V.
@@ -29,11 +30,11 @@ pub struct Field {
 /// Regions without a field.
 const METALS: [&str; 2] = ["plating", "conductor"];
 
-/// Solves for the field on a section; `permittivity` gives that of a region, F/m.
+/// Solves for the field on a section; `permittivity` gives that of a region (F/m), `target` is the relative error wanted of the capacitances.
 ///
 /// # Errors
-/// Where the section has folded.
-pub fn field(section: &Mesh, permittivity: &dyn Fn(&str) -> f64) -> Result<Field, AuditError> {
+/// Where the section has folded, or the target is not reached.
+pub fn field(section: &Mesh, permittivity: &dyn Fn(&str) -> f64, target: f64) -> Result<Field, AuditError> {
     let named = || AuditError::fem("field on the deformed section");
     let part = part(section, |region| !METALS.contains(&region));
     part.mesh.check().map_err(|e| named()(truegap_fem::FemError::from(e)))?;
@@ -51,14 +52,17 @@ pub fn field(section: &Mesh, permittivity: &dyn Fn(&str) -> f64) -> Result<Field
     };
     let goal = |name: &str, boundary: &str| Quantity { name: name.into(), goal: Goal::Capacitance { boundary: boundary.into() } };
     let goals = [goal("main", "face"), goal("backing", "conductor.top")];
-    let outcome = solve_on(&problem, &goals, &part.mesh).map_err(named())?;
+    let potential = solve_on(&problem, &[], &part.mesh).map_err(named())?.potential;
+    let mut finer = part.mesh.clone();
+    let accuracy = Accuracy { target, max_unknowns: 400_000, ..Accuracy::default() };
+    let outcome = solve_adaptive(&problem, &goals, &mut finer, &accuracy).map_err(named())?;
     let topology = Topology::new(&part.mesh);
     let nodes = Nodes::new(&part.mesh, &topology);
     Ok(Field {
         main: outcome.answers[0].value,
         backing: outcome.answers[1].value,
         error_estimate: outcome.answers.iter().map(|a| a.error_estimate).sum(),
-        potential: outcome.potential,
+        potential,
         nodes,
         part,
     })

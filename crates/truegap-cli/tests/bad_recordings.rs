@@ -193,7 +193,7 @@ fn outliers_are_left_out_and_no_physics_is_made_of_them() {
     }
     let (code, diagnosis) = diagnosed(&recording, &[]);
     let notice = says(&diagnosis, "outliers", &["5 readings", "row 41 (t = 20.0 s)", "pF", "left out", "loose contact"]);
-    assert_eq!(notice["rows"], serde_json::json!([41, 223, 224, 501, 732]));
+    assert_eq!(notice["rows"], serde_json::json!([[41, 41], [223, 224], [501, 501], [732, 732]]));
     assert_eq!((code, diagnosis["verdict"].as_str().unwrap()), (1, "agrees"), "{}", diagnosis["says"]);
     assert_eq!(diagnosis["recording"]["rows"], 865);
 }

@@ -42,6 +42,25 @@ fn pushed(parameter: &Parameter, z: f64, value: f64) -> String {
     )
 }
 
+/// Prior standard deviations from the centre up to which one straight step is a number to be told.
+const TOLD: f64 = 8.0;
+
+/// `the height (height_rtv) would be 161 µm at small loads but 163 µm at large loads, 6.2 standard deviations apart`.
+fn differs(p: &Parameter, regime: &Regime, [first, second]: [f64; 2], z: f64) -> String {
+    let (name, apart) = (format!("the {} ({})", uncapitalised(&p.meaning), p.name), significant(z.abs(), 2));
+    let values = [first, second].map(|z| p.prior.at(z));
+    let told = |z: f64, value: f64| z.abs() < TOLD && (p.bounds.0..=p.bounds.1).contains(&value);
+    if !(told(first, values[0]) && told(second, values[1])) {
+        let word = if values[0] < values[1] { "smaller" } else { "larger" };
+        return format!(
+            "{name} would be far {word} {} than {}, {apart} standard deviations apart and outside what it can be",
+            regime.first, regime.second
+        );
+    }
+    let (a, b) = two(values[0], values[1], &p.unit);
+    format!("{name} would be {a} {} but {b} {}, {apart} standard deviations apart", regime.first, regime.second)
+}
+
 /// A way to part the rows in two.
 struct Regime {
     first: String,
@@ -58,15 +77,7 @@ fn between_regimes(search: &Search<'_>, base: &Tried) -> Vec<Conflict> {
             (0..model.base_count()).map(|i| (i, apart(&first, &second, i))).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
         if let Some((index, z)) = worst.filter(|w| w.1.abs() > BETWEEN_REGIMES) {
             let p = &model.parameters[index];
-            let (a, b) = two(p.prior.at(first.0[index]), p.prior.at(second.0[index]), &p.unit);
-            let says = format!(
-                "the {} ({}) would be {a} {} but {b} {}, {} standard deviations apart",
-                uncapitalised(&p.meaning),
-                p.name,
-                regime.first,
-                regime.second,
-                significant(z.abs(), 2)
-            );
+            let says = differs(p, &regime, [first.0[index], second.0[index]], z);
             found.push(Conflict { says, parameter: p.name.clone(), z });
         }
     }
@@ -176,6 +187,26 @@ mod tests {
         let says = pushed(&stray, 5.0, 1.5);
         assert!(
             says.contains("must rise from 0 fF to 1.50 pF, 5.0 standard") || says.contains("from 0 pF to 1.50 pF,"),
+            "{says}"
+        );
+    }
+
+    #[test]
+    fn a_step_too_long_for_a_number_is_told_without_one() {
+        let modulus = Parameter {
+            bounds: (1.01, 1e6),
+            ..Parameter::log_normal("modulus", "full loads", 5.0, 1.0, "Load that closes the gap")
+        };
+        let regime = Regime { first: "at small loads".into(), second: "at large loads".into(), in_second: Vec::new() };
+        let says = differs(&modulus, &regime, [-4.75, 6.6], 137.0);
+        assert_eq!(
+            says,
+            "the load that closes the gap (modulus) would be far smaller at small loads than at large loads, 137 standard deviations apart and \
+             outside what it can be"
+        );
+        let says = differs(&modulus, &regime, [0.1, 0.3], 6.24);
+        assert!(
+            says.contains("would be 5.53 full loads at small loads but 6.75 full loads at large loads, 6.2 standard"),
             "{says}"
         );
     }

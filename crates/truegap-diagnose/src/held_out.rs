@@ -58,14 +58,16 @@ pub fn parts(runs: &[Range<usize>], numbers: &[u32]) -> (String, Vec<Part>) {
     ("each run left out in turn, predicted without having been seen".into(), parts)
 }
 
-/// The same for several recordings: runs, and blocks of a single run whose recording has parameters that no other recording could tell.
+/// The same for several recordings: runs, and blocks of single runs where recordings have parameters that no other recording could tell.
 fn joint_parts(joined: &dyn Joined, inputs: &Inputs) -> (String, Vec<Part>) {
     let mut chunks: Vec<(String, Range<usize>)> = Vec::new();
+    // what one recording has of its own it has against the others, the first one included
+    let blocks = (0..joined.count()).any(|index| joined.has_own(index));
     for index in 0..joined.count() {
         let rows = joined.rows(index, inputs);
         let runs: Vec<Range<usize>> = inputs.runs().into_iter().filter(|r| rows.contains(&r.start)).collect();
         match runs.as_slice() {
-            [run] if joined.has_own(index) => {
+            [run] if blocks => {
                 let edge = |k: usize| run.start + k * run.len() / BLOCKS;
                 let block = |k: usize| (format!("block {} of recording {}", k + 1, index + 1), edge(k)..edge(k + 1));
                 chunks.extend((0..BLOCKS).map(block).filter(|(_, rows)| !rows.is_empty()));
@@ -73,7 +75,6 @@ fn joint_parts(joined: &dyn Joined, inputs: &Inputs) -> (String, Vec<Part>) {
             runs => chunks.extend(runs.iter().map(|run| (format!("run {}", inputs.run[run.start]), run.clone()))),
         }
     }
-    let blocks = chunks.iter().any(|(name, _)| name.starts_with("block"));
     let count = chunks.len().min(MOST_PARTS);
     let mut parts: Vec<Part> = (0..count).map(|_| Part { name: String::new(), rows: Vec::new() }).collect();
     for (index, (name, rows)) in chunks.into_iter().enumerate() {
@@ -83,7 +84,7 @@ fn joint_parts(joined: &dyn Joined, inputs: &Inputs) -> (String, Vec<Part>) {
         part.rows.push(rows);
     }
     let how = if blocks {
-        "runs, and blocks of a recording with parameters of its own, each left out in turn"
+        "runs, and blocks of recordings that are one run, each left out in turn"
     } else {
         "each run left out in turn, predicted without having been seen"
     };

@@ -34,8 +34,8 @@ pub struct Notice {
     pub kind: NoticeKind,
     /// what, where, value with unit, how to fix it
     pub says: String,
-    /// rows concerned, counted from 1 as in the recording given
-    pub rows: Vec<usize>,
+    /// rows concerned, as first and last of each stretch, counted from 1 as in the recording given
+    pub rows: Vec<[usize; 2]>,
     /// whether no physics is named because of it
     pub withholds: bool,
 }

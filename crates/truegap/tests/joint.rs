@@ -13,8 +13,12 @@ use truegap::{Sensor, example_recording};
 
 fn diagnosed(recordings: Vec<Recording>, request: &Request) -> Diagnosis {
     let files = recordings.iter().enumerate().map(|(k, r)| (format!("{}.csv", k + 1), r.sha256.clone())).collect();
+    let several = recordings.len() > 1;
     let opened = open(recordings, request).unwrap();
-    diagnose(opened, files, request, &|_| (), &AtomicBool::new(false)).unwrap().outcome.diagnosis
+    let diagnosed = diagnose(opened, files, request, &|_| (), &AtomicBool::new(false)).unwrap();
+    assert_eq!(truegap::report::html(&diagnosed.subject()).contains("The recordings"), several);
+    assert_eq!(diagnosed.prediction_csv().starts_with("run,recording,time_s"), several);
+    diagnosed.outcome.diagnosis
 }
 
 /// Rows of some runs as a recording of their own, whose clock starts at 0.

@@ -155,7 +155,7 @@ impl SlowInput {
         let of_run = |rows: &Range<usize>| CourseRun {
             run: all.inputs.run[rows.start],
             rows: rows.len(),
-            correlation: opened::correlation(&hidden.values, &seen, rows),
+            correlation: moves(&hidden.values, rows).then(|| opened::correlation(&hidden.values, &seen, rows)).flatten(),
             errors: errors(rows.clone()),
         };
         let course_unit = if self.course.through == Through::Zero { all.simulator.unit().to_owned() } else { "1".to_owned() };
@@ -212,6 +212,15 @@ impl SlowInput {
             digits(line.interval.1)
         )
     }
+}
+
+/// Whether a column crosses a tenth of its range in some rows; below that a correlation is one of noise.
+fn moves(column: &[f64], rows: &Range<usize>) -> bool {
+    let range = |values: &[f64]| {
+        let finite = values.iter().copied().filter(|v| v.is_finite());
+        finite.clone().fold(f64::NEG_INFINITY, f64::max) - finite.fold(f64::INFINITY, f64::min)
+    };
+    range(&column[rows.clone()]) > 0.1 * range(column)
 }
 
 /// Rows at which the course is known better than to half of how far it moves.

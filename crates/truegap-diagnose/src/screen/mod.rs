@@ -74,9 +74,21 @@ impl Rows<'_> {
         if self.unit.is_empty() || self.unit == "1" { number.to_owned() } else { format!("{number} {}", self.unit) }
     }
 
-    /// Numbers of all rows of some ranges.
-    fn numbers<'r>(&self, ranges: impl Iterator<Item = &'r Range<usize>>) -> Vec<usize> {
-        ranges.flat_map(Clone::clone).map(|row| self.number(row)).collect()
+    /// First and last number of each stretch.
+    fn numbers<'r>(&self, ranges: impl Iterator<Item = &'r Range<usize>>) -> Vec<[usize; 2]> {
+        ranges.map(|rows| [self.number(rows.start), self.number(rows.end - 1)]).collect()
+    }
+
+    /// The same for single rows in order, neighbours put together.
+    fn numbers_of(&self, rows: &[usize]) -> Vec<[usize; 2]> {
+        let mut found: Vec<[usize; 2]> = Vec::new();
+        for number in rows.iter().map(|row| self.number(*row)) {
+            match found.last_mut() {
+                Some([_, last]) if *last + 1 == number => *last = number,
+                _ => found.push([number, number]),
+            }
+        }
+        found
     }
 }
 

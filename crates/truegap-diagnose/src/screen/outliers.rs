@@ -47,7 +47,7 @@ pub fn outliers(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<u
     let notice = Notice {
         kind: NoticeKind::Outliers,
         says: says(&found, out.len(), too_many, response, rows),
-        rows: out.iter().map(|row| rows.number(*row)).collect(),
+        rows: rows.numbers(found.iter()),
         withholds: too_many,
     };
     Some((notice, if too_many { Vec::new() } else { out }))

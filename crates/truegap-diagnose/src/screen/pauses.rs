@@ -28,5 +28,5 @@ pub fn pauses(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
         text(usual),
         if found.len() > 1 { format!(" ({} such pauses)", found.len()) } else { String::new() }
     );
-    Some(Notice { kind: NoticeKind::Gap, says, rows: found.iter().map(|r| rows.number(*r)).collect(), withholds: false })
+    Some(Notice { kind: NoticeKind::Gap, says, rows: rows.numbers_of(&found), withholds: false })
 }

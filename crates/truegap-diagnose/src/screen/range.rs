@@ -42,7 +42,7 @@ fn loads(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
         rows.place(worst),
         out.len()
     );
-    Some(Notice { kind: NoticeKind::OutOfRange, says, rows: out.iter().map(|r| rows.number(*r)).collect(), withholds: true })
+    Some(Notice { kind: NoticeKind::OutOfRange, says, rows: rows.numbers_of(&out), withholds: true })
 }
 
 fn temperatures(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
@@ -57,5 +57,5 @@ fn temperatures(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
         rows.place(worst),
         out.len()
     );
-    Some(Notice { kind: NoticeKind::OutOfRange, says, rows: out.iter().map(|r| rows.number(*r)).collect(), withholds: true })
+    Some(Notice { kind: NoticeKind::OutOfRange, says, rows: rows.numbers_of(&out), withholds: true })
 }

@@ -13,6 +13,7 @@ mod map;
 mod next;
 mod origin;
 mod parameters;
+mod recordings;
 mod subject;
 mod summary;
 pub mod terminal;
@@ -32,6 +33,7 @@ pub fn html(subject: &Subject<'_>) -> String {
     let page = Page::new(&format!("Diagnosis of {}", short(&subject.diagnosis.recording.source))).raw_html(draw::STYLE);
     let page = summary::add(page, subject, &axis);
     let page = origin::issues(page, subject);
+    let page = recordings::add(page, subject);
     let page = concealed::add(page, subject, &axis);
     let page = findings::add(page, subject);
     let page = map::add(page, subject);

@@ -83,7 +83,8 @@ pub fn diagnose(
     let directions = directions(searched.inputs, searched.simulator);
     let gate = Gate::new(&directions, &whitener, searched.runs(), searched_noise.uncertainty);
     let mut examined = examine(&search, &gate)?;
-    let bank = match &options.bank {
+    // where nothing may be named, there is nothing to be right or wrong about
+    let bank = match options.bank.as_ref().filter(|_| options.withheld.is_none()) {
         Some(wanted) => Some(fill(&search, Whole { problem, noise: &noise }, &examined, wanted)?),
         None => None,
     };

@@ -158,6 +158,9 @@ fn key(search: &Search<'_>, inputs: &truegap_core::Inputs, noise: &NoiseModel, l
     column("humidity", inputs.humidity_pct.as_deref());
     column("simulated", inputs.simulated.as_deref());
     column("noise", Some(&[noise.response.white_sd, noise.response.ar_sd, noise.response.ar_correlation]));
+    for each in &noise.recordings {
+        column("its noise", Some(&[each.response.white_sd, each.response.ar_sd, each.response.ar_correlation]));
+    }
     column("input", Some(&noise.input_error.variance));
     column("level", Some(&noise.input_error.level));
     inputs.run.iter().for_each(|run| hash.update(run.to_le_bytes()));

@@ -69,8 +69,19 @@ fn the_published_disc_buckles_at_its_published_temperature() {
 }
 
 #[test]
+fn a_film_on_metal_puts_what_it_may_not_spread_into_its_thickness() {
+    let s = sensor("singletact-s15-4.5n");
+    let all = findings(&s);
+    let row = find(&all, "INSULATOR-EXPANDS-FREELY");
+    // Plane stress with the metal's strain: 20 + 2 * 0.34 / 0.66 * (20 - 16.7) = 23.40 ppm/K.
+    let bonded = 20.0 + 2.0 * 0.34 / 0.66 * (20.0 - 16.7);
+    assert!((row.fem.value - bonded).abs() < 1e-3, "{}", row.fem.value);
+    assert!(row.effect_on.k_baseline_pct.unwrap() < -10.0, "{:?}", row.effect_on);
+}
+
+#[test]
 fn a_sensor_of_one_metal_has_no_warp_to_audit() {
     let s = sensor("single-metal-s15");
     let left: Vec<&str> = ASSUMPTIONS.iter().filter(|a| a.applies(&s).is_ok()).map(|a| a.id()).collect();
-    assert_eq!(left, ["RIGID-PLATES"]);
+    assert_eq!(left, ["INSULATOR-EXPANDS-FREELY", "RIGID-PLATES"]);
 }

@@ -4,6 +4,7 @@
 
 mod beads_do_not_hold;
 mod bimetal_strip;
+mod insulator_expands_freely;
 mod layers_outside_ignored;
 mod rigid_plates;
 mod small_deflection;
@@ -13,6 +14,7 @@ mod warp_under_load;
 
 pub use beads_do_not_hold::BeadsDoNotHold;
 pub use bimetal_strip::BimetalStrip;
+pub use insulator_expands_freely::InsulatorExpandsFreely;
 pub use layers_outside_ignored::LayersOutsideIgnored;
 pub use rigid_plates::RigidPlates;
 pub use small_deflection::SmallDeflection;
@@ -22,5 +24,13 @@ pub use warp_under_load::WarpUnderLoad;
 use crate::Assumption;
 
 /// The list, in the order of the model's chain.
-pub const ASSUMPTIONS: &[&dyn Assumption] =
-    &[&BimetalStrip, &SmallDeflection, &SphericalStable, &LayersOutsideIgnored, &BeadsDoNotHold, &WarpUnderLoad, &RigidPlates];
+pub const ASSUMPTIONS: &[&dyn Assumption] = &[
+    &BimetalStrip,
+    &SmallDeflection,
+    &SphericalStable,
+    &LayersOutsideIgnored,
+    &InsulatorExpandsFreely,
+    &BeadsDoNotHold,
+    &WarpUnderLoad,
+    &RigidPlates,
+];

@@ -11,7 +11,7 @@ use std::{
 use truegap_core::Sensor;
 
 /// Raised with every change of a method, so that old findings are not taken for new ones.
-pub const REVISION: u32 = 2;
+pub const REVISION: u32 = 4;
 
 /// What a finding depends on.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -18,7 +18,7 @@ pub enum AuditError {
         /// what was solved
         problem: String,
         /// why it failed
-        source: FemError,
+        source: Box<FemError>,
     },
     /// The analytic model has no answer somewhere in the range of the study.
     #[error(
@@ -104,30 +104,30 @@ impl AuditError {
     /// Names the problem that the finite elements failed at; for `map_err`.
     pub fn fem<E: Into<FemError>>(problem: &str) -> impl FnOnce(E) -> Self {
         let problem = problem.to_owned();
-        move |source| Self::Fem { problem, source: source.into() }
+        move |source| Self::Fem { problem, source: Box::new(source.into()) }
     }
 }
 
 impl From<FemError> for AuditError {
     fn from(source: FemError) -> Self {
-        Self::Fem { problem: "finite elements".into(), source }
+        Self::Fem { problem: "finite elements".into(), source: Box::new(source) }
     }
 }
 
 impl From<MeshError> for AuditError {
     fn from(source: MeshError) -> Self {
-        Self::Fem { problem: "mesh".into(), source: source.into() }
+        Self::Fem { problem: "mesh".into(), source: Box::new(source.into()) }
     }
 }
 
 impl From<ElasticityError> for AuditError {
     fn from(source: ElasticityError) -> Self {
-        Self::Fem { problem: "elastic body".into(), source: source.into() }
+        Self::Fem { problem: "elastic body".into(), source: Box::new(source.into()) }
     }
 }
 
 impl From<ElectrostaticsError> for AuditError {
     fn from(source: ElectrostaticsError) -> Self {
-        Self::Fem { problem: "electric field".into(), source: source.into() }
+        Self::Fem { problem: "electric field".into(), source: Box::new(source.into()) }
     }
 }

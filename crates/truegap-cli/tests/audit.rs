@@ -47,3 +47,47 @@ fn an_assumption_that_is_not_there_is_answered_with_the_register() {
     Bench::new().refuses(&["audit", "--only", "NO-FRINGES", "--no-cache"], &["NO-FRINGES", "NO-FRINGING", "BIMETAL-STRIP"]);
     Bench::new().refuses(&["audit", "--sensor", "singletact-s15-45n", "--no-cache"], &["singletact-s15-4.5n"]);
 }
+
+const SPACE: &str = r#"
+schema = "truegap.space/1"
+sensor = "singletact-s15-4.5n"
+designs = 6
+seed = 3
+only = ["TAIL-PARALLEL-PLATE", "MIXING-PARALLEL"]
+[axes]
+height = "150 um:210 um"
+conductor = "10 um,17 um,34 um"
+bead_count = "50:70"
+"#;
+
+#[test]
+fn a_space_in_shards_is_the_space_in_one() {
+    let bench = Bench::new();
+    bench.file("space.toml", SPACE);
+    let audit = |more: &[&str]| bench.run(&[&["audit", "--space", "space.toml", "--quiet"], more].concat());
+    assert_eq!(audit(&["-o", "whole"]).code, 1);
+    // Out of order, and one of them twice.
+    for shard in ["2/3", "1/3", "3/3", "1/3"] {
+        let said = audit(&["-o", "parts", "--shard", shard]);
+        assert_eq!(said.code, 0, "{}{}", said.out, said.err);
+    }
+    assert_eq!(bench.run(&["merge", "parts"]).code, 1);
+    for name in ["audit-space.json", "audit-space.csv"] {
+        let read = |folder: &str| std::fs::read(bench.path(folder).join(name)).unwrap();
+        assert_eq!(read("whole"), read("parts"), "{name}");
+        assert!(read("whole").len() > 500);
+    }
+    let text = std::fs::read_to_string(bench.path("whole/audit-space.csv")).unwrap();
+    // Two rows a design; designs whose gap closes have none.
+    assert!(text.lines().count() % 2 == 1 && text.lines().count() >= 7, "{text}");
+}
+
+#[test]
+fn a_space_that_cannot_be_read_says_what_to_write() {
+    let bench = Bench::new();
+    bench.file("a.toml", &SPACE.replace("space/1", "space/9"));
+    bench.refuses(&["audit", "--space", "a.toml", "-o", "x"], &["a.toml", "truegap.space/9", "truegap.space/1"]);
+    bench.file("b.toml", &SPACE.replace("height", "hight"));
+    bench.refuses(&["audit", "--space", "b.toml", "-o", "x"], &["hight"]);
+    bench.refuses(&["audit", "--space", "nowhere.toml", "-o", "x"], &["nowhere.toml"]);
+}

@@ -54,7 +54,8 @@ pub fn heated_stiffness(cell: &Cell, thermal_strain: f64, strain: f64) -> Result
     let cold = secant(push(0.0, strain)?, Estimated { value: 0.0, error_estimate: 0.0 }, strain);
     let squeezed = strain * (1.0 + grown) - grown;
     let loaded = push(thermal_strain, squeezed)?;
-    let hot = secant(loaded, push(thermal_strain, -grown)?, strain * (1.0 + grown));
+    // the squeeze is a share of the hot height, as strain is in the model
+    let hot = secant(loaded, push(thermal_strain, -grown)?, strain);
     Ok(Estimated {
         value: hot / cold,
         error_estimate: 2.0 * loaded.error_estimate / loaded.value.abs() * (hot / cold - 1.0).abs(),

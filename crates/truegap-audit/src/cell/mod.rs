@@ -5,6 +5,7 @@
 
 mod charge;
 mod geometry;
+mod growth;
 mod heat;
 mod law;
 mod press;
@@ -12,6 +13,7 @@ mod rim;
 
 pub use charge::{Charged, Filled, cell_capacitance};
 pub use geometry::{Cell, Profile};
+pub use growth::Growth;
 pub use heat::{Estimated, heated_stiffness, held_expansion};
 pub use law::{Law, bonded_law};
 pub use press::{Bonding, Pressed, PressedAt, error_by_rim, heated_and_loaded, press};

@@ -72,7 +72,7 @@ pub fn press(cell: &Cell, bonding: Bonding, strains: &[f64]) -> Result<Pressed, 
         }
     }
     let source = last.map_or(ElasticityError::IllConditioned { correction: f64::INFINITY }, |e| e);
-    Err(AuditError::Fem { problem: "squeezed bead".into(), source: source.into() })
+    Err(AuditError::Fem { problem: "squeezed bead".into(), source: Box::new(source.into()) })
 }
 
 /// Relative error of the force: its greatest change, at four of the strains, to a rim meshed twice as coarsely. The error is of first order in the rim,
@@ -136,7 +136,7 @@ pub fn heated_and_loaded(cell: &Cell, heat: f64, reduced_load: f64, start: f64) 
             other => return other.map_err(AuditError::fem("heated and loaded bead")),
         }
     }
-    Err(AuditError::Fem { problem: "heated and loaded bead".into(), source: last.into() })
+    Err(AuditError::Fem { problem: "heated and loaded bead".into(), source: Box::new(last.into()) })
 }
 
 fn equilibrium(cell: &Cell, heat: f64, reduced_load: f64, start: f64, rim: f64) -> Result<PressedAt, FemError> {

@@ -2,14 +2,19 @@
 //!
 //! Limits: bonded beads that hold the electrode flat; the box of each table; shielded layout; full contact (no lift-off), no bending between beads.
 
-use super::{Table, library, make};
-use crate::{AuditError, assumptions::cell::filled, cell::Cell, fit::Chebyshev};
+use super::{Axis, Table, library, make};
+use crate::{
+    AuditError,
+    assumptions::cell::filled,
+    cell::{Cell, Growth},
+    fit::Chebyshev,
+};
 use truegap_core::{
     Inputs, Parameter, Role, Sensor, SimulationError, Simulator, Stage, VACUUM_PERMITTIVITY, sensor::Layout, simulator::StageName,
 };
 use truegap_model::{
     Stack, StackOptions,
-    stack::{Device, Refusal},
+    stack::{Device, Refusal, Warm},
 };
 
 /// The corrected model of one sensor.
@@ -25,11 +30,11 @@ pub struct Corrected {
 struct Pieces {
     device: Device,
     secant: Chebyshev,
-    field: Chebyshev,
+    /// over (temperature above the reference, strain)
+    field: Table,
     rim: Table,
     tail: f64,
-    free: f64,
-    height: f64,
+    growth: Growth,
     softest: f64,
 }
 
@@ -75,11 +80,10 @@ impl Pieces {
         let (cell, tables) = (Cell::of(sensor)?, library()?);
         check_permittivities(sensor)?;
         let compressibility = 1.0 - 2.0 * cell.poisson;
-        let (s, film) = (cell.shape_factor(), cell.film / cell.height);
+        let s = cell.shape_factor();
         let radius = 0.5 * sensor.diameter.value;
         let electrode = sensor.conductor.thickness.value + sensor.plating.as_ref().map_or(0.0, |p| p.thickness.value);
-        let held = tables.held_expansion.at(&[s, compressibility])?;
-        let (free, plates) = (sensor.dielectric.layer.material.expansion, sensor.conductor.material.expansion);
+        let growth = Growth::of(sensor, tables.held_expansion.at(&[s, compressibility])?);
         let tail = match sensor.tail {
             (length, width) if length * width > 0.0 => {
                 tables.tail_edge.at(&[width / cell.film, sensor.conductor.thickness.value / cell.film])?
@@ -87,24 +91,22 @@ impl Pieces {
             _ => 1.0,
         };
         let secant = curve(&tables.bead_load.given(&[s, compressibility])?);
+        let device = Device::new(sensor, StackOptions { warp: false, ..StackOptions::default() });
         Ok(Self {
-            device: Device::new(sensor, StackOptions { warp: false, ..StackOptions::default() }),
             softest: secant.at(0.0)?,
             secant,
-            field: curve(&tables.cell_field.given(&[s, cell.coverage(), film])?),
+            field: field(&tables.cell_field, &device, growth, &cell)?,
             rim: tables.rim_field.given(&[cell.film / radius, electrode / radius])?,
+            device,
             tail,
-            free,
-            height: plates + held * (free - plates),
+            growth,
         })
     }
 
     /// The warm sensor with beads whose faces are held.
-    fn warm(&self, temperature_c: f64) -> truegap_model::stack::Warm {
+    fn warm(&self, temperature_c: f64) -> Warm {
         let mut warm = self.device.at(temperature_c);
-        let (free, held) = (1.0 + self.free * warm.kelvin, 1.0 + self.height * warm.kelvin);
-        warm.layers.beads *= held / free;
-        warm.areas.solid *= free / held;
+        self.growth.apply(&mut warm);
         warm
     }
 
@@ -140,11 +142,31 @@ impl Pieces {
         let mut parts = self.device.capacitances(&warm, &row).map_err(refuse)?;
         let gap = warm.layers.beads * (1.0 - strain);
         let mixed = parts.beads * gap / (warm.areas.electrode * VACUUM_PERMITTIVITY);
-        parts.shares.main *= self.field.at(strain)?;
+        parts.shares.main *= self.field.at(&[warm.kelvin, strain])?;
         parts.shares.main += VACUUM_PERMITTIVITY * warm.radius * self.rim.at(&[mixed, gap / warm.radius])?;
         parts.shares.tail *= self.tail;
         Ok(self.device.total(parts.shares) * 1e12)
     }
+}
+
+/// Temperatures above the reference that the corrected model covers, K.
+const KELVIN: [f64; 2] = [-30.0, 40.0];
+
+/// Field over mixture of a sensor over (temperature above the reference, strain): the bead as heat has left it, by its mean area and its height.
+fn field(table: &Table, device: &Device, growth: Growth, cell: &Cell) -> Result<Table, AuditError> {
+    let strains = table.axes.last().cloned().unwrap_or_else(|| Axis::linear("compressive strain", 0.0, make::GREATEST_STRAIN, 1));
+    let axes = vec![Axis::linear("temperature above the reference (K)", KELVIN[0], KELVIN[1], 3), strains];
+    let cold_area = device.warmed_by(0.0).areas.solid;
+    let factor = |p: &Vec<f64>| {
+        let mut warm = device.warmed_by(p[0]);
+        growth.apply(&mut warm);
+        let wider = (warm.areas.solid / cold_area).sqrt();
+        let shape = cell.shape_factor() * wider * cell.height / warm.layers.beads;
+        let coverage = warm.areas.solid / warm.areas.electrode;
+        table.at(&[shape, coverage, warm.layers.insulator / warm.layers.beads, p[1]])
+    };
+    let values = Table::nodes(&axes).iter().map(factor).collect::<Result<Vec<_>, _>>()?;
+    Ok(Table::interpolating(&table.id, &table.says, axes, values))
 }
 
 /// A table of one argument as a curve.

@@ -123,9 +123,9 @@ pub fn heat() -> Result<Table, AuditError> {
 pub fn cell_field() -> Result<Table, AuditError> {
     let axes = vec![
         shape_factors(6),
-        Axis::linear("coverage, bead area / electrode area", 0.03, 0.5, 6),
-        Axis::logarithmic("insulator / bead height", 0.045, 0.5, 5),
-        strains(4),
+        Axis::linear("coverage, bead area / electrode area", 0.03, 0.5, 5),
+        Axis::logarithmic("insulator / bead height", 0.045, 0.5, 6),
+        strains(6),
     ];
     let says = "capacitance of the cell of a squeezed bonded bead over that by (11), (20) and (21) at the same strain; nu = 0.49, permittivities 3.4, 1 and 3.4";
     let shapes =

@@ -4,11 +4,10 @@
 
 use crate::{
     Assumption, AuditError, Finding, Study, Swap,
-    cell::{Cell, Estimated, held_expansion},
+    cell::{Cell, Growth, held_expansion},
     finding::{Measure, Measured},
 };
 use truegap_core::Sensor;
-use truegap_model::stack::Warm;
 
 /// See the module.
 pub struct FreeExpansion;
@@ -35,7 +34,7 @@ impl Assumption for FreeExpansion {
 
     fn examine(&self, study: &Study<'_>) -> Result<Finding, AuditError> {
         let held = held_expansion(&Cell::of(study.sensor)?)?;
-        let growth = Growth::of(study.sensor, held);
+        let growth = Growth::of(study.sensor, held.value);
         let swap = Swap::none().warm(move |warm| {
             growth.apply(warm);
             Ok(())
@@ -54,27 +53,5 @@ impl Assumption for FreeExpansion {
             figure: None,
         }
         .finding(self))
-    }
-}
-
-/// Coefficients of expansion of a bead between plates, 1/K.
-#[derive(Clone, Copy, Debug)]
-struct Growth {
-    free: f64,
-    plates: f64,
-    height: f64,
-}
-
-impl Growth {
-    fn of(sensor: &Sensor, held: Estimated) -> Self {
-        let (free, plates) = (sensor.dielectric.layer.material.expansion, sensor.conductor.material.expansion);
-        Self { free, plates, height: plates + held.value * (free - plates) }
-    }
-
-    /// Height as held; mean area by the volume, which expands freely.
-    fn apply(&self, warm: &mut Warm) {
-        let (free, held) = (1.0 + self.free * warm.kelvin, 1.0 + self.height * warm.kelvin);
-        warm.layers.beads *= held / free;
-        warm.areas.solid *= free / held;
     }
 }

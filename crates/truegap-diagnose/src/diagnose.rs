@@ -18,8 +18,8 @@ use crate::{
     latent::{Hidden, SlowInput},
     problem::Problem,
     search::{LOOSE, Progress, Search},
-    thin::thin,
     select::Selection,
+    thin::thin,
     verdict::{Decision, interrupted},
 };
 use std::sync::{Arc, atomic::AtomicBool};

@@ -36,7 +36,7 @@ pub struct Examined {
 pub fn examine(search: &Search<'_>, gate: &Gate) -> Result<Examined, SimulationError> {
     let base = search.base()?;
     let nothing = base.fit.objective();
-    Ok(judge(search, gate, select(search, base).merged(|tried| hidden(search, tried, nothing))))
+    Ok(judge(search, gate, select(search, base).merged(|models, tried| hidden(search, models, tried, nothing))))
 }
 
 /// The verdict on a selection.
@@ -51,12 +51,20 @@ pub fn judge(search: &Search<'_>, gate: &Gate, selection: Selection) -> Examined
 
 /// The effect of a model that stands least above the noise, and above the error of its equations, where that is not enough; `nothing` is the objective of the
 /// base model.
-fn hidden(search: &Search<'_>, tried: &Tried, nothing: f64) -> Option<usize> {
-    let whole = (2.0 * (nothing - tried.fit.objective())).max(0.0).sqrt();
-    let needed = VISIBLE.max(VISIBLE_SHARE * whole);
-    let seen = (0..tried.effects.len()).map(|index| (detectability(search, tried, index), tried.effects[index]));
+///
+/// An effect stands out by what the objective rises without it: exactly, where the model without it was fitted, else as its linear detectability has it.
+fn hidden(search: &Search<'_>, models: &[Tried], tried: &Tried, nothing: f64) -> Option<usize> {
+    let deviance = |objective: f64| (2.0 * (objective - tried.fit.objective())).max(0.0).sqrt();
+    let needed = if tried.effects.len() > 1 { VISIBLE.max(VISIBLE_SHARE * deviance(nothing)) } else { VISIBLE };
+    let without = |effect: usize| {
+        let mut key: Vec<usize> = tried.key();
+        key.retain(|e| *e != effect);
+        models.iter().find(|m| m.key() == key).map(|m| m.fit.objective())
+    };
+    let seen = (0..tried.effects.len()).map(|index| {
+        let exact = without(tried.effects[index]).map(deviance);
+        (exact.unwrap_or_else(|| detectability(search, tried, index)), tried.effects[index])
+    });
     let least = seen.min_by(|a, b| a.0.total_cmp(&b.0));
-    // alone, an effect is the whole misfit
-    let needed = if tried.effects.len() > 1 { needed } else { VISIBLE };
     least.filter(|(d, _)| *d < needed).map(|(_, effect)| effect)
 }

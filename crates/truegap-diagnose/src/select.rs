@@ -74,7 +74,7 @@ impl Selection {
     /// `hidden` names the least visible effect of a model, where it does not stand above the noise. One effect is dropped at a time: two that can stand in
     /// for one another are each hidden by the other, and together they are not nothing.
     #[must_use]
-    pub fn merged(mut self, hidden: impl Fn(&Tried) -> Option<usize>) -> Self {
+    pub fn merged(mut self, hidden: impl Fn(&[Tried], &Tried) -> Option<usize>) -> Self {
         let keys: Vec<Vec<usize>> = self.models.iter().map(Tried::key).collect();
         let largest = keys.iter().map(Vec::len).max().unwrap_or(0);
         for size in (1..=largest).rev() {
@@ -82,7 +82,7 @@ impl Selection {
                 if keys[index].len() != size || self.probability[index] < NEGLIGIBLE {
                     continue;
                 }
-                let Some(dropped) = hidden(&self.models[index]) else { continue };
+                let Some(dropped) = hidden(&self.models, &self.models[index]) else { continue };
                 let key: Vec<usize> = keys[index].iter().copied().filter(|e| *e != dropped).collect();
                 let target = keys.iter().position(|k| *k == key).unwrap_or(self.base);
                 self.probability[target] += self.probability[index];

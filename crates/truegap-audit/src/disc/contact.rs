@@ -35,7 +35,7 @@ pub struct Carried {
 /// Rounds in which sets must settle.
 const ROUNDS: usize = 40;
 /// Solves at one travel of the load plate.
-const PIVOTS: usize = 400;
+const PIVOTS: usize = 200;
 /// A pull smaller than this share of the mean nodal force is rounding.
 const SLACK_FORCE: f64 = 1e-4;
 /// A node closer to the plate than this touches it, m.

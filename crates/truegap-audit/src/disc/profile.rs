@@ -61,6 +61,11 @@ impl Profile {
         if b > a { za + (zb - za) * (share - a) / (b - a) } else { za }
     }
 
+    /// Lowest height, m.
+    pub fn lowest(&self) -> f64 {
+        self.points.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min)
+    }
+
     /// Largest distance from the mean height, m.
     pub fn largest_deviation(&self) -> f64 {
         let mean = self.mean();

@@ -2,7 +2,7 @@
 //!
 //! Limits: beads as an even layer with the model's own stiffness; whether real beads are bonded is for recordings to decide.
 
-use super::warp::{figure, paper_curvature, paper_sag_um, paper_shape, warps};
+use super::warp::{Effect, figure, paper_curvature, paper_sag_um, paper_shape, warps};
 use crate::disc::foundation::Foundation;
 use crate::disc::{BeadSpring, Disc, Laminate, Loading, Profile, Strains, refined, shaped};
 use crate::{Assumption, AuditError, Finding, Measure, Study, finding::Measured};
@@ -45,17 +45,19 @@ impl Assumption for BeadsDoNotHold {
         let sphere = paper_shape(study)?;
         let mut shapes = vec![("free (9)", &sphere), ("bonded: finite elements", &fem.result)];
         shapes.extend(closed.as_ref().map(|shape| ("bonded: plate on springs", shape)));
+        let effect = Effect::of(study, shaped(&fem.result, kelvin))?;
         let mut finding = Measured {
             unit: "um",
             analytic: paper_sag_um(study)?,
             fem: fem.value,
             error_estimate: fem.error,
             measure: Measure { name: "radius / (D / k)^(1/4)".into(), value: plate.radius / springs.length(), limit: 1.0 },
-            effect_on: study.effect(shaped(&fem.result, kelvin))?,
+            effect_on: effect.on,
             figure: Some(figure(study, "Electrode at the hot end, free and on bonded beads", &shapes)),
         }
         .finding(self);
         finding.reason += &states(study, &plate, &beads, closed.as_ref())?;
+        effect.mark(&mut finding);
         Ok(finding)
     }
 }

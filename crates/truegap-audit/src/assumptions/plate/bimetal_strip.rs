@@ -2,7 +2,7 @@
 //!
 //! Limits: free electrode of two metals, small deflection.
 
-use super::warp::{figure, paper_sag_um, paper_shape, warps};
+use super::warp::{Effect, figure, paper_sag_um, paper_shape, warps};
 use crate::disc::{Disc, Laminate, Strains, refined, shaped};
 use crate::{Assumption, AuditError, Finding, Measure, Study, finding::Measured};
 use truegap_core::Sensor;
@@ -39,6 +39,7 @@ impl Assumption for BimetalStrip {
         )?;
         let ratio = plate.sheets.first().zip(plate.sheets.last()).map_or(1.0, |(a, b)| (1.0 - b.poisson) / (1.0 - a.poisson));
         let theory = 1e6 * plate.free_sag(kelvin);
+        let effect = Effect::of(study, shaped(&fem.result, kelvin))?;
         let mut finding = Measured {
             unit: "um",
             analytic: paper_sag_um(study)?,
@@ -49,7 +50,7 @@ impl Assumption for BimetalStrip {
                 value: (ratio - 1.0).abs(),
                 limit: 0.05,
             },
-            effect_on: study.effect(shaped(&fem.result, kelvin))?,
+            effect_on: effect.on,
             figure: Some(figure(
                 study,
                 "Free electrode at the hot end, small deflection",
@@ -58,6 +59,7 @@ impl Assumption for BimetalStrip {
         }
         .finding(self);
         finding.reason += &format!("; rim above centre at +{kelvin} K: plate theory {theory:.3} um");
+        effect.mark(&mut finding);
         Ok(finding)
     }
 }

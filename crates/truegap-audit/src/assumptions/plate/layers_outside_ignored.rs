@@ -2,7 +2,7 @@
 //!
 //! Limits: the insulator of the sensor file only; shields and covers behind it are not described there and would stiffen the electrode further.
 
-use super::warp::{figure, paper_sag_um, paper_shape, warps};
+use super::warp::{Effect, figure, paper_sag_um, paper_shape, warps};
 use crate::disc::{Disc, Laminate, Loading, Strains, refined, shaped};
 use crate::{Assumption, AuditError, Finding, Measure, Study, finding::Measured};
 use truegap_core::Sensor;
@@ -38,6 +38,7 @@ impl Assumption for LayersOutsideIgnored {
             |shape| 1e6 * shape.sag(),
         )?;
         let stretching = |p: &Laminate| p.sheets.iter().map(|s| s.young * s.thickness).sum::<f64>();
+        let effect = Effect::of(study, shaped(&fem.result, kelvin))?;
         let mut finding = Measured {
             unit: "um",
             analytic: paper_sag_um(study)?,
@@ -48,7 +49,7 @@ impl Assumption for LayersOutsideIgnored {
                 value: stretching(&plate) / stretching(&bare) - 1.0,
                 limit: 0.003,
             },
-            effect_on: study.effect(shaped(&fem.result, kelvin))?,
+            effect_on: effect.on,
             figure: Some(figure(
                 study,
                 "Free electrode with the insulator behind it at the hot end",
@@ -61,6 +62,7 @@ impl Assumption for LayersOutsideIgnored {
             1e6 * plate.free_sag(kelvin),
             1e6 * bare.free_sag(kelvin)
         );
+        effect.mark(&mut finding);
         Ok(finding)
     }
 }

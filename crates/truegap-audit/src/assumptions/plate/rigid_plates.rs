@@ -2,7 +2,7 @@
 //!
 //! Limits: rings for beads (a ring spans one way only, a bead two), an even load, small deflection; a rigid load plate would prevent it.
 
-use super::warp::figure;
+use super::warp::{Effect, figure};
 use crate::disc::{BeadSpring, Disc, Laminate, Loading, Profile, Strains, refined};
 use crate::{Assumption, AuditError, Finding, Measure, Study, Swap, finding::Measured};
 use truegap_core::{Sensor, sensor::Filling};
@@ -37,17 +37,15 @@ impl Assumption for RigidPlates {
         let zones = BeadSpring::zones(study.sensor);
         let row = study.chain(Swap::none()).row(full, study.options.cold_c)?;
         let gap = row.warm.layers.beads * (1.0 - row.squeeze.strain);
-        let closes = || AuditError::NoResponse { force_n: full, temperature_c: study.options.cold_c, strain: row.squeeze.strain };
         let fem = refined(
             |fineness| {
                 let disc = Disc::on_rings(plate.clone(), beads, zones, Strains::Small, fineness)?;
                 let shape = disc.profile(&disc.solve(0.0, &Loading::Even(full), &[])?)?;
-                let gain = shape.gain(gap).ok_or_else(closes)?;
-                Ok((shape, gain))
+                Ok(shape)
             },
-            |(_, gain)| *gain,
+            |shape: &Profile| 1.0 + (shape.lowest() - shape.mean()) / gap,
         )?;
-        let (shape, _) = fem.result;
+        let shape = fem.result;
         let flat = Profile::from_fn(1, |_| 0.0);
         let span = (1.0 - beads.coverage) * plate.radius / zones as f64;
         let pressure = full / (std::f64::consts::PI * plate.radius * plate.radius);
@@ -55,23 +53,26 @@ impl Assumption for RigidPlates {
         let drawn = figure(study, "Electrode under full load", &[("flat (13)", &flat), ("finite elements, even load", &shape)]);
         let deviation = 1e6 * shape.largest_deviation();
         let device = &study.device;
+        let swap = Swap::none().shape(move |warm, force| {
+            let curvature = device.capacitances(warm, &device.plain(warm, 0.0, 0.0)).map_or(f64::NAN, |c| c.curvature);
+            Ok(shape.times(force / full).plus(&Profile::sphere(curvature, warm.radius)))
+        });
+        let effect = Effect::of(study, swap)?;
         let mut finding = Measured {
             unit: "",
             analytic: 1.0,
             fem: fem.value,
             error_estimate: fem.error,
             measure: Measure { name: "sag of half a span / gap".into(), value: overhang / gap, limit: 0.002 },
-            effect_on: study.effect(Swap::none().shape(move |warm, force| {
-                let curvature = device.capacitances(warm, &device.plain(warm, 0.0, 0.0)).map_or(f64::NAN, |c| c.curvature);
-                Ok(shape.times(force / full).plus(&Profile::sphere(curvature, warm.radius)))
-            }))?,
+            effect_on: effect.on,
             figure: Some(drawn),
         }
         .finding(self);
         finding.reason += &format!(
-            "; values are mean gap over local gap, averaged; the gap departs by up to {deviation:.2} um from its mean under an even load, not at all \
+            "; values are the least gap over the mean gap; the gap departs by up to {deviation:.2} um from its mean under an even load, not at all \
              under a rigid load plate"
         );
+        effect.mark(&mut finding);
         Ok(finding)
     }
 }

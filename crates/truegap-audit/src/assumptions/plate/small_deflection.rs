@@ -2,7 +2,7 @@
 //!
 //! Limits: free electrode that stays a bowl; `SPHERICAL-STABLE` asks whether it does.
 
-use super::warp::{figure, paper_sag_um, paper_shape, warps};
+use super::warp::{Effect, figure, paper_sag_um, paper_shape, warps};
 use crate::disc::{Disc, Laminate, Loading, Profile, Strains, refined};
 use crate::{Assumption, AuditError, Curve, Finding, Measure, Study, Swap, finding::Measured};
 use truegap_core::Sensor;
@@ -66,7 +66,8 @@ impl Assumption for SmallDeflection {
             let large = hot.times(t);
             Ok(if t.abs() < 1.0 { sphere.times(t).towards(&large, t.abs()) } else { large })
         });
-        Ok(Measured {
+        let effect = Effect::of(study, swap)?;
+        let mut finding = Measured {
             unit: "um",
             analytic,
             fem: fem.value,
@@ -76,9 +77,11 @@ impl Assumption for SmallDeflection {
                 value: (1e-6 * analytic / plate.thickness()).abs(),
                 limit: 0.3,
             },
-            effect_on: study.effect(swap)?,
+            effect_on: effect.on,
             figure: Some(figure),
         }
-        .finding(self))
+        .finding(self);
+        effect.mark(&mut finding);
+        Ok(finding)
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Limits: the critical temperature by finite elements (second variation per harmonic), the shape beyond it by energy with two curvatures.
 
-use super::warp::{paper_curvature, warps};
+use super::warp::{Effect, paper_curvature, warps};
 use crate::disc::baselines::cylindrical;
 use crate::disc::buckled::critical_curvature;
 use crate::disc::{Disc, Laminate, Loading, Strains, refined};
@@ -34,25 +34,25 @@ impl Assumption for SphericalStable {
         let range = study.hot_kelvin().abs();
         let plate = Laminate::electrode(study.sensor);
         let fem = refined(|fineness| critical_kelvin(&plate, fineness), |kelvin| *kelvin)?;
+        let stays = range < fem.value;
+        let swap = if stays { Swap::none() } else { cylindrical(&plate, paper_curvature(study)? / study.hot_kelvin()) };
+        let effect = Effect::of(study, swap)?;
         let mut finding = Measured {
             unit: "K",
             analytic: range,
             fem: fem.value,
             error_estimate: fem.error,
             measure: Measure { name: "range / critical temperature rise".into(), value: range / fem.value, limit: 1.0 },
-            effect_on: if range < fem.value {
-                study.effect(Swap::none())?
-            } else {
-                study.effect(cylindrical(&plate, paper_curvature(study)? / study.hot_kelvin()))?
-            },
+            effect_on: effect.on,
             figure: None,
         }
         .finding(self);
-        finding.reason = if range < fem.value {
+        finding.reason = if stays {
             format!("the free electrode would buckle {:.1} K above the reference; the range ends at {range:.1} K", fem.value)
         } else {
             format!("the free electrode buckles {:.1} K above the reference, within the range; {}", fem.value, finding.reason)
         };
+        effect.mark(&mut finding);
         Ok(finding)
     }
 }

@@ -3,7 +3,7 @@
 //! Limits: shapes at the hot end of the range.
 
 use crate::disc::Profile;
-use crate::{AuditError, Curve, Figure, Study};
+use crate::{AuditError, Curve, EffectOn, Figure, Finding, Study, Swap, Verdict};
 use truegap_core::Sensor;
 use truegap_model::equations::warp::{Dome, rim_sag};
 
@@ -17,7 +17,7 @@ pub(super) fn warps(sensor: &Sensor) -> Result<(), String> {
 
 /// Curvature of (9) at the hot end, 1/m.
 pub(super) fn paper_curvature(study: &Study<'_>) -> Result<f64, AuditError> {
-    Ok(study.chain(crate::Swap::none()).row(0.0, study.options.hot_c)?.parts.curvature)
+    Ok(study.chain(Swap::none()).row(0.0, study.options.hot_c)?.parts.curvature)
 }
 
 /// Rim above centre by (9) at the hot end, um.
@@ -46,4 +46,30 @@ pub(super) fn figure(study: &Study<'_>, title: &str, shapes: &[(&str, &Profile)]
 /// The sphere of (9) at the hot end.
 pub(super) fn paper_shape(study: &Study<'_>) -> Result<Profile, AuditError> {
     Ok(Profile::sphere(paper_curvature(study)?, study.device.at(study.options.hot_c).radius))
+}
+
+/// What a replaced shape does to the coefficients, or that the plates would touch with it.
+pub(super) struct Effect {
+    /// changes; none where the plates would touch
+    pub on: EffectOn,
+    touches: bool,
+}
+
+impl Effect {
+    /// The effect of a swap.
+    pub(super) fn of(study: &Study<'_>, swap: Swap<'_>) -> Result<Self, AuditError> {
+        match study.effect(swap) {
+            Ok(on) => Ok(Self { on, touches: false }),
+            Err(AuditError::NoResponse { .. }) => Ok(Self { on: EffectOn::default(), touches: true }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// An assumption without which the plates touch is broken.
+    pub(super) fn mark(&self, finding: &mut Finding) {
+        if self.touches {
+            finding.verdict = Verdict::Broken;
+            finding.reason += "; with what finite elements find the plates would touch, so there are no coefficients";
+        }
+    }
 }

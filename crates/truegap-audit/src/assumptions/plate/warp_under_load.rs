@@ -3,7 +3,7 @@
 //! Limits: beads that touch but do not pull (bonded ones are `BEADS-DO-NOT-HOLD`), rings for beads, a rigid load plate without friction, small
 //! deflection.
 
-use super::warp::{figure, paper_sag_um, paper_shape, warps};
+use super::warp::{Effect, figure, paper_sag_um, paper_shape, warps};
 use crate::disc::contact::{Bond, Carried};
 use crate::disc::{BeadSpring, Disc, Fineness, Laminate, Profile, Strains};
 use crate::{Assumption, AuditError, Finding, Measure, Study, Swap, finding::Measured};
@@ -68,22 +68,25 @@ impl Assumption for WarpUnderLoad {
                 (&format!("finite elements, {:.3} N", light.0), &light.1),
             ],
         );
+        let swap = Swap::none().shape(move |warm, force| {
+            let t = if kelvin == 0.0 { 0.0 } else { warm.kelvin / kelvin };
+            Ok(between(&shapes, force).times(t))
+        });
+        let effect = Effect::of(study, swap)?;
         let mut finding = Measured {
             unit: "um",
             analytic,
             fem: 1e6 * hot.sag(),
             error_estimate: 1e6 * (hot.sag() - coarse.sag()).abs(),
             measure: Measure { name: "pressure R^4 / (64 D sag)".into(), value: pressure / (64.0 * resisting), limit: 0.05 },
-            effect_on: study.effect(Swap::none().shape(move |warm, force| {
-                let t = if kelvin == 0.0 { 0.0 } else { warm.kelvin / kelvin };
-                Ok(between(&shapes, force).times(t))
-            }))?,
+            effect_on: effect.on,
             figure: Some(figure),
         }
         .finding(self);
         let carrying = carried.attached.iter().filter(|on| **on).count();
         finding.reason += &format!("; at full load {carrying} of {} rings of beads carry", carried.attached.len());
         finding.reason += &unsettled;
+        effect.mark(&mut finding);
         Ok(finding)
     }
 }

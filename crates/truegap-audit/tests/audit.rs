@@ -1,5 +1,7 @@
 //! Whole audits: remembered, stopped, asked for by name.
 
+#![allow(clippy::unwrap_used)]
+
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use truegap_audit::*;
 use truegap_core::sensor::builtin_sensors;

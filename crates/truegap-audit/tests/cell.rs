@@ -1,5 +1,7 @@
 //! The bead cell against values of other programs and closed forms.
 
+#![allow(clippy::unwrap_used)]
+
 use truegap_audit::cell::*;
 use truegap_core::VACUUM_PERMITTIVITY;
 
@@ -94,4 +96,18 @@ fn held_expansion_lies_between_its_closed_forms() {
     // Without lateral contraction a squeezed bead has axial stress only, so by Betti's theorem holding the faces changes no height.
     let cork = held_expansion(&reference_cell(0.0)).unwrap();
     assert!((cork.value - 1.0).abs() < 1e-9, "{cork:?}");
+}
+
+#[test]
+fn a_held_bead_grows_in_volume_as_its_height_tells() {
+    // The bead's own volume under heat with its faces held: finite elements of the side against the closed relation of volume and height.
+    let cell = reference_cell(0.49);
+    let (heat, held) = (5.5e-3, held_expansion(&cell).unwrap().value);
+    let bead = heated_and_loaded(&cell, heat, 0.0, -2.0 * heat).unwrap();
+    assert!((-bead.strain / heat / held - 1.0).abs() < 0.01, "{} {held}", bead.strain);
+    let volume = bead.profile.volume() - 1.0;
+    let squeezed = (1.0 - 2.0 * 0.49) / 0.49 * (held - 1.0);
+    // Second order in the heat leaves 3 heat: 1.6 %.
+    assert!((volume / ((3.0 - squeezed) * heat) - 1.0).abs() < 0.02, "{volume}");
+    assert!((volume / (3.0 * heat) - 1.0).abs() > 1e-4);
 }

@@ -1,5 +1,7 @@
 //! The tables and the corrected model against what they condense.
 
+#![allow(clippy::unwrap_used)]
+
 use truegap_audit::AuditError;
 use truegap_audit::corrections::{Corrected, coupled::Coupled, designs::held_out, library};
 use truegap_core::{Inputs, Sensor, Simulator, sensor::builtin_sensors};

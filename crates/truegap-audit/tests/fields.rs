@@ -1,5 +1,7 @@
 //! Findings about the field against closed forms and the values of other programs.
 
+#![allow(clippy::unwrap_used)]
+
 use truegap_audit::assumptions::cell::tail_parallel_plate::{Section, edge_factor};
 use truegap_audit::cell::Layered;
 use truegap_audit::{Finding, Options, Study, Watch, register};

@@ -1,5 +1,7 @@
 //! The chain with pieces replaced, the cache and the ranking.
 
+#![allow(clippy::unwrap_used)]
+
 use truegap_audit::*;
 use truegap_core::{Sensor, sensor::builtin_sensors};
 use truegap_model::{CoefficientOptions, coefficients};

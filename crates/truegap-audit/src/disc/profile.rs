@@ -135,7 +135,8 @@ mod tests {
         let exact = BentPlates::settled(gap, dome).integral() * gap / (std::f64::consts::PI * dome.radius * dome.radius);
         // Straight pieces: (1 / 400)^2 of the curvature's part.
         assert!((p.gain(gap).unwrap() - exact).abs() < 1e-5, "{:?} {exact}", p.gain(gap));
-        assert!(exact > 1.02);
+        // Sag over gap 0.35: a twelfth of its square.
+        assert!(exact > 1.01);
         assert_eq!(p.gain(20e-6), None);
     }
 }

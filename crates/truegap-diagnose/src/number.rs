@@ -152,7 +152,7 @@ pub fn percent(probability: f64) -> String {
         p if !p.is_finite() => "–".into(),
         p if p > 0.999 => "> 99.9 %".into(),
         p if p < 0.001 => "< 0.1 %".into(),
-        p if p > 0.99 || p < 0.01 => format!("{:.1} %", 100.0 * p),
+        p if !(0.01..=0.99).contains(&p) => format!("{:.1} %", 100.0 * p),
         p => format!("{:.0} %", 100.0 * p),
     }
 }

@@ -84,7 +84,7 @@ pub fn recover(search: &Search<'_>, base: &Tried) -> Option<Course> {
     let inputs = search.problem.inputs;
     let recordings = match search.problem.simulator.joined() {
         Some(joined) => (0..joined.count()).map(|k| joined.rows(k, inputs)).collect(),
-        None => vec![0..inputs.len()],
+        None => std::iter::once(0..inputs.len()).collect(),
     };
     let knots = Knots::new(inputs, &recordings);
     let hats = knots.hats(inputs);

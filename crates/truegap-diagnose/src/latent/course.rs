@@ -82,7 +82,7 @@ pub fn respond(
 /// The likeliest course; `None` where the model has no answer beside one.
 pub fn recover(search: &Search<'_>, base: &Tried) -> Option<Course> {
     let inputs = search.problem.inputs;
-    let recordings = match search.problem.simulator.joined() {
+    let recordings: Vec<Range<usize>> = match search.problem.simulator.joined() {
         Some(joined) => (0..joined.count()).map(|k| joined.rows(k, inputs)).collect(),
         None => std::iter::once(0..inputs.len()).collect(),
     };

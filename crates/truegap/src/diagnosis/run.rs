@@ -94,7 +94,12 @@ struct Run<'a> {
 
 impl Run<'_> {
     fn diagnose(&self, opened: &Opened, problem: &Problem<'_>, facts: RecordingFacts) -> Result<Outcome, DiagnoseError> {
-        let options = Options { effects: self.request.effects.clone(), hidden: opened.hidden.clone(), bank: self.request.bank.map(bank_store::options), ..Options::default() };
+        let options = Options {
+            effects: self.request.effects.clone(),
+            hidden: opened.hidden.clone(),
+            bank: self.request.bank.map(bank_store::options),
+            ..Options::default()
+        };
         let options = reserve(self.notices, options);
         truegap_diagnose::diagnose(problem, facts, &options, self.progress, self.stop)
     }

@@ -2,7 +2,7 @@
 //!
 //! Limits: nothing where there is one recording.
 
-use super::number::{capitalised, significant};
+use super::number::capitalised;
 use super::{subject::Subject, wording};
 use truegap_diagnose::diagnosis::{OneRecording, RecordingError};
 use truegap_scene::page::{Page, Table};
@@ -22,16 +22,7 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
 }
 
 fn table(subject: &Subject<'_>) -> Table {
-    let head = [
-        "",
-        "file",
-        "sensor",
-        "rows",
-        "runs",
-        "noise of one reading",
-        "calibrated model, on rows left out",
-        "with what was missing",
-    ];
+    let head = ["", "file", "sensor", "rows", "runs", "noise", "left out: calibrated", "with what was missing"];
     let columns = if subject.diagnosis.findings.is_empty() { 7 } else { 8 };
     let held = &subject.diagnosis.fit.held_out.recordings;
     let row = |table: Table, one: &OneRecording| {
@@ -49,7 +40,7 @@ fn cells(subject: &Subject<'_>, one: &OneRecording, error: Option<&RecordingErro
         one.number.to_string(),
         one.source.clone(),
         one.sensor.clone().unwrap_or_else(|| "–".into()),
-        significant(one.rows as f64, 7),
+        one.rows.to_string(),
         runs,
         told(error.map(|e| e.noise_floor)),
         told(error.map(|e| e.rmse_before)),

@@ -16,7 +16,7 @@ use truegap::find_sensor;
 type Failure = Box<dyn std::error::Error>;
 
 /// Sensors of a batch.
-const SAMPLES: usize = 2048;
+const SAMPLES: usize = 1024;
 
 struct Pair {
     before: Sensor,

@@ -53,12 +53,12 @@ pub fn along(model: Model, sensor: &Sensor) -> Result<Option<Along>, DesignError
     let worst = |e: &Evaluation<3>| {
         if e.violation > 0.0 { f64::INFINITY } else { e.objectives.iter().copied().fold(0.0, f64::max) }
     };
-    let found = front(judged, space.axes().len(), SearchOptions { starts: 2000, directions: 45, sweeps: 100, seed: 1 });
+    let found = front(judged, space.axes().len(), SearchOptions { starts: 1000, directions: 45, sweeps: 50, seed: 1 });
     let size = |ratios: &[f64; 3]| ratios.iter().copied().fold(0.0, f64::max);
     let Some(start) = found.points.iter().min_by(|a, b| size(&a.objectives).total_cmp(&size(&b.objectives))) else {
         return Ok(None);
     };
-    let (unit, _, _) = descend(|unit| worst(&judged(unit)), &start.unit, 2000);
+    let (unit, _, _) = descend(|unit| worst(&judged(unit)), &start.unit, 800);
     Ok(Some(Along { axes: space.axes().to_vec(), values: space.values(&unit), ratios: judged(&unit).objectives }))
 }
 

@@ -15,7 +15,7 @@ use truegap_core::SimulationError;
 /// Detectability below which an effect is not claimed.
 const VISIBLE: f64 = 4.5;
 /// The same as a share of the whole misfit: the right physics in the wrong equation leaves as much behind, and another effect can pick that up.
-const VISIBLE_SHARE: f64 = 0.2;
+const VISIBLE_SHARE: f64 = 0.1;
 
 /// What was found before it is put into words.
 pub struct Examined {

@@ -84,7 +84,8 @@ impl Selection {
                 }
                 let Some(dropped) = hidden(&self.models, &self.models[index]) else { continue };
                 let key: Vec<usize> = keys[index].iter().copied().filter(|e| *e != dropped).collect();
-                let target = keys.iter().position(|k| *k == key).unwrap_or(self.base);
+                // where the smaller model was not tried, nothing is known of it
+                let Some(target) = keys.iter().position(|k| *k == key) else { continue };
                 self.probability[target] += self.probability[index];
                 self.probability[index] = 0.0;
             }

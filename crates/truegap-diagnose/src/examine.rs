@@ -7,7 +7,7 @@ use crate::{
     gate::{Adequacy, Gate},
     search::{Search, Tried},
     select::{Selection, select},
-    verdict::{Decision, decide, interrupted},
+    verdict::{Decision, decide, interrupted, stated},
 };
 use std::sync::atomic::Ordering;
 use truegap_core::SimulationError;
@@ -41,7 +41,7 @@ pub fn examine(search: &Search<'_>, gate: &Gate) -> Result<Examined, SimulationE
 
 /// The verdict on a selection.
 pub fn judge(search: &Search<'_>, gate: &Gate, selection: Selection) -> Examined {
-    let named = selection.models.iter().position(|m| !m.effects.is_empty()).unwrap_or(selection.base);
+    let named = stated(&selection).unwrap_or(selection.base);
     let before = gate.adequacy(&selection.base().fit);
     let after = gate.adequacy(&selection.models[named].fit);
     let stopped = search.stop.load(Ordering::Relaxed);

@@ -28,7 +28,22 @@ pub struct Decision {
     pub removed: f64,
 }
 
-/// Decides.
+/// The model to stand behind, an index into the selection's: the likeliest that names something; where that holds effects that are not sure and have no rival
+/// in their place, the model of those that are sure. `None` where nothing was fitted.
+pub fn stated(selection: &Selection) -> Option<usize> {
+    let best = selection.models.iter().position(|m| !m.effects.is_empty())?;
+    let sure = |e: &usize| selection.effect_probability[*e] >= SURE;
+    let effects = &selection.models[best].effects;
+    if effects.iter().all(sure) || rival_sets(selection, best).iter().any(|s| s.len() > 1) {
+        return Some(best);
+    }
+    let mut key: Vec<usize> = effects.iter().copied().filter(sure).collect();
+    key.sort_unstable();
+    let smaller = selection.models.iter().position(|m| !key.is_empty() && m.key() == key);
+    Some(smaller.unwrap_or(best))
+}
+
+/// Decides; `after` is the adequacy of the model that [`stated`] names.
 pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy) -> Decision {
     let nothing = |verdict| Decision { verdict, model: selection.base, sets: Vec::new(), removed: 0.0 };
     let none = selection.probability_none();
@@ -40,9 +55,12 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy) -> Dec
             nothing(if none >= AGREED { Verdict::Agrees } else { Verdict::Undecided })
         };
     }
-    let Some(best) = selection.models.iter().position(|m| !m.effects.is_empty()) else { return nothing(Verdict::Undecided) };
+    let Some(best) = stated(selection) else { return nothing(Verdict::Undecided) };
     let removed = removed(2.0 * (selection.base().fit.objective() - selection.models[best].fit.objective()), after);
-    let sets = rival_sets(selection, best);
+    let likeliest = selection.models.iter().position(|m| !m.effects.is_empty()) == Some(best);
+    // a smaller model than the likeliest is stated because its effects are sure: the larger ones that hold them are no rivals
+    let alone = || selection.models[best].effects.iter().map(|e| vec![*e]).collect();
+    let sets = if likeliest { rival_sets(selection, best) } else { alone() };
     let rivals = sets.iter().any(|s| s.len() > 1);
     let sure = selection.models[best].effects.iter().all(|e| selection.effect_probability[*e] >= SURE);
     if after.fires() && removed < RIGHT_FAMILY {

@@ -29,7 +29,8 @@ pub fn shuffled(base: &Fit, chosen: &Fit, runs: &[Range<usize>], numbers: &[u32]
     removed.get(removed.len() / 2).copied()
 }
 
-/// Columns with their runs exchanged, each stretched to its new run; a single run is turned about by a tenth or more of its length.
+/// Columns with their runs exchanged, each stretched to its new run and turned about by a tenth or more of its length: runs that repeat one another would
+/// otherwise stand in for one another.
 fn shuffle(columns: &DMatrix<f64>, runs: &[Range<usize>], random: &mut ChaCha8Rng) -> DMatrix<f64> {
     let mut source: Vec<usize> = (0..runs.len()).collect();
     while runs.len() > 1 && source.iter().enumerate().any(|(i, s)| i == *s) {
@@ -38,7 +39,7 @@ fn shuffle(columns: &DMatrix<f64>, runs: &[Range<usize>], random: &mut ChaCha8Rn
     let mut turned = columns.clone();
     for (run, from) in runs.iter().zip(&source) {
         let from = &runs[*from];
-        let offset = if runs.len() > 1 { 0.0 } else { random.random_range(0.1..0.9) };
+        let offset: f64 = random.random_range(0.1..0.9);
         for (k, row) in run.clone().enumerate() {
             let place = (k as f64 / run.len() as f64 + offset).fract() * from.len() as f64;
             turned.row_mut(row).copy_from(&columns.row(from.start + (place as usize).min(from.len() - 1)));

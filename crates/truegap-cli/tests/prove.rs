@@ -37,7 +37,7 @@ fn three_cases_are_sealed_diagnosed_and_scored_and_an_altered_key_is_refused() {
     assert_eq!(row("false alarms, all nulls")["of"], nulls);
     assert_eq!(score["cases"].as_array().unwrap().iter().filter(|c| c["verdict"] == "agrees").count(), agreeing);
     assert_eq!(row("seconds for a diagnosis (median)")["of"], 3);
-    assert_eq!(score["controls"].as_array().unwrap().len(), 2);
+    assert_eq!(score["controls"].as_array().unwrap().len(), 4);
     assert!(fs::read_to_string(bench.path("s/score.md")).unwrap().contains("--cases 3 --seed 7"));
 
     // gone on with: only what is missing is diagnosed again

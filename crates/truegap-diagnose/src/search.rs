@@ -116,12 +116,12 @@ impl<'a> Search<'a> {
         let fit = fits.max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence))?;
         // a larger model cannot fit worse than the one that it holds: start again from there
         let lost = std::ptr::eq(launch.whitener, self.whitener) && fit.objective() > launch.from.fit.objective() + 0.5;
-        let again = if lost { self.from_nothing(&model, launch, best) } else { None };
+        let again = if lost { self.with_nothing_added(&model, launch, best) } else { None };
         Some(Tried { effects, fit: again.unwrap_or(fit) })
     }
 
     /// A fit that starts where the new effect is absent, with the shape of `start`.
-    fn from_nothing(&self, model: &Model<'_>, launch: Launch<'_>, start: &Start) -> Option<Fit> {
+    fn with_nothing_added(&self, model: &Model<'_>, launch: Launch<'_>, start: &Start) -> Option<Fit> {
         let mut z = start.z.clone();
         let first = launch.from.fit.z.len();
         z[..first].copy_from_slice(&launch.from.fit.z);

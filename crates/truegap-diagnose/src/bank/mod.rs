@@ -118,7 +118,7 @@ pub fn fill(search: &Search<'_>, whole: Whole<'_>, found: &Examined, options: &B
         let mut cases = cases.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         cases.insert(*index, BankCase::of(truth, &answer, &own));
         let count = done.fetch_add(1, Ordering::Relaxed) + 1;
-        if cases.len() % STORE_EVERY == 0 {
+        if cases.len().is_multiple_of(STORE_EVERY) {
             options.store.save(&key, &cases);
         }
         let done = count as f64 / options.recordings as f64;

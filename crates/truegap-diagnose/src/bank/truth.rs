@@ -49,7 +49,7 @@ impl Maker<'_> {
 
     /// A third nothing; of the rest, of every ten: six single effects (half of them in sibling equations), three pairs, one stranger.
     fn kind(&self, index: usize, random: &mut ChaCha8Rng) -> Kind {
-        if index % 3 == 0 || self.search.library.is_empty() {
+        if index.is_multiple_of(3) || self.search.library.is_empty() {
             return Kind::Nothing;
         }
         let place = (index - index / 3 - 1) % 10;

@@ -1,5 +1,7 @@
 //! The coupled disc at its limits: the bead cell without load, the shape integral for a small warp, work against force.
 
+#![allow(clippy::unwrap_used)]
+
 use truegap_audit::cell::{Cell, Filled, Profile as Side, cell_capacitance};
 use truegap_audit::disc::{Beads, CoupledOptions, Fineness, Laminate, Loading, Press, Profile, Whole};
 use truegap_audit::{Options, Study, Watch};

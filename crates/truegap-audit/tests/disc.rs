@@ -1,5 +1,7 @@
 //! The disc by finite elements against plate theory, published large-deflection values, springs in closed form and balances of force.
 
+#![allow(clippy::unwrap_used)]
+
 use truegap_audit::disc::buckled::{buckled, critical_curvature};
 use truegap_audit::disc::contact::Bond;
 use truegap_audit::disc::foundation::Foundation;

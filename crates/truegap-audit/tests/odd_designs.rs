@@ -1,5 +1,7 @@
 //! Rows about the electrode at the corners of the paper's design space: every one answers, or says that the plates touch.
 
+#![allow(clippy::unwrap_used)]
+
 use truegap_audit::assumptions::plate::ASSUMPTIONS;
 use truegap_audit::{Options, Study, Watch};
 use truegap_core::Sensor;

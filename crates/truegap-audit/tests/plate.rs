@@ -1,5 +1,7 @@
 //! The rows about the electrode for the built-in sensors: what must be broken, what must hold, and errors far below what they judge.
 
+#![allow(clippy::unwrap_used)]
+
 use truegap_audit::assumptions::plate::ASSUMPTIONS;
 use truegap_audit::{Finding, Options, Study, Verdict, Watch};
 use truegap_core::Sensor;

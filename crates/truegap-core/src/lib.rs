@@ -3,6 +3,8 @@
 //! Limits: nothing here computes a capacitance; this crate depends on no other crate of the workspace.
 
 pub mod chain;
+pub mod corrections;
+pub mod curve;
 pub mod effect;
 pub mod inputs;
 pub mod joined;
@@ -13,6 +15,8 @@ pub mod simulator;
 pub mod units;
 
 pub use chain::{Dielectric, Drive, FieldView, Geometry, Readout, Stage};
+pub use corrections::Corrections;
+pub use curve::{Curve, CurveError};
 pub use effect::EffectId;
 pub use inputs::Inputs;
 pub use joined::Joined;

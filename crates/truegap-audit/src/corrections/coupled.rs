@@ -1,8 +1,9 @@
 //! The sensor by finite elements at one load and temperature: heated and loaded bead, field around it, field at the rim, field of the tail.
 //!
 //! The reference for [`super::Corrected`]: nothing is taken from a table. Limits: beads bonded and alike, the electrode flat between and beyond them
-//! (what holds the warp down to 1 % of the free one, see `BEADS-DO-NOT-HOLD`); modulus by (7).
+//! (what its bending adds comes from `disc::Whole`); modulus by (7).
 
+use super::BondedLayers;
 use crate::{
     AuditError,
     assumptions::cell::{
@@ -22,6 +23,7 @@ use truegap_model::{StackOptions, equations::load::loaded_thickness, equations::
 pub struct Coupled<'a> {
     sensor: &'a Sensor,
     device: Device,
+    layers: BondedLayers,
     cell: Cell,
     count: f64,
     tail: f64,
@@ -50,8 +52,9 @@ impl<'a> Coupled<'a> {
         };
         let has_tail = sensor.layout == Layout::Shielded && sensor.tail.0 * sensor.tail.1 > 0.0;
         let tail = if has_tail { edge_factor(Section::of(sensor), target)?.value } else { 1.0 };
-        let device = Device::new(sensor, StackOptions { warp: false, ..StackOptions::default() });
-        Ok(Self { sensor, device, cell, count, tail, target })
+        let layers = BondedLayers::of(sensor);
+        let device = Device::new(&layers.sensor, StackOptions { warp: false, ..StackOptions::default() });
+        Ok(Self { sensor, device, layers, cell, count, tail, target })
     }
 
     /// The sensor at a force (N) and a temperature (degrees Celsius).
@@ -78,7 +81,8 @@ impl<'a> Coupled<'a> {
         // a small difference of large numbers
         let rim = layered.rim(0.2 * self.target)?.value;
         let shielded = self.sensor.layout == Layout::Shielded;
-        let backing = if shielded { insulator * PI * warm.radius * warm.radius / film } else { 0.0 };
+        let thicker = 1.0 + self.layers.backing_per_kelvin * warm.kelvin;
+        let backing = if shielded { insulator * PI * warm.radius * warm.radius / (film * thicker) } else { 0.0 };
         let (length, width) = self.sensor.tail;
         let tail = if shielded { 2.0 * insulator * length * width / warm.layers.insulator * self.tail } else { 0.0 };
         let total = main + backing + rim + tail + self.sensor.stray.value;
@@ -86,7 +90,7 @@ impl<'a> Coupled<'a> {
     }
 
     fn pressed_film(&self, force_n: f64, area: f64, thickness: f64) -> f64 {
-        let young = self.sensor.insulator.material.young.value;
+        let young = self.layers.sensor.insulator.material.young.value;
         loaded_thickness(thickness, Compression { pressure: force_n / area, young })
     }
 

@@ -3,13 +3,21 @@
 //! Each table is made by `cargo run --release -p truegap-audit --example corrections` and committed under `tables/`; it carries its range and its
 //! measured accuracy. Limits: Poisson's ratio and permittivities as the axes or the text of a table say.
 
+mod bonded;
 mod corrected;
 pub mod coupled;
+mod curves;
 pub mod designs;
 mod library;
 pub mod make;
+mod one_sensor;
+mod pieces;
 mod table;
+mod warped;
 
+pub use bonded::BondedLayers;
 pub use corrected::Corrected;
+pub use curves::curves;
 pub use library::{Library, library};
 pub use table::{Axis, Table};
+pub use warped::{Gains, Warped};

@@ -104,6 +104,37 @@ impl Disc {
         Ok(contact.plate_force(&solution))
     }
 
+    /// Equilibrium below a rigid plate that holds all of the top flat, pulling where it must, and carries `force_n`, to one part in ten thousand of
+    /// what heats and loads it.
+    ///
+    /// # Errors
+    /// Where Newton's method finds no equilibrium, or no travel of the plate gives the force.
+    pub fn held_flat(&self, kelvin: f64, force_n: f64) -> Result<Carried, AuditError> {
+        let attached = vec![true; self.section.rings.len()];
+        let touched = Contact::new(self).touched();
+        let at = |travel: f64| -> Result<Carried, AuditError> {
+            let solution = self.solve(kelvin, &Loading::Plate { travel, touched: touched.clone() }, &attached)?;
+            let plate_force = Contact::new(self).plate_force(&solution);
+            Ok(Carried { solution, attached: attached.clone(), forces: Vec::new(), plate_force })
+        };
+        let area = std::f64::consts::PI * self.plate.radius * self.plate.radius;
+        let stiffness = self.beads.map_or(f64::NAN, |b| area * b.stiffness());
+        let mut last = at(0.0)?;
+        let settled = 1e-4 * force_n.abs().max(last.plate_force.abs());
+        let (mut here, mut slope) = (0.0, stiffness);
+        for _ in 0..ROUNDS {
+            let off = last.plate_force - force_n;
+            if off.abs() <= settled {
+                return Ok(last);
+            }
+            let step = -off / slope;
+            let next = at(here + step)?;
+            slope = (next.plate_force - last.plate_force) / step;
+            (here, last) = (here + step, next);
+        }
+        Err(unsettled("travel of a plate that holds the disc flat"))
+    }
+
     /// Equilibrium below a rigid plate at a given travel; `contact` starts from the last one.
     fn under_plate(&self, kelvin: f64, travel: f64, bond: Bond, contact: &mut Contact) -> Result<Carried, AuditError> {
         let mut seen = BTreeSet::new();

@@ -1,13 +1,13 @@
 //! The whole disc coupled: heat and load, the deformed section, the field on it, C(F, T).
 //!
 //! Beads are bonded rings of rubber with the force-strain law of the bead cell; the shield below is flat and grows like the conductor; the rim is a guard
-//! ring (no field outside of the plates); the tail is the model's. Steady state, one temperature.
+//! ring (no field outside of the plates); the tail is that of (22). Steady state, one temperature.
 
 use super::body::{Facing, Loading, Rings, Strains};
 use super::contact::{Bond, Carried};
 use super::field::{Field, field};
 use super::{BeadSpring, Disc, Fineness, Gap, Laminate, Section, Sheet};
-use crate::cell::{Cell, bonded_law, held_expansion};
+use crate::cell::{Cell, Growth, bonded_law, held_expansion};
 use crate::{AuditError, Study};
 use std::f64::consts::PI;
 use truegap_core::sensor::Filling;
@@ -53,7 +53,7 @@ pub struct Charged {
     pub main: f64,
     /// insulator behind the electrode; 0 in a mutual layout
     pub backing: f64,
-    /// tail, by the model's (22); 0 in a mutual layout
+    /// tail, by the model's (22) and the growth of a bonded insulator; 0 in a mutual layout
     pub tail: f64,
     /// beside the sensor
     pub stray: f64,
@@ -113,10 +113,14 @@ impl<'a> Beads<'a> {
     /// [`AuditError::Lacks`] where the dielectric has no beads; what the cell refuses.
     pub fn bonded(study: &Study<'_>) -> Result<Self, AuditError> {
         let law = bonded_law(study)?;
-        let held = held_expansion(&Cell::of(study.sensor)?)?;
-        let (own, plates) = (study.sensor.dielectric.layer.material.expansion, study.sensor.conductor.material.expansion);
-        let strain = Box::new(move |warm: &Warm, force_n: f64| law.strain(force_n / (warm.areas.solid * warm.young)));
-        Ok(Self { strain, expansion: plates + held.value * (own - plates) })
+        let growth = Growth::of(study.sensor, held_expansion(&Cell::of(study.sensor)?)?.value);
+        let strain = move |warm: &Warm, force_n: f64| {
+            // held faces: the area grows less than that of a free bead, the height more
+            let mut held = *warm;
+            growth.apply(&mut held);
+            law.strain(force_n / (held.areas.solid * held.young))
+        };
+        Ok(Self { strain: Box::new(strain), expansion: growth.height })
     }
 
     /// Beads that spread and expand freely: (3), (11), (12).
@@ -182,10 +186,25 @@ impl<'a> Whole<'a> {
             Press::RigidPlate if force_n > 0.0 => disc.pressed(kelvin, force_n, Bond::Bonded)?,
             _ => disc.carried(kelvin, &Loading::Even(force_n), Bond::Bonded)?,
         };
+        self.charge(disc, carried, temperature_c)
+    }
+
+    /// The same with the electrode held flat by a rigid plate that also pulls: what is left of [`Whole::solve`] where nothing bends.
+    ///
+    /// # Errors
+    /// As [`Whole::solve`].
+    pub fn solve_flat(&self, force_n: f64, temperature_c: f64) -> Result<Coupled, AuditError> {
+        let disc = self.disc(force_n, temperature_c)?;
+        let carried = disc.held_flat(temperature_c - self.sensor.reference_c, force_n)?;
+        self.charge(disc, carried, temperature_c)
+    }
+
+    /// The field on a deformed disc.
+    fn charge(&self, disc: Disc, carried: Carried, temperature_c: f64) -> Result<Coupled, AuditError> {
         let deformed = carried.solution.deformed_mesh();
         let field = field(&deformed, &|region| self.permittivity(region), self.options.target)?;
         let charged = self.charged(&field, temperature_c);
-        Ok(Coupled { disc, carried, deformed, field, charged, kelvin })
+        Ok(Coupled { disc, carried, deformed, field, charged, kelvin: temperature_c - self.sensor.reference_c })
     }
 
     /// C(F, T), pF.
@@ -215,6 +234,8 @@ impl<'a> Whole<'a> {
     fn section(&self, force_n: f64, temperature_c: f64) -> Result<Disc, AuditError> {
         let warm = self.device.at(temperature_c);
         let mut beads = BeadSpring::new(self.sensor, &warm, force_n, &self.beads.strain)?;
+        // strain is of the height that the beads have grown to, freely or held
+        beads.young *= (1.0 + beads.expansion * warm.kelvin) / (1.0 + self.beads.expansion * warm.kelvin);
         beads.expansion = self.ring_expansion;
         let facing = Facing {
             sheet: Sheet::of("facing", &self.sensor.insulator),
@@ -240,7 +261,10 @@ impl<'a> Whole<'a> {
         let shielded = self.sensor.layout == truegap_core::sensor::Layout::Shielded;
         let shown = f64::from(u8::from(shielded));
         let trace = Trace { length: self.sensor.tail.0, width: self.sensor.tail.1 };
-        let insulator = self.device.at(temperature_c).layers.insulator;
+        // the insulator of the tail is bonded to its conductors like that of the disc
+        let film = Sheet::of("tail", &self.sensor.insulator);
+        let growth = film.held_growth(self.sensor.conductor.material.expansion);
+        let insulator = film.thickness * (1.0 + growth * (temperature_c - self.sensor.reference_c));
         Charged {
             main: field.main,
             backing: shown * field.backing,

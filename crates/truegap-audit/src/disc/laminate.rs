@@ -33,6 +33,24 @@ impl Sheet {
     }
 }
 
+impl Sheet {
+    /// Growth of the thickness of a layer that must follow metal of another expansion (1/K) in its plane, 1/K.
+    ///
+    /// $$ \alpha_z = \alpha + \frac{2 \nu}{1 - \nu} (\alpha - \alpha_m) $$
+    ///
+    /// **Source:** plane stress. **Accuracy:** against finite elements in `INSULATOR-EXPANDS-FREELY`.
+    pub fn held_growth(&self, metal: f64) -> f64 {
+        self.expansion + 2.0 * self.poisson / (1.0 - self.poisson) * (self.expansion - metal)
+    }
+
+    /// Modulus of a layer that cannot spread when it is pressed, Pa.
+    ///
+    /// $$ M = E \frac{1 - \nu}{(1 + \nu)(1 - 2 \nu)} $$
+    pub fn held_modulus(&self) -> f64 {
+        self.young * (1.0 - self.poisson) / ((1.0 + self.poisson) * (1.0 - 2.0 * self.poisson))
+    }
+}
+
 /// Bonded layers, the one at the gap first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Laminate {
@@ -77,6 +95,18 @@ impl Laminate {
         let m = self.moments(|s| s.young / (1.0 - s.poisson));
         let heated = self.moments(|s| s.expansion * s.young / (1.0 - s.poisson));
         -(m[0] * heated[1] - m[1] * heated[0]) / (m[0] * m[2] - m[1] * m[1])
+    }
+
+    /// Growth in the plane of the plate that is held flat, 1/K: mean of its layers by their stretching stiffness in two directions.
+    pub fn flat_expansion(&self) -> f64 {
+        let modulus = |s: &Sheet| s.young / (1.0 - s.poisson);
+        self.moments(|s| s.expansion * modulus(s))[0] / self.moments(modulus)[0]
+    }
+
+    /// Distance of the neutral plane of equal bending both ways from the face at the gap, m.
+    pub fn neutral(&self) -> f64 {
+        let m = self.moments(|s| s.young / (1.0 - s.poisson));
+        m[1] / m[0]
     }
 
     /// Bending stiffness about the neutral plane, N m.

@@ -15,6 +15,7 @@ pub mod foundation;
 pub mod laminate;
 pub mod profile;
 pub mod refined;
+pub mod ring_plate;
 pub mod section;
 pub mod shaped;
 pub mod submesh;
@@ -28,5 +29,6 @@ pub use coupled::{BeadStrain, Beads, Charged, Coupled, CoupledOptions, Press, Wh
 pub use laminate::{Laminate, Sheet};
 pub use profile::Profile;
 pub use refined::{Refined, refined};
+pub use ring_plate::{Bent, RingPlate};
 pub use section::{Gap, Section};
 pub use shaped::shaped;

@@ -100,7 +100,8 @@ impl Section {
 }
 
 /// Rings of equal share: the zone between (j - 1) and j times its width has its ring in the middle, so that area shares are width shares.
-fn rings(gap: &Gap, radius: f64) -> Vec<Ring> {
+/// Rings in the middle of their zones.
+pub(crate) fn rings(gap: &Gap, radius: f64) -> Vec<Ring> {
     let Gap::Rings { coverage, zones, .. } = gap else { return Vec::new() };
     let zone = radius / *zones as f64;
     let ring = |j: usize| {

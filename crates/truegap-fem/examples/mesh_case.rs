@@ -1,4 +1,4 @@
-//! Meshes a case, and solves it if it is electrostatic: writes the last mesh as `.msh` and the field as `.vtu`.
+//! Meshes and solves a case: writes the last mesh as `.msh` and the field as `.vtu`.
 //!
 //! `cargo run --release -p truegap-fem --example mesh_case CASE.toml OUT` writes `OUT.msh` and `OUT.vtu`;
 //! with a third argument `first`, the mesh before any refinement.

@@ -4,6 +4,7 @@
 
 use crate::adapt::{bisect, longest_edge_first};
 use crate::mesh::{Geometry, Mesh, MeshOptions, Outline, Point, Topology, mesh_geometry, plane};
+use crate::physics::elasticity::{self, Component, Condition, Formulation, LawKind, Material, Temperature};
 use crate::physics::electrostatics::{Conductor, Goal, Problem, Quantity, VACUUM_PERMITTIVITY, dielectric};
 use crate::space::{ElementDofs, Nodes, Numbering, P2, ShapeTable, triangle_rule};
 use crate::{FemError, Symmetry};
@@ -12,6 +13,12 @@ use crate::{FemError, Symmetry};
 pub const DISC_CAPACITOR: f64 = 36.932_321_942_12;
 
 const HALF_GAP: f64 = 0.05;
+
+/// `E_a / E` of the rubber disc of [`rubber_disc_problem`], both faces bonded, by hp finite elements of another program.
+pub const RUBBER_DISC: f64 = 1.966_213_370_23;
+
+/// Radius and height of the rubber disc (m).
+pub const RUBBER_SIZE: [f64; 2] = [291.5e-6, 198e-6];
 
 /// The drawing of two coaxial discs of radius 1 m, 0.1 m apart, in an open box of 5 m.
 pub fn disc_capacitor_geometry() -> Geometry {
@@ -38,17 +45,49 @@ pub fn disc_capacitor_problem() -> (Problem, Vec<Quantity>) {
 
 /// A mesh of the disc capacitor with about `unknowns` quadratic nodes, graded into the rims.
 pub fn disc_capacitor_mesh(unknowns: usize) -> Result<Mesh, FemError> {
-    let mut first = mesh_geometry(&disc_capacitor_geometry(), &MeshOptions::default())?;
-    longest_edge_first(&mut first);
-    // A triangle has two quadratic nodes; their number grows with the inverse square of the edge. The rule is
-    // calibrated on a coarse mesh, then once at a tenth of the size.
-    let wanted = unknowns as f64 / 2.0;
-    let mut edge = 0.2;
-    for share in [0.1, 1.0] {
-        let mesh = graded(&first, edge);
-        edge *= (mesh.triangles.len() as f64 / (share * wanted)).sqrt();
-    }
-    Ok(graded(&first, edge))
+    // h = edge * d^(5/6) for a distance d to a rim spreads the error of a field that grows as 1 / sqrt d evenly over quadratic
+    // elements; more beyond the gap, where it fades. The rim itself stops at a size whose share of the error is a few 1e-8, and
+    // which programs that keep corners on a grid of integers still resolve.
+    let size = |d: f64| (d.powf(5.0 / 6.0) * (d / (2.0 * HALF_GAP)).max(1.0).sqrt(), 3e-7);
+    let rims = [[1.0, HALF_GAP], [1.0, -HALF_GAP]];
+    graded_mesh(&disc_capacitor_geometry(), &rims, size, unknowns / 2)
+}
+
+/// The drawing of a rubber disc, diameter 583 um and height 198 um, between two plates.
+pub fn rubber_disc_geometry() -> Geometry {
+    let [radius, height] = RUBBER_SIZE;
+    Geometry::default()
+        .region("disc", Outline::rectangle([0.0, 0.0], RUBBER_SIZE))
+        .boundary("bottom", &[[0.0, 0.0], [radius, 0.0]])
+        .boundary("top", &[[0.0, height], [radius, height]])
+}
+
+/// The rubber disc (E = 1 MPa, Poisson's ratio 0.49), both faces bonded, pressed by 0.1 % of its height; the force on the plate.
+pub fn rubber_disc_problem(mesh: Mesh, formulation: Formulation) -> (elasticity::Problem, Vec<elasticity::Quantity>) {
+    let both = [Component::First, Component::Second];
+    let mut conditions: Vec<Condition> = both.iter().map(|c| Condition::fix("bottom", *c)).collect();
+    conditions.push(Condition::fix("top", Component::First));
+    conditions.push(Condition::displace("top", Component::Second, -1e-3 * RUBBER_SIZE[1]));
+    let rubber = Material { young: 1e6, poisson: 0.49, expansion: 0.0, law: LawKind::Linear, formulation };
+    let problem = elasticity::Problem {
+        mesh,
+        symmetry: Symmetry::Axisymmetric,
+        materials: vec![rubber],
+        conditions,
+        temperature: Temperature::uniform(0.0),
+        body_force: None,
+        order: elasticity::Order::Quadratic,
+    };
+    let goal = elasticity::Goal::Reaction { boundary: "top".into(), component: Component::Second };
+    (problem, vec![elasticity::Quantity { name: "F".into(), goal }])
+}
+
+/// A mesh of the rubber disc with about `unknowns` displacements (two a quadratic node), graded into the bonded rims.
+pub fn rubber_disc_mesh(unknowns: usize) -> Result<Mesh, FemError> {
+    let [radius, height] = RUBBER_SIZE;
+    // Stresses grow as d^-0.4 at the rim of nearly incompressible rubber: h = edge * d^(1 - 0.6 / 3).
+    let size = |d: f64| (1e-3 * (d / height).powf(0.8), 1e-6 * height);
+    graded_mesh(&rubber_disc_geometry(), &[[radius, 0.0], [radius, height]], size, unknowns / 4)
 }
 
 /// Laplace's equation on a mesh of the disc capacitor, all its boundaries fixed: the pieces that benches time.
@@ -89,25 +128,42 @@ impl DiscSystem {
     }
 }
 
-/// Bisects until every triangle is at most as large as the place allows: h = edge * d^(5/6) for a distance d to a rim, which
-/// spreads the error of a field that grows as 1 / sqrt d evenly over quadratic elements; more beyond the gap, where it fades.
-fn graded(first: &Mesh, edge: f64) -> Mesh {
-    let rims = [[1.0, HALF_GAP], [1.0, -HALF_GAP]];
+/// A mesh of about `triangles`, each at most `edge` times the size that `size` gives for its distance to the nearest of `points`;
+/// the second number of `size` is the least size of all.
+fn graded_mesh(
+    geometry: &Geometry,
+    points: &[Point],
+    size: impl Fn(f64) -> (f64, f64),
+    triangles: usize,
+) -> Result<Mesh, FemError> {
+    let mut first = mesh_geometry(geometry, &MeshOptions::default())?;
+    longest_edge_first(&mut first);
+    // The number of triangles grows with the inverse square of the edge. The rule is calibrated on a coarse mesh, then once at a
+    // tenth of the size.
+    let wanted = triangles as f64;
+    let mut edge = 0.2;
+    for share in [0.1, 1.0] {
+        let mesh = graded(&first, points, &size, edge);
+        edge *= (mesh.triangles.len() as f64 / (share * wanted)).sqrt();
+    }
+    Ok(graded(&first, points, &size, edge))
+}
+
+/// Bisects until every triangle is at most as large as the place allows.
+fn graded(first: &Mesh, points: &[Point], size: &impl Fn(f64) -> (f64, f64), edge: f64) -> Mesh {
+    let too_large = |corners: [Point; 3]| {
+        let middle: Point = std::array::from_fn(|k| (corners[0][k] + corners[1][k] + corners[2][k]) / 3.0);
+        let longest = (0..3).map(|k| plane::distance(corners[k], corners[(k + 1) % 3])).fold(0.0, f64::max);
+        let (allowed, least) = size(points.iter().map(|&r| plane::distance(r, middle)).fold(f64::INFINITY, f64::min));
+        longest > (edge * allowed).max(least)
+    };
     let mut mesh = first.clone();
     for _ in 0..60 {
-        let marked: Vec<bool> = (0..mesh.triangles.len()).map(|t| too_large(mesh.corners(t), &rims, edge)).collect();
+        let marked: Vec<bool> = (0..mesh.triangles.len()).map(|t| too_large(mesh.corners(t))).collect();
         if !marked.contains(&true) {
             break;
         }
         mesh = bisect(&mesh, &Topology::new(&mesh), &marked).0;
     }
     mesh
-}
-
-fn too_large(corners: [Point; 3], rims: &[Point; 2], edge: f64) -> bool {
-    let middle: Point = std::array::from_fn(|k| (corners[0][k] + corners[1][k] + corners[2][k]) / 3.0);
-    let size = (0..3).map(|k| plane::distance(corners[k], corners[(k + 1) % 3])).fold(0.0, f64::max);
-    let distance = rims.iter().map(|&r| plane::distance(r, middle)).fold(f64::INFINITY, f64::min);
-    // The rim itself stops at a size whose share of the error is below rounding.
-    size > (edge * distance.powf(5.0 / 6.0) * (distance / (2.0 * HALF_GAP)).max(1.0).sqrt()).max(1e-9)
 }

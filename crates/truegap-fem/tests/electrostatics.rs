@@ -11,6 +11,8 @@ use truegap_fem::space::*;
 use truegap_fem::{FemError, Symmetry};
 
 type Form = fn(f64, Shape, Shape) -> f64;
+/// Name, form, weight.
+type Mutant<'a> = (&'a str, Form, fn(f64) -> f64);
 
 /// u = sin(2 z) (1 + r^2 cos r): no polynomial, even in r as fields of bodies with an axis are.
 fn exact([r, z]: Point) -> f64 {
@@ -119,7 +121,7 @@ fn planted_errors_in_the_form_are_noticed() {
     let no_axis: fn(f64) -> f64 = |_| 1.0;
     let half_turn: fn(f64) -> f64 = |r| std::f64::consts::PI * r;
     let squared: fn(f64) -> f64 = |r| std::f64::consts::TAU * r * r;
-    let mutants: [(&str, Form, fn(f64) -> f64); 8] = [
+    let mutants: [Mutant; 8] = [
         ("no 2 pi r", dielectric, no_axis),
         ("pi r", dielectric, half_turn),
         ("2 pi r^2", dielectric, squared),

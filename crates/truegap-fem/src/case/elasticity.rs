@@ -9,6 +9,7 @@ use crate::physics::elasticity::{
     Temperature, solve_goals, solve_goals_adaptive,
 };
 use crate::{FemError, Symmetry};
+use std::sync::Arc;
 use std::time::Instant;
 
 pub(super) fn solve(case: &Case) -> Result<(CaseResult, Outcome), FemError> {
@@ -34,8 +35,11 @@ fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
     CaseResult {
         quantities: outcome.answers.iter().map(|a| (a.name.clone(), value(a))).collect(),
         mesh: MeshCounts { triangles: body.problem.mesh.triangles.len(), unknowns: body.numbering.free.len() },
-        // Newton's method assembles and solves in turn; its time is not split.
-        seconds: SecondsSpent { mesh: meshing + outcome.seconds[0], assemble: 0.0, solve: outcome.seconds[1] },
+        seconds: SecondsSpent {
+            mesh: meshing + outcome.seconds[0],
+            assemble: outcome.assembling,
+            solve: outcome.seconds[1] - outcome.assembling,
+        },
     }
 }
 
@@ -56,8 +60,20 @@ pub fn problem(case: &Case, mesh: Mesh) -> Result<Problem, CaseError> {
     for c in &case.conditions {
         conditions.extend(condition(case, c)?);
     }
-    let temperature = Temperature::Linear { base: case.temperature.base, gradient: case.temperature.gradient };
+    let temperature = temperature(case, &mesh)?;
     Ok(Problem { mesh, symmetry: case.symmetry, materials, conditions, temperature, body_force: None, order: Order::Quadratic })
+}
+
+fn temperature(case: &Case, mesh: &Mesh) -> Result<Temperature, CaseError> {
+    let (field, symmetry) = (case.temperature, case.symmetry);
+    if field.is_linear() {
+        return Ok(Temperature::Linear { base: field.base, gradient: field.gradient });
+    }
+    if let Some(p) = mesh.points.iter().find(|&&p| !field.at(symmetry, p).is_finite()) {
+        let what = format!("is infinite at {p:?} m, in the body; keep the axis and the origin out of it, or leave the term out");
+        return Err(CaseError::Invalid { file: case.file.clone(), place: "temperature".into(), what });
+    }
+    Ok(Temperature::Field(Arc::new(move |p| field.at(symmetry, p))))
 }
 
 fn material(case: &Case, region: &str, index: usize) -> Result<Material, CaseError> {

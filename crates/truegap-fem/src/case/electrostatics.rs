@@ -3,7 +3,7 @@
 use super::{Case, CaseError, CaseResult, MeshCounts, Output, OutputKind, QuantityValue, SecondsSpent, mesh_case};
 use crate::mesh::Mesh;
 use crate::physics::electrostatics::{
-    Accuracy, Conductor, Goal, Outcome, Problem, Quantity, VACUUM_PERMITTIVITY, solve_adaptive, solve_on,
+    Accuracy, Conductor, Goal, Order, Outcome, Problem, Quantity, VACUUM_PERMITTIVITY, solve_adaptive, solve_on_with,
 };
 use crate::{FemError, Symmetry};
 use std::time::Instant;
@@ -13,10 +13,11 @@ pub(super) fn solve(case: &Case) -> Result<(CaseResult, Mesh, Outcome), FemError
     let quantities = case.outputs.iter().map(|o| quantity(case, o)).collect::<Result<Vec<_>, _>>()?;
     let begin = Instant::now();
     let mut mesh = mesh_case(case)?;
+    let order = if case.mesh.order == 1 { Order::Linear } else { Order::Quadratic };
     let meshing = begin.elapsed().as_secs_f64();
     let outcome = match case.mesh.target_error {
-        Some(target) => solve_adaptive(&problem, &quantities, &mut mesh, &Accuracy { target, ..Accuracy::default() })?,
-        None => solve_on(&problem, &quantities, &mesh)?,
+        Some(target) => solve_adaptive(&problem, &quantities, &mut mesh, &Accuracy { target, order, ..Accuracy::default() })?,
+        None => solve_on_with(&problem, &quantities, &mesh, order)?,
     };
     Ok((result(&outcome, meshing), mesh, outcome))
 }
@@ -37,10 +38,6 @@ fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
 }
 
 fn problem(case: &Case) -> Result<Problem, CaseError> {
-    if case.mesh.order != 2 {
-        let what = "electrostatics is solved with order 2; remove `order` or set it to 2".into();
-        return Err(CaseError::Invalid { file: case.file.clone(), place: "mesh, order".into(), what });
-    }
     let permittivity = |(region, &m): (&crate::mesh::Region, &usize)| {
         let material = &case.materials[m];
         let relative = material.relative_permittivity.ok_or_else(|| CaseError::Missing {

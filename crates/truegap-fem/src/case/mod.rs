@@ -9,12 +9,14 @@ mod geometry;
 mod raw;
 mod read;
 mod result;
+mod temperature;
 pub mod units;
 
 pub use elasticity::problem as elastic_problem;
 pub use error::CaseError;
 pub use read::read_case;
 pub use result::{CaseResult, MeshCounts, QuantityValue, SecondsSpent};
+pub use temperature::{RadialTerm, Temperature};
 
 use crate::mesh::{Geometry, Mesh, MeshOptions, Point, SizeField, mesh_geometry};
 use crate::{FemError, Symmetry};
@@ -71,15 +73,6 @@ pub struct Condition {
     pub displace: [Option<f64>; 2],
     /// Pressure on the surface, positive inwards (Pa).
     pub pressure: Option<f64>,
-}
-
-/// Temperature above the stress-free state: `base + gradient . (first, second coordinate)`.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Temperature {
-    /// At the origin (K).
-    pub base: f64,
-    /// Along the coordinates (K/m).
-    pub gradient: [f64; 2],
 }
 
 /// How fine.

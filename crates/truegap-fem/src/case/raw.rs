@@ -72,6 +72,15 @@ pub(super) struct RawTemperature {
     pub base: Option<toml::Value>,
     #[serde(default)]
     pub gradient: BTreeMap<String, toml::Value>,
+    pub logarithm: Option<RawRadial>,
+    pub inverse: Option<RawRadial>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawRadial {
+    pub amplitude: toml::Value,
+    pub radius: toml::Value,
 }
 
 #[derive(Debug, Deserialize, Default)]

@@ -1,9 +1,9 @@
 //! From the text of a case file to a checked `Case`.
 
 use super::geometry::geometry;
-use super::raw::{RawBoundary, RawCase, RawMaterial, RawOutput};
+use super::raw::{RawBoundary, RawCase, RawMaterial, RawOutput, RawRadial};
 use super::units::{Dimension, parse_quantity, unit_factor};
-use super::{Case, CaseError, Condition, Law, Material, MeshRequest, Output, OutputKind, Physics, Temperature};
+use super::{Case, CaseError, Condition, Law, Material, MeshRequest, Output, OutputKind, Physics, RadialTerm, Temperature};
 use crate::Symmetry;
 use std::collections::BTreeMap;
 
@@ -186,7 +186,26 @@ impl Reader<'_> {
     fn temperature(&self, symmetry: Symmetry) -> Result<Temperature, CaseError> {
         let Some(raw) = &self.raw.temperature else { return Ok(Temperature::default()) };
         let base = self.optional("temperature, base", raw.base.as_ref(), Dimension::Temperature)?.unwrap_or(0.0);
-        Ok(Temperature { base, gradient: self.gradient(&raw.gradient, symmetry)? })
+        if raw.inverse.is_some() && symmetry == Symmetry::Planar {
+            let what = "1 / R is the field of a sphere; a planar case has `logarithm` for heat flow through a round wall";
+            return Err(self.invalid("temperature, inverse".into(), what));
+        }
+        Ok(Temperature {
+            base,
+            gradient: self.gradient(&raw.gradient, symmetry)?,
+            logarithm: self.radial("temperature, logarithm", raw.logarithm.as_ref())?,
+            inverse: self.radial("temperature, inverse", raw.inverse.as_ref())?,
+        })
+    }
+
+    fn radial(&self, place: &str, raw: Option<&RawRadial>) -> Result<Option<RadialTerm>, CaseError> {
+        let Some(raw) = raw else { return Ok(None) };
+        let amplitude = self.quantity(&format!("{place}, amplitude"), &raw.amplitude, Dimension::Temperature)?;
+        let radius = self.quantity(&format!("{place}, radius"), &raw.radius, Dimension::Length)?;
+        if !(radius > 0.0) {
+            return Err(self.invalid(format!("{place}, radius"), "must be positive"));
+        }
+        Ok(Some(RadialTerm { amplitude, radius }))
     }
 
     fn gradient(&self, raw: &BTreeMap<String, toml::Value>, symmetry: Symmetry) -> Result<[f64; 2], CaseError> {

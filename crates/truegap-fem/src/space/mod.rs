@@ -10,4 +10,4 @@ mod shape;
 pub use element::{EdgePoint, Element, Nodes, PointMap, least_jacobian};
 pub use numbering::{ElementDofs, Numbering};
 pub use quadrature::{QuadraturePoint, edge_rule, triangle_rule};
-pub use shape::{P1, P2, Shape, ShapeTable, edge_shape};
+pub use shape::{Order, P1, P2, Shape, ShapeTable, edge_shape};

@@ -24,6 +24,26 @@ pub struct ShapeTable<const N: usize> {
     pub slope: [[f64; 2]; N],
 }
 
+/// Which shapes a solution is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Order {
+    /// Three-node triangles; for comparison only: they converge slowly, and lock in bending and near incompressibility.
+    Linear,
+    /// Six-node triangles.
+    #[default]
+    Quadratic,
+}
+
+impl Order {
+    /// Nodes of an element.
+    pub fn nodes(self) -> usize {
+        match self {
+            Order::Linear => 3,
+            Order::Quadratic => 6,
+        }
+    }
+}
+
 /// Linear shapes.
 pub struct P1;
 /// Quadratic shapes.

@@ -4,12 +4,12 @@
 //! between regions.
 
 use super::loads::external_forces;
-use super::problem::{Component, Condition, Order, Place, Problem};
+use super::problem::{Component, Condition, Place, Problem};
 use super::rigid::check_held;
 use super::{ElasticityError, Formulation};
 use crate::Symmetry;
 use crate::mesh::{NONE, Point, Topology};
-use crate::space::{ElementDofs, Nodes, Numbering, P2};
+use crate::space::{ElementDofs, Nodes, Numbering, Order, P2};
 use std::collections::HashMap;
 
 /// A discrete elastic body.

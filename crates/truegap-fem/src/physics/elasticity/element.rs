@@ -7,10 +7,9 @@ use super::kinematics::displacement_gradient;
 use super::laws::{Law, Linear, NeoHookean, SaintVenantKirchhoff};
 use super::material::{Formulation, LawKind, Material};
 use super::point::{At, Moduli, Visitor};
-use super::problem::Order;
 use super::thermal::ThermalStretch;
 use crate::mesh::Point;
-use crate::space::{P1, P2, PointMap, QuadraturePoint, Shape, ShapeTable, triangle_rule};
+use crate::space::{Order, P1, P2, PointMap, QuadraturePoint, Shape, ShapeTable, triangle_rule};
 
 /// Softest stand-in for an incompressible volume in the *matrix*, relative to the shear modulus: pivots stay away from
 /// zero, and refinement with the true residual removes the difference.

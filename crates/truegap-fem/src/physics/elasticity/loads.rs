@@ -4,10 +4,10 @@
 
 use super::ElasticityError;
 use super::body::outer_side;
-use super::problem::{Condition, Order, Problem};
+use super::problem::{Condition, Problem};
 use crate::assembly::assemble_vector;
 use crate::mesh::{Topology, plane::along};
-use crate::space::{ElementDofs, Nodes, P1, P2, edge_rule, triangle_rule};
+use crate::space::{ElementDofs, Nodes, Order, P1, P2, edge_rule, triangle_rule};
 
 /// Degree to which loads are integrated.
 const DEGREE: usize = 6;

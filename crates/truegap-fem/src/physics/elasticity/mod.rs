@@ -23,12 +23,13 @@ mod solver;
 mod stability;
 mod thermal;
 
+pub use crate::space::Order;
 pub use body::Body;
 pub use error::ElasticityError;
 pub use goals::{Accuracy, Answer, Goal, Outcome, Quantity, solve_goals, solve_goals_adaptive};
 pub use material::{Formulation, Lame, LawKind, Material};
 pub use newton::NewtonOptions;
-pub use problem::{Component, Condition, Field, Order, Place, Problem, Side, Temperature};
+pub use problem::{Component, Condition, Field, Place, Problem, Side, Temperature};
 pub use solution::{Components, Solution};
 pub use solver::{Counters, Solver};
 pub use stability::{Harmonic, Instability, Mode};

@@ -5,6 +5,7 @@
 use super::Material;
 use crate::Symmetry;
 use crate::mesh::{Mesh, Point};
+use crate::space::Order;
 use std::fmt;
 use std::sync::Arc;
 
@@ -138,26 +139,6 @@ impl fmt::Debug for Temperature {
                 write!(f, "{base} K + {gradient:?} K/m")
             }
             Temperature::Field(_) => write!(f, "a function of the place"),
-        }
-    }
-}
-
-/// Displacement shapes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Order {
-    /// Three-node triangles; for comparison only: they lock in bending and near incompressibility.
-    Linear,
-    /// Six-node triangles.
-    #[default]
-    Quadratic,
-}
-
-impl Order {
-    /// Nodes of an element.
-    pub fn nodes(self) -> usize {
-        match self {
-            Order::Linear => 3,
-            Order::Quadratic => 6,
         }
     }
 }

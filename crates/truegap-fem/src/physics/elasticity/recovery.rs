@@ -4,9 +4,8 @@
 //! body. The fit never crosses from one region to another. At a singular corner there is no limit to converge to.
 
 use super::body::Body;
-use super::problem::Order;
 use crate::mesh::Point;
-use crate::space::P1;
+use crate::space::{Order, P1};
 use nalgebra::DMatrix;
 
 /// The nodes around a point.

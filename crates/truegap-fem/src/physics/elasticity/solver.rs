@@ -12,6 +12,7 @@ use crate::assembly::{Pattern, assemble_vector, element_residual};
 use crate::solve::{Direct, Kind};
 use nalgebra_sparse::CscMatrix;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 /// What a solver has done so far.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -37,6 +38,7 @@ pub struct Solver {
     load: f64,
     pub(super) correction: f64,
     counters: Counters,
+    assembling: Duration,
     linear: bool,
     pub(super) stops: Vec<Stop>,
     /// Contact forces of the stops (N).
@@ -49,10 +51,12 @@ impl Solver {
     /// # Errors
     /// Everything that is wrong with the description: materials, conditions, free rigid motions.
     pub fn new(problem: Problem) -> Result<Solver, ElasticityError> {
+        let begin = Instant::now();
         let body = Body::new(problem)?;
         let pattern = Pattern::new(&body.dofs, &body.numbering);
         let stops = stops(&body)?;
         Ok(Solver {
+            assembling: begin.elapsed(),
             matrix: pattern.matrix(),
             tables: Tables::new(),
             pattern,
@@ -90,6 +94,11 @@ impl Solver {
     /// What has been done so far.
     pub fn counters(&self) -> Counters {
         self.counters
+    }
+
+    /// Wall-clock seconds spent so far on numbering, pattern and tangents; everything else is solving.
+    pub fn assembling(&self) -> f64 {
+        self.assembling.as_secs_f64()
     }
 
     /// Equilibrium under the whole load (factor 1).
@@ -204,6 +213,7 @@ impl Solver {
     }
 
     pub(super) fn factorise(&mut self, load: f64) -> Result<(), ElasticityError> {
+        let begin = Instant::now();
         let (body, tables, state) = (&self.body, &self.tables, &self.state);
         self.pattern.assemble(&mut self.matrix, |e, out| {
             evaluate_points(body, tables, e, state, load, true, &mut Tangent(out));
@@ -214,6 +224,7 @@ impl Solver {
             let column = self.body.numbering.rows[stop.dof] as usize;
             self.matrix.values_mut()[offsets[column]] += stop.tangent(&self.state, load, *multiplier);
         }
+        self.assembling += begin.elapsed();
         if self.direct.is_none() {
             let definite = self.linear && !self.body.is_mixed();
             let kind = if definite { Kind::Llt } else { Kind::Ldlt };

@@ -6,6 +6,7 @@ use super::{ElectrostaticsError, Problem};
 use crate::FemError;
 use crate::adapt::{bisect_repeatedly, longest_edge_first, mark_largest};
 use crate::mesh::Mesh;
+use crate::space::Order;
 use std::time::Instant;
 
 /// How accurate, and at what cost at most.
@@ -17,11 +18,13 @@ pub struct Accuracy {
     pub bulk: f64,
     /// Unknowns at which to give up.
     pub max_unknowns: usize,
+    /// Shapes; linear ones are for comparison.
+    pub order: Order,
 }
 
 impl Default for Accuracy {
     fn default() -> Self {
-        Accuracy { target: 1e-4, bulk: 0.75, max_unknowns: 2_000_000 }
+        Accuracy { target: 1e-4, bulk: 0.75, max_unknowns: 2_000_000, order: Order::Quadratic }
     }
 }
 
@@ -46,11 +49,14 @@ pub struct Outcome {
     pub potential: Vec<f64>,
 }
 
-/// Solves once on a mesh and estimates the errors.
+/// Solves once on a mesh with quadratic elements and estimates the errors.
 pub fn solve_on(problem: &Problem, quantities: &[Quantity], mesh: &Mesh) -> Result<Outcome, FemError> {
-    let (judged, outcome, _) = level(problem, quantities, mesh)?;
-    drop(judged);
-    Ok(outcome)
+    solve_on_with(problem, quantities, mesh, Order::Quadratic)
+}
+
+/// Solves once on a mesh with elements of an order and estimates the errors.
+pub fn solve_on_with(problem: &Problem, quantities: &[Quantity], mesh: &Mesh, order: Order) -> Result<Outcome, FemError> {
+    Ok(level(problem, quantities, mesh, order)?.1)
 }
 
 /// Refines `mesh` until the estimated relative error of every output is at most `accuracy.target`.
@@ -67,7 +73,7 @@ pub fn solve_adaptive(
     let mut levels = 0;
     loop {
         levels += 1;
-        let (judged, mut outcome, topology) = level(problem, quantities, mesh)?;
+        let (judged, mut outcome, topology) = level(problem, quantities, mesh, accuracy.order)?;
         seconds.assemble += outcome.seconds.assemble;
         seconds.solve += outcome.seconds.solve;
         let worst = judged.iter().max_by(|a, b| ratio(a).total_cmp(&ratio(b)));
@@ -111,8 +117,9 @@ fn level(
     problem: &Problem,
     quantities: &[Quantity],
     mesh: &Mesh,
+    order: Order,
 ) -> Result<(Vec<Judged>, Outcome, crate::mesh::Topology), FemError> {
-    let mut solved = Solved::new(problem, mesh)?;
+    let mut solved = Solved::of_order(problem, mesh, order)?;
     let begin = Instant::now();
     let judged = judge(&mut solved, quantities)?;
     let mut seconds = solved.seconds;

@@ -1,4 +1,5 @@
-//! Local error estimate: on every triangle the residual of a solution is lifted to bubbles of degree three and four, with the flux through
+//! Local error estimate: on every triangle the residual of a solution is lifted to bubbles of degree three and four (of degree two above
+//! linear elements), with the flux through
 //! its edges averaged between neighbours; the energy product of two lifted residuals estimates that of two errors.
 //!
 //! **Source:** Bank & Weiser (1985) for the local problems; the product of primal and dual lifts is the dual-weighted
@@ -8,10 +9,10 @@
 use super::form::dielectric;
 use super::jumps::add_jumps;
 use super::system::Solved;
-use crate::adapt::{ABOVE_QUADRATIC, bubbles_above_quadratic};
+use crate::adapt::{Bubble, bubbles_above_linear, bubbles_above_quadratic};
 use crate::assembly::for_each_element;
 use crate::mesh::{NONE, Point};
-use crate::space::{Element, P2, QuadraturePoint, Shape, edge_rule, triangle_rule};
+use crate::space::{Element, Order, P2, QuadraturePoint, Shape, edge_rule, triangle_rule};
 use nalgebra::{SMatrix, SVector};
 
 /// Two fields (indices into the list given) whose errors' energy product is wanted.
@@ -35,9 +36,22 @@ pub fn estimate_pairs(solved: &Solved, fields: &[&[f64]], pairs: &[Pair]) -> Vec
 }
 
 pub(super) fn estimate_loaded(solved: &Solved, fields: &[&[f64]], loads: &[PointLoad], pairs: &[Pair]) -> Vec<Vec<f64>> {
+    match solved.order {
+        Order::Quadratic => products(solved, fields, loads, pairs, bubbles_above_quadratic),
+        Order::Linear => products(solved, fields, loads, pairs, bubbles_above_linear),
+    }
+}
+
+fn products<const N: usize>(
+    solved: &Solved,
+    fields: &[&[f64]],
+    loads: &[PointLoad],
+    pairs: &[Pair],
+    bubbles: Bubbles<N>,
+) -> Vec<Vec<f64>> {
     let triangles = solved.mesh.triangles.len();
     // Enough for all but the highest terms of the quartic bubbles; the estimate does not need them exactly.
-    let rules = Rules::new(6);
+    let rules = Rules::new(6, bubbles);
     let open = open_edges(solved);
     let mut out = vec![Vec::with_capacity(triangles); pairs.len()];
     let local = |t: usize| {
@@ -66,32 +80,38 @@ fn open_edges(solved: &Solved) -> Vec<u32> {
     behind
 }
 
-type Lift = SVector<f64, ABOVE_QUADRATIC>;
-type Stiffness = SMatrix<f64, ABOVE_QUADRATIC, ABOVE_QUADRATIC>;
-type Tabulated = (QuadraturePoint, [[f64; 2]; 6], [crate::adapt::Bubble; ABOVE_QUADRATIC]);
+/// Values and slopes of all bubbles at a reference point: those of the three edges first, once or twice, then the inner ones.
+type Bubbles<const N: usize> = fn([f64; 2]) -> [Bubble; N];
+type Lift<const N: usize> = SVector<f64, N>;
+type Stiffness<const N: usize> = SMatrix<f64, N, N>;
+type Tabulated<const N: usize> = (QuadraturePoint, [[f64; 2]; 6], [Bubble; N]);
 
-struct Rules {
-    inside: Vec<Tabulated>,
+/// Bubbles that live on edges.
+const ON_EDGES: usize = 6;
+
+struct Rules<const N: usize> {
+    bubbles: Bubbles<N>,
+    inside: Vec<Tabulated<N>>,
     edge: Vec<(f64, f64)>,
 }
 
-impl Rules {
-    fn new(degree: usize) -> Rules {
-        let inside = triangle_rule(degree).into_iter().map(|q| (q, P2::at(q.at).1, bubbles_above_quadratic(q.at))).collect();
-        Rules { inside, edge: edge_rule(6) }
+impl<const N: usize> Rules<N> {
+    fn new(degree: usize, bubbles: Bubbles<N>) -> Rules<N> {
+        let inside = triangle_rule(degree).into_iter().map(|q| (q, P2::at(q.at).1, bubbles(q.at))).collect();
+        Rules { bubbles, inside, edge: edge_rule(6) }
     }
 }
 
-struct Local<'a> {
+struct Local<'a, const N: usize> {
     solved: &'a Solved<'a>,
-    rules: &'a Rules,
+    rules: &'a Rules<N>,
     open: &'a [u32],
     t: usize,
 }
 
-impl Local<'_> {
+impl<const N: usize> Local<'_, N> {
     /// For each field, the coefficients of the lifted residual and the residual itself.
-    fn lift(&self, fields: &[&[f64]], loads: &[PointLoad]) -> Vec<(Lift, Lift)> {
+    fn lift(&self, fields: &[&[f64]], loads: &[PointLoad]) -> Vec<(Lift<N>, Lift<N>)> {
         let element = self.solved.nodes.element(self.t);
         let mut residuals = vec![Lift::zeros(); fields.len()];
         let mut stiffness = self.interior(&element, fields, &mut residuals);
@@ -100,12 +120,12 @@ impl Local<'_> {
         }
         for load in loads.iter().filter(|l| l.triangle == self.t) {
             let map = element.map_at(load.reference);
-            for (i, (value, slope)) in bubbles_above_quadratic(load.reference).into_iter().enumerate() {
+            for (i, (value, slope)) in (self.rules.bubbles)(load.reference).into_iter().enumerate() {
                 let g = map.gradient(slope);
                 residuals[load.field][i] += load.weights[0] * value + load.weights[1] * g[0] + load.weights[2] * g[1];
             }
         }
-        for k in (0..6).filter(|&k| self.prescribed(k % 3)) {
+        for k in (0..N.min(ON_EDGES)).filter(|&k| self.prescribed(k % 3)) {
             stiffness.row_mut(k).fill(0.0);
             stiffness.column_mut(k).fill(0.0);
             stiffness[(k, k)] = 1.0;
@@ -118,7 +138,7 @@ impl Local<'_> {
         residuals.into_iter().map(|r| (factor.solve(&r), r)).collect()
     }
 
-    fn interior(&self, element: &Element, fields: &[&[f64]], residuals: &mut [Lift]) -> Stiffness {
+    fn interior(&self, element: &Element, fields: &[&[f64]], residuals: &mut [Lift<N>]) -> Stiffness<N> {
         let permittivity = permittivity(self.solved, self.t);
         let symmetry = self.solved.problem.symmetry;
         let mut stiffness = Stiffness::zeros();
@@ -127,7 +147,7 @@ impl Local<'_> {
             let weight = q.weight * map.jacobian * symmetry.weight(map.at[0]);
             let shapes = bubbles.map(|(value, slope)| Shape { value, gradient: map.gradient(slope) });
             // The factorisation reads the lower triangle only.
-            for i in 0..ABOVE_QUADRATIC {
+            for i in 0..N {
                 for j in 0..=i {
                     stiffness[(i, j)] += weight * dielectric(permittivity, shapes[i], shapes[j]);
                 }
@@ -135,7 +155,7 @@ impl Local<'_> {
             for (u, r) in fields.iter().zip(residuals.iter_mut()) {
                 let g = slope_sum(self.solved, self.t, slopes, u);
                 let trial = Shape { value: 0.0, gradient: map.gradient(g) };
-                for i in 0..ABOVE_QUADRATIC {
+                for i in 0..N {
                     r[i] -= weight * dielectric(permittivity, shapes[i], trial);
                 }
             }
@@ -149,7 +169,7 @@ impl Local<'_> {
     }
 
     /// Adds the averaged flux through the local edge `k`; only the bubbles of that edge are not zero there.
-    fn edge(&self, element: &Element, k: usize, fields: &[&[f64]], residuals: &mut [Lift]) {
+    fn edge(&self, element: &Element, k: usize, fields: &[&[f64]], residuals: &mut [Lift<N>]) {
         if self.prescribed(k) {
             return;
         }
@@ -165,14 +185,14 @@ impl Local<'_> {
             if weight == 0.0 {
                 continue;
             }
-            let bubbles = bubbles_above_quadratic(Element::edge_reference(k, t));
+            let bubbles = (self.rules.bubbles)(Element::edge_reference(k, t));
             for (u, r) in fields.iter().zip(residuals.iter_mut()) {
                 let here = flux(self.solved, self.t, element, Element::edge_reference(k, t), p.normal, u);
                 let there = match other {
                     NONE => self.flux_behind(self.open[edge] as usize, t, p.normal, u),
                     other => self.flux_beside(other as usize, edge, t, p.normal, u),
                 };
-                for i in [k, k + 3] {
+                for i in (k..N.min(ON_EDGES)).step_by(3) {
                     r[i] += weight * bubbles[i].0 * 0.5 * (here + there);
                 }
             }

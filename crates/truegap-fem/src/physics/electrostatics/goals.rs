@@ -266,8 +266,6 @@ fn point_dual(
         let g = map.gradient(slope[k]);
         rhs[node as usize] += weights[0] * value[k] + weights[1] * g[0] + weights[2] * g[1];
     }
-    let x = solved.solve_free(&solved.numbering.restrict(&rhs))?;
-    let mut dual = vec![0.0; solved.dofs.count];
-    solved.numbering.scatter(&x, &mut dual);
+    let dual = solved.response(rhs)?;
     Ok((dual, PointLoad { field, triangle, reference, weights }))
 }

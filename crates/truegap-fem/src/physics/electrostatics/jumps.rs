@@ -43,9 +43,11 @@ fn blends(solved: &Solved, node: u32) -> Vec<Blend> {
 /// Integral of (prescribed value of `data` - its exact value) times the outward flux of `other` over the edge.
 fn half(solved: &Solved, blend: &Blend, data: &[f64], other: &[f64]) -> f64 {
     let nodes = &solved.nodes.triangles[blend.triangle];
-    let corner = nodes[if blend.at_end { (blend.side + 1) % 3 } else { blend.side }];
-    let jump = data[corner as usize] - data[nodes[3 + blend.side] as usize];
-    if jump == 0.0 {
+    let ends = [blend.side, (blend.side + 1) % 3].map(|k| nodes[k] as usize);
+    let exact = data[ends[usize::from(!blend.at_end)]];
+    // What the edge has above the exact value of its conductor, at start, end and middle.
+    let above = [ends[0], ends[1], nodes[3 + blend.side] as usize].map(|i| data[i] - exact);
+    if above == [0.0; 3] {
         return 0.0;
     }
     let element = solved.nodes.element(blend.triangle);
@@ -53,9 +55,9 @@ fn half(solved: &Solved, blend: &Blend, data: &[f64], other: &[f64]) -> f64 {
     for &(t, w) in &edge_rule(5) {
         let p = element.edge_point(blend.side, t);
         let weight = w * p.speed * solved.problem.symmetry.weight(p.at[0]);
-        let shape = p.value[usize::from(blend.at_end)];
+        let blended: f64 = above.iter().zip(p.value).map(|(a, n)| a * n).sum();
         let reference = Element::edge_reference(blend.side, t);
-        sum += weight * jump * shape * flux(solved, blend.triangle, &element, reference, p.normal, other);
+        sum += weight * blended * flux(solved, blend.triangle, &element, reference, p.normal, other);
     }
     sum
 }

@@ -11,9 +11,12 @@ mod fields;
 mod form;
 mod goals;
 mod jumps;
+mod order;
 mod system;
+mod unknowns;
 
-pub use adaptive::{Accuracy, Outcome, solve_adaptive, solve_on};
+pub use crate::space::Order;
+pub use adaptive::{Accuracy, Outcome, solve_adaptive, solve_on, solve_on_with};
 pub use error::ElectrostaticsError;
 pub use estimate::{Pair, estimate_pairs};
 pub use fields::FieldSample;

@@ -1,19 +1,17 @@
 //! The linear system of an electrostatic problem on one mesh, and its unit-potential solutions.
 
-use super::exterior::{Exterior, InfiniteElement, POWERS, UNKNOWNS};
+use super::Problem;
+use super::exterior::{Exterior, InfiniteElement, UNKNOWNS};
 use super::form::dielectric;
-use super::{ElectrostaticsError, Problem};
+use super::order::{Followers, reduce};
+use super::unknowns::{Junctions, owners, permittivities, unknowns};
 use crate::assembly::{Pattern, for_each_element};
-use crate::mesh::{Mesh, NONE, Topology};
+use crate::mesh::{Mesh, Topology};
 use crate::solve::{Direct, Kind, Memory};
-use crate::space::{Element, ElementDofs, Nodes, Numbering, P2, ShapeTable, triangle_rule};
+use crate::space::{Element, ElementDofs, Nodes, Numbering, Order, P2, ShapeTable, triangle_rule};
 use crate::{FemError, Symmetry};
 use nalgebra_sparse::CscMatrix;
-use std::collections::BTreeMap;
 use std::time::Instant;
-
-/// Owner of unknowns that are zero in every solution.
-const ZERO: u16 = u16::MAX - 1;
 
 /// Wall-clock seconds of the steps.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -35,6 +33,8 @@ pub struct Solved<'a> {
     /// Its quadratic nodes.
     pub nodes: Nodes,
     pub(super) problem: &'a Problem,
+    pub(super) order: Order,
+    followers: Followers,
     pub(super) permittivity: Vec<f64>,
     pub(super) exterior: Option<Exterior>,
     pub(super) dofs: ElementDofs,
@@ -55,8 +55,13 @@ pub struct Solved<'a> {
 }
 
 impl<'a> Solved<'a> {
-    /// Assembles and solves on a mesh.
+    /// Assembles and solves on a mesh, with quadratic elements.
     pub fn new(problem: &'a Problem, mesh: &'a Mesh) -> Result<Solved<'a>, FemError> {
+        Solved::of_order(problem, mesh, Order::Quadratic)
+    }
+
+    /// Assembles and solves on a mesh.
+    pub fn of_order(problem: &'a Problem, mesh: &'a Mesh, order: Order) -> Result<Solved<'a>, FemError> {
         let begin = Instant::now();
         if problem.symmetry == Symmetry::Axisymmetric {
             mesh.check_axis()?;
@@ -73,11 +78,14 @@ impl<'a> Solved<'a> {
             (Some(_), Symmetry::Axisymmetric) => dofs.count - 1,
             _ => usize::MAX,
         };
-        let fixed: Vec<bool> = owner.iter().enumerate().map(|(i, &o)| o != u16::MAX || i == far).collect();
+        let followers = Followers::new(order, &nodes, &topology);
+        let mut fixed: Vec<bool> = owner.iter().enumerate().map(|(i, &o)| o != u16::MAX || i == far).collect();
+        followers.mark(&mut fixed);
         let numbering = Numbering::new(&fixed);
         let degree = if mesh.curved_edges.is_empty() { 4 } else { 6 };
         let rule = P2::table(&triangle_rule(degree));
-        let pattern = Pattern::new(&dofs, &numbering);
+        let without = followers.without(&dofs);
+        let pattern = Pattern::new(without.as_ref().unwrap_or(&dofs), &numbering);
         let mut matrix = pattern.matrix();
         let system = System {
             nodes: &nodes,
@@ -88,12 +96,17 @@ impl<'a> Solved<'a> {
             topology: &topology,
             symmetry: problem.symmetry,
         };
-        pattern.assemble(&mut matrix, |e, out| system.matrix(e, out));
+        match order {
+            Order::Quadratic => pattern.assemble(&mut matrix, |e, out| system.matrix(e, out)),
+            Order::Linear => pattern.assemble(&mut matrix, |e, out| system.reduced(e, out)),
+        }
         drop(pattern);
         let assembled = begin.elapsed().as_secs_f64();
         let direct = Direct::new(&matrix, Kind::Llt)?;
         let mut solved = Solved {
             problem,
+            order,
+            followers,
             mesh,
             topology,
             nodes,
@@ -123,9 +136,8 @@ impl<'a> Solved<'a> {
         // Elements on which all vectors vanish contribute nothing: most of them, for prescribed values.
         let loads = self.products(&prescribed, |of| of.iter().any(|&d| prescribed.iter().any(|u| u[d as usize] != 0.0)));
         for (u, load) in units.iter_mut().zip(&loads) {
-            let rhs: Vec<f64> = self.numbering.restrict(load).iter().map(|x| -x).collect();
-            let x = self.solve_free(&rhs)?;
-            self.numbering.scatter(&x, u);
+            let response = self.response(load.iter().map(|x| -x).collect())?;
+            u.iter_mut().zip(&response).for_each(|(u, r)| *u += r);
         }
         self.potential = vec![0.0; self.dofs.count];
         for (u, c) in units.iter().zip(&self.problem.conductors) {
@@ -142,14 +154,19 @@ impl<'a> Solved<'a> {
             let share = f64::from(u8::from(touching.contains(&c)));
             u[node as usize] = share / touching.len() as f64;
         }
+        self.followers.fill(&mut u);
         u
     }
 
-    /// Solves for the free unknowns with the factorised matrix.
-    pub(super) fn solve_free(&mut self, rhs: &[f64]) -> Result<Vec<f64>, FemError> {
-        let solution = self.direct.solve(&self.matrix, rhs)?;
+    /// Potential under the charges `load` with all conductors at 0 V, over all unknowns.
+    pub(super) fn response(&mut self, mut load: Vec<f64>) -> Result<Vec<f64>, FemError> {
+        self.followers.gather(&mut load);
+        let solution = self.direct.solve(&self.matrix, &self.numbering.restrict(&load))?;
         self.residual = self.residual.max(solution.residual);
-        Ok(solution.x)
+        load.fill(0.0);
+        self.numbering.scatter(&solution.x, &mut load);
+        self.followers.fill(&mut load);
+        Ok(load)
     }
 
     fn element(&self) -> System<'_> {
@@ -255,6 +272,14 @@ impl System<'_> {
         }
     }
 
+    /// The same without the middles that follow their ends.
+    fn reduced(&self, e: usize, out: &mut [f64]) {
+        let mut full = [0.0; UNKNOWNS * UNKNOWNS];
+        let m = if e < self.mesh.triangles.len() { 6 } else { UNKNOWNS };
+        self.matrix(e, &mut full[..m * m]);
+        reduce(&mut full[..m * m], m, out);
+    }
+
     fn infinite(&self, k: usize) -> Option<InfiniteElement> {
         let exterior = self.exterior?;
         let nodes = self.nodes.edge(self.topology, exterior.edges[k])?;
@@ -288,102 +313,4 @@ fn triangle_matrix(element: &Element, rule: &[ShapeTable<6>], symmetry: Symmetry
             out[6 * j + i] = out[6 * i + j];
         }
     }
-}
-
-fn permittivities(problem: &Problem, mesh: &Mesh) -> Result<Vec<f64>, ElectrostaticsError> {
-    mesh.region_names
-        .iter()
-        .map(|name| {
-            let found = problem.permittivity.iter().find(|(region, _)| region == name).map_or(f64::NAN, |(_, e)| *e);
-            let good = found > 0.0 && found.is_finite();
-            good.then_some(found)
-                .ok_or_else(|| ElectrostaticsError::BadPermittivity { region: name.clone(), permittivity: found })
-        })
-        .collect()
-}
-
-/// Unknowns of all triangles and infinite elements, and the first exterior unknown of every open node.
-fn unknowns(nodes: &Nodes, topology: &Topology, exterior: Option<&Exterior>) -> (ElementDofs, Option<Vec<u32>>) {
-    let mut dofs = ElementDofs::quadratic(nodes);
-    let Some(exterior) = exterior else { return (dofs, None) };
-    let mut sites = vec![NONE; nodes.points.len()];
-    let mut next = nodes.points.len() as u32;
-    let open: Vec<[u32; 3]> = exterior.edges.iter().filter_map(|&e| nodes.edge(topology, e)).collect();
-    for &node in open.iter().flatten() {
-        if sites[node as usize] == NONE {
-            sites[node as usize] = next;
-            next += (POWERS - 1) as u32;
-        }
-    }
-    for edge in open {
-        let mut local = Vec::with_capacity(UNKNOWNS);
-        for node in edge {
-            local.push(node);
-            local.extend((0..POWERS as u32 - 1).map(|k| sites[node as usize] + k));
-        }
-        local.push(next);
-        dofs.push(&local);
-    }
-    dofs.count = next as usize + 1;
-    (dofs, Some(sites))
-}
-
-/// Conductors that touch at a node, for every such node.
-pub(super) type Junctions = BTreeMap<u32, Vec<u16>>;
-
-/// Conductor that fixes each unknown, `u16::MAX` where it is free; and the nodes that several conductors share.
-fn owners(
-    problem: &Problem,
-    mesh: &Mesh,
-    nodes: &Nodes,
-    topology: &Topology,
-    dofs: &ElementDofs,
-    sites: Option<&Vec<u32>>,
-) -> Result<(Vec<u16>, Junctions), FemError> {
-    if problem.conductors.is_empty() {
-        return Err(ElectrostaticsError::NoConductor.into());
-    }
-    let mut owner = vec![u16::MAX; dofs.count];
-    let mut junctions = Junctions::new();
-    for (c, conductor) in problem.conductors.iter().enumerate() {
-        if !conductor.potential.is_finite() {
-            return Err(ElectrostaticsError::BadPotential {
-                boundary: conductor.boundary.clone(),
-                potential: conductor.potential,
-            }
-            .into());
-        }
-        for edge in mesh.edges_of(mesh.boundary(&conductor.boundary)?) {
-            for node in nodes.edge(topology, edge).into_iter().flatten() {
-                let slot = &mut owner[node as usize];
-                if *slot == u16::MAX {
-                    *slot = c as u16;
-                } else if *slot != c as u16 {
-                    let touching = junctions.entry(node).or_insert_with(|| vec![*slot]);
-                    if !touching.contains(&(c as u16)) {
-                        touching.push(c as u16);
-                    }
-                }
-            }
-        }
-    }
-    let Some(sites) = sites else { return Ok((owner, junctions)) };
-    // A conductor that reaches the open boundary goes on to infinity along the ray.
-    for (node, &site) in sites.iter().enumerate().filter(|(_, s)| **s != NONE) {
-        let c = owner[node];
-        if c == u16::MAX {
-            continue;
-        }
-        // Constant along the ray: trace and infinity at the conductor's potential, higher powers zero.
-        owner[site as usize..site as usize + POWERS - 1].fill(ZERO);
-        let far = &mut owner[dofs.count - 1];
-        if *far != u16::MAX && *far != c {
-            let remedy = "let at most one conductor reach the open boundary";
-            return Err(
-                ElectrostaticsError::OpenBoundary { reason: "two conductors reach it", at: nodes.points[node], remedy }.into()
-            );
-        }
-        *far = c;
-    }
-    Ok((owner, junctions))
 }

@@ -1,0 +1,141 @@
+//! truegap's part in the comparison with other programs (`validation/peers/fem.py`): meshes for all of them, and its own times.
+//!
+//! `cargo run -p truegap-fem --example beside_peers mesh disc|rubber graded|uniform UNKNOWNS FILE.msh` writes a mesh;
+//! `... solve disc|rubber FILE.msh` solves on it, walls without field, displacements only, as the others do;
+//! `... adapt disc|rubber TARGET` refines for itself, open space and mixed rubber, from the drawing to the answer.
+//! The two last ones print a line of JSON: seconds of processor time (`seconds`) and of wall clock, the largest memory of the process.
+
+use std::error::Error;
+use std::fs;
+use std::io::BufWriter;
+use std::time::Instant;
+use truegap_fem::io::{read_msh, write_msh};
+use truegap_fem::mesh::{Geometry, Mesh, MeshOptions, SizeField, mesh_geometry};
+use truegap_fem::physics::elasticity::{self, Component, Formulation, Solver};
+use truegap_fem::physics::electrostatics::{self, Solved, VACUUM_PERMITTIVITY};
+use truegap_fem::problems::{
+    RUBBER_SIZE, disc_capacitor_geometry, disc_capacitor_mesh, disc_capacitor_problem, rubber_disc_geometry, rubber_disc_mesh,
+    rubber_disc_problem,
+};
+
+type Outcome<T> = Result<T, Box<dyn Error>>;
+
+fn main() -> Outcome<()> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match words.as_slice() {
+        ["mesh", problem, kind, unknowns, file] => {
+            let mesh = mesh(problem, kind, unknowns.parse()?)?;
+            Ok(write_msh(&mut BufWriter::new(fs::File::create(file)?), &mesh)?)
+        }
+        ["solve", problem, file] => {
+            let mesh = read_msh(&fs::read_to_string(file)?, file)?;
+            match *problem {
+                "disc" => solve_disc(&mesh),
+                _ => solve_rubber(mesh),
+            }
+        }
+        ["adapt", problem, target] => match *problem {
+            "disc" => adapt_disc(target.parse()?),
+            _ => adapt_rubber(target.parse()?),
+        },
+        _ => Err("usage: mesh PROBLEM graded|uniform UNKNOWNS FILE | solve PROBLEM FILE | adapt PROBLEM TARGET".into()),
+    }
+}
+
+fn mesh(problem: &str, kind: &str, unknowns: usize) -> Outcome<Mesh> {
+    Ok(match (problem, kind) {
+        ("disc", "graded") => disc_capacitor_mesh(unknowns)?,
+        ("disc", _) => uniform(&disc_capacitor_geometry(), 50.0, unknowns / 2)?,
+        (_, "graded") => rubber_disc_mesh(unknowns)?,
+        _ => uniform(&rubber_disc_geometry(), RUBBER_SIZE[0] * RUBBER_SIZE[1], unknowns / 4)?,
+    })
+}
+
+/// Triangles of one size on a body of a given area (m^2).
+fn uniform(geometry: &Geometry, area: f64, triangles: usize) -> Outcome<Mesh> {
+    let edge = (area / (0.433 * triangles as f64)).sqrt();
+    Ok(mesh_geometry(geometry, &MeshOptions { size: SizeField::uniform(edge), ..MeshOptions::default() })?)
+}
+
+fn solve_disc(mesh: &Mesh) -> Outcome<()> {
+    let (mut problem, _) = disc_capacitor_problem();
+    problem.open.clear();
+    let clock = Clock::start();
+    let solved = Solved::new(&problem, mesh)?;
+    let value = 2.0 * solved.energy() / VACUUM_PERMITTIVITY;
+    clock.report(solved.unknowns(), 1, value);
+    Ok(())
+}
+
+fn solve_rubber(mesh: Mesh) -> Outcome<()> {
+    let (problem, _) = rubber_disc_problem(mesh, Formulation::Displacement);
+    let clock = Clock::start();
+    let mut solver = Solver::new(problem)?;
+    let solution = solver.solve()?;
+    let value = apparent(solution.reaction("top", Component::Second)?);
+    clock.report(solver.body().numbering.free.len(), 1, value);
+    Ok(())
+}
+
+/// Apparent over true modulus for a force on the plate (N).
+fn apparent(force: f64) -> f64 {
+    let [radius, _] = RUBBER_SIZE;
+    -force / (std::f64::consts::PI * radius * radius * 1e-3 * 1e6)
+}
+
+fn adapt_disc(target: f64) -> Outcome<()> {
+    let (problem, goals) = disc_capacitor_problem();
+    let clock = Clock::start();
+    let mut mesh = mesh_geometry(&disc_capacitor_geometry(), &MeshOptions::default())?;
+    let accuracy = electrostatics::Accuracy { target, ..Default::default() };
+    let outcome = electrostatics::solve_adaptive(&problem, &goals, &mut mesh, &accuracy)?;
+    clock.report(outcome.unknowns, outcome.levels, outcome.answers[0].value / VACUUM_PERMITTIVITY);
+    Ok(())
+}
+
+fn adapt_rubber(target: f64) -> Outcome<()> {
+    let clock = Clock::start();
+    let mesh = mesh_geometry(&rubber_disc_geometry(), &MeshOptions::default())?;
+    let (mut problem, goals) = rubber_disc_problem(mesh, Formulation::suited(0.49));
+    let accuracy = elasticity::Accuracy { target, ..Default::default() };
+    let outcome = elasticity::solve_goals_adaptive(&mut problem, &goals, &accuracy)?;
+    let unknowns = outcome.solution.body().numbering.free.len();
+    clock.report(unknowns, outcome.levels, apparent(outcome.answers[0].value));
+    Ok(())
+}
+
+/// Wall-clock time, and what all threads of this process have used of the processors.
+struct Clock {
+    begin: Instant,
+    used: f64,
+}
+
+impl Clock {
+    fn start() -> Clock {
+        Clock { begin: Instant::now(), used: processor_seconds() }
+    }
+
+    fn report(&self, unknowns: usize, levels: usize, value: f64) {
+        let (seconds, wall) = (processor_seconds() - self.used, self.begin.elapsed().as_secs_f64());
+        println!(
+            "{{\"unknowns\": {unknowns}, \"value\": {value:?}, \"seconds\": {seconds:.4}, \"wall\": {wall:.4}, \"levels\": {levels}, \"peak_mb\": {}}}",
+            peak_mb()
+        );
+    }
+}
+
+/// Processor seconds of all threads so far; needs Linux (NaN elsewhere).
+fn processor_seconds() -> f64 {
+    let Ok(threads) = fs::read_dir("/proc/self/task") else { return f64::NAN };
+    let nanoseconds = |text: String| text.split_whitespace().next().and_then(|n| n.parse::<f64>().ok()).unwrap_or(f64::NAN);
+    let used = threads.filter_map(|t| fs::read_to_string(t.ok()?.path().join("schedstat")).ok()).map(nanoseconds);
+    1e-9 * used.sum::<f64>()
+}
+
+/// Largest resident memory of this process so far (MB), 0 where the system does not tell.
+fn peak_mb() -> u64 {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"));
+    line.and_then(|l| l.trim().trim_end_matches(" kB").parse::<u64>().ok()).unwrap_or(0) / 1000
+}

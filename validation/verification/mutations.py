@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Plants every error of `mutations.toml` in a copy of the finite-element crate and sees whether its tests notice.
+
+    python3 validation/verification/mutations.py [NAME...] [--scratch target/mutations]
+
+Every mutation names a file of `crates/truegap-fem/src`, the text that it replaces (which must occur there exactly once), what it puts in
+its place, and the test target that should fail. `killed`: a test failed, or did not end in ten minutes; `survived`: all passed.
+A mutation that does not compile, or whose text is not there, ends the run: then the list is out of date. Writes `mutations.md`; with
+names only those are tried and nothing is written. Exit code 1 where one survives.
+"""
+
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+import time
+import tomllib
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+LIMIT = 600
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="*")
+    parser.add_argument("--scratch", type=Path, default=ROOT / "target/mutations")
+    options = parser.parse_args()
+    mutations = tomllib.loads((HERE / "mutations.toml").read_text())["mutation"]
+    chosen = [m for m in mutations if not options.names or m["name"] in options.names]
+    crate = copy(options.scratch)
+    for target in sorted({m["test"] for m in chosen}):
+        outcome, _, detail = run(options.scratch, target)
+        if outcome != "survived":
+            sys.exit(f"the tests of {target} do not pass without any mutation:\n{detail}")
+    rows = []
+    for mutation in chosen:
+        row = attempt(options.scratch, crate, mutation)
+        print(f"{row['outcome']:9} {row['seconds']:5.0f} s  {mutation['name']}  {row['by']}", flush=True)
+        rows.append({**mutation, **row})
+    if not options.names:
+        (HERE / "mutations.md").write_text(page(rows))
+    sys.exit(any(r["outcome"] == "survived" for r in rows))
+
+
+def copy(scratch):
+    """A workspace of its own with this crate and what its tests read; its target folder stays from run to run."""
+    crate = scratch / "crates/truegap-fem"
+    for folder in ["crates/truegap-fem", "meshes", "validation/verification"]:
+        shutil.rmtree(scratch / folder, ignore_errors=True)
+        shutil.copytree(ROOT / folder, scratch / folder)
+    manifest = (ROOT / "Cargo.toml").read_text()
+    manifest = re.sub(r"members = \[.*\]", 'members = ["crates/truegap-fem"]', manifest, count=1)
+    manifest = re.sub(r"default-members = \[.*\]\n", "", manifest, count=1)
+    manifest = re.sub(r'^truegap[a-z-]* = \{ path.*\n', "", manifest, flags=re.MULTILINE)
+    (scratch / "Cargo.toml").write_text(manifest)
+    shutil.copy(ROOT / "Cargo.lock", scratch / "Cargo.lock")
+    return crate
+
+
+def attempt(scratch, crate, mutation):
+    """Plants one error, runs its tests, takes the error out again."""
+    file = crate / "src" / mutation["file"]
+    right = file.read_text()
+    if right.count(mutation["from"]) != 1:
+        sys.exit(f"{mutation['name']}: `{mutation['from']}` occurs {right.count(mutation['from'])} times in {mutation['file']}")
+    try:
+        file.write_text(right.replace(mutation["from"], mutation["to"]))
+        outcome, seconds, detail = run(scratch, mutation["test"])
+    finally:
+        file.write_text(right)
+    failed = re.findall(r"^test (\S+) \.\.\. FAILED", detail, flags=re.MULTILINE)
+    if outcome == "killed" and not failed:
+        if "could not compile" in detail:
+            sys.exit(f"{mutation['name']} does not compile:\n{detail[-2000:]}")
+        failed = ["time limit"]
+    return {"outcome": outcome, "seconds": seconds, "by": ", ".join(f"`{f}`" for f in failed[:2]), "count": len(failed)}
+
+
+def run(scratch, target):
+    """Outcome of the tests of a target: what they print, and how long building and testing took."""
+    command = ["cargo", "test", "--quiet", "-p", "truegap-fem", *target.split(), "--", "--format=pretty"]
+    begin = time.monotonic()
+    built = subprocess.run([*command[:-2], "--no-run"], cwd=scratch, capture_output=True, text=True)
+    if built.returncode:
+        return "killed", time.monotonic() - begin, built.stderr
+    try:
+        done = subprocess.run(command, cwd=scratch, capture_output=True, text=True, timeout=LIMIT)
+        detail, failed = done.stdout + done.stderr, done.returncode != 0
+    except subprocess.TimeoutExpired:
+        detail, failed = "", True
+    return "killed" if failed else "survived", time.monotonic() - begin, detail
+
+
+def page(rows):
+    killed = sum(r["outcome"] == "killed" for r in rows)
+    lines = [
+        "# Planted errors in the finite elements, and the tests that notice them",
+        "",
+        f"{killed} of {len(rows)} killed. Each is planted alone in a copy of the crate, and one test target is run (`mutations.toml` says which).",
+        "",
+        "| what is wrong | file | test target | outcome | noticed by (first two of) | tests |",
+        "|---|---|---|---|---|---|",
+    ]
+    for r in rows:
+        lines.append(f"| {r['why']} | `{r['file']}` | `{r['test']}` | {r['outcome']} | {r['by']} | {r['count']} |")
+    lines += ["", "Made by `python3 validation/verification/mutations.py`.", ""]
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    main()

@@ -5,10 +5,13 @@
 //! `... adapt disc|rubber TARGET` refines for itself, open space and mixed rubber, from the drawing to the answer.
 //! The two last ones print a line of JSON: seconds of processor time (`seconds`) and of wall clock, the largest memory of the process.
 
+#[path = "common/clock.rs"]
+mod clock;
+
+use clock::Clock;
 use std::error::Error;
 use std::fs;
 use std::io::BufWriter;
-use std::time::Instant;
 use truegap_fem::io::{read_msh, write_msh};
 use truegap_fem::mesh::{Geometry, Mesh, MeshOptions, SizeField, mesh_geometry};
 use truegap_fem::physics::elasticity::{self, Component, Formulation, Solver};
@@ -64,7 +67,7 @@ fn solve_disc(mesh: &Mesh) -> Outcome<()> {
     let clock = Clock::start();
     let solved = Solved::new(&problem, mesh)?;
     let value = 2.0 * solved.energy() / VACUUM_PERMITTIVITY;
-    clock.report(solved.unknowns(), 1, value);
+    report(&clock, solved.unknowns(), 1, value);
     Ok(())
 }
 
@@ -74,7 +77,7 @@ fn solve_rubber(mesh: Mesh) -> Outcome<()> {
     let mut solver = Solver::new(problem)?;
     let solution = solver.solve()?;
     let value = apparent(solution.reaction("top", Component::Second)?);
-    clock.report(solver.body().numbering.free.len(), 1, value);
+    report(&clock, solver.body().numbering.free.len(), 1, value);
     Ok(())
 }
 
@@ -90,7 +93,7 @@ fn adapt_disc(target: f64) -> Outcome<()> {
     let mut mesh = mesh_geometry(&disc_capacitor_geometry(), &MeshOptions::default())?;
     let accuracy = electrostatics::Accuracy { target, ..Default::default() };
     let outcome = electrostatics::solve_adaptive(&problem, &goals, &mut mesh, &accuracy)?;
-    clock.report(outcome.unknowns, outcome.levels, outcome.answers[0].value / VACUUM_PERMITTIVITY);
+    report(&clock, outcome.unknowns, outcome.levels, outcome.answers[0].value / VACUUM_PERMITTIVITY);
     Ok(())
 }
 
@@ -101,36 +104,17 @@ fn adapt_rubber(target: f64) -> Outcome<()> {
     let accuracy = elasticity::Accuracy { target, ..Default::default() };
     let outcome = elasticity::solve_goals_adaptive(&mut problem, &goals, &accuracy)?;
     let unknowns = outcome.solution.body().numbering.free.len();
-    clock.report(unknowns, outcome.levels, apparent(outcome.answers[0].value));
+    report(&clock, unknowns, outcome.levels, apparent(outcome.answers[0].value));
     Ok(())
 }
 
-/// Wall-clock time, and what all threads of this process have used of the processors.
-struct Clock {
-    begin: Instant,
-    used: f64,
-}
-
-impl Clock {
-    fn start() -> Clock {
-        Clock { begin: Instant::now(), used: processor_seconds() }
-    }
-
-    fn report(&self, unknowns: usize, levels: usize, value: f64) {
-        let (seconds, wall) = (processor_seconds() - self.used, self.begin.elapsed().as_secs_f64());
-        println!(
-            "{{\"unknowns\": {unknowns}, \"value\": {value:?}, \"seconds\": {seconds:.4}, \"wall\": {wall:.4}, \"levels\": {levels}, \"peak_mb\": {}}}",
-            peak_mb()
-        );
-    }
-}
-
-/// Processor seconds of all threads so far; needs Linux (NaN elsewhere).
-fn processor_seconds() -> f64 {
-    let Ok(threads) = fs::read_dir("/proc/self/task") else { return f64::NAN };
-    let nanoseconds = |text: String| text.split_whitespace().next().and_then(|n| n.parse::<f64>().ok()).unwrap_or(f64::NAN);
-    let used = threads.filter_map(|t| fs::read_to_string(t.ok()?.path().join("schedstat")).ok()).map(nanoseconds);
-    1e-9 * used.sum::<f64>()
+/// Prints the line of a finished run.
+fn report(clock: &Clock, unknowns: usize, levels: usize, value: f64) {
+    let (seconds, wall) = (clock.seconds(), clock.wall());
+    println!(
+        "{{\"unknowns\": {unknowns}, \"value\": {value:?}, \"seconds\": {seconds:.4}, \"wall\": {wall:.4}, \"levels\": {levels}, \"peak_mb\": {}}}",
+        peak_mb()
+    );
 }
 
 /// Largest resident memory of this process so far (MB), 0 where the system does not tell.

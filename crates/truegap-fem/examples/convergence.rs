@@ -2,10 +2,14 @@
 //!
 //! `cargo run -p truegap-fem --example convergence > validation/verification/convergence.csv`; the plots are made from it by
 //! `validation/verification/plots.py`. Two problems with a singular rim and a reference that truegap did not make: the disc capacitor
-//! in open space (Love's equation) and the bonded rubber disc (hp finite elements of another program). Seconds are wall-clock.
+//! in open space (Love's equation) and the bonded rubber disc (hp finite elements of another program). Seconds are processor seconds of
+//! all threads.
 
+#[path = "common/clock.rs"]
+mod clock;
+
+use clock::Clock;
 use std::error::Error;
-use std::time::Instant;
 use truegap_fem::mesh::{Geometry, Mesh, MeshOptions, SizeField, mesh_geometry};
 use truegap_fem::physics::elasticity::{self, Formulation, solve_goals, solve_goals_adaptive};
 use truegap_fem::physics::electrostatics::{self, Order, VACUUM_PERMITTIVITY, solve_adaptive, solve_on_with};
@@ -52,8 +56,8 @@ fn triangles(order: Order, unknowns: usize) -> usize {
     }
 }
 
-fn print(what: [&str; 3], unknowns: usize, begin: Instant, error: f64, estimate: f64) {
-    let seconds = begin.elapsed().as_secs_f64();
+fn print(what: [&str; 3], unknowns: usize, clock: &Clock, error: f64, estimate: f64) {
+    let seconds = clock.seconds();
     println!("{},{unknowns},{seconds:.4},{:.3e},{estimate:.3e}", what.join(","), error.abs());
 }
 
@@ -66,47 +70,47 @@ fn name(order: Order) -> &'static str {
 
 fn disc(order: Order, kind: &str, mesh: &Mesh) -> Outcome<()> {
     let (problem, goals) = disc_capacitor_problem();
-    let begin = Instant::now();
+    let clock = Clock::start();
     let found = solve_on_with(&problem, &goals, mesh, order)?;
-    print_disc(order, kind, begin, &found);
+    print_disc(order, kind, &clock, &found);
     Ok(())
 }
 
 fn adaptive_disc(order: Order, target: f64) -> Outcome<()> {
     let (problem, goals) = disc_capacitor_problem();
-    let begin = Instant::now();
+    let clock = Clock::start();
     let mut mesh = mesh_geometry(&disc_capacitor_geometry(), &MeshOptions::default())?;
     let accuracy = electrostatics::Accuracy { target, order, ..Default::default() };
-    print_disc(order, "adaptive", begin, &solve_adaptive(&problem, &goals, &mut mesh, &accuracy)?);
+    print_disc(order, "adaptive", &clock, &solve_adaptive(&problem, &goals, &mut mesh, &accuracy)?);
     Ok(())
 }
 
-fn print_disc(order: Order, kind: &str, begin: Instant, found: &electrostatics::Outcome) {
+fn print_disc(order: Order, kind: &str, clock: &Clock, found: &electrostatics::Outcome) {
     let answer = &found.answers[0];
     let error = answer.value / VACUUM_PERMITTIVITY / DISC_CAPACITOR - 1.0;
-    print(["disc capacitor", name(order), kind], found.unknowns, begin, error, answer.relative_error_estimate());
+    print(["disc capacitor", name(order), kind], found.unknowns, clock, error, answer.relative_error_estimate());
 }
 
 fn rubber(kind: &str, mesh: Mesh) -> Outcome<()> {
-    let begin = Instant::now();
+    let clock = Clock::start();
     let (problem, goals) = rubber_disc_problem(mesh, Formulation::suited(0.49));
-    print_rubber(kind, begin, &solve_goals(&problem, &goals)?);
+    print_rubber(kind, &clock, &solve_goals(&problem, &goals)?);
     Ok(())
 }
 
 fn adaptive_rubber(target: f64) -> Outcome<()> {
-    let begin = Instant::now();
+    let clock = Clock::start();
     let mesh = mesh_geometry(&rubber_disc_geometry(), &MeshOptions::default())?;
     let (mut problem, goals) = rubber_disc_problem(mesh, Formulation::suited(0.49));
     let accuracy = elasticity::Accuracy { target, ..Default::default() };
-    print_rubber("adaptive", begin, &solve_goals_adaptive(&mut problem, &goals, &accuracy)?);
+    print_rubber("adaptive", &clock, &solve_goals_adaptive(&mut problem, &goals, &accuracy)?);
     Ok(())
 }
 
-fn print_rubber(kind: &str, begin: Instant, found: &elasticity::Outcome) {
+fn print_rubber(kind: &str, clock: &Clock, found: &elasticity::Outcome) {
     let answer = &found.answers[0];
     let exact = -RUBBER_DISC * std::f64::consts::PI * RUBBER_SIZE[0] * RUBBER_SIZE[0] * 1e-3 * 1e6;
     let unknowns = found.solution.body().numbering.free.len();
     let error = answer.value / exact - 1.0;
-    print(["rubber disc", "quadratic mixed", kind], unknowns, begin, error, answer.relative_error_estimate());
+    print(["rubber disc", "quadratic mixed", kind], unknowns, clock, error, answer.relative_error_estimate());
 }

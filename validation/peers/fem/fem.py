@@ -33,8 +33,6 @@ PEERS = {
     "NGSolve, sparsecholesky": ("run_ngsolve.py", "sparsecholesky"),
     "FreeFEM, CHOLMOD": ("run_freefem.py", "CHOLMOD"),
 }
-REFERENCE = {"disc": 36.93232194212, "open": 36.93232194212, "rubber": 1.96621337023}
-UNIFORM = [12_500, 50_000, 200_000, 800_000]
 GRADED = [2_000, 5_000, 10_000, 20_000, 50_000, 100_000]
 FIELDS = ["table", "problem", "mesh", "asked", "program", "threads", "unknowns", "seconds", "peak_mb", "value", "levels"]
 
@@ -46,25 +44,26 @@ def main():
         environment[name] = str(options.threads)
     bench = Bench(options, environment)
     if "sizes" in options.tables:
-        for problem in ["disc", "rubber"]:
+        for problem in [p for p in ["disc", "rubber"] if p in options.problems]:
             for size in options.sizes:
                 bench.compare("sizes", problem, "graded", size, ["truegap", *bench.peers])
     if "accuracy" in options.tables:
-        for problem in ["open", "rubber"]:
+        for problem in [p for p in ["open", "rubber"] if p in options.problems]:
             for target in ["1e-4", "1e-6"]:
                 bench.adapt(problem, target)
-            for kind, sizes in [("uniform", UNIFORM), ("graded", GRADED)]:
+            for kind, sizes in [("uniform", options.uniform), ("graded", GRADED)]:
                 for size in sizes:
                     bench.compare("accuracy", problem, kind, size, bench.peers)
-    bench.save(options.csv)
 
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--sizes", type=lambda t: [int(n) for n in t.split(",")], default=[50_000, 200_000, 1_000_000])
+    parser.add_argument("--sizes", type=numbers, default=[50_000, 200_000, 1_000_000])
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--tables", default="sizes,accuracy")
+    parser.add_argument("--uniform", type=numbers, default=[12_500, 50_000, 200_000, 800_000])
+    parser.add_argument("--problems", default="disc,open,rubber")
     parser.add_argument("--venv", type=Path, default=ROOT / "target/peers-venv")
     parser.add_argument("--scratch", type=Path, default=ROOT / "target/peers")
     parser.add_argument("--truegap", type=Path, default=ROOT / "target/debug/examples/beside_peers")
@@ -72,14 +71,22 @@ def arguments():
     return parser.parse_args()
 
 
+def numbers(text):
+    return [int(n) for n in text.split(",")]
+
+
 class Bench:
-    """Meshes, runs and rows."""
+    """Meshes, runs and rows; a table that is run replaces its rows for the problems asked."""
 
     def __init__(self, options, environment):
         self.options, self.environment, self.rows, self.meshes = options, environment, [], {}
         options.scratch.mkdir(parents=True, exist_ok=True)
         self.python = install(options.venv)
         self.peers = [name for name in PEERS if self.is_there(name)]
+        self.kept = []
+        if options.csv.exists():
+            with open(options.csv) as old:
+                self.kept = [r for r in csv.DictReader(old) if not (r["table"] in options.tables and r["problem"] in options.problems)]
 
     def is_there(self, name):
         """Whether a peer solves a small problem; says why where it does not."""
@@ -142,17 +149,14 @@ class Bench:
         row = {**known, **{k: v for k, v in found.items() if k in FIELDS}, "unknowns": int(found["unknowns"])}
         print({k: row[k] for k in ("problem", "mesh", "asked", "program", "seconds", "peak_mb", "value")}, file=sys.stderr)
         self.rows.append(row)
+        self.save(self.options.csv)
 
     def save(self, file):
-        """Replaces the tables that were run in the file; the others stay."""
-        kept = []
-        if file.exists():
-            with open(file) as old:
-                kept = [r for r in csv.DictReader(old) if r["table"] not in self.options.tables.split(",")]
+        """Replaces the tables that are run in the file, after every row; the others stay."""
         with open(file, "w", newline="") as out:
             writer = csv.DictWriter(out, FIELDS, lineterminator="\n")
             writer.writeheader()
-            writer.writerows(kept + self.rows)
+            writer.writerows(self.kept + self.rows)
 
 
 def install(folder):

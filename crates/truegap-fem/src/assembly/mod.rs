@@ -6,5 +6,5 @@
 mod pattern;
 mod vector;
 
-pub use pattern::Pattern;
+pub use pattern::{Pattern, Places};
 pub use vector::{assemble_vector, element_residual, for_each_element};

@@ -4,6 +4,7 @@ use crate::mesh::NONE;
 use crate::space::{ElementDofs, Numbering};
 use nalgebra_sparse::{CscMatrix, pattern::SparsityPattern};
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// Elements whose matrices are computed before any is added: keeps the buffers in the cache and the threads busy.
 const BATCH: usize = 8192;
@@ -12,6 +13,12 @@ const BATCH: usize = 8192;
 #[derive(Debug, Clone)]
 pub struct Pattern {
     csc: SparsityPattern,
+    places: Places,
+}
+
+/// Where each element entry goes in the values of a matrix.
+#[derive(Debug, Clone)]
+pub struct Places {
     /// For every element, the positions of its lower entries (row >= column, column by column); `NONE` if fixed.
     places: Vec<u32>,
     offsets: Vec<usize>,
@@ -23,16 +30,17 @@ impl Pattern {
     pub fn new(dofs: &ElementDofs, numbering: &Numbering) -> Pattern {
         let n = numbering.free.len();
         let (starts, columns) = touching(dofs, numbering, n);
-        let lanes: Vec<Vec<usize>> = (0..n)
+        let parts: Vec<Part> = (0..n)
             .into_par_iter()
-            .map(|column| lane(dofs, numbering, &columns[starts[column]..starts[column + 1]], column as u32))
+            .step_by(BATCH)
+            .map(|first| part(dofs, numbering, (&starts, &columns), first..n.min(first + BATCH)))
             .collect();
         let mut offsets = Vec::with_capacity(n + 1);
         offsets.push(0);
-        let mut rows = Vec::with_capacity(lanes.iter().map(Vec::len).sum());
-        for lane in &lanes {
-            rows.extend_from_slice(lane);
-            offsets.push(rows.len());
+        let mut rows = Vec::with_capacity(parts.iter().map(|p| p.rows.len()).sum());
+        for part in parts {
+            offsets.extend(part.ends.iter().map(|end| rows.len() + end));
+            rows.extend(part.rows);
         }
         Pattern::locate(dofs, numbering, offsets, rows, n)
     }
@@ -71,7 +79,7 @@ impl Pattern {
         // The lanes are sorted and free of duplicates by construction.
         let csc = SparsityPattern::try_from_offsets_and_indices(n, n, csc_offsets, csc_rows)
             .unwrap_or_else(|_| SparsityPattern::zeros(n, n));
-        Pattern { csc, places, offsets, sizes }
+        Pattern { csc, places: Places { places, offsets, sizes } }
     }
 
     /// Number of free unknowns.
@@ -86,6 +94,20 @@ impl Pattern {
             .unwrap_or_else(|_| CscMatrix::zeros(self.size(), self.size()))
     }
 
+    /// Overwrites `matrix` as [`Places::assemble`] does.
+    pub fn assemble(&self, matrix: &mut CscMatrix<f64>, element: impl Fn(usize, &mut [f64]) + Sync) {
+        self.places.assemble(matrix, element);
+    }
+
+    /// A matrix of zeros that takes the pattern over, and the places in it: the pattern is then held once, not twice.
+    pub fn into_matrix(self) -> (CscMatrix<f64>, Places) {
+        let (n, values) = (self.size(), vec![0.0; self.csc.nnz()]);
+        let matrix = CscMatrix::try_from_pattern_and_values(self.csc, values).unwrap_or_else(|_| CscMatrix::zeros(n, n));
+        (matrix, self.places)
+    }
+}
+
+impl Places {
     /// Overwrites `matrix` with the sum of the element matrices that `element(e, out)` writes.
     ///
     /// `out` is full, column by column (`out[j * m + i]` for m unknowns) and zero on entry; only its lower triangle
@@ -147,8 +169,25 @@ fn touching(dofs: &ElementDofs, numbering: &Numbering, n: usize) -> (Vec<usize>,
     (starts, list)
 }
 
-fn lane(dofs: &ElementDofs, numbering: &Numbering, elements: &[u32], column: u32) -> Vec<usize> {
-    let mut rows: Vec<usize> = Vec::with_capacity(32);
+/// Lanes of some columns, one after the other, and where each ends.
+struct Part {
+    rows: Vec<usize>,
+    ends: Vec<usize>,
+}
+
+fn part(dofs: &ElementDofs, numbering: &Numbering, (starts, elements): (&[usize], &[u32]), columns: Range<usize>) -> Part {
+    let mut out = Part { rows: Vec::with_capacity(16 * columns.len()), ends: Vec::with_capacity(columns.len()) };
+    let mut lane = Vec::with_capacity(64);
+    for column in columns {
+        fill_lane(dofs, numbering, &elements[starts[column]..starts[column + 1]], column as u32, &mut lane);
+        out.rows.extend_from_slice(&lane);
+        out.ends.push(out.rows.len());
+    }
+    out
+}
+
+fn fill_lane(dofs: &ElementDofs, numbering: &Numbering, elements: &[u32], column: u32, rows: &mut Vec<usize>) {
+    rows.clear();
     // The diagonal is always there, so that unknowns without stiffness are found by the factorisation.
     rows.push(column as usize);
     for &e in elements {
@@ -157,5 +196,4 @@ fn lane(dofs: &ElementDofs, numbering: &Numbering, elements: &[u32], column: u32
     }
     rows.sort_unstable();
     rows.dedup();
-    rows
 }

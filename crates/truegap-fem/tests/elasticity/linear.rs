@@ -363,3 +363,24 @@ fn work_of_the_loads_is_twice_the_energy_and_forces_balance() {
     assert!((0.5 * top * 1e-3 / s.energy() - 1.0).abs() < 1e-10);
     assert!((s.reaction("bottom", Second).unwrap() / top + 1.0).abs() < 1e-10);
 }
+
+#[test]
+fn points_of_the_axis_stay_on_it_in_every_state() {
+    // A disc bonded below and bent by pressure from above: nothing but the axis condition holds u_r at r = 0.
+    let mesh = drawn(&[("below", &[[0.0, 0.0], [1.0, 0.0]]), ("above", &[[0.0, 0.5], [1.0, 0.5]])]);
+    let mut p = problem(mesh, steel());
+    p.conditions = vec![Condition::fix("below", First), Condition::fix("below", Second), Condition::pressure("above", 1e6)];
+    let solution = Solver::new(p).unwrap().solve().unwrap();
+    let points = &solution.body().nodes.points;
+    let on_axis: Vec<usize> = (0..points.len()).filter(|&n| points[n][0] == 0.0).collect();
+    assert!(on_axis.len() > 5);
+    assert!(on_axis.iter().all(|&n| solution.nodal(n)[0] == 0.0));
+    assert!(on_axis.iter().any(|&n| solution.nodal(n)[1] < 0.0));
+}
+
+/// A disc of radius 1 and height 0.5 with named lines.
+fn drawn(lines: &[(&str, &[Point])]) -> Mesh {
+    let body = Geometry::default().region("body", Outline::rectangle([0.0, 0.0], [1.0, 0.5]));
+    let drawing = lines.iter().fold(body, |g, (name, path)| g.boundary(name, path));
+    mesh_geometry(&drawing, &MeshOptions { size: SizeField::uniform(0.15), ..Default::default() }).unwrap()
+}

@@ -68,6 +68,16 @@ mod tests {
     }
 
     #[test]
+    fn a_wave_has_the_mean_square_of_its_cosine() {
+        for n in [0, 2, 3, 7] {
+            // The trapezoidal rule is exact for trigonometric polynomials below half of its points; rounding remains.
+            let square = |k: u32| (f64::from(n) * f64::from(k) * std::f64::consts::TAU / 64.0).cos().powi(2);
+            let mean = (0..64).map(square).sum::<f64>() / 64.0;
+            assert!((share_of_circle(n) - mean).abs() < 1e-14, "n {n}");
+        }
+    }
+
+    #[test]
     fn the_gradient_is_that_of_the_field_in_space() {
         for n in [0, 2, 3] {
             for component in [R, Z, T] {

@@ -8,7 +8,7 @@ use super::body::Body;
 use super::element::{Energy, Residual, Tables, Tangent, evaluate_points};
 use super::obstacle::{Stop, stops};
 use super::{ElasticityError, LawKind, Problem, Solution};
-use crate::assembly::{Pattern, assemble_vector, element_residual};
+use crate::assembly::{Pattern, Places, assemble_vector, element_residual};
 use crate::solve::{Direct, Kind};
 use nalgebra_sparse::CscMatrix;
 use std::sync::Arc;
@@ -31,7 +31,7 @@ pub struct Counters {
 pub struct Solver {
     pub(super) body: Arc<Body>,
     pub(super) tables: Tables,
-    pattern: Pattern,
+    places: Places,
     matrix: CscMatrix<f64>,
     direct: Option<Direct>,
     pub(super) state: Vec<f64>,
@@ -53,13 +53,13 @@ impl Solver {
     pub fn new(problem: Problem) -> Result<Solver, ElasticityError> {
         let begin = Instant::now();
         let body = Body::new(problem)?;
-        let pattern = Pattern::new(&body.dofs, &body.numbering);
+        let (matrix, places) = Pattern::new(&body.dofs, &body.numbering).into_matrix();
         let stops = stops(&body)?;
         Ok(Solver {
             assembling: begin.elapsed(),
-            matrix: pattern.matrix(),
+            matrix,
             tables: Tables::new(),
-            pattern,
+            places,
             direct: None,
             state: vec![0.0; body.dofs.count],
             load: 0.0,
@@ -215,7 +215,7 @@ impl Solver {
     pub(super) fn factorise(&mut self, load: f64) -> Result<(), ElasticityError> {
         let begin = Instant::now();
         let (body, tables, state) = (&self.body, &self.tables, &self.state);
-        self.pattern.assemble(&mut self.matrix, |e, out| {
+        self.places.assemble(&mut self.matrix, |e, out| {
             evaluate_points(body, tables, e, state, load, true, &mut Tangent(out));
         });
         let offsets = self.matrix.col_offsets().to_vec();

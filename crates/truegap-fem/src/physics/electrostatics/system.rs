@@ -85,8 +85,7 @@ impl<'a> Solved<'a> {
         let degree = if mesh.curved_edges.is_empty() { 4 } else { 6 };
         let rule = P2::table(&triangle_rule(degree));
         let without = followers.without(&dofs);
-        let pattern = Pattern::new(without.as_ref().unwrap_or(&dofs), &numbering);
-        let mut matrix = pattern.matrix();
+        let (mut matrix, places) = Pattern::new(without.as_ref().unwrap_or(&dofs), &numbering).into_matrix();
         let system = System {
             nodes: &nodes,
             rule: &rule,
@@ -97,10 +96,10 @@ impl<'a> Solved<'a> {
             symmetry: problem.symmetry,
         };
         match order {
-            Order::Quadratic => pattern.assemble(&mut matrix, |e, out| system.matrix(e, out)),
-            Order::Linear => pattern.assemble(&mut matrix, |e, out| system.reduced(e, out)),
+            Order::Quadratic => places.assemble(&mut matrix, |e, out| system.matrix(e, out)),
+            Order::Linear => places.assemble(&mut matrix, |e, out| system.reduced(e, out)),
         }
-        drop(pattern);
+        drop((places, without));
         let assembled = begin.elapsed().as_secs_f64();
         let direct = Direct::new(&matrix, Kind::Llt)?;
         let mut solved = Solved {

@@ -112,7 +112,8 @@ HEAD = """# truegap's finite elements beside other programs
 Same problem, same mesh (written by truegap), same elements (six-node triangles, displacements alone in elasticity), same run,
 {threads} thread for every program ({versions}; {machine}). Seconds are processor seconds from the mesh in memory to the
 number asked for: numbering, pattern, assembly, prescribed values, analysis, factorisation, solution, evaluation. Start of the program, imports and
-reading the mesh file are not counted. Each is the least of three runs, programs in turn. truegap is built as its tests are (`dev` profile: optimisation level
+reading the mesh file are not counted. Each is the least of several runs, programs in turn, all of one size in one go; other work on the machine raises such times by up to a half,
+the short ones most. FreeFEM counts prescribed unknowns as well. truegap is built as its tests are (`dev` profile: optimisation level
 2, dependencies 3), checks the residual of every solve, solves the disc capacitor for each of its two conductors and refines elastic solutions with residuals
 formed element by element; the others do none of that. Memory is the greatest of the whole process, interpreter and mesh included."""
 
@@ -120,10 +121,10 @@ ACCURACY = """
 # Accuracy for time
 
 truegap starts from the drawing and refines for itself until its own estimate is below the target: seconds include meshing, all levels and all estimates. The others get
-their meshes for nothing. On uniform meshes they converge with the singularity at the rim (error about n^-1/2), so most entries are extrapolated from the last two sizes
-measured: no machine here holds such a mesh. Graded meshes are those of truegap's benches, whose rule was derived from the known singularity; that a program is
+their meshes for nothing. On uniform meshes they converge with the singularity at the rim (error about n^-1/2); where a mesh would not fit into the memory of the machine,
+the entry is extrapolated from the last two sizes measured, and says so: an order of magnitude. Graded meshes are those of truegap's benches, whose rule was derived from the known singularity; that a program is
 handed such a mesh is the best case for it, and then a single solve is cheaper than finding the mesh. In open space truegap has mapped infinite elements, the others a
-condition of dipole type on the box of five radii."""
+condition of dipole type on the box of five radii; rubber is mixed in truegap's own refinement (Poisson's ratio 0.49), displacements alone elsewhere."""
 
 TAIL = """
 Plots: [disc capacitor](peers_disc.svg), [rubber disc](peers_rubber.svg).

@@ -2,9 +2,9 @@
 //!
 //! Limits: beads as an even layer with the model's own stiffness; whether real beads are bonded is for recordings to decide.
 
-use super::warp::{Effect, figure, paper_curvature, paper_sag_um, paper_shape, warps};
+use super::warp::{Effect, figure, paper_curvature, paper_sag_um, paper_shape, warped, warps};
 use crate::disc::foundation::Foundation;
-use crate::disc::{BeadSpring, Disc, Laminate, Loading, Profile, Strains, refined, shaped};
+use crate::disc::{BeadSpring, Disc, Laminate, Profile, Strains, shaped};
 use crate::{Assumption, AuditError, Finding, Measure, Study, finding::Measured};
 use truegap_core::Sensor;
 
@@ -32,13 +32,7 @@ impl Assumption for BeadsDoNotHold {
         let kelvin = study.hot_kelvin();
         let plate = Laminate::electrode(study.sensor);
         let beads = BeadSpring::of_paper(study.sensor, &study.device, &study.device.at(study.options.hot_c), 0.0)?;
-        let fem = refined(
-            |fineness| {
-                let disc = Disc::on_layer(plate.clone(), beads, Strains::Small, fineness)?;
-                disc.profile(&disc.solve(kelvin, &Loading::None, &[])?)
-            },
-            |shape| 1e6 * shape.sag(),
-        )?;
+        let fem = warped(kelvin, |fineness| Disc::on_layer(plate.clone(), beads, Strains::Small, fineness))?;
         let springs = foundation(&plate, &beads);
         let closed = springs.held(plate.curvature_per_kelvin() * kelvin);
         let closed = closed.map(|held| Profile::from_fn(200, |share| held.height(share * plate.radius)));

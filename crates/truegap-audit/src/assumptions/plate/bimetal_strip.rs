@@ -2,8 +2,8 @@
 //!
 //! Limits: free electrode of two metals, small deflection.
 
-use super::warp::{Effect, figure, paper_sag_um, paper_shape, warps};
-use crate::disc::{Disc, Laminate, Strains, refined, shaped};
+use super::warp::{Effect, figure, paper_sag_um, paper_shape, warped, warps};
+use crate::disc::{Disc, Laminate, Strains, shaped};
 use crate::{Assumption, AuditError, Finding, Measure, Study, finding::Measured};
 use truegap_core::Sensor;
 
@@ -30,13 +30,7 @@ impl Assumption for BimetalStrip {
     fn examine(&self, study: &Study<'_>) -> Result<Finding, AuditError> {
         let kelvin = study.hot_kelvin();
         let plate = Laminate::electrode(study.sensor);
-        let fem = refined(
-            |fineness| {
-                let disc = Disc::free(plate.clone(), Strains::Small, fineness)?;
-                disc.profile(&disc.solve(kelvin, &crate::disc::Loading::None, &[])?)
-            },
-            |shape| 1e6 * shape.sag(),
-        )?;
+        let fem = warped(kelvin, |fineness| Disc::free(plate.clone(), Strains::Small, fineness))?;
         let ratio = plate.sheets.first().zip(plate.sheets.last()).map_or(1.0, |(a, b)| (1.0 - b.poisson) / (1.0 - a.poisson));
         let theory = 1e6 * plate.free_sag(kelvin);
         let effect = Effect::of(study, shaped(&fem.result, kelvin))?;

@@ -2,8 +2,8 @@
 //!
 //! Limits: the insulator of the sensor file only; shields and covers behind it are not described there and would stiffen the electrode further.
 
-use super::warp::{Effect, figure, paper_sag_um, paper_shape, warps};
-use crate::disc::{Disc, Laminate, Loading, Strains, refined, shaped};
+use super::warp::{Effect, figure, paper_sag_um, paper_shape, warped, warps};
+use crate::disc::{Disc, Laminate, Strains, shaped};
 use crate::{Assumption, AuditError, Finding, Measure, Study, finding::Measured};
 use truegap_core::Sensor;
 
@@ -30,13 +30,7 @@ impl Assumption for LayersOutsideIgnored {
     fn examine(&self, study: &Study<'_>) -> Result<Finding, AuditError> {
         let kelvin = study.hot_kelvin();
         let (bare, plate) = (Laminate::electrode(study.sensor), Laminate::backed(study.sensor));
-        let fem = refined(
-            |fineness| {
-                let disc = Disc::free(plate.clone(), Strains::Small, fineness)?;
-                disc.profile(&disc.solve(kelvin, &Loading::None, &[])?)
-            },
-            |shape| 1e6 * shape.sag(),
-        )?;
+        let fem = warped(kelvin, |fineness| Disc::free(plate.clone(), Strains::Small, fineness))?;
         let stretching = |p: &Laminate| p.sheets.iter().map(|s| s.young * s.thickness).sum::<f64>();
         let effect = Effect::of(study, shaped(&fem.result, kelvin))?;
         let mut finding = Measured {

@@ -2,8 +2,8 @@
 //!
 //! Limits: free electrode that stays a bowl; `SPHERICAL-STABLE` asks whether it does.
 
-use super::warp::{Effect, figure, paper_sag_um, paper_shape, warps};
-use crate::disc::{Disc, Laminate, Loading, Profile, Strains, refined};
+use super::warp::{Effect, figure, paper_sag_um, paper_shape, warped, warps};
+use crate::disc::{Disc, Laminate, Strains};
 use crate::{Assumption, AuditError, Curve, Finding, Measure, Study, Swap, finding::Measured};
 use truegap_core::Sensor;
 
@@ -30,15 +30,7 @@ impl Assumption for SmallDeflection {
     fn examine(&self, study: &Study<'_>) -> Result<Finding, AuditError> {
         let kelvin = study.hot_kelvin();
         let plate = Laminate::electrode(study.sensor);
-        let at = |part: f64| {
-            refined(
-                |fineness| {
-                    let disc = Disc::free(plate.clone(), Strains::Large, fineness)?;
-                    disc.profile(&disc.solve(part * kelvin, &Loading::None, &[])?)
-                },
-                |shape: &Profile| 1e6 * shape.sag(),
-            )
-        };
+        let at = |part: f64| warped(part * kelvin, |fineness| Disc::free(plate.clone(), Strains::Large, fineness));
         let steps = [0.25, 0.5, 0.75].map(at);
         let fem = at(1.0)?;
         study.keep_going()?;

@@ -1,8 +1,8 @@
-//! What the assumptions about the warp share: the paper's sag, shapes as figures.
+//! What the assumptions about the warp share: the paper's sag, the unloaded disc on two meshes, shapes as figures.
 //!
 //! Limits: shapes at the hot end of the range.
 
-use crate::disc::Profile;
+use crate::disc::{Disc, Fineness, Loading, Profile, Refined, refined};
 use crate::{AuditError, Curve, EffectOn, Figure, Finding, Study, Swap, Verdict};
 use truegap_core::Sensor;
 use truegap_model::equations::warp::{Dome, rim_sag};
@@ -18,6 +18,15 @@ pub(super) fn warps(sensor: &Sensor) -> Result<(), String> {
 /// Curvature of (9) at the hot end, 1/m.
 pub(super) fn paper_curvature(study: &Study<'_>) -> Result<f64, AuditError> {
     Ok(study.chain(Swap::none()).row(0.0, study.options.hot_c)?.parts.curvature)
+}
+
+/// Shape of an unloaded disc so many kelvin above its reference temperature and its rim above centre, um; `make` meshes it.
+pub(super) fn warped(kelvin: f64, make: impl Fn(Fineness) -> Result<Disc, AuditError>) -> Result<Refined<Profile>, AuditError> {
+    let shape = |fineness| {
+        let disc = make(fineness)?;
+        disc.profile(&disc.solve(kelvin, &Loading::None, &[])?)
+    };
+    refined(shape, |shape: &Profile| 1e6 * shape.sag())
 }
 
 /// Rim above centre by (9) at the hot end, um.

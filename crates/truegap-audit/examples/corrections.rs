@@ -11,9 +11,10 @@ type Make = fn() -> Result<Table, AuditError>;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let wanted: Vec<String> = std::env::args().skip(1).collect();
-    let all: [(&str, Make); 5] = [
+    let all: [(&str, Make); 6] = [
         ("tail_edge", make::tail_edge),
         ("held_expansion", make::heat),
+        ("heated_field", make::heated_field),
         ("cell_field", make::cell_field),
         ("rim_field", make::rim_field),
         ("bead_load", make::bead_load),

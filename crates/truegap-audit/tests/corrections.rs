@@ -22,7 +22,8 @@ fn the_tables_say_what_other_programs_say() {
     // Trace 100 um wide and 17 um thick, 25 um from each shield.
     let edge = tables.tail_edge.at(&[4.0, 17.0 / 25.0]).unwrap();
     assert!((8.0 * edge / 10.999940878 - 1.0).abs() < 1e-4, "{edge}");
-    for table in [&tables.bead_load, &tables.held_expansion, &tables.cell_field, &tables.rim_field, &tables.tail_edge] {
+    let fields = [&tables.cell_field, &tables.heated_field, &tables.rim_field, &tables.tail_edge];
+    for table in [&tables.bead_load, &tables.held_expansion].into_iter().chain(fields) {
         assert!(table.accuracy > 0.0 && table.accuracy < 1e-2 && table.checked_at >= 8, "{}: {}", table.id, table.accuracy);
     }
 }

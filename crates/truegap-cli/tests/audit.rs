@@ -72,7 +72,7 @@ fn a_space_in_shards_is_the_space_in_one() {
         assert_eq!(said.code, 0, "{}{}", said.out, said.err);
     }
     assert_eq!(bench.run(&["merge", "parts"]).code, 1);
-    for name in ["audit-space.json", "audit-space.csv"] {
+    for name in ["audit-space.json", "audit-space.csv", "report.html"] {
         let read = |folder: &str| std::fs::read(bench.path(folder).join(name)).unwrap();
         assert_eq!(read("whole"), read("parts"), "{name}");
         assert!(read("whole").len() > 500);

@@ -91,22 +91,26 @@ fn register(page: Page, audit: &Audit) -> Page {
         "verdict",
         "analytic",
         "finite elements",
+        "unit",
         "off by %",
         "baseline %",
         "span %",
         "K_b %",
         "K_s %",
         "K_l %",
-    ]);
+    ])
+    .dense();
     let table = audit.assumptions.iter().fold(head, |table, f| {
-        let fem = format!("{} ± {} {}", number(f.fem.value), error(f.fem.error_estimate), f.fem.unit);
-        let mut row =
-            vec![f.id.clone(), word(f.verdict).into(), format!("{} {}", number(f.analytic.value), f.analytic.unit), fem];
-        row.push(percent(100.0 * f.relative_error));
-        row.extend(f.effect_on.values().map(|v| v.map_or("–".into(), percent)));
+        let fem = format!("{} ± {}", short(f.fem.value), error(f.fem.error_estimate));
+        let mut row = vec![f.id.clone(), word(f.verdict).into(), short(f.analytic.value), fem, f.fem.unit.clone()];
+        row.push(short_percent(100.0 * f.relative_error));
+        row.extend(f.effect_on.values().map(|v| v.map_or("–".into(), short_percent)));
         table.row(&row)
     });
-    let page = page.section("The register").table(&table);
+    let page = page
+        .section("The register")
+        .text("Columns from baseline on: what the coefficient does when this row's piece is replaced; K_b, K_s, K_l stand for K_baseline, K_sensitivity, K_linearity. All digits are in audit.json.")
+        .table(&table);
     let page = audit.assumptions.iter().fold(page, |page, f| {
         page.details(&format!("{}: {}", f.id, f.says))
             .text(&format!("{}: {}.", word(f.verdict), f.reason))
@@ -190,6 +194,21 @@ fn number(value: f64) -> String {
     significant(value, 6)
 }
 
+/// For a cell of a wide table; all digits are in audit.json.
+fn short(value: f64) -> String {
+    significant(value, 5)
+}
+
+/// Two decimals at most, powers of ten from a thousand on.
+pub(crate) fn short_percent(value: f64) -> String {
+    match value.abs() {
+        size if size >= 1000.0 => format!("{value:+.1e}"),
+        size if size >= 9.95 => format!("{value:+.0}"),
+        size if size >= 0.005 => format!("{value:+.2}"),
+        _ => "0".into(),
+    }
+}
+
 fn error(value: f64) -> String {
     significant(value, 2)
 }
@@ -221,5 +240,7 @@ mod tests {
         assert_eq!(percent(194.162), "+194");
         assert_eq!(percent(-0.004_56), "-0.00456");
         assert_eq!(number(2.4e-10), "2.40000e-10");
+        let cells = [2_631_775.0, -92.6, 1.9, -0.006_73, 2.3e-12].map(short_percent);
+        assert_eq!(cells, ["+2.6e6", "-93", "+1.90", "-0.01", "0"]);
     }
 }

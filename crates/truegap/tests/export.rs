@@ -1,5 +1,7 @@
 //! Exported stacks: every layer with its fields, values at known places, files by their ending.
 
+#![allow(clippy::unwrap_used)]
+
 use std::path::Path;
 use truegap::audit::disc::{CoupledOptions, Fineness, Press};
 use truegap::core::sensor::builtin_sensor;

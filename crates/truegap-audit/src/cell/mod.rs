@@ -16,5 +16,5 @@ pub use geometry::{Cell, Profile};
 pub use growth::Growth;
 pub use heat::{Estimated, heated_stiffness, held_expansion};
 pub use law::{Law, bonded_law};
-pub use press::{Bonding, Pressed, PressedAt, error_by_rim, heated_and_loaded, press};
+pub use press::{Bonding, Pressed, PressedAt, error_by_rim, heated_and_loaded, heated_and_squeezed, press};
 pub use rim::Layered;

@@ -129,14 +129,30 @@ fn half_bead(cell: &Cell, bonding: Bonding, strain: f64, heat: f64, rim: f64) ->
 /// # Errors
 /// [`AuditError::Fem`] where no equilibrium is found with any rim.
 pub fn heated_and_loaded(cell: &Cell, heat: f64, reduced_load: f64, start: f64) -> Result<PressedAt, AuditError> {
+    with_some_rim("heated and loaded bead", |rim| equilibrium(cell, heat, reduced_load, start, rim))
+}
+
+/// A bonded bead that was heated by a thermal strain and squeezed to a strain of its cold height.
+///
+/// # Errors
+/// As [`heated_and_loaded`].
+pub fn heated_and_squeezed(cell: &Cell, heat: f64, strain: f64) -> Result<PressedAt, AuditError> {
+    with_some_rim("heated and squeezed bead", |rim| {
+        let solution = Solver::new(half_bead(cell, Bonding::Bonded, strain, heat, rim)?)?.solve()?;
+        pressed_at(cell, strain, &solution)
+    })
+}
+
+/// The first mesh of the rim on which there is an equilibrium.
+fn with_some_rim(problem: &str, solve: impl Fn(f64) -> Result<PressedAt, FemError>) -> Result<PressedAt, AuditError> {
     let mut last = ElasticityError::IllConditioned { correction: f64::INFINITY };
     for rim in RIMS {
-        match equilibrium(cell, heat, reduced_load, start, rim) {
+        match solve(rim) {
             Err(FemError::Elasticity(e @ (ElasticityError::NotConverged { .. } | ElasticityError::Contact { .. }))) => last = e,
-            other => return other.map_err(AuditError::fem("heated and loaded bead")),
+            other => return other.map_err(|e| AuditError::Fem { problem: problem.into(), source: Box::new(e) }),
         }
     }
-    Err(AuditError::Fem { problem: "heated and loaded bead".into(), source: Box::new(last.into()) })
+    Err(AuditError::Fem { problem: problem.into(), source: Box::new(last.into()) })
 }
 
 fn equilibrium(cell: &Cell, heat: f64, reduced_load: f64, start: f64, rim: f64) -> Result<PressedAt, FemError> {

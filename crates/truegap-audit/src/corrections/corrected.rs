@@ -2,7 +2,7 @@
 //!
 //! Limits: bonded beads; the box of each table; shielded layout; a rigid load plate, full contact (no lift-off), no bending between beads.
 
-use super::{Gains, make, pieces::Pieces};
+use super::{Gains, Parts, make, pieces::Pieces};
 use crate::AuditError;
 use truegap_core::{Inputs, Parameter, Role, Sensor, SimulationError, Simulator, Stage, simulator::StageName};
 use truegap_model::{Stack, StackOptions};
@@ -35,7 +35,15 @@ impl Corrected {
     /// # Errors
     /// [`AuditError::Uncovered`] where the beads are squeezed beyond their table.
     pub fn capacitance_pf(&self, force_n: f64, temperature_c: f64) -> Result<f64, AuditError> {
-        self.pieces.capacitance_pf(force_n, temperature_c)
+        Ok(self.parts(force_n, temperature_c)?.total())
+    }
+
+    /// What is added up at a force (N) and a temperature (degrees Celsius).
+    ///
+    /// # Errors
+    /// As [`Corrected::capacitance_pf`].
+    pub fn parts(&self, force_n: f64, temperature_c: f64) -> Result<Parts, AuditError> {
+        self.pieces.parts(force_n, temperature_c)
     }
 
     /// What is left of the warp at a force (N) below a rigid plate and a temperature (degrees Celsius).
@@ -53,7 +61,7 @@ impl Corrected {
     /// As [`Corrected::capacitance_pf`].
     pub fn strain(&self, force_n: f64, temperature_c: f64) -> Result<f64, AuditError> {
         let warm = self.pieces.warm(temperature_c);
-        self.pieces.strain(force_n / (warm.areas.solid * warm.young))
+        self.pieces.strain(&warm, force_n)
     }
 }
 
@@ -106,7 +114,7 @@ impl Simulator for Corrected {
         let row = |(row, &force_n): (usize, &f64)| {
             let temperature = inputs.temperature_c.as_ref().map_or(self.sensor.reference_c, |t| t[row]);
             let beyond = |_| SimulationError::GapCloses { row, load_si: force_n, strain: make::GREATEST_STRAIN };
-            pieces.capacitance_pf(force_n, temperature).map_err(beyond)
+            pieces.parts(force_n, temperature).map(|parts| parts.total()).map_err(beyond)
         };
         force.iter().enumerate().map(row).collect()
     }

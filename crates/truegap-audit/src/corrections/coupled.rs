@@ -3,7 +3,7 @@
 //! The reference for [`super::Corrected`]: nothing is taken from a table. Limits: beads bonded and alike, the electrode flat between and beyond them
 //! (what its bending adds comes from `disc::Whole`); modulus by (7).
 
-use super::BondedLayers;
+use super::{BondedLayers, Parts};
 use crate::{
     AuditError,
     assumptions::cell::{
@@ -35,6 +35,8 @@ pub struct Coupled<'a> {
 pub struct CoupledState {
     /// what is read, pF
     pub capacitance_pf: f64,
+    /// its parts
+    pub parts: Parts,
     /// strain of the beads against their cold height
     pub strain: f64,
 }
@@ -85,8 +87,9 @@ impl<'a> Coupled<'a> {
         let backing = if shielded { insulator * PI * warm.radius * warm.radius / (film * thicker) } else { 0.0 };
         let (length, width) = self.sensor.tail;
         let tail = if shielded { 2.0 * insulator * length * width / warm.layers.insulator * self.tail } else { 0.0 };
-        let total = main + backing + rim + tail + self.sensor.stray.value;
-        Ok(CoupledState { capacitance_pf: total * 1e12, strain: bead.strain })
+        let [main, backing, rim, tail, stray] = [main, backing, rim, tail, self.sensor.stray.value].map(|c| 1e12 * c);
+        let parts = Parts { main, backing, rim, tail, stray };
+        Ok(CoupledState { capacitance_pf: parts.total(), parts, strain: bead.strain })
     }
 
     fn pressed_film(&self, force_n: f64, area: f64, thickness: f64) -> f64 {

@@ -49,39 +49,31 @@ const STRAIN: Named = ("compressive strain of bonded beads", "1");
 const RATIO: Named = ("ratio", "1");
 
 impl OneSensor {
-    fn greatest(&self) -> f64 {
-        self.pieces.secant.high
-    }
-
-    /// Load over modulus and area of bonded beads.
-    fn load(&self, strain: f64) -> Result<f64, AuditError> {
-        Ok(strain * self.pieces.secant.at(strain)?)
-    }
-
     fn stiffening(&self) -> Result<Curve, AuditError> {
         let free = |strain: f64| if strain == 0.0 { 1.0 } else { reduced_load(self.law, strain) / strain };
-        let points = sampled(0.0, self.greatest(), |strain| Ok(self.pieces.secant.at(strain)? / free(strain)))?;
+        let points = sampled(0.0, self.pieces.beads.greatest(), |strain| Ok(self.pieces.beads.secant(strain)? / free(strain)))?;
         let says = "stress of bonded beads over that of sliding ones, (12), at the same strain";
         Ok(curve("stiffening", says, [STRAIN, RATIO], points, self.tables.bead_load.accuracy))
     }
 
     fn bonded_strain(&self) -> Result<Curve, AuditError> {
-        let most = compressive_strain(self.load(self.greatest())?, self.law).unwrap_or(self.greatest());
+        let most = compressive_strain(self.pieces.beads.load(self.pieces.beads.greatest())?, self.law)
+            .unwrap_or(self.pieces.beads.greatest());
         // the last sample would lie on the table's end, but for rounding
-        let points = sampled(0.0, most * (1.0 - 1e-9), |free| self.pieces.strain(reduced_load(self.law, free)))?;
+        let points = sampled(0.0, most * (1.0 - 1e-9), |free| self.pieces.beads.strain(reduced_load(self.law, free)))?;
         let says = "strain of bonded beads under the load that gives sliding ones, (12), the argument";
         let argument = ("compressive strain of sliding beads", "1");
         Ok(curve("bonded_strain", says, [argument, STRAIN], points, self.tables.bead_load.accuracy))
     }
 
     fn mixing(&self) -> Result<Curve, AuditError> {
-        let points = sampled(0.0, self.greatest(), |strain| self.pieces.field.at(&[0.0, strain]))?;
+        let points = sampled(0.0, self.pieces.beads.greatest(), |strain| self.pieces.field.at(&[0.0, strain]))?;
         let says = "capacitance of the gap by the field around bonded beads over that of (11), (20) and (21) at the same strain";
         Ok(curve("mixing", says, [STRAIN, RATIO], points, self.tables.cell_field.accuracy))
     }
 
     fn fringing(&self) -> Result<Curve, AuditError> {
-        let mut points = sampled(0.0, self.greatest(), Ok)?;
+        let mut points = sampled(0.0, self.pieces.beads.greatest(), Ok)?;
         for point in &mut points {
             *point = self.fringe(point[0])?;
         }
@@ -95,7 +87,7 @@ impl OneSensor {
     fn fringe(&self, strain: f64) -> Result<[f64; 2], AuditError> {
         let pieces = &self.pieces;
         let warm = pieces.device.warmed_by(0.0);
-        let force = self.load(strain)? * warm.areas.solid * warm.young;
+        let force = self.pieces.beads.load(strain)? * warm.areas.solid * warm.young;
         let row = pieces.device.plain(&warm, force, strain);
         let closed = |_| AuditError::NoResponse { force_n: force, temperature_c: pieces.device.reference_c, strain };
         let parts = pieces.device.capacitances(&warm, &row).map_err(closed)?;
@@ -124,13 +116,22 @@ impl OneSensor {
     }
 
     fn warp_left(&self) -> Result<Curve, AuditError> {
-        // half the range of temperatures: the force that presses the rim flat is in proportion to the warp
+        // at the middle of what is heated: the forces that press the warp flat are in proportion to it
         let kelvin = 0.5 * KELVIN[1];
-        let flat = self.pieces.warp.gains(kelvin, 0.0, 0.0)?.flattening_n / self.full_n;
-        let left = |load: f64| [load, self.pieces.warp.left(kelvin, load * self.full_n)];
-        let points =
-            if flat > 0.0 && flat < 1.0 { vec![[0.0, 1.0], [flat, 0.0], [1.0, 0.0]] } else { vec![left(0.0), left(1.0)] };
-        let says = "share of the warp that a rigid load plate leaves";
+        let warm = self.pieces.device.warmed_by(kelvin);
+        let row = self.pieces.device.plain(&warm, 0.0, 0.0);
+        let closed = |_| AuditError::NoResponse { force_n: 0.0, temperature_c: kelvin, strain: 0.0 };
+        let shares = self.pieces.device.capacitances(&warm, &row).map_err(closed)?.shares;
+        let added = |force_n: f64| -> Result<f64, AuditError> {
+            let bent = self.pieces.warp.gains(kelvin, 0.0, force_n)?;
+            Ok(bent.main * shares.main + bent.backing * shares.backing)
+        };
+        let free = added(0.0)?;
+        // most of it happens under little load
+        let load = |t: f64| t * t * t;
+        let mut points = sampled(0.0, 1.0, |t| if free == 0.0 { Ok(1.0) } else { Ok(added(load(t) * self.full_n)? / free) })?;
+        points.iter_mut().for_each(|p| p[0] = load(p[0]));
+        let says = "share of the warp's effect that a rigid load plate leaves";
         Ok(curve("warp_left", says, [("load over full load", "1"), ("share", "1")], points, WARP_ACCURACY))
     }
 }

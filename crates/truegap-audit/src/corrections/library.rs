@@ -13,6 +13,8 @@ pub struct Library {
     pub bead_load: Table,
     /// held over free expansion of a bonded bead's height over (shape factor, 1 - 2 nu)
     pub held_expansion: Table,
+    /// field of a heated bead over that of a cold one of its height and mean area over (shape factor, coverage, film / height, strain)
+    pub heated_field: Table,
     /// field over mixture (20)-(21) of the cell of a squeezed, bonded bead over (shape factor, coverage, film / height, strain)
     pub cell_field: Table,
     /// capacitance at the rim over eps0 radius over (bead gap / radius, film / radius, electrode / radius, mean permittivity)
@@ -34,6 +36,7 @@ fn read() -> Result<Library, AuditError> {
     Ok(Library {
         bead_load: table("bead_load", include_str!("../../tables/bead_load.toml"))?,
         held_expansion: table("held_expansion", include_str!("../../tables/held_expansion.toml"))?,
+        heated_field: table("heated_field", include_str!("../../tables/heated_field.toml"))?,
         cell_field: table("cell_field", include_str!("../../tables/cell_field.toml"))?,
         rim_field: table("rim_field", include_str!("../../tables/rim_field.toml"))?,
         tail_edge: table("tail_edge", include_str!("../../tables/tail_edge.toml"))?,

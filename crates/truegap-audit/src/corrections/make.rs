@@ -9,7 +9,7 @@ use crate::{
         mixed_capacitance,
         tail_parallel_plate::{Section, edge_factor},
     },
-    cell::{Bonding, Cell, Filled, Law, Layered, Profile, cell_capacitance, held_expansion, press},
+    cell::{Bonding, Cell, Filled, Law, Layered, Profile, cell_capacitance, heated_and_squeezed, held_expansion, press},
 };
 use rayon::prelude::*;
 use truegap_core::VACUUM_PERMITTIVITY;
@@ -168,19 +168,50 @@ fn field_factor(p: &[f64], profile: &Profile) -> Result<f64, AuditError> {
     Ok(field.capacitance / mixed_capacitance(&cell, p[3], PERMITTIVITIES))
 }
 
+/// Thermal strain over that of the plates for which [`heated_field`] is computed: the paper's silicone, 30 K warmer.
+pub const HEAT: f64 = 5.5e-3;
+
+/// What heat does to the field of a bonded bead beyond its height and its mean area.
+///
+/// # Errors
+/// [`AuditError::Fem`].
+pub fn heated_field() -> Result<Table, AuditError> {
+    let axes = vec![
+        shape_factors(3),
+        Axis::linear("coverage, bead area / electrode area", 0.03, 0.5, 3),
+        Axis::logarithmic("insulator / bead height", 0.045, 0.5, 3),
+        strains(3),
+    ];
+    let says = "factor on `cell_field` for a heated bead whose height and mean area are put into it, as 1 + (the table - 1) t / 0.0055, with t the thermal \
+                strain of the bead over that of the plates";
+    tabulated("heated_field", says, axes, 12, |p| {
+        let cold = Cell { outer: 2.0 * p[0] / p[1].sqrt(), film: p[2], poisson: POISSON, ..bead(p[0], 1.0 - 2.0 * POISSON) };
+        let height = held_expansion(&cold)?.value;
+        let volume = 3.0 - (1.0 - 2.0 * POISSON) / POISSON * (height - 1.0);
+        let (taller, wider) = (1.0 + height * HEAT, 1.0 + (volume - height) * HEAT);
+        let hot = heated_and_squeezed(&cold, HEAT, 1.0 - taller * (1.0 - p[3]))?;
+        let exact = cell_capacitance(&cold, &hot.profile, PERMITTIVITIES, 1e-5)?.capacitance;
+        // the same height and mean area as a cold bead
+        let same = Cell { bead: cold.bead * wider.sqrt(), height: taller, ..cold };
+        let alike = [0.5 * same.bead / taller, p[1] * wider, p[2] / taller, p[3]];
+        let squeezed = profiles(alike[0], &[p[3]])?;
+        Ok(exact / (mixed_capacitance(&same, p[3], PERMITTIVITIES) * field_factor(&alike, &squeezed[0])?))
+    })
+}
+
 /// Capacitance of the rim.
 ///
 /// # Errors
 /// [`AuditError::Fem`].
 pub fn rim_field() -> Result<Table, AuditError> {
     let axes = vec![
-        Axis::logarithmic("insulator / radius", 1.3e-3, 2.5e-2, 5),
+        Axis::logarithmic("insulator / radius", 1.3e-3, 2.5e-2, 7),
         Axis::logarithmic("electrode / radius", 1.3e-3, 1.5e-2, 4),
-        Axis::linear("mean relative permittivity of beads and air", 1.0, 2.4, 3),
+        Axis::linear("mean relative permittivity of beads and air", 1.0, 2.4, 4),
         Axis::logarithmic("bead gap / radius", 1.2e-2, 7.1e-2, 5),
     ];
     let says = "capacitance at the rim of a shielded sensor over eps0 x radius; shields of the electrode's radius, insulators of relative permittivity 3.4";
-    tabulated("rim_field", says, axes, 16, |p| {
+    tabulated("rim_field", says, axes, 32, |p| {
         let layered = Layered {
             radius: 1.0,
             backing: Some(p[0]),
@@ -200,11 +231,11 @@ pub fn rim_field() -> Result<Table, AuditError> {
 /// [`AuditError::Fem`].
 pub fn tail_edge() -> Result<Table, AuditError> {
     let axes = vec![
-        Axis::logarithmic("trace width / insulator thickness", 1.2, 12.0, 6),
-        Axis::logarithmic("trace thickness / insulator thickness", 0.12, 4.0, 6),
+        Axis::logarithmic("trace width / insulator thickness", 1.2, 12.0, 8),
+        Axis::logarithmic("trace thickness / insulator thickness", 0.12, 4.0, 8),
     ];
     let says = "capacitance of the tail over (22)";
     tabulated("tail_edge", says, axes, 24, |p| {
-        Ok(edge_factor(Section { width: p[0], distance: 1.0, thickness: p[1] }, 2e-5)?.value)
+        Ok(edge_factor(Section { width: p[0], distance: 1.0, thickness: p[1] }, 2e-6)?.value)
     })
 }

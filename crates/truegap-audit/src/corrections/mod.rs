@@ -3,6 +3,7 @@
 //! Each table is made by `cargo run --release -p truegap-audit --example corrections` and committed under `tables/`; it carries its range and its
 //! measured accuracy. Limits: Poisson's ratio and permittivities as the axes or the text of a table say.
 
+mod bead_law;
 mod bonded;
 mod corrected;
 pub mod coupled;
@@ -11,6 +12,7 @@ pub mod designs;
 mod library;
 pub mod make;
 mod one_sensor;
+mod parts;
 mod pieces;
 mod table;
 mod warped;
@@ -19,5 +21,6 @@ pub use bonded::BondedLayers;
 pub use corrected::Corrected;
 pub use curves::curves;
 pub use library::{Library, library};
+pub use parts::Parts;
 pub use table::{Axis, Table};
-pub use warped::{Gains, Warped};
+pub use warped::{Bends, Gains, Warped};

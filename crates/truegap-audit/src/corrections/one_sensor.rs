@@ -2,7 +2,7 @@
 //!
 //! Limits: the paper's permittivities; temperatures within [`KELVIN`] of the reference.
 
-use super::{Axis, Table, make};
+use super::{Axis, Library, Table, make};
 use crate::{
     AuditError,
     assumptions::cell::filled,
@@ -16,17 +16,21 @@ use truegap_model::stack::Device;
 pub(super) const KELVIN: [f64; 2] = [-30.0, 40.0];
 
 /// Field over mixture of a sensor over (temperature above the reference, strain): the bead as heat has left it, by its mean area and its height.
-pub(super) fn field(table: &Table, device: &Device, growth: Growth, cell: &Cell) -> Result<Table, AuditError> {
+pub(super) fn field(tables: &Library, device: &Device, growth: Growth, cell: &Cell) -> Result<Table, AuditError> {
+    let table = &tables.cell_field;
+    let heat_per_kelvin = (growth.free - growth.plates) / make::HEAT;
     let strains = table.axes.last().cloned().unwrap_or_else(|| Axis::linear("compressive strain", 0.0, make::GREATEST_STRAIN, 1));
     let axes = vec![Axis::linear("temperature above the reference (K)", KELVIN[0], KELVIN[1], 3), strains];
     let cold_area = device.warmed_by(0.0).areas.solid;
-    let factor = |p: &Vec<f64>| {
+    let factor = |p: &Vec<f64>| -> Result<f64, AuditError> {
         let mut warm = device.warmed_by(p[0]);
         growth.apply(&mut warm);
         let wider = (warm.areas.solid / cold_area).sqrt();
         let shape = cell.shape_factor() * wider * cell.height / warm.layers.beads;
         let coverage = warm.areas.solid / warm.areas.electrode;
-        table.at(&[shape, coverage, warm.layers.insulator / warm.layers.beads, p[1]])
+        let film = warm.layers.insulator / warm.layers.beads;
+        let heated = tables.heated_field.at(&[cell.shape_factor(), cell.coverage(), cell.film / cell.height, p[1]])?;
+        Ok(table.at(&[shape, coverage, film, p[1]])? * (1.0 + (heated - 1.0) * heat_per_kelvin * p[0]))
     };
     let values = Table::nodes(&axes).iter().map(factor).collect::<Result<Vec<_>, _>>()?;
     Ok(Table::interpolating(&table.id, &table.says, axes, values))

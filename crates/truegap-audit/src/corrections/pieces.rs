@@ -3,14 +3,15 @@
 //! Limits: as [`super::Corrected`]; smooth in load and temperature but for the load at which a rim that curls up lies flat.
 
 use super::{
-    BondedLayers, Table, library,
-    one_sensor::{check_permittivities, curve, field},
+    BondedLayers, Parts, Table,
+    bead_law::BeadLaw,
+    library,
+    one_sensor::{check_permittivities, field},
     warped::{Warp, Warped},
 };
 use crate::{
     AuditError,
     cell::{Cell, Growth},
-    fit::Chebyshev,
 };
 use truegap_core::{Sensor, VACUUM_PERMITTIVITY, sensor::Layout};
 use truegap_model::{
@@ -22,7 +23,7 @@ use truegap_model::{
 #[derive(Clone, Debug)]
 pub(super) struct Pieces {
     pub device: Device,
-    pub secant: Chebyshev,
+    pub beads: BeadLaw,
     /// over (temperature above the reference, strain)
     pub field: Table,
     pub rim: Table,
@@ -30,7 +31,6 @@ pub(super) struct Pieces {
     pub growth: Growth,
     pub layers: BondedLayers,
     pub warp: Warp,
-    pub softest: f64,
 }
 
 impl Pieces {
@@ -52,37 +52,27 @@ impl Pieces {
             }
             _ => 1.0,
         };
-        let secant = curve(&tables.bead_load.given(&[s, compressibility])?);
+        let beads = BeadLaw::of(&cell, tables)?;
         let layers = BondedLayers::of(sensor);
         let device = Device::new(&layers.sensor, StackOptions { warp: false, ..StackOptions::default() });
-        let mut pieces = Self {
-            softest: secant.at(0.0)?,
-            secant,
-            field: field(&tables.cell_field, &device, growth, &cell)?,
+        // gap and stiffness of the beads per their own cold area
+        let cold_area = device.warmed_by(0.0).areas.solid;
+        let state = |kelvin: f64, strain: f64| {
+            let mut warm = device.warmed_by(kelvin);
+            growth.apply(&mut warm);
+            let stiffness = warm.young * beads.tangent(strain)? * warm.areas.solid / (cold_area * warm.layers.beads);
+            Ok([warm.layers.beads * (1.0 - strain), stiffness])
+        };
+        Ok(Self {
+            warp: Warp::of(&Warped::of(sensor)?, state)?,
+            field: field(tables, &device, growth, &cell)?,
             rim: tables.rim_field.given(&[cell.film / radius, electrode / radius])?,
+            beads,
             device,
             tail,
             growth,
             layers,
-            warp: Warp::none(),
-        };
-        pieces.warp = Warp::of(&Warped::of(sensor)?, |kelvin, strain| pieces.state(kelvin, strain))?;
-        Ok(pieces)
-    }
-
-    /// Gap (m) and stiffness of the beads per their own cold area (Pa/m) at a temperature above the reference and a strain.
-    fn state(&self, kelvin: f64, strain: f64) -> Result<[f64; 2], AuditError> {
-        let mut warm = self.device.warmed_by(kelvin);
-        self.growth.apply(&mut warm);
-        let wider = warm.areas.solid / self.device.warmed_by(0.0).areas.solid;
-        Ok([warm.layers.beads * (1.0 - strain), warm.young * self.tangent(strain)? * wider / warm.layers.beads])
-    }
-
-    /// Slope of the load over modulus and area at a strain.
-    fn tangent(&self, strain: f64) -> Result<f64, AuditError> {
-        let step = 1e-4 * self.secant.high;
-        let (low, high) = ((strain - step).max(0.0), (strain + step).min(self.secant.high));
-        Ok((high * self.secant.at(high)? - low * self.secant.at(low)?) / (high - low))
+        })
     }
 
     /// The warm sensor with beads whose faces are held.
@@ -92,21 +82,9 @@ impl Pieces {
         warm
     }
 
-    /// Strain at a load over modulus and area, by Newton's method on e k(e).
-    pub fn strain(&self, reduced_load: f64) -> Result<f64, AuditError> {
-        let mut strain = (reduced_load / self.softest).clamp(0.0, self.secant.high);
-        for _ in 0..50 {
-            let next = strain - (strain * self.secant.at(strain)? - reduced_load) / self.tangent(strain)?;
-            if (next - strain).abs() <= 1e-12 {
-                // an argument beyond the table is refused here
-                self.secant.at(next)?;
-                return Ok(next);
-            }
-            strain = if next > self.secant.high { 0.5 * (strain + self.secant.high) } else { next.max(0.0) };
-        }
-        let what = "load over modulus and bead area".to_owned();
-        let high = self.secant.high * self.secant.at(self.secant.high)?;
-        Err(AuditError::Uncovered { what, value: reduced_load, low: 0.0, high, remedy: "take a smaller load" })
+    /// Strain of the beads of a warm sensor under a force (N).
+    pub fn strain(&self, warm: &Warm, force_n: f64) -> Result<f64, AuditError> {
+        self.beads.strain(force_n / (warm.areas.solid * warm.young))
     }
 
     /// Capacitance at the rim, F; `beads` is that of the bead layer.
@@ -116,22 +94,24 @@ impl Pieces {
         Ok(VACUUM_PERMITTIVITY * warm.radius * self.rim.at(&[mixed, gap / warm.radius])?)
     }
 
-    /// What is read, pF.
-    pub fn capacitance_pf(&self, force_n: f64, temperature_c: f64) -> Result<f64, AuditError> {
+    /// What is added up at a force (N) and a temperature (degrees Celsius).
+    pub fn parts(&self, force_n: f64, temperature_c: f64) -> Result<Parts, AuditError> {
         let warm = self.warm(temperature_c);
-        let strain = self.strain(force_n / (warm.areas.solid * warm.young))?;
+        let strain = self.strain(&warm, force_n)?;
         let row = self.device.plain(&warm, force_n, strain);
         let refuse = |refusal| {
             let strain = if let Refusal::Touches { strain } = refusal { strain } else { f64::NAN };
             AuditError::NoResponse { force_n, temperature_c, strain }
         };
-        let mut parts = self.device.capacitances(&warm, &row).map_err(refuse)?;
-        let rim = self.rim(&warm, strain, parts.beads)?;
+        let flat = self.device.capacitances(&warm, &row).map_err(refuse)?;
         let bent = self.warp.gains(warm.kelvin, strain, force_n)?;
-        parts.shares.main *= self.field.at(&[warm.kelvin, strain])? * (1.0 + bent.main);
-        parts.shares.backing *= (1.0 + bent.backing) / (1.0 + self.layers.backing_per_kelvin * warm.kelvin);
-        parts.shares.main += rim;
-        parts.shares.tail *= self.tail;
-        Ok(self.device.total(parts.shares) * 1e12)
+        let thicker = 1.0 + self.layers.backing_per_kelvin * warm.kelvin;
+        Ok(Parts {
+            main: 1e12 * flat.shares.main * self.field.at(&[warm.kelvin, strain])? * (1.0 + bent.main),
+            backing: 1e12 * flat.shares.backing * (1.0 + bent.backing) / thicker,
+            rim: 1e12 * self.rim(&warm, strain, flat.beads)?,
+            tail: 1e12 * flat.shares.tail * self.tail,
+            stray: 1e12 * self.layers.sensor.stray.value,
+        })
     }
 }

@@ -1,7 +1,7 @@
 //! What is left of the warp on bonded beads, and what it does to the capacitances: a thin plate on rings of springs.
 //!
-//! Limits: beads as rings, small deflection, field straight across the gap; a rigid load plate presses a rim that curls up flat in proportion to its
-//! force and does nothing to one that curls down.
+//! Limits: beads as rings, small deflection, field straight across the gap. How fast a rigid load plate presses the rest flat is a formula that was
+//! compared with the whole disc (`docs/audit.md`), not a solution of the contact.
 
 use super::{Axis, Table, make, one_sensor::KELVIN};
 use crate::{
@@ -32,8 +32,15 @@ pub struct Gains {
     pub main: f64,
     /// relative change of the capacitance behind the electrode
     pub backing: f64,
-    /// force of a rigid plate that presses it flat, N; negative where pulling would be needed
-    pub flattening_n: f64,
+}
+
+/// What a bent electrode does, from no load to any.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bends {
+    /// without load
+    pub free: Gains,
+    /// below a rigid plate with a large force, where the rim curls down: the plate lies on the electrode up to the outer edge of the beads
+    pub pressed: Gains,
 }
 
 impl Warped {
@@ -49,26 +56,43 @@ impl Warped {
         Ok(Self { plate, rings, film: cell.film, filled: filled(sensor) })
     }
 
-    /// Without load, where the free plate would be bent to `curvature` (1/m), over a gap (m) and rings of a stiffness per their area (Pa/m).
-    pub fn gains(&self, curvature: f64, gap: f64, stiffness: f64) -> Gains {
-        let plate = RingPlate {
-            bending: self.plate.bending_stiffness(),
-            poisson: self.plate.poisson(),
-            radius: self.plate.radius,
-            stiffness,
-            rings: self.rings.clone(),
-        };
-        let heated = plate.bent(curvature, 0.0);
-        let main = self.main(&heated, gap);
-        // a force on the rim bends, and shortens all rings, which the strain of the beads has counted already
-        let pushed = plate.bent(0.0, PROBE_N);
-        let even = PROBE_N / (stiffness * heated.mean_of(|r, _| f64::from(u8::from(self.on_ring(r)))) * self.area());
-        let bends = self.main(&Bent { values: pushed.values.iter().map(|v| [v[0] + even, v[1]]).collect(), ..pushed }, gap);
-        Gains { main, backing: self.backing(&heated), flattening_n: -main / bends * PROBE_N }
+    /// Where the free plate would be bent to `curvature` (1/m), over a gap (m) and rings of a stiffness per their area (Pa/m).
+    pub fn bends(&self, curvature: f64, gap: f64, stiffness: f64) -> Bends {
+        let flat_to = self.rings.last().map_or(0.0, |ring| ring.outer);
+        let [free, pressed] = [0.0, flat_to].map(|flat_to| self.on(stiffness, flat_to).bent(curvature, 0.0));
+        Bends { free: self.gains(&free, gap), pressed: self.gains(&pressed, gap) }
     }
 
-    fn area(&self) -> f64 {
-        std::f64::consts::PI * self.plate.radius * self.plate.radius
+    /// Force on the way from no load to a large one, N: on a rim that curls up, and on the bulge within one that curls down.
+    pub fn settling_n(&self, curvature: f64, gap: f64, stiffness: f64) -> [f64; 2] {
+        let free = self.on(stiffness, 0.0).bent(curvature, 0.0);
+        // inside of the rim the plate goes the other way
+        let bulge = free.values.iter().map(|v| -v[0] * curvature.signum()).fold(0.0, f64::max);
+        [self.flattening_n(&free, gap, stiffness).abs(), stiffness * self.ring_area() * bulge]
+    }
+
+    fn on(&self, stiffness: f64, flat_to: f64) -> RingPlate {
+        let plate = &self.plate;
+        let (bending, poisson, radius) = (plate.bending_stiffness(), plate.poisson(), plate.radius);
+        RingPlate { bending, poisson, radius, stiffness, rings: self.rings.clone(), flat_to }
+    }
+
+    fn gains(&self, shape: &Bent, gap: f64) -> Gains {
+        Gains { main: self.main(shape, gap), backing: self.backing(shape) }
+    }
+
+    /// Force on a rim that curls up that takes its effect on the gap away, N.
+    fn flattening_n(&self, heated: &Bent, gap: f64, stiffness: f64) -> f64 {
+        // a force on the rim bends, and shortens all rings, which the strain of the beads has counted already
+        let pushed = self.on(stiffness, 0.0).bent(0.0, PROBE_N);
+        let even = PROBE_N / (stiffness * self.ring_area());
+        let values = pushed.values.iter().map(|v| [v[0] + even, v[1]]).collect();
+        let bends = self.main(&Bent { values, radii: pushed.radii }, gap);
+        -self.main(heated, gap) / bends * PROBE_N
+    }
+
+    fn ring_area(&self) -> f64 {
+        self.rings.iter().map(|ring| std::f64::consts::PI * (ring.outer * ring.outer - ring.inner * ring.inner)).sum()
     }
 
     fn on_ring(&self, radius: f64) -> bool {
@@ -101,45 +125,36 @@ const PROBE_N: f64 = 1e-3;
 /// The gains of one sensor, at analytic speed.
 #[derive(Clone, Debug)]
 pub(super) struct Warp {
-    /// over (temperature above the reference, strain), per kelvin
-    main: Table,
-    backing: Table,
-    flattening_n_per_kelvin: f64,
+    /// over (temperature above the reference, strain), per kelvin: main and backing, free and then pressed
+    tables: [Table; 4],
+    curvature_per_kelvin: f64,
+    settling_n_per_kelvin: [f64; 2],
 }
 
 impl Warp {
-    /// A flat electrode.
-    pub fn none() -> Self {
-        let axes = || vec![Axis::linear("temperature above the reference (K)", KELVIN[0], KELVIN[1], 1)];
-        let nothing = || Table::interpolating("warp", "", axes(), vec![0.0]);
-        Self { main: nothing(), backing: nothing(), flattening_n_per_kelvin: f64::INFINITY }
-    }
-
     /// The electrode of a sensor; `state` gives gap (m) and stiffness of the beads (Pa/m) at a temperature above the reference and a strain.
     ///
     /// # Errors
     /// What `state` refuses.
     pub fn of(warped: &Warped, state: impl Fn(f64, f64) -> Result<[f64; 2], AuditError>) -> Result<Self, AuditError> {
         let axes = vec![
-            Axis::linear("temperature above the reference (K)", KELVIN[0], KELVIN[1], 3),
-            Axis::linear("compressive strain", 0.0, make::GREATEST_STRAIN, 3),
+            Axis::linear("temperature above the reference (K)", KELVIN[0], KELVIN[1], 2),
+            Axis::linear("compressive strain", 0.0, make::GREATEST_STRAIN, 2),
         ];
-        let per_kelvin = warped.plate.curvature_per_kelvin();
-        let at = |kelvin: f64, strain: f64| -> Result<Gains, AuditError> {
+        let curvature_per_kelvin = warped.plate.curvature_per_kelvin();
+        let at = |kelvin: f64, strain: f64| -> Result<Bends, AuditError> {
             let [gap, stiffness] = state(kelvin, strain)?;
-            Ok(warped.gains(per_kelvin * kelvin, gap, stiffness))
+            Ok(warped.bends(curvature_per_kelvin * kelvin, gap, stiffness))
         };
         let nodes = Table::nodes(&axes);
-        let gains = nodes.iter().map(|p| at(p[0], p[1])).collect::<Result<Vec<_>, _>>()?;
-        let table = |of: fn(&Gains) -> f64, says: &str| {
-            let values = gains.iter().zip(&nodes).map(|(g, p)| of(g) / p[0]).collect();
-            Table::interpolating("warp", says, axes.clone(), values)
-        };
-        Ok(Self {
-            main: table(|g| g.main, "relative change of the gap's capacitance, 1/K"),
-            backing: table(|g| g.backing, "relative change of the capacitance behind the electrode, 1/K"),
-            flattening_n_per_kelvin: at(1.0, 0.0)?.flattening_n,
-        })
+        let bends = nodes.iter().map(|p| at(p[0], p[1])).collect::<Result<Vec<_>, _>>()?;
+        let parts: [fn(&Bends) -> f64; 4] = [|b| b.free.main, |b| b.free.backing, |b| b.pressed.main, |b| b.pressed.backing];
+        let tables = parts.map(|of| {
+            let values = bends.iter().zip(&nodes).map(|(b, p)| of(b) / p[0]).collect();
+            Table::interpolating("warp", "relative change of a capacitance, 1/K", axes.clone(), values)
+        });
+        let [gap, stiffness] = state(0.0, 0.0)?;
+        Ok(Self { tables, curvature_per_kelvin, settling_n_per_kelvin: warped.settling_n(curvature_per_kelvin, gap, stiffness) })
     }
 
     /// The gains at a temperature above the reference, a strain and the force (N) of a rigid plate.
@@ -147,19 +162,26 @@ impl Warp {
     /// # Errors
     /// [`AuditError::Uncovered`] beyond the table.
     pub fn gains(&self, kelvin: f64, strain: f64, force_n: f64) -> Result<Gains, AuditError> {
-        let flattening_n = self.flattening_n_per_kelvin * kelvin;
-        let left = self.left(kelvin, force_n);
-        if left == 0.0 || kelvin == 0.0 {
-            return Ok(Gains { flattening_n, ..Gains::default() });
+        if kelvin == 0.0 {
+            return Ok(Gains::default());
         }
         let at = [kelvin, strain];
-        let [main, backing] = [self.main.at(&at)?, self.backing.at(&at)?].map(|g| g * kelvin * left);
-        Ok(Gains { main, backing, flattening_n })
+        let up = self.curvature_per_kelvin * kelvin >= 0.0;
+        let left = self.left(kelvin, force_n);
+        let part = |free: usize| -> Result<f64, AuditError> {
+            let below = if up || left == 1.0 { 0.0 } else { self.tables[free + 2].at(&at)? };
+            Ok(kelvin * (left * self.tables[free].at(&at)? + (1.0 - left) * below))
+        };
+        Ok(Gains { main: part(0)?, backing: part(1)? })
     }
 
-    /// Share of the warp that is left below a rigid plate with a force (N).
-    pub fn left(&self, kelvin: f64, force_n: f64) -> f64 {
-        let flat = self.flattening_n_per_kelvin * kelvin;
-        if flat > 0.0 { (1.0 - force_n.max(0.0) / flat).max(0.0) } else { 1.0 }
+    /// How far a rigid plate with a force (N) is from having settled: 1 without load.
+    ///
+    /// A rim that curls up is pressed flat with 1 / (1 + F / F0)², a bulge within one that curls down with 1 / (1 + F / F0).
+    fn left(&self, kelvin: f64, force_n: f64) -> f64 {
+        let up = self.curvature_per_kelvin * kelvin >= 0.0;
+        let settling = (self.settling_n_per_kelvin[usize::from(!up)] * kelvin).abs();
+        let share = 1.0 / (1.0 + force_n.max(0.0) / settling);
+        if up { share * share } else { share }
     }
 }

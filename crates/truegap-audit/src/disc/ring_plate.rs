@@ -18,6 +18,8 @@ pub struct RingPlate {
     pub stiffness: f64,
     /// where they are, from the axis outwards
     pub rings: Vec<Ring>,
+    /// radius up to which something holds the plate flat, m; 0 for nothing
+    pub flat_to: f64,
 }
 
 /// Shape of a plate: heights and slopes at some radii, cubic between them.
@@ -29,8 +31,10 @@ pub struct Bent {
     pub values: Vec<[f64; 2]>,
 }
 
-/// Elements to a ring or a gap between two, least number.
-const PARTS: f64 = 4.0;
+/// Elements to the narrowest ring; as long ones between the rings.
+const PARTS: f64 = 2.0;
+/// Stiffness of what holds a plate flat, over that of the rings.
+const FLAT: f64 = 1e4;
 /// Gauss's points and weights on 0 to 1.
 const GAUSS: [(f64, f64); 4] = [
     (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
@@ -73,7 +77,8 @@ impl RingPlate {
 
     fn radii(&self) -> Vec<f64> {
         let mut stops: Vec<f64> = self.rings.iter().flat_map(|r| [r.inner, r.outer]).filter(|&r| r > 0.0).collect();
-        stops.push(self.radius);
+        stops.extend([self.flat_to, self.radius].into_iter().filter(|&r| r > 0.0));
+        stops.sort_by(f64::total_cmp);
         stops.dedup_by(|b, a| *b - *a <= 1e-9 * self.radius);
         let narrow = self.rings.iter().map(|r| r.outer - r.inner).fold(self.radius, f64::min);
         columns(&stops, narrow / PARTS, 0.2 * narrow / PARTS)
@@ -83,7 +88,13 @@ impl RingPlate {
         let length = b - a;
         let middle = 0.5 * (a + b);
         let held = self.rings.iter().any(|r| r.inner <= middle && middle <= r.outer);
-        let springs = if held { self.stiffness } else { 0.0 };
+        let springs = if middle < self.flat_to {
+            FLAT * self.stiffness
+        } else if held {
+            self.stiffness
+        } else {
+            0.0
+        };
         for (t, weight) in GAUSS {
             let r = a + t * length;
             let area = weight * length * r;
@@ -206,7 +217,7 @@ mod tests {
     use crate::disc::foundation::Foundation;
 
     fn plate(rings: Vec<Ring>) -> RingPlate {
-        RingPlate { bending: 5e-4, poisson: 0.34, radius: 7.5e-3, stiffness: 1.2e9, rings }
+        RingPlate { bending: 5e-4, poisson: 0.34, radius: 7.5e-3, stiffness: 1.2e9, rings, flat_to: 0.0 }
     }
 
     fn zones(count: usize, coverage: f64) -> Vec<Ring> {

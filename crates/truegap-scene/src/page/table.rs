@@ -8,6 +8,7 @@ pub struct Table {
     header: Vec<String>,
     rows: Vec<Vec<String>>,
     caption: String,
+    dense: bool,
 }
 
 impl Table {
@@ -28,6 +29,12 @@ impl Table {
         self
     }
 
+    /// Smaller letters and less space, for many columns.
+    pub fn dense(mut self) -> Self {
+        self.dense = true;
+        self
+    }
+
     /// The `<table>` element in a wrapper that scrolls on narrow screens.
     pub(super) fn to_html(&self) -> String {
         let columns = self.rows.iter().map(Vec::len).chain([self.header.len()]).max().unwrap_or(0);
@@ -45,7 +52,8 @@ impl Table {
             if self.caption.is_empty() { String::new() } else { format!("<caption>{}</caption>\n", escape(&self.caption)) };
         let rows: String = self.rows.iter().map(|row| line(row, "td")).collect();
         let head = line(&self.header, "th");
-        format!("<div class=\"wide\"><table>\n{caption}<thead>\n{head}</thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n")
+        let class = if self.dense { " class=\"dense\"" } else { "" };
+        format!("<div class=\"wide\"><table{class}>\n{caption}<thead>\n{head}</thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n")
     }
 
     fn is_numeric(&self, column: usize) -> bool {
@@ -70,6 +78,8 @@ mod tests {
     fn number_columns_are_right_aligned_and_words_are_not() {
         let html = Table::new(&["what", "value"]).row(&["C0", "64.1 ± 0.2 pF"]).row(&["x < y", "-3e-5"]).to_html();
         assert!(html.contains("<td>x &lt; y</td>") && html.contains("<td class=\"number\">-3e-5</td>"));
+        assert!(html.contains("<table>"));
+        assert!(Table::new(&["a"]).row(&["1"]).dense().to_html().contains("<table class=\"dense\">"));
         assert!(!Table::new(&["a"]).row(&["12 beads and more"]).to_html().contains("class=\"number\""));
     }
 }

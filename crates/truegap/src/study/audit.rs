@@ -3,18 +3,18 @@
 //! Limits: designs of a Latin hypercube; a design whose gap closes is a case with a reason instead of rows; rows keep numbers, not figures.
 
 use super::work::{merged, write};
-use super::{Finished, SensorText, StudyError, Work};
+use super::{Finished, SensorText, StudyError, Work, page};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
-use truegap_audit::{Assumption, EffectOn, Options, Study, Verdict, Watch, chosen};
+use truegap_audit::{Assumption, EffectOn, Measure, Options, Study, Verdict, Watch, chosen};
 use truegap_core::Sensor;
 use truegap_design::optimise::{Axis, Space, latin_hypercube};
 use truegap_sweep::Sweep;
 
 /// Name of the study in a sweep's folder.
-pub const STUDY: &str = concat!("truegap.audit-space/1 of ", env!("CARGO_PKG_VERSION"));
+pub const STUDY: &str = concat!("truegap.audit-space/2 of ", env!("CARGO_PKG_VERSION"));
 
 /// A file that describes a space.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -91,6 +91,10 @@ pub struct Row {
     pub relative_error: Option<f64>,
     /// the number that decides
     pub measure: f64,
+    /// what it is
+    pub measure_name: String,
+    /// the measure up to which the equation is known to be good
+    pub limit: f64,
     /// effect on each coefficient that is not zero, %
     pub effect_pct: BTreeMap<String, f64>,
 }
@@ -145,6 +149,18 @@ pub struct SpaceAuditAnswer {
     pub designs: Vec<Audited>,
     /// names of the axes
     pub axes: Vec<String>,
+    /// number of designs asked for
+    #[serde(skip)]
+    pub count: usize,
+    /// seed of the Latin hypercube
+    #[serde(skip)]
+    pub seed: u64,
+    /// assumptions asked for; all where none is named
+    #[serde(skip)]
+    pub only: Vec<String>,
+    /// what may change
+    #[serde(skip)]
+    pub space: Vec<Axis>,
 }
 
 struct Checked {
@@ -194,6 +210,10 @@ impl SpaceAuditRequest {
             shares: shares(&designs),
             axes: self.axes.iter().map(|a| a.quantity.symbol().to_owned()).collect(),
             designs,
+            count: self.designs,
+            seed: self.seed,
+            only: self.only.clone(),
+            space: self.axes.clone(),
         }
     }
 }
@@ -217,10 +237,10 @@ impl Checked {
         for assumption in self.assumptions.iter().filter(|a| a.applies(sensor).is_ok()) {
             let finding = assumption.examine(&study).map_err(|e| format!("{}: {e}", assumption.id()))?;
             let relative_error = Some(finding.relative_error).filter(|e| e.is_finite());
-            let measure = finding.measure.value;
+            let Measure { name: measure_name, value: measure, limit } = finding.measure;
             let named = EffectOn::NAMES.into_iter().zip(finding.effect_on.values());
             let effect_pct = named.filter_map(|(name, pct)| Some((name.to_owned(), pct?))).collect();
-            rows.push(Row { id: finding.id, verdict: finding.verdict, relative_error, measure, effect_pct });
+            rows.push(Row { id: finding.id, verdict: finding.verdict, relative_error, measure, measure_name, limit, effect_pct });
         }
         Ok(rows)
     }
@@ -251,13 +271,14 @@ fn share(id: &str, rows: Vec<&Row>) -> Share {
 }
 
 impl SpaceAuditAnswer {
-    /// Writes audit-space.json and audit-space.csv.
+    /// Writes audit-space.json, audit-space.csv and report.html.
     ///
     /// # Errors
     /// [`StudyError`] where the disk refuses.
     pub fn write(&self, folder: &Path) -> Result<(), StudyError> {
         let json = serde_json::to_string_pretty(self)? + "\n";
-        write(folder, &[("audit-space.json".into(), json), ("audit-space.csv".into(), self.csv())])
+        let page = page::audit::html(self)?;
+        write(folder, &[("audit-space.json".into(), json), ("audit-space.csv".into(), self.csv()), ("report.html".into(), page)])
     }
 
     /// One line a design and assumption.

@@ -10,6 +10,7 @@ mod page;
 pub mod sensitivity;
 mod subject;
 pub mod tolerance;
+mod where_broken;
 mod work;
 
 pub use error::StudyError;

@@ -91,7 +91,7 @@ impl OneSensor {
         let row = pieces.device.plain(&warm, force, strain);
         let closed = |_| AuditError::NoResponse { force_n: force, temperature_c: pieces.device.reference_c, strain };
         let parts = pieces.device.capacitances(&warm, &row).map_err(closed)?;
-        Ok([parts.aspect, pieces.rim(&warm, strain, parts.beads)? / parts.shares.main])
+        Ok([parts.aspect, pieces.field_and_rim(&warm, strain, &parts)?[1] / parts.shares.main])
     }
 
     fn tail_edge_pf(&self) -> Result<f64, AuditError> {

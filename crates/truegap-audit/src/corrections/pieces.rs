@@ -16,7 +16,7 @@ use crate::{
 use truegap_core::{Sensor, VACUUM_PERMITTIVITY, sensor::Layout};
 use truegap_model::{
     StackOptions,
-    stack::{Device, Refusal, Warm},
+    stack::{Capacitances, Device, Refusal, Warm},
 };
 
 /// What the tables give for one sensor.
@@ -87,11 +87,13 @@ impl Pieces {
         self.beads.strain(force_n / (warm.areas.solid * warm.young))
     }
 
-    /// Capacitance at the rim, F; `beads` is that of the bead layer.
-    pub fn rim(&self, warm: &Warm, strain: f64, beads: f64) -> Result<f64, AuditError> {
+    /// Capacitance of the flat gap by the field of its cells, F, and what the field at the rim adds, F: between cells of that capacitance the rim sees
+    /// one medium.
+    pub fn field_and_rim(&self, warm: &Warm, strain: f64, flat: &Capacitances) -> Result<[f64; 2], AuditError> {
+        let main = flat.shares.main * self.field.at(&[warm.kelvin, strain])?;
         let gap = warm.layers.beads * (1.0 - strain);
-        let mixed = beads * gap / (warm.areas.electrode * VACUUM_PERMITTIVITY);
-        Ok(VACUUM_PERMITTIVITY * warm.radius * self.rim.at(&[mixed, gap / warm.radius])?)
+        let medium = gap / (warm.areas.electrode * VACUUM_PERMITTIVITY * (1.0 / main - 1.0 / flat.insulator));
+        Ok([main, VACUUM_PERMITTIVITY * warm.radius * self.rim.at(&[medium, gap / warm.radius])?])
     }
 
     /// What is added up at a force (N) and a temperature (degrees Celsius).
@@ -104,12 +106,13 @@ impl Pieces {
             AuditError::NoResponse { force_n, temperature_c, strain }
         };
         let flat = self.device.capacitances(&warm, &row).map_err(refuse)?;
+        let [main, rim] = self.field_and_rim(&warm, strain, &flat)?;
         let bent = self.warp.gains(warm.kelvin, strain, force_n)?;
         let thicker = 1.0 + self.layers.backing_per_kelvin * warm.kelvin;
         Ok(Parts {
-            main: 1e12 * flat.shares.main * self.field.at(&[warm.kelvin, strain])? * (1.0 + bent.main),
+            main: 1e12 * main * (1.0 + bent.main),
             backing: 1e12 * flat.shares.backing * (1.0 + bent.backing) / thicker,
-            rim: 1e12 * self.rim(&warm, strain, flat.beads)?,
+            rim: 1e12 * rim,
             tail: 1e12 * flat.shares.tail * self.tail,
             stray: 1e12 * self.layers.sensor.stray.value,
         })

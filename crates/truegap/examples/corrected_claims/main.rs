@@ -1,6 +1,6 @@
 //! The paper's claims with finite elements in the model: `cargo run -p truegap --example corrected_claims > validation/published/corrected.md`.
 //!
-//! Three columns: the paper's equations; the corrected model (bonded beads that hold the electrode flat, fields by finite elements); the same with the modulus refitted to
+//! Three columns: the paper's equations; the corrected model (bonded beads that hold the electrode, fields by finite elements); the same with the modulus refitted to
 //! the same span, because the paper fits E_RTV to its measurements. Prints nothing but computed numbers and verdicts by printed rules.
 
 mod model;

@@ -17,6 +17,8 @@ pub(super) struct Where {
     pub axis: Axis,
     /// its place among the axes
     pub place: usize,
+    /// number of designs with the verdict
+    pub designs: usize,
     /// share of pairs of designs that it puts in the right order, 0.5 to 1
     pub right: f64,
     /// median where the verdict is found, SI
@@ -30,6 +32,9 @@ pub(super) fn wheres(answer: &SpaceAuditAnswer) -> Vec<Where> {
     answer.shares.iter().filter_map(|share| best(answer, &share.id)).collect()
 }
 
+/// Designs on either side below which an order means nothing.
+const FEWEST: usize = 3;
+
 fn best(answer: &SpaceAuditAnswer, id: &str) -> Option<Where> {
     let found: Vec<(Verdict, &[f64])> = answer
         .designs
@@ -38,19 +43,20 @@ fn best(answer: &SpaceAuditAnswer, id: &str) -> Option<Where> {
         .collect();
     let mixed = |verdict: &Verdict| {
         let count = found.iter().filter(|f| f.0 == *verdict).count();
-        count > 0 && count < found.len()
+        count >= FEWEST && count + FEWEST <= found.len()
     };
     let verdict = [Verdict::Broken, Verdict::Strained].into_iter().find(mixed)?;
     let told = |place: usize| {
         let side = |inside: bool| found.iter().filter(|f| (f.0 == verdict) == inside).map(|f| f.1[place]).collect::<Vec<f64>>();
         let (inside, outside) = (side(true), side(false));
-        let order = in_order(&inside, &outside);
+        let (order, designs) = (in_order(&inside, &outside), inside.len());
         let right = order.max(1.0 - order);
         Where {
             id: id.to_owned(),
             verdict,
             axis: answer.space[place].clone(),
             place,
+            designs,
             right,
             inside: median(inside),
             outside: median(outside),

@@ -125,17 +125,26 @@ fn rows<'a>(answer: &'a SpaceAuditAnswer, id: &'a str) -> impl Iterator<Item = (
 fn places(page: Page, answer: &SpaceAuditAnswer) -> Result<Page, StudyError> {
     let found = wheres(answer);
     let page = page.section("Where in the space").text(
-        "For each assumption whose verdict is not the same everywhere: the quantity of a design that tells best on which side it lies. The share is that of \
+        "For each assumption whose verdict is not the same everywhere, with three designs or more on either side: the quantity of a design that tells best on which side it lies. The share is that of \
          pairs, one design from each side, that this quantity alone puts in the right order: 50 % is chance.",
     );
     if found.is_empty() {
-        return Ok(page.text("No verdict differs between the designs."));
+        return Ok(page.text("No verdict differs between enough designs."));
     }
-    let head = Table::new(&["assumption", "verdict", "quantity", "right order %", "median where so", "median elsewhere", "unit"])
-        .dense();
+    let head = Table::new(&[
+        "assumption",
+        "verdict",
+        "designs",
+        "quantity",
+        "right order %",
+        "median where so",
+        "median elsewhere",
+        "unit",
+    ])
+    .dense();
     let table = found.iter().fold(head, |table, w| {
         let (unit, factor) = w.axis.quantity.unit();
-        let cells = [w.id.as_str(), word(w.verdict), w.axis.quantity.symbol()].map(String::from).to_vec();
+        let cells = [w.id.as_str(), word(w.verdict), &w.designs.to_string(), w.axis.quantity.symbol()].map(String::from).to_vec();
         let right = format!("{:.0}", 100.0 * w.right);
         table.row(&[cells, vec![right, number(factor * w.inside), number(factor * w.outside), unit.into()]].concat())
     });

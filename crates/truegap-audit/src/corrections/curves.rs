@@ -9,8 +9,9 @@ use truegap_model::equations::load::{BeadLaw, compressive_strain, reduced_load};
 
 /// Samples of a curve, less one.
 const STEPS: usize = 64;
-/// Most that the thin plate of [`super::Warped`] was found to be off, of the warp's own part: `docs/audit.md`.
-const WARP_ACCURACY: f64 = 0.15;
+/// Most that the thin plate of [`super::Warped`] was found to be off without load, of the warp's own part: printed by the example `corrected_check` for 31
+/// sensors, median 5 %.
+const WARP_ACCURACY: f64 = 0.17;
 
 /// The corrections of a sensor.
 ///
@@ -111,7 +112,7 @@ impl OneSensor {
             let shares = self.pieces.device.capacitances(&warm, &row).map_err(closed)?.shares;
             Ok(1.0 + bent.main + bent.backing * shares.backing / shares.main)
         })?;
-        let says = "capacitance of the gap without load over that of flat plates, with what bonded beads leave of the warp; what it does behind the electrode included";
+        let says = "capacitance of the gap without load over that of flat plates, with what bonded beads leave of the warp; what it does behind the electrode included; its accuracy is that of its distance from 1";
         Ok(curve("warp", says, [("temperature above the reference", "K"), RATIO], points, WARP_ACCURACY))
     }
 

@@ -6,10 +6,11 @@
 Every mutation names a file of `crates/truegap-fem/src`, the text that it replaces (which must occur there exactly once), what it puts in
 its place, and the tests that should fail: a target, perhaps with a part of their names. `killed`: a test failed, or did not end in five minutes; `survived`: all passed.
 A mutation that does not compile, or whose text is not there, ends the run: then the list is out of date. Writes `mutations.md`; with
-names only those are tried and nothing is written. Exit code 1 where one survives.
+names only those are tried again, and the outcomes of the others are those of the last whole run. Exit code 1 where one survives.
 """
 
 import argparse
+import json
 import os
 import re
 import shutil
@@ -37,14 +38,17 @@ def main():
         outcome, _, detail = run(options.scratch, target)
         if outcome != "survived":
             sys.exit(f"the tests of {target} do not pass without any mutation:\n{detail}")
-    rows = []
+    kept = options.scratch / "outcomes.json"
+    outcomes = json.loads(kept.read_text()) if options.names and kept.exists() else {}
     for mutation in chosen:
         row = attempt(options.scratch, crate, mutation)
         print(f"{row['outcome']:9} {row['seconds']:5.0f} s  {mutation['name']}  {row['by']}", flush=True)
-        rows.append({**mutation, **row})
-    if not options.names:
+        outcomes[mutation["name"]] = {**mutation, **row}
+        kept.write_text(json.dumps(outcomes))
+    rows = [outcomes[m["name"]] for m in mutations if m["name"] in outcomes]
+    if len(rows) == len(mutations):
         (HERE / "mutations.md").write_text(page(rows))
-    sys.exit(any(r["outcome"] == "survived" for r in rows))
+    sys.exit(any(outcomes[m["name"]]["outcome"] == "survived" for m in chosen))
 
 
 def copy(scratch):

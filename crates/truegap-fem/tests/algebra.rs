@@ -137,3 +137,20 @@ fn a_floating_body_is_reported_as_singular() {
     matrix.values_mut()[5] = f64::NAN;
     assert!(matches!(Direct::new(&matrix, Kind::Llt), Err(SolveError::NotFinite { .. })));
 }
+
+#[test]
+fn a_solution_that_does_not_satisfy_its_equations_is_refused() {
+    let s = square(0.2);
+    let numbering = Numbering::new(&rim(&s));
+    let pattern = Pattern::new(&s.dofs, &numbering);
+    let mut matrix = pattern.matrix();
+    pattern.assemble(&mut matrix, laplace(&s.nodes));
+    let mut direct = Direct::new(&matrix, Kind::Llt).unwrap();
+    let mut b = vec![1.0; pattern.size()];
+    assert!(direct.solve(&matrix, &b).unwrap().residual < 1e-14);
+    for bad in [f64::NAN, f64::INFINITY] {
+        b[7] = bad;
+        // No finite vector satisfies that: the residual is no number, and no number is small enough.
+        assert!(matches!(direct.solve(&matrix, &b), Err(SolveError::Residual { .. })), "{bad}");
+    }
+}

@@ -8,13 +8,13 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
-use truegap_audit::{Assumption, EffectOn, Measure, Options, Study, Verdict, Watch, chosen};
+use truegap_audit::{Assumption, EffectOn, Finding, Measure, Options, Study, Verdict, Watch, chosen};
 use truegap_core::Sensor;
 use truegap_design::optimise::{Axis, Space, latin_hypercube};
 use truegap_sweep::Sweep;
 
 /// Name of the study in a sweep's folder.
-pub const STUDY: &str = concat!("truegap.audit-space/2 of ", env!("CARGO_PKG_VERSION"));
+pub const STUDY: &str = concat!("truegap.audit-space/3 of ", env!("CARGO_PKG_VERSION"));
 
 /// A file that describes a space.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -111,6 +111,9 @@ pub struct Audited {
     pub refused: Option<String>,
     /// rows
     pub rows: Vec<Row>,
+    /// assumptions that could not be examined, and why
+    #[serde(skip_serializing_if = "BTreeMap::is_empty", default)]
+    pub failed: BTreeMap<String, String>,
 }
 
 /// How often an assumption holds.
@@ -221,28 +224,49 @@ impl SpaceAuditRequest {
 impl Checked {
     /// All assumptions of one design, one after the other on this thread: cases run side by side already.
     fn solve(&self, case: &Case) -> Result<Audited, StudyError> {
-        let sensor = self.space.sensor(&case.values);
-        let audited = |refused, rows| Ok(Audited { design: case.design, values: case.values.clone(), refused, rows });
-        match self.rows(&sensor) {
-            Ok(rows) => audited(None, rows),
-            Err(reason) => audited(Some(reason), Vec::new()),
-        }
+        let mut sensor = self.space.sensor(&case.values);
+        // a plating of 0 is none
+        sensor.plating = sensor.plating.filter(|plating| plating.thickness.value > 0.0);
+        let mut audited = Audited {
+            design: case.design,
+            values: case.values.clone(),
+            refused: None,
+            rows: Vec::new(),
+            failed: BTreeMap::new(),
+        };
+        audited.refused = self.examine(&sensor, &mut audited.rows, &mut audited.failed).err();
+        Ok(audited)
     }
 
-    fn rows(&self, sensor: &Sensor) -> Result<Vec<Row>, String> {
+    fn examine(&self, sensor: &Sensor, rows: &mut Vec<Row>, failed: &mut BTreeMap<String, String>) -> Result<(), String> {
         sensor.check("design").map_err(|e| e.to_string())?;
         let watch = Watch::default();
         let study = Study::new(sensor, Options::default(), &watch).map_err(|e| e.to_string())?;
-        let mut rows = Vec::new();
         for assumption in self.assumptions.iter().filter(|a| a.applies(sensor).is_ok()) {
-            let finding = assumption.examine(&study).map_err(|e| format!("{}: {e}", assumption.id()))?;
-            let relative_error = Some(finding.relative_error).filter(|e| e.is_finite());
-            let Measure { name: measure_name, value: measure, limit } = finding.measure;
-            let named = EffectOn::NAMES.into_iter().zip(finding.effect_on.values());
-            let effect_pct = named.filter_map(|(name, pct)| Some((name.to_owned(), pct?))).collect();
-            rows.push(Row { id: finding.id, verdict: finding.verdict, relative_error, measure, measure_name, limit, effect_pct });
+            match assumption.examine(&study) {
+                Ok(finding) => rows.push(Row::of(finding)),
+                Err(reason) => {
+                    failed.insert(assumption.id().to_owned(), reason.to_string());
+                }
+            }
         }
-        Ok(rows)
+        if rows.is_empty() { Err("no assumption could be examined".into()) } else { Ok(()) }
+    }
+}
+
+impl Row {
+    fn of(finding: Finding) -> Self {
+        let Measure { name: measure_name, value: measure, limit } = finding.measure;
+        let named = EffectOn::NAMES.into_iter().zip(finding.effect_on.values());
+        Self {
+            id: finding.id,
+            verdict: finding.verdict,
+            relative_error: Some(finding.relative_error).filter(|e| e.is_finite()),
+            measure,
+            measure_name,
+            limit,
+            effect_pct: named.filter_map(|(name, pct)| Some((name.to_owned(), pct?))).collect(),
+        }
     }
 }
 

@@ -180,13 +180,21 @@ fn scatter(answer: &SpaceAuditAnswer, at: &Where) -> Result<String, StudyError> 
 }
 
 fn refused(page: Page, answer: &SpaceAuditAnswer) -> Page {
-    let lines: Vec<String> =
+    let designs: Vec<String> =
         answer.designs.iter().filter_map(|d| Some(format!("design {}: {}", d.design, d.refused.as_ref()?))).collect();
-    if lines.is_empty() {
-        page
-    } else {
-        page.section("Refused").details(&format!("{} designs without rows", lines.len())).list(&lines).end_details()
+    let rows: Vec<String> = answer
+        .designs
+        .iter()
+        .flat_map(|d| d.failed.iter().map(|(id, why)| format!("design {}, {id}: {why}", d.design)))
+        .collect();
+    let told = |page: Page, what: &str, lines: Vec<String>| {
+        if lines.is_empty() { page } else { page.details(&format!("{} {what}", lines.len())).list(&lines).end_details() }
+    };
+    if designs.is_empty() && rows.is_empty() {
+        return page;
     }
+    let page = told(page.section("Without an answer"), "designs without rows", designs);
+    told(page, "rows that are missing in designs with others", rows)
 }
 
 fn provenance(page: Page, answer: &SpaceAuditAnswer) -> Page {

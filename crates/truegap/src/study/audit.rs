@@ -330,3 +330,30 @@ impl SpaceAuditAnswer {
         text
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use truegap_design::{Quantity, optimise::Choice};
+
+    #[test]
+    fn a_design_without_plating_is_audited_and_one_with_plating_has_the_rows_of_its_warp() {
+        let audited = |plating: f64| {
+            let request = SpaceAuditRequest {
+                sensor: SensorText::find("singletact-s15-4.5n").unwrap(),
+                axes: vec![Axis { quantity: Quantity::Plating, choice: Choice::Levels(vec![plating]) }],
+                designs: 1,
+                seed: 1,
+                only: vec!["INSULATOR-EXPANDS-FREELY".into(), "BIMETAL-STRIP".into()],
+            };
+            let checked = request.checked().unwrap();
+            checked.solve(&checked.sweep.cases()[0]).unwrap()
+        };
+        let [bare, plated] = [0.0, 9e-6].map(audited);
+        assert_eq!((bare.refused, plated.refused), (None, None));
+        let ids = |rows: &[Row]| rows.iter().map(|r| r.id.clone()).collect::<Vec<_>>();
+        assert_eq!(ids(&bare.rows), ["INSULATOR-EXPANDS-FREELY"]);
+        assert_eq!(plated.rows.len(), 2);
+        assert!(bare.failed.is_empty() && plated.failed.is_empty());
+    }
+}

@@ -2,11 +2,9 @@
 //!
 //! Limits: one permittivity between the plates; the widest recorded gap is the unloaded one.
 
-use super::{
-    ResponseScale, Start, check_finite,
-    shape::{flat, shape_factor},
-};
+use super::{ResponseScale, Start, check_finite, shape::flat};
 use crate::equations::plates::plate_capacitance;
+use crate::stack::shape_factor;
 use truegap_core::{
     Dielectric, Drive, FieldView, Geometry, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage,
     VACUUM_PERMITTIVITY, simulator::StageName,

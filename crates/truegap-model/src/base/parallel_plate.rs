@@ -2,12 +2,9 @@
 //!
 //! Limits: the size of the plates is unknown, so a field outside of them cannot be told from gain and offset.
 
-use super::{
-    ResponseScale, Start, check_finite,
-    shape::{flat, shape_factor},
-    stiffening,
-};
+use super::{ResponseScale, Start, check_finite, shape::flat, stiffening};
 use crate::equations::load::{BeadLaw, compressive_strain};
+use crate::stack::shape_factor;
 use serde::{Deserialize, Serialize};
 use truegap_core::{
     Dielectric, Drive, Geometry, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName,

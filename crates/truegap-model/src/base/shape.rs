@@ -1,8 +1,7 @@
-//! What wedge and dome do to plates of unknown size.
+//! Plates of unknown size, flat until something bends or tilts them.
 //!
-//! Limits: the dome is shallow (sag small against the radius); wedge and dome are multiplied.
+//! Limits: the dome is shallow (sag small against the radius).
 
-use crate::stack::wedge;
 use truegap_core::{Drive, Geometry};
 
 /// Flat, parallel plates at a strain.
@@ -18,32 +17,13 @@ pub(super) fn flat<'a>(strain: &'a [f64], drive: &Drive<'_>) -> Geometry<'a> {
     }
 }
 
-/// Factor on the capacitance of flat plates at the same mean gap; `None` where the plates touch.
-///
-/// $$ \frac{2}{1 + \sqrt{1 - t^2}} \cdot \frac{\operatorname{atanh} u}{u}, \qquad u = \frac{s}{2 d} $$
-///
-/// | symbol | argument    | unit |
-/// |--------|-------------|------|
-/// | t      | `tilt`: difference between rim and centre over the mean gap | - |
-/// | s / d  | `sag`: rim height over the mean gap | - |
-///
-/// **Source:** own; the wedge over a disc, and (19) for a shallow dome. **Assumes:** `SHALLOW-WARP`.
-pub(super) fn shape_factor(tilt: f64, sag: f64) -> Option<f64> {
-    let half = 0.5 * sag;
-    if !(tilt.abs() < 1.0 && half.abs() < 1.0) {
-        return None;
-    }
-    let dome = if half.abs() < 1e-4 { 1.0 + half * half / 3.0 } else { half.atanh() / half };
-    Some(wedge(tilt) * dome)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::equations::{
         integral::BentPlates,
         warp::{Dome, RimSag},
     };
+    use crate::stack::shape_factor;
 
     #[test]
     fn a_shallow_dome_has_the_factor_of_the_exact_integral() {

@@ -2,7 +2,7 @@
 //!
 //! Limits: one temperature through the whole sensor; tilt, warp and load sag act on the bead gap only.
 
-use super::{SeriesOrder, StackOptions};
+use super::{SeriesOrder, StackOptions, wedge::wedge};
 use crate::equations::{
     curvature::{Bimetal, ExpansionPair, Lamina, bimetal_curvature, mismatch_strain},
     electrodes::{
@@ -261,11 +261,13 @@ impl Device {
             Layers { beads: loaded_height(unloaded, row.strain), insulator: loaded_thickness(warm.layers.insulator, pressure) };
         let extra = row.gap * unloaded;
         let plates = BentPlates::settled(layers.beads, dome);
-        if !(plates.apart() && layers.insulator > 0.0 && layers.beads + extra > 0.0 && row.tilt.abs() < 1.0) {
+        if !(plates.apart() && layers.insulator > 0.0 && layers.beads + extra > 0.0) {
             return Err(touches);
         }
         let gap = Gap { plates, extra, mean: layers.beads, tilt: row.tilt };
-        let (beads, main, insulator) = self.main_gap(warm, row, gap, layers.insulator);
+        let Some((beads, main, insulator)) = self.main_gap(warm, row, gap, layers.insulator) else {
+            return Err(touches);
+        };
         let behind = self.insulator.permittivity * row.insulator;
         let (backing, tail) =
             if self.shielded { (insulator, tail_capacitance(behind, self.trace, warm.layers.insulator)) } else { (0.0, 0.0) };
@@ -274,14 +276,14 @@ impl Device {
         Ok(Capacitances { beads, insulator, shares, aspect, curvature })
     }
 
-    /// Bead layer, main gap and insulator, F.
-    fn main_gap(&self, warm: &Warm, row: &Squeeze, gap: Gap, insulator_m: f64) -> (f64, f64, f64) {
+    /// Bead layer, main gap and insulator, F; `None` where the plates touch.
+    fn main_gap(&self, warm: &Warm, row: &Squeeze, gap: Gap, insulator_m: f64) -> Option<(f64, f64, f64)> {
         let solid = spread_area(warm.areas.solid, self.poisson, row.strain);
         let fillings = Fillings { solid: self.rubber.permittivity * row.beads, surrounding: self.surrounding };
         let permittivity = mean_permittivity(fillings, Areas { solid, ..warm.areas });
         let behind = self.insulator.permittivity * row.insulator;
         let insulator = plate_capacitance(behind, warm.areas.electrode, insulator_m);
-        let beads = permittivity * gap.plates.integral() * wedge(gap.tilt);
+        let beads = permittivity * gap.plates.integral() * gap.wedge(gap.mean)?;
         let main = match self.options.series {
             SeriesOrder::IntegrateThenSeries => {
                 let main = series([beads, insulator]);
@@ -291,10 +293,10 @@ impl Device {
                 let air = gap.extra * behind / self.surrounding;
                 let layer = SeriesLayer { thickness: insulator_m + air, permittivity: behind };
                 let deeper = gap.mean + layer.thickness * permittivity / behind;
-                series_then_integrated(permittivity, gap.plates, layer) * wedge(gap.tilt * gap.mean / deeper)
+                series_then_integrated(permittivity, gap.plates, layer) * gap.wedge(deeper)?
             }
         };
-        (beads, main, insulator)
+        Some((beads, main, insulator))
     }
 
     /// Everything beside the main gap, F.
@@ -317,11 +319,9 @@ struct Gap {
     tilt: f64,
 }
 
-/// Factor on the capacitance of a disc whose gap is a wedge.
-///
-/// $$ \frac{1}{\pi r^2} \int \frac{dA}{1 + t x / r} = \frac{2}{1 + \sqrt{1 - t^2}} $$
-///
-/// Exact for a flat wedge; over a dome the two factors are multiplied, which leaves out a cross term of the order of tilt² x sag / gap.
-pub(crate) fn wedge(tilt: f64) -> f64 {
-    if tilt == 0.0 { 1.0 } else { 2.0 / (1.0 + (1.0 - tilt * tilt).sqrt()) }
+impl Gap {
+    /// Factor of the wedge on the capacitance of the dome, where the mean gap counts as `depth`; `None` where the plates touch.
+    fn wedge(&self, depth: f64) -> Option<f64> {
+        if self.tilt == 0.0 { Some(1.0) } else { wedge(self.tilt * self.mean / depth, rim_sag(self.plates.dome) / depth) }
+    }
 }

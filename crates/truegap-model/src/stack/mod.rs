@@ -7,11 +7,12 @@ mod coefficients;
 mod device;
 mod knobs;
 mod states;
+mod wedge;
 
 pub use coefficients::{CoefficientOptions, Coefficients, coefficients};
-pub(crate) use device::wedge;
 pub use device::{Capacitances, Device, Refusal, Squeeze, Warm};
 pub use states::{Point, State, states};
+pub(crate) use wedge::shape_factor;
 
 use knobs::Knob;
 use serde::{Deserialize, Serialize};

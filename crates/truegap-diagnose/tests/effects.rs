@@ -178,7 +178,7 @@ fn allowed(effect: &dyn Effect) -> Vec<StageName> {
     match (effect.stage(), effect.id().0) {
         (StageName::Inputs, _) => vec![StageName::Inputs, StageName::LoadPath],
         (StageName::LoadPath, "eccentric_load") => vec![StageName::Geometry],
-        (StageName::Beads, "rate_independent_hysteresis" | "trapped_air_stiffness") => vec![StageName::LoadPath],
+        (StageName::Beads, "trapped_air_stiffness") => vec![StageName::LoadPath],
         (stage, _) => vec![stage],
     }
 }

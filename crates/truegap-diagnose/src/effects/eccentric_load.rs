@@ -1,12 +1,13 @@
 //! A load off centre tilts the plate.
 
+use super::scale::full_strain;
 use crate::{
     context::Context,
     effect::{About, Effect, Family, FittedParameter},
 };
 use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
 
-/// A rigid disc on an even bed of springs, pressed down off its centre.
+/// A rigid disc pressed down off its centre, on an even bed of springs or in a fixture that yields.
 pub struct EccentricLoad;
 
 /// Greatest tilt, as a share of the mean gap; the rim of a tilted plate comes down on the other one there.
@@ -14,25 +15,36 @@ const TOUCHES: f64 = 0.999;
 
 struct Wedge {
     squared: f64,
+    bed: f64,
+}
+
+impl Wedge {
+    fn of(values: &[f64]) -> Self {
+        Self { squared: values[0], bed: values[1] }
+    }
 }
 
 impl Stage for Wedge {
-    fn geometry(&self, _: &Drive<'_>, geometry: &mut Geometry<'_>) {
+    fn geometry(&self, drive: &Drive<'_>, geometry: &mut Geometry<'_>) {
         let arm = 4.0 * self.squared.max(0.0).sqrt();
-        for (tilt, &strain) in geometry.tilt.iter_mut().zip(geometry.strain) {
-            let own = arm * strain / (1.0 - strain);
+        let full = full_strain(drive.load, geometry.strain);
+        // where the gap itself is given there is no load, and the bed is all there is
+        let bed = if drive.load.iter().any(|load| *load > 0.0) { self.bed } else { 1.0 };
+        for ((tilt, &strain), load) in geometry.tilt.iter_mut().zip(geometry.strain).zip(drive.load) {
+            let own = arm * (bed * strain / (1.0 - strain) + (1.0 - bed) * full * load);
             *tilt = tilt.hypot(own).min(TOUCHES);
         }
     }
 }
 
-/// Sibling: a tilt in proportion to the load, whatever the strain.
-struct Proportional(Wedge);
+/// Sibling: a tilt that grows a little faster than the load.
+struct Faster(Wedge);
 
-impl Stage for Proportional {
+impl Stage for Faster {
     fn geometry(&self, drive: &Drive<'_>, geometry: &mut Geometry<'_>) {
-        let arm = self.0.squared.max(0.0).sqrt();
-        geometry.tilt.iter_mut().zip(drive.load).for_each(|(tilt, load)| *tilt = tilt.hypot(0.8 * arm * load).min(TOUCHES));
+        let arm = 4.0 * self.0.squared.max(0.0).sqrt() * full_strain(drive.load, geometry.strain);
+        let own = |load: f64| arm * load.max(0.0).powf(1.2);
+        geometry.tilt.iter_mut().zip(drive.load).for_each(|(tilt, load)| *tilt = tilt.hypot(own(*load)).min(TOUCHES));
     }
 }
 
@@ -49,7 +61,7 @@ impl Effect for EccentricLoad {
     fn about(&self) -> About {
         About {
             physics: "the load acts off centre, so the plate tilts as it comes down and the gap is a wedge",
-            equation: "tilt t = 4 (a / r) e / (1 - e): rim against centre over the mean gap; a disc over a wedge reads 2 / (1 + sqrt(1 - t^2)) times the flat one",
+            equation: "tilt t = 4 (a / r) (b e / (1 - e) + (1 - b) E L): rim against centre over the mean gap, E the strain of a full load; a disc over a wedge reads 2 / (1 + sqrt(1 - t^2)) times the flat one, over dome and wedge their common integral",
             excitation: "load up to strains of several per cent",
             impostors: &["strain_stiffening", "contact_toe_in", "load_cell_error", "plate_bending", "dead_gap"],
             separates: "grows as the square of the load, the same up and down; gone when the load is centred",
@@ -66,7 +78,18 @@ impl Effect for EccentricLoad {
                 "square of the distance from the centre over the radius; the reading is smooth in the square",
             )
             .within(0.0, 0.5),
+            Parameter::normal(
+                "bed",
+                "1",
+                0.5,
+                0.5,
+                "1: the beads alone resist the tilt, softer when warm; 0: it grows with the load alone",
+            )
+            .within(0.0, 1.0),
         ]
+    }
+    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
+        vec![vec![1.0], vec![0.0]]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::LoadPath)?;
@@ -74,10 +97,10 @@ impl Effect for EccentricLoad {
         context.needs_load()
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(Wedge { squared: values[0] })
+        Box::new(Wedge::of(values))
     }
     fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Proportional(Wedge { squared: values[0] })))
+        Some(Box::new(Faster(Wedge::of(values))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let arm = fitted[0].value.max(0.0).sqrt();

@@ -6,21 +6,21 @@ use crate::{
 };
 use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
 
-/// Load-driven bending: a mean closing between the beads, and a sag from centre to rim with it.
+/// Load-driven bending: a sag from centre to rim, and a mean closing between the beads with it.
 pub struct PlateBending;
 
 struct Bending {
-    size: f64,
-    sag_ratio: f64,
+    sag: f64,
+    closing_ratio: f64,
 }
 
 impl Bending {
     /// Adds the bending at each row, `bent(load)` being 1 at full load.
     fn apply(&self, drive: &Drive<'_>, geometry: &mut Geometry<'_>, bent: impl Fn(f64) -> f64) {
         for (row, &load) in drive.load.iter().enumerate() {
-            let closing = self.size * bent(load);
-            geometry.gap[row] -= closing;
-            geometry.sag[row] += self.sag_ratio * closing;
+            let sag = self.sag * bent(load);
+            geometry.sag[row] += sag;
+            geometry.gap[row] -= self.closing_ratio * sag;
         }
     }
 }
@@ -41,7 +41,7 @@ impl Stage for Stretched {
 }
 
 fn bending(values: &[f64]) -> Bending {
-    Bending { size: values[0], sag_ratio: values[1] }
+    Bending { sag: values[0], closing_ratio: values[1] }
 }
 
 impl Effect for PlateBending {
@@ -57,7 +57,7 @@ impl Effect for PlateBending {
     fn about(&self) -> About {
         About {
             physics: "the electrodes are thin: under load they bend into the gaps between the beads, and as a whole from centre to rim",
-            equation: "gap - s L, rim sag + q s L, in unloaded gaps, L over the full load: thin-plate deflection in proportion to the load",
+            equation: "rim sag + s L, gap - q s L, in unloaded gaps, L over the full load: thin-plate deflection in proportion to the load",
             excitation: "load; two temperatures tell it from a softer dielectric",
             impostors: &["strain_stiffening", "eccentric_load", "contact_toe_in", "dead_gap"],
             separates: "in proportion to the load at once and at every temperature, while strain grows as the silicone softens",
@@ -66,12 +66,19 @@ impl Effect for PlateBending {
     }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         vec![
-            Parameter::normal("bending", "unloaded gaps", 0.0, 0.03, "closing between the beads at full load").within(0.0, 0.5),
-            Parameter::normal("sag_ratio", "1", 0.0, 2.0, "sag from centre to rim over the closing").within(0.0, 20.0),
+            Parameter::normal(
+                "sag",
+                "unloaded gaps",
+                0.0,
+                0.06,
+                "rise of the rim above the centre at full load; negative where the rim comes down",
+            )
+            .within(-1.0, 1.0),
+            Parameter::normal("closing_ratio", "1", 0.0, 0.3, "mean closing between the beads over the sag").within(-10.0, 10.0),
         ]
     }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
-        vec![vec![0.0], vec![4.0]]
+        vec![vec![0.3], vec![0.0], vec![-0.3]]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Geometry)?;
@@ -84,11 +91,13 @@ impl Effect for PlateBending {
         Some(Box::new(Stretched(bending(values))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
+        let way = if fitted[0].value < 0.0 { "down against" } else { "up above" };
         format!(
-            "the electrodes bend under load: the gap closes by {:.2} % between the beads at full load (sd {:.2}), the rim sags {:.1} times that",
-            100.0 * fitted[0].value,
+            "the electrodes bend under load: at full load the rim has come {way} the centre by {:.2} % of the gap (sd {:.2}), and the gap closes by {:.2} of that \
+             between the beads",
+            100.0 * fitted[0].value.abs(),
             100.0 * fitted[0].sd,
-            fitted[1].value
+            fitted[1].value * fitted[0].value.signum()
         )
     }
 }

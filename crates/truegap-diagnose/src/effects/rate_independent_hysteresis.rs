@@ -1,77 +1,54 @@
 //! Loading and unloading differ at any speed.
 
+use super::scale::full_strain;
 use crate::{
     context::Context,
     effect::{About, Effect, Family, FittedParameter},
     memory::{Play, play_set, walk},
 };
-use truegap_core::{Drive, EffectId, Inputs, Parameter, Stage, simulator::StageName};
+use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
 
-/// Internal friction as a set of sliders: it carries part of the load, against the motion.
+/// Internal friction as a set of sliders: it carries part of the stress, against the motion, whatever makes the beads move.
 pub struct RateIndependentHysteresis;
 
-/// Friction on the load, or on the strain where the gap is given instead of a load.
+/// Friction on the strain; size and width in full loads where there is a load, else in strain.
 struct Friction {
     size: f64,
     width: f64,
-    by_load: bool,
 }
 
 impl Stage for Friction {
-    fn load(&self, inputs: &Inputs, load: &mut [f64]) {
-        if self.by_load {
-            slide(inputs, self, load);
-        }
-    }
-
+    /// Adds what the sliders hold back; each run starts with the sliders slack at zero.
     fn strain(&self, drive: &Drive<'_>, strain: &mut [f64]) {
-        if !self.by_load {
-            slide(drive.inputs, self, strain);
+        if self.size == 0.0 {
+            return;
         }
+        let given = strain.to_vec();
+        let full = full_strain(drive.load, strain);
+        let add = |row: usize, slip: f64| strain[row] += self.size * full * slip;
+        play_set(drive.inputs, self.width * full, |row| given[row], |_| 0.0, add);
     }
-}
-
-/// Adds what the sliders hold back; each run starts with the sliders slack at zero.
-fn slide(inputs: &Inputs, friction: &Friction, x: &mut [f64]) {
-    if friction.size == 0.0 {
-        return;
-    }
-    let given = x.to_vec();
-    play_set(inputs, friction.width, |row| given[row], |_| 0.0, |row, slip| x[row] += friction.size * slip);
 }
 
 /// Sibling: one slider with a corner rounded by the square root of its travel.
 struct Rounded(Friction);
 
-impl Rounded {
-    fn slide(&self, inputs: &Inputs, x: &mut [f64]) {
-        let mut play = Play::new(1.6 * self.0.width, 0.0);
-        walk(inputs, |row, step| {
+impl Stage for Rounded {
+    fn strain(&self, drive: &Drive<'_>, strain: &mut [f64]) {
+        let full = full_strain(drive.load, strain);
+        let mut play = Play::new(1.6 * self.0.width * full, 0.0);
+        walk(drive.inputs, |row, step| {
             if step.is_none() {
                 play.state = 0.0;
             }
-            let slip = play.slip(x[row]) / play.width;
-            x[row] += self.0.size * (1.5 * slip - 0.5 * slip.powi(3));
+            let slip = play.slip(strain[row]) / play.width;
+            strain[row] += self.0.size * full * (1.5 * slip - 0.5 * slip.powi(3));
         });
     }
 }
 
-impl Stage for Rounded {
-    fn load(&self, inputs: &Inputs, load: &mut [f64]) {
-        if self.0.by_load {
-            self.slide(inputs, load);
-        }
-    }
-
-    fn strain(&self, drive: &Drive<'_>, strain: &mut [f64]) {
-        if !self.0.by_load {
-            self.slide(drive.inputs, strain);
-        }
-    }
-}
-
-fn friction(values: &[f64], context: &Context<'_>) -> Friction {
-    Friction { size: values[0], width: values[1], by_load: context.simulator.full_load().is_some() }
+fn friction(values: &[f64]) -> Friction {
+    Friction { size: values[0], width: values[1] }
 }
 
 impl Effect for RateIndependentHysteresis {
@@ -87,7 +64,7 @@ impl Effect for RateIndependentHysteresis {
     fn about(&self) -> About {
         About {
             physics: "internal friction of the beads carries part of the load, against the motion and at any speed",
-            equation: "L_beads = L + a s, s = sum_k (play(L; w_k) - L) / sum_k w_k, three plays with half widths w_k = (0.4, 0.8, 1.8) w, slack at L = 0 when a run starts",
+            equation: "e_beads = e + a E s, s = sum_k (play(e; w_k E) - e) / (E sum_k w_k), three plays with half widths w_k = (0.4, 0.8, 1.8) w, E the strain of a full load, slack at e = 0 when a run starts",
             excitation: "load that turns around, at best at several amplitudes and rates",
             impostors: &[
                 "viscoelastic_creep",
@@ -122,11 +99,11 @@ impl Effect for RateIndependentHysteresis {
         context.has(StageName::Beads)?;
         if context.simulator.full_load().is_some() { context.needs_load() } else { Ok(()) }
     }
-    fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(friction(values, context))
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(friction(values))
     }
-    fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Rounded(friction(values, context))))
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Rounded(friction(values))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(

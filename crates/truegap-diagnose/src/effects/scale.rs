@@ -34,3 +34,9 @@ fn spread(context: &Context<'_>, stage: &dyn Stage) -> Option<f64> {
     let mean = change().sum::<f64>() / count;
     Some((change().map(|c| (c - mean).powi(2)).sum::<f64>() / count).sqrt())
 }
+
+/// Strain of a full load, as it is at the greatest load applied; 1 where no load is known.
+pub(super) fn full_strain(load: &[f64], strain: &[f64]) -> f64 {
+    let greatest = load.iter().zip(strain).max_by(|a, b| a.0.total_cmp(b.0));
+    greatest.filter(|(load, _)| **load > 0.0).map_or(1.0, |(load, strain)| strain / load)
+}

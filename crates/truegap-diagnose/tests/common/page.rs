@@ -16,8 +16,8 @@ Memory: creep, hysteresis, trapped air and lags start afresh with each run. A ru
 sample; a thermal lag starts in equilibrium, a readout lag at its first value. Drift, ageing, the greatest load so far and water go on
 through all runs on the clock. A part of a recording is therefore predicted by simulating all of it and looking at the part.
 
-Several effects act in the order of `library()`, which is that of the chain. Friction and trapped air belong to the beads, but what
-they carry is load, so they act on the load that the beads still see.
+Several effects act in the order of `library()`, which is that of the chain. Trapped air belongs to the beads, but what it carries is
+load, so it acts on the load that the beads still see. Friction acts on the strain, whatever makes the beads move.
 ";
 
 const TAIL: &str = "

@@ -27,6 +27,13 @@ use std::sync::{Arc, atomic::AtomicBool};
 /// Rows that are searched; longer recordings are searched on means of their quiet rows (see [`crate::thin`]) and predicted row by row.
 const SEARCHED_ROWS: usize = 2500;
 
+/// A longer recording is searched on more rows, so that its features stay apart, but never on more than these.
+const MOST_SEARCHED_ROWS: usize = 8000;
+
+fn searched_rows(rows: usize) -> usize {
+    (rows / 50).clamp(SEARCHED_ROWS, MOST_SEARCHED_ROWS)
+}
+
 /// What a caller may choose.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
@@ -72,7 +79,7 @@ pub fn diagnose(
     let context = problem.context(problem.span(), noise.floor());
     let everything = library();
     let (testable, not_testable) = part(&everything, &context, options);
-    let thinned = thin(problem, &noise, SEARCHED_ROWS);
+    let thinned = thin(problem, &noise, searched_rows(problem.response.len()))?;
     let fewer = thinned.as_ref().map(|t| Problem { inputs: &t.inputs, response: &t.response, simulator: problem.simulator });
     let searched = fewer.as_ref().unwrap_or(problem);
     let searched_noise = thinned.as_ref().map_or_else(|| noise.clone(), |t| t.noise(&noise));

@@ -1,13 +1,16 @@
-//! Fewer rows with the same information: means over neighbouring rows in which nothing happens.
+//! Fewer rows with the same information: means over neighbouring rows in which little happens.
 //!
-//! Limits: rows next to a change of load, temperature or pace are kept one by one; the share of information kept is measured, not assumed.
+//! Limits: rows next to a change of load, temperature or pace are kept one by one, as long as that leaves few enough; in longer recordings, rows on a slow course
+//! are merged as well, never across a turn.
 
 use crate::context::load_column;
 use crate::{
+    directions::spread,
     problem::{NoiseModel, Problem, RecordingNoise},
     whiten::InputError,
 };
-use truegap_core::Inputs;
+use std::ops::Range;
+use truegap_core::{Inputs, SimulationError};
 
 /// A recording with neighbouring rows merged.
 pub struct Thinned {
@@ -33,7 +36,11 @@ impl Thinned {
         let of = |r: &RecordingNoise| RecordingNoise { rows: moved(r.rows.start)..moved(r.rows.end), ..r.clone() };
         NoiseModel {
             recordings: noise.recordings.iter().map(of).collect(),
-            input_error: InputError { variance: means(&noise.input_error.variance), level: means(&noise.input_error.level) },
+            input_error: InputError {
+                variance: means(&noise.input_error.variance),
+                level: means(&noise.input_error.level),
+                shapes: noise.input_error.shapes.iter().map(|shape| means(shape)).collect(),
+            },
             weights: Some(self.weights.clone()),
             ..noise.clone()
         }
@@ -41,13 +48,18 @@ impl Thinned {
 }
 
 /// Merges rows until about `target` are left; `None` where the recording is no longer than that.
-pub fn thin(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> Option<Thinned> {
+///
+/// Where load or temperature move, a mean of the response is not the response to the mean input; the difference is taken out as the base model at the centre of
+/// its prior has it.
+///
+/// # Errors
+/// Those of the simulator.
+pub fn thin(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> Result<Option<Thinned>, SimulationError> {
     let n = problem.response.len();
     if n <= target || problem.inputs.time_s.is_none() {
-        return None;
+        return Ok(None);
     }
-    let most = n.div_ceil(target);
-    let groups = groups(problem, noise, most);
+    let (groups, moved) = bounded(problem, noise, target);
     let mean =
         |column: &[f64]| groups.iter().map(|g| column[g.clone()].iter().sum::<f64>() / g.len() as f64).collect::<Vec<f64>>();
     let option = |column: &Option<Vec<f64>>| column.as_deref().map(mean);
@@ -62,33 +74,91 @@ pub fn thin(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> Option<
         humidity_pct: option(&from.humidity_pct),
         simulated: option(&from.simulated),
     };
-    Some(Thinned {
+    let mut response = mean(problem.response);
+    if moved {
+        let of_means = problem.simulator.respond(&problem.centre(), &inputs, &[])?;
+        let of_rows = mean(&problem.simulator.respond(&problem.centre(), from, &[])?);
+        response.iter_mut().zip(of_means.iter().zip(&of_rows)).for_each(|(r, (m, rows))| *r += m - rows);
+    }
+    Ok(Some(Thinned {
         inputs,
-        response: mean(problem.response),
+        response,
         weights: groups.iter().map(|g| g.len() as f64).collect(),
         first: groups.iter().map(|g| g.start).collect(),
-    })
+    }))
 }
 
-/// Row ranges to be merged: at most `most` rows, within which no input leaves its noise and the pace is even.
-fn groups(problem: &Problem<'_>, noise: &NoiseModel, most: usize) -> Vec<std::ops::Range<usize>> {
+/// Shares of the range that load and temperature may move within a group, tried in turn until few groups are left.
+const MOVES: [f64; 6] = [0.0, 0.002, 0.005, 0.01, 0.02, 0.04];
+/// Times the target above which the next is tried.
+const TOO_MANY: usize = 3;
+
+/// The finest grouping that is short enough, and whether inputs move within its groups.
+fn bounded(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> (Vec<Range<usize>>, bool) {
+    let most = problem.response.len().div_ceil(target);
+    let mut tried = MOVES.iter().map(|moves| (groups(problem, noise, most, *moves), *moves > 0.0));
+    let mut found = tried.next().unwrap_or_default();
+    for next in tried {
+        if found.0.len() <= TOO_MANY * target {
+            break;
+        }
+        found = next;
+    }
+    found
+}
+
+/// An input within a group: how far it may move, and how far back without that being a turn.
+struct Course<'a> {
+    column: &'a [f64],
+    moves: f64,
+    turns: f64,
+    low: f64,
+    high: f64,
+}
+
+impl Course<'_> {
+    fn start(&mut self, row: usize) {
+        (self.low, self.high) = (self.column[row], self.column[row]);
+    }
+
+    /// Whether the group may go on over `row`: it has not gone too far, and not turned.
+    fn goes_on(&mut self, first: usize, row: usize) -> bool {
+        let value = self.column[row];
+        (self.low, self.high) = (self.low.min(value), self.high.max(value));
+        let start = self.column[first];
+        let turned = (self.high - value > self.turns && self.high - start > self.turns)
+            || (value - self.low > self.turns && start - self.low > self.turns);
+        (value - start).abs() <= self.moves && !turned
+    }
+}
+
+/// Row ranges to be merged: at most `most` rows, within which no input moves by more than its noise or `moves` times its range, none turns, and the pace is even.
+fn groups(problem: &Problem<'_>, noise: &NoiseModel, most: usize, moves: f64) -> Vec<Range<usize>> {
     let inputs = problem.inputs;
     let steps = inputs.steps_s();
     let load = load_column(inputs, problem.simulator);
     let mut groups = Vec::new();
     for run in inputs.runs() {
         let here = noise.inputs_at(run.start);
-        let mut columns: Vec<(&[f64], f64)> = Vec::new();
-        columns.extend(load.as_deref().map(|load| (load, (4.0 * here.load).max(2e-3))));
-        columns.extend(inputs.temperature_c.as_deref().map(|t| (t, (5.0 * here.temperature).max(0.3))));
+        let course = |column, still: f64| {
+            let moves = still.max(moves * spread(column));
+            Course { column, moves, turns: still, low: 0.0, high: 0.0 }
+        };
+        let mut courses: Vec<Course<'_>> = Vec::new();
+        courses.extend(load.as_deref().map(|load| course(load, (4.0 * here.load).max(2e-3))));
+        courses.extend(inputs.temperature_c.as_deref().map(|t| course(t, (5.0 * here.temperature).max(0.3))));
+        courses.iter_mut().for_each(|c| c.start(run.start));
         let mut first = run.start;
         for row in run.start + 1..=run.end {
             let settled = row > run.start + 2 && row < run.end;
             let even = settled && (steps[row] - steps[row - 1]).abs() <= 0.5 * steps[row];
-            let still = settled && columns.iter().all(|(c, tolerance)| (c[row] - c[first]).abs() <= *tolerance);
+            let still = settled && courses.iter_mut().fold(true, |all, c| c.goes_on(first, row) && all);
             if !(even && still && row - first < most) {
                 groups.push(first..row);
                 first = row;
+                if row < run.end {
+                    courses.iter_mut().for_each(|c| c.start(row));
+                }
             }
         }
     }

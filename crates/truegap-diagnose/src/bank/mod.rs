@@ -78,7 +78,7 @@ pub struct Whole<'a> {
 /// Those of the simulator at the centre of the prior.
 pub fn fill(search: &Search<'_>, whole: Whole<'_>, found: &Examined, options: &BankOptions) -> Result<Bank, SimulationError> {
     let started = std::time::Instant::now();
-    let thinned = thin(whole.problem, whole.noise, ROWS);
+    let thinned = thin(whole.problem, whole.noise, ROWS)?;
     let (inputs, noise) =
         thinned.as_ref().map_or_else(|| (whole.problem.inputs, whole.noise.clone()), |t| (&t.inputs, t.noise(whole.noise)));
     let whitener = noise.whitener(&inputs.runs(), None);
@@ -163,6 +163,7 @@ fn key(search: &Search<'_>, inputs: &truegap_core::Inputs, noise: &NoiseModel, l
     }
     column("input", Some(&noise.input_error.variance));
     column("level", Some(&noise.input_error.level));
+    noise.input_error.shapes.iter().for_each(|shape| column("shape", Some(shape)));
     inputs.run.iter().for_each(|run| hash.update(run.to_le_bytes()));
     hash.update(format!("{:?}", search.problem.simulator.parameters()));
     for effect in &search.library {

@@ -16,6 +16,8 @@ const OFF: f64 = 0.05;
 const FAR: f64 = 6.0;
 /// Factor between recorded and foreseen range.
 const RANGE: f64 = 4.0;
+/// The same within which the readings move as foreseen.
+const ALIKE: f64 = 1.3;
 /// Rows that are looked at.
 const SAMPLE: usize = 2000;
 /// Share of the full scale that the load must cross for ranges to be compared.
@@ -31,14 +33,23 @@ pub fn wrong_sensor(problem: &Problem<'_>) -> Option<Notice> {
     let keep: Vec<usize> = (0..problem.response.len()).step_by(stride.max(1)).collect();
     let (inputs, response) = (problem.inputs.select(&keep), keep.iter().map(|row| problem.response[*row]).collect::<Vec<_>>());
     let problem = &Problem { inputs: &inputs, response: &response, simulator: problem.simulator };
-    let foreseen = problem.simulator.respond(&centres(problem), problem.inputs, &[]).ok()?;
-    let says = level(problem, &foreseen).or_else(|| range(problem, &foreseen))?;
-    let says = format!("{says}; check --sensor, the response's column and its unit");
-    Some(Notice { kind: NoticeKind::WrongSensor, says, rows: Vec::new(), withholds: true })
+    let foreseen = problem.simulator.respond(&problem.centre(), problem.inputs, &[]).ok()?;
+    let (level, range) = (level(problem, &foreseen), range(problem, &foreseen));
+    // another sensor, unit or column moves otherwise as well; a level alone may be a capacitance beside the sensor
+    let withholds = range.is_some() || !moves_alike(problem, &foreseen);
+    let mut says = format!("{}; check --sensor, the response's column and its unit", level.or(range)?);
+    if !withholds {
+        says +=
+            "; since the readings move as they should, the diagnosis takes the difference for something that is added to them";
+    }
+    Some(Notice { kind: NoticeKind::WrongSensor, says, rows: Vec::new(), withholds })
 }
 
-fn centres(problem: &Problem<'_>) -> Vec<f64> {
-    problem.simulator.parameters().iter().map(Parameter::centre).collect()
+/// Whether the readings move as far as foreseen, and with it, under a load that says something.
+fn moves_alike(problem: &Problem<'_>, foreseen: &[f64]) -> bool {
+    let loaded = problem.simulator.load(problem.inputs).is_some_and(|load| spread(&load) > LOADED);
+    let ratio = spread(problem.response) / spread(foreseen);
+    loaded && (1.0 / ALIKE..=ALIKE).contains(&ratio) && correlation(problem.response, foreseen) > 0.9
 }
 
 fn level(problem: &Problem<'_>, foreseen: &[f64]) -> Option<String> {
@@ -75,7 +86,7 @@ fn range(problem: &Problem<'_>, foreseen: &[f64]) -> Option<String> {
 
 /// Standard deviation that the tolerances of the file give the median reading.
 fn tolerance(problem: &Problem<'_>, expected: f64) -> f64 {
-    let centres = centres(problem);
+    let centres = problem.centre();
     let moved = |(index, p): (usize, &Parameter)| {
         let mut values = centres.clone();
         values[index] = (values[index] + p.sd()).clamp(p.bounds.0, p.bounds.1);

@@ -36,7 +36,8 @@ pub struct Examined {
 pub fn examine(search: &Search<'_>, gate: &Gate) -> Result<Examined, SimulationError> {
     let base = search.base()?;
     let nothing = base.fit.objective();
-    Ok(judge(search, gate, select(search, base).merged(|models, tried| hidden(search, models, tried, nothing))))
+    let selection = select(search, base);
+    Ok(judge(search, gate, selection.merged(|models, tried| hidden(search, models, tried, nothing))))
 }
 
 /// The verdict on a selection.

@@ -2,6 +2,7 @@
 //!
 //! Limits: one noise for the whole recording.
 
+mod bends;
 pub mod denoise;
 mod input;
 mod likelihood;
@@ -9,8 +10,10 @@ mod rest;
 
 use crate::context::load_column;
 use crate::problem::{InputNoise, NoiseModel, Problem};
+use denoise::Denoised;
 pub use input::scatter;
 use likelihood::{Block, estimate, without_outliers};
+use std::ops::Range;
 use truegap_core::{Inputs, SimulationError, Simulator};
 
 /// Fewest rows at rest that a noise model may rest on.
@@ -18,35 +21,72 @@ const ENOUGH: usize = 120;
 /// Most rows at rest that are used; more would not change the figures.
 const PLENTY: usize = 6000;
 
-/// Noise of the recorded load (over the full load) and temperature.
-pub fn input_noise(inputs: &Inputs, simulator: &dyn Simulator) -> InputNoise {
-    let runs = inputs.runs();
-    InputNoise {
-        load: simulator.load(inputs).map_or(0.0, |l| scatter(&l, &runs)),
-        temperature: inputs.temperature_c.as_deref().map_or(0.0, |t| scatter(t, &runs)),
-    }
+/// Inputs without their noise.
+pub struct Quiet {
+    /// the inputs
+    pub inputs: Inputs,
+    /// noise as recorded
+    pub noise: InputNoise,
+    /// share of the variance of the load's noise that is left, row by row
+    pub load_left: Vec<f64>,
+    /// the same of the temperature
+    pub temperature_left: Vec<f64>,
+    /// courses that the error of the load follows with a weight not known beforehand, in full loads at one standard deviation of it
+    pub load_shapes: Vec<Vec<f64>>,
 }
 
-/// The inputs without their noise, and the share of its variance that is left, row by row: of the load and of the temperature.
-pub fn quiet_inputs(inputs: &Inputs, simulator: &dyn Simulator, noise: &InputNoise) -> (Inputs, Vec<f64>, Vec<f64>) {
-    let runs = inputs.runs();
-    let time = inputs.time_s.as_deref();
-    let mut quiet = inputs.clone();
-    let (mut load_left, mut temperature_left) = (vec![0.0; inputs.len()], vec![0.0; inputs.len()]);
+/// Takes the noise out of load and temperature.
+pub fn quiet(inputs: &Inputs, simulator: &dyn Simulator) -> Quiet {
+    let (runs, time) = (inputs.runs(), inputs.time_s.as_deref());
+    let none = || vec![0.0; inputs.len()];
+    let mut quiet = Quiet {
+        inputs: inputs.clone(),
+        noise: InputNoise::default(),
+        load_left: none(),
+        temperature_left: none(),
+        load_shapes: Vec::new(),
+    };
     let full = simulator.full_load().unwrap_or(1.0);
-    for column in [&mut quiet.force_n, &mut quiet.pressure_pa].into_iter().flatten() {
-        let found = denoise::denoise(column, time, &runs, noise.load * full);
-        (*column, load_left) = (found.column, found.left);
+    // of the loads, the one that the simulator sees says how noisy it is
+    let sd = simulator.load(inputs).map_or(0.0, |load| scatter(&load, &runs)) * full;
+    for column in [&mut quiet.inputs.force_n, &mut quiet.inputs.pressure_pa].into_iter().flatten() {
+        let Quieter { sd, found, bends } = quieter(column, time, &runs, sd);
+        quiet.noise.load = sd / full;
+        if bends {
+            quiet.load_shapes = bends::bends(column, &runs);
+            quiet.load_shapes.iter_mut().flatten().for_each(|v| *v /= full);
+        }
+        (*column, quiet.load_left) = (found.column, found.left);
     }
-    if let Some(column) = &mut quiet.temperature_c {
-        let found = denoise::denoise(column, time, &runs, noise.temperature);
-        (*column, temperature_left) = (found.column, found.left);
+    if let Some(column) = &mut quiet.inputs.temperature_c {
+        let Quieter { sd, found, .. } = quieter(column, time, &runs, scatter(column, &runs));
+        quiet.noise.temperature = sd;
+        (*column, quiet.temperature_left) = (found.column, found.left);
     }
-    (quiet, load_left, temperature_left)
+    quiet
 }
 
+/// A column without its noise.
+struct Quieter {
+    /// standard deviation of the noise
+    sd: f64,
+    found: Denoised,
+    /// whether it is no course of straight lines
+    bends: bool,
+}
+
+/// A column on straight lines; as it is, where hardly any hold.
+fn quieter(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>], sd: f64) -> Quieter {
+    if sd > 0.0 && denoise::crookedness(column, time, runs, sd) > CROOKED {
+        return Quieter { sd, found: Denoised { column: column.to_vec(), left: vec![1.0; column.len()] }, bends: true };
+    }
+    Quieter { sd, found: denoise::denoise(column, time, runs, sd), bends: false }
+}
+
+/// Scatter about short lines, over that of noise, from which on a column is no course of straight lines.
+const CROOKED: f64 = 2.0;
 /// Noise of a problem whose inputs were quietened: `inputs` as recorded, `left` the shares of variance left in load and temperature,
-/// `base` the parameter values at which that is carried through.
+/// `shapes` courses that the error of the load may follow, `base` the parameter values at which all that is carried through.
 ///
 /// # Errors
 /// Those of the simulator.
@@ -55,9 +95,10 @@ pub fn noise_model(
     base: &[f64],
     inputs: InputNoise,
     left: (&[f64], &[f64]),
+    shapes: &[Vec<f64>],
 ) -> Result<NoiseModel, SimulationError> {
     let load = load_column(problem.inputs, problem.simulator);
-    let input_error = problem.input_variance(base, &inputs, left)?;
+    let input_error = problem.input_variance(base, &inputs, left, shapes)?;
     let (blocks, measured, says) = blocks(problem, load.as_deref(), &inputs);
     let rows = blocks.iter().map(|b| b.rows.len()).sum();
     let (mut response, uncertainty) = estimate(problem.response, &blocks);

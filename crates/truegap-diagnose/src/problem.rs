@@ -35,13 +35,19 @@ impl Problem<'_> {
         self.inputs.runs()
     }
 
+    /// The centre of the base model's prior, in the parameters' units.
+    pub fn centre(&self) -> Vec<f64> {
+        self.simulator.parameters().iter().map(truegap_core::Parameter::centre).collect()
+    }
+
     /// Range of the response; the widest of one recording where there are several.
     pub fn span(&self) -> f64 {
         let rows = |j: &dyn Joined, k: usize| spread(&self.response[j.rows(k, self.inputs)]);
         self.simulator.joined().map_or_else(|| spread(self.response), |j| (0..j.count()).map(|k| rows(j, k)).fold(0.0, f64::max))
     }
 
-    /// Error that noise of the inputs adds to each row, at parameter values `base`; `left` are the shares of it that quietening left in a row.
+    /// Error that noise of the inputs adds to each row, at parameter values `base`; `left` are the shares of it that quietening left in a row,
+    /// `shapes` courses of the error of the load, in full loads, whose weights are not known.
     ///
     /// # Errors
     /// Those of the simulator.
@@ -50,10 +56,11 @@ impl Problem<'_> {
         base: &[f64],
         noise: &InputNoise,
         left: (&[f64], &[f64]),
+        shapes: &[Vec<f64>],
     ) -> Result<InputError, SimulationError> {
         let mut error = InputError::white(vec![0.0; self.inputs.len()]);
         let here = self.simulator.respond(base, self.inputs, &[])?;
-        let mut add = |there: Vec<f64>, ratio: f64, left: &[f64]| {
+        let add = |error: &mut InputError, there: Vec<f64>, ratio: f64, left: &[f64]| {
             for (row, (a, b)) in there.iter().zip(&here).enumerate() {
                 let recorded = ((a - b) * ratio).powi(2);
                 error.variance[row] += recorded * left[row];
@@ -62,11 +69,16 @@ impl Problem<'_> {
         };
         if noise.load > 0.0 && self.simulator.full_load().is_some() {
             let step = 1e-3;
-            add(self.simulator.respond(base, self.inputs, &[&Nudge { load: step, kelvin: 0.0 }])?, noise.load / step, left.0);
+            let there = self.simulator.respond(base, self.inputs, &[&Nudge { load: step, kelvin: 0.0 }])?;
+            let slope: Vec<f64> = there.iter().zip(&here).map(|(a, b)| (a - b) / step).collect();
+            let carried = |shape: &Vec<f64>| shape.iter().zip(&slope).map(|(s, slope)| s * slope).collect();
+            error.shapes = shapes.iter().map(carried).collect();
+            add(&mut error, there, noise.load / step, left.0);
         }
         if noise.temperature > 0.0 && self.inputs.temperature_c.is_some() {
             let step = 0.1;
             add(
+                &mut error,
                 self.simulator.respond(base, self.inputs, &[&Nudge { load: 0.0, kelvin: step }])?,
                 noise.temperature / step,
                 left.1,
@@ -164,7 +176,12 @@ impl NoiseModel {
         let scaled = |n: Noise| Noise { white_sd: n.white_sd * factor, ar_sd: n.ar_sd * factor, ..n };
         let recordings = self.recordings.iter().map(|r| RecordingNoise { response: scaled(r.response), ..r.clone() }).collect();
         let scale = |column: &[f64]| column.iter().map(|v| v * factor * factor).collect();
-        let input_error = InputError { variance: scale(&self.input_error.variance), level: scale(&self.input_error.level) };
+        let shape = |shape: &Vec<f64>| shape.iter().map(|v| v * factor).collect();
+        let input_error = InputError {
+            variance: scale(&self.input_error.variance),
+            level: scale(&self.input_error.level),
+            shapes: self.input_error.shapes.iter().map(shape).collect(),
+        };
         Self { response: scaled(self.response), recordings, input_error, ..self.clone() }
     }
 

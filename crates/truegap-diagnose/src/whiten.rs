@@ -52,12 +52,14 @@ pub struct InputError {
     pub variance: Vec<f64>,
     /// variance that white noise would have that weighs as much in the mean of many rows; not below `variance`
     pub level: Vec<f64>,
+    /// courses that the error follows with a weight not known beforehand, each as large as one standard deviation of that weight makes it
+    pub shapes: Vec<Vec<f64>>,
 }
 
 impl InputError {
     /// Independent from row to row.
     pub fn white(variance: Vec<f64>) -> Self {
-        Self { level: variance.clone(), variance }
+        Self { level: variance.clone(), variance, shapes: Vec::new() }
     }
 
     /// Error in the mean of `rows` rows: its variance, and its correlation with the next mean as memory and length have it.
@@ -81,10 +83,43 @@ pub struct Whitener {
     /// factors from a row's states to those of the row after
     carry: Vec<[f64; 2]>,
     runs: Vec<Range<usize>>,
+    /// shapes of the error, whitened by all that comes before them
+    shapes: Vec<Shape>,
     /// sum of the logarithms of the innovation variances
     pub log_determinant: f64,
     /// rows that count
     pub rows: usize,
+}
+
+/// A whitened column s that unit white noise has been given with a weight of unit variance: its covariance is 1 + s s^T.
+#[derive(Clone, Debug)]
+struct Shape {
+    shape: Vec<f64>,
+}
+
+impl Shape {
+    /// Applies the symmetric root of (1 + s s^T)^-1.
+    fn take_out(&self, column: &mut [f64]) {
+        self.add(column, (1.0 + squared(&self.shape)).sqrt().recip() - 1.0);
+    }
+
+    /// Applies the symmetric root of 1 + s s^T.
+    fn put_in(&self, column: &mut [f64]) {
+        self.add(column, (1.0 + squared(&self.shape)).sqrt() - 1.0);
+    }
+
+    /// Scales the part of a column along the shape by 1 + `share`.
+    fn add(&self, column: &mut [f64], share: f64) {
+        let length = squared(&self.shape);
+        if length > 0.0 {
+            let along = column.iter().zip(&self.shape).map(|(c, s)| c * s).sum::<f64>() / length;
+            column.iter_mut().zip(&self.shape).for_each(|(c, s)| *c += share * along * s);
+        }
+    }
+}
+
+fn squared(column: &[f64]) -> f64 {
+    column.iter().map(|v| v * v).sum()
 }
 
 /// Covariance of the two states.
@@ -118,6 +153,7 @@ impl Whitener {
             inverse_sd: vec![0.0; n],
             carry: vec![[0.0; 2]; n],
             runs: runs.to_vec(),
+            shapes: Vec::new(),
             log_determinant: 0.0,
             rows: 0,
         };
@@ -136,6 +172,12 @@ impl Whitener {
                     predicted = filter.step(noise, input, row, predicted, (weight(row), weight(row + 1)));
                 }
             }
+        }
+        for shape in &input.shapes {
+            let mut shape = shape.clone();
+            filter.apply(&mut shape);
+            filter.log_determinant += squared(&shape).ln_1p();
+            filter.shapes.push(Shape { shape });
         }
         filter
     }
@@ -182,10 +224,12 @@ impl Whitener {
                 input = d * (input + b * innovation);
             }
         }
+        self.shapes.iter().for_each(|shape| shape.take_out(column));
     }
 
     /// Undoes [`Whitener::apply`] in place: unit white noise becomes noise of the kind that the filter takes out. Rows left out stay 0.
     pub fn colour(&self, column: &mut [f64]) {
+        self.shapes.iter().rev().for_each(|shape| shape.put_in(column));
         for run in &self.runs {
             let (mut response, mut input) = (0.0, 0.0);
             for row in run.clone() {
@@ -244,7 +288,7 @@ mod tests {
         });
         let ones = DVector::from_element(n, 1.0);
         let dense = ones.dot(&covariance.cholesky().unwrap().solve(&ones));
-        let smoothed = InputError { variance: vec![1.0 / window as f64; n], level: vec![1.0; n] };
+        let smoothed = InputError { variance: vec![1.0 / window as f64; n], level: vec![1.0; n], shapes: Vec::new() };
         let information = |input: &InputError| {
             let mut one = vec![1.0; n];
             Whitener::new(&noise, input, None, &[0..n], None).apply(&mut one);
@@ -277,5 +321,28 @@ mod tests {
         filter.apply(&mut b);
         assert_eq!(a, b);
         assert_eq!(a[2], 0.0);
+    }
+
+    #[test]
+    fn shapes_of_unknown_weight_equal_the_dense_covariance() {
+        let n = 9;
+        let noise = Noise { white_sd: 0.6, ar_sd: 0.9, ar_correlation: 0.5 };
+        let shapes: Vec<Vec<f64>> = vec![(0..n).map(|i| (i as f64).cos()).collect(), (0..n).map(|i| 0.3 * i as f64).collect()];
+        let input = InputError { shapes: shapes.clone(), ..InputError::white(vec![0.1; n]) };
+        let filter = Whitener::new(&noise, &input, None, &[0..n], None);
+        let covariance = DMatrix::from_fn(n, n, |i, j| {
+            let apart = i.abs_diff(j) as i32;
+            let own = if i == j { noise.white_sd.powi(2) + 0.1 } else { 0.0 };
+            own + noise.ar_sd.powi(2) * noise.ar_correlation.powi(apart) + shapes.iter().map(|s| s[i] * s[j]).sum::<f64>()
+        });
+        let x: Vec<f64> = (0..n).map(|i| (1.3 * i as f64).sin()).collect();
+        let mut white = x.clone();
+        filter.apply(&mut white);
+        let dense = covariance.clone().cholesky().unwrap();
+        let column = DVector::from_column_slice(&x);
+        approx::assert_relative_eq!(squared(&white), column.dot(&dense.solve(&column)), max_relative = 1e-10);
+        approx::assert_relative_eq!(filter.log_determinant, covariance.determinant().ln(), max_relative = 1e-10);
+        filter.colour(&mut white);
+        approx::assert_relative_eq!(white.as_slice(), x.as_slice(), epsilon = 1e-12, max_relative = 1e-10);
     }
 }

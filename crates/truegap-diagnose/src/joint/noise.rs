@@ -5,7 +5,7 @@
 use crate::{
     fit::{FitOptions, Model, fit},
     issues::DiagnoseError,
-    noise::{from_misfit, input_noise, noise_model, quiet_inputs},
+    noise::{Quiet, from_misfit, noise_model, quiet},
     problem::{NoiseModel, Problem, RecordingNoise},
 };
 use std::ops::Range;
@@ -23,17 +23,17 @@ pub fn measured(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseE
 }
 
 fn of_one(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseError> {
-    let input_noise = input_noise(problem.inputs, problem.simulator);
-    let (quiet, load_left, temperature_left) = quiet_inputs(problem.inputs, problem.simulator, &input_noise);
-    let still = Problem { inputs: &quiet, response: problem.response, simulator: problem.simulator };
-    let noise = noise_model(&still, &centre(&still), input_noise, (&load_left, &temperature_left))?;
+    let Quiet { inputs, noise, load_left, temperature_left, load_shapes } = quiet(problem.inputs, problem.simulator);
+    let still = Problem { inputs: &inputs, response: problem.response, simulator: problem.simulator };
+    let noise = noise_model(&still, &still.centre(), noise, (&load_left, &temperature_left), &load_shapes)?;
     let noise = without_rest(&still, noise)?;
-    Ok((quiet, noise))
+    Ok((inputs, noise))
 }
 
 fn of_several(problem: &Problem<'_>, joined: &dyn Joined) -> Result<(Inputs, NoiseModel), DiagnoseError> {
     let mut quiet = problem.inputs.clone();
     let mut all: Option<NoiseModel> = None;
+    let mut shapes: Vec<Vec<f64>> = Vec::new();
     for index in 0..joined.count() {
         let rows = joined.rows(index, problem.inputs);
         if rows.is_empty() {
@@ -52,9 +52,17 @@ fn of_several(problem: &Problem<'_>, joined: &dyn Joined) -> Result<(Inputs, Noi
             joint.measured &= noise.measured;
             joint.says += "; ";
         }
+        shapes.extend(noise.input_error.shapes.iter().map(|own| {
+            let mut whole = vec![0.0; problem.response.len()];
+            whole[rows.clone()].copy_from_slice(own);
+            whole
+        }));
         joint.rows += noise.rows;
         joint.says += &format!("recording {}: {}", index + 1, noise.says);
         joint.recordings.push(RecordingNoise { rows, response: noise.response, inputs: noise.inputs, says: noise.says });
+    }
+    if let Some(noise) = &mut all {
+        noise.input_error.shapes = shapes;
     }
     all.map(|noise| (quiet, noise)).ok_or(DiagnoseError::TooFewRows { rows: 0, needed: crate::issues::FEWEST_ROWS })
 }
@@ -92,9 +100,4 @@ fn without_rest(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, 
     let whitener = known.whitener(&problem.runs(), None);
     let left = fit(&model, &whitener, &start, &FitOptions::default())?.chi2 / problem.response.len() as f64;
     Ok(if left < 0.7 { known.scaled(left.sqrt()) } else { known })
-}
-
-/// The centre of the base model's prior.
-fn centre(problem: &Problem<'_>) -> Vec<f64> {
-    problem.simulator.parameters().iter().map(truegap_core::Parameter::centre).collect()
 }

@@ -5,6 +5,7 @@
 //!
 //! Limits: noise is white with a known standard deviation; a corner is kept where the noise lets it be seen.
 
+use super::input::median;
 use std::ops::Range;
 
 /// Longest stretch on either side of a row.
@@ -59,32 +60,59 @@ fn best_line(column: &[f64], time: Option<&[f64]>, run: &Range<usize>, row: usiz
     best
 }
 
-/// Least-squares line over `rows`, at `row`: value and leverage; `None` where a row leaves it or the scatter is more than noise.
+/// A least-squares line about a row.
+struct Line {
+    /// value at the row
+    value: f64,
+    /// share of the noise's variance in it
+    leverage: f64,
+    /// greatest distance of a row, in standard deviations of the noise
+    farthest: f64,
+    /// squares of the distances over the variance of the noise
+    squares: f64,
+    freedom: f64,
+}
+
+/// Value and leverage of the line over `rows` at `row`; `None` where a row leaves it or the scatter is more than noise.
 fn line(column: &[f64], time: Option<&[f64]>, rows: Range<usize>, row: usize, sd: f64) -> Option<(f64, f64)> {
+    let line = fitted(column, time, rows, row, sd);
+    let alike = line.squares < line.freedom + 3.0 * (2.0 * line.freedom).sqrt();
+    (alike && line.farthest <= OUTSIDE).then_some((line.value, line.leverage))
+}
+
+fn fitted(column: &[f64], time: Option<&[f64]>, rows: Range<usize>, row: usize, sd: f64) -> Line {
     let at = |i: usize| time.map_or(i as f64 - row as f64, |t| t[i] - t[row]);
     let n = rows.len() as f64;
-    let (mut sx, mut sy) = (0.0, 0.0);
-    for i in rows.clone() {
-        sx += at(i);
-        sy += column[i];
-    }
-    let (mx, my) = (sx / n, sy / n);
+    let mx = rows.clone().map(at).sum::<f64>() / n;
+    let my = column[rows.clone()].iter().sum::<f64>() / n;
     let (mut sxx, mut sxy) = (0.0, 0.0);
     for i in rows.clone() {
         sxx += (at(i) - mx).powi(2);
         sxy += (at(i) - mx) * (column[i] - my);
     }
     let slope = if sxx > 0.0 { sxy / sxx } else { 0.0 };
-    let mut squares = 0.0;
+    let (mut squares, mut farthest) = (0.0, 0.0f64);
     for i in rows {
         let off = (column[i] - my - slope * (at(i) - mx)) / sd;
-        if off.abs() > OUTSIDE {
-            return None;
-        }
+        farthest = farthest.max(off.abs());
         squares += off * off;
     }
-    let freedom = n - 2.0;
-    (squares < freedom + 3.0 * (2.0 * freedom).sqrt()).then(|| (my - slope * mx, 1.0 / n + mx * mx / sxx.max(1e-300)))
+    let leverage = 1.0 / n + mx * mx / sxx.max(1e-300);
+    Line { value: my - slope * mx, leverage, farthest, squares, freedom: n - 2.0 }
+}
+
+/// Rows on either side over which [`crookedness`] looks.
+const SHORT: usize = 4;
+
+/// Scatter about lines over nine rows in the middle of all such stretches, over the variance of the noise: about 0.9 where most of a column lies on straight
+/// lines, much more where it bends all the time.
+pub fn crookedness(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>], sd: f64) -> f64 {
+    let inner = runs.iter().filter(|r| r.len() > 2 * SHORT).flat_map(|r| (r.start + SHORT..r.end - SHORT).step_by(SHORT));
+    let scatter = |row: usize| {
+        let line = fitted(column, time, row - SHORT..row + SHORT + 1, row, sd);
+        line.squares / line.freedom
+    };
+    median(&inner.map(scatter).collect::<Vec<f64>>())
 }
 
 #[cfg(test)]

@@ -30,10 +30,9 @@ fn of_order(column: &[f64], runs: &[Range<usize>], pairs: usize) -> f64 {
     }
     // C(4, 2), C(8, 4), C(12, 6)
     let factor = f64::from([6, 70, 924][pairs - 1]).sqrt();
-    let mut stretches: Vec<f64> =
-        differences.chunks(STRETCH).filter(|c| c.len() == STRETCH).map(|c| median(&mut c.to_vec())).collect();
+    let mut stretches: Vec<f64> = differences.chunks(STRETCH).filter(|c| c.len() == STRETCH).map(|c| median(c)).collect();
     stretches.sort_by(f64::total_cmp);
-    let all = median(&mut differences);
+    let all = median(&differences);
     let quiet = stretches.get(stretches.len() / 4).copied().unwrap_or(all);
     let typical = if quiet < MOSTLY_CURVED * all { quiet } else { all };
     typical / 0.674_489_750_196_081_7 / factor
@@ -44,13 +43,11 @@ const STRETCH: usize = 12;
 /// Share of the median of all below which the quieter stretches are believed; noise alone gives about 0.8.
 const MOSTLY_CURVED: f64 = 0.5;
 
-/// Median of absolute values; 0 of none.
-fn median(values: &mut [f64]) -> f64 {
-    if values.is_empty() {
-        return 0.0;
-    }
+/// Median; 0 of none.
+pub(super) fn median(values: &[f64]) -> f64 {
+    let mut values = values.to_vec();
     let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f64::total_cmp).1 }
 }
 
 #[cfg(test)]

@@ -199,16 +199,20 @@ fn each_stage_acts_at_its_place() {
     assert_relative_eq!(respond(&model, Plug { field_pf: 0.5, ..Plug::default() }) - base, 0.5, max_relative = 1e-12);
     let span = state(4.5, 20.0).c_total_pf - state(0.0, 20.0).c_total_pf;
     assert_relative_eq!(respond(&model, Plug { readout_span: 0.1, ..Plug::default() }) - base, 0.1 * span, max_relative = 1e-11);
-    // extra air gap: 1/C adds h0 gap / (eps0 A)
+    // extra air gap and wedge over the dome of a warm sensor: factors on the bead layer by quadrature, in series with the insulator
     let radius = 7.5e-3 * (1.0 + 16.7e-6 * 20.0);
-    let air = VACUUM_PERMITTIVITY * std::f64::consts::PI * radius * radius / (0.02 * 162e-6 * (1.0 + 200e-6 * 20.0)) * 1e12;
+    let unloaded = 162e-6 * (1.0 + 200e-6 * 20.0);
+    let mean = unloaded * (1.0 + s.strain);
+    let sag = s.curvature_per_m * radius * radius / 2.0 / mean;
     let rest = base - s.c_main_pf;
-    let expected = rest + 1.0 / (1.0 / s.c_main_pf + 1.0 / air);
-    assert_relative_eq!(respond(&model, Plug { gap: 0.02, ..Plug::default() }), expected, max_relative = 1e-13);
-    // wedge over the dome of a warm sensor: factor on the bead layer by quadrature, in series with the insulator
-    let beads = s.c_rtv_pf
-        * wedge_over_dome(0.5, s.curvature_per_m * radius * radius / 2.0, 162e-6 * (1.0 + 200e-6 * 20.0) * (1.0 + s.strain));
-    let expected = rest + beads * s.c_polyimide_pf / (beads + s.c_polyimide_pf);
+    let with_beads = |beads: f64| rest + beads * s.c_polyimide_pf / (beads + s.c_polyimide_pf);
+    let relative = s.c_rtv_pf * 1e-12 * mean
+        / (VACUUM_PERMITTIVITY * std::f64::consts::PI * radius * radius * mean_reciprocal(0.0, sag, 0.0));
+    let air = 0.02 * unloaded * relative / mean;
+    let factor = |tilt: f64, extra: f64| mean_reciprocal(tilt, sag, extra) / mean_reciprocal(0.0, sag, 0.0);
+    let expected = with_beads(s.c_rtv_pf * factor(0.0, air));
+    assert_relative_eq!(respond(&model, Plug { gap: 0.02, ..Plug::default() }), expected, max_relative = 1e-8);
+    let expected = with_beads(s.c_rtv_pf * factor(0.5, 0.0));
     assert_relative_eq!(respond(&model, Plug { tilt: 0.5, ..Plug::default() }), expected, max_relative = 1e-8);
     // insulator: series, backing and tail
     let thicker = s.c_polyimide_pf * 1.1;
@@ -216,20 +220,19 @@ fn each_stage_acts_at_its_place() {
     assert_relative_eq!(respond(&model, Plug { insulator: 0.1, ..Plug::default() }), expected, max_relative = 1e-13);
 }
 
-/// Reading of a disc over a dome and a wedge over that over the dome alone: midpoint rules in the square of the radius and in the angle.
-fn wedge_over_dome(tilt: f64, sag_m: f64, mean_gap_m: f64) -> f64 {
+/// Mean of the reciprocal gap over a disc, where the gap is 1, a dome of this sag, a wedge of this tilt and something more: midpoint rules in the square of the
+/// radius and in the angle.
+fn mean_reciprocal(tilt: f64, sag: f64, more: f64) -> f64 {
     let (rings, angles) = (4000, 64);
-    let reading = |tilt: f64| {
-        let mut sum = 0.0;
-        for ring in 0..rings {
-            let u = (f64::from(ring) + 0.5) / f64::from(rings);
-            let dome = 1.0 + sag_m / mean_gap_m * (u - 0.5);
-            let turn = |i: i32| std::f64::consts::TAU * (f64::from(i) + 0.5) / f64::from(angles);
-            sum += (0..angles).map(|i| 1.0 / (dome + tilt * u.sqrt() * turn(i).cos())).sum::<f64>();
-        }
-        sum
+    let ring = |ring: i32| {
+        let u = (f64::from(ring) + 0.5) / f64::from(rings);
+        let gap = |i: i32| {
+            let turn = std::f64::consts::TAU * (f64::from(i) + 0.5) / f64::from(angles);
+            1.0 + more + sag * (u - 0.5) + tilt * u.sqrt() * turn.cos()
+        };
+        (0..angles).map(|i| 1.0 / gap(i)).sum::<f64>() / f64::from(angles)
     };
-    reading(tilt) / reading(0.0)
+    (0..rings).map(ring).sum::<f64>() / f64::from(rings)
 }
 
 /// Stress of stiffened beads is E e (1 + nu e)^2 (1 + a e + b e^2): at the strain e of the plain sensor it takes (1 + a e + b e^2) times the load.

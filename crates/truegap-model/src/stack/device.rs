@@ -283,17 +283,19 @@ impl Device {
         let permittivity = mean_permittivity(fillings, Areas { solid, ..warm.areas });
         let behind = self.insulator.permittivity * row.insulator;
         let insulator = plate_capacitance(behind, warm.areas.electrode, insulator_m);
-        let beads = permittivity * gap.plates.integral() * gap.wedge(gap.mean)?;
+        // an extra gap lies in series with the beads at every point of the plate: so much more of them, or less
+        let air = gap.extra * permittivity / self.surrounding;
+        let plates = BentPlates { centre_gap: gap.plates.centre_gap + air, ..gap.plates };
+        if !plates.apart() {
+            return None;
+        }
+        let beads = permittivity * plates.integral() * gap.wedge(gap.mean + air)?;
         let main = match self.options.series {
-            SeriesOrder::IntegrateThenSeries => {
-                let main = series([beads, insulator]);
-                if gap.extra == 0.0 { main } else { 1.0 / (1.0 / main + gap.extra / (self.surrounding * warm.areas.electrode)) }
-            }
+            SeriesOrder::IntegrateThenSeries => series([beads, insulator]),
             SeriesOrder::SeriesThenIntegrate => {
-                let air = gap.extra * behind / self.surrounding;
-                let layer = SeriesLayer { thickness: insulator_m + air, permittivity: behind };
-                let deeper = gap.mean + layer.thickness * permittivity / behind;
-                series_then_integrated(permittivity, gap.plates, layer) * gap.wedge(deeper)?
+                let layer = SeriesLayer { thickness: insulator_m, permittivity: behind };
+                let deeper = gap.mean + air + insulator_m * permittivity / behind;
+                series_then_integrated(permittivity, plates, layer) * gap.wedge(deeper)?
             }
         };
         Some((beads, main, insulator))

@@ -20,8 +20,7 @@ fn a_perfect_fit_with_a_wrong_modulus_is_not_believed() {
 
     // the calibrated base model leaves noise, and nothing else
     let columns = std::fs::read_to_string(bench.path("out/prediction.csv")).unwrap();
-    let rows: Vec<Vec<f64>> =
-        columns.lines().skip(1).map(|line| line.split(',').map(|v| v.parse().unwrap()).collect()).collect();
+    let rows: Vec<Vec<f64>> = columns.lines().skip(1).map(|line| line.split(',').map(|v| v.parse().unwrap()).collect()).collect();
     let mean = rows.iter().map(|r| r[4]).sum::<f64>() / rows.len() as f64;
     let left: f64 = rows.iter().map(|r| (r[4] - r[5]).powi(2)).sum();
     let all: f64 = rows.iter().map(|r| (r[4] - mean).powi(2)).sum();

@@ -16,6 +16,7 @@ pub mod augmented;
 pub mod bank;
 pub mod conflicts;
 pub mod control;
+pub(crate) mod descent;
 pub mod detectability;
 pub mod diagnose;
 pub mod diagnosis;

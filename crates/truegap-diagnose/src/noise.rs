@@ -84,7 +84,7 @@ fn quieter(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>], sd: f64)
 }
 
 /// Scatter about short lines, over that of noise, from which on a column is no course of straight lines.
-const CROOKED: f64 = 2.0;
+const CROOKED: f64 = 0.75;
 /// Noise of a problem whose inputs were quietened: `inputs` as recorded, `left` the shares of variance left in load and temperature,
 /// `shapes` courses that the error of the load may follow, `base` the parameter values at which all that is carried through.
 ///

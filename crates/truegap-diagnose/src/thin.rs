@@ -152,7 +152,7 @@ fn groups(problem: &Problem<'_>, noise: &NoiseModel, most: usize, moves: f64) ->
         for row in run.start + 1..=run.end {
             let settled = row > run.start + 2 && row < run.end;
             let even = settled && (steps[row] - steps[row - 1]).abs() <= 0.5 * steps[row];
-            let still = settled && courses.iter_mut().fold(true, |all, c| c.goes_on(first, row) && all);
+            let still = settled && courses.iter_mut().all(|c| c.goes_on(first, row));
             if !(even && still && row - first < most) {
                 groups.push(first..row);
                 first = row;

@@ -30,7 +30,7 @@ fn of_order(column: &[f64], runs: &[Range<usize>], pairs: usize) -> f64 {
     }
     // C(4, 2), C(8, 4), C(12, 6)
     let factor = f64::from([6, 70, 924][pairs - 1]).sqrt();
-    let mut stretches: Vec<f64> = differences.chunks(STRETCH).filter(|c| c.len() == STRETCH).map(|c| median(c)).collect();
+    let mut stretches: Vec<f64> = differences.chunks(STRETCH).filter(|c| c.len() == STRETCH).map(median).collect();
     stretches.sort_by(f64::total_cmp);
     let all = median(&differences);
     let quiet = stretches.get(stretches.len() / 4).copied().unwrap_or(all);

@@ -8,7 +8,7 @@ use truegap_core::Simulator;
 use truegap_diagnose::{
     Problem,
     fit::{FitOptions, Model, fit},
-    whiten::{Noise, Whitener},
+    whiten::{InputError, Noise, Whitener},
 };
 use truegap_model::{
     Stack, StackOptions,
@@ -30,7 +30,7 @@ fn calibration(c: &mut Criterion) {
     let context = problem.context(2.4, NOISE_PF);
     let model = Model::new(&problem, &context, Vec::new());
     let noise = Noise { white_sd: NOISE_PF, ar_sd: 0.0, ar_correlation: 0.0 };
-    let whitener = Whitener::new(&noise, &vec![0.0; response.len()], None, &problem.runs(), None);
+    let whitener = Whitener::new(&noise, &InputError::white(vec![0.0; response.len()]), None, &problem.runs(), None);
     let start = vec![0.0; model.parameters.len()];
     c.bench_function("calibration of 7 000 rows", |b| {
         b.iter(|| fit(&model, &whitener, black_box(&start), &FitOptions::default()))

@@ -64,6 +64,11 @@ impl Selection {
         &self.models[self.base]
     }
 
+    /// Index of the likeliest model that names something; `None` where nothing was fitted.
+    pub fn likeliest_named(&self) -> Option<usize> {
+        self.models.iter().position(|m| !m.effects.is_empty())
+    }
+
     /// Probability that nothing is missing.
     pub fn probability_none(&self) -> f64 {
         self.probability[self.base]
@@ -129,6 +134,11 @@ fn log_prior(count: usize, library: usize) -> f64 {
     (NUMBER_PRIOR.get(count).copied().unwrap_or(0.0) / combinations).ln()
 }
 
+/// Log posterior of a model, up to a constant: its log evidence over `temper`, and its log prior.
+fn weight(temper: f64, library: usize) -> impl Fn(&Tried) -> f64 + Copy {
+    move |m| m.fit.log_evidence / temper + log_prior(m.effects.len(), library)
+}
+
 /// Tries singles, forward steps with swaps, and pairs of the best; weighs all of them.
 pub fn select(search: &Search<'_>, base: Tried) -> Selection {
     let all: Vec<usize> = (0..search.library.len()).collect();
@@ -154,8 +164,7 @@ const ENOUGH: f64 = 0.1;
 
 /// Replaces Laplace's evidence by a sampled one for the models with the most weight, and for the base model.
 fn check(search: &Search<'_>, tried: &mut BTreeMap<Vec<usize>, Tried>) -> EvidenceCheck {
-    let temper = temper_of(tried.values());
-    let weight = |m: &Tried| m.fit.log_evidence / temper + log_prior(m.effects.len(), search.library.len());
+    let weight = weight(temper_of(tried.values()), search.library.len());
     let mut order: Vec<(Vec<usize>, f64)> = tried.iter().map(|(key, m)| (key.clone(), weight(m))).collect();
     order.sort_by(|a, b| b.1.total_cmp(&a.1));
     let best = order.first().map_or(0.0, |o| o.1);
@@ -184,8 +193,7 @@ fn check(search: &Search<'_>, tried: &mut BTreeMap<Vec<usize>, Tried>) -> Eviden
 fn polish(search: &Search<'_>, tried: &mut BTreeMap<Vec<usize>, Tried>) {
     let mut done: BTreeSet<Vec<usize>> = BTreeSet::from([Vec::new()]);
     loop {
-        let temper = temper_of(tried.values());
-        let weight = |m: &Tried| m.fit.log_evidence / temper + log_prior(m.effects.len(), search.library.len());
+        let weight = weight(temper_of(tried.values()), search.library.len());
         let best = tried.values().map(weight).fold(f64::NEG_INFINITY, f64::max);
         let near = |(key, m): &(&Vec<usize>, &Tried)| !done.contains(*key) && weight(m) > best - CLOSE;
         let rough: Vec<&Tried> = tried.iter().filter(near).map(|(_, m)| m).collect();
@@ -281,7 +289,7 @@ fn temper_of<'t>(models: impl Iterator<Item = &'t Tried> + Clone) -> f64 {
 fn weigh(tried: BTreeMap<Vec<usize>, Tried>, library: usize) -> Selection {
     let mut models: Vec<Tried> = tried.into_values().collect();
     let temper = temper_of(models.iter());
-    let weight = |m: &Tried| m.fit.log_evidence / temper + log_prior(m.effects.len(), library);
+    let weight = weight(temper, library);
     models.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
     let weights: Vec<f64> = models.iter().map(weight).collect();
     let total = log_sum_exp(&weights);

@@ -31,7 +31,7 @@ pub struct Decision {
 /// The model to stand behind, an index into the selection's: the likeliest that names something; where that holds effects that are not sure and have no rival
 /// in their place, the model of those that are sure. `None` where nothing was fitted.
 pub fn stated(selection: &Selection) -> Option<usize> {
-    let best = selection.models.iter().position(|m| !m.effects.is_empty())?;
+    let best = selection.likeliest_named()?;
     let sure = |e: &usize| selection.effect_probability[*e] >= SURE;
     let effects = &selection.models[best].effects;
     if effects.iter().all(sure) || rival_sets(selection, best).iter().any(|s| s.len() > 1) {
@@ -57,7 +57,7 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy) -> Dec
     }
     let Some(best) = stated(selection) else { return nothing(Verdict::Undecided) };
     let removed = removed(2.0 * (selection.base().fit.objective() - selection.models[best].fit.objective()), after);
-    let likeliest = selection.models.iter().position(|m| !m.effects.is_empty()) == Some(best);
+    let likeliest = selection.likeliest_named() == Some(best);
     // a smaller model than the likeliest is stated because its effects are sure: the larger ones that hold them are no rivals
     let alone = || selection.models[best].effects.iter().map(|e| vec![*e]).collect();
     let sets = if likeliest { rival_sets(selection, best) } else { alone() };

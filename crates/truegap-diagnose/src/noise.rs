@@ -53,7 +53,7 @@ pub fn quiet(inputs: &Inputs, simulator: &dyn Simulator) -> Quiet {
         let Quieter { sd, found, bends } = quieter(column, time, &runs, sd);
         quiet.noise.load = sd / full;
         if bends {
-            quiet.load_shapes = bends::bends(column, &runs);
+            quiet.load_shapes = bends::bends(column, &runs, sd);
             quiet.load_shapes.iter_mut().flatten().for_each(|v| *v /= full);
         }
         (*column, quiet.load_left) = (found.column, found.left);

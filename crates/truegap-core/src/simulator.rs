@@ -39,6 +39,10 @@ pub trait Simulator: Send + Sync {
     fn unit(&self) -> &str;
     /// Numbers that calibration may adjust, with what is known of them.
     fn parameters(&self) -> &[Parameter];
+    /// The centre of what is known of them, in their units.
+    fn centre(&self) -> Vec<f64> {
+        self.parameters().iter().map(Parameter::centre).collect()
+    }
     /// Columns without which there is no response.
     fn needs(&self) -> &[Role];
     /// Stages that mean something in this model; others are skipped with the reason given.

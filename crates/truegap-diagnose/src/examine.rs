@@ -36,8 +36,7 @@ pub struct Examined {
 pub fn examine(search: &Search<'_>, gate: &Gate) -> Result<Examined, SimulationError> {
     let base = search.base()?;
     let nothing = base.fit.objective();
-    let selection = select(search, base);
-    Ok(judge(search, gate, selection.merged(|models, tried| hidden(search, models, tried, nothing))))
+    Ok(judge(search, gate, select(search, base).merged(|models, tried| hidden(search, models, tried, nothing))))
 }
 
 /// The verdict on a selection.

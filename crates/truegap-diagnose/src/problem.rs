@@ -35,11 +35,6 @@ impl Problem<'_> {
         self.inputs.runs()
     }
 
-    /// The centre of the base model's prior, in the parameters' units.
-    pub fn centre(&self) -> Vec<f64> {
-        self.simulator.parameters().iter().map(truegap_core::Parameter::centre).collect()
-    }
-
     /// Range of the response; the widest of one recording where there are several.
     pub fn span(&self) -> f64 {
         let rows = |j: &dyn Joined, k: usize| spread(&self.response[j.rows(k, self.inputs)]);

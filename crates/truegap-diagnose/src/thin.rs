@@ -76,8 +76,8 @@ pub fn thin(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> Result<
     };
     let mut response = mean(problem.response);
     if moved {
-        let of_means = problem.simulator.respond(&problem.centre(), &inputs, &[])?;
-        let of_rows = mean(&problem.simulator.respond(&problem.centre(), from, &[])?);
+        let of_means = problem.simulator.respond(&problem.simulator.centre(), &inputs, &[])?;
+        let of_rows = mean(&problem.simulator.respond(&problem.simulator.centre(), from, &[])?);
         response.iter_mut().zip(of_means.iter().zip(&of_rows)).for_each(|(r, (m, rows))| *r += m - rows);
     }
     Ok(Some(Thinned {
@@ -137,16 +137,20 @@ fn groups(problem: &Problem<'_>, noise: &NoiseModel, most: usize, moves: f64) ->
     let inputs = problem.inputs;
     let steps = inputs.steps_s();
     let load = load_column(inputs, problem.simulator);
+    let [load, warm] = [load.as_deref(), inputs.temperature_c.as_deref()].map(|column| column.map(|c| (c, spread(c))));
     let mut groups = Vec::new();
     for run in inputs.runs() {
         let here = noise.inputs_at(run.start);
-        let course = |column, still: f64| {
-            let moves = still.max(moves * spread(column));
-            Course { column, moves, turns: still, low: 0.0, high: 0.0 }
+        let course = |(column, range): (_, f64), still: f64| Course {
+            column,
+            moves: still.max(moves * range),
+            turns: still,
+            low: 0.0,
+            high: 0.0,
         };
         let mut courses: Vec<Course<'_>> = Vec::new();
-        courses.extend(load.as_deref().map(|load| course(load, (4.0 * here.load).max(2e-3))));
-        courses.extend(inputs.temperature_c.as_deref().map(|t| course(t, (5.0 * here.temperature).max(0.3))));
+        courses.extend(load.map(|load| course(load, (4.0 * here.load).max(2e-3))));
+        courses.extend(warm.map(|warm| course(warm, (5.0 * here.temperature).max(0.3))));
         courses.iter_mut().for_each(|c| c.start(run.start));
         let mut first = run.start;
         for row in run.start + 1..=run.end {

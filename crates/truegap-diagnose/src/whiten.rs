@@ -94,26 +94,27 @@ pub struct Whitener {
 /// A whitened column s that unit white noise has been given with a weight of unit variance: its covariance is 1 + s s^T.
 #[derive(Clone, Debug)]
 struct Shape {
-    shape: Vec<f64>,
+    column: Vec<f64>,
+    /// its squared length
+    length: f64,
 }
 
 impl Shape {
     /// Applies the symmetric root of (1 + s s^T)^-1.
     fn take_out(&self, column: &mut [f64]) {
-        self.add(column, (1.0 + squared(&self.shape)).sqrt().recip() - 1.0);
+        self.stretch(column, (1.0 + self.length).sqrt().recip());
     }
 
     /// Applies the symmetric root of 1 + s s^T.
     fn put_in(&self, column: &mut [f64]) {
-        self.add(column, (1.0 + squared(&self.shape)).sqrt() - 1.0);
+        self.stretch(column, (1.0 + self.length).sqrt());
     }
 
-    /// Scales the part of a column along the shape by 1 + `share`.
-    fn add(&self, column: &mut [f64], share: f64) {
-        let length = squared(&self.shape);
-        if length > 0.0 {
-            let along = column.iter().zip(&self.shape).map(|(c, s)| c * s).sum::<f64>() / length;
-            column.iter_mut().zip(&self.shape).for_each(|(c, s)| *c += share * along * s);
+    /// Multiplies the part of a column along the shape by `factor`.
+    fn stretch(&self, column: &mut [f64], factor: f64) {
+        if self.length > 0.0 {
+            let along = column.iter().zip(&self.column).map(|(c, s)| c * s).sum::<f64>() / self.length;
+            column.iter_mut().zip(&self.column).for_each(|(c, s)| *c += (factor - 1.0) * along * s);
         }
     }
 }
@@ -174,10 +175,11 @@ impl Whitener {
             }
         }
         for shape in &input.shapes {
-            let mut shape = shape.clone();
-            filter.apply(&mut shape);
-            filter.log_determinant += squared(&shape).ln_1p();
-            filter.shapes.push(Shape { shape });
+            let mut column = shape.clone();
+            filter.apply(&mut column);
+            let length = squared(&column);
+            filter.log_determinant += length.ln_1p();
+            filter.shapes.push(Shape { column, length });
         }
         filter
     }

@@ -1,6 +1,6 @@
-//! Prior widths from the reading that an effect can move, where its coefficient says little to a reader.
+//! What effects are scaled by: the reading that one can move, where its coefficient says little to a reader, and the strain of a full load.
 //!
-//! Limits: measured at the centre of the priors of the base model, on a sample of the rows.
+//! Limits: the reading at the centre of the priors of the base model, on a sample of the rows; the strain at the greatest load applied.
 
 use crate::context::Context;
 use truegap_core::Stage;
@@ -26,7 +26,7 @@ fn spread(context: &Context<'_>, stage: &dyn Stage) -> Option<f64> {
     let stride = context.inputs.len().div_ceil(ROWS).max(1);
     let keep: Vec<usize> = (0..context.inputs.len()).step_by(stride).collect();
     let inputs = context.inputs.select(&keep);
-    let values: Vec<f64> = context.simulator.parameters().iter().map(truegap_core::Parameter::centre).collect();
+    let values = context.simulator.centre();
     let without = context.simulator.respond(&values, &inputs, &[]).ok()?;
     let with = context.simulator.respond(&values, &inputs, &[stage]).ok()?;
     let count = keep.len() as f64;

@@ -25,7 +25,7 @@ pub fn measured(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseE
 fn of_one(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseError> {
     let Quiet { inputs, noise, load_left, temperature_left, load_shapes } = quiet(problem.inputs, problem.simulator);
     let still = Problem { inputs: &inputs, response: problem.response, simulator: problem.simulator };
-    let noise = noise_model(&still, &still.centre(), noise, (&load_left, &temperature_left), &load_shapes)?;
+    let noise = noise_model(&still, &still.simulator.centre(), noise, (&load_left, &temperature_left), &load_shapes)?;
     let noise = without_rest(&still, noise)?;
     Ok((inputs, noise))
 }

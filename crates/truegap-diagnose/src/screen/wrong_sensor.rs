@@ -33,7 +33,7 @@ pub fn wrong_sensor(problem: &Problem<'_>) -> Option<Notice> {
     let keep: Vec<usize> = (0..problem.response.len()).step_by(stride.max(1)).collect();
     let (inputs, response) = (problem.inputs.select(&keep), keep.iter().map(|row| problem.response[*row]).collect::<Vec<_>>());
     let problem = &Problem { inputs: &inputs, response: &response, simulator: problem.simulator };
-    let foreseen = problem.simulator.respond(&problem.centre(), problem.inputs, &[]).ok()?;
+    let foreseen = problem.simulator.respond(&problem.simulator.centre(), problem.inputs, &[]).ok()?;
     let (level, range) = (level(problem, &foreseen), range(problem, &foreseen));
     // another sensor, unit or column moves otherwise as well; a level alone may be a capacitance beside the sensor
     let withholds = range.is_some() || !moves_alike(problem, &foreseen);
@@ -86,7 +86,7 @@ fn range(problem: &Problem<'_>, foreseen: &[f64]) -> Option<String> {
 
 /// Standard deviation that the tolerances of the file give the median reading.
 fn tolerance(problem: &Problem<'_>, expected: f64) -> f64 {
-    let centres = problem.centre();
+    let centres = problem.simulator.centre();
     let moved = |(index, p): (usize, &Parameter)| {
         let mut values = centres.clone();
         values[index] = (values[index] + p.sd()).clamp(p.bounds.0, p.bounds.1);

@@ -2,7 +2,7 @@
 //!
 //! Limits: one temperature through the whole sensor; tilt, warp and load sag act on the bead gap only.
 
-use super::{SeriesOrder, StackOptions, wedge::wedge};
+use super::{SeriesOrder, StackOptions, wedge::shape_factor};
 use crate::equations::{
     curvature::{Bimetal, ExpansionPair, Lamina, bimetal_curvature, mismatch_strain},
     electrodes::{
@@ -324,6 +324,10 @@ struct Gap {
 impl Gap {
     /// Factor of the wedge on the capacitance of the dome, where the mean gap counts as `depth`; `None` where the plates touch.
     fn wedge(&self, depth: f64) -> Option<f64> {
-        if self.tilt == 0.0 { Some(1.0) } else { wedge(self.tilt * self.mean / depth, rim_sag(self.plates.dome) / depth) }
+        if self.tilt == 0.0 {
+            return Some(1.0);
+        }
+        let sag = rim_sag(self.plates.dome) / depth;
+        Some(shape_factor(self.tilt * self.mean / depth, sag)? / shape_factor(0.0, sag)?)
     }
 }

@@ -74,8 +74,8 @@ pub struct Readout {
 /// Columns have one entry a row of [`Drive::inputs`].
 #[allow(unused_variables)]
 pub trait Stage: Send + Sync {
-    /// Whether the inputs are shifted against the response's clock: seconds by which the load is late.
-    fn late_s(&self) -> f64 {
+    /// Whether the inputs are shifted against the response's clock: seconds by which the load is late, `elapsed_s` seconds after the recording's first row.
+    fn late_s(&self, elapsed_s: f64) -> f64 {
         0.0
     }
     /// The same physics in a recording that begins after so many runs of others; `None` where the number of a run plays no part.

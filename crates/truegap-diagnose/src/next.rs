@@ -118,7 +118,7 @@ fn overnight(t: f64) -> Points {
 }
 
 /// Instrument changes that settle what no profile of load and temperature can: a pair of effects, what to do.
-const INSTRUMENT: [(&str, &str, &str); 8] = [
+const INSTRUMENT: [(&str, &str, &str); 9] = [
     (
         "permittivity_temperature",
         "gain_drift",
@@ -126,6 +126,11 @@ const INSTRUMENT: [(&str, &str, &str); 8] = [
     ),
     ("offset_drift", "ageing", "record a fixed reference capacitor beside the sensor"),
     ("readout_lag", "time_offset", "sample load and response on one clock, or mark both with one common edge"),
+    (
+        "clock_rate",
+        "time_offset",
+        "sample load and response on one clock, or mark both with a common edge at the start and at the end",
+    ),
     ("fringing_field", "parasitic_capacitance", "add a guard ring at shield potential, or measure sensors of two diameters"),
     ("dead_gap", "contact_toe_in", "measure the thickness of the stack independently under load"),
     ("load_cell_error", "rate_independent_hysteresis", "exchange the load cell, or load with weights"),

@@ -37,11 +37,11 @@ fn for_each(check: impl Fn(&dyn Effect, &Context<'_>, &Plate)) {
 #[test]
 fn the_library_holds_every_id_of_the_contract_once() {
     let mut ids: Vec<&str> = library().iter().map(|effect| effect.id().0).collect();
-    // 24 of the contract, and `temperature_coefficient` for base models that have no place for temperature
-    assert_eq!(ids.len(), 25);
+    // 24 of the contract, `temperature_coefficient` for base models that have no place for temperature, and `clock_rate`
+    assert_eq!(ids.len(), 26);
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 25);
+    assert_eq!(ids.len(), 26);
     assert!(ids.contains(&"temperature_coefficient"));
     for effect in library() {
         for impostor in effect.about().impostors {
@@ -151,7 +151,7 @@ impl Columns {
         let mut value = self.value.clone();
         stage.readout(&drive, &Readout { zero: 210.0, span: 5.0 / 3.0 }, &mut value);
         vec![
-            (StageName::Inputs, vec![stage.late_s()]),
+            (StageName::Inputs, vec![stage.late_s(0.0), stage.late_s(100.0)]),
             (StageName::LoadPath, load),
             (StageName::ThermalPath, sensor),
             (StageName::Beads, modulus),

@@ -5,6 +5,7 @@
 use crate::effect::Effect;
 
 mod ageing;
+mod clock_rate;
 mod contact_toe_in;
 mod dead_gap;
 mod eccentric_load;
@@ -35,6 +36,7 @@ mod viscoelastic_creep;
 pub fn library() -> Vec<Box<dyn Effect>> {
     vec![
         Box::new(time_offset::TimeOffset),
+        Box::new(clock_rate::ClockRate),
         Box::new(load_cell_error::LoadCellError),
         Box::new(contact_toe_in::ContactToeIn),
         Box::new(eccentric_load::EccentricLoad),

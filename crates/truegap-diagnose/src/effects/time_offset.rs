@@ -12,7 +12,7 @@ pub struct TimeOffset;
 struct Shift(f64);
 
 impl Stage for Shift {
-    fn late_s(&self) -> f64 {
+    fn late_s(&self, _: f64) -> f64 {
         self.0
     }
 }

@@ -86,8 +86,7 @@ impl Simulator for Plate {
         inputs.force_n.as_ref().map(|force| force.iter().map(|f| f / 4.5).collect())
     }
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
-        let late: f64 = stages.iter().map(|s| s.late_s()).sum();
-        let inputs = &shifted(inputs, late);
+        let inputs = &shifted(inputs, |elapsed| stages.iter().map(|s| s.late_s(elapsed)).sum());
         let rows = inputs.len();
         let mut load = self.load(inputs).unwrap_or_else(|| vec![0.0; rows]);
         stages.iter().for_each(|s| s.load(inputs, &mut load));
@@ -125,13 +124,11 @@ pub fn flat<'a>(strain: &'a [f64], temperature_c: &[f64], warp_factor: f64) -> G
     Geometry { strain, gap: vec![0.0; rows], warp_kelvin, warp_factor, tilt: vec![0.0; rows], sag: vec![0.0; rows] }
 }
 
-/// The force column read `late` seconds further on.
-fn shifted(inputs: &Inputs, late: f64) -> Inputs {
+/// The force column read `late(seconds since the first row)` seconds further on.
+fn shifted(inputs: &Inputs, late: impl Fn(f64) -> f64) -> Inputs {
     let (mut moved, Some(time), Some(force)) = (inputs.clone(), &inputs.time_s, &inputs.force_n) else { return inputs.clone() };
-    if late != 0.0 {
-        let column: Vec<f64> = (0..time.len()).map(|row| at(time, force, time[row] + late)).collect();
-        moved.force_n = Some(column);
-    }
+    let column = time.iter().map(|t| (t, late(t - time[0]))).zip(force);
+    moved.force_n = Some(column.map(|((t, late), f)| if late == 0.0 { *f } else { at(time, force, t + late) }).collect());
     moved
 }
 

@@ -23,8 +23,7 @@ impl<'a> Start<'a> {
         full_load: f64,
         load: impl Fn(&Inputs) -> Result<Vec<f64>, SimulationError>,
     ) -> Result<Self, SimulationError> {
-        let late: f64 = stages.iter().map(|stage| stage.late_s()).sum();
-        let inputs = if late == 0.0 { Cow::Borrowed(inputs) } else { Cow::Owned(caught_up(inputs, late)) };
+        let inputs = on_one_clock(inputs, stages);
         let mut load = load(&inputs)?;
         stages.iter().for_each(|stage| stage.load(&inputs, &mut load));
         let mut temperature_c = inputs.temperature_c.clone().unwrap_or_else(|| vec![reference_c; inputs.len()]);
@@ -49,14 +48,22 @@ impl<'a> Start<'a> {
     }
 }
 
-/// The inputs with the columns of the load (force, pressure, gap, simulation) read `late` seconds further on: what stands there happened now.
-fn caught_up(inputs: &Inputs, late: f64) -> Inputs {
-    let mut shifted = inputs.clone();
+/// The inputs on the response's clock.
+fn on_one_clock<'a>(inputs: &'a Inputs, stages: &[&dyn Stage]) -> Cow<'a, Inputs> {
     let clock = clock(inputs);
+    let first = clock.first().copied().unwrap_or(0.0);
+    let late = |time: &f64| stages.iter().map(|stage| stage.late_s(time - first)).sum();
+    let late: Vec<f64> = clock.iter().map(late).collect();
+    if late.iter().all(|late| *late == 0.0) { Cow::Borrowed(inputs) } else { Cow::Owned(caught_up(inputs, &clock, &late)) }
+}
+
+/// The inputs with the columns of the load (force, pressure, gap, simulation) read `late[row]` seconds further on: what stands there happened now.
+fn caught_up(inputs: &Inputs, clock: &[f64], late: &[f64]) -> Inputs {
+    let mut shifted = inputs.clone();
     let columns = [&mut shifted.force_n, &mut shifted.pressure_pa, &mut shifted.gap_m, &mut shifted.simulated];
     for column in columns.into_iter().flatten() {
         for run in inputs.runs() {
-            let moved = interpolated(&clock[run.clone()], &column[run.clone()], late);
+            let moved = interpolated(&clock[run.clone()], &column[run.clone()], &late[run.clone()]);
             column[run].copy_from_slice(&moved);
         }
     }
@@ -71,12 +78,12 @@ fn clock(inputs: &Inputs) -> Cow<'_, [f64]> {
     }
 }
 
-/// A column at `time + late`, linear between rows, held beyond the ends.
-fn interpolated(time: &[f64], column: &[f64], late: f64) -> Vec<f64> {
+/// A column at `time + late`, linear between rows, held beyond the ends; `time + late` must not run backwards.
+fn interpolated(time: &[f64], column: &[f64], late: &[f64]) -> Vec<f64> {
     let last = time.len() - 1;
     let mut after = 0;
     let at = |row: usize| {
-        let wanted = time[row] + late;
+        let wanted = time[row] + late[row];
         while after < last && time[after] < wanted {
             after += 1;
         }
@@ -112,10 +119,11 @@ pub(crate) fn check_finite(response: Vec<f64>, values: &[f64]) -> Result<Vec<f64
 mod tests {
     use super::*;
 
-    struct Late(f64);
+    /// Seconds late at the first row, and seconds more in each second.
+    struct Late(f64, f64);
     impl Stage for Late {
-        fn late_s(&self) -> f64 {
-            self.0
+        fn late_s(&self, elapsed_s: f64) -> f64 {
+            self.0 + self.1 * elapsed_s
         }
     }
 
@@ -126,8 +134,11 @@ mod tests {
     }
 
     fn shifted(late: f64) -> Vec<f64> {
+        shifted_by(Late(late, 0.0))
+    }
+
+    fn shifted_by(stage: Late) -> Vec<f64> {
         let inputs = ramp();
-        let stage = Late(late);
         let start = Start::new(&inputs, &[&stage], 20.0, 2.0, |i| Ok(i.force_n.clone().unwrap())).unwrap();
         start.load
     }
@@ -141,9 +152,15 @@ mod tests {
     }
 
     #[test]
+    fn a_slow_clock_is_later_and_later_through_all_runs() {
+        // a quarter of a second a second from half a second early; slope 2 N/s
+        assert_eq!(shifted_by(Late(-0.5, 0.25)), [0.0, 1.5, 6.0, 11.0, 13.5, 16.0]);
+    }
+
+    #[test]
     fn two_stages_shift_by_the_sum() {
         let inputs = ramp();
-        let (a, b) = (Late(0.75), Late(-0.25));
+        let (a, b) = (Late(0.75, 0.0), Late(-0.25, 0.0));
         let start = Start::new(&inputs, &[&a, &b], 20.0, 2.0, |i| Ok(i.force_n.clone().unwrap())).unwrap();
         assert_eq!(start.load, shifted(0.5));
         assert_eq!(start.drive().temperature_c, [20.0; 6]);

@@ -39,7 +39,7 @@ pub fn family(id: &str) -> Family {
         "fringing_field" | "parasitic_capacitance" | "dead_gap" => Family::Field,
         "humidity_uptake" => Family::Moisture,
         "offset_drift" | "offset_steps" | "ageing" => Family::Drift,
-        "readout_lag" | "time_offset" => Family::Timing,
+        "readout_lag" | "time_offset" | "clock_rate" => Family::Timing,
         "saturation" | "load_cell_error" => Family::Instruments,
         _ => Family::Unknown,
     }

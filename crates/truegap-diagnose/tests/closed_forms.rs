@@ -108,9 +108,9 @@ fn a_sensor_behind_its_thermometer_follows_a_ramp_tau_later() {
     let ramp: Vec<f64> = time.iter().map(|t| 20.0 + 0.02 * t).collect();
     let bench = Bench::new(time, vec![0.0; 400], ramp.clone());
     let mut sensor = ramp.clone();
-    bench.stage("thermal_lag", &[40.0]).thermal(&bench.inputs, &mut sensor);
+    bench.stage("thermal_lag", &[40.0, 0.5, 2.0]).thermal(&bench.inputs, &mut sensor);
     assert_eq!(sensor[0], 20.0);
-    // after 50 time constants the start is forgotten; rounding of 400 steps
+    // after 37 of the slower time constants the start is forgotten; rounding of 400 steps
     assert_abs_diff_eq!(sensor[399], ramp[399] - 0.02 * 40.0, epsilon = 1e-11);
 }
 
@@ -234,5 +234,6 @@ fn the_electronics_lag_drift_jump_and_clip_as_they_should() {
     let mut two = Bench::new(vec![0.0, 1.0, 2.0], vec![0.0; 3], vec![20.0; 3]);
     two.inputs.run = vec![1, 2, 3];
     assert_eq!(two.readings("offset_steps", &[0.5, 1.0, -3.0], &[100.0; 3]), vec![100.0, 100.5, 99.0]);
-    assert_eq!(bench.stage("time_offset", &[0.25]).late_s(), 0.25);
+    assert_eq!(bench.stage("time_offset", &[0.25]).late_s(7.0), 0.25);
+    assert_eq!(bench.stage("clock_rate", &[0.25, 3.0]).late_s(7.0), 1.0);
 }

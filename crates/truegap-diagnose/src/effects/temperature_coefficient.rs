@@ -6,17 +6,20 @@ use crate::{
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
-/// Straight temperature coefficient of the reading, at the sensor's own (possibly lagging) temperature.
+/// Temperature coefficient of the reading, at the sensor's own (possibly lagging) temperature; it may change with temperature itself.
 pub struct TemperatureCoefficient;
 
-struct Slope {
+struct Parabola {
     per_k: f64,
+    /// share of the coefficient that is added per kelvin
+    bend_per_k: f64,
 }
 
-impl Stage for Slope {
+impl Stage for Parabola {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
         for (value, t) in value.iter_mut().zip(drive.temperature_c) {
-            *value += self.per_k * (t - drive.reference_c);
+            let above = t - drive.reference_c;
+            *value += self.per_k * above * (1.0 + 0.5 * self.bend_per_k * above);
         }
     }
 }
@@ -35,6 +38,9 @@ impl Stage for Exponential {
     }
 }
 
+/// Bend below which it is not spoken of, in standard deviations.
+const SPOKEN_OF: f64 = 3.0;
+
 impl Effect for TemperatureCoefficient {
     fn id(&self) -> EffectId {
         EffectId("temperature_coefficient")
@@ -48,7 +54,7 @@ impl Effect for TemperatureCoefficient {
     fn about(&self) -> About {
         About {
             physics: "the reading moves with temperature, by a mechanism for which the base model has no place",
-            equation: "value = true + k (T_s - T0), T_s the temperature behind the thermal path",
+            equation: "value = true + k x (1 + b x / 2), x = T_s - T0, T_s the temperature behind the thermal path",
             excitation: "a temperature that changes by some kelvin",
             impostors: &["offset_drift", "thermal_lag", "humidity_uptake"],
             separates: "comes back with the temperature; with a thermal lag it comes back late",
@@ -58,7 +64,14 @@ impl Effect for TemperatureCoefficient {
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let scale = context.response_span / context.temperature_span().max(1.0);
         let unit = format!("{}/K", context.simulator.unit());
-        vec![Parameter::normal("per_kelvin", &unit, 0.0, scale, "change of the reading per kelvin")]
+        let bend = context.temperature_span().max(1.0).recip();
+        vec![
+            Parameter::normal("per_kelvin", &unit, 0.0, scale, "change of the reading per kelvin at the reference temperature"),
+            Parameter::normal("bend", "1/K", 0.0, bend, "relative change of that per kelvin").within(-4.0 * bend, 4.0 * bend),
+        ]
+    }
+    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
+        vec![vec![0.0]]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
@@ -68,15 +81,19 @@ impl Effect for TemperatureCoefficient {
         context.needs_temperature(2.0)
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(Slope { per_k: values[0] })
+        Box::new(Parabola { per_k: values[0], bend_per_k: values[1] })
     }
     fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
         Some(Box::new(Exponential { per_k: values[0] }))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!(
-            "the reading moves by {:.4} {} (sd {:.4}) with temperature",
-            fitted[0].value, fitted[0].parameter.unit, fitted[0].sd
-        )
+        let (slope, bend) = (&fitted[0], &fitted[1]);
+        let bent = if bend.value.abs() > SPOKEN_OF * bend.sd {
+            let way = if bend.value > 0.0 { "more" } else { "less" };
+            format!(", {:.1} % {way} with every kelvin (sd {:.1})", 100.0 * bend.value.abs(), 100.0 * bend.sd)
+        } else {
+            String::new()
+        };
+        format!("the reading moves by {:.4} {} (sd {:.4}) with temperature{bent}", slope.value, slope.parameter.unit, slope.sd)
     }
 }

@@ -4,38 +4,51 @@ use crate::{
     context::Context,
     effect::{About, Effect, Family, FittedParameter},
     memory::first_order_lag,
+    number::Scale,
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
-/// First-order thermal lag.
+/// Thermal lag of a part that follows at once with its surface and a part that follows more slowly.
 pub struct ThermalLag;
 
+/// First-order lags side by side.
 struct Lag {
-    tau_s: f64,
+    /// time constant in s, and share of the sensor that follows with it
+    parts: Vec<(f64, f64)>,
+}
+
+impl Lag {
+    /// A quick part and a part, `share` of the whole, that follows `slower` times more slowly; `tau_s` is the mean of both time constants.
+    fn of_two(tau_s: f64, share: f64, slower: f64) -> Self {
+        let quick = tau_s / (1.0 - share + share * slower);
+        Self { parts: vec![(quick, 1.0 - share), (quick * slower, share)] }
+    }
 }
 
 impl Stage for Lag {
     fn thermal(&self, inputs: &Inputs, temperature_c: &mut [f64]) {
-        first_order_lag(inputs, self.tau_s, temperature_c, |first| first);
+        if self.parts.iter().all(|(tau, _)| *tau <= 0.0) {
+            return;
+        }
+        let given = temperature_c.to_vec();
+        temperature_c.fill(0.0);
+        for (tau_s, share) in self.parts.iter().filter(|(_, share)| *share > 0.0) {
+            let mut part = given.clone();
+            first_order_lag(inputs, *tau_s, &mut part, |first| first);
+            temperature_c.iter_mut().zip(&part).for_each(|(sum, part)| *sum += share * part);
+        }
     }
 }
 
 /// Sibling: the mean temperature of a slab heated on one face, the first modes of Fourier's series.
-struct Slab(Lag);
-
-impl Stage for Slab {
-    fn thermal(&self, inputs: &Inputs, temperature_c: &mut [f64]) {
-        const MODES: [f64; 4] = [1.0, 3.0, 5.0, 7.0];
-        let all: f64 = MODES.iter().map(|n| (n * n).recip()).sum();
-        let given = temperature_c.to_vec();
-        temperature_c.fill(0.0);
-        for n in MODES {
-            let mut mode = given.clone();
-            first_order_lag(inputs, 1.1 * self.0.tau_s / (n * n), &mut mode, |first| first);
-            temperature_c.iter_mut().zip(&mode).for_each(|(sum, mode)| *sum += mode / (n * n * all));
-        }
-    }
+fn slab(tau_s: f64) -> Lag {
+    const MODES: [f64; 4] = [1.0, 3.0, 5.0, 7.0];
+    let all: f64 = MODES.iter().map(|n| (n * n).recip()).sum();
+    Lag { parts: MODES.iter().map(|n| (1.1 * tau_s / (n * n), (n * n * all).recip())).collect() }
 }
+
+/// Share of the slow part below which it is not spoken of, in standard deviations.
+const SPOKEN_OF: f64 = 3.0;
 
 impl Effect for ThermalLag {
     fn id(&self) -> EffectId {
@@ -50,19 +63,24 @@ impl Effect for ThermalLag {
     fn about(&self) -> About {
         About {
             physics: "heat takes time to reach the dielectric, so the sensor is behind the thermometer",
-            equation: "tau dT_s/dt = T - T_s",
+            equation: "T_s = (1 - s) lag(T; q) + s lag(T; r q), lag first-order, tau = (1 - s) q + s r q; s = 0 is a single time constant",
             excitation: "temperature that changes faster than the sensor can follow, with a clock",
             impostors: &["thermal_hysteresis", "offset_drift", "readout_lag"],
             separates: "the loop over temperature grows with the rate of heating and closes in a hold",
-            source: "lumped heat capacity, Incropera, Fundamentals of Heat and Mass Transfer, ch. 5",
+            source: "lumped heat capacities, Incropera, Fundamentals of Heat and Mass Transfer, ch. 5",
         }
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let scale = (0.2 * context.longest_run_s).max(1.0);
         vec![
-            Parameter::normal("tau", "s", 0.0, scale, "time constant of the thermal path")
+            Parameter::normal("tau", "s", 0.0, scale, "time constant of the thermal path, mean of both parts")
                 .within(0.0, 2.0 * context.longest_run_s),
+            Parameter::normal("slow_share", "1", 0.0, 0.4, "part that follows more slowly").within(0.0, 0.95),
+            Parameter::log_normal("slower", "1", 10.0, 0.7, "its time constant over that of the quick part").within(2.0, 200.0),
         ]
+    }
+    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
+        vec![vec![0.02, 10.0], vec![0.5, 15.0]]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::ThermalPath)?;
@@ -70,12 +88,48 @@ impl Effect for ThermalLag {
         context.needs_temperature(1.0)
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(Lag { tau_s: values[0] })
+        Box::new(Lag::of_two(values[0], values[1], values[2]))
     }
     fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Slab(Lag { tau_s: values[0] })))
+        Some(Box::new(slab(values[0])))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!("the sensor follows the thermometer with a time constant of {:.2} s (sd {:.2})", fitted[0].value, fitted[0].sd)
+        let [tau, share, slower] = [0, 1, 2].map(|i| fitted[i].value);
+        let quick = tau / (1.0 - share + share * slower);
+        let of = |s: f64| Scale::of("s", s).text(s);
+        let apart = if share > SPOKEN_OF * fitted[1].sd {
+            format!(": {:.0} % of it with {}, the rest with {}", 100.0 * (1.0 - share), of(quick), of(slower * quick))
+        } else {
+            String::new()
+        };
+        let Scale { factor, unit } = Scale::of("s", tau);
+        let sd = factor * fitted[0].sd;
+        format!("the sensor follows the thermometer with a time constant of {:.2} {unit} (sd {sd:.2}){apart}", factor * tau)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn behind_a_ramp(lag: &Lag) -> f64 {
+        let time: Vec<f64> = (0..=4000).map(f64::from).collect();
+        let inputs = Inputs { time_s: Some(time.clone()), run: vec![1; time.len()], ..Inputs::default() };
+        let mut sensor = time.clone();
+        lag.thermal(&inputs, &mut sensor);
+        time[4000] - sensor[4000]
+    }
+
+    #[test]
+    fn the_mean_time_constant_is_what_a_long_ramp_shows_whatever_the_parts() {
+        for (share, slower) in [(0.0, 10.0), (0.5, 24.0), (0.85, 9.0)] {
+            // the slowest part has a time constant of 96 s: e^-40 of the start is left
+            approx::assert_relative_eq!(behind_a_ramp(&Lag::of_two(50.0, share, slower)), 50.0, max_relative = 1e-12);
+        }
+    }
+
+    #[test]
+    fn parts_of_any_share_are_the_sensor_itself_without_a_time_constant() {
+        assert_eq!(behind_a_ramp(&Lag::of_two(0.0, 0.5, 10.0)), 0.0);
     }
 }

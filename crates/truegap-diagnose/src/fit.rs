@@ -184,10 +184,19 @@ impl Fit {
         let gradient = self.jacobian.tr_mul(&residual) - DVector::from_column_slice(&self.z);
         let free = |i: usize| if self.at_limit[i] { 0.0 } else { gradient[i] };
         let gradient = DVector::from_fn(self.z.len(), |i, _| free(i));
-        match self.factor() {
+        match Cholesky::new(self.free_hessian()) {
             Some(factor) => residual - &self.jacobian * factor.solve(&gradient),
             None => residual,
         }
+    }
+
+    /// The Hessian without the parameters that lie on a bound: they stay there.
+    fn free_hessian(&self) -> DMatrix<f64> {
+        let held = |i: usize, j: usize| self.at_limit[i] || self.at_limit[j];
+        DMatrix::from_fn(self.z.len(), self.z.len(), |i, j| match held(i, j) {
+            true => f64::from(u8::from(i == j)),
+            false => self.hessian[(i, j)],
+        })
     }
 
     /// Posterior covariance in z.

@@ -12,12 +12,12 @@ use crate::{
     diagnosis::*,
     directions::Direction,
     effect::FittedParameter,
-    fit::Model,
     gate::{Adequacy, Gate},
     held_out::{AllRows, HeldOutFit, held_out, misfit_removed, rmse_of},
     issues::doubts,
-    locate::{locate, map},
+    locate::map,
     next::next_experiment,
+    number,
     problem::NoiseModel,
     search::{Search, Tried},
     select::Selection,
@@ -58,7 +58,7 @@ impl Answer<'_> {
         &self.selection.models[self.decision.model]
     }
 
-    fn id(&self, effect: usize) -> String {
+    pub(crate) fn id(&self, effect: usize) -> String {
         self.search.library[effect].id().to_string()
     }
 
@@ -72,15 +72,17 @@ impl Answer<'_> {
         let after = held_after.as_ref().unwrap_or(&held_before);
         let conflicts = conflicts(self.search, base);
         let findings = self.findings(&held_before, after);
-        let mismatch = if self.decision.verdict == Verdict::Agrees {
-            Vec::new()
-        } else {
-            locate(self.search.problem, &base.fit, self.gate, self.directions)
-        };
-        let traces = self.traces(base, chosen, &held_before, after);
+        let mismatch = if self.decision.verdict == Verdict::Agrees { Vec::new() } else { self.located(base) };
+        let remains = if self.decision.verdict == Verdict::WrongForm { self.remains(chosen) } else { Vec::new() };
+        let mut traces = self.traces(base, chosen, &held_before, after);
+        let flexible = self.flexible(&held_before);
         let unit = self.search.problem.simulator.unit().to_owned();
         let fit = self.fit_facts(&traces, &held_before, after, unit);
         let concealed = self.concealed(&conflicts, &fit);
+        let prediction_only = flexible.map(|flexible| {
+            (traces.flexible, traces.held_out_flexible) = (flexible.prediction, flexible.held_out);
+            flexible.facts
+        });
         let diagnosis = Diagnosis {
             schema: SCHEMA,
             version: env!("CARGO_PKG_VERSION"),
@@ -97,10 +99,12 @@ impl Answer<'_> {
             concealed,
             conflicts,
             mismatch,
+            remains,
             findings,
             candidates: self.candidates(),
             ambiguity: self.ambiguity(),
             fit,
+            prediction_only,
             not_testable: not_testable.into_iter().map(|(effect, says)| NotTestable { effect, says }).collect(),
             smallest_visible: self.smallest_visible(),
             next_experiment: self.next(),
@@ -115,7 +119,7 @@ impl Answer<'_> {
         Outcome { diagnosis, traces, augmented: self.augmented(chosen) }
     }
 
-    fn fitted(&self, tried: &Tried, range: std::ops::Range<usize>) -> Vec<FittedParameter> {
+    pub(crate) fn fitted(&self, tried: &Tried, range: std::ops::Range<usize>) -> Vec<FittedParameter> {
         let model = self.search.model(&tried.effects);
         range
             .map(|i| {
@@ -131,7 +135,7 @@ impl Answer<'_> {
             .collect()
     }
 
-    fn parameters(&self, tried: &Tried, range: std::ops::Range<usize>) -> Vec<ParameterFacts> {
+    pub(crate) fn parameters(&self, tried: &Tried, range: std::ops::Range<usize>) -> Vec<ParameterFacts> {
         let facts = |f: FittedParameter| ParameterFacts {
             name: f.parameter.name.clone(),
             unit: f.parameter.unit.clone(),
@@ -183,16 +187,15 @@ impl Answer<'_> {
     }
 
     fn traces(&self, base: &Tried, chosen: &Tried, held_before: &HeldOutFit, held_after: &HeldOutFit) -> Traces {
-        let library = |t: &Tried| t.effects.iter().map(|e| self.search.library[*e]).collect();
-        let respond =
-            |t: &Tried| Model::new(self.all.problem, self.search.context, library(t)).respond(&t.fit.z).unwrap_or_default();
         let problem = self.search.problem;
         Traces {
-            before: respond(base),
-            after: respond(chosen),
+            before: self.respond(base),
+            after: self.respond(chosen),
             noise_sd: (0..self.all.problem.response.len()).map(|row| self.noise.row_sd(row)).collect(),
             held_out_before: held_before.prediction.clone(),
             held_out_after: held_after.prediction.clone(),
+            flexible: Vec::new(),
+            held_out_flexible: Vec::new(),
             map_before: map(problem, &base.fit.residual),
             map_after: map(problem, &chosen.fit.residual),
             course: None,
@@ -200,21 +203,17 @@ impl Answer<'_> {
     }
 
     fn fit_facts(&self, traces: &Traces, before: &HeldOutFit, after: &HeldOutFit, unit: String) -> FitFacts {
-        let response = self.all.problem.response;
-        let rmse = |values: &[f64]| {
-            (values.iter().zip(response).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / response.len() as f64).sqrt()
-        };
         let floor = self.noise.floor();
         let parts = before.parts.iter().zip(&after.parts).map(|(b, a)| (b.0.clone(), b.1, a.1)).collect();
         let named = !self.chosen().effects.is_empty();
         FitFacts {
-            in_sample: BeforeAfter { rmse_before: rmse(&traces.before), rmse_after: rmse(&traces.after) },
+            in_sample: BeforeAfter { rmse_before: self.rmse(&traces.before), rmse_after: self.rmse(&traces.after) },
             held_out: HeldOut {
                 how: before.how.clone(),
                 rmse_before: before.rmse,
                 rmse_after: after.rmse,
                 misfit_removed: if named { misfit_removed(before.rmse, after.rmse, floor, self.noise.rows) } else { None },
-                shuffled_control: if named { self.shuffled() } else { None },
+                shuffled_control: if named { self.shuffled(self.chosen()) } else { None },
                 parts,
                 recordings: self.errors_by_recording(before, after),
             },
@@ -262,9 +261,9 @@ impl Answer<'_> {
     }
 
     /// What an added term of equal freedom removes when its history is shuffled.
-    fn shuffled(&self) -> Option<f64> {
+    pub(crate) fn shuffled(&self, tried: &Tried) -> Option<f64> {
         let problem = self.search.problem;
-        shuffled(&self.selection.base().fit, &self.chosen().fit, &problem.runs(), &problem.inputs.run)
+        shuffled(&self.selection.base().fit, &tried.fit, &problem.runs(), &problem.inputs.run)
     }
 
     /// The bank with the rows that matter for what is named, and for its rivals.
@@ -395,8 +394,8 @@ impl Answer<'_> {
             Verdict::Explained => format!("missing from the model: {names}"),
             Verdict::Ambiguous => format!("missing from the model: one of {sets}; this recording cannot tell them apart"),
             Verdict::WrongForm => format!(
-                "missing from the model: {names}; the family is clear, but its equation leaves {:.0} % of the misfit",
-                100.0 * (1.0 - self.decision.removed)
+                "missing from the model: {names}; the family is clear, but its equation leaves {} of the misfit",
+                number::share_left(self.decision.removed)
             ),
             Verdict::Unexplained => format!(
                 "something real is missing that nothing in the library explains (the likeliest effect removes {:.0} % of the misfit){line}",

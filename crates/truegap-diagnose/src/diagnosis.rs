@@ -31,6 +31,9 @@ pub struct Diagnosis {
     pub conflicts: Vec<Conflict>,
     /// where recording and calibrated base model differ
     pub mismatch: Vec<Mismatch>,
+    /// where recording and the model with the findings still differ, for `wrong_form`
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub remains: Vec<Mismatch>,
     /// effects that the tool stands behind
     pub findings: Vec<Finding>,
     /// every effect tried alone, likeliest first
@@ -39,6 +42,9 @@ pub struct Diagnosis {
     pub ambiguity: Vec<Vec<String>>,
     /// errors before and after
     pub fit: FitFacts,
+    /// a term that serves prediction where nothing may be named
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub prediction_only: Option<PredictionOnly>,
     /// effects that this recording could not have shown
     pub not_testable: Vec<NotTestable>,
     /// per effect, the smallest size that would have been seen
@@ -328,6 +334,37 @@ pub struct RecordingError {
     pub noise_floor: f64,
 }
 
+/// A flexible term, for prediction only: what the nearest effects of the library can follow of a mismatch that none of them explains.
+#[derive(Clone, Debug, Serialize)]
+pub struct PredictionOnly {
+    /// sentence with numbers
+    pub says: String,
+    /// its parts; no claim about the cause
+    pub terms: Vec<FlexibleTerm>,
+    /// all rows fitted
+    pub in_sample: BeforeAfter,
+    /// rows left out, as in [`FitFacts::held_out`]
+    pub held_out: BeforeAfter,
+    /// share of the reproducible misfit that it removes on rows left out; absent where there is none to remove
+    pub misfit_removed: Option<f64>,
+    /// the same share for a term of equal freedom driven by a shuffled history
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shuffled_control: Option<f64>,
+    /// where recording and prediction still differ
+    pub remains: Vec<Mismatch>,
+}
+
+/// One part of a flexible term.
+#[derive(Clone, Debug, Serialize)]
+pub struct FlexibleTerm {
+    /// id of the effect whose equation it borrows
+    pub shaped_like: String,
+    /// what that effect would say
+    pub says: String,
+    /// fitted parameters
+    pub parameters: Vec<ParameterFacts>,
+}
+
 /// An effect that this recording could not have shown.
 #[derive(Clone, Debug, Serialize)]
 pub struct NotTestable {
@@ -387,6 +424,10 @@ pub struct Traces {
     pub held_out_before: Vec<f64>,
     /// free-run prediction of rows left out, with the findings
     pub held_out_after: Vec<f64>,
+    /// with the flexible term of [`PredictionOnly`]; empty where there is none
+    pub flexible: Vec<f64>,
+    /// the same of rows left out
+    pub held_out_flexible: Vec<f64>,
     /// map of the mean whitened residual before: rows of cells
     pub map_before: Option<Map>,
     /// the same with the findings

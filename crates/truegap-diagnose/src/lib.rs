@@ -24,6 +24,7 @@ pub mod directions;
 pub mod evidence;
 pub mod examine;
 pub mod fit;
+pub mod flexible;
 pub mod gate;
 pub mod held_out;
 pub mod importance;

@@ -200,6 +200,12 @@ pub fn listed<S: AsRef<str>>(items: &[S], last: &str) -> String {
     }
 }
 
+/// What is left where `removed` is removed, in words that never say that nothing is.
+pub fn share_left(removed: f64) -> String {
+    let left = 100.0 * (1.0 - removed);
+    if left < 1.0 { "less than 1 %".into() } else { format!("{left:.0} %") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

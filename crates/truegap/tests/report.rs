@@ -28,7 +28,7 @@ fn a_report_holds_every_part_of_the_answer() {
     let page = html(&fixture.subject());
     let parts = [
         "12 rows repeat the value before them",
-        "tau dT_s/dt = T - T_s",
+        "lag first-order, tau = (1 - s) q + s r q",
         "Incropera",
         "readout lag",
         "the reading is behind while the temperature moves",
@@ -118,4 +118,30 @@ fn the_terminal_gets_verdict_sizes_errors_and_what_next() {
     {
         assert!(text.contains(expected), "{expected} is missing in\n{text}");
     }
+}
+
+#[test]
+fn a_flexible_term_is_told_with_its_error_on_unseen_rows_and_names_no_cause() {
+    let mut fixture = fixture::thermal_lag();
+    fixture.without_cause();
+    let page = html(&fixture.subject());
+    for expected in ["What can be predicted all the same", "no cause is claimed", "like thermal lag", "64 %", "what is left here"]
+    {
+        assert!(page.contains(expected), "{expected} is missing");
+    }
+    assert!(!page.contains("A figure is left out"), "a figure was not drawn");
+    assert!(terminal::summary(&fixture.diagnosis).contains("without a claim about the cause"));
+    fixture.diagnosis.prediction_only = None;
+    assert!(!html(&fixture.subject()).contains("What can be predicted all the same"));
+}
+
+#[test]
+fn where_a_wrong_form_leaves_misfit_is_told_and_drawn() {
+    let mut fixture = fixture::thermal_lag();
+    assert!(!html(&fixture.subject()).contains("Where misfit remains"));
+    fixture.diagnosis.verdict = Verdict::WrongForm;
+    fixture.diagnosis.remains = fixture.diagnosis.mismatch.clone();
+    let page = html(&fixture.subject());
+    let part = &page[page.find("Where misfit remains").unwrap()..];
+    assert!(part.contains("the reading is behind while the temperature moves") && part.contains("on a scale of its own"));
 }

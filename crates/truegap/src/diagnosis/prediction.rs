@@ -46,13 +46,15 @@ fn columns<'a>(recording: &'a Recording, traces: &'a Traces) -> Vec<(String, &'a
     let suffix = suffix(&recording.response_unit);
     let inputs = recording.quantities().into_iter().filter(|(role, _)| *role != Role::Response);
     let inputs = inputs.map(|(role, column)| (input_name(role, &suffix), column));
-    let predictions = [
+    let predictions: [(&str, &[f64]); 8] = [
         ("recorded", recording.response.as_slice()),
         ("base", &traces.before),
         ("augmented", &traces.after),
         ("noise_sd", &traces.noise_sd),
         ("base_held_out", &traces.held_out_before),
         ("augmented_held_out", &traces.held_out_after),
+        ("flexible", &traces.flexible),
+        ("flexible_held_out", &traces.held_out_flexible),
     ];
     let whole = predictions.into_iter().filter(|(_, column)| column.len() == recording.len());
     inputs.chain(whole.map(|(name, column)| (format!("{name}_{suffix}"), column))).collect()

@@ -4,7 +4,7 @@
 
 use super::draw;
 use super::number::{listed, p_value, significant};
-use super::subject::Subject;
+use super::{axis::Axis, subject::Subject, summary};
 use truegap_diagnose::diagnosis::{Map, Mismatch};
 use truegap_scene::figure::{FigureError, HeatMap};
 use truegap_scene::page::{Page, Table};
@@ -13,7 +13,7 @@ use truegap_scene::page::{Page, Table};
 const LISTED: usize = 5;
 
 /// Sentences, table and maps.
-pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
+pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
     let mismatch = &subject.diagnosis.mismatch;
     let page = page.section("Where it is wrong");
     let page = if mismatch.is_empty() {
@@ -22,7 +22,23 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
         let says: Vec<&str> = mismatch.iter().take(LISTED).map(|m| m.says.as_str()).collect();
         page.list(&says).details("All of them as a table").table(&table(mismatch)).end_details()
     };
-    maps(page, subject)
+    remains(maps(page, subject), subject, axis)
+}
+
+/// Where the fuller model is still wrong, on a scale of its own; nothing where it is adequate.
+fn remains(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
+    let left = &subject.diagnosis.remains;
+    if left.is_empty() {
+        return page;
+    }
+    let says: Vec<&str> = left.iter().take(LISTED).map(|m| m.says.as_str()).collect();
+    let page = page.subsection("Where misfit remains").list(&says);
+    let after = ("with what was missing", subject.traces.after.as_slice());
+    draw::figure(
+        page,
+        summary::residual_stack(subject, axis, &[after]),
+        "What the fuller model leaves over, on a scale of its own.",
+    )
 }
 
 fn table(mismatch: &[Mismatch]) -> Table {

@@ -54,9 +54,13 @@ fn tiles(diagnosis: &Diagnosis) -> Vec<(String, String)> {
         let held = format!("{} → {}", error(fit.held_out.rmse_before), error(fit.held_out.rmse_after));
         tiles.push((held, "on data the fit did not see".to_owned()));
     }
+    if let Some(term) = &diagnosis.prediction_only {
+        let held = format!("{} → {}", error(term.held_out.rmse_before), error(term.held_out.rmse_after));
+        tiles.push((held, "on data the fit did not see, with a flexible term that names no cause".to_owned()));
+    }
     tiles.push((error(fit.noise_floor), "noise of one reading".to_owned()));
     if let Some(share) = fit.held_out.misfit_removed.filter(|s| s.is_finite() && *s >= 0.0) {
-        let share = if share >= 0.995 { "all".to_owned() } else { format!("{:.0} %", 100.0 * share) };
+        let share = if share >= 0.995 { "> 99 %".to_owned() } else { format!("{:.0} %", 100.0 * share) };
         tiles.push((share, "of the reproducible misfit removed on unseen data".to_owned()));
     }
     tiles

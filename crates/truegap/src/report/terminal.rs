@@ -2,7 +2,7 @@
 //!
 //! Limits: no colour, no table; at most a line a finding.
 
-use super::number::spoken;
+use super::number::{capitalised, spoken};
 use super::wording;
 use truegap_diagnose::diagnosis::Diagnosis;
 
@@ -25,6 +25,7 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
         lines.extend(diagnosis.mismatch.iter().take(4).map(|m| format!("  {}", m.says)));
     }
     lines.extend(errors(diagnosis));
+    lines.extend(diagnosis.prediction_only.iter().map(|term| capitalised(&term.says)));
     if let Some(column) = &diagnosis.concealed_column {
         lines.push(format!("Hidden column: {}", column.says));
     }

@@ -111,7 +111,7 @@ pub fn concealed(diagnosis: &Diagnosis) -> Option<String> {
 pub fn misfit_removed(diagnosis: &Diagnosis) -> Option<String> {
     diagnosis.fit.held_out.misfit_removed.filter(|share| share.is_finite()).map(|share| match share {
         s if s < 0.0 => "none: the added physics predicts worse than the base model".into(),
-        s if s >= 0.995 => "all that stands out of the noise".into(),
+        s if s >= 0.995 => "more than 99 %".into(),
         s => format!("{:.0} %", 100.0 * s),
     })
 }

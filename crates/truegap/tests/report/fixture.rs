@@ -63,6 +63,8 @@ pub fn thermal_lag() -> Fixture {
         map_before: Some(map(6.0)),
         map_after: Some(map(0.4)),
         course: None,
+        flexible: Vec::new(),
+        held_out_flexible: Vec::new(),
     };
     Fixture { diagnosis: diagnosis(before, after), traces, inputs, response, provenance: provenance() }
 }
@@ -143,6 +145,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             share: 0.81,
             p_value: 1e-30,
         }],
+        remains: Vec::new(),
         findings: vec![Finding {
             effect: "thermal_lag".into(),
             probability: 0.98,
@@ -172,6 +175,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             noise_floor: NOISE,
             unit: "pF".into(),
         },
+        prediction_only: None,
         not_testable: vec![NotTestable { effect: "humidity_uptake".into(), says: "no humidity column".into() }],
         smallest_visible: vec![SmallestVisible {
             effect: "viscoelastic_creep".into(),
@@ -196,5 +200,27 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
         evidence_check: Default::default(),
         recording_issues: vec!["12 rows repeat the value before them".into()],
         seconds: 3.2,
+    }
+}
+
+impl Fixture {
+    /// The same mismatch where nothing may be named, and a flexible term serves prediction.
+    pub fn without_cause(&mut self) {
+        let diagnosis = &mut self.diagnosis;
+        diagnosis.verdict = Verdict::Unexplained;
+        let found = std::mem::take(&mut diagnosis.findings).remove(0);
+        let mut remains = diagnosis.mismatch[0].clone();
+        remains.says = "what is left here".into();
+        diagnosis.prediction_only = Some(PredictionOnly {
+            says: "for prediction only, without a claim about the cause: a flexible term".into(),
+            terms: vec![FlexibleTerm { shaped_like: found.effect, says: found.says, parameters: found.parameters }],
+            in_sample: diagnosis.fit.in_sample,
+            held_out: BeforeAfter { rmse_before: 0.05, rmse_after: 0.02 },
+            misfit_removed: Some(0.64),
+            shuffled_control: Some(0.1),
+            remains: vec![remains],
+        });
+        self.traces.flexible = self.traces.after.clone();
+        self.traces.held_out_flexible = self.traces.held_out_after.clone();
     }
 }

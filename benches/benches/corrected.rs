@@ -5,7 +5,8 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use truegap_audit::AuditError;
-use truegap_audit::corrections::{Corrected, coupled::Coupled};
+use truegap_audit::corrections::Corrected;
+use truegap_audit::reference::FlatCells;
 use truegap_core::sensor::builtin_sensor;
 
 /// Load and temperature of the reading: half the full load of the built-in sensor, hot.
@@ -25,7 +26,7 @@ fn both(c: &mut Criterion) -> Result<(), AuditError> {
     let mut group = c.benchmark_group("one reading");
     let corrected = Corrected::new(&sensor)?;
     group.bench_function("corrected model", |b| b.iter(|| corrected.capacitance_pf(black_box(force), black_box(temperature))));
-    let coupled = Coupled::new(&sensor, TARGET)?;
+    let coupled = FlatCells::new(&sensor, TARGET)?;
     group.sample_size(10);
     group.bench_function("coupled finite elements", |b| b.iter(|| coupled.at(black_box(force), black_box(temperature))));
     group.finish();

@@ -15,6 +15,7 @@ pub mod error;
 pub mod finding;
 pub mod fit;
 pub mod ranking;
+pub mod reference;
 pub mod register;
 pub mod study;
 pub mod swap;

@@ -47,12 +47,8 @@ impl Corrected {
     }
 
     /// What is left of the warp at a force (N) below a rigid plate and a temperature (degrees Celsius).
-    ///
-    /// # Errors
-    /// As [`Corrected::capacitance_pf`].
-    pub fn gains(&self, force_n: f64, temperature_c: f64) -> Result<Gains, AuditError> {
-        let strain = self.strain(force_n, temperature_c)?;
-        self.pieces.warp.gains(temperature_c - self.sensor.reference_c, strain, force_n)
+    pub fn gains(&self, force_n: f64, temperature_c: f64) -> Gains {
+        self.pieces.warp.gains(temperature_c - self.sensor.reference_c, force_n)
     }
 
     /// Strain of the beads at a force (N) and a temperature (degrees Celsius).

@@ -6,7 +6,6 @@
 mod bead_law;
 mod bonded;
 mod corrected;
-pub mod coupled;
 mod curves;
 pub mod designs;
 mod library;
@@ -23,4 +22,4 @@ pub use curves::curves;
 pub use library::{Library, library};
 pub use parts::Parts;
 pub use table::{Axis, Table};
-pub use warped::{Bends, Gains, Warped};
+pub use warped::{BeadsAt, Gains, Warped};

@@ -1,13 +1,13 @@
 //! What the tables give for one sensor, and the analytic chain with it.
 //!
-//! Limits: as [`super::Corrected`]; smooth in load and temperature but for the load at which a rim that curls up lies flat.
+//! Limits: as [`super::Corrected`]; smooth in load and temperature but for the loads at which a load plate touches at another place.
 
 use super::{
     BondedLayers, Parts, Table,
     bead_law::BeadLaw,
     library,
     one_sensor::{check_permittivities, field},
-    warped::{Warp, Warped},
+    warped::{BeadsAt, Warp, Warped},
 };
 use crate::{
     AuditError,
@@ -55,13 +55,13 @@ impl Pieces {
         let beads = BeadLaw::of(&cell, tables)?;
         let layers = BondedLayers::of(sensor);
         let device = Device::new(&layers.sensor, StackOptions { warp: false, ..StackOptions::default() });
-        // gap and stiffness of the beads per their own cold area
         let cold_area = device.warmed_by(0.0).areas.solid;
         let state = |kelvin: f64, strain: f64| {
             let mut warm = device.warmed_by(kelvin);
             growth.apply(&mut warm);
             let stiffness = warm.young * beads.tangent(strain)? * warm.areas.solid / (cold_area * warm.layers.beads);
-            Ok([warm.layers.beads * (1.0 - strain), stiffness])
+            let force = warm.young * warm.areas.solid * beads.load(strain)?;
+            Ok((BeadsAt { gap: warm.layers.beads * (1.0 - strain), stiffness }, force))
         };
         Ok(Self {
             warp: Warp::of(&Warped::of(sensor)?, state)?,
@@ -107,7 +107,7 @@ impl Pieces {
         };
         let flat = self.device.capacitances(&warm, &row).map_err(refuse)?;
         let [main, rim] = self.field_and_rim(&warm, strain, &flat)?;
-        let bent = self.warp.gains(warm.kelvin, strain, force_n)?;
+        let bent = self.warp.gains(warm.kelvin, force_n);
         let thicker = 1.0 + self.layers.backing_per_kelvin * warm.kelvin;
         Ok(Parts {
             main: 1e12 * main * (1.0 + bent.main),

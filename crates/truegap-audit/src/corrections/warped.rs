@@ -1,16 +1,15 @@
-//! What is left of the warp on bonded beads, and what it does to the capacitances: a thin plate on rings of springs.
+//! What is left of the warp on bonded beads below a rigid load plate, and what it does to the capacitances: a thin plate on rings of springs, with contact.
 //!
-//! Limits: beads as rings, small deflection, field straight across the gap. How fast a rigid load plate presses the rest flat is a formula that was
-//! compared with the whole disc (`docs/audit.md`), not a solution of the contact.
+//! Limits: beads as rings, small deflection, field straight across the gap.
 
-use super::{Axis, Table, make, one_sensor::KELVIN};
+use super::{make, one_sensor::KELVIN};
 use crate::{
     AuditError,
     assumptions::cell::filled,
     cell::{Cell, Filled},
     disc::{BeadSpring, Bent, Gap, Laminate, RingPlate, section::Ring, section::rings},
 };
-use truegap_core::Sensor;
+use truegap_core::{Curve, Sensor};
 
 /// A plate, its rings and what lies between it and the shield.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +24,15 @@ pub struct Warped {
     pub filled: Filled,
 }
 
+/// Beads below a bent electrode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BeadsAt {
+    /// their height, m
+    pub gap: f64,
+    /// slope of their force over their height, per their cold area, Pa/m
+    pub stiffness: f64,
+}
+
 /// What a bent electrode does.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Gains {
@@ -32,15 +40,6 @@ pub struct Gains {
     pub main: f64,
     /// relative change of the capacitance behind the electrode
     pub backing: f64,
-}
-
-/// What a bent electrode does, from no load to any.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bends {
-    /// without load
-    pub free: Gains,
-    /// below a rigid plate with a large force, where the rim curls down: the plate lies on the electrode up to the outer edge of the beads
-    pub pressed: Gains,
 }
 
 impl Warped {
@@ -56,43 +55,37 @@ impl Warped {
         Ok(Self { plate, rings, film: cell.film, filled: filled(sensor) })
     }
 
-    /// Where the free plate would be bent to `curvature` (1/m), over a gap (m) and rings of a stiffness per their area (Pa/m).
-    pub fn bends(&self, curvature: f64, gap: f64, stiffness: f64) -> Bends {
-        let flat_to = self.rings.last().map_or(0.0, |ring| ring.outer);
-        let [free, pressed] = [0.0, flat_to].map(|flat_to| self.on(stiffness, flat_to).bent(curvature, 0.0));
-        Bends { free: self.gains(&free, gap, curvature), pressed: self.gains(&pressed, gap, curvature) }
+    /// What the electrode does where it would be bent to `curvature` (1/m) if it were free, below a rigid plate with a force (N).
+    ///
+    /// # Errors
+    /// [`AuditError::OutOfRange`] where the load plate finds no place to rest.
+    pub fn gains(&self, curvature: f64, force_n: f64, beads: BeadsAt) -> Result<Gains, AuditError> {
+        self.pressed(curvature, force_n, beads, &mut None)
     }
 
-    /// Force on the way from no load to a large one, N: on a rim that curls up, and on the bulge within one that curls down.
-    pub fn settling_n(&self, curvature: f64, gap: f64, stiffness: f64) -> [f64; 2] {
-        let free = self.on(stiffness, 0.0).bent(curvature, 0.0);
-        // inside of the rim the plate goes the other way
-        let bulge = free.values.iter().map(|v| -v[0] * curvature.signum()).fold(0.0, f64::max);
-        [self.flattening_n(&free, gap, stiffness).abs(), stiffness * self.ring_area() * bulge]
+    /// The same and which nodes the load plate touches; `start` is where it touches under a similar load.
+    fn pressed(&self, curvature: f64, force_n: f64, beads: BeadsAt, start: &mut Option<Vec<bool>>) -> Result<Gains, AuditError> {
+        let plate = self.on(beads.stiffness);
+        let shape = if force_n > 0.0 {
+            let pressed = plate.pressed(curvature, force_n, start.as_deref())?;
+            *start = Some(pressed.touching);
+            pressed.shape
+        } else {
+            plate.bent(curvature, 0.0)
+        };
+        Ok(Gains { main: self.main(&shape, beads.gap), backing: self.backing(&shape, curvature) })
     }
 
-    fn on(&self, stiffness: f64, flat_to: f64) -> RingPlate {
+    /// Force on the rim that brings it down to where it would be without heat, N: the scale of the loads that press a warp flat.
+    fn flattening_n(&self, curvature: f64, stiffness: f64) -> f64 {
+        let plate = self.on(stiffness);
+        (plate.bent(curvature, 0.0).rim() / plate.bent(0.0, PROBE_N).rim() * PROBE_N).abs()
+    }
+
+    fn on(&self, stiffness: f64) -> RingPlate {
         let plate = &self.plate;
         let (bending, poisson, radius) = (plate.bending_stiffness(), plate.poisson(), plate.radius);
-        RingPlate { bending, poisson, radius, stiffness, rings: self.rings.clone(), flat_to }
-    }
-
-    fn gains(&self, shape: &Bent, gap: f64, curvature: f64) -> Gains {
-        Gains { main: self.main(shape, gap), backing: self.backing(shape, curvature) }
-    }
-
-    /// Force on a rim that curls up that takes its effect on the gap away, N.
-    fn flattening_n(&self, heated: &Bent, gap: f64, stiffness: f64) -> f64 {
-        // a force on the rim bends, and shortens all rings, which the strain of the beads has counted already
-        let pushed = self.on(stiffness, 0.0).bent(0.0, PROBE_N);
-        let even = PROBE_N / (stiffness * self.ring_area());
-        let values = pushed.values.iter().map(|v| [v[0] + even, v[1]]).collect();
-        let bends = self.main(&Bent { values, radii: pushed.radii }, gap);
-        -self.main(heated, gap) / bends * PROBE_N
-    }
-
-    fn ring_area(&self) -> f64 {
-        self.rings.iter().map(|ring| std::f64::consts::PI * (ring.outer * ring.outer - ring.inner * ring.inner)).sum()
+        RingPlate { bending, poisson, radius, stiffness, tilt: 1.0, rings: self.rings.clone() }
     }
 
     fn on_ring(&self, radius: f64) -> bool {
@@ -121,79 +114,71 @@ impl Warped {
     }
 }
 
-/// What a rigid plate leaves behind the electrode of a rim that curls up: between the places where it touches, the electrode still bends. Found with the
-/// whole disc: 5 to 9 % at 2 N, of five sensors.
-const RIPPLE: f64 = 0.07;
 /// A force so small that all is linear, N.
 const PROBE_N: f64 = 1e-3;
+/// Samples over the load, less one.
+const STEPS: usize = 24;
+/// Temperatures above the reference at which the gains are taken, K: below and above it, since the plate bends the other way there.
+const NODES: [[f64; 2]; 2] = [[0.2 * KELVIN[0], KELVIN[0]], [0.2 * KELVIN[1], KELVIN[1]]];
 
-/// The gains of one sensor, at analytic speed.
+/// The gains of one sensor, at analytic speed: curves over the load's share s = F / (F + F0) of itself and the force F0 that presses the rim flat.
 #[derive(Clone, Debug)]
 pub(super) struct Warp {
-    /// over (temperature above the reference, strain), per kelvin: main and backing, free and then pressed
-    tables: [Table; 4],
-    curvature_per_kelvin: f64,
-    settling_n_per_kelvin: [f64; 2],
+    /// per kelvin, below and above the reference, at both temperatures of [`NODES`]: main and backing
+    curves: [[[Curve; 2]; 2]; 2],
+    flattening_n_per_kelvin: f64,
 }
 
 impl Warp {
-    /// The electrode of a sensor; `state` gives gap (m) and stiffness of the beads (Pa/m) at a temperature above the reference and a strain.
+    /// The electrode of a sensor; `state` gives the beads and the force (N) that squeezes them, at a temperature above the reference and a strain.
     ///
     /// # Errors
-    /// What `state` refuses.
-    pub fn of(warped: &Warped, state: impl Fn(f64, f64) -> Result<[f64; 2], AuditError>) -> Result<Self, AuditError> {
-        let axes = vec![
-            Axis::linear("temperature above the reference (K)", KELVIN[0], KELVIN[1], 2),
-            Axis::linear("compressive strain", 0.0, make::GREATEST_STRAIN, 2),
-        ];
-        let curvature_per_kelvin = warped.plate.curvature_per_kelvin();
-        let at = |kelvin: f64, strain: f64| -> Result<Bends, AuditError> {
-            let [gap, stiffness] = state(kelvin, strain)?;
-            Ok(warped.bends(curvature_per_kelvin * kelvin, gap, stiffness))
+    /// What `state` refuses, and where a load plate finds no place to rest.
+    pub fn of(warped: &Warped, state: impl Fn(f64, f64) -> Result<(BeadsAt, f64), AuditError>) -> Result<Self, AuditError> {
+        let per_kelvin = warped.plate.curvature_per_kelvin();
+        let flattening_n_per_kelvin = warped.flattening_n(per_kelvin, state(0.0, 0.0)?.0.stiffness);
+        let at = |kelvin: f64| -> Result<[Curve; 2], AuditError> {
+            let scale = (flattening_n_per_kelvin * kelvin).abs();
+            let ratio = scale / state(kelvin, make::GREATEST_STRAIN)?.1;
+            let (mut main, mut backing, mut start) = (Vec::new(), Vec::new(), None);
+            for i in 0..=STEPS {
+                // about even in the load's share, closer where the load plate has nearly settled
+                let u = 1.0 - (1.0 - i as f64 / STEPS as f64).powf(1.5);
+                let (beads, force_n) = state(kelvin, make::GREATEST_STRAIN * u * ratio / (1.0 + ratio - u))?;
+                let gains = warped.pressed(per_kelvin * kelvin, force_n, beads, &mut start)?;
+                let share = if force_n > 0.0 { force_n / (force_n + scale) } else { 0.0 };
+                main.push([share, gains.main / kelvin]);
+                backing.push([share, gains.backing / kelvin]);
+            }
+            Ok([main, backing].map(curve))
         };
-        let nodes = Table::nodes(&axes);
-        let bends = nodes.iter().map(|p| at(p[0], p[1])).collect::<Result<Vec<_>, _>>()?;
-        let parts: [fn(&Bends) -> f64; 4] = [|b| b.free.main, |b| b.free.backing, |b| b.pressed.main, |b| b.pressed.backing];
-        let tables = parts.map(|of| {
-            let values = bends.iter().zip(&nodes).map(|(b, p)| of(b) / p[0]).collect();
-            Table::interpolating("warp", "relative change of a capacitance, 1/K", axes.clone(), values)
-        });
-        let [gap, stiffness] = state(0.0, 0.0)?;
-        Ok(Self { tables, curvature_per_kelvin, settling_n_per_kelvin: warped.settling_n(curvature_per_kelvin, gap, stiffness) })
+        let side = |[near, far]: [f64; 2]| Ok::<_, AuditError>([at(near)?, at(far)?]);
+        Ok(Self { curves: [side(NODES[0])?, side(NODES[1])?], flattening_n_per_kelvin })
     }
 
-    /// The gains at a temperature above the reference, a strain and the force (N) of a rigid plate.
-    ///
-    /// # Errors
-    /// [`AuditError::Uncovered`] beyond the table.
-    pub fn gains(&self, kelvin: f64, strain: f64, force_n: f64) -> Result<Gains, AuditError> {
+    /// The gains at a temperature above the reference and the force (N) of a rigid plate.
+    pub fn gains(&self, kelvin: f64, force_n: f64) -> Gains {
         if kelvin == 0.0 {
-            return Ok(Gains::default());
+            return Gains::default();
         }
-        let at = [kelvin, strain];
-        let up = self.curvature_per_kelvin * kelvin >= 0.0;
-        let left = self.left(kelvin, force_n);
-        let part = |free: usize, ripple: f64| -> Result<f64, AuditError> {
-            let table = |place: usize| self.tables[place].at(&at);
-            let below = if left == 1.0 {
-                0.0
-            } else if up {
-                ripple * table(free)?
-            } else {
-                table(free + 2)?
-            };
-            Ok(kelvin * (left * table(free)? + (1.0 - left) * below))
-        };
-        Ok(Gains { main: part(0, 0.0)?, backing: part(1, RIPPLE)? })
+        let side = usize::from(kelvin > 0.0);
+        let [near, far] = NODES[side];
+        let t = (kelvin - near) / (far - near);
+        let force_n = force_n.max(0.0);
+        let share = force_n / (force_n + (self.flattening_n_per_kelvin * kelvin).abs());
+        // beyond the last sample the load plate has settled
+        let at = |curve: &Curve| curve.at(share.min(curve.range()[1]));
+        let [main, backing] = [0, 1].map(|part| {
+            let [near, far] = [0, 1].map(|node| at(&self.curves[side][node][part]));
+            kelvin * (near + t * (far - near))
+        });
+        Gains { main, backing }
     }
+}
 
-    /// How far a rigid plate with a force (N) is from having settled: 1 without load.
-    ///
-    /// A rim that curls up is pressed flat with 1 / (1 + F / F0)², a bulge within one that curls down with 1 / (1 + F / F0).
-    fn left(&self, kelvin: f64, force_n: f64) -> f64 {
-        let up = self.curvature_per_kelvin * kelvin >= 0.0;
-        let settling = (self.settling_n_per_kelvin[usize::from(!up)] * kelvin).abs();
-        let share = 1.0 / (1.0 + force_n.max(0.0) / settling);
-        if up { share * share } else { share }
-    }
+fn curve(points: Vec<[f64; 2]>) -> Curve {
+    let says = "relative change of a capacitance by bending".into();
+    let (argument, value) = ("share of the load".into(), "change".into());
+    let (argument_unit, value_unit) = ("1".into(), "1/K".into());
+    Curve { id: "warp".into(), says, argument, argument_unit, value, value_unit, points, accuracy: f64::NAN }
 }

@@ -7,7 +7,7 @@ use super::submesh::{Part, part};
 use crate::AuditError;
 use truegap_fem::Symmetry;
 use truegap_fem::mesh::{Mesh, Topology};
-use truegap_fem::physics::electrostatics::{Accuracy, Conductor, Goal, Problem, Quantity, solve_adaptive, solve_on};
+use truegap_fem::physics::electrostatics::{Accuracy, Answer, Conductor, Goal, Problem, Quantity, solve_adaptive, solve_on};
 use truegap_fem::space::{Nodes, P2};
 
 /// Electrode at 1 V against shields at 0 V.
@@ -27,6 +27,8 @@ pub struct Field {
     pub error_estimate: f64,
 }
 
+/// What fails where it fails.
+const FAILED: &str = "field on the deformed section";
 /// Regions without a field.
 const METALS: [&str; 2] = ["plating", "conductor"];
 
@@ -35,37 +37,50 @@ const METALS: [&str; 2] = ["plating", "conductor"];
 /// # Errors
 /// Where the section has folded, or the target is not reached.
 pub fn field(section: &Mesh, permittivity: &dyn Fn(&str) -> f64, target: f64) -> Result<Field, AuditError> {
-    let named = || AuditError::fem("field on the deformed section");
     let part = part(section, |region| !METALS.contains(&region));
-    part.mesh.check().map_err(|e| named()(truegap_fem::FemError::from(e)))?;
-    let conductor = |boundary: &str, potential| Conductor { boundary: boundary.into(), potential };
-    let problem = Problem {
-        symmetry: Symmetry::Axisymmetric,
-        permittivity: part.mesh.region_names.iter().map(|name| (name.clone(), permittivity(name))).collect(),
-        conductors: vec![
-            conductor("face", 1.0),
-            conductor("conductor.top", 1.0),
-            conductor("bottom", 0.0),
-            conductor("top", 0.0),
-        ],
-        open: Vec::new(),
-    };
-    let goal = |name: &str, boundary: &str| Quantity { name: name.into(), goal: Goal::Capacitance { boundary: boundary.into() } };
-    let goals = [goal("main", "face"), goal("backing", "conductor.top")];
-    let potential = solve_on(&problem, &[], &part.mesh).map_err(named())?.potential;
-    let mut finer = part.mesh.clone();
-    let accuracy = Accuracy { target, max_unknowns: 400_000, ..Accuracy::default() };
-    let outcome = solve_adaptive(&problem, &goals, &mut finer, &accuracy).map_err(named())?;
+    let problem = problem(&part.mesh, permittivity, &[("face", 1.0), ("conductor.top", 1.0), ("bottom", 0.0), ("top", 0.0)])?;
+    let potential = solve_on(&problem, &[], &part.mesh).map_err(AuditError::fem(FAILED))?.potential;
+    let answers = capacitances(&problem, &part.mesh, &["face", "conductor.top"], target)?;
     let topology = Topology::new(&part.mesh);
     let nodes = Nodes::new(&part.mesh, &topology);
     Ok(Field {
-        main: outcome.answers[0].value,
-        backing: outcome.answers[1].value,
-        error_estimate: outcome.answers.iter().map(|a| a.error_estimate).sum(),
+        main: answers[0].value,
+        backing: answers[1].value,
+        error_estimate: answers.iter().map(|a| a.error_estimate).sum(),
         potential,
         nodes,
         part,
     })
+}
+
+/// Capacitance across the gap of a section alone, F; arguments as in [`field`].
+///
+/// # Errors
+/// As [`field`].
+pub fn gap_capacitance(section: &Mesh, permittivity: &dyn Fn(&str) -> f64, target: f64) -> Result<f64, AuditError> {
+    let gap = part(section, |region| !METALS.contains(&region) && region != "backing").mesh;
+    let problem = problem(&gap, permittivity, &[("face", 1.0), ("bottom", 0.0)])?;
+    Ok(capacitances(&problem, &gap, &["face"], target)?[0].value)
+}
+
+fn problem(mesh: &Mesh, permittivity: &dyn Fn(&str) -> f64, conductors: &[(&str, f64)]) -> Result<Problem, AuditError> {
+    mesh.check().map_err(|e| AuditError::fem(FAILED)(truegap_fem::FemError::from(e)))?;
+    let conductor = |&(boundary, potential): &(&str, f64)| Conductor { boundary: boundary.into(), potential };
+    Ok(Problem {
+        symmetry: Symmetry::Axisymmetric,
+        permittivity: mesh.region_names.iter().map(|name| (name.clone(), permittivity(name))).collect(),
+        conductors: conductors.iter().map(conductor).collect(),
+        open: Vec::new(),
+    })
+}
+
+/// Capacitances of some boundaries, on a mesh that is refined until each has its relative target.
+fn capacitances(problem: &Problem, mesh: &Mesh, boundaries: &[&str], target: f64) -> Result<Vec<Answer>, AuditError> {
+    let goal = |boundary: &&str| Quantity { name: (*boundary).into(), goal: Goal::Capacitance { boundary: (*boundary).into() } };
+    let goals: Vec<Quantity> = boundaries.iter().map(goal).collect();
+    let accuracy = Accuracy { target, max_unknowns: 400_000, ..Accuracy::default() };
+    let mut finer = mesh.clone();
+    Ok(solve_adaptive(problem, &goals, &mut finer, &accuracy).map_err(AuditError::fem(FAILED))?.answers)
 }
 
 impl Field {

@@ -2,6 +2,7 @@
 //!
 //! Axisymmetric: beads become rings of equal area fraction. What has no axis (a cylinder after buckling) is in [`buckled`], by energy.
 
+mod banded;
 pub mod baselines;
 pub mod bead_spring;
 pub mod body;
@@ -13,6 +14,7 @@ pub mod coupled;
 pub mod field;
 pub mod foundation;
 pub mod laminate;
+pub mod plate_contact;
 pub mod profile;
 pub mod refined;
 pub mod ring_plate;

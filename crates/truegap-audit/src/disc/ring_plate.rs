@@ -1,9 +1,12 @@
 //! A heated plate bonded to rings of springs, with nothing below it between them: thin plates in one variable.
 //!
-//! Limits: small deflection, one stiffness for all rings, springs that push and pull (Winkler), no shear in plate or rings.
+//! Limits: small deflection, one stiffness for all rings, springs that push and pull (Winkler), no shear in plate or rings. A load plate on it is in
+//! [`super::plate_contact`].
 
+use super::banded::Banded;
 use super::columns::columns;
 use super::section::Ring;
+use std::f64::consts::TAU;
 
 /// A plate on rings.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,10 +19,10 @@ pub struct RingPlate {
     pub radius: f64,
     /// stiffness of the rings per their own area, Pa/m
     pub stiffness: f64,
+    /// modulus of the rings against tilting over that against shortening: 1 for springs, less for rubber that can flow to the other side
+    pub tilt: f64,
     /// where they are, from the axis outwards
     pub rings: Vec<Ring>,
-    /// radius up to which something holds the plate flat, m; 0 for nothing
-    pub flat_to: f64,
 }
 
 /// Shape of a plate: heights and slopes at some radii, cubic between them.
@@ -31,10 +34,9 @@ pub struct Bent {
     pub values: Vec<[f64; 2]>,
 }
 
-/// Elements to the narrowest ring; as long ones between the rings.
-const PARTS: f64 = 2.0;
-/// Stiffness of what holds a plate flat, over that of the rings.
-const FLAT: f64 = 1e4;
+/// Elements to the narrowest ring, and to the radius where that makes fewer; as long ones between the rings.
+const PARTS: f64 = 4.0;
+const MOST: f64 = 100.0;
 /// Gauss's points and weights on 0 to 1.
 const GAUSS: [(f64, f64); 4] = [
     (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
@@ -42,9 +44,6 @@ const GAUSS: [(f64, f64); 4] = [
     (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
     (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
 ];
-/// Half the width of the matrix's band: two values a node, two nodes an element.
-const BAND: usize = 4;
-
 impl RingPlate {
     /// Shape of the plate where it would have `curvature` (1/m) if it were free and `rim_force` (N) presses on its rim: the least of
     ///
@@ -63,50 +62,61 @@ impl RingPlate {
     /// `one_ring_that_covers_all_is_the_closed_form`, 1e-4 of the rim.
     pub fn bent(&self, curvature: f64, rim_force: f64) -> Bent {
         let radii = self.radii();
-        let mut system = Banded::new(2 * radii.len());
-        for (at, ends) in radii.windows(2).enumerate() {
-            self.add_element(&mut system, 2 * at, [ends[0], ends[1]], curvature);
-        }
-        // no slope on the axis; the energy is over 2 pi
-        system.hold(1);
+        let mut system = self.system(&radii, curvature, 0.0);
         let rim = 2 * (radii.len() - 1);
-        system.right[rim] -= rim_force / std::f64::consts::TAU;
-        let solved = system.solved();
-        Bent { values: solved.chunks(2).map(|v| [v[0], v[1]]).collect(), radii }
+        system.right[rim] -= rim_force / TAU;
+        Bent::of(radii, &system.solved())
     }
 
-    fn radii(&self) -> Vec<f64> {
+    /// Equations for heights and slopes at the radii; the rings push with `push` (Pa), as forces at the nodes, so that a load plate that
+    /// touches at nodes can balance them. The energy is over 2 pi.
+    pub(super) fn system(&self, radii: &[f64], curvature: f64, push: f64) -> Banded {
+        let mut system = Banded::new(2 * radii.len());
+        for (at, ends) in radii.windows(2).enumerate() {
+            self.add_element(&mut system, 2 * at, [ends[0], ends[1]], [curvature, push]);
+        }
+        // no slope on the axis
+        system.fix(1, 0.0);
+        system
+    }
+
+    /// Nodes, m.
+    pub(super) fn radii(&self) -> Vec<f64> {
         let mut stops: Vec<f64> = self.rings.iter().flat_map(|r| [r.inner, r.outer]).filter(|&r| r > 0.0).collect();
-        stops.extend([self.flat_to, self.radius].into_iter().filter(|&r| r > 0.0));
+        stops.push(self.radius);
         stops.sort_by(f64::total_cmp);
         stops.dedup_by(|b, a| *b - *a <= 1e-9 * self.radius);
         let narrow = self.rings.iter().map(|r| r.outer - r.inner).fold(self.radius, f64::min);
-        columns(&stops, narrow / PARTS, 0.2 * narrow / PARTS)
+        let step = (narrow / PARTS).max(self.radius / MOST);
+        columns(&stops, step, 0.2 * step)
     }
 
-    fn add_element(&self, system: &mut Banded, first: usize, [a, b]: [f64; 2], curvature: f64) {
+    fn add_element(&self, system: &mut Banded, first: usize, [a, b]: [f64; 2], [curvature, push]: [f64; 2]) {
         let length = b - a;
         let middle = 0.5 * (a + b);
-        let held = self.rings.iter().any(|r| r.inner <= middle && middle <= r.outer);
-        let springs = if middle < self.flat_to {
-            FLAT * self.stiffness
-        } else if held {
-            self.stiffness
-        } else {
-            0.0
-        };
+        let ring = self.rings.iter().find(|r| r.inner <= middle && middle <= r.outer);
+        let (springs, push) = if ring.is_some() { (self.stiffness, push) } else { (0.0, 0.0) };
+        // a rigid foot of width b on springs k has the tilting stiffness k b² / 12 an area
+        let soft = ring.map_or(0.0, |r| springs * (1.0 - self.tilt) * (r.outer - r.inner).powi(2) / 12.0);
         for (t, weight) in GAUSS {
             let r = a + t * length;
             let area = weight * length * r;
             let [value, slope, bend] = hermite(t, length);
+            system.right[first] += area * push * (1.0 - t);
+            system.right[first + 2] += area * push * t;
             for i in 0..4 {
                 let around = slope[i] / r;
-                system.right[first + i] += area * self.bending * (1.0 + self.poisson) * curvature * (bend[i] + around);
+                let heated = self.bending * (1.0 + self.poisson) * curvature * (bend[i] + around);
+                system.right[first + i] += area * heated;
                 for j in 0..=i {
                     let other = slope[j] / r;
                     let mixed = self.poisson * (bend[i] * other + around * bend[j]);
                     let stretch = self.bending * (bend[i] * bend[j] + mixed + around * other);
-                    system.add(first + i, first + j, area * (stretch + springs * value[i] * value[j]));
+                    system.add(
+                        first + i,
+                        first + j,
+                        area * (stretch + springs * value[i] * value[j] - soft * slope[i] * slope[j]),
+                    );
                 }
             }
         }
@@ -114,6 +124,10 @@ impl RingPlate {
 }
 
 impl Bent {
+    pub(super) fn of(radii: Vec<f64>, values: &[f64]) -> Self {
+        Self { values: values.chunks(2).map(|v| [v[0], v[1]]).collect(), radii }
+    }
+
     /// Mean over the disc of a function of radius (m) and height (m).
     pub fn mean_of(&self, f: impl Fn(f64, f64) -> f64) -> f64 {
         let element = |(k, ends): (usize, &[f64])| {
@@ -138,6 +152,15 @@ impl Bent {
         2.0 * last[1] / rim
     }
 
+    /// Height at a distance from the axis (m), m.
+    pub fn height(&self, radius: f64) -> f64 {
+        let k = self.radii.partition_point(|x| *x < radius).clamp(1, self.radii.len() - 1);
+        let length = self.radii[k] - self.radii[k - 1];
+        let n = hermite((radius - self.radii[k - 1]) / length, length)[0];
+        let [a, b] = [self.values[k - 1], self.values[k]];
+        n[0] * a[0] + n[1] * a[1] + n[2] * b[0] + n[3] * b[1]
+    }
+
     /// Height at the rim, m.
     pub fn rim(&self) -> f64 {
         self.values.last().map_or(f64::NAN, |v| v[0])
@@ -157,145 +180,4 @@ fn hermite(t: f64, length: f64) -> [[f64; 4]; 3] {
             (6.0 * t - 2.0) / length,
         ],
     ]
-}
-
-/// A symmetric system whose entries lie near the diagonal; `rows[i][j]` is the entry in column `i - j`.
-struct Banded {
-    rows: Vec<[f64; BAND]>,
-    right: Vec<f64>,
-}
-
-impl Banded {
-    fn new(count: usize) -> Self {
-        Self { rows: vec![[0.0; BAND]; count], right: vec![0.0; count] }
-    }
-
-    /// Adds to an entry of the lower half.
-    fn add(&mut self, row: usize, column: usize, value: f64) {
-        self.rows[row][row - column] += value;
-    }
-
-    /// Makes an unknown nought.
-    fn hold(&mut self, unknown: usize) {
-        self.rows[unknown] = [0.0; BAND];
-        for below in 1..BAND {
-            if let Some(row) = self.rows.get_mut(unknown + below) {
-                row[below] = 0.0;
-            }
-        }
-        self.rows[unknown][0] = 1.0;
-        self.right[unknown] = 0.0;
-    }
-
-    /// The solution, by factors L D Lᵀ.
-    fn solved(mut self) -> Vec<f64> {
-        let count = self.rows.len();
-        for i in 0..count {
-            for j in (1..BAND.min(i + 1)).rev() {
-                let column = i - j;
-                let known: f64 =
-                    (j + 1..BAND.min(i + 1)).map(|k| self.rows[i][k] * self.rows[column][k - j] * self.rows[i - k][0]).sum();
-                self.rows[i][j] = (self.rows[i][j] - known) / self.rows[column][0];
-            }
-            let own: f64 = (1..BAND.min(i + 1)).map(|k| self.rows[i][k] * self.rows[i][k] * self.rows[i - k][0]).sum();
-            self.rows[i][0] -= own;
-            let above: f64 = (1..BAND.min(i + 1)).map(|k| self.rows[i][k] * self.right[i - k]).sum();
-            self.right[i] -= above;
-        }
-        let mut x: Vec<f64> = self.right.iter().zip(&self.rows).map(|(b, row)| b / row[0]).collect();
-        for i in (0..count).rev() {
-            let below: f64 = (1..BAND.min(count - i)).map(|k| self.rows[i + k][k] * x[i + k]).sum();
-            x[i] -= below;
-        }
-        x
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::disc::foundation::Foundation;
-
-    fn plate(rings: Vec<Ring>) -> RingPlate {
-        RingPlate { bending: 5e-4, poisson: 0.34, radius: 7.5e-3, stiffness: 1.2e9, rings, flat_to: 0.0 }
-    }
-
-    fn zones(count: usize, coverage: f64) -> Vec<Ring> {
-        let pitch = 7.5e-3 / count as f64;
-        let ring = |j: usize| {
-            let margin = 0.5 * (1.0 - coverage) * pitch;
-            Ring { inner: pitch * j as f64 + margin, outer: pitch * (j + 1) as f64 - margin }
-        };
-        (0..count).map(ring).collect()
-    }
-
-    #[test]
-    fn one_ring_that_covers_all_is_the_closed_form() {
-        // many rings that touch each other, so that the elements are small
-        let plate = plate(zones(12, 1.0));
-        let bent = plate.bent(1.4, 0.0);
-        let exact = Foundation { bending: 5e-4, poisson: 0.34, radius: 7.5e-3, stiffness: 1.2e9 }.held(1.4).unwrap();
-        let rim = exact.height(7.5e-3);
-        assert!((bent.rim() / rim - 1.0).abs() < 1e-4, "{} {rim}", bent.rim());
-        for (r, v) in bent.radii.iter().zip(&bent.values) {
-            assert!((v[0] - exact.height(*r)).abs() < 1e-4 * rim, "{r}: {} {}", v[0], exact.height(*r));
-        }
-        // springs push as much as they pull
-        assert!(bent.mean_of(|_, w| w).abs() < 1e-4 * rim);
-        assert!((bent.mean_of(|_, _| 1.0) - 1.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn without_springs_to_speak_of_the_plate_is_the_free_sphere() {
-        let mut plate = plate(zones(4, 0.5));
-        plate.stiffness = 10.0;
-        let bent = plate.bent(1.4, 0.0);
-        let sag = bent.rim() - bent.values[0][0];
-        assert!((sag / (0.5 * 1.4 * 7.5e-3_f64.powi(2)) - 1.0).abs() < 1e-6, "{sag}");
-    }
-
-    #[test]
-    fn a_force_on_the_rim_is_carried_by_the_rings_and_does_what_the_curvature_does_to_the_rim() {
-        let plate = plate(zones(5, 0.25));
-        let (pushed, heated) = (plate.bent(0.0, 2.0), plate.bent(1.4, 0.0));
-        let carried = -pushed.mean_of(|r, w| if plate.rings.iter().any(|q| q.inner <= r && r <= q.outer) { w } else { 0.0 });
-        let area = std::f64::consts::PI * plate.radius * plate.radius;
-        // cubics balance exactly; what is left is rounding in a matrix of stiff, short elements
-        let share = carried * plate.stiffness * area / 2.0;
-        assert!((share - 1.0).abs() < 1e-7, "{share}");
-        // Betti: the rim's fall under the force times the force on it is the work of the thermal moment on the slope of the other.
-        let work = plate.bending * (1.0 + plate.poisson) * 1.4 * pushed.mean_bending() * area;
-        assert!((work / (-2.0 * heated.rim()) - 1.0).abs() < 1e-7, "{work} {}", heated.rim());
-    }
-
-    #[test]
-    fn rings_leave_an_overhang_that_curls_and_balance_their_forces() {
-        let plate = plate(zones(5, 0.25));
-        let bent = plate.bent(1.4, 0.0);
-        let held: f64 = plate
-            .rings
-            .iter()
-            .map(|ring| {
-                let n = 400;
-                let h = (ring.outer - ring.inner) / f64::from(n);
-                (0..n).map(|i| ring.inner + h * (f64::from(i) + 0.5)).map(|r| r * h * height(&bent, r)).sum::<f64>()
-            })
-            .sum();
-        let total = bent.rim() * 7.5e-3 * 7.5e-3;
-        assert!(held.abs() < 1e-4 * total, "{held} {total}");
-        // more than the overhang alone would curl if the last ring held it like a wall, less than the even layer of as stiff springs and the free strip
-        let overhang = 7.5e-3 - plate.rings[4].outer;
-        let clamped = 0.5 * 1.4 * overhang * overhang;
-        let even = Foundation { bending: 5e-4, poisson: 0.34, radius: 7.5e-3, stiffness: 0.25 * 1.2e9 }.held(1.4).unwrap();
-        assert!(bent.rim() > clamped && bent.rim() < 2.0 * even.height(7.5e-3), "{} {clamped}", bent.rim());
-        assert!(bent.mean_of(|_, w| w) > 0.0);
-    }
-
-    fn height(bent: &Bent, r: f64) -> f64 {
-        let k = bent.radii.partition_point(|x| *x < r).clamp(1, bent.radii.len() - 1);
-        let length = bent.radii[k] - bent.radii[k - 1];
-        let n = hermite((r - bent.radii[k - 1]) / length, length)[0];
-        let [a, b] = [bent.values[k - 1], bent.values[k]];
-        n[0] * a[0] + n[1] * a[1] + n[2] * b[0] + n[3] * b[1]
-    }
 }

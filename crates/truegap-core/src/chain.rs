@@ -56,6 +56,8 @@ pub struct Dielectric {
 pub struct FieldView<'a> {
     /// mean separation of the electrodes, as a share of the electrode's radius
     pub aspect: &'a [f64],
+    /// compressive strain of the dielectric between them; of a given gap, its closing
+    pub strain: &'a [f64],
     /// capacitance (or reading, for plates with a free gain) between the plates, without any field outside of them
     pub plates: &'a [f64],
 }

@@ -2,7 +2,7 @@
 //!
 //! Limits: one scalar response a row.
 
-use crate::{chain::Stage, inputs::Inputs, joined::Joined, parameter::Parameter};
+use crate::{chain::Stage, corrections::Corrections, inputs::Inputs, joined::Joined, parameter::Parameter};
 use serde::{Deserialize, Serialize};
 
 /// What a column of a recording is.
@@ -56,6 +56,10 @@ pub trait Simulator: Send + Sync {
     /// Temperature at which the model is described, degrees Celsius.
     fn reference_c(&self) -> f64 {
         20.0
+    }
+    /// What finite elements say of this sensor, without a free number; `None` where nobody has asked them, or they have no answer.
+    fn corrections(&self) -> Option<&Corrections> {
+        None
     }
     /// The recordings that the model joins; `None` where it is of one.
     fn joined(&self) -> Option<&dyn Joined> {

@@ -21,8 +21,12 @@ use crate::{
     problem::NoiseModel,
     search::{Search, Tried},
     select::Selection,
+    unlisted::Unlisted,
     verdict::Decision,
 };
+
+/// Id that stands for what no effect of the library explains.
+const UNEXPLAINED: &str = "unexplained";
 
 /// Detectability at which an effect would have been seen.
 const SEEN: f64 = 6.0;
@@ -102,6 +106,7 @@ impl Answer<'_> {
             remains,
             findings,
             candidates: self.candidates(),
+            unlisted: self.unlisted(),
             ambiguity: self.ambiguity(),
             fit,
             prediction_only,
@@ -299,7 +304,22 @@ impl Answer<'_> {
         if self.decision.verdict != Verdict::Ambiguous {
             return Vec::new();
         }
-        self.decision.sets.iter().filter(|s| s.len() > 1).map(|s| s.iter().map(|e| self.id(*e)).collect()).collect()
+        let several = |s: &&Vec<usize>| s.len() > 1 || self.decision.outside_rivals;
+        let names = |s: &Vec<usize>| {
+            let outside = self.decision.outside_rivals.then(|| UNEXPLAINED.to_owned());
+            s.iter().map(|e| self.id(*e)).chain(outside).collect()
+        };
+        self.decision.sets.iter().filter(several).map(names).collect()
+    }
+
+    fn unlisted(&self) -> Vec<UnlistedCause> {
+        let total = 1.0 + self.selection.unlisted.iter().map(|(_, odds)| odds).sum::<f64>();
+        let cause = |(u, odds): &(Unlisted, f64)| UnlistedCause {
+            says: u.cause.says(),
+            beside: u.effects.iter().map(|e| self.id(*e)).collect(),
+            probability: odds / total,
+        };
+        self.selection.unlisted.iter().map(cause).filter(|u| u.probability > 0.01).collect()
     }
 
     fn smallest_visible(&self) -> Vec<SmallestVisible> {
@@ -389,14 +409,21 @@ impl Answer<'_> {
         } else {
             String::new()
         };
+        let outside = self.decision.outside.map_or_else(String::new, |cause| format!(": {}", cause.says()));
         match self.decision.verdict {
             Verdict::Agrees => "no mismatch found between recording and calibrated model".into(),
             Verdict::Explained => format!("missing from the model: {names}"),
             Verdict::Ambiguous => format!("missing from the model: one of {sets}; this recording cannot tell them apart"),
+            Verdict::WrongForm if self.decision.outside.is_some() => {
+                format!("missing from the model: {names}, and something that is not in the library{outside}")
+            }
             Verdict::WrongForm => format!(
                 "missing from the model: {names}; the family is clear, but its equation leaves {} of the misfit",
                 number::share_left(self.decision.removed)
             ),
+            Verdict::Unexplained if self.decision.outside.is_some() => {
+                format!("something real is missing that is not in the library{outside}")
+            }
             Verdict::Unexplained => format!(
                 "something real is missing that nothing in the library explains (the likeliest effect removes {:.0} % of the misfit){line}",
                 100.0 * self.decision.removed

@@ -2,7 +2,7 @@
 //!
 //! Limits: only inputs, never the response's course; the response gives nothing but its span.
 
-use truegap_core::{Inputs, Joined, Simulator, simulator::StageName};
+use truegap_core::{Corrections, Inputs, Joined, Simulator, simulator::StageName};
 
 /// Facts that priors, starting values and testability rest on.
 pub struct Context<'a> {
@@ -83,6 +83,14 @@ impl<'a> Context<'a> {
     /// The model's own reason.
     pub fn has(&self, stage: StageName) -> Result<(), String> {
         self.simulator.lacks(stage).map_or(Ok(()), |why| Err(why.to_owned()))
+    }
+
+    /// What finite elements say of the sensor.
+    ///
+    /// # Errors
+    /// Why they say nothing.
+    pub fn foreseen(&self) -> Result<&Corrections, String> {
+        self.simulator.corrections().ok_or_else(|| "finite elements have said nothing of this base model or sensor".into())
     }
 
     /// `Ok` where the load moves.

@@ -38,6 +38,8 @@ pub struct Diagnosis {
     pub findings: Vec<Finding>,
     /// every effect tried alone, likeliest first
     pub candidates: Vec<Candidate>,
+    /// causes outside the library that are not negligible, likeliest first
+    pub unlisted: Vec<UnlistedCause>,
     /// sets of which the recording cannot tell the members apart
     pub ambiguity: Vec<Vec<String>>,
     /// errors before and after
@@ -276,6 +278,17 @@ pub struct Candidate {
     pub chi2_drop: f64,
     /// free parameters that it adds
     pub freedom: usize,
+}
+
+/// A cause outside the library, weighed beside it.
+#[derive(Clone, Debug, Serialize)]
+pub struct UnlistedCause {
+    /// what the reading does
+    pub says: &'static str,
+    /// effects of the library beside it
+    pub beside: Vec<String>,
+    /// posterior probability
+    pub probability: f64,
 }
 
 /// Errors before and after.

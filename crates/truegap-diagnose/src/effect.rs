@@ -65,8 +65,13 @@ pub trait Effect: Send + Sync {
     fn family(&self) -> Family;
     /// What a reader should know.
     fn about(&self) -> About;
-    /// Free parameters with unit, prior and bounds; the first is the size, whose prior is centred on 0 (or bounded by it).
+    /// Free parameters with unit, prior and bounds; the first is the size, whose prior is centred on 0 unless it is
+    /// [`Effect::foreseen`].
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter>;
+    /// Whether somebody else has computed the size: it is a share of what is foreseen, with a prior about 1, and not about 0.
+    fn foreseen(&self) -> bool {
+        false
+    }
     /// Values of the parameters behind the size from which a search starts; one empty list where the size is all there is.
     fn starts(&self, _context: &Context<'_>) -> Vec<Vec<f64>> {
         vec![Vec::new()]

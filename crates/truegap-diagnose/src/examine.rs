@@ -7,6 +7,7 @@ use crate::{
     gate::{Adequacy, Gate},
     search::{Search, Tried},
     select::{Selection, select},
+    unlisted::Causes,
     verdict::{Decision, decide, interrupted, stated},
 };
 use std::sync::atomic::Ordering;
@@ -36,7 +37,10 @@ pub struct Examined {
 pub fn examine(search: &Search<'_>, gate: &Gate) -> Result<Examined, SimulationError> {
     let base = search.base()?;
     let nothing = base.fit.objective();
-    Ok(judge(search, gate, select(search, base).merged(|models, tried| hidden(search, models, tried, nothing))))
+    let selection = select(search, base);
+    let causes = Causes::new(search.problem, search.whitener);
+    let selection = selection.with_unlisted(&causes, &search.library, gate.slack());
+    Ok(judge(search, gate, selection.merged(|models, tried| hidden(search, models, tried, nothing))))
 }
 
 /// The verdict on a selection.

@@ -67,6 +67,11 @@ impl Gate {
         Self { columns, lengths, runs, slack: 1.0 + 2.0 * uncertainty.min(MOST_UNCERTAIN) }
     }
 
+    /// Factor by which the noise may be larger than taken, two standard deviations up.
+    pub fn slack(&self) -> f64 {
+        self.slack
+    }
+
     /// Scores along the directions.
     pub fn scores(&self, fit: &Fit) -> Scores {
         scores(fit, &self.columns)

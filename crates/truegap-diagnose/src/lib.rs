@@ -42,6 +42,7 @@ pub mod screen;
 pub mod search;
 pub mod select;
 pub mod thin;
+pub mod unlisted;
 pub mod verdict;
 pub mod whiten;
 

@@ -115,7 +115,9 @@ impl<'a> Search<'a> {
         let fits = starts.iter().filter_map(|s| self.refine(&model, s, launch));
         let fit = fits.max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence))?;
         // a larger model cannot fit worse than the one that it holds: start again from there
-        let lost = std::ptr::eq(launch.whitener, self.whitener) && fit.objective() > launch.from.fit.objective() + 0.5;
+        let lost = std::ptr::eq(launch.whitener, self.whitener)
+            && !self.library[candidate].foreseen()
+            && fit.objective() > launch.from.fit.objective() + 0.5;
         let again = if lost { self.with_nothing_added(&model, launch, best) } else { None };
         Some(Tried { effects, fit: again.unwrap_or(fit) })
     }
@@ -180,7 +182,9 @@ impl<'a> Search<'a> {
         let mut starts: Vec<Start> = Vec::new();
         for shape in model.effects[last].starts(self.context) {
             let z_shape: Vec<f64> = parameters.iter().skip(1).zip(&shape).map(|(p, v)| p.prior.z(*v)).collect();
-            for trial in [0.01, 0.5, -0.5] {
+            // a size that is foreseen lies far from 0, where it starts
+            let foreseen = -zero_size(model, last);
+            for trial in [0.01, 0.5, -0.5].into_iter().chain((foreseen != 0.0).then_some(foreseen)) {
                 if (bounds.0..=bounds.1).contains(&trial) {
                     starts.extend(self.straight_step(launch, model, trial, &z_shape, bounds));
                 }
@@ -209,7 +213,8 @@ impl<'a> Search<'a> {
         let column: Vec<f64> = from.fit.residual.iter().zip(&there).map(|(a, b)| (a - b) / (size - zero)).collect();
         let found = scores(&from.fit, &DMatrix::from_column_slice(column.len(), 1, &column));
         let (score, variance) = (found.scores[0], found.covariance[(0, 0)]);
-        let best = (zero + score / (variance + 1.0)).clamp(bounds.0, bounds.1).clamp(zero - 4.0, zero + 4.0);
+        let best =
+            (zero + (score - zero) / (variance + 1.0)).clamp(bounds.0, bounds.1).clamp(zero.min(0.0) - 4.0, zero.max(0.0) + 4.0);
         let step = best - zero;
         z[from.fit.z.len()] = if step == 0.0 { (zero + 1e-3 * trial.signum()).clamp(bounds.0, bounds.1) } else { best };
         Some(Start { z, gain: score * step - 0.5 * variance * step * step })

@@ -3,9 +3,11 @@
 //! Limits: models that were not tried have probability 0.
 
 use crate::{
+    effect::Effect,
     evidence::log_sum_exp,
     importance::{Sampled, sampled},
     search::{Progress, Search, Tried},
+    unlisted::{Causes, Unlisted},
 };
 use rayon::prelude::*;
 use std::{
@@ -38,6 +40,8 @@ pub struct Selection {
     pub base: usize,
     /// how Laplace's approximation fared near the top
     pub check: EvidenceCheck,
+    /// causes outside the library beside models of it, likeliest first, with their odds against all of `models` together
+    pub unlisted: Vec<(Unlisted, f64)>,
 }
 
 /// Laplace's approximation against importance sampling.
@@ -74,6 +78,33 @@ impl Selection {
         self.probability[self.base]
     }
 
+    /// Sets causes outside the library beside the models; the probabilities of effects then leave room for them.
+    #[must_use]
+    pub fn with_unlisted(mut self, causes: &Causes, library: &[&dyn Effect], slack: f64) -> Self {
+        let weight = weight(self.temper, self.effect_probability.len());
+        let total = log_sum_exp(&self.models.iter().map(weight).collect::<Vec<_>>());
+        let found = causes.beside(&self.models, library, weight, self.temper, slack);
+        self.unlisted = found
+            .into_iter()
+            .map(|u| {
+                let odds = (u.weight - total).exp();
+                (u, odds)
+            })
+            .collect();
+        self.sorted()
+    }
+
+    /// Probability that a cause outside the library acts.
+    pub fn probability_unlisted(&self) -> f64 {
+        let odds: f64 = self.unlisted.iter().map(|(_, odds)| odds).sum();
+        odds / (1.0 + odds)
+    }
+
+    /// The likeliest cause outside the library, where it is likelier than every model of the library.
+    pub fn outside(&self) -> Option<&Unlisted> {
+        self.unlisted.first().filter(|(_, odds)| *odds > self.probability[0]).map(|(u, _)| u)
+    }
+
     /// Counts each likely model for the one without its least visible effect, while that cannot be seen in the fit: it is not claimed.
     ///
     /// `hidden` names the least visible effect of a model, where it does not stand above the noise. One effect is dropped at a time: two that can stand in
@@ -103,6 +134,7 @@ impl Selection {
     pub fn sharpened(mut self, power: f64) -> Self {
         let total: f64 = self.probability.iter().map(|p| p.powf(power)).sum();
         self.probability.iter_mut().for_each(|p| *p = p.powf(power) / total);
+        self.unlisted.iter_mut().for_each(|(_, odds)| *odds = odds.powf(power) / total);
         self.sorted()
     }
 
@@ -113,11 +145,20 @@ impl Selection {
         self.models = order.iter().map(|i| self.models[*i].clone()).collect();
         self.probability = order.iter().map(|i| self.probability[*i]).collect();
         self.base = self.models.iter().position(|m| m.effects.is_empty()).unwrap_or(0);
-        self.effect_probability.fill(0.0);
-        for (model, p) in self.models.iter().zip(&self.probability) {
-            model.effects.iter().for_each(|e| self.effect_probability[*e] += p);
-        }
+        self.unlisted.sort_by(|a, b| b.1.total_cmp(&a.1));
+        self.effect_probability = self.of_effects();
         self
+    }
+
+    /// Probability of each effect to belong to the model, causes outside the library beside it or not.
+    fn of_effects(&self) -> Vec<f64> {
+        let mut sums = vec![0.0; self.effect_probability.len()];
+        let inside = self.models.iter().map(|m| &m.effects).zip(&self.probability);
+        let outside = self.unlisted.iter().map(|(u, odds)| (&u.effects, odds));
+        inside.chain(outside).for_each(|(effects, p)| effects.iter().for_each(|e| sums[*e] += p));
+        let total = 1.0 + self.unlisted.iter().map(|(_, odds)| odds).sum::<f64>();
+        sums.iter_mut().for_each(|p| *p /= total);
+        sums
     }
 
     /// The model with exactly these effects.
@@ -134,8 +175,14 @@ fn log_prior(count: usize, library: usize) -> f64 {
     (NUMBER_PRIOR.get(count).copied().unwrap_or(0.0) / combinations).ln()
 }
 
+/// Log prior of one thing more beside `count` effects, over that of those alone; minus infinity where there are as many as there may be.
+pub(crate) fn one_more(count: usize) -> f64 {
+    let prior = |count: usize| NUMBER_PRIOR.get(count).copied().unwrap_or(0.0);
+    (prior(count + 1) / prior(count)).ln()
+}
+
 /// Log posterior of a model, up to a constant: its log evidence over `temper`, and its log prior.
-fn weight(temper: f64, library: usize) -> impl Fn(&Tried) -> f64 + Copy {
+fn weight(temper: f64, library: usize) -> impl Fn(&Tried) -> f64 + Copy + Sync {
     move |m| m.fit.log_evidence / temper + log_prior(m.effects.len(), library)
 }
 
@@ -294,10 +341,6 @@ fn weigh(tried: BTreeMap<Vec<usize>, Tried>, library: usize) -> Selection {
     let weights: Vec<f64> = models.iter().map(weight).collect();
     let total = log_sum_exp(&weights);
     let probability: Vec<f64> = weights.iter().map(|w| (w - total).exp()).collect();
-    let mut effect_probability = vec![0.0; library];
-    for (model, p) in models.iter().zip(&probability) {
-        model.effects.iter().for_each(|e| effect_probability[*e] += p);
-    }
-    let base = models.iter().position(|m| m.effects.is_empty()).unwrap_or(0);
-    Selection { models, probability, effect_probability, temper, base, check: EvidenceCheck::default() }
+    let (effect_probability, check) = (vec![0.0; library], EvidenceCheck::default());
+    Selection { models, probability, effect_probability, temper, base: 0, check, unlisted: Vec::new() }.sorted()
 }

@@ -2,7 +2,12 @@
 //!
 //! Limits: thresholds were fixed on generated recordings and the open cases (`docs/diagnosis.md`), never on sealed ones.
 
-use crate::{diagnosis::Verdict, gate::Adequacy, select::Selection};
+use crate::{
+    diagnosis::Verdict,
+    gate::Adequacy,
+    select::Selection,
+    unlisted::{Cause, Unlisted},
+};
 
 /// Probability of "nothing is missing" below which a mismatch is called present.
 const DETECTED: f64 = 0.05;
@@ -26,6 +31,17 @@ pub struct Decision {
     pub sets: Vec<Vec<usize>>,
     /// share of the structured misfit that the best model removes
     pub removed: f64,
+    /// cause outside the library that is likelier than all of it
+    pub outside: Option<Cause>,
+    /// whether a cause outside the library cannot be excluded
+    pub outside_rivals: bool,
+}
+
+impl Decision {
+    /// A verdict that names nothing, where model `base` is the base model.
+    fn nothing(verdict: Verdict, base: usize) -> Self {
+        Self { verdict, model: base, sets: Vec::new(), removed: 0.0, outside: None, outside_rivals: false }
+    }
 }
 
 /// The model to stand behind, an index into the selection's: the likeliest that names something; where that holds effects that are not sure and have no rival
@@ -45,15 +61,19 @@ pub fn stated(selection: &Selection) -> Option<usize> {
 
 /// Decides; `after` is the adequacy of the model that [`stated`] names.
 pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy) -> Decision {
-    let nothing = |verdict| Decision { verdict, model: selection.base, sets: Vec::new(), removed: 0.0 };
+    let nothing = |verdict| Decision::nothing(verdict, selection.base);
     let none = selection.probability_none();
     let library_sees = none < DETECTED;
     if !library_sees {
         return if before.fires() {
-            nothing(Verdict::Unexplained)
+            let likely = selection.unlisted.first().filter(|(_, odds)| *odds > none);
+            Decision { outside: likely.map(|(u, _)| u.cause), ..nothing(Verdict::Unexplained) }
         } else {
             nothing(if none >= AGREED { Verdict::Agrees } else { Verdict::Undecided })
         };
+    }
+    if let Some(unlisted) = selection.outside() {
+        return outside(selection, unlisted);
     }
     let Some(best) = stated(selection) else { return nothing(Verdict::Undecided) };
     let removed = removed(2.0 * (selection.base().fit.objective() - selection.models[best].fit.objective()), after);
@@ -66,19 +86,35 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy) -> Dec
     if after.fires() && removed < RIGHT_FAMILY {
         return Decision { removed, ..nothing(Verdict::Unexplained) };
     }
+    let outside_rivals = !sure && selection.probability_unlisted() > 1.0 - SURE;
     let verdict = match (sure && !rivals, after.fires()) {
         (true, false) => Verdict::Explained,
         (true, true) => Verdict::WrongForm,
-        (false, _) if rivals => Verdict::Ambiguous,
+        (false, _) if rivals || outside_rivals => Verdict::Ambiguous,
         (false, _) => Verdict::Undecided,
     };
     let model = if verdict == Verdict::Undecided { selection.base } else { best };
-    Decision { verdict, model, sets, removed }
+    Decision { verdict, model, sets, removed, outside: None, outside_rivals }
+}
+
+/// A cause outside the library is likelier than all of it: the effects that it stands beside are named only where they are most of what is missing.
+fn outside(selection: &Selection, unlisted: &Unlisted) -> Decision {
+    let beside = selection.models.iter().position(|m| m.key() == unlisted.effects).unwrap_or(selection.base);
+    let explained = (selection.base().fit.objective() - selection.models[beside].fit.objective()).max(0.0);
+    let removed = explained / (explained + unlisted.gain.max(f64::MIN_POSITIVE));
+    let sure = unlisted.effects.iter().all(|e| selection.effect_probability[*e] >= SURE);
+    let named = beside != selection.base && removed >= RIGHT_FAMILY && sure;
+    let nothing = Decision { removed, outside: Some(unlisted.cause), ..Decision::nothing(Verdict::Unexplained, selection.base) };
+    if !named {
+        return nothing;
+    }
+    let sets = selection.models[beside].effects.iter().map(|e| vec![*e]).collect();
+    Decision { verdict: Verdict::WrongForm, model: beside, sets, ..nothing }
 }
 
 /// What may be said when the search was stopped: that it was not finished, and nothing of causes.
 pub fn interrupted(selection: &Selection) -> Decision {
-    Decision { verdict: Verdict::Undecided, model: selection.base, sets: Vec::new(), removed: 0.0 }
+    Decision::nothing(Verdict::Undecided, selection.base)
 }
 
 /// Share of the misfit that the best model removes: what it explains, in units of the noise variance, over that and what the tests still find.

@@ -208,7 +208,11 @@ fn the_field_beside_the_plates_is_kirchhoffs_or_a_constant() {
     let bench = Bench::hold(0.0, &[0.0]);
     let extra = |id: &str, values: &[f64]| {
         let mut extra = vec![0.0];
-        bench.stage(id, values).field(&bench.drive(), &FieldView { aspect: &[0.02], plates: &[50.0] }, &mut extra);
+        bench.stage(id, values).field(
+            &bench.drive(),
+            &FieldView { aspect: &[0.02], strain: &[0.1], plates: &[50.0] },
+            &mut extra,
+        );
         extra[0]
     };
     // 50 x 0.02 / pi x (ln(800 pi) - 1), by hand: ln(2513.274) = 7.829341

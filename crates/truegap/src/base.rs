@@ -3,7 +3,8 @@
 //! Limits: the further keys under `[base]` are `series` and nothing else.
 
 use crate::sensors::{FindSensorError, find_sensor};
-use truegap_core::{Recording, Sensor, Simulator};
+use truegap_audit::corrections::curves;
+use truegap_core::{Corrections, Recording, Sensor, Simulator};
 use truegap_model::base::{BaseError, BaseModel, Recorded};
 use truegap_model::{SeriesOrder, StackOptions};
 
@@ -48,8 +49,13 @@ pub fn base_model(recording: &Recording) -> Result<Base, BaseModelError> {
     let spec = BaseModel::of(&asked.model, asked.sensor.as_deref(), options, recorded).map_err(named)?;
     let sensor = spec.sensor().map(|name| find_sensor(name, recording.path.parent())).transpose();
     let sensor = sensor.map_err(|source| BaseModelError::Sensor { recording: recording.path.display().to_string(), source })?;
-    let simulator = spec.build(sensor.as_ref()).map_err(named)?;
+    let simulator = spec.informed(sensor.as_ref(), sensor.as_ref().and_then(foreseen)).map_err(named)?;
     Ok(Base { spec, sensor, simulator })
+}
+
+/// What finite elements say of a sensor; `None` where their tables do not reach.
+pub fn foreseen(sensor: &Sensor) -> Option<Corrections> {
+    curves(sensor).ok()
 }
 
 /// Options of the stack that stand under `[base]`.

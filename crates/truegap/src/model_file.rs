@@ -2,6 +2,7 @@
 //!
 //! Limits: values and standard deviations, no correlations between them; an effect is known by its id, so a program must have it in its library.
 
+use crate::base::foreseen;
 use crate::diagnosis::Diagnosed;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -159,7 +160,7 @@ impl ModelFile {
     /// [`ModelFileError`] where base model, parameters and effects do not fit together.
     pub fn build(&self) -> Result<RunningModel, ModelFileError> {
         let sensor = self.sensor.as_ref().map(|text| Sensor::from_toml(text, "sensor of the model file")).transpose()?;
-        let simulator = self.base.build(sensor.as_ref())?;
+        let simulator = self.base.informed(sensor.as_ref(), sensor.as_ref().and_then(foreseen))?;
         let values = self.values(simulator.as_ref())?;
         let model = RunningModel { simulator, values, augmented: self.augmented() };
         model.check()?;

@@ -196,6 +196,9 @@ impl One<'_> {
         let model = Model::new(self.maker.template, self.maker.search.context, vec![self.effect]);
         let bounds = model.bounds()[model.first_of(0)];
         let zero = zero_size(&model, 0);
+        if self.effect.foreseen() {
+            return Some(-zero);
+        }
         let end = (zero + sign * BELIEVABLE).clamp(bounds.0, bounds.1) - zero;
         if end == 0.0 {
             return None;

@@ -5,13 +5,16 @@
 use crate::effect::Effect;
 
 mod ageing;
+mod bonded_layers;
 mod clock_rate;
 mod contact_toe_in;
 mod dead_gap;
 mod eccentric_load;
 mod electrode_warp;
+mod foreseen;
 mod fringing_field;
 mod gain_drift;
+mod held_warp;
 mod humidity_uptake;
 mod load_cell_error;
 mod mullins_softening;
@@ -22,6 +25,7 @@ mod permittivity_temperature;
 mod plate_bending;
 mod rate_independent_hysteresis;
 mod readout_lag;
+mod rim_field;
 mod saturation;
 mod scale;
 mod strain_stiffening;
@@ -46,14 +50,17 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(mullins_softening::MullinsSoftening),
         Box::new(ageing::Ageing),
         Box::new(strain_stiffening::StrainStiffening),
+        Box::new(bonded_layers::BondedLayers),
         Box::new(viscoelastic_creep::ViscoelasticCreep),
         Box::new(plate_bending::PlateBending),
         Box::new(electrode_warp::ElectrodeWarp),
+        Box::new(held_warp::HeldWarp),
         Box::new(thermal_hysteresis::ThermalHysteresis),
         Box::new(dead_gap::DeadGap),
         Box::new(permittivity_temperature::PermittivityTemperature),
         Box::new(humidity_uptake::HumidityUptake),
         Box::new(fringing_field::FringingField),
+        Box::new(rim_field::RimField),
         Box::new(parasitic_capacitance::ParasiticCapacitance),
         Box::new(gain_drift::GainDrift),
         Box::new(temperature_coefficient::TemperatureCoefficient),

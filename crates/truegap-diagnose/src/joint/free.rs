@@ -4,7 +4,9 @@
 
 use super::Member;
 use crate::directions::spread;
-use truegap_core::{Drive, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName};
+use truegap_core::{
+    Corrections, Drive, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName,
+};
 
 /// What each recording may have of its own.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -98,6 +100,10 @@ impl Simulator for Freed<'_> {
 
     fn reference_c(&self) -> f64 {
         self.inner.reference_c()
+    }
+
+    fn corrections(&self) -> Option<&Corrections> {
+        self.inner.corrections()
     }
 
     fn load(&self, inputs: &Inputs) -> Option<Vec<f64>> {

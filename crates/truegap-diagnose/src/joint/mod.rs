@@ -16,7 +16,7 @@ pub use share::Sharing;
 
 use free::Freed;
 use std::ops::Range;
-use truegap_core::{Inputs, Joined, Parameter, Role, SimulationError, Simulator, Stage, simulator::StageName};
+use truegap_core::{Corrections, Inputs, Joined, Parameter, Role, SimulationError, Simulator, Stage, simulator::StageName};
 
 /// A recording that is to be joined with others.
 pub struct Member<'a> {
@@ -207,6 +207,12 @@ impl Simulator for Joint<'_> {
 
     fn reference_c(&self) -> f64 {
         self.parts[0].model.reference_c()
+    }
+
+    /// Those of the sensor, where all recordings are of one.
+    fn corrections(&self) -> Option<&Corrections> {
+        let first = self.parts[0].model.corrections()?;
+        self.parts.iter().all(|part| part.model.corrections() == Some(first)).then_some(first)
     }
 
     fn joined(&self) -> Option<&dyn Joined> {

@@ -6,8 +6,8 @@
 pub mod page;
 
 use truegap_core::{
-    Dielectric, Drive, FieldView, Geometry, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage,
-    simulator::StageName,
+    Corrections, Curve, Dielectric, Drive, FieldView, Geometry, Inputs, Parameter, Readout, Role, SimulationError, Simulator,
+    Stage, simulator::StageName,
 };
 
 /// Plates on a nonlinear dielectric, with a shield on an insulator and a bimetal electrode.
@@ -15,6 +15,36 @@ pub struct Plate {
     warps: Option<bool>,
     no_dielectric: bool,
     parameters: Vec<Parameter>,
+    corrections: Corrections,
+}
+
+/// Curves of the right size, in closed form: what bonded beads, rims and held electrodes do to the plate.
+fn corrections() -> Corrections {
+    let curve = |id: &str, low: f64, high: f64, f: &dyn Fn(f64) -> f64| {
+        let x = |i: usize| low + (high - low) * i as f64 / 64.0;
+        Curve {
+            id: id.into(),
+            says: String::new(),
+            argument: String::new(),
+            argument_unit: "1".into(),
+            value: String::new(),
+            value_unit: "1".into(),
+            points: (0..=64).map(|i| [x(i), f(x(i))]).collect(),
+            accuracy: 1e-3,
+        }
+    };
+    Corrections {
+        sensor: "plate".into(),
+        stiffening: curve("stiffening", 0.0, 0.3, &|e| 2.4 + 3.0 * e),
+        bonded_strain: curve("bonded_strain", 0.0, 0.6, &|e| e / (2.4 + 1.5 * e)),
+        mixing: curve("mixing", 0.0, 0.3, &|e| 0.98 - 0.1 * e),
+        fringing: curve("fringing", 0.0, 0.1, &|aspect| 0.04 + 0.5 * aspect),
+        warp: curve("warp", -20.0, 60.0, &|kelvin| 1.0 - 1e-4 * kelvin),
+        warp_left: curve("warp_left", 0.0, 1.0, &|load| 0.2 + 0.8 / (1.0 + 20.0 * load)),
+        tail_edge_pf: 4.0,
+        held_growth_per_kelvin: 2.4e-4,
+        insulator_growth_per_kelvin: 3.4e-6,
+    }
 }
 
 impl Plate {
@@ -23,7 +53,7 @@ impl Plate {
             Parameter::normal("gain", "pF", 10.0, 1.0, "capacitance of the unloaded plates"),
             Parameter::log_normal("modulus", "full loads", 6.0, 0.3, "load that would close the gap"),
         ];
-        Self { warps, no_dielectric: false, parameters }
+        Self { warps, no_dielectric: false, parameters, corrections: corrections() }
     }
 
     /// The same plate as a base model that has no place for permittivity.
@@ -82,6 +112,9 @@ impl Simulator for Plate {
     fn warps(&self) -> Option<bool> {
         self.warps
     }
+    fn corrections(&self) -> Option<&Corrections> {
+        Some(&self.corrections)
+    }
     fn load(&self, inputs: &Inputs) -> Option<Vec<f64>> {
         inputs.force_n.as_ref().map(|force| force.iter().map(|f| f / 4.5).collect())
     }
@@ -106,7 +139,9 @@ impl Simulator for Plate {
             (0..rows).map(|row| self.row(values[0], &geometry, &factors, row)).map(|(plates, gap)| (plates, 0.024 * gap)).unzip();
         let mut value: Vec<f64> = plates.iter().zip(&factors.insulator).map(|(p, i)| p + 200.0 * i).collect();
         let mut extra = vec![0.0; rows];
-        stages.iter().for_each(|s| s.field(&drive, &FieldView { aspect: &aspect, plates: &plates }, &mut extra));
+        stages
+            .iter()
+            .for_each(|s| s.field(&drive, &FieldView { aspect: &aspect, strain: &strains, plates: &plates }, &mut extra));
         value.iter_mut().zip(&extra).for_each(|(value, extra)| *value += extra);
         let span = values[0] / (1.0 - 1.0 / values[1]) - values[0];
         stages.iter().for_each(|s| s.readout(&drive, &Readout { zero: values[0] + 200.0, span }, &mut value));

@@ -60,7 +60,7 @@ impl GapPlate {
         let radius = radius_m(area_permittivity, &self.unit);
         let aspect: Vec<f64> = (0..plates.len()).map(|row| self.separation(geometry, row) / radius).collect();
         let mut extra = vec![0.0; plates.len()];
-        let view = FieldView { aspect: &aspect, plates: &plates };
+        let view = FieldView { aspect: &aspect, strain: geometry.strain, plates: &plates };
         stages.iter().for_each(|stage| stage.field(drive, &view, &mut extra));
         plates.iter().zip(&extra).map(|(plates, extra)| plates + extra).collect()
     }

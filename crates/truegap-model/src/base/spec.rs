@@ -5,7 +5,7 @@
 use super::{Constant, External, ExternalOptions, GapPlate, Load, ParallelPlate};
 use crate::stack::{SeriesOrder, Stack, StackOptions};
 use serde::{Deserialize, Serialize};
-use truegap_core::{Inputs, Sensor, Simulator};
+use truegap_core::{Corrections, Inputs, Sensor, Simulator};
 
 /// Temperature at which a model without a sensor file is described, degrees Celsius.
 const REFERENCE_C: f64 = 20.0;
@@ -173,10 +173,18 @@ impl BaseModel {
     /// # Errors
     /// [`BaseError::NoSensor`] where the stack is given none.
     pub fn build(&self, sensor: Option<&Sensor>) -> Result<Box<dyn Simulator>, BaseError> {
+        self.informed(sensor, None)
+    }
+
+    /// As [`BaseModel::build`], with what finite elements say of the sensor.
+    ///
+    /// # Errors
+    /// As [`BaseModel::build`].
+    pub fn informed(&self, sensor: Option<&Sensor>, corrections: Option<Corrections>) -> Result<Box<dyn Simulator>, BaseError> {
         Ok(match self {
             Self::Stack { warp, series, .. } => {
                 let options = StackOptions { warp: *warp, series: *series };
-                Box::new(Stack::new(sensor.ok_or(BaseError::NoSensor)?, options))
+                Box::new(Stack::new(sensor.ok_or(BaseError::NoSensor)?, options).informed(corrections))
             }
             Self::ParallelPlate { load, full_load, scale, reference_c } => {
                 Box::new(ParallelPlate::new(*load, *full_load, scale, *reference_c))

@@ -77,7 +77,7 @@ pub(super) fn staged(
         value.push(device.total(parts.shares) * PICO);
         aspect.push(parts.aspect);
     }
-    let view = FieldView { aspect: &aspect, plates: &plates };
+    let view = FieldView { aspect: &aspect, strain: &strain, plates: &plates };
     let mut extra = vec![0.0; rows];
     stages.iter().for_each(|stage| stage.field(drive, &view, &mut extra));
     value.iter_mut().zip(&extra).for_each(|(value, extra)| *value += extra);

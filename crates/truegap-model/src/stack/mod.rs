@@ -16,7 +16,7 @@ pub(crate) use wedge::shape_factor;
 
 use knobs::Knob;
 use serde::{Deserialize, Serialize};
-use truegap_core::{Inputs, Parameter, Role, Sensor, SimulationError, Simulator, Stage, simulator::StageName};
+use truegap_core::{Corrections, Inputs, Parameter, Role, Sensor, SimulationError, Simulator, Stage, simulator::StageName};
 
 /// In which order the layers of the main gap are added up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -51,13 +51,21 @@ pub struct Stack {
     options: StackOptions,
     knobs: Vec<Knob>,
     parameters: Vec<Parameter>,
+    corrections: Option<Corrections>,
 }
 
 impl Stack {
     /// The model of a sensor; every toleranced quantity that matters becomes a parameter.
     pub fn new(sensor: &Sensor, options: StackOptions) -> Self {
         let (knobs, parameters) = knobs::of(sensor, options);
-        Self { sensor: sensor.clone(), options, knobs, parameters }
+        Self { sensor: sensor.clone(), options, knobs, parameters, corrections: None }
+    }
+
+    /// The same model, with what finite elements say of the sensor handed on to whoever looks for physics that the model leaves out; it computes nothing
+    /// with it.
+    #[must_use]
+    pub fn informed(self, corrections: Option<Corrections>) -> Self {
+        Self { corrections, ..self }
     }
 
     /// The sensor as its file describes it.
@@ -114,6 +122,10 @@ impl Simulator for Stack {
 
     fn reference_c(&self) -> f64 {
         self.sensor.reference_c
+    }
+
+    fn corrections(&self) -> Option<&Corrections> {
+        self.corrections.as_ref()
     }
 
     fn load(&self, inputs: &Inputs) -> Option<Vec<f64>> {

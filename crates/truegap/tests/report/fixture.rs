@@ -160,6 +160,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             Candidate { effect: "viscoelastic_creep".into(), probability: 0.01, score: 120.0, chi2_drop: 250.0, freedom: 2 },
             Candidate { effect: "offset_drift".into(), probability: 0.002, score: -3.0, chi2_drop: 2.0, freedom: 2 },
         ],
+        unlisted: Vec::new(),
         ambiguity: Vec::new(),
         fit: FitFacts {
             in_sample: BeforeAfter { rmse_before: before, rmse_after: after },

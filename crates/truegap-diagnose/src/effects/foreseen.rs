@@ -1,0 +1,20 @@
+//! What effects have in common whose size finite elements have computed.
+
+use truegap_core::{Parameter, Stage};
+
+/// Standard deviation of the share: sensors as made differ from the section that was computed by more than the section's own error of some per cent.
+const SHARE_SD: f64 = 0.15;
+
+/// The only parameter: a share of what was computed.
+pub(super) fn share(meaning: &str) -> Parameter {
+    Parameter::normal("share", "1", 1.0, SHARE_SD, meaning).within(0.0, 2.0)
+}
+
+struct Nothing;
+
+impl Stage for Nothing {}
+
+/// The stage where nothing was computed.
+pub(super) fn nothing() -> Box<dyn Stage> {
+    Box::new(Nothing)
+}

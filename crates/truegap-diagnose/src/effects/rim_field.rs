@@ -1,0 +1,92 @@
+//! The field at the rims of disc and tail, as finite elements have computed it for this sensor.
+
+use super::foreseen::share;
+use crate::{
+    context::Context,
+    effect::{About, Effect, Family, FittedParameter},
+};
+use truegap_core::{Corrections, Drive, EffectId, FieldView, Parameter, Stage, simulator::StageName};
+
+/// The field at the rims of shielded electrodes.
+pub struct RimField;
+
+struct Rims {
+    share: f64,
+    computed: Corrections,
+}
+
+impl Rims {
+    fn add(&self, view: &FieldView<'_>, extra: &mut [f64], fringing: impl Fn(f64) -> f64) {
+        for ((extra, &aspect), &plates) in extra.iter_mut().zip(view.aspect).zip(view.plates) {
+            *extra += self.share * (plates * fringing(aspect) + self.computed.tail_edge_pf);
+        }
+    }
+}
+
+impl Stage for Rims {
+    fn field(&self, _: &Drive<'_>, view: &FieldView<'_>, extra: &mut [f64]) {
+        self.add(view, extra, |aspect| self.computed.fringing(aspect));
+    }
+}
+
+/// Sibling: a rim whose share of the field does not change as the gap closes.
+struct Constant(Rims);
+
+impl Stage for Constant {
+    fn field(&self, _: &Drive<'_>, view: &FieldView<'_>, extra: &mut [f64]) {
+        let open = view.aspect.iter().copied().fold(0.0, f64::max);
+        let fringing = self.0.computed.fringing(open);
+        self.0.add(view, extra, |_| fringing);
+    }
+}
+
+impl RimField {
+    fn stage(values: &[f64], context: &Context<'_>) -> Option<Rims> {
+        Some(Rims { share: values[0], computed: context.foreseen().ok()?.clone() })
+    }
+}
+
+impl Effect for RimField {
+    fn id(&self) -> EffectId {
+        EffectId("rim_field")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Field
+    }
+    fn family(&self) -> Family {
+        Family::Field
+    }
+    fn foreseen(&self) -> bool {
+        true
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "the field of the shielded electrode goes on beyond its rim, and that of the trace beyond its edges",
+            equation: "C + r (C_plates f(gap / radius) + C_tail edges), f and the edges by finite elements for this sensor, r near 1",
+            excitation: "a well known capacitance without load, or load",
+            impostors: &["parasitic_capacitance", "fringing_field", "dead_gap"],
+            separates: "no free number but a share near 1; nearly a constant, so a stray capacitance of the same size takes it up",
+            source: "finite elements of open field and tail, truegap_audit::corrections (docs/audit.md)",
+        }
+    }
+    fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
+        vec![share("share of the field at the rims that finite elements compute")]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.foreseen()?;
+        context.has(StageName::Field)?;
+        context.needs_load()
+    }
+    fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
+        Self::stage(values, context).map_or_else(super::foreseen::nothing, |rims| Box::new(rims))
+    }
+    fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Self::stage(values, context).map(|rims| Box::new(Constant(rims)) as Box<dyn Stage>)
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        format!(
+            "the field at the rims of disc and tail is missing: {:.2} (sd {:.2}) of what finite elements compute for this sensor",
+            fitted[0].value, fitted[0].sd
+        )
+    }
+}

@@ -1,0 +1,346 @@
+//! Causes that no effect of the library holds, as rivals of those that one does: a zero or a gain that wanders, a jump inside a run, a reading that follows how fast
+//! load or temperature change.
+//!
+//! A library that always finds its nearest member names strangers. Each of these causes is a set of columns that add to the reading with Gaussian weights of
+//! unknown size, so that its evidence beside any fitted model is a closed form; a stranger that one of them describes with fewer numbers than the library
+//! needs is called `unexplained`, with what it follows.
+//!
+//! Limits: linear about the fit; additive on the reading.
+
+use crate::{
+    context::load_column,
+    effect::Effect,
+    evidence::log_sum_exp,
+    fit::Fit,
+    problem::Problem,
+    score::{Scores, scores},
+    search::Tried,
+    select::one_more,
+    whiten::Whitener,
+};
+use nalgebra::{Cholesky, DMatrix};
+use rayon::prelude::*;
+use std::ops::Range;
+use truegap_core::EffectId;
+
+/// Prior probability that something outside the library acts, over that of something inside, shared evenly by the causes.
+const OUTSIDE: f64 = 0.1;
+/// Rows at which a wandering course may turn, and at which a jump may lie.
+const KNOTS: usize = 64;
+/// Sizes over which the evidence of a cause is averaged: lengths that its columns may have, in units of the noise.
+const LENGTHS: [f64; 6] = [3.0, 8.0, 20.0, 50.0, 130.0, 350.0];
+/// Log weight below the best model's down to which models are set beside an unlisted cause.
+const NEAR: f64 = 20.0;
+/// Most such models.
+const MOST: usize = 12;
+
+/// A kind of cause outside the library.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// the zero wanders
+    WanderingZero,
+    /// the gain wanders
+    WanderingGain,
+    /// the reading jumps inside a run
+    Jump,
+    /// follows the speed of the load, whatever its direction
+    LoadSpeed,
+    /// follows the speed of the temperature, whatever its direction
+    TemperatureSpeed,
+    /// follows the rate of the temperature, with its sign
+    TemperatureRate,
+}
+
+impl Cause {
+    /// What a reader is told of it.
+    pub fn says(self) -> &'static str {
+        match self {
+            Self::WanderingZero => "the zero wanders from row to row",
+            Self::WanderingGain => "the gain wanders from row to row",
+            Self::Jump => "the reading jumps inside a run",
+            Self::LoadSpeed => "the reading follows how fast the load changes, up or down alike",
+            Self::TemperatureRate => "the reading follows the rate of the temperature",
+            Self::TemperatureSpeed => "the reading follows how fast the temperature changes, up or down alike",
+        }
+    }
+
+    /// Whether it makes by itself what this effect of the library makes, so that the two are not weighed together.
+    fn holds(self, effect: EffectId) -> bool {
+        matches!((self, effect.0), (Self::WanderingZero, "offset_steps" | "offset_drift") | (Self::Jump, "offset_drift"))
+    }
+
+    /// Whether one of its columns acts, or all together.
+    fn is_one_of(self) -> bool {
+        self == Self::Jump
+    }
+}
+
+/// A cause with its whitened columns, n x k.
+struct Columns {
+    cause: Cause,
+    columns: DMatrix<f64>,
+}
+
+/// An unlisted cause beside a model.
+#[derive(Clone, Debug)]
+pub struct Unlisted {
+    /// the cause
+    pub cause: Cause,
+    /// effects of the model that it stands beside, ascending
+    pub effects: Vec<usize>,
+    /// log weight, on the scale of the models'
+    pub weight: f64,
+    /// log evidence that it adds to the model
+    pub gain: f64,
+}
+
+/// The causes that these inputs could show.
+pub struct Causes(Vec<Columns>);
+
+impl Causes {
+    /// Columns of every cause, whitened.
+    pub fn new(problem: &Problem<'_>, whitener: &Whitener) -> Self {
+        let runs = problem.runs();
+        let time = problem.inputs.time_s.as_deref();
+        let load = load_column(problem.inputs, problem.simulator).filter(|l| moves(l));
+        let warm = problem.inputs.temperature_c.as_deref().filter(|t| moves(t));
+        let rows = problem.response.len();
+        let knots = knots(&runs, rows);
+        let mut list = vec![
+            (Cause::WanderingZero, wandering(&knots, time, rows, |_| 1.0)),
+            (Cause::Jump, knots.iter().filter(|k| runs.iter().all(|r| r.start != **k)).map(|k| step(*k, rows, &runs)).collect()),
+        ];
+        if let Some(load) = &load {
+            list.push((Cause::WanderingGain, wandering(&knots, time, rows, |row| load[row])));
+            list.push((Cause::LoadSpeed, laws(&rates(load, time, &runs), f64::abs)));
+        }
+        if let Some(warm) = warm {
+            let rate = rates(warm, time, &runs);
+            list.push((Cause::TemperatureSpeed, laws(&rate, f64::abs)));
+            list.push((Cause::TemperatureRate, laws(&rate, |r| r)));
+        }
+        Self(list.into_iter().filter(|(_, c)| !c.is_empty()).map(|(cause, c)| whitened(cause, c, whitener)).collect())
+    }
+
+    /// Each cause beside the models near the best; `weight` is a model's log weight, `temper` its divisor of log evidence, `slack` the factor by which the
+    /// noise may be larger than taken.
+    pub fn beside(
+        &self,
+        models: &[Tried],
+        library: &[&dyn Effect],
+        weight: impl Fn(&Tried) -> f64 + Sync,
+        temper: f64,
+        slack: f64,
+    ) -> Vec<Unlisted> {
+        let best = models.iter().map(&weight).fold(f64::NEG_INFINITY, f64::max);
+        let mut near: Vec<&Tried> = models.iter().filter(|m| m.effects.is_empty() || weight(m) > best - NEAR).collect();
+        // the base model stays, whatever its weight
+        near.sort_by(|a, b| a.effects.is_empty().cmp(&b.effects.is_empty()).reverse().then(weight(b).total_cmp(&weight(a))));
+        near.truncate(MOST);
+        let share = (OUTSIDE / self.0.len().max(1) as f64).ln();
+        let one = |model: &Tried, columns: &Columns| {
+            let gain = columns.gain(&model.fit) / slack;
+            let weight = weight(model) + one_more(model.effects.len()) + share + gain / temper;
+            Unlisted { cause: columns.cause, effects: model.key(), weight, gain }
+        };
+        let apart = |model: &Tried, cause: Cause| model.effects.iter().all(|e| !cause.holds(library[*e].id()));
+        let of = |model: &Tried| self.0.iter().filter(|c| apart(model, c.cause)).map(|c| one(model, c)).collect::<Vec<_>>();
+        near.par_iter().flat_map_iter(|model| of(model)).filter(|u| u.weight.is_finite()).collect()
+    }
+}
+
+impl Columns {
+    /// Log evidence that the cause adds to a model, its size unknown.
+    fn gain(&self, fit: &Fit) -> f64 {
+        let found = scores(fit, &self.columns);
+        let each: Vec<f64> = LENGTHS
+            .iter()
+            .map(|length| if self.cause.is_one_of() { one_of(&found, *length) } else { together(&found, *length) })
+            .collect();
+        log_sum_exp(&each) - (LENGTHS.len() as f64).ln()
+    }
+}
+
+/// Evidence for one of several columns, each with a weight under which it is `length` long.
+fn one_of(found: &Scores, length: f64) -> f64 {
+    let gain = |k: usize| {
+        let variance = found.covariance[(k, k)];
+        if variance <= 0.0 {
+            return 0.0;
+        }
+        let z2 = found.scores[k].powi(2) / variance;
+        let prior = length * length;
+        0.5 * z2 * prior / (1.0 + prior) - 0.5 * (1.0 + prior).ln()
+    };
+    let each: Vec<f64> = (0..found.scores.len()).map(gain).collect();
+    log_sum_exp(&each) - (each.len() as f64).ln()
+}
+
+/// Evidence for all columns together, independent weights under which their sum is `length` long.
+fn together(found: &Scores, length: f64) -> f64 {
+    let count = found.scores.len();
+    let total = found.covariance.trace();
+    if total <= 0.0 {
+        return 0.0;
+    }
+    let variance = length * length / total;
+    // log N(r; 0, P^-1 + variance B B^T) against log N(r; 0, P^-1), by the k x k identity
+    let inner = DMatrix::identity(count, count) + &found.covariance * variance;
+    let inner = (&inner + inner.transpose()) * 0.5;
+    let Some(factor) = Cholesky::new(inner) else { return 0.0 };
+    let log_det: f64 = factor.l_dirty().diagonal().iter().map(|d| 2.0 * d.ln()).sum();
+    0.5 * variance * found.scores.dot(&factor.solve(&found.scores)) - 0.5 * log_det
+}
+
+fn whitened(cause: Cause, columns: Vec<Vec<f64>>, whitener: &Whitener) -> Columns {
+    let rows = columns.first().map_or(0, Vec::len);
+    let mut matrix = DMatrix::zeros(rows, columns.len());
+    for (k, mut column) in columns.into_iter().enumerate() {
+        whitener.apply(&mut column);
+        matrix.column_mut(k).copy_from_slice(&column);
+    }
+    Columns { cause, columns: matrix }
+}
+
+fn moves(column: &[f64]) -> bool {
+    crate::directions::spread(column) > 0.0
+}
+
+/// Evenly spaced rows, and the first of every run but the first.
+fn knots(runs: &[Range<usize>], rows: usize) -> Vec<usize> {
+    let mut knots: Vec<usize> = (1..KNOTS).map(|k| k * rows / KNOTS).filter(|k| *k > 0).collect();
+    knots.extend(runs.iter().skip(1).map(|r| r.start));
+    knots.sort_unstable();
+    knots.dedup();
+    knots
+}
+
+/// 1 from row `from` to the end of its run, 0 elsewhere.
+fn step(from: usize, rows: usize, runs: &[Range<usize>]) -> Vec<f64> {
+    let end = runs.iter().find(|r| r.contains(&from)).map_or(rows, |r| r.end);
+    (0..rows).map(|row| if (from..end).contains(&row) { 1.0 } else { 0.0 }).collect()
+}
+
+/// Steps of a random walk, as large as the time since the one before lets it go; `factor` is what it multiplies.
+fn wandering(knots: &[usize], time: Option<&[f64]>, rows: usize, factor: impl Fn(usize) -> f64) -> Vec<Vec<f64>> {
+    let at = |row: usize| time.map_or(row as f64, |t| t[row]);
+    let mut before = 0;
+    let mut columns = Vec::new();
+    for &knot in knots {
+        let size = (at(knot) - at(before)).max(0.0).sqrt();
+        before = knot;
+        columns.push((0..rows).map(|row| if row >= knot { size * factor(row) } else { 0.0 }).collect());
+    }
+    columns
+}
+
+/// Rate of a column, per second (per row without a clock), by central differences inside each run.
+fn rates(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>]) -> Vec<f64> {
+    let at = |row: usize| time.map_or(row as f64, |t| t[row]);
+    let mut rate = vec![0.0; column.len()];
+    for run in runs.iter().filter(|r| r.len() > 1) {
+        for row in run.clone() {
+            let (left, right) = (row.saturating_sub(1).max(run.start), (row + 1).min(run.end - 1));
+            let passed = at(right) - at(left);
+            rate[row] = if passed > 0.0 { (column[right] - column[left]) / passed } else { 0.0 };
+        }
+    }
+    rate
+}
+
+/// Rates at which a law bends over, as shares of the greatest one.
+const BENDS: [f64; 3] = [0.05, 0.2, 0.8];
+
+/// Laws of a rate, each at most 1: in proportion, squared, and bending over at a slow, a middling and a fast rate. `of` takes the sign off, or leaves it.
+fn laws(rate: &[f64], of: impl Fn(f64) -> f64) -> Vec<Vec<f64>> {
+    let greatest = rate.iter().fold(0.0_f64, |most, r| most.max(r.abs()));
+    if greatest <= 0.0 {
+        return Vec::new();
+    }
+    let scaled: Vec<f64> = rate.iter().map(|r| of(r / greatest)).collect();
+    let mut columns = vec![scaled.clone(), scaled.iter().map(|s| s * s.abs()).collect()];
+    columns.extend(BENDS.map(|bend| scaled.iter().map(|s| s / (s.abs() + bend)).collect::<Vec<f64>>()));
+    columns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::DVector;
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    const ROWS: usize = 240;
+
+    fn noise(seed: u64) -> DVector<f64> {
+        let random = &mut ChaCha8Rng::seed_from_u64(seed);
+        DVector::from_fn(ROWS, |_, _| StandardNormal.sample(random))
+    }
+
+    /// Scores where nothing is calibrated.
+    fn scored(columns: &[Vec<f64>], residual: &DVector<f64>) -> Scores {
+        let b = DMatrix::from_fn(ROWS, columns.len(), |row, k| columns[k][row]);
+        Scores { scores: b.tr_mul(residual), covariance: b.tr_mul(&b) }
+    }
+
+    fn walk() -> Vec<Vec<f64>> {
+        wandering(&knots(&[0..120, 120..ROWS], ROWS), None, ROWS, |_| 1.0)
+    }
+
+    fn jumps() -> Vec<Vec<f64>> {
+        (1..40).map(|k| step(6 * k, ROWS, &[0..120, 120..ROWS])).collect()
+    }
+
+    #[test]
+    fn the_evidence_of_many_columns_is_that_of_a_correlated_gaussian() {
+        let columns = walk();
+        let residual = noise(1);
+        let found = scored(&columns, &residual);
+        let variance = 400.0 / found.covariance.trace();
+        let b = DMatrix::from_fn(ROWS, columns.len(), |row, k| columns[k][row]);
+        // the other route: the covariance of all rows, no identity for determinant and inverse
+        let whole = DMatrix::identity(ROWS, ROWS) + &b * b.transpose() * variance;
+        let factor = Cholesky::new(whole).unwrap();
+        let log_det: f64 = factor.l_dirty().diagonal().iter().map(|d| 2.0 * d.ln()).sum();
+        let exact = 0.5 * residual.norm_squared() - 0.5 * residual.dot(&factor.solve(&residual)) - 0.5 * log_det;
+        // rounding of 240 x 240 against 64 x 64
+        assert!((together(&found, 20.0) - exact).abs() < 1e-8, "{exact}");
+    }
+
+    #[test]
+    fn noise_alone_gives_no_evidence_and_a_planted_course_gives_much() {
+        let gain = |columns: &[Vec<f64>], residual: &DVector<f64>| together(&scored(columns, residual), 20.0);
+        let walked = walk();
+        for seed in 0..20 {
+            assert!(gain(&walked, &noise(seed)) < 2.0, "{seed}");
+        }
+        let random = &mut ChaCha8Rng::seed_from_u64(7);
+        let mut course = DVector::zeros(ROWS);
+        for column in &walked {
+            let step: f64 = StandardNormal.sample(random);
+            course += DVector::from_column_slice(column) * step;
+        }
+        course *= 20.0 / course.norm();
+        assert!(gain(&walked, &(noise(3) + course)) > 50.0);
+    }
+
+    #[test]
+    fn a_jump_is_rather_a_jump_than_a_wandering_zero() {
+        let columns = jumps();
+        let planted = DVector::from_column_slice(&columns[11]) * 1.5 + noise(5);
+        let (jump, walk) = (one_of(&scored(&columns, &planted), 20.0), together(&scored(&walk(), &planted), 20.0));
+        assert!(jump > walk + 5.0 && walk > 20.0, "{jump} {walk}");
+        assert!(one_of(&scored(&columns, &noise(5)), 20.0) < 0.0);
+    }
+
+    #[test]
+    fn steps_end_with_their_run_and_rates_do_not_cross_runs() {
+        let jump = step(100, ROWS, &[0..120, 120..ROWS]);
+        assert_eq!(jump.iter().sum::<f64>(), 20.0);
+        let (column, time) = (vec![0.0, 1.0, 3.0, 10.0, 10.0], vec![0.0, 1.0, 2.0, 50.0, 51.0]);
+        assert_eq!(rates(&column, Some(&time), &[0..3, 3..5]), vec![1.0, 1.5, 2.0, 0.0, 0.0]);
+        let law = laws(&[-2.0, 1.0], f64::abs);
+        assert_eq!((law.len(), law[0][0], law[1][1]), (5, 1.0, 0.25));
+    }
+}

@@ -72,6 +72,10 @@ pub trait Effect: Send + Sync {
     fn foreseen(&self) -> bool {
         false
     }
+    /// Whether it has no equation that could be wrong, but a number for whatever happens; what it leaves is then another cause.
+    fn free_form(&self) -> bool {
+        false
+    }
     /// Values of the parameters behind the size from which a search starts; one empty list where the size is all there is.
     fn starts(&self, _context: &Context<'_>) -> Vec<Vec<f64>> {
         vec![Vec::new()]

@@ -49,7 +49,8 @@ pub fn judge(search: &Search<'_>, gate: &Gate, selection: Selection) -> Examined
     let before = gate.adequacy(&selection.base().fit);
     let after = gate.adequacy(&selection.models[named].fit);
     let stopped = search.stop.load(Ordering::Relaxed);
-    let decision = if stopped { interrupted(&selection) } else { decide(&selection, &before, &after) };
+    let decision =
+        if stopped { interrupted(&selection) } else { decide(&selection, &before, &after, |e| search.library[e].free_form()) };
     Examined { selection, before, after, decision }
 }
 

@@ -44,10 +44,15 @@ impl JointTest {
 
 /// Scores along whitened columns `b` (n x k).
 pub fn scores(fit: &Fit, b: &DMatrix<f64>) -> Scores {
+    scores_with(fit, b, &b.tr_mul(b))
+}
+
+/// As [`scores`], `gram` being `b^T b`: for the same columns beside many fits.
+pub fn scores_with(fit: &Fit, b: &DMatrix<f64>, gram: &DMatrix<f64>) -> Scores {
     let residual = fit.settled_residual();
     let cross = fit.jacobian.tr_mul(b);
     let absorbed = fit.factor().map(|f| f.solve(&cross)).unwrap_or_else(|| DMatrix::zeros(cross.nrows(), cross.ncols()));
-    Scores { scores: b.tr_mul(&residual), covariance: b.tr_mul(b) - cross.tr_mul(&absorbed) }
+    Scores { scores: b.tr_mul(&residual), covariance: gram - cross.tr_mul(&absorbed) }
 }
 
 impl Scores {

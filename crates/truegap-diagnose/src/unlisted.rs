@@ -13,7 +13,7 @@ use crate::{
     evidence::log_sum_exp,
     fit::Fit,
     problem::Problem,
-    score::{Scores, scores},
+    score::{Scores, scores_with},
     search::Tried,
     select::one_more,
     whiten::Whitener,
@@ -66,7 +66,11 @@ impl Cause {
 
     /// Whether it makes by itself what this effect of the library makes, so that the two are not weighed together.
     fn holds(self, effect: EffectId) -> bool {
-        matches!((self, effect.0), (Self::WanderingZero, "offset_steps" | "offset_drift") | (Self::Jump, "offset_drift"))
+        match self {
+            Self::WanderingZero | Self::WanderingGain => matches!(effect.0, "offset_steps" | "offset_drift"),
+            Self::Jump => effect.0 == "offset_drift",
+            _ => false,
+        }
     }
 
     /// Whether one of its columns acts, or all together.
@@ -79,6 +83,8 @@ impl Cause {
 struct Columns {
     cause: Cause,
     columns: DMatrix<f64>,
+    /// products of the columns with one another
+    gram: DMatrix<f64>,
 }
 
 /// An unlisted cause beside a model.
@@ -112,12 +118,12 @@ impl Causes {
         ];
         if let Some(load) = &load {
             list.push((Cause::WanderingGain, wandering(&knots, time, rows, |row| load[row])));
-            list.push((Cause::LoadSpeed, laws(&rates(load, time, &runs), f64::abs)));
+            list.push((Cause::LoadSpeed, laws(&rates(load, time, &runs), false)));
         }
         if let Some(warm) = warm {
             let rate = rates(warm, time, &runs);
-            list.push((Cause::TemperatureSpeed, laws(&rate, f64::abs)));
-            list.push((Cause::TemperatureRate, laws(&rate, |r| r)));
+            list.push((Cause::TemperatureSpeed, laws(&rate, false)));
+            list.push((Cause::TemperatureRate, laws(&rate, true)));
         }
         Self(list.into_iter().filter(|(_, c)| !c.is_empty()).map(|(cause, c)| whitened(cause, c, whitener)).collect())
     }
@@ -152,7 +158,7 @@ impl Causes {
 impl Columns {
     /// Log evidence that the cause adds to a model, its size unknown.
     fn gain(&self, fit: &Fit) -> f64 {
-        let found = scores(fit, &self.columns);
+        let found = scores_with(fit, &self.columns, &self.gram);
         let each: Vec<f64> = LENGTHS
             .iter()
             .map(|length| if self.cause.is_one_of() { one_of(&found, *length) } else { together(&found, *length) })
@@ -199,7 +205,7 @@ fn whitened(cause: Cause, columns: Vec<Vec<f64>>, whitener: &Whitener) -> Column
         whitener.apply(&mut column);
         matrix.column_mut(k).copy_from_slice(&column);
     }
-    Columns { cause, columns: matrix }
+    Columns { cause, gram: matrix.tr_mul(&matrix), columns: matrix }
 }
 
 fn moves(column: &[f64]) -> bool {
@@ -248,19 +254,20 @@ fn rates(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>]) -> Vec<f64
     rate
 }
 
-/// Rates at which a law bends over, as shares of the greatest one.
-const BENDS: [f64; 3] = [0.05, 0.2, 0.8];
+/// Speeds at which a law of the speed is free, each half of the one before, from the greatest down.
+const OCTAVES: usize = 8;
 
-/// Laws of a rate, each at most 1: in proportion, squared, and bending over at a slow, a middling and a fast rate. `of` takes the sign off, or leaves it.
-fn laws(rate: &[f64], of: impl Fn(f64) -> f64) -> Vec<Vec<f64>> {
+/// Any law of a speed, or of a rate with its sign: hat functions of the logarithm of the speed, 0 at rest.
+fn laws(rate: &[f64], signed: bool) -> Vec<Vec<f64>> {
     let greatest = rate.iter().fold(0.0_f64, |most, r| most.max(r.abs()));
     if greatest <= 0.0 {
         return Vec::new();
     }
-    let scaled: Vec<f64> = rate.iter().map(|r| of(r / greatest)).collect();
-    let mut columns = vec![scaled.clone(), scaled.iter().map(|s| s * s.abs()).collect()];
-    columns.extend(BENDS.map(|bend| scaled.iter().map(|s| s / (s.abs() + bend)).collect::<Vec<f64>>()));
-    columns
+    let octave: Vec<f64> = rate.iter().map(|r| -(r.abs() / greatest).log2()).collect();
+    let hat = |k: usize, row: usize| (1.0 - (octave[row] - k as f64).abs()).max(0.0);
+    let sign = |row: usize| if signed { rate[row].signum() } else { 1.0 };
+    let columns = (0..OCTAVES).map(|k| (0..rate.len()).map(|row| sign(row) * hat(k, row)).collect::<Vec<f64>>());
+    columns.filter(|c| c.iter().any(|v| *v != 0.0)).collect()
 }
 
 #[cfg(test)]
@@ -340,7 +347,9 @@ mod tests {
         assert_eq!(jump.iter().sum::<f64>(), 20.0);
         let (column, time) = (vec![0.0, 1.0, 3.0, 10.0, 10.0], vec![0.0, 1.0, 2.0, 50.0, 51.0]);
         assert_eq!(rates(&column, Some(&time), &[0..3, 3..5]), vec![1.0, 1.5, 2.0, 0.0, 0.0]);
-        let law = laws(&[-2.0, 1.0], f64::abs);
-        assert_eq!((law.len(), law[0][0], law[1][1]), (5, 1.0, 0.25));
+        // a speed of 1/4 is two octaves down, one of 0.75 between the greatest and its half
+        let law = laws(&[-2.0, 0.5, 0.0, 1.5], false);
+        assert_eq!((law.len(), law[0][0], law[2][1], law[0][2]), (3, 1.0, 1.0, 0.0));
+        assert!((law[0][3] + law[1][3] - 1.0).abs() < 1e-12 && laws(&[-2.0], true)[0][0] == -1.0);
     }
 }

@@ -59,8 +59,8 @@ pub fn stated(selection: &Selection) -> Option<usize> {
     Some(smaller.unwrap_or(best))
 }
 
-/// Decides; `after` is the adequacy of the model that [`stated`] names.
-pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy) -> Decision {
+/// Decides; `after` is the adequacy of the model that [`stated`] names, `free_form` says which effects have no equation that could be wrong.
+pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_form: impl Fn(usize) -> bool) -> Decision {
     let nothing = |verdict| Decision::nothing(verdict, selection.base);
     let none = selection.probability_none();
     let library_sees = none < DETECTED;
@@ -83,7 +83,7 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy) -> Dec
     let sets = if likeliest { rival_sets(selection, best) } else { alone() };
     let rivals = sets.iter().any(|s| s.len() > 1);
     let sure = selection.models[best].effects.iter().all(|e| selection.effect_probability[*e] >= SURE);
-    if after.fires() && removed < RIGHT_FAMILY {
+    if after.fires() && removed.min(removed_by_equations(selection, best, after, free_form)) < RIGHT_FAMILY {
         return Decision { removed, ..nothing(Verdict::Unexplained) };
     }
     let outside_rivals = !sure && selection.probability_unlisted() > 1.0 - SURE;
@@ -124,6 +124,18 @@ fn removed(explained: f64, after: &Adequacy) -> f64 {
     let left = after.smooth.excess().max(after.stretches.excess());
     let explained = explained.max(0.0);
     if explained + left > 0.0 { explained / (explained + left) } else { 1.0 }
+}
+
+/// Share of the misfit that effects with an equation remove of what those without one leave; 1 where all have one.
+fn removed_by_equations(selection: &Selection, best: usize, after: &Adequacy, free_form: impl Fn(usize) -> bool) -> f64 {
+    let model = &selection.models[best];
+    let mut free: Vec<usize> = model.effects.iter().copied().filter(|e| free_form(*e)).collect();
+    free.sort_unstable();
+    if free.is_empty() {
+        return 1.0;
+    }
+    let without = selection.models.iter().find(|m| m.key() == free).unwrap_or(selection.base());
+    removed(2.0 * (without.fit.objective() - model.fit.objective()), after)
 }
 
 /// For each effect of model `best`, the effects that could stand in its place.

@@ -79,6 +79,9 @@ impl Effect for OffsetSteps {
     fn family(&self) -> Family {
         Family::Readout
     }
+    fn free_form(&self) -> bool {
+        true
+    }
     fn about(&self) -> About {
         About {
             physics: "the zero jumps where the sensor was plugged in again, or where a contact slipped, and stays there",

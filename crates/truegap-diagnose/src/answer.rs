@@ -414,9 +414,6 @@ impl Answer<'_> {
             Verdict::Agrees => "no mismatch found between recording and calibrated model".into(),
             Verdict::Explained => format!("missing from the model: {names}"),
             Verdict::Ambiguous => format!("missing from the model: one of {sets}; this recording cannot tell them apart"),
-            Verdict::WrongForm if self.decision.outside.is_some() => {
-                format!("missing from the model: {names}, and something that is not in the library{outside}")
-            }
             Verdict::WrongForm => format!(
                 "missing from the model: {names}; the family is clear, but its equation leaves {} of the misfit",
                 number::share_left(self.decision.removed)

@@ -6,7 +6,7 @@ use crate::{
     detectability::detectability,
     gate::{Adequacy, Gate},
     search::{Search, Tried},
-    select::{Selection, select},
+    select::{Selection, expected, select},
     unlisted::Causes,
     verdict::{Decision, decide, interrupted, stated},
 };
@@ -35,9 +35,8 @@ pub struct Examined {
 /// # Errors
 /// Those of the simulator at the centre of the prior.
 pub fn examine(search: &Search<'_>, gate: &Gate) -> Result<Examined, SimulationError> {
-    let base = search.base()?;
-    let nothing = base.fit.objective();
-    let selection = select(search, base);
+    let selection = select(search, search.base()?);
+    let nothing = expected(selection.models.iter(), &search.library).map_or(0.0, |m| m.fit.objective());
     let causes = Causes::new(search.problem, search.whitener);
     let selection = selection.with_unlisted(&causes, &search.library, gate.slack());
     Ok(judge(search, gate, selection.merged(|models, tried| hidden(search, models, tried, nothing))))
@@ -55,7 +54,7 @@ pub fn judge(search: &Search<'_>, gate: &Gate, selection: Selection) -> Examined
 }
 
 /// The effect of a model that stands least above the noise, and above the error of its equations, where that is not enough; `nothing` is the objective of the
-/// base model.
+/// model from which equations may be off.
 ///
 /// An effect stands out by what the objective rises without it: exactly, where the model without it was fitted, else as its linear detectability has it.
 fn hidden(search: &Search<'_>, models: &[Tried], tried: &Tried, nothing: f64) -> Option<usize> {

@@ -199,6 +199,12 @@ impl Fit {
         })
     }
 
+    /// Whether the straight step to the optimum of the linearised objective is one that the objective can take: where it is not, the search has stopped
+    /// short, and what is linear in the fit says nothing.
+    pub fn is_settled(&self) -> bool {
+        self.settled_residual().norm_squared() <= 2.0 * self.objective() + 1.0
+    }
+
     /// Posterior covariance in z.
     pub fn covariance(&self) -> Option<DMatrix<f64>> {
         self.factor().map(|f| f.inverse())

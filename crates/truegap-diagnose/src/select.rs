@@ -23,6 +23,8 @@ pub const FORM_ERROR: f64 = 0.2;
 const PARTNERS: usize = 6;
 /// Probability below which a model is not looked at more closely.
 const NEGLIGIBLE: f64 = 1e-4;
+/// Log odds that are large enough to stand for certainty.
+const LARGEST: f64 = 500.0;
 /// Number of independent shapes over which that error spreads.
 const FORM_SHAPES: f64 = 10.0;
 
@@ -87,7 +89,7 @@ impl Selection {
         self.unlisted = found
             .into_iter()
             .map(|u| {
-                let odds = (u.weight - total).exp();
+                let odds = (u.weight - total).min(LARGEST).exp();
                 (u, odds)
             })
             .collect();
@@ -201,7 +203,7 @@ pub fn select(search: &Search<'_>, base: Tried) -> Selection {
     }
     polish(search, &mut tried);
     let check = check(search, &mut tried);
-    Selection { check, ..weigh(tried, search.library.len()) }
+    Selection { check, ..weigh(tried, &search.library) }
 }
 
 /// Models that are sampled, those with the most weight, and the draws for each.
@@ -211,7 +213,7 @@ const ENOUGH: f64 = 0.1;
 
 /// Replaces Laplace's evidence by a sampled one for the models with the most weight, and for the base model.
 fn check(search: &Search<'_>, tried: &mut BTreeMap<Vec<usize>, Tried>) -> EvidenceCheck {
-    let weight = weight(temper_of(tried.values()), search.library.len());
+    let weight = weight(temper_of(tried.values(), &search.library), search.library.len());
     let mut order: Vec<(Vec<usize>, f64)> = tried.iter().map(|(key, m)| (key.clone(), weight(m))).collect();
     order.sort_by(|a, b| b.1.total_cmp(&a.1));
     let best = order.first().map_or(0.0, |o| o.1);
@@ -240,7 +242,7 @@ fn check(search: &Search<'_>, tried: &mut BTreeMap<Vec<usize>, Tried>) -> Eviden
 fn polish(search: &Search<'_>, tried: &mut BTreeMap<Vec<usize>, Tried>) {
     let mut done: BTreeSet<Vec<usize>> = BTreeSet::from([Vec::new()]);
     loop {
-        let weight = weight(temper_of(tried.values()), search.library.len());
+        let weight = weight(temper_of(tried.values(), &search.library), search.library.len());
         let best = tried.values().map(weight).fold(f64::NEG_INFINITY, f64::max);
         let near = |(key, m): &(&Vec<usize>, &Tried)| !done.contains(*key) && weight(m) > best - CLOSE;
         let rough: Vec<&Tried> = tried.iter().filter(near).map(|(_, m)| m).collect();
@@ -307,7 +309,7 @@ fn triples(search: &Search<'_>, all: &[usize], tried: &mut BTreeMap<Vec<usize>, 
         tried.values().filter(move |t| t.effects.len() == n).max_by(|a, b| a.fit.log_evidence.total_cmp(&b.fit.log_evidence))
     };
     let (Some(single), Some(pair)) = (of_size(1), of_size(2)) else { return };
-    let temper = temper(tried.get(&Vec::new()).map_or(0.0, |b| b.fit.chi2) - pair.fit.chi2);
+    let temper = temper(expected(tried.values(), &search.library).map_or(0.0, |b| b.fit.chi2) - pair.fit.chi2);
     if (pair.fit.log_evidence - single.fit.log_evidence) / temper > 3.0 && !search.stop.load(Ordering::Relaxed) {
         let pair = pair.clone();
         keep(tried, search.add_each(&pair, all, PARTNERS, "three effects"));
@@ -326,21 +328,34 @@ pub fn temper(deviance: f64) -> f64 {
     1.0 + FORM_ERROR * FORM_ERROR * deviance.max(0.0) / FORM_SHAPES
 }
 
-/// [`temper`] of the misfit that the best of some models explains.
-fn temper_of<'t>(models: impl Iterator<Item = &'t Tried> + Clone) -> f64 {
-    let base_chi2 = models.clone().find(|m| m.effects.is_empty()).map_or(0.0, |b| b.fit.chi2);
-    let least = models.map(|m| m.fit.chi2).fold(f64::INFINITY, f64::min);
-    temper(base_chi2 - least)
+/// [`temper`] of the misfit that the best of some models explains, beyond what was foreseen.
+fn temper_of<'t>(models: impl Iterator<Item = &'t Tried> + Clone, library: &[&dyn Effect]) -> f64 {
+    let least = models.clone().map(|m| m.fit.chi2).fold(f64::INFINITY, f64::min);
+    temper(expected(models, library).map_or(0.0, |m| m.fit.chi2) - least)
 }
 
-fn weigh(tried: BTreeMap<Vec<usize>, Tried>, library: usize) -> Selection {
+/// Share of the misfit from which on it counts as foreseen.
+const FORESEEN: f64 = 0.9;
+
+/// The model from which equations may be off: the base model, or that with nothing but effects that were computed beforehand, where those are most of what is
+/// missing. They carry the error of their computation, some per cent, and not that of an equation chosen for its simplicity.
+pub(crate) fn expected<'t>(models: impl Iterator<Item = &'t Tried> + Clone, library: &[&dyn Effect]) -> Option<&'t Tried> {
+    let base = models.clone().find(|m| m.effects.is_empty())?;
+    let least = models.clone().map(|m| m.fit.chi2).fold(f64::INFINITY, f64::min);
+    let computed = models.filter(|m| m.effects.iter().all(|e| library[*e].foreseen()));
+    let best = computed.min_by(|a, b| a.fit.chi2.total_cmp(&b.fit.chi2))?;
+    let most = base.fit.chi2 - best.fit.chi2 > FORESEEN * (base.fit.chi2 - least);
+    Some(if most { best } else { base })
+}
+
+fn weigh(tried: BTreeMap<Vec<usize>, Tried>, library: &[&dyn Effect]) -> Selection {
     let mut models: Vec<Tried> = tried.into_values().collect();
-    let temper = temper_of(models.iter());
-    let weight = weight(temper, library);
+    let temper = temper_of(models.iter(), library);
+    let weight = weight(temper, library.len());
     models.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
     let weights: Vec<f64> = models.iter().map(weight).collect();
     let total = log_sum_exp(&weights);
     let probability: Vec<f64> = weights.iter().map(|w| (w - total).exp()).collect();
-    let (effect_probability, check) = (vec![0.0; library], EvidenceCheck::default());
+    let (effect_probability, check) = (vec![0.0; library.len()], EvidenceCheck::default());
     Selection { models, probability, effect_probability, temper, base: 0, check, unlisted: Vec::new() }.sorted()
 }

@@ -16,9 +16,10 @@ use crate::{
     score::{Scores, scores_with},
     search::Tried,
     select::one_more,
+    verdict::RIGHT_FAMILY,
     whiten::Whitener,
 };
-use nalgebra::{Cholesky, DMatrix};
+use nalgebra::{DMatrix, SymmetricEigen};
 use rayon::prelude::*;
 use std::ops::Range;
 use truegap_core::EffectId;
@@ -139,18 +140,24 @@ impl Causes {
         slack: f64,
     ) -> Vec<Unlisted> {
         let best = models.iter().map(&weight).fold(f64::NEG_INFINITY, f64::max);
-        let mut near: Vec<&Tried> = models.iter().filter(|m| m.effects.is_empty() || weight(m) > best - NEAR).collect();
+        let mut near: Vec<&Tried> =
+            models.iter().filter(|m| (m.effects.is_empty() || weight(m) > best - NEAR) && m.fit.is_settled()).collect();
         // the base model stays, whatever its weight
         near.sort_by(|a, b| a.effects.is_empty().cmp(&b.effects.is_empty()).reverse().then(weight(b).total_cmp(&weight(a))));
         near.truncate(MOST);
         let share = (OUTSIDE / self.0.len().max(1) as f64).ln();
+        let nothing = models.iter().find(|m| m.effects.is_empty()).map_or(0.0, |m| m.fit.objective());
         let one = |model: &Tried, columns: &Columns| {
             let gain = columns.gain(&model.fit) / slack;
             let weight = weight(model) + one_more(model.effects.len()) + share + gain / temper;
-            Unlisted { cause: columns.cause, effects: model.key(), weight, gain }
+            // beside a model, it has to be more than what the right family leaves in the wrong form
+            let explained = (nothing - model.fit.objective()).max(0.0);
+            let counts = model.effects.is_empty() || gain > (1.0 - RIGHT_FAMILY) * (explained + gain);
+            counts.then(|| Unlisted { cause: columns.cause, effects: model.key(), weight, gain })
         };
         let apart = |model: &Tried, cause: Cause| model.effects.iter().all(|e| !cause.holds(library[*e].id()));
-        let of = |model: &Tried| self.0.iter().filter(|c| apart(model, c.cause)).map(|c| one(model, c)).collect::<Vec<_>>();
+        let of =
+            |model: &Tried| self.0.iter().filter(|c| apart(model, c.cause)).filter_map(|c| one(model, c)).collect::<Vec<_>>();
         near.par_iter().flat_map_iter(|model| of(model)).filter(|u| u.weight.is_finite()).collect()
     }
 }
@@ -159,10 +166,12 @@ impl Columns {
     /// Log evidence that the cause adds to a model, its size unknown.
     fn gain(&self, fit: &Fit) -> f64 {
         let found = scores_with(fit, &self.columns, &self.gram);
-        let each: Vec<f64> = LENGTHS
-            .iter()
-            .map(|length| if self.cause.is_one_of() { one_of(&found, *length) } else { together(&found, *length) })
-            .collect();
+        let each: Vec<f64> = if self.cause.is_one_of() {
+            LENGTHS.iter().map(|length| one_of(&found, *length)).collect()
+        } else {
+            let apart = apart(&found);
+            LENGTHS.iter().map(|length| together(&apart, *length)).collect()
+        };
         log_sum_exp(&each) - (LENGTHS.len() as f64).ln()
     }
 }
@@ -182,20 +191,27 @@ fn one_of(found: &Scores, length: f64) -> f64 {
     log_sum_exp(&each) - (each.len() as f64).ln()
 }
 
-/// Evidence for all columns together, independent weights under which their sum is `length` long.
-fn together(found: &Scores, length: f64) -> f64 {
-    let count = found.scores.len();
-    let total = found.covariance.trace();
-    if total <= 0.0 {
-        return 0.0;
-    }
-    let variance = length * length / total;
-    // log N(r; 0, P^-1 + variance B B^T) against log N(r; 0, P^-1), by the k x k identity
-    let inner = DMatrix::identity(count, count) + &found.covariance * variance;
-    let inner = (&inner + inner.transpose()) * 0.5;
-    let Some(factor) = Cholesky::new(inner) else { return 0.0 };
-    let log_det: f64 = factor.l_dirty().diagonal().iter().map(|d| 2.0 * d.ln()).sum();
-    0.5 * variance * found.scores.dot(&factor.solve(&found.scores)) - 0.5 * log_det
+/// Share of the largest variance below which calibration is taken to absorb a direction.
+const ABSORBED: f64 = 1e-7;
+
+/// Scores along directions that do not correlate: variance and score of each that calibration leaves.
+fn apart(found: &Scores) -> Vec<(f64, f64)> {
+    let eigen = SymmetricEigen::new((&found.covariance + found.covariance.transpose()) * 0.5);
+    let greatest = eigen.eigenvalues.iter().copied().fold(0.0, f64::max);
+    let directions = eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter());
+    directions.filter(|(v, _)| **v > ABSORBED * greatest).map(|(v, d)| (*v, d.dot(&found.scores))).collect()
+}
+
+/// Evidence for all columns together, independent weights under which their sum is `length` long: log N(r; 0, P + w B B^T) less log N(r; 0, P), by the
+/// directions of B^T P^-1 B.
+fn together(apart: &[(f64, f64)], length: f64) -> f64 {
+    let total: f64 = apart.iter().map(|(variance, _)| variance).sum();
+    let weight = if total > 0.0 { length * length / total } else { 0.0 };
+    let one = |(variance, score): &(f64, f64)| {
+        let grown = 1.0 + weight * variance;
+        0.5 * weight * score * score / grown - 0.5 * grown.ln()
+    };
+    apart.iter().map(one).sum()
 }
 
 fn whitened(cause: Cause, columns: Vec<Vec<f64>>, whitener: &Whitener) -> Columns {
@@ -273,7 +289,7 @@ fn laws(rate: &[f64], signed: bool) -> Vec<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::DVector;
+    use nalgebra::{Cholesky, DVector};
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
     use rand_distr::{Distribution, StandardNormal};
@@ -312,12 +328,12 @@ mod tests {
         let log_det: f64 = factor.l_dirty().diagonal().iter().map(|d| 2.0 * d.ln()).sum();
         let exact = 0.5 * residual.norm_squared() - 0.5 * residual.dot(&factor.solve(&residual)) - 0.5 * log_det;
         // rounding of 240 x 240 against 64 x 64
-        assert!((together(&found, 20.0) - exact).abs() < 1e-8, "{exact}");
+        assert!((together(&apart(&found), 20.0) - exact).abs() < 1e-8, "{exact}");
     }
 
     #[test]
     fn noise_alone_gives_no_evidence_and_a_planted_course_gives_much() {
-        let gain = |columns: &[Vec<f64>], residual: &DVector<f64>| together(&scored(columns, residual), 20.0);
+        let gain = |columns: &[Vec<f64>], residual: &DVector<f64>| together(&apart(&scored(columns, residual)), 20.0);
         let walked = walk();
         for seed in 0..20 {
             assert!(gain(&walked, &noise(seed)) < 2.0, "{seed}");
@@ -336,7 +352,7 @@ mod tests {
     fn a_jump_is_rather_a_jump_than_a_wandering_zero() {
         let columns = jumps();
         let planted = DVector::from_column_slice(&columns[11]) * 1.5 + noise(5);
-        let (jump, walk) = (one_of(&scored(&columns, &planted), 20.0), together(&scored(&walk(), &planted), 20.0));
+        let (jump, walk) = (one_of(&scored(&columns, &planted), 20.0), together(&apart(&scored(&walk(), &planted)), 20.0));
         assert!(jump > walk + 5.0 && walk > 20.0, "{jump} {walk}");
         assert!(one_of(&scored(&columns, &noise(5)), 20.0) < 0.0);
     }

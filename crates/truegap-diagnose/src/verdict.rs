@@ -97,19 +97,12 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_f
     Decision { verdict, model, sets, removed, outside: None, outside_rivals }
 }
 
-/// A cause outside the library is likelier than all of it: the effects that it stands beside are named only where they are most of what is missing.
+/// A cause outside the library is likelier than all of it. What it stands beside is not named: it would be a smaller part of what is missing.
 fn outside(selection: &Selection, unlisted: &Unlisted) -> Decision {
-    let beside = selection.models.iter().position(|m| m.key() == unlisted.effects).unwrap_or(selection.base);
-    let explained = (selection.base().fit.objective() - selection.models[beside].fit.objective()).max(0.0);
+    let beside = selection.models.iter().find(|m| m.key() == unlisted.effects).unwrap_or(selection.base());
+    let explained = (selection.base().fit.objective() - beside.fit.objective()).max(0.0);
     let removed = explained / (explained + unlisted.gain.max(f64::MIN_POSITIVE));
-    let sure = unlisted.effects.iter().all(|e| selection.effect_probability[*e] >= SURE);
-    let named = beside != selection.base && removed >= RIGHT_FAMILY && sure;
-    let nothing = Decision { removed, outside: Some(unlisted.cause), ..Decision::nothing(Verdict::Unexplained, selection.base) };
-    if !named {
-        return nothing;
-    }
-    let sets = selection.models[beside].effects.iter().map(|e| vec![*e]).collect();
-    Decision { verdict: Verdict::WrongForm, model: beside, sets, ..nothing }
+    Decision { removed, outside: Some(unlisted.cause), ..Decision::nothing(Verdict::Unexplained, selection.base) }
 }
 
 /// What may be said when the search was stopped: that it was not finished, and nothing of causes.

@@ -5,9 +5,9 @@ use truegap_core::{Parameter, Stage};
 /// Standard deviation of the share: sensors as made differ from the section that was computed by more than the section's own error of some per cent.
 const SHARE_SD: f64 = 0.15;
 
-/// The only parameter: a share of what was computed.
+/// The only parameter: a share of what was computed. Less than half of it, or more than one and a half times, would be something else.
 pub(super) fn share(meaning: &str) -> Parameter {
-    Parameter::normal("share", "1", 1.0, SHARE_SD, meaning).within(0.0, 2.0)
+    Parameter::normal("share", "1", 1.0, SHARE_SD, meaning).within(0.5, 1.5)
 }
 
 struct Nothing;

@@ -241,3 +241,25 @@ fn the_electronics_lag_drift_jump_and_clip_as_they_should() {
     assert_eq!(bench.stage("time_offset", &[0.25]).late_s(7.0), 0.25);
     assert_eq!(bench.stage("clock_rate", &[0.25, 3.0]).late_s(7.0), 1.0);
 }
+
+#[test]
+fn what_was_computed_beforehand_is_put_in_its_share() {
+    // the plate's own curves: strain e / (2.4 + 1.5 e), growth 2.4e-4 and 3.4e-6 per kelvin, rims 0.04 + 0.5 aspect and 4 pF, mixing 0.98 - 0.1 e
+    let bench = Bench::new(vec![0.0, 10.0], vec![0.0, 1.0], vec![20.0, 30.0]);
+    let whole = 0.2 / (2.4 + 1.5 * 0.2) - 2.4e-3;
+    assert_abs_diff_eq!(bench.strains("bonded_layers", &[1.0])[1], whole, epsilon = 1e-7);
+    assert_abs_diff_eq!(bench.strains("bonded_layers", &[0.5])[1], 0.5 * (0.2 + whole), epsilon = 1e-7);
+    assert_abs_diff_eq!(bench.dielectric("bonded_layers", &[1.0]).insulator[1], 1.0 / (1.0 + 3.4e-5), epsilon = ROUNDING);
+    let view = FieldView { aspect: &[0.02, 0.02], strain: &[0.0, 0.0976], plates: &[50.0, 50.0] };
+    let extra = |id: &str| {
+        let mut extra = vec![0.0; 2];
+        bench.stage(id, &[1.0]).field(&bench.drive(), &view, &mut extra);
+        extra[1]
+    };
+    // heat has taken 0.0024 off the strain that the load makes
+    assert_abs_diff_eq!(extra("bonded_layers"), 50.0 * (0.98 - 0.01 - 1.0), epsilon = 1e-7);
+    assert_abs_diff_eq!(extra("rim_field"), 50.0 * 0.05 + 4.0, epsilon = 1e-7);
+    // 1 - 1e-4 per kelvin without load; under full load 0.2 + 0.8 / 21 of it
+    assert_abs_diff_eq!(extra("held_warp"), -50.0 * 1e-3 * (0.2 + 0.8 / 21.0), epsilon = 1e-6);
+    assert_eq!(bench.geometry("held_warp", &[1.0], &[0.0, 0.2]).warp_factor, -1.0);
+}

@@ -5,7 +5,7 @@
 use super::draw;
 use super::number::{measured, percent, significant, spoken};
 use super::subject::Subject;
-use truegap_diagnose::diagnosis::{Candidate, SmallestVisible};
+use truegap_diagnose::diagnosis::{Candidate, SmallestVisible, UnlistedCause};
 use truegap_scene::figure::{Bars, FigureError};
 use truegap_scene::page::{Page, Table};
 
@@ -17,6 +17,7 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     let page = page.section("Everything that was tried");
     let page = chart(page, &diagnosis.candidates);
     let page = page.details("All candidates as a table").table(&table(&diagnosis.candidates)).end_details();
+    let page = outside(page, &diagnosis.unlisted);
     let page = if diagnosis.smallest_visible.is_empty() {
         page
     } else {
@@ -42,6 +43,19 @@ fn chart(page: Page, candidates: &[Candidate]) -> Page {
     );
     let page = draw::figure(page, probabilities(first), "Probability of belonging to the model.");
     draw::figure(page, scores(first), "Gain in log evidence of each effect alone over the calibrated model.")
+}
+
+/// Causes that the library does not hold, where they are not negligible.
+fn outside(page: Page, causes: &[UnlistedCause]) -> Page {
+    if causes.is_empty() {
+        return page;
+    }
+    let beside = |cause: &UnlistedCause| cause.beside.iter().map(|e| spoken(e)).collect::<Vec<_>>().join(", ");
+    let row =
+        |table: Table, cause: &UnlistedCause| table.row(&[cause.says.to_owned(), beside(cause), percent(cause.probability)]);
+    page.subsection("Outside the library")
+        .text("Causes that no effect of the library makes, weighed beside it, alone or together with effects of it.")
+        .table(&causes.iter().fold(Table::new(&["what the reading does", "together with", "probability"]), row))
 }
 
 fn labels(candidates: &[Candidate]) -> Vec<String> {

@@ -9,9 +9,8 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Normal};
 use rayon::prelude::*;
-use truegap_audit::corrections::coupled::Coupled;
-use truegap_audit::disc::{CoupledOptions, Whole};
-use truegap_audit::{AuditError, Options, Study, Watch};
+use truegap_audit::AuditError;
+use truegap_audit::reference::{CellDisc, FlatCells};
 use truegap_core::{Curve, Sensor, sensor::builtin_sensors};
 
 /// Loads of the finite elements, as shares of the full one: close where a load begins to press the rim flat.
@@ -87,15 +86,8 @@ const COURSES: [Course; 6] = [
 
 /// Capacitance over load, pF, one curve a temperature.
 fn grid(sensor: &Sensor) -> Result<Vec<Curve>, AuditError> {
-    let (coupled, watch) = (Coupled::new(sensor, 1e-6)?, Watch::default());
-    let study = Study::new(sensor, Options::default(), &watch)?;
-    let whole = Whole::bonded(&study, CoupledOptions { target: 2e-6, ..CoupledOptions::default() })?;
-    let exact = |force: f64, celsius: f64| -> Result<f64, AuditError> {
-        let cell = coupled.at(force, celsius)?.capacitance_pf;
-        let disc = [whole.solve(force, celsius)?, whole.solve_flat(force, celsius)?];
-        let [bent, flat] = disc.map(|s| 1e12 * (s.charged.main + s.charged.backing));
-        Ok(cell + bent - flat)
-    };
+    let disc = CellDisc::new(FlatCells::new(sensor, 1e-6)?)?;
+    let exact = |force: f64, celsius: f64| disc.at(force, celsius).map(|state| state.capacitance_pf);
     let points: Vec<(f64, f64)> = CELSIUS.iter().flat_map(|&c| LOADS.map(|l| (l, c))).collect();
     let values = points.par_iter().map(|&(l, c)| exact(l * sensor.full_scale, c)).collect::<Result<Vec<_>, _>>()?;
     for ((load, celsius), value) in points.iter().zip(&values) {

@@ -159,7 +159,8 @@ impl Selection {
         let outside = self.unlisted.iter().map(|(u, odds)| (&u.effects, odds));
         inside.chain(outside).for_each(|(effects, p)| effects.iter().for_each(|e| sums[*e] += p));
         let total = 1.0 + self.unlisted.iter().map(|(_, odds)| odds).sum::<f64>();
-        sums.iter_mut().for_each(|p| *p /= total);
+        // rounding of many small terms
+        sums.iter_mut().for_each(|p| *p = (*p / total).min(1.0));
         sums
     }
 

@@ -1,7 +1,7 @@
 //! A recording of the S15 as finite elements have it, in the analytic model's stead: bonded, heated and loaded beads with the field around them, field at the
 //! rims, the electrode on its beads. No table and no equation of the diagnosis takes part.
 //!
-//! `cargo run -p truegap-audit --example bonded_recording > validation/recordings/bonded/recording.csv` (some minutes)
+//! `cargo run -p truegap-audit --example bonded_recording > validation/recordings/bonded/recording.csv` (a quarter of an hour)
 //!
 //! Limits: noise is white; the sensor has its nominal sizes, and its silicone the modulus given below.
 

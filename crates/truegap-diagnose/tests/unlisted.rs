@@ -1,0 +1,57 @@
+//! A cause that the library does not hold is called `unexplained`; one that it holds keeps its name.
+
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use common::{Plate, recording};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+use std::sync::atomic::AtomicBool;
+use truegap_core::{Inputs, Simulator};
+use truegap_diagnose::{Diagnosis, Options, Problem, RecordingFacts, Verdict, diagnose};
+
+/// Noise of the reading, pF.
+const NOISE: f64 = 0.004;
+
+/// The diagnosis of the plate's own reading with noise and with what `added` puts on each row.
+fn said_of(added: impl Fn(&Inputs, usize) -> f64) -> Diagnosis {
+    let (plate, inputs) = (Plate::new(Some(true)), recording());
+    let random = &mut ChaCha8Rng::seed_from_u64(11);
+    let mut response = plate.respond(&[10.4, 6.6], &inputs, &[]).unwrap();
+    for (row, value) in response.iter_mut().enumerate() {
+        let drawn: f64 = StandardNormal.sample(random);
+        *value += NOISE * drawn + added(&inputs, row);
+    }
+    let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
+    let facts = RecordingFacts { rows: response.len(), runs: inputs.runs().len(), ..RecordingFacts::default() };
+    diagnose(&problem, facts, &Options::default(), &|_| (), &AtomicBool::new(false)).unwrap().diagnosis
+}
+
+/// A zero that wanders over minutes, by some ten times the noise: slower than the noise, faster than a drift, and with no input of the recording.
+fn wandering(inputs: &Inputs, row: usize) -> f64 {
+    let t = inputs.time_s.as_ref().unwrap()[row];
+    let tone = |period: f64, phase: f64| (std::f64::consts::TAU * t / period + phase).sin();
+    6.0 * NOISE * (tone(700.0, 0.3) + tone(431.0, 1.0) + tone(1130.0, 2.0))
+}
+
+#[test]
+fn a_zero_that_wanders_is_not_given_the_name_of_a_drift() {
+    let said = said_of(wandering);
+    assert_eq!((said.verdict, said.findings.len()), (Verdict::Unexplained, 0), "{}", said.says);
+}
+
+#[test]
+fn a_zero_that_is_another_in_each_run_keeps_its_name() {
+    let first = recording().run[0];
+    let said = said_of(|inputs, row| if inputs.run[row] == first { 0.0 } else { 0.02 * f64::from(inputs.run[row] % 7) / 7.0 });
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!((said.verdict, named), (Verdict::Explained, vec!["offset_steps"]), "{}", said.says);
+}
+
+#[test]
+fn nothing_outside_is_claimed_where_nothing_is_missing() {
+    let said = said_of(|_, _| 0.0);
+    assert_eq!(said.verdict, Verdict::Agrees, "{}", said.says);
+}

@@ -40,7 +40,7 @@ pub const LIBRARY: [(&str, DrawShape); 24] = [
 ];
 
 /// Causes that no library holds.
-pub const STRANGERS: [(&str, DrawShape); 8] = [
+pub const STRANGERS: [(&str, DrawShape); 9] = [
     ("hum", s::hum::draw),
     ("beat", s::beat::draw),
     ("thermal_rate", s::thermal_rate::draw),
@@ -48,6 +48,7 @@ pub const STRANGERS: [(&str, DrawShape); 8] = [
     ("bursts", s::bursts::draw),
     ("random_walk", s::random_walk::draw),
     ("telegraph", s::telegraph::draw),
+    ("slips", s::slips::draw),
     ("converter_ripple", s::converter_ripple::draw),
 ];
 

@@ -1,25 +1,24 @@
-//! `offset_steps`: the zero jumps a few times (a slipping contact), each jump settling within seconds.
+//! `offset_steps`: the zero jumps where the sensor was plugged in again, in some of the pauses between runs.
 //!
-//! Limits: one to three jumps of like size, at rows rather than times, so that every protocol has them. The size is the jump, pF.
+//! Limits: one to three pauses, jumps of like size; a recording of one run has none. A jump inside a run is the stranger `slips`, as in the shared recordings.
+//! The size is the jump, pF.
 
 use super::{Mechanism, Numbers, numbers};
 use crate::chain::{Scene, State};
 use crate::draws::Draws;
 
-/// Where (share of the rows), how high (share of the size), how fast (s).
+/// Which pause (share of them), how high (share of the size).
 #[derive(Debug, Clone)]
 pub struct OffsetSteps {
-    steps: Vec<(f64, f64)>,
-    settling: f64,
+    jumps: Vec<(f64, f64)>,
 }
 
-/// Draws one to three jumps.
+/// Draws one to three pauses.
 pub fn draw(draws: &mut Draws) -> Box<dyn Mechanism> {
     let count = 1 + draws.index(3);
-    let mut steps: Vec<(f64, f64)> =
-        (0..count).map(|_| (draws.between(0.1, 0.9), draws.sign() * draws.between(0.7, 1.3))).collect();
-    steps.sort_by(|a, b| a.0.total_cmp(&b.0));
-    Box::new(OffsetSteps { steps, settling: draws.log_between(0.1, 3.0) })
+    Box::new(OffsetSteps {
+        jumps: (0..count).map(|_| (draws.between(0.0, 1.0), draws.sign() * draws.between(0.7, 1.3))).collect(),
+    })
 }
 
 impl Mechanism for OffsetSteps {
@@ -33,16 +32,14 @@ impl Mechanism for OffsetSteps {
         2.0
     }
     fn numbers(&self, size: f64) -> Numbers {
-        numbers([("step_pf", size), ("steps", self.steps.len() as f64), ("settling_s", self.settling)])
+        numbers([("jump_pf", size), ("jumps", self.jumps.len() as f64)])
     }
     fn readout(&self, size: f64, scene: Scene, state: &mut State) {
-        let time = &scene.history.time;
-        for (place, height) in &self.steps {
-            let start = (place * time.len() as f64) as usize;
-            for row in start..time.len() {
-                let settled = -(-(time[row] - time[start]) / self.settling).exp_m1();
-                state.reading[row] += size * height * settled;
-            }
+        let runs = scene.history.runs();
+        let pauses = runs.len() - 1;
+        for (place, height) in self.jumps.iter().filter(|_| pauses > 0) {
+            let after = 1 + ((place * pauses as f64) as usize).min(pauses - 1);
+            state.reading[runs[after].start..].iter_mut().for_each(|reading| *reading += size * height);
         }
     }
 }

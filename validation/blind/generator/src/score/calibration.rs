@@ -26,12 +26,29 @@ pub fn interval(stated: &[(f64, bool)]) -> [f64; 2] {
         return [0.0, 1.0];
     }
     let mut draws = Draws::of(0, "bootstrap");
-    let mut errors: Vec<f64> = (0..RESAMPLES)
+    middle_95((0..RESAMPLES).map(|_| {
+        let again: Vec<(f64, bool)> = (0..stated.len()).map(|_| stated[draws.index(stated.len())]).collect();
+        expected_calibration_error(&again)
+    }))
+}
+
+/// Error that chance alone makes of so few findings where every stated probability is true: mean and 95 % interval.
+///
+/// **Source:** Bröcker & Smith, Increasing the Reliability of Reliability Diagrams (2007): consistency resampling.
+pub fn by_chance(stated: &[(f64, bool)]) -> (f64, [f64; 2]) {
+    let mut draws = Draws::of(1, "honest");
+    let errors: Vec<f64> = (0..RESAMPLES)
         .map(|_| {
-            let again: Vec<(f64, bool)> = (0..stated.len()).map(|_| stated[draws.index(stated.len())]).collect();
-            expected_calibration_error(&again)
+            let honest: Vec<(f64, bool)> = stated.iter().map(|(p, _)| (*p, draws.between(0.0, 1.0) < *p)).collect();
+            expected_calibration_error(&honest)
         })
         .collect();
+    (errors.iter().sum::<f64>() / RESAMPLES as f64, middle_95(errors.into_iter()))
+}
+
+/// The middle 95 % of [`RESAMPLES`] errors.
+fn middle_95(errors: impl Iterator<Item = f64>) -> [f64; 2] {
+    let mut errors: Vec<f64> = errors.collect();
     errors.sort_by(f64::total_cmp);
     [errors[RESAMPLES / 40], errors[RESAMPLES - 1 - RESAMPLES / 40]]
 }
@@ -46,6 +63,8 @@ mod tests {
         let boast: Vec<(f64, bool)> = (0..100).map(|i| (0.95, i < 65)).collect();
         assert!(expected_calibration_error(&honest) < 1e-12);
         assert!((expected_calibration_error(&boast) - 0.3).abs() < 1e-12);
+        // binomial scatter of 85 in 100: mean deviation sqrt(2 / pi) * 0.0357
+        assert!((by_chance(&honest).0 - 0.0285).abs() < 0.005, "{:?}", by_chance(&honest));
         let [low, high] = interval(&boast);
         assert!(low < 0.3 && high > 0.3 && high < 0.45);
     }

@@ -3,7 +3,7 @@
 //! Limits: "met" compares the estimate with the target; the interval says how sure that is. Times are not scored here.
 
 use super::Scored;
-use super::calibration::{expected_calibration_error, interval};
+use super::calibration::{by_chance, expected_calibration_error, interval};
 use super::family::family;
 use super::interval::{median, wilson};
 use super::judge::Outcome;
@@ -75,7 +75,7 @@ pub fn rows(cases: &[Scored]) -> Vec<Row> {
     let mut rows = false_alarms(cases);
     rows.extend(naming(cases));
     rows.extend(claims(cases));
-    rows.push(calibration(cases));
+    rows.extend(calibration(cases));
     rows.extend(medians(cases));
     rows
 }
@@ -154,7 +154,7 @@ fn holds_all(case: &Scored) -> bool {
     case.truth.causes.iter().all(|cause| named.contains(cause.as_str()))
 }
 
-fn calibration(cases: &[Scored]) -> Row {
+fn calibration(cases: &[Scored]) -> [Row; 2] {
     let target = Target::AtMost(0.05);
     let stated: Vec<(f64, bool)> = cases
         .iter()
@@ -162,7 +162,7 @@ fn calibration(cases: &[Scored]) -> Row {
         .filter_map(|(probability, right)| Some((probability?, right)))
         .collect();
     let value = (!stated.is_empty()).then(|| expected_calibration_error(&stated));
-    Row {
+    let error = Row {
         says: "calibration error of stated probabilities (ECE)".to_owned(),
         target: target.text(),
         hits: None,
@@ -170,7 +170,17 @@ fn calibration(cases: &[Scored]) -> Row {
         value,
         interval: interval(&stated),
         met: target.met(value),
-    }
+    };
+    let (mean, between) = by_chance(&stated);
+    let chance = Row {
+        says: "the same by chance, were each of them true (mean)".to_owned(),
+        target: String::new(),
+        value: value.map(|_| mean),
+        interval: between,
+        met: None,
+        ..error.clone()
+    };
+    [error, chance]
 }
 
 /// Rows that are a median rather than a share.

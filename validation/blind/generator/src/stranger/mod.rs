@@ -8,6 +8,7 @@ pub mod converter_ripple;
 pub mod force_rate_squared;
 pub mod hum;
 pub mod random_walk;
+pub mod slips;
 pub mod telegraph;
 pub mod thermal_rate;
 

@@ -30,7 +30,7 @@ pub struct Drive<'a> {
 pub struct Geometry<'a> {
     /// compressive strain of the dielectric
     pub strain: &'a [f64],
-    /// extra mean separation, as a share of the unloaded gap
+    /// extra mean separation, as a share of the unloaded gap at the reference temperature
     pub gap: Vec<f64>,
     /// temperature difference that bends the electrode, K
     pub warp_kelvin: Vec<f64>,
@@ -38,7 +38,7 @@ pub struct Geometry<'a> {
     pub warp_factor: f64,
     /// slope of the gap across the plate: difference between rim and centre over the mean gap, along one diameter
     pub tilt: Vec<f64>,
-    /// rim sag that the load adds to the electrode, as a share of the unloaded gap (positive: rim opens, centre closes)
+    /// rim sag that the load adds to the electrode, as a share of the unloaded gap at the reference temperature (positive: rim opens, centre closes)
     pub sag: Vec<f64>,
 }
 

@@ -39,7 +39,7 @@ impl Effect for DeadGap {
     fn about(&self) -> About {
         About {
             physics: "a layer of air or film in series with the dielectric, which the load does not close",
-            equation: "gap = h (1 - e) + g h, g constant",
+            equation: "gap = h(T) (1 - e) + g h(T_ref), g constant: it neither closes nor grows with the silicone",
             excitation: "strain large enough to bend the curve of capacitance over gap (10 % and more)",
             impostors: &["strain_stiffening", "parasitic_capacitance", "plate_bending", "fringing_field"],
             separates: "less curvature of the reading over load, the same at every temperature, rate and direction",

@@ -103,11 +103,11 @@ pub struct Squeeze {
     pub warp_kelvin: f64,
     /// factor on the curvature
     pub warp_factor: f64,
-    /// extra gap in series with the beads, share of the unloaded gap
+    /// extra gap in series with the beads, share of the unloaded gap at the reference temperature
     pub gap: f64,
     /// wedge: difference between rim and centre over the mean gap
     pub tilt: f64,
-    /// rim sag that the load adds, share of the unloaded gap
+    /// rim sag that the load adds, share of the unloaded gap at the reference temperature
     pub sag: f64,
     /// factor on the permittivity of the beads
     pub beads: f64,
@@ -251,15 +251,18 @@ impl Device {
     pub fn capacitances(&self, warm: &Warm, row: &Squeeze) -> Result<Capacitances, Refusal> {
         let touches = Refusal::Touches { strain: row.strain };
         let curvature = self.curvature(warm, row);
-        let unloaded = warm.layers.beads;
+        // what is added to the gap does not grow with the silicone
+        let cold = self.rubber.thickness;
         let mut dome = Dome { curvature, radius: warm.radius };
         if row.sag != 0.0 {
-            dome = Dome::from_rim_sag(RimSag { sag: rim_sag(dome) + row.sag * unloaded, radius: warm.radius });
+            dome = Dome::from_rim_sag(RimSag { sag: rim_sag(dome) + row.sag * cold, radius: warm.radius });
         }
         let pressure = Compression { pressure: row.force_n / warm.areas.electrode, young: self.insulator.young };
-        let layers =
-            Layers { beads: loaded_height(unloaded, row.strain), insulator: loaded_thickness(warm.layers.insulator, pressure) };
-        let extra = row.gap * unloaded;
+        let layers = Layers {
+            beads: loaded_height(warm.layers.beads, row.strain),
+            insulator: loaded_thickness(warm.layers.insulator, pressure),
+        };
+        let extra = row.gap * cold;
         let plates = BentPlates::settled(layers.beads, dome);
         if !(plates.apart() && layers.insulator > 0.0 && layers.beads + extra > 0.0) {
             return Err(touches);

@@ -4,6 +4,7 @@
 
 use crate::{chain::Stage, corrections::Corrections, inputs::Inputs, joined::Joined, parameter::Parameter};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// What a column of a recording is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, PartialOrd, Ord)]
@@ -58,7 +59,7 @@ pub trait Simulator: Send + Sync {
         20.0
     }
     /// What finite elements say of this sensor, without a free number; `None` where nobody has asked them, or they have no answer.
-    fn corrections(&self) -> Option<&Corrections> {
+    fn corrections(&self) -> Option<&Arc<Corrections>> {
         None
     }
     /// The recordings that the model joins; `None` where it is of one.

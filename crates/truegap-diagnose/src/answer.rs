@@ -5,9 +5,10 @@
 use crate::{
     augmented::{AddedEffect, Augmented, NamedValue, Scales},
     bank::Bank,
+    burst::Burst,
     conflicts::conflicts,
     control::shuffled,
-    detectability::{detectability, visible_size},
+    detectability::detectability,
     diagnose::Outcome,
     diagnosis::*,
     directions::Direction,
@@ -21,15 +22,8 @@ use crate::{
     problem::NoiseModel,
     search::{Search, Tried},
     select::Selection,
-    unlisted::Unlisted,
     verdict::Decision,
 };
-
-/// Id that stands for what no effect of the library explains.
-const UNEXPLAINED: &str = "unexplained";
-
-/// Detectability at which an effect would have been seen.
-const SEEN: f64 = 6.0;
 
 /// All that was found.
 pub struct Answer<'a> {
@@ -51,6 +45,8 @@ pub struct Answer<'a> {
     pub before: Adequacy,
     /// adequacy of the likeliest model
     pub after: Adequacy,
+    /// the loudest burst in what the base model leaves
+    pub burst: Burst,
     /// directions, whitened
     pub gate: &'a Gate,
     /// directions
@@ -58,7 +54,7 @@ pub struct Answer<'a> {
 }
 
 impl Answer<'_> {
-    fn chosen(&self) -> &Tried {
+    pub(crate) fn chosen(&self) -> &Tried {
         &self.selection.models[self.decision.model]
     }
 
@@ -79,7 +75,7 @@ impl Answer<'_> {
         let mismatch = if self.decision.verdict == Verdict::Agrees { Vec::new() } else { self.located(base) };
         let remains = if self.decision.verdict == Verdict::WrongForm { self.remains(chosen) } else { Vec::new() };
         let mut traces = self.traces(base, chosen, &held_before, after);
-        let flexible = self.flexible(&held_before);
+        let flexible = self.flexible(&traces.before, &held_before);
         let unit = self.search.problem.simulator.unit().to_owned();
         let fit = self.fit_facts(&traces, &held_before, after, unit);
         let concealed = self.concealed(&conflicts, &fit);
@@ -114,7 +110,12 @@ impl Answer<'_> {
             smallest_visible: self.smallest_visible(),
             next_experiment: self.next(),
             bank: self.bank.map(|bank| self.bank_facts(bank)),
-            adequacy: AdequacyFacts { before: Some(self.before), after: Some(self.after), removed: self.decision.removed },
+            adequacy: AdequacyFacts {
+                before: Some(self.before),
+                after: Some(self.after),
+                burst: Some(self.burst),
+                removed: self.decision.removed,
+            },
             evidence_check: self.selection.check,
             notices: Vec::new(),
             concealed_column: None,
@@ -271,69 +272,6 @@ impl Answer<'_> {
         shuffled(&self.selection.base().fit, &tried.fit, &problem.runs(), &problem.inputs.run)
     }
 
-    /// The bank with the rows that matter for what is named, and for its rivals.
-    fn bank_facts(&self, bank: &Bank) -> serde_json::Value {
-        let mut effects: Vec<usize> = self.chosen().effects.clone();
-        effects.extend(self.decision.sets.iter().flatten());
-        let mut seen = std::collections::BTreeSet::new();
-        effects.retain(|e| seen.insert(*e));
-        let mut lines = bank.says_overall();
-        lines.extend(effects.iter().flat_map(|e| bank.says(&self.id(*e))));
-        let mut value = serde_json::to_value(bank).unwrap_or_default();
-        value["says"] = lines.into();
-        value
-    }
-
-    fn candidates(&self) -> Vec<Candidate> {
-        let base = &self.selection.base().fit;
-        let single = |effect: usize| {
-            self.selection.with(&[effect]).map(|t| Candidate {
-                effect: self.id(effect),
-                probability: self.selection.effect_probability[effect],
-                score: t.fit.log_evidence - base.log_evidence,
-                chi2_drop: base.chi2 - t.fit.chi2,
-                freedom: t.fit.z.len() - base.z.len(),
-            })
-        };
-        let mut list: Vec<Candidate> = (0..self.search.library.len()).filter_map(single).collect();
-        list.sort_by(|a, b| b.probability.total_cmp(&a.probability).then(b.score.total_cmp(&a.score)));
-        list
-    }
-
-    fn ambiguity(&self) -> Vec<Vec<String>> {
-        if self.decision.verdict != Verdict::Ambiguous {
-            return Vec::new();
-        }
-        let several = |s: &&Vec<usize>| s.len() > 1 || self.decision.outside_rivals;
-        let names = |s: &Vec<usize>| {
-            let outside = self.decision.outside_rivals.then(|| UNEXPLAINED.to_owned());
-            s.iter().map(|e| self.id(*e)).chain(outside).collect()
-        };
-        self.decision.sets.iter().filter(several).map(names).collect()
-    }
-
-    fn unlisted(&self) -> Vec<UnlistedCause> {
-        let total = 1.0 + self.selection.unlisted.iter().map(|(_, odds)| odds).sum::<f64>();
-        let cause = |(u, odds): &(Unlisted, f64)| UnlistedCause {
-            says: u.cause.says(),
-            beside: u.effects.iter().map(|e| self.id(*e)).collect(),
-            probability: odds / total,
-        };
-        self.selection.unlisted.iter().map(cause).filter(|u| u.probability > 0.01).collect()
-    }
-
-    fn smallest_visible(&self) -> Vec<SmallestVisible> {
-        let named = &self.chosen().effects;
-        let base = self.selection.base();
-        let visible = |effect: usize| {
-            let tried = self.selection.with(&[effect])?;
-            let parameter = self.search.model(&tried.effects).parameters[base.fit.z.len()].clone();
-            let size = visible_size(self.search, base, tried, SEEN)?;
-            Some(SmallestVisible { effect: self.id(effect), parameter: parameter.name, unit: parameter.unit, size })
-        };
-        (0..self.search.library.len()).filter(|e| !named.contains(e)).filter_map(visible).collect()
-    }
-
     fn next(&self) -> NextExperiment {
         let best = self.selection.models.iter().find(|m| !m.effects.is_empty());
         let Some(best) = best.filter(|_| self.decision.verdict != Verdict::Agrees) else {
@@ -409,7 +347,6 @@ impl Answer<'_> {
         } else {
             String::new()
         };
-        let outside = self.decision.outside.map_or_else(String::new, |cause| format!(": {}", cause.says()));
         match self.decision.verdict {
             Verdict::Agrees => "no mismatch found between recording and calibrated model".into(),
             Verdict::Explained => format!("missing from the model: {names}"),
@@ -418,13 +355,18 @@ impl Answer<'_> {
                 "missing from the model: {names}; the family is clear, but its equation leaves {} of the misfit",
                 number::share_left(self.decision.removed)
             ),
-            Verdict::Unexplained if self.decision.outside.is_some() => {
-                format!("something real is missing that is not in the library{outside}")
-            }
-            Verdict::Unexplained => format!(
-                "something real is missing that nothing in the library explains (the likeliest effect removes {:.0} % of the misfit){line}",
-                100.0 * self.decision.removed
-            ),
+            Verdict::Unexplained => match &self.decision.outside {
+                Some(cause) => format!("something real is missing that is not in the library: {}", self.says_of(cause)),
+                None if !self.before.fires() => match self.burst_says() {
+                    Some(burst) => format!("something is in the reading that is not in the library: {burst}"),
+                    None => "something real is missing that nothing in the library explains".into(),
+                },
+                None => format!(
+                    "something real is missing that nothing in the library explains (the likeliest effect removes {:.0} % of the misfit){line}{}",
+                    100.0 * self.decision.removed,
+                    self.nearest_outside()
+                ),
+            },
             Verdict::Undecided if self.search.stop.load(std::sync::atomic::Ordering::Relaxed) => {
                 "stopped before the search was finished: causes are not decided".into()
             }

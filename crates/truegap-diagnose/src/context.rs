@@ -2,6 +2,7 @@
 //!
 //! Limits: only inputs, never the response's course; the response gives nothing but its span.
 
+use std::sync::Arc;
 use truegap_core::{Corrections, Inputs, Joined, Simulator, simulator::StageName};
 
 /// Facts that priors, starting values and testability rest on.
@@ -89,7 +90,7 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// Why they say nothing.
-    pub fn foreseen(&self) -> Result<&Corrections, String> {
+    pub fn foreseen(&self) -> Result<&Arc<Corrections>, String> {
         self.simulator.corrections().ok_or_else(|| "finite elements have said nothing of this base model or sensor".into())
     }
 
@@ -99,6 +100,14 @@ impl<'a> Context<'a> {
     /// What is missing.
     pub fn needs_load(&self) -> Result<(), String> {
         if self.load_span() > 0.05 { Ok(()) } else { Err("the load does not change".into()) }
+    }
+
+    /// `Ok` where something is given whose course the response follows: a load that moves, a gap, or somebody's own simulation.
+    ///
+    /// # Errors
+    /// What is missing.
+    pub fn needs_course(&self) -> Result<(), String> {
+        if self.inputs.gap_m.is_some() || self.inputs.simulated.is_some() { Ok(()) } else { self.needs_load() }
     }
 
     /// `Ok` where the temperature moves by more than `kelvin`.

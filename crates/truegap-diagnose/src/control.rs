@@ -50,7 +50,7 @@ fn shuffle(columns: &DMatrix<f64>, runs: &[Range<usize>], random: &mut ChaCha8Rn
 
 /// Share of the squared misfit above the noise that base and added columns together remove on rows left out, against the base alone.
 fn removed(base: &Fit, added: &DMatrix<f64>, parts: &[Vec<usize>]) -> Option<f64> {
-    let residual = base.settled_residual();
+    let residual = base.settled().residual;
     let known = base.jacobian.ncols();
     let total = known + added.ncols();
     let mut design = DMatrix::zeros(residual.len(), total);

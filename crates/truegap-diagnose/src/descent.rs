@@ -63,10 +63,22 @@ impl<'a, 'm> Descent<'a, 'm> {
     }
 
     pub(crate) fn run(&mut self, options: &FitOptions) -> Result<(), SimulationError> {
+        let (mut reach, mut failed) = (REACH, 0);
         while self.iterations < options.iterations && !self.converged {
             self.iterations += 1;
             let was_stale = self.stale;
-            match self.step() {
+            let promise = self.promised();
+            let gain = self.step();
+            if promise > options.tolerance && gain.is_none_or(|g| g < 0.5 * promise) && failed < FAILED {
+                self.refresh(0)?;
+                if self.leap(reach)? {
+                    (reach, failed) = (3.0 * reach, 0);
+                    self.converged = self.promised() < options.tolerance;
+                    continue;
+                }
+                (reach, failed) = (0.2 * reach, failed + 1);
+            }
+            match gain {
                 None if was_stale => {
                     self.refresh(0)?;
                     self.damping = 1e-6;
@@ -80,6 +92,43 @@ impl<'a, 'm> Descent<'a, 'm> {
             }
         }
         if self.stale { self.refresh(0) } else { Ok(()) }
+    }
+
+    /// A stride along a valley that is too narrow and too curved for steps that may never climb: straight along its floor, at most `reach` in any coordinate
+    /// and up its wall, then back down to the floor, each with derivatives of its own.
+    ///
+    /// `true` as soon as the objective is below where they started, with all derivatives known there; `false` where it does not get there, and everything
+    /// but the derivatives is as before.
+    ///
+    /// **Source:** steps that climb are let through as in Transtrum & Sethna, Improvements to the Levenberg-Marquardt algorithm (2012), section 5.
+    fn leap(&mut self, reach: f64) -> Result<bool, SimulationError> {
+        let (z, residual, jacobian) = (self.z.clone(), self.residual.clone(), self.jacobian.clone());
+        let start = objective(&residual, &z);
+        let back = std::iter::repeat_n((PINNED, f64::INFINITY), STEPS_BACK);
+        for (pinned, reach) in std::iter::once((0.0, reach)).chain(back) {
+            let Some(next) = self.undamped(pinned, reach) else { break };
+            let Ok(there) = self.model.residual(&next, self.whitener) else { break };
+            (self.z, self.residual) = (next, there);
+            if self.refresh(0).is_err() {
+                break;
+            }
+            if objective(&self.residual, &self.z) < start {
+                return Ok(true);
+            }
+        }
+        (self.z, self.residual, self.jacobian, self.stale) = (z, residual, jacobian, false);
+        Ok(false)
+    }
+
+    /// Where the step without damping leads, with `pinned` added to the curvature in every direction; shortened as a whole to `reach` in any coordinate.
+    fn undamped(&self, pinned: f64, reach: f64) -> Option<Vec<f64>> {
+        let mut gram = self.jacobian.tr_mul(&self.jacobian);
+        (0..self.z.len()).for_each(|i| gram[(i, i)] += pinned);
+        let gradient = self.jacobian.tr_mul(&DVector::from_column_slice(&self.residual)) - DVector::from_column_slice(&self.z);
+        let next = bounded_step(&gram, &gradient, &self.z, self.bounds, 0.0)?;
+        let longest = next.iter().zip(&self.z).map(|(to, from)| (to - from).abs()).fold(0.0, f64::max);
+        let share = if longest > reach { reach / longest } else { 1.0 };
+        Some(next.iter().zip(&self.z).map(|(to, from)| from + share * (to - from)).collect())
     }
 
     fn promised(&self) -> f64 {
@@ -141,6 +190,14 @@ fn promised(jacobian: &DMatrix<f64>, residual: &[f64], z: &[f64], bounds: &[(f64
     step.dot(&gradient) - 0.5 * (step.dot(&(&gram * &step)) + step.norm_squared())
 }
 
+/// How far the first leap strides, in prior standard deviations; after one that succeeds further, after one that fails less far.
+const REACH: f64 = 3.0;
+/// Leaps that may fail in a row.
+const FAILED: usize = 3;
+/// Steps back to the floor.
+const STEPS_BACK: usize = 3;
+/// Curvature added in every direction on the way back to the floor: much for directions along the valley, nothing for those across it.
+const PINNED: f64 = 100.0;
 /// Most corrections of a step with one Jacobian.
 const CHORDS: usize = 5;
 

@@ -6,11 +6,13 @@ use crate::{
     answer::Answer,
     augmented::Augmented,
     bank::{BankOptions, Whole, fill},
+    burst::Burst,
     diagnosis::{Diagnosis, NextExperiment, RecordingFacts, Traces, Verdict},
     directions::directions,
     effect::Effect,
     effects::library,
     examine::{Examined, examine, judge},
+    fit::Model,
     gate::Gate,
     held_out::AllRows,
     issues::{DiagnoseError, check},
@@ -100,7 +102,10 @@ pub fn diagnose(
     }
     let Examined { selection, before, after, decision } = &examined;
     let slow = options.hidden.first().and_then(|hidden| SlowInput::of(&search, selection).map(|slow| (slow, hidden)));
-    let (decision, because) = reserved(decision.clone(), selection, slow.as_ref().map(|(slow, _)| slow), options);
+    let predicted = Model::new(problem, &context, Vec::new()).respond(&selection.base().fit.z)?;
+    let burst = Burst::loudest(problem, &predicted, &noise, gate.slack());
+    let decision = if burst.is_heard() { decision.clone().with_bursts(selection.base) } else { decision.clone() };
+    let (decision, because) = reserved(decision, selection, slow.as_ref().map(|(slow, _)| slow), options);
     let all = AllRows { problem, first: thinned.as_ref().map(|t| t.first.as_slice()) };
     let answer = Answer {
         search: &search,
@@ -112,6 +117,7 @@ pub fn diagnose(
         before: *before,
         after: *after,
         bank: bank.as_ref(),
+        burst,
         gate: &gate,
         directions: &directions,
     };

@@ -1,9 +1,14 @@
-//! What a diagnosis says: the contents of `diagnosis.json` (`truegap.diagnosis/1`) and the traces that a report draws.
+//! What a diagnosis says: the contents of `diagnosis.json` (`truegap.diagnosis/1`).
 //!
 //! Limits: plain data; nothing here decides anything.
 
-use crate::{gate::Adequacy, latent::ConcealedColumn, notice::Notice, select::EvidenceCheck};
+use crate::{burst::Burst, gate::Adequacy, latent::ConcealedColumn, notice::Notice, select::EvidenceCheck};
 use serde::Serialize;
+
+pub use crate::{
+    fit_facts::{BeforeAfter, FitFacts, FlexibleTerm, HeldOut, PredictionOnly, RecordingError},
+    traces::{CourseTrace, Map, Traces},
+};
 
 /// Identifier of the file format.
 pub const SCHEMA: &str = "truegap.diagnosis/1";
@@ -78,6 +83,8 @@ pub struct AdequacyFacts {
     pub before: Option<Adequacy>,
     /// of the likeliest model that names something
     pub after: Option<Adequacy>,
+    /// the loudest burst in what the former leaves, on every row
+    pub burst: Option<Burst>,
     /// share of the misfit that the latter removes
     pub removed: f64,
 }
@@ -284,98 +291,11 @@ pub struct Candidate {
 #[derive(Clone, Debug, Serialize)]
 pub struct UnlistedCause {
     /// what the reading does
-    pub says: &'static str,
+    pub says: String,
     /// effects of the library beside it
     pub beside: Vec<String>,
     /// posterior probability
     pub probability: f64,
-}
-
-/// Errors before and after.
-#[derive(Clone, Debug, Serialize)]
-pub struct FitFacts {
-    /// all rows fitted
-    pub in_sample: BeforeAfter,
-    /// rows left out
-    pub held_out: HeldOut,
-    /// noise of one row, response unit
-    pub noise_floor: f64,
-    /// response unit
-    pub unit: String,
-}
-
-/// Root-mean-square errors.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct BeforeAfter {
-    /// calibrated base model
-    pub rmse_before: f64,
-    /// with the findings
-    pub rmse_after: f64,
-}
-
-/// Errors on rows that the fit did not see.
-#[derive(Clone, Debug, Serialize)]
-pub struct HeldOut {
-    /// how rows were left out
-    pub how: String,
-    /// calibrated base model
-    pub rmse_before: f64,
-    /// with the findings
-    pub rmse_after: f64,
-    /// share of the reproducible misfit that the findings remove; absent where there is none to remove
-    pub misfit_removed: Option<f64>,
-    /// the same share for an added term of equal freedom driven by a shuffled history
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub shuffled_control: Option<f64>,
-    /// per part left out: name, before, after
-    pub parts: Vec<(String, f64, f64)>,
-    /// of each of several recordings
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub recordings: Vec<RecordingError>,
-}
-
-/// Errors on rows left out of one of several recordings.
-#[derive(Clone, Debug, Serialize)]
-pub struct RecordingError {
-    /// its number, from 1
-    pub recording: usize,
-    /// calibrated base model
-    pub rmse_before: f64,
-    /// with the findings
-    pub rmse_after: f64,
-    /// noise of one row
-    pub noise_floor: f64,
-}
-
-/// A flexible term, for prediction only: what the nearest effects of the library can follow of a mismatch that none of them explains.
-#[derive(Clone, Debug, Serialize)]
-pub struct PredictionOnly {
-    /// sentence with numbers
-    pub says: String,
-    /// its parts; no claim about the cause
-    pub terms: Vec<FlexibleTerm>,
-    /// all rows fitted
-    pub in_sample: BeforeAfter,
-    /// rows left out, as in [`FitFacts::held_out`]
-    pub held_out: BeforeAfter,
-    /// share of the reproducible misfit that it removes on rows left out; absent where there is none to remove
-    pub misfit_removed: Option<f64>,
-    /// the same share for a term of equal freedom driven by a shuffled history
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub shuffled_control: Option<f64>,
-    /// where recording and prediction still differ
-    pub remains: Vec<Mismatch>,
-}
-
-/// One part of a flexible term.
-#[derive(Clone, Debug, Serialize)]
-pub struct FlexibleTerm {
-    /// id of the effect whose equation it borrows
-    pub shaped_like: String,
-    /// what that effect would say
-    pub says: String,
-    /// fitted parameters
-    pub parameters: Vec<ParameterFacts>,
 }
 
 /// An effect that this recording could not have shown.
@@ -422,57 +342,4 @@ pub struct ExperimentOption {
     pub hours: f64,
     /// built-in profile that `truegap simulate --profile` plays, where there is one
     pub profile: Option<String>,
-}
-
-/// Columns that a report draws, one entry a row of the recording.
-#[derive(Clone, Debug, Default)]
-pub struct Traces {
-    /// calibrated base model
-    pub before: Vec<f64>,
-    /// with the findings
-    pub after: Vec<f64>,
-    /// standard deviation of one row's noise, input errors included
-    pub noise_sd: Vec<f64>,
-    /// free-run prediction of rows left out, base model
-    pub held_out_before: Vec<f64>,
-    /// free-run prediction of rows left out, with the findings
-    pub held_out_after: Vec<f64>,
-    /// with the flexible term of [`PredictionOnly`]; empty where there is none
-    pub flexible: Vec<f64>,
-    /// the same of rows left out
-    pub held_out_flexible: Vec<f64>,
-    /// map of the mean whitened residual before: rows of cells
-    pub map_before: Option<Map>,
-    /// the same with the findings
-    pub map_after: Option<Map>,
-    /// course of an input that was hidden on purpose, beside the input itself
-    pub course: Option<CourseTrace>,
-}
-
-/// A course that was recovered, a value a row.
-#[derive(Clone, Debug, Default)]
-pub struct CourseTrace {
-    /// the course, in `course_unit`
-    pub course: Vec<f64>,
-    /// its standard deviation
-    pub sd: Vec<f64>,
-    /// the hidden column, in its own unit
-    pub hidden: Vec<f64>,
-    /// unit of the course; 1 for a relative gain
-    pub course_unit: String,
-}
-
-/// Mean residual over noise in cells of load and temperature (or time, where one of them does not change).
-#[derive(Clone, Debug)]
-pub struct Map {
-    /// label of the horizontal axis with unit
-    pub x_label: String,
-    /// label of the vertical axis with unit
-    pub y_label: String,
-    /// cell edges
-    pub x_edges: Vec<f64>,
-    /// cell edges
-    pub y_edges: Vec<f64>,
-    /// `values[y][x]`, mean residual times sqrt(rows) over noise; NaN where no row fell
-    pub values: Vec<Vec<f64>>,
 }

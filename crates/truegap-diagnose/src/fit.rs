@@ -142,6 +142,19 @@ impl<'a> Model<'a> {
 /// Step of the difference quotients, in prior standard deviations.
 const STEP: f64 = 1e-3;
 
+/// Promise, in units of the objective, below which a fit counts as settled.
+const SETTLED: f64 = 1.0;
+
+/// A fit at the optimum of its linearised objective.
+pub struct Settled {
+    /// whitened residual there; that of the fit itself where it has converged
+    pub residual: DVector<f64>,
+    /// what calibration can take up of a whitened column b: the squared length of `taken^T b`; n x (free parameters)
+    pub taken: DMatrix<f64>,
+    /// by how much the objective is lower there
+    pub promise: f64,
+}
+
 /// A fit at its optimum.
 #[derive(Clone)]
 pub struct Fit {
@@ -178,31 +191,29 @@ impl Fit {
         Cholesky::new(self.hessian.clone())
     }
 
-    /// Whitened residual at the optimum of the linearised objective; the residual itself where the fit has converged.
-    pub fn settled_residual(&self) -> DVector<f64> {
-        let residual = DVector::from_column_slice(&self.residual);
-        let gradient = self.jacobian.tr_mul(&residual) - DVector::from_column_slice(&self.z);
-        let free = |i: usize| if self.at_limit[i] { 0.0 } else { gradient[i] };
-        let gradient = DVector::from_fn(self.z.len(), |i, _| free(i));
-        match Cholesky::new(self.free_hessian()) {
-            Some(factor) => residual - &self.jacobian * factor.solve(&gradient),
-            None => residual,
-        }
+    /// The linearised objective at its optimum; parameters on a bound stay there.
+    ///
+    /// By an orthogonal factorisation of the Jacobian above what is known beforehand: products of the Jacobian with itself lose, in a narrow valley, what the
+    /// scores of a direction consist of.
+    pub fn settled(&self) -> Settled {
+        let free: Vec<usize> = (0..self.z.len()).filter(|i| !self.at_limit[*i]).collect();
+        let (rows, count) = (self.residual.len(), free.len());
+        let stacked = DMatrix::from_fn(rows + count, count, |row, k| match row.checked_sub(rows) {
+            None => self.jacobian[(row, free[k])],
+            Some(own) => f64::from(u8::from(own == k)),
+        });
+        let known = free.iter().map(|i| -self.z[*i]);
+        let here = DVector::from_iterator(rows + count, self.residual.iter().copied().chain(known));
+        let basis = stacked.qr().q();
+        let along = basis.tr_mul(&here);
+        let residual = (&here - &basis * &along).rows(0, rows).into_owned();
+        Settled { residual, taken: basis.rows(0, rows).into_owned(), promise: 0.5 * along.norm_squared() }
     }
 
-    /// The Hessian without the parameters that lie on a bound: they stay there.
-    fn free_hessian(&self) -> DMatrix<f64> {
-        let held = |i: usize, j: usize| self.at_limit[i] || self.at_limit[j];
-        DMatrix::from_fn(self.z.len(), self.z.len(), |i, j| match held(i, j) {
-            true => f64::from(u8::from(i == j)),
-            false => self.hessian[(i, j)],
-        })
-    }
-
-    /// Whether the straight step to the optimum of the linearised objective is one that the objective can take: where it is not, the search has stopped
-    /// short, and what is linear in the fit says nothing.
+    /// Whether the straight step to the optimum of the linearised objective promises next to nothing: where it promises more, the search has stopped short, and
+    /// what is linear in the fit says little.
     pub fn is_settled(&self) -> bool {
-        self.settled_residual().norm_squared() <= 2.0 * self.objective() + 1.0
+        self.settled().promise < SETTLED
     }
 
     /// Posterior covariance in z.

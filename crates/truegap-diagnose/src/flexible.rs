@@ -23,18 +23,19 @@ pub struct Flexible {
 }
 
 impl Answer<'_> {
-    /// The likeliest model as a flexible term, where something is missing that the library does not explain; `before` is the base model on rows left out.
+    /// The likeliest model as a flexible term, where something is missing that the library does not explain; `base` and `before` are the base model on every row and on rows left
+    /// out.
     ///
     /// `None` where something is named, or nothing of the library helps.
-    pub(crate) fn flexible(&self, before: &HeldOutFit) -> Option<Flexible> {
+    pub(crate) fn flexible(&self, base: &[f64], before: &HeldOutFit) -> Option<Flexible> {
         if self.decision.verdict != Verdict::Unexplained || self.decision.removed <= 0.0 {
             return None;
         }
         let tried = &self.selection.models[stated(self.selection)?];
         let after = held_out(self.search, self.searched_noise, tried, self.all);
-        let (base, prediction) = (self.respond(self.selection.base()), self.respond(tried));
+        let prediction = self.respond(tried);
         let floor = self.noise.floor();
-        let in_sample = BeforeAfter { rmse_before: self.rmse(&base), rmse_after: self.rmse(&prediction) };
+        let in_sample = BeforeAfter { rmse_before: self.rmse(base), rmse_after: self.rmse(&prediction) };
         let unit = self.search.problem.simulator.unit();
         let facts = PredictionOnly {
             says: format!(

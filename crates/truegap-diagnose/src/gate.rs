@@ -56,13 +56,7 @@ impl Adequacy {
 impl Gate {
     /// Whitens the directions; `uncertainty` is the relative standard deviation of the noise's variance.
     pub fn new(directions: &[Direction], whitener: &Whitener, runs: Vec<Range<usize>>, uncertainty: f64) -> Self {
-        let rows = directions.first().map_or(0, |d| d.column.len());
-        let mut columns = DMatrix::zeros(rows, directions.len());
-        for (index, direction) in directions.iter().enumerate() {
-            let mut column = direction.column.clone();
-            whitener.apply(&mut column);
-            columns.column_mut(index).copy_from_slice(&column);
-        }
+        let columns = whitener.matrix(directions.iter().map(|d| d.column.clone()).collect());
         let lengths = columns.column_iter().map(|c| c.norm_squared()).collect();
         Self { columns, lengths, runs, slack: 1.0 + 2.0 * uncertainty.min(MOST_UNCERTAIN) }
     }
@@ -105,15 +99,14 @@ fn stretches(fit: &Fit, runs: &[Range<usize>]) -> JointTest {
     if cells.len() < 4 {
         return none();
     }
-    let settled = fit.settled_residual();
-    let sum = |cell: &Range<usize>| settled.rows(cell.start, cell.len()).sum();
+    let settled = fit.settled();
+    let sum = |cell: &Range<usize>| settled.residual.rows(cell.start, cell.len()).sum();
     let scores = DVector::from_fn(cells.len(), |i, _| sum(&cells[i]));
-    let cross = DMatrix::from_fn(fit.jacobian.ncols(), cells.len(), |p, i| {
-        fit.jacobian.column(p).rows(cells[i].start, cells[i].len()).sum()
+    let taken = DMatrix::from_fn(settled.taken.ncols(), cells.len(), |p, i| {
+        settled.taken.column(p).rows(cells[i].start, cells[i].len()).sum()
     });
-    let absorbed = fit.factor().map(|f| f.solve(&cross)).unwrap_or_else(|| DMatrix::zeros(cross.nrows(), cross.ncols()));
     let lengths = DMatrix::from_diagonal(&DVector::from_fn(cells.len(), |i, _| cells[i].len() as f64));
-    Scores { scores, covariance: lengths - cross.tr_mul(&absorbed) }.joint()
+    Scores { scores, covariance: lengths - taken.tr_mul(&taken) }.joint()
 }
 
 /// Fisher's test of the strongest line in the periodograms of the runs: p-value and (run, cycles a row).

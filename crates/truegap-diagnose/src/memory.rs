@@ -2,6 +2,7 @@
 //!
 //! Limits: inputs are taken as linear between rows (lags) or as given at rows (plays, running maxima).
 
+use std::ops::Range;
 use truegap_core::Inputs;
 
 /// Below this ratio of step to time constant the weights of a lag come from their series.
@@ -21,6 +22,30 @@ pub fn walk(inputs: &Inputs, mut visit: impl FnMut(usize, Option<f64>)) {
 /// Seconds from the first row of the recording to `row`, on the clock that runs through all runs; rows where there is none.
 pub fn elapsed_s(inputs: &Inputs, row: usize) -> f64 {
     inputs.time_s.as_deref().map_or(row as f64, |time| time[row] - time[0])
+}
+
+/// Value of `column` at `time`, straight between the rows of a run around it; held beyond its ends.
+pub fn at_time(clock: &[f64], column: &[f64], run: &Range<usize>, time: f64) -> f64 {
+    let after = run.start + clock[run.clone()].partition_point(|t| *t < time);
+    let after = after.clamp((run.start + 1).min(run.end - 1), run.end - 1);
+    let before = after.saturating_sub(1).max(run.start);
+    let width = clock[after] - clock[before];
+    let share = if width > 0.0 { ((time - clock[before]) / width).clamp(0.0, 1.0) } else { 0.0 };
+    column[before] + share * (column[after] - column[before])
+}
+
+/// Rate of a column, per second (per row without a clock), by central differences inside each run.
+pub fn rates(clock: Option<&[f64]>, column: &[f64], runs: &[Range<usize>]) -> Vec<f64> {
+    let at = |row: usize| clock.map_or(row as f64, |t| t[row]);
+    let mut rate = vec![0.0; column.len()];
+    for run in runs {
+        for row in run.clone() {
+            let (left, right) = (row.saturating_sub(1).max(run.start), (row + 1).min(run.end - 1));
+            let passed = at(right) - at(left);
+            rate[row] = if passed > 0.0 { (column[right] - column[left]) / passed } else { 0.0 };
+        }
+    }
+    rate
 }
 
 /// First-order lag `tau y' + y = x`, exact for `x` linear between rows, on any sequence of steps.

@@ -49,10 +49,9 @@ pub fn scores(fit: &Fit, b: &DMatrix<f64>) -> Scores {
 
 /// As [`scores`], `gram` being `b^T b`: for the same columns beside many fits.
 pub fn scores_with(fit: &Fit, b: &DMatrix<f64>, gram: &DMatrix<f64>) -> Scores {
-    let residual = fit.settled_residual();
-    let cross = fit.jacobian.tr_mul(b);
-    let absorbed = fit.factor().map(|f| f.solve(&cross)).unwrap_or_else(|| DMatrix::zeros(cross.nrows(), cross.ncols()));
-    Scores { scores: b.tr_mul(&residual), covariance: gram - cross.tr_mul(&absorbed) }
+    let settled = fit.settled();
+    let taken = settled.taken.tr_mul(b);
+    Scores { scores: b.tr_mul(&settled.residual), covariance: gram - taken.tr_mul(&taken) }
 }
 
 impl Scores {
@@ -91,4 +90,28 @@ impl Scores {
 /// Probability that a chi-squared variable of `freedom` exceeds `statistic`.
 pub fn upper_tail(statistic: f64, freedom: usize) -> f64 {
     ChiSquared::new(freedom.max(1) as f64).map_or(1.0, |d| d.sf(statistic))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::finish;
+
+    /// Two parameters that do nearly the same, each known from the data to a millionth of what is known beforehand: along their common column
+    /// `B^2 (1 + d^2) / (1 + 2 S^2 + d^2 + S^2 d^2)` is left, the entry of `(1 + J J^T)^-1` for J = [[S, S], [0, d]].
+    #[test]
+    fn what_calibration_leaves_of_a_column_in_a_narrow_valley_is_not_lost_in_rounding() {
+        let (s, d, b) = (1e6, 1e-2, 1e6);
+        let jacobian = DMatrix::from_row_slice(2, 2, &[s, s, 0.0, d]);
+        let free = [(f64::NEG_INFINITY, f64::INFINITY); 2];
+        // at the optimum J^T r = z
+        let residual = vec![30.0 / s, -10.0 / d];
+        let fit = finish(vec![30.0, 20.0], residual, jacobian, &free, 1, true);
+        assert!(fit.is_settled());
+        let found = scores(&fit, &DMatrix::from_column_slice(2, 1, &[b, 0.0]));
+        let left = b * b * (1.0 + d * d) / (1.0 + 2.0 * s * s + d * d + s * s * d * d);
+        // rounding of B^2 = 1e12 in double precision, 1e-4
+        assert!((found.covariance[(0, 0)] - left).abs() < 1e-3, "{} {left}", found.covariance[(0, 0)]);
+        assert!((found.scores[0] - 30.0).abs() < 1e-3, "{}", found.scores[0]);
+    }
 }

@@ -81,11 +81,14 @@ impl Selection {
     }
 
     /// Sets causes outside the library beside the models; the probabilities of effects then leave room for them.
+    ///
+    /// Where the noise may have `slack` times the variance that was taken, the evidence of both sides is worth that much less.
     #[must_use]
     pub fn with_unlisted(mut self, causes: &Causes, library: &[&dyn Effect], slack: f64) -> Self {
-        let weight = weight(self.temper, self.effect_probability.len());
+        let temper = self.temper * slack;
+        let weight = weight(temper, self.effect_probability.len());
         let total = log_sum_exp(&self.models.iter().map(weight).collect::<Vec<_>>());
-        let found = causes.beside(&self.models, library, weight, self.temper, slack);
+        let found = causes.beside(&self.models, library, weight, temper);
         self.unlisted = found
             .into_iter()
             .map(|u| {
@@ -96,15 +99,25 @@ impl Selection {
         self.sorted()
     }
 
-    /// Probability that a cause outside the library acts.
-    pub fn probability_unlisted(&self) -> f64 {
-        let odds: f64 = self.unlisted.iter().map(|(_, odds)| odds).sum();
-        odds / (1.0 + odds)
+    /// What weights against all of `models` together are divided by to make probabilities that leave room for causes outside the library.
+    fn whole(&self) -> f64 {
+        1.0 + self.unlisted.iter().map(|(_, odds)| odds).sum::<f64>()
     }
 
-    /// The likeliest cause outside the library, where it is likelier than every model of the library.
+    /// Causes outside the library with the probability of each, likeliest first.
+    pub fn unlisted_probabilities(&self) -> impl Iterator<Item = (&Unlisted, f64)> {
+        let whole = self.whole();
+        self.unlisted.iter().map(move |(cause, odds)| (cause, odds / whole))
+    }
+
+    /// Probability that a cause outside the library acts.
+    pub fn probability_unlisted(&self) -> f64 {
+        self.unlisted_probabilities().map(|(_, p)| p).sum()
+    }
+
+    /// The likeliest cause outside the library, where it is likelier than all of the library together.
     pub fn outside(&self) -> Option<&Unlisted> {
-        self.unlisted.first().filter(|(_, odds)| *odds > self.probability[0]).map(|(u, _)| u)
+        self.unlisted.first().filter(|(_, odds)| *odds > 1.0).map(|(u, _)| u)
     }
 
     /// Counts each likely model for the one without its least visible effect, while that cannot be seen in the fit: it is not claimed.
@@ -158,9 +171,9 @@ impl Selection {
         let inside = self.models.iter().map(|m| &m.effects).zip(&self.probability);
         let outside = self.unlisted.iter().map(|(u, odds)| (&u.effects, odds));
         inside.chain(outside).for_each(|(effects, p)| effects.iter().for_each(|e| sums[*e] += p));
-        let total = 1.0 + self.unlisted.iter().map(|(_, odds)| odds).sum::<f64>();
+        let whole = self.whole();
         // rounding of many small terms
-        sums.iter_mut().for_each(|p| *p = (*p / total).min(1.0));
+        sums.iter_mut().for_each(|p| *p = (*p / whole).min(1.0));
         sums
     }
 
@@ -197,7 +210,7 @@ pub fn select(search: &Search<'_>, base: Tried) -> Selection {
     let order = ranked(&singles);
     let gain = order.first().map_or(0.0, |i| singles[*i].fit.log_evidence - base.fit.log_evidence);
     keep(&mut tried, std::iter::once(base).chain(singles.iter().cloned()));
-    if gain > 3.0 {
+    if gain > CLEAR {
         let best: Vec<&Tried> = order.iter().take(6).map(|i| &singles[*i]).collect();
         pairs(search, &best, &all, &mut tried);
         triples(search, &all, &mut tried);
@@ -266,6 +279,8 @@ fn polish(search: &Search<'_>, tried: &mut BTreeMap<Vec<usize>, Tried>) {
     }
 }
 
+/// Gain in log evidence from which a larger model is worth looking for still larger ones.
+const CLEAR: f64 = 3.0;
 /// Difference in log weight beyond which a model is not looked at more closely.
 const CLOSE: f64 = 12.0;
 
@@ -304,17 +319,32 @@ fn pairs(search: &Search<'_>, best: &[&Tried], all: &[usize], tried: &mut BTreeM
     }
 }
 
-/// The best pair with every other effect, where the pair is worth it.
+/// The best pair with every other effect, where the pair is worth it; where the triple is, too, each of its other pairs with every other effect (a swap).
 fn triples(search: &Search<'_>, all: &[usize], tried: &mut BTreeMap<Vec<usize>, Tried>) {
+    let Some(pair) = worth_more(search, tried, 2) else { return };
+    keep(tried, search.add_each(&pair, all, PARTNERS, "three effects"));
+    let Some(triple) = worth_more(search, tried, 3) else { return };
+    let others = pair.effects.iter().map(|left_out| triple.effects.iter().copied().filter(|e| e != left_out).collect::<Vec<_>>());
+    for other in others {
+        let known = tried.get(&sorted(&other)).cloned();
+        let from = known.or_else(|| {
+            let alone = tried.get(&vec![other[0]])?;
+            search.add_each(alone, &other[1..], 1, "three effects, swapped").pop()
+        });
+        let Some(from) = from else { continue };
+        keep(tried, search.add_each(&from, all, PARTNERS, "three effects, swapped"));
+        keep(tried, [from]);
+    }
+}
+
+/// The best model of `count` effects, where it is clearly better than the best of one less.
+fn worth_more(search: &Search<'_>, tried: &BTreeMap<Vec<usize>, Tried>, count: usize) -> Option<Tried> {
     let of_size = |n: usize| {
         tried.values().filter(move |t| t.effects.len() == n).max_by(|a, b| a.fit.log_evidence.total_cmp(&b.fit.log_evidence))
     };
-    let (Some(single), Some(pair)) = (of_size(1), of_size(2)) else { return };
-    let temper = temper(expected(tried.values(), &search.library).map_or(0.0, |b| b.fit.chi2) - pair.fit.chi2);
-    if (pair.fit.log_evidence - single.fit.log_evidence) / temper > 3.0 && !search.stop.load(Ordering::Relaxed) {
-        let pair = pair.clone();
-        keep(tried, search.add_each(&pair, all, PARTNERS, "three effects"));
-    }
+    let (smaller, larger) = (of_size(count - 1)?, of_size(count)?);
+    let gain = (larger.fit.log_evidence - smaller.fit.log_evidence) / temper_of(tried.values(), &search.library);
+    (gain > CLEAR && !search.stop.load(Ordering::Relaxed)).then(|| larger.clone())
 }
 
 fn sorted(effects: &[usize]) -> Vec<usize> {
@@ -330,9 +360,16 @@ pub fn temper(deviance: f64) -> f64 {
 }
 
 /// [`temper`] of the misfit that the best of some models explains, beyond what was foreseen.
+///
+/// Parameters pushed away from what is known of them are misfit too: calibration may have hidden most of it there.
 fn temper_of<'t>(models: impl Iterator<Item = &'t Tried> + Clone, library: &[&dyn Effect]) -> f64 {
-    let least = models.clone().map(|m| m.fit.chi2).fold(f64::INFINITY, f64::min);
-    temper(expected(models, library).map_or(0.0, |m| m.fit.chi2) - least)
+    let least = least(models.clone());
+    temper(2.0 * (expected(models, library).map_or(0.0, |m| m.fit.objective()) - least))
+}
+
+/// The lowest objective.
+fn least<'t>(models: impl Iterator<Item = &'t Tried>) -> f64 {
+    models.map(|m| m.fit.objective()).fold(f64::INFINITY, f64::min)
 }
 
 /// Share of the misfit from which on it counts as foreseen.
@@ -342,10 +379,10 @@ const FORESEEN: f64 = 0.9;
 /// missing. They carry the error of their computation, some per cent, and not that of an equation chosen for its simplicity.
 pub(crate) fn expected<'t>(models: impl Iterator<Item = &'t Tried> + Clone, library: &[&dyn Effect]) -> Option<&'t Tried> {
     let base = models.clone().find(|m| m.effects.is_empty())?;
-    let least = models.clone().map(|m| m.fit.chi2).fold(f64::INFINITY, f64::min);
+    let least = least(models.clone());
     let computed = models.filter(|m| m.effects.iter().all(|e| library[*e].foreseen()));
-    let best = computed.min_by(|a, b| a.fit.chi2.total_cmp(&b.fit.chi2))?;
-    let most = base.fit.chi2 - best.fit.chi2 > FORESEEN * (base.fit.chi2 - least);
+    let best = computed.min_by(|a, b| a.fit.objective().total_cmp(&b.fit.objective()))?;
+    let most = base.fit.objective() - best.fit.objective() > FORESEEN * (base.fit.objective() - least);
     Some(if most { best } else { base })
 }
 

@@ -12,6 +12,7 @@ use crate::{
     effect::Effect,
     evidence::log_sum_exp,
     fit::Fit,
+    memory::rates,
     problem::Problem,
     score::{Scores, scores_with},
     search::Tried,
@@ -86,6 +87,8 @@ struct Columns {
     columns: DMatrix<f64>,
     /// products of the columns with one another
     gram: DMatrix<f64>,
+    /// row at which each column acts, where one of them does
+    rows: Vec<usize>,
 }
 
 /// An unlisted cause beside a model.
@@ -99,6 +102,8 @@ pub struct Unlisted {
     pub weight: f64,
     /// log evidence that it adds to the model
     pub gain: f64,
+    /// row before which it acts, where it acts at one
+    pub row: Option<usize>,
 }
 
 /// The causes that these inputs could show.
@@ -113,31 +118,38 @@ impl Causes {
         let warm = problem.inputs.temperature_c.as_deref().filter(|t| moves(t));
         let rows = problem.response.len();
         let knots = knots(&runs, rows);
+        let inside: Vec<usize> = knots.iter().copied().filter(|k| runs.iter().all(|r| r.start != *k)).collect();
         let mut list = vec![
             (Cause::WanderingZero, wandering(&knots, time, rows, |_| 1.0)),
-            (Cause::Jump, knots.iter().filter(|k| runs.iter().all(|r| r.start != **k)).map(|k| step(*k, rows, &runs)).collect()),
+            (Cause::Jump, inside.iter().map(|k| step(*k, rows, &runs)).collect()),
         ];
         if let Some(load) = &load {
             list.push((Cause::WanderingGain, wandering(&knots, time, rows, |row| load[row])));
-            list.push((Cause::LoadSpeed, laws(&rates(load, time, &runs), false)));
+            list.push((Cause::LoadSpeed, laws(&rates(time, load, &runs), false)));
         }
         if let Some(warm) = warm {
-            let rate = rates(warm, time, &runs);
+            let rate = rates(time, warm, &runs);
             list.push((Cause::TemperatureSpeed, laws(&rate, false)));
             list.push((Cause::TemperatureRate, laws(&rate, true)));
         }
-        Self(list.into_iter().filter(|(_, c)| !c.is_empty()).map(|(cause, c)| whitened(cause, c, whitener)).collect())
+        let of = |(cause, columns): (Cause, Vec<Vec<f64>>)| {
+            let columns = whitener.matrix(columns);
+            let rows = if cause.is_one_of() { inside.clone() } else { Vec::new() };
+            Columns { cause, gram: columns.tr_mul(&columns), columns, rows }
+        };
+        Self(list.into_iter().filter(|(_, c)| !c.is_empty()).map(of).collect())
     }
 
-    /// Each cause beside the models near the best; `weight` is a model's log weight, `temper` its divisor of log evidence, `slack` the factor by which the
-    /// noise may be larger than taken.
+    /// Each cause beside the models near the best; `weight` is a model's log weight, `temper` its divisor of log evidence.
+    ///
+    /// A cause has no equation that could be in the wrong form, but freedom enough to follow what a wrong form leaves: it is weighed at noise of `temper` times
+    /// the variance, where its freedom costs what it costs.
     pub fn beside(
         &self,
         models: &[Tried],
         library: &[&dyn Effect],
         weight: impl Fn(&Tried) -> f64 + Sync,
         temper: f64,
-        slack: f64,
     ) -> Vec<Unlisted> {
         let best = models.iter().map(&weight).fold(f64::NEG_INFINITY, f64::max);
         let mut near: Vec<&Tried> =
@@ -148,12 +160,12 @@ impl Causes {
         let share = (OUTSIDE / self.0.len().max(1) as f64).ln();
         let nothing = models.iter().find(|m| m.effects.is_empty()).map_or(0.0, |m| m.fit.objective());
         let one = |model: &Tried, columns: &Columns| {
-            let gain = columns.gain(&model.fit) / slack;
-            let weight = weight(model) + one_more(model.effects.len()) + share + gain / temper;
+            let (gain, tempered, row) = columns.gain(&model.fit, temper);
+            let weight = weight(model) + one_more(model.effects.len()) + share + tempered;
             // beside a model, it has to be more than what the right family leaves in the wrong form
             let explained = (nothing - model.fit.objective()).max(0.0);
             let counts = model.effects.is_empty() || gain > (1.0 - RIGHT_FAMILY) * (explained + gain);
-            counts.then(|| Unlisted { cause: columns.cause, effects: model.key(), weight, gain })
+            counts.then(|| Unlisted { cause: columns.cause, effects: model.key(), weight, gain, row })
         };
         let apart = |model: &Tried, cause: Cause| model.effects.iter().all(|e| !cause.holds(library[*e].id()));
         let of =
@@ -163,13 +175,20 @@ impl Causes {
 }
 
 impl Columns {
-    /// Log evidence that the cause adds to a model, its size unknown.
-    fn gain(&self, fit: &Fit) -> f64 {
+    /// Log evidence that the cause adds to a model, its size unknown; the same where the noise has `temper` times the variance; and the row at which it acts.
+    fn gain(&self, fit: &Fit, temper: f64) -> (f64, f64, Option<usize>) {
         let found = scores_with(fit, &self.columns, &self.gram);
+        let louder = Scores { scores: &found.scores / temper, covariance: &found.covariance / temper };
+        let seen = |k: usize| found.scores[k].powi(2) / found.covariance[(k, k)].max(f64::MIN_POSITIVE);
+        let clearest = (0..self.rows.len()).max_by(|a, b| seen(*a).total_cmp(&seen(*b)));
+        (self.of_any_length(&found), self.of_any_length(&louder), clearest.map(|k| self.rows[k]))
+    }
+
+    fn of_any_length(&self, found: &Scores) -> f64 {
         let each: Vec<f64> = if self.cause.is_one_of() {
-            LENGTHS.iter().map(|length| one_of(&found, *length)).collect()
+            LENGTHS.iter().map(|length| one_of(found, *length)).collect()
         } else {
-            let apart = apart(&found);
+            let apart = apart(found);
             LENGTHS.iter().map(|length| together(&apart, *length)).collect()
         };
         log_sum_exp(&each) - (LENGTHS.len() as f64).ln()
@@ -214,16 +233,6 @@ fn together(apart: &[(f64, f64)], length: f64) -> f64 {
     apart.iter().map(one).sum()
 }
 
-fn whitened(cause: Cause, columns: Vec<Vec<f64>>, whitener: &Whitener) -> Columns {
-    let rows = columns.first().map_or(0, Vec::len);
-    let mut matrix = DMatrix::zeros(rows, columns.len());
-    for (k, mut column) in columns.into_iter().enumerate() {
-        whitener.apply(&mut column);
-        matrix.column_mut(k).copy_from_slice(&column);
-    }
-    Columns { cause, gram: matrix.tr_mul(&matrix), columns: matrix }
-}
-
 fn moves(column: &[f64]) -> bool {
     crate::directions::spread(column) > 0.0
 }
@@ -254,20 +263,6 @@ fn wandering(knots: &[usize], time: Option<&[f64]>, rows: usize, factor: impl Fn
         columns.push((0..rows).map(|row| if row >= knot { size * factor(row) } else { 0.0 }).collect());
     }
     columns
-}
-
-/// Rate of a column, per second (per row without a clock), by central differences inside each run.
-fn rates(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>]) -> Vec<f64> {
-    let at = |row: usize| time.map_or(row as f64, |t| t[row]);
-    let mut rate = vec![0.0; column.len()];
-    for run in runs.iter().filter(|r| r.len() > 1) {
-        for row in run.clone() {
-            let (left, right) = (row.saturating_sub(1).max(run.start), (row + 1).min(run.end - 1));
-            let passed = at(right) - at(left);
-            rate[row] = if passed > 0.0 { (column[right] - column[left]) / passed } else { 0.0 };
-        }
-    }
-    rate
 }
 
 /// Speeds at which a law of the speed is free, each half of the one before, from the greatest down.
@@ -362,7 +357,7 @@ mod tests {
         let jump = step(100, ROWS, &[0..120, 120..ROWS]);
         assert_eq!(jump.iter().sum::<f64>(), 20.0);
         let (column, time) = (vec![0.0, 1.0, 3.0, 10.0, 10.0], vec![0.0, 1.0, 2.0, 50.0, 51.0]);
-        assert_eq!(rates(&column, Some(&time), &[0..3, 3..5]), vec![1.0, 1.5, 2.0, 0.0, 0.0]);
+        assert_eq!(rates(Some(&time), &column, &[0..3, 3..5]), vec![1.0, 1.5, 2.0, 0.0, 0.0]);
         // a speed of 1/4 is two octaves down, one of 0.75 between the greatest and its half
         let law = laws(&[-2.0, 0.5, 0.0, 1.5], false);
         assert_eq!((law.len(), law[0][0], law[2][1], law[0][2]), (3, 1.0, 1.0, 0.0));

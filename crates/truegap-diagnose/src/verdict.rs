@@ -2,12 +2,7 @@
 //!
 //! Limits: thresholds were fixed on generated recordings and the open cases (`docs/diagnosis.md`), never on sealed ones.
 
-use crate::{
-    diagnosis::Verdict,
-    gate::Adequacy,
-    select::Selection,
-    unlisted::{Cause, Unlisted},
-};
+use crate::{diagnosis::Verdict, gate::Adequacy, select::Selection, unlisted::Unlisted};
 
 /// Probability of "nothing is missing" below which a mismatch is called present.
 const DETECTED: f64 = 0.05;
@@ -32,12 +27,21 @@ pub struct Decision {
     /// share of the structured misfit that the best model removes
     pub removed: f64,
     /// cause outside the library that is likelier than all of it
-    pub outside: Option<Cause>,
+    pub outside: Option<Unlisted>,
     /// whether a cause outside the library cannot be excluded
     pub outside_rivals: bool,
 }
 
 impl Decision {
+    /// Something is in the reading that no model of the base's physics could make: the verdict where otherwise all agrees.
+    #[must_use]
+    pub fn with_bursts(self, base: usize) -> Self {
+        match self.verdict {
+            Verdict::Agrees => Self::nothing(Verdict::Unexplained, base),
+            _ => self,
+        }
+    }
+
     /// A verdict that names nothing, where model `base` is the base model.
     fn nothing(verdict: Verdict, base: usize) -> Self {
         Self { verdict, model: base, sets: Vec::new(), removed: 0.0, outside: None, outside_rivals: false }
@@ -67,7 +71,7 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_f
     if !library_sees {
         return if before.fires() {
             let likely = selection.unlisted.first().filter(|(_, odds)| *odds > none);
-            Decision { outside: likely.map(|(u, _)| u.cause), ..nothing(Verdict::Unexplained) }
+            Decision { outside: likely.map(|(u, _)| u.clone()), ..nothing(Verdict::Unexplained) }
         } else {
             nothing(if none >= AGREED { Verdict::Agrees } else { Verdict::Undecided })
         };
@@ -99,10 +103,10 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_f
 
 /// A cause outside the library is likelier than all of it. What it stands beside is not named: it would be a smaller part of what is missing.
 fn outside(selection: &Selection, unlisted: &Unlisted) -> Decision {
-    let beside = selection.models.iter().find(|m| m.key() == unlisted.effects).unwrap_or(selection.base());
+    let beside = selection.with(&unlisted.effects).unwrap_or(selection.base());
     let explained = (selection.base().fit.objective() - beside.fit.objective()).max(0.0);
     let removed = explained / (explained + unlisted.gain.max(f64::MIN_POSITIVE));
-    Decision { removed, outside: Some(unlisted.cause), ..Decision::nothing(Verdict::Unexplained, selection.base) }
+    Decision { removed, outside: Some(unlisted.clone()), ..Decision::nothing(Verdict::Unexplained, selection.base) }
 }
 
 /// What may be said when the search was stopped: that it was not finished, and nothing of causes.
@@ -122,12 +126,11 @@ fn removed(explained: f64, after: &Adequacy) -> f64 {
 /// Share of the misfit that effects with an equation remove of what those without one leave; 1 where all have one.
 fn removed_by_equations(selection: &Selection, best: usize, after: &Adequacy, free_form: impl Fn(usize) -> bool) -> f64 {
     let model = &selection.models[best];
-    let mut free: Vec<usize> = model.effects.iter().copied().filter(|e| free_form(*e)).collect();
-    free.sort_unstable();
+    let free: Vec<usize> = model.effects.iter().copied().filter(|e| free_form(*e)).collect();
     if free.is_empty() {
         return 1.0;
     }
-    let without = selection.models.iter().find(|m| m.key() == free).unwrap_or(selection.base());
+    let without = selection.with(&free).unwrap_or(selection.base());
     removed(2.0 * (without.fit.objective() - model.fit.objective()), after)
 }
 

@@ -7,6 +7,7 @@
 //!
 //! Limits: correlation runs from row to row, whatever the time between them, and starts afresh with each run.
 
+use nalgebra::DMatrix;
 use std::ops::Range;
 
 /// Standard deviations and correlation of the noise on one response, in its unit.
@@ -229,6 +230,16 @@ impl Whitener {
         self.shapes.iter().for_each(|shape| shape.take_out(column));
     }
 
+    /// Columns of equal length, whitened, side by side.
+    pub fn matrix(&self, columns: Vec<Vec<f64>>) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(columns.first().map_or(0, Vec::len), columns.len());
+        for (mut column, mut place) in columns.into_iter().zip(matrix.column_iter_mut()) {
+            self.apply(&mut column);
+            place.copy_from_slice(&column);
+        }
+        matrix
+    }
+
     /// Undoes [`Whitener::apply`] in place: unit white noise becomes noise of the kind that the filter takes out. Rows left out stay 0.
     pub fn colour(&self, column: &mut [f64]) {
         self.shapes.iter().rev().for_each(|shape| shape.put_in(column));
@@ -255,7 +266,7 @@ impl Whitener {
 #[allow(clippy::single_range_in_vec_init)]
 mod tests {
     use super::*;
-    use nalgebra::{DMatrix, DVector};
+    use nalgebra::DVector;
 
     #[test]
     fn the_filter_equals_the_dense_covariance() {

@@ -1,10 +1,11 @@
 //! What bonding does, as finite elements have computed it for this sensor.
 
-use super::foreseen::share;
+use super::foreseen::{share, stage};
 use crate::{
     context::Context,
     effect::{About, Effect, Family, FittedParameter},
 };
+use std::sync::Arc;
 use truegap_core::{Corrections, Dielectric, Drive, EffectId, FieldView, Parameter, Stage, simulator::StageName};
 
 /// Beads and insulators that stick to the metal beside them, where the paper lets them slide.
@@ -12,7 +13,7 @@ pub struct BondedLayers;
 
 struct Bonded {
     share: f64,
-    computed: Corrections,
+    computed: Arc<Corrections>,
 }
 
 impl Bonded {
@@ -65,7 +66,7 @@ impl Stage for Linear {
 }
 
 impl BondedLayers {
-    fn stage(values: &[f64], context: &Context<'_>) -> Option<Bonded> {
+    fn computed(values: &[f64], context: &Context<'_>) -> Option<Bonded> {
         Some(Bonded { share: values[0], computed: context.foreseen().ok()?.clone() })
     }
 }
@@ -102,10 +103,10 @@ impl Effect for BondedLayers {
         context.needs_load()
     }
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
-        Self::stage(values, context).map_or_else(super::foreseen::nothing, |bonded| Box::new(bonded))
+        stage(Self::computed(values, context))
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Self::stage(values, context).map(|bonded| Box::new(Linear(bonded)) as Box<dyn Stage>)
+        Self::computed(values, context).map(|bonded| Box::new(Linear(bonded)) as Box<dyn Stage>)
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(

@@ -3,6 +3,7 @@
 use crate::{
     context::Context,
     effect::{About, Effect, Family, FittedParameter},
+    memory::at_time,
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
@@ -45,12 +46,7 @@ impl Stage for Lost {
             for row in run.clone() {
                 let elapsed = length / LOSSES * ((time[row] - first) * LOSSES / length).round();
                 let wanted = time[row] + self.0.late_s(elapsed);
-                let after = run.start + time[run.clone()].partition_point(|t| *t < wanted);
-                let after = after.clamp((run.start + 1).min(run.end - 1), run.end - 1);
-                let before = after.saturating_sub(1).max(run.start);
-                let width = time[after] - time[before];
-                let share = if width > 0.0 { ((wanted - time[before]) / width).clamp(0.0, 1.0) } else { 0.0 };
-                load[row] = given[before] + share * (given[after] - given[before]);
+                load[row] = at_time(time, &given, &run, wanted);
             }
         }
     }
@@ -96,7 +92,7 @@ impl Effect for ClockRate {
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Inputs)?;
         context.needs_clock()?;
-        if context.inputs.gap_m.is_some() || context.inputs.simulated.is_some() { Ok(()) } else { context.needs_load() }
+        context.needs_course()
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
         Box::new(clocks(values))

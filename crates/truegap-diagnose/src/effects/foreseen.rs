@@ -14,7 +14,10 @@ struct Nothing;
 
 impl Stage for Nothing {}
 
-/// The stage where nothing was computed.
-pub(super) fn nothing() -> Box<dyn Stage> {
-    Box::new(Nothing)
+/// What was computed as a stage; one that changes nothing where nothing was computed.
+pub(super) fn stage(computed: Option<impl Stage + 'static>) -> Box<dyn Stage> {
+    match computed {
+        Some(computed) => Box::new(computed),
+        None => Box::new(Nothing),
+    }
 }

@@ -1,10 +1,11 @@
 //! What beads leave of the electrode's warp, as finite elements have computed it for this sensor.
 
-use super::foreseen::share;
+use super::foreseen::{share, stage};
 use crate::{
     context::Context,
     effect::{About, Effect, Family, FittedParameter},
 };
+use std::sync::Arc;
 use truegap_core::{Corrections, Drive, EffectId, FieldView, Geometry, Parameter, Stage, simulator::StageName};
 
 /// An electrode that wants to warp and is held down by the beads.
@@ -14,7 +15,7 @@ struct Held {
     share: f64,
     /// curvature of the free plate in the base model
     free: f64,
-    computed: Corrections,
+    computed: Arc<Corrections>,
 }
 
 impl Held {
@@ -48,7 +49,7 @@ impl Stage for Unpressed {
 }
 
 impl HeldWarp {
-    fn stage(values: &[f64], context: &Context<'_>) -> Option<Held> {
+    fn computed(values: &[f64], context: &Context<'_>) -> Option<Held> {
         let free = if context.simulator.warps() == Some(true) { 1.0 } else { 0.0 };
         Some(Held { share: values[0], free, computed: context.foreseen().ok()?.clone() })
     }
@@ -87,10 +88,10 @@ impl Effect for HeldWarp {
         context.needs_temperature(2.0)
     }
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
-        Self::stage(values, context).map_or_else(super::foreseen::nothing, |held| Box::new(held))
+        stage(Self::computed(values, context))
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Self::stage(values, context).map(|held| Box::new(Unpressed(held)) as Box<dyn Stage>)
+        Self::computed(values, context).map(|held| Box::new(Unpressed(held)) as Box<dyn Stage>)
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(

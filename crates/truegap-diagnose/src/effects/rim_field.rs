@@ -1,10 +1,11 @@
 //! The field at the rims of disc and tail, as finite elements have computed it for this sensor.
 
-use super::foreseen::share;
+use super::foreseen::{share, stage};
 use crate::{
     context::Context,
     effect::{About, Effect, Family, FittedParameter},
 };
+use std::sync::Arc;
 use truegap_core::{Corrections, Drive, EffectId, FieldView, Parameter, Stage, simulator::StageName};
 
 /// The field at the rims of shielded electrodes.
@@ -12,7 +13,7 @@ pub struct RimField;
 
 struct Rims {
     share: f64,
-    computed: Corrections,
+    computed: Arc<Corrections>,
 }
 
 impl Rims {
@@ -41,7 +42,7 @@ impl Stage for Constant {
 }
 
 impl RimField {
-    fn stage(values: &[f64], context: &Context<'_>) -> Option<Rims> {
+    fn computed(values: &[f64], context: &Context<'_>) -> Option<Rims> {
         Some(Rims { share: values[0], computed: context.foreseen().ok()?.clone() })
     }
 }
@@ -78,10 +79,10 @@ impl Effect for RimField {
         context.needs_load()
     }
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
-        Self::stage(values, context).map_or_else(super::foreseen::nothing, |rims| Box::new(rims))
+        stage(Self::computed(values, context))
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Self::stage(values, context).map(|rims| Box::new(Constant(rims)) as Box<dyn Stage>)
+        Self::computed(values, context).map(|rims| Box::new(Constant(rims)) as Box<dyn Stage>)
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(

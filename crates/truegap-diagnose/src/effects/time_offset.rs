@@ -3,6 +3,7 @@
 use crate::{
     context::Context,
     effect::{About, Effect, Family, FittedParameter},
+    memory::rates,
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
@@ -23,15 +24,8 @@ struct Slope(f64);
 impl Stage for Slope {
     fn load(&self, inputs: &Inputs, load: &mut [f64]) {
         let Some(time) = &inputs.time_s else { return };
-        let given = load.to_vec();
-        for run in inputs.runs() {
-            for row in run.clone() {
-                let (before, after) = (row.saturating_sub(1).max(run.start), (row + 1).min(run.end - 1));
-                if time[after] > time[before] {
-                    load[row] += self.0 * (given[after] - given[before]) / (time[after] - time[before]);
-                }
-            }
-        }
+        let rates = rates(Some(time), load, &inputs.runs());
+        load.iter_mut().zip(rates).for_each(|(load, rate)| *load += self.0 * rate);
     }
 }
 
@@ -63,7 +57,7 @@ impl Effect for TimeOffset {
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Inputs)?;
         context.needs_clock()?;
-        if context.inputs.gap_m.is_some() || context.inputs.simulated.is_some() { Ok(()) } else { context.needs_load() }
+        context.needs_course()
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
         Box::new(Shift(values[0]))

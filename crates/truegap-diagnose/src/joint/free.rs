@@ -4,6 +4,7 @@
 
 use super::Member;
 use crate::directions::spread;
+use std::sync::Arc;
 use truegap_core::{
     Corrections, Drive, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName,
 };
@@ -102,7 +103,7 @@ impl Simulator for Freed<'_> {
         self.inner.reference_c()
     }
 
-    fn corrections(&self) -> Option<&Corrections> {
+    fn corrections(&self) -> Option<&Arc<Corrections>> {
         self.inner.corrections()
     }
 

@@ -15,7 +15,7 @@ pub use free::Free;
 pub use share::Sharing;
 
 use free::Freed;
-use std::ops::Range;
+use std::{ops::Range, sync::Arc};
 use truegap_core::{Corrections, Inputs, Joined, Parameter, Role, SimulationError, Simulator, Stage, simulator::StageName};
 
 /// A recording that is to be joined with others.
@@ -210,7 +210,7 @@ impl Simulator for Joint<'_> {
     }
 
     /// Those of the sensor, where all recordings are of one.
-    fn corrections(&self) -> Option<&Corrections> {
+    fn corrections(&self) -> Option<&Arc<Corrections>> {
         let first = self.parts[0].model.corrections()?;
         self.parts.iter().all(|part| part.model.corrections() == Some(first)).then_some(first)
     }

@@ -13,6 +13,7 @@ pub use course::Through;
 use crate::{
     diagnosis::CourseTrace,
     fit::{FitOptions, Model, fit},
+    memory::at_time,
     number::{Scale, significant},
     problem::Problem,
     search::{Search, Tried},
@@ -266,11 +267,7 @@ fn means(all: &Inputs, fewer: &Inputs, column: &[f64]) -> Vec<f64> {
     let mut values = Vec::with_capacity(fewer.len());
     for (run, rows) in all.runs().iter().zip(fewer.runs()) {
         for row in rows {
-            let after = (run.start + time[run.clone()].partition_point(|t| *t < at[row])).min(run.end - 1);
-            let before = after.saturating_sub(1).max(run.start);
-            let width = time[after] - time[before];
-            let share = if width > 0.0 { ((at[row] - time[before]) / width).clamp(0.0, 1.0) } else { 0.0 };
-            values.push(column[before] + share * (column[after] - column[before]));
+            values.push(at_time(time, column, run, at[row]));
         }
     }
     values

@@ -5,6 +5,7 @@
 
 pub mod page;
 
+use std::sync::Arc;
 use truegap_core::{
     Corrections, Curve, Dielectric, Drive, FieldView, Geometry, Inputs, Parameter, Readout, Role, SimulationError, Simulator,
     Stage, simulator::StageName,
@@ -15,7 +16,7 @@ pub struct Plate {
     warps: Option<bool>,
     no_dielectric: bool,
     parameters: Vec<Parameter>,
-    corrections: Corrections,
+    corrections: Arc<Corrections>,
 }
 
 /// Curves of the right size, in closed form: what bonded beads, rims and held electrodes do to the plate.
@@ -53,7 +54,7 @@ impl Plate {
             Parameter::normal("gain", "pF", 10.0, 1.0, "capacitance of the unloaded plates"),
             Parameter::log_normal("modulus", "full loads", 6.0, 0.3, "load that would close the gap"),
         ];
-        Self { warps, no_dielectric: false, parameters, corrections: corrections() }
+        Self { warps, no_dielectric: false, parameters, corrections: Arc::new(corrections()) }
     }
 
     /// The same plate as a base model that has no place for permittivity.
@@ -112,7 +113,7 @@ impl Simulator for Plate {
     fn warps(&self) -> Option<bool> {
         self.warps
     }
-    fn corrections(&self) -> Option<&Corrections> {
+    fn corrections(&self) -> Option<&Arc<Corrections>> {
         Some(&self.corrections)
     }
     fn load(&self, inputs: &Inputs) -> Option<Vec<f64>> {

@@ -16,6 +16,7 @@ pub(crate) use wedge::shape_factor;
 
 use knobs::Knob;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 use truegap_core::{Corrections, Inputs, Parameter, Role, Sensor, SimulationError, Simulator, Stage, simulator::StageName};
 
 /// In which order the layers of the main gap are added up.
@@ -51,7 +52,7 @@ pub struct Stack {
     options: StackOptions,
     knobs: Vec<Knob>,
     parameters: Vec<Parameter>,
-    corrections: Option<Corrections>,
+    corrections: Option<Arc<Corrections>>,
 }
 
 impl Stack {
@@ -65,7 +66,7 @@ impl Stack {
     /// with it.
     #[must_use]
     pub fn informed(self, corrections: Option<Corrections>) -> Self {
-        Self { corrections, ..self }
+        Self { corrections: corrections.map(Arc::new), ..self }
     }
 
     /// The sensor as its file describes it.
@@ -124,7 +125,7 @@ impl Simulator for Stack {
         self.sensor.reference_c
     }
 
-    fn corrections(&self) -> Option<&Corrections> {
+    fn corrections(&self) -> Option<&Arc<Corrections>> {
         self.corrections.as_ref()
     }
 

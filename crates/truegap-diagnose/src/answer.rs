@@ -95,6 +95,7 @@ impl Answer<'_> {
             },
             noise: self.noise_facts(),
             verdict: self.decision.verdict,
+            probability_agrees: self.selection.probability_none(),
             says: self.says(&findings),
             concealed,
             conflicts,

@@ -28,6 +28,8 @@ pub struct Diagnosis {
     pub noise: NoiseFacts,
     /// one of the six
     pub verdict: Verdict,
+    /// posterior probability that nothing is missing
+    pub probability_agrees: f64,
     /// the verdict as a sentence with its reasons
     pub says: String,
     /// whether calibration had hidden an effect

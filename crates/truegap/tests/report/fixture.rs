@@ -130,6 +130,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             recordings: Vec::new(),
         },
         verdict: Verdict::Explained,
+        probability_agrees: 1e-9,
         says: "missing: thermal_lag; nothing else is needed".into(),
         concealed: true,
         conflicts: vec![Conflict {

@@ -13,6 +13,8 @@ pub struct Context<'a> {
     pub simulator: &'a dyn Simulator,
     /// response of the base model between least and greatest input, in the response's unit
     pub response_span: f64,
+    /// mean size of the recorded response, in its unit; 0 where there is no recording
+    pub response_level: f64,
     /// white-noise standard deviation of the response
     pub noise_sd: f64,
     /// smallest and greatest load, in units of the full load
@@ -56,6 +58,7 @@ impl<'a> Context<'a> {
             inputs,
             simulator,
             response_span,
+            response_level: 0.0,
             noise_sd,
             load_range: load.as_deref().map_or((0.0, 0.0), range),
             temperature_range: inputs.temperature_c.as_deref().map(range),

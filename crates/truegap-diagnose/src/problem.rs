@@ -84,7 +84,9 @@ impl Problem<'_> {
 
     /// Facts that effects scale their priors by.
     pub fn context(&self, span: f64, noise_sd: f64) -> Context<'_> {
-        Context::new(self.inputs, self.simulator, span, noise_sd)
+        let rows = self.response.len().max(1) as f64;
+        let response_level = self.response.iter().map(|r| r.abs()).sum::<f64>() / rows;
+        Context { response_level, ..Context::new(self.inputs, self.simulator, span, noise_sd) }
     }
 }
 

@@ -12,12 +12,15 @@ pub struct ParasiticCapacitance;
 /// Parameters of base models that are this effect already.
 const CALIBRATED: [&str; 2] = ["stray_capacitance", "offset"];
 
-/// Share of this effect's prior width from which on the base model's own constant is as free as this one; a tight one is a maker's tolerance, and more than that
+/// Share of the reading's range from which on the base model's own constant is as free as this one; a tight one is a maker's tolerance, and more than that
 /// is physics that it does not foresee.
 const SAME: f64 = 0.2;
 
+/// Share of the whole reading that wiring may usually add: an unshielded lead has 50 to 100 pF a metre, whatever the sensor's own range is.
+const USUAL: f64 = 0.2;
+
 fn scale(context: &Context<'_>) -> f64 {
-    context.response_span.abs()
+    context.response_span.abs().max(USUAL * context.response_level)
 }
 
 struct Stray(f64);
@@ -62,7 +65,7 @@ impl Effect for ParasiticCapacitance {
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Field)?;
-        let same = |p: &&Parameter| CALIBRATED.contains(&p.name.as_str()) && p.sd() > SAME * scale(context);
+        let same = |p: &&Parameter| CALIBRATED.contains(&p.name.as_str()) && p.sd() > SAME * context.response_span.abs();
         match context.simulator.parameters().iter().find(same) {
             Some(own) => Err(format!("the base model calibrates `{}`, which is the same thing", own.name)),
             None => Ok(()),

@@ -60,14 +60,16 @@ fn says(found: &[Range<usize>], count: usize, too_many: bool, response: &[f64], 
     };
     let named = found.iter().take(NAMED).map(one).collect::<Vec<_>>().join("; ");
     let more = if found.len() > NAMED { format!("; and {} more", found.len() - NAMED) } else { String::new() };
-    let (what, fix) = if count == 1 { ("1 reading stands", "it was") } else { ("readings stand", "they were") };
-    let what = if count == 1 { what.to_owned() } else { format!("{count} {what}") };
+    let (what, fix) = match count {
+        1 => ("1 reading stands far outside its neighbours".to_owned(), "it was"),
+        _ => (format!("{count} readings stand far outside their neighbours"), "they were"),
+    };
     let end = if too_many {
         "that is too many for a channel that works: look for interference or a loose contact and record again".to_owned()
     } else {
         format!("{fix} left out; look for interference or a loose contact")
     };
-    format!("{what} far outside its neighbours while nothing was done: {named}{more}; {end}")
+    format!("{what} while nothing was done: {named}{more}; {end}")
 }
 
 /// Whether all rows of `group` lie on one side of the two rows before and after, by more than `least` and several times their range.

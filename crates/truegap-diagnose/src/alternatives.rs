@@ -9,6 +9,7 @@ use crate::{
     burst::Burst,
     detectability::visible_size,
     diagnosis::{Candidate, SmallestVisible, UnlistedCause, Verdict},
+    memory::elapsed_s,
     unlisted::Unlisted,
 };
 
@@ -71,15 +72,15 @@ impl Answer<'_> {
         let inputs = self.search.problem.inputs;
         unlisted.row.map_or_else(
             || says.to_owned(),
-            |row| format!("{says} (clearest in run {}, near {:.0} s)", inputs.run[row], crate::memory::elapsed_s(inputs, row)),
+            |row| format!("{says} (clearest in run {}, near {:.0} s)", inputs.run[row], elapsed_s(inputs, row)),
         )
     }
 
     /// The loudest burst of the calibrated base model's residual, in words; `None` where there is none.
     pub(crate) fn burst_says(&self) -> Option<String> {
-        let inputs = self.all.problem.inputs;
         let burst = Some(self.burst).filter(Burst::is_heard)?;
-        let (run, time) = (inputs.run[burst.row], crate::memory::elapsed_s(inputs, burst.row));
+        let inputs = self.all.problem.inputs;
+        let (run, time) = (inputs.run[burst.row], elapsed_s(inputs, burst.row));
         Some(format!(
             "short bursts, the loudest in run {run} near {time:.0} s with {:.1} times the scatter of the noise",
             burst.loudness

@@ -1,6 +1,6 @@
 //! Facts of a recording and its simulator that effects scale their priors by.
 //!
-//! Limits: only inputs, never the response's course; the response gives nothing but its span.
+//! Limits: only inputs, never the response's course; the response gives nothing but its span and its level.
 
 use std::sync::Arc;
 use truegap_core::{Corrections, Inputs, Joined, Simulator, simulator::StageName};

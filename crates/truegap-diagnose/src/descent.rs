@@ -122,17 +122,26 @@ impl<'a, 'm> Descent<'a, 'm> {
 
     /// Where the step without damping leads, with `pinned` added to the curvature in every direction; shortened as a whole to `reach` in any coordinate.
     fn undamped(&self, pinned: f64, reach: f64) -> Option<Vec<f64>> {
-        let mut gram = self.jacobian.tr_mul(&self.jacobian);
+        let (mut gram, gradient) = self.normal_equations();
         (0..self.z.len()).for_each(|i| gram[(i, i)] += pinned);
-        let gradient = self.jacobian.tr_mul(&DVector::from_column_slice(&self.residual)) - DVector::from_column_slice(&self.z);
         let next = bounded_step(&gram, &gradient, &self.z, self.bounds, 0.0)?;
         let longest = next.iter().zip(&self.z).map(|(to, from)| (to - from).abs()).fold(0.0, f64::max);
         let share = if longest > reach { reach / longest } else { 1.0 };
         Some(next.iter().zip(&self.z).map(|(to, from)| from + share * (to - from)).collect())
     }
 
+    /// What a straight step to the optimum promises to lower the objective by.
     fn promised(&self) -> f64 {
-        promised(&self.jacobian, &self.residual, &self.z, self.bounds)
+        let (gram, gradient) = self.normal_equations();
+        let Some(next) = bounded_step(&gram, &gradient, &self.z, self.bounds, 0.0) else { return 0.0 };
+        let step = DVector::from_fn(self.z.len(), |i, _| next[i] - self.z[i]);
+        step.dot(&gradient) - 0.5 * (step.dot(&(&gram * &step)) + step.norm_squared())
+    }
+
+    /// `J^T J`, and the gradient of the objective, downhill.
+    fn normal_equations(&self) -> (DMatrix<f64>, DVector<f64>) {
+        let downhill = self.jacobian.tr_mul(&DVector::from_column_slice(&self.residual)) - DVector::from_column_slice(&self.z);
+        (self.jacobian.tr_mul(&self.jacobian), downhill)
     }
 
     pub(crate) fn finish(self) -> Fit {
@@ -179,15 +188,6 @@ fn best_step(
         *damping = (*damping * 10.0).max(1e-4);
     }
     None
-}
-
-/// What a straight step to the optimum promises to lower the objective by.
-fn promised(jacobian: &DMatrix<f64>, residual: &[f64], z: &[f64], bounds: &[(f64, f64)]) -> f64 {
-    let gram = jacobian.tr_mul(jacobian);
-    let gradient = jacobian.tr_mul(&DVector::from_column_slice(residual)) - DVector::from_column_slice(z);
-    let Some(next) = bounded_step(&gram, &gradient, z, bounds, 0.0) else { return 0.0 };
-    let step = DVector::from_fn(z.len(), |i, _| next[i] - z[i]);
-    step.dot(&gradient) - 0.5 * (step.dot(&(&gram * &step)) + step.norm_squared())
 }
 
 /// How far the first leap strides, in prior standard deviations; after one that succeeds further, after one that fails less far.

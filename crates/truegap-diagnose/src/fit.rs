@@ -143,7 +143,7 @@ impl<'a> Model<'a> {
 const STEP: f64 = 1e-3;
 
 /// Promise, in units of the objective, below which a fit counts as settled.
-const SETTLED: f64 = 1.0;
+const REACHED: f64 = 1.0;
 
 /// A fit at the optimum of its linearised objective.
 pub struct Settled {
@@ -153,6 +153,13 @@ pub struct Settled {
     pub taken: DMatrix<f64>,
     /// by how much the objective is lower there
     pub promise: f64,
+}
+
+impl Settled {
+    /// Whether the straight step there promises next to nothing: where it promises more, the search has stopped short, and what is linear in the fit says little.
+    pub fn is_reached(&self) -> bool {
+        self.promise < REACHED
+    }
 }
 
 /// A fit at its optimum.
@@ -208,12 +215,6 @@ impl Fit {
         let along = basis.tr_mul(&here);
         let residual = (&here - &basis * &along).rows(0, rows).into_owned();
         Settled { residual, taken: basis.rows(0, rows).into_owned(), promise: 0.5 * along.norm_squared() }
-    }
-
-    /// Whether the straight step to the optimum of the linearised objective promises next to nothing: where it promises more, the search has stopped short, and
-    /// what is linear in the fit says little.
-    pub fn is_settled(&self) -> bool {
-        self.settled().promise < SETTLED
     }
 
     /// Posterior covariance in z.

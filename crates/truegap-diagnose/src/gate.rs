@@ -4,7 +4,7 @@
 
 use crate::{
     directions::Direction,
-    fit::Fit,
+    fit::{Fit, Settled},
     score::{JointTest, Scores, scores, upper_tail},
     whiten::Whitener,
 };
@@ -68,14 +68,15 @@ impl Gate {
 
     /// Scores along the directions.
     pub fn scores(&self, fit: &Fit) -> Scores {
-        scores(fit, &self.columns)
+        scores(&fit.settled(), &self.columns)
     }
 
     /// The three tests.
     pub fn adequacy(&self, fit: &Fit) -> Adequacy {
-        let smooth = if self.columns.ncols() == 0 { none() } else { self.scores(fit).joint() };
+        let settled = fit.settled();
+        let smooth = if self.columns.ncols() == 0 { none() } else { scores(&settled, &self.columns).joint() };
         let (line_p_value, line_at) = strongest_line(&fit.residual, &self.runs);
-        let stretches = stretches(fit, &self.runs);
+        let stretches = stretches(&settled, &self.runs);
         Adequacy { smooth: smooth.over(self.slack), stretches: stretches.over(self.slack), line_p_value, line_at }
     }
 }
@@ -88,7 +89,7 @@ fn none() -> JointTest {
 const STRETCHES: usize = 240;
 
 /// Joint test of the means of the whitened residual over short stretches.
-fn stretches(fit: &Fit, runs: &[Range<usize>]) -> JointTest {
+fn stretches(settled: &Settled, runs: &[Range<usize>]) -> JointTest {
     let rows: usize = runs.iter().map(ExactSizeIterator::len).sum();
     let length = (rows / STRETCHES).max(8);
     let cells: Vec<Range<usize>> = runs
@@ -99,7 +100,6 @@ fn stretches(fit: &Fit, runs: &[Range<usize>]) -> JointTest {
     if cells.len() < 4 {
         return none();
     }
-    let settled = fit.settled();
     let sum = |cell: &Range<usize>| settled.residual.rows(cell.start, cell.len()).sum();
     let scores = DVector::from_fn(cells.len(), |i, _| sum(&cells[i]));
     let taken = DMatrix::from_fn(settled.taken.ncols(), cells.len(), |p, i| {

@@ -5,7 +5,7 @@
 //!
 //! Limits: linear about the fit.
 
-use crate::fit::Fit;
+use crate::fit::Settled;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
@@ -43,13 +43,12 @@ impl JointTest {
 }
 
 /// Scores along whitened columns `b` (n x k).
-pub fn scores(fit: &Fit, b: &DMatrix<f64>) -> Scores {
-    scores_with(fit, b, &b.tr_mul(b))
+pub fn scores(settled: &Settled, b: &DMatrix<f64>) -> Scores {
+    scores_with(settled, b, &b.tr_mul(b))
 }
 
 /// As [`scores`], `gram` being `b^T b`: for the same columns beside many fits.
-pub fn scores_with(fit: &Fit, b: &DMatrix<f64>, gram: &DMatrix<f64>) -> Scores {
-    let settled = fit.settled();
+pub fn scores_with(settled: &Settled, b: &DMatrix<f64>, gram: &DMatrix<f64>) -> Scores {
     let taken = settled.taken.tr_mul(b);
     Scores { scores: b.tr_mul(&settled.residual), covariance: gram - taken.tr_mul(&taken) }
 }
@@ -106,9 +105,9 @@ mod tests {
         let free = [(f64::NEG_INFINITY, f64::INFINITY); 2];
         // at the optimum J^T r = z
         let residual = vec![30.0 / s, -10.0 / d];
-        let fit = finish(vec![30.0, 20.0], residual, jacobian, &free, 1, true);
-        assert!(fit.is_settled());
-        let found = scores(&fit, &DMatrix::from_column_slice(2, 1, &[b, 0.0]));
+        let settled = finish(vec![30.0, 20.0], residual, jacobian, &free, 1, true).settled();
+        assert!(settled.is_reached());
+        let found = scores(&settled, &DMatrix::from_column_slice(2, 1, &[b, 0.0]));
         let left = b * b * (1.0 + d * d) / (1.0 + 2.0 * s * s + d * d + s * s * d * d);
         // rounding of B^2 = 1e12 in double precision, 1e-4
         assert!((found.covariance[(0, 0)] - left).abs() < 1e-3, "{} {left}", found.covariance[(0, 0)]);

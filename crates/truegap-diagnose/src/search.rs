@@ -5,7 +5,7 @@
 use crate::{
     context::Context,
     effect::Effect,
-    fit::{Fit, FitOptions, Model, approach, fit, fit_onwards},
+    fit::{Fit, FitOptions, Model, Settled, approach, fit, fit_onwards},
     problem::Problem,
     score::scores,
     whiten::Whitener,
@@ -81,9 +81,10 @@ impl<'a> Search<'a> {
     /// Adds each of `candidates` to `from`, in parallel; only the `most` that promise most are fitted.
     pub fn add_each(&self, from: &Tried, candidates: &[usize], most: usize, step: &'static str) -> Vec<Tried> {
         let open = |c: &&usize| !from.effects.contains(c) && !self.stop.load(Ordering::Relaxed);
-        let loosened = self.loosened(from);
-        let mut launches = vec![Launch { from, whitener: self.whitener }];
-        launches.extend(loosened.as_ref().map(|l| Launch { from: l, whitener: self.loose }));
+        let settled = from.fit.settled();
+        let loosened = self.loosened(from).map(|l| (l.fit.settled(), l));
+        let mut launches = vec![Launch { from, settled: &settled, whitener: self.whitener }];
+        launches.extend(loosened.as_ref().map(|(settled, from)| Launch { from, settled, whitener: self.loose }));
         let starts = |candidate: usize| launches.iter().map(|l| self.promising(*l, candidate)).collect::<Vec<_>>();
         let mut promising: Vec<(usize, Vec<Vec<Start>>)> = candidates.par_iter().filter(open).map(|c| (*c, starts(*c))).collect();
         let gain =
@@ -211,7 +212,7 @@ impl<'a> Search<'a> {
         z.extend_from_slice(shape);
         let there = model.residual(&z, launch.whitener).ok()?;
         let column: Vec<f64> = from.fit.residual.iter().zip(&there).map(|(a, b)| (a - b) / (size - zero)).collect();
-        let found = scores(&from.fit, &DMatrix::from_column_slice(column.len(), 1, &column));
+        let found = scores(launch.settled, &DMatrix::from_column_slice(column.len(), 1, &column));
         let (score, variance) = (found.scores[0], found.covariance[(0, 0)]);
         let best =
             (zero + (score - zero) / (variance + 1.0)).clamp(bounds.0, bounds.1).clamp(zero.min(0.0) - 4.0, zero.max(0.0) + 4.0);
@@ -247,6 +248,7 @@ pub const LOOSE: f64 = 30.0;
 #[derive(Clone, Copy)]
 struct Launch<'a> {
     from: &'a Tried,
+    settled: &'a Settled,
     whitener: &'a Whitener,
 }
 

@@ -355,7 +355,7 @@ fn sorted(effects: &[usize]) -> Vec<usize> {
 
 /// Divisor of log evidence when the misfit is `deviance` (in units of the noise variance): the right physics written with another
 /// equation leaves `FORM_ERROR` of its signal over `FORM_SHAPES` shapes, and evidence between models must not rest on less than that.
-pub fn temper(deviance: f64) -> f64 {
+fn temper(deviance: f64) -> f64 {
     1.0 + FORM_ERROR * FORM_ERROR * deviance.max(0.0) / FORM_SHAPES
 }
 

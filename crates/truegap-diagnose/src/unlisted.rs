@@ -11,7 +11,7 @@ use crate::{
     context::load_column,
     effect::Effect,
     evidence::log_sum_exp,
-    fit::Fit,
+    fit::Settled,
     memory::rates,
     problem::Problem,
     score::{Scores, scores_with},
@@ -144,23 +144,25 @@ impl Causes {
     ///
     /// A cause has no equation that could be in the wrong form, but freedom enough to follow what a wrong form leaves: it is weighed at noise of `temper` times
     /// the variance, where its freedom costs what it costs.
-    pub fn beside(
+    pub fn beside<'t>(
         &self,
-        models: &[Tried],
+        models: &'t [Tried],
         library: &[&dyn Effect],
         weight: impl Fn(&Tried) -> f64 + Sync,
         temper: f64,
     ) -> Vec<Unlisted> {
         let best = models.iter().map(&weight).fold(f64::NEG_INFINITY, f64::max);
-        let mut near: Vec<&Tried> =
-            models.iter().filter(|m| (m.effects.is_empty() || weight(m) > best - NEAR) && m.fit.is_settled()).collect();
+        let close = |m: &&'t Tried| m.effects.is_empty() || weight(m) > best - NEAR;
+        let settled = |m: &'t Tried| Some((m, m.fit.settled())).filter(|(_, settled)| settled.is_reached());
+        let mut near: Vec<(&'t Tried, Settled)> = models.iter().filter(close).filter_map(settled).collect();
         // the base model stays, whatever its weight
-        near.sort_by(|a, b| a.effects.is_empty().cmp(&b.effects.is_empty()).reverse().then(weight(b).total_cmp(&weight(a))));
+        let heavier = |a: &Tried, b: &Tried| weight(b).total_cmp(&weight(a));
+        near.sort_by(|(a, _), (b, _)| b.effects.is_empty().cmp(&a.effects.is_empty()).then(heavier(a, b)));
         near.truncate(MOST);
         let share = (OUTSIDE / self.0.len().max(1) as f64).ln();
         let nothing = models.iter().find(|m| m.effects.is_empty()).map_or(0.0, |m| m.fit.objective());
-        let one = |model: &Tried, columns: &Columns| {
-            let (gain, tempered, row) = columns.gain(&model.fit, temper);
+        let one = |model: &Tried, settled: &Settled, columns: &Columns| {
+            let (gain, tempered, row) = columns.gain(settled, temper);
             let weight = weight(model) + one_more(model.effects.len()) + share + tempered;
             // beside a model, it has to be more than what the right family leaves in the wrong form
             let explained = (nothing - model.fit.objective()).max(0.0);
@@ -168,16 +170,18 @@ impl Causes {
             counts.then(|| Unlisted { cause: columns.cause, effects: model.key(), weight, gain, row })
         };
         let apart = |model: &Tried, cause: Cause| model.effects.iter().all(|e| !cause.holds(library[*e].id()));
-        let of =
-            |model: &Tried| self.0.iter().filter(|c| apart(model, c.cause)).filter_map(|c| one(model, c)).collect::<Vec<_>>();
-        near.par_iter().flat_map_iter(|model| of(model)).filter(|u| u.weight.is_finite()).collect()
+        let of = |(model, settled): &(&'t Tried, Settled)| {
+            let apart = self.0.iter().filter(|c| apart(model, c.cause));
+            apart.filter_map(|c| one(model, settled, c)).collect::<Vec<_>>()
+        };
+        near.par_iter().flat_map_iter(of).filter(|u| u.weight.is_finite()).collect()
     }
 }
 
 impl Columns {
     /// Log evidence that the cause adds to a model, its size unknown; the same where the noise has `temper` times the variance; and the row at which it acts.
-    fn gain(&self, fit: &Fit, temper: f64) -> (f64, f64, Option<usize>) {
-        let found = scores_with(fit, &self.columns, &self.gram);
+    fn gain(&self, settled: &Settled, temper: f64) -> (f64, f64, Option<usize>) {
+        let found = scores_with(settled, &self.columns, &self.gram);
         let louder = Scores { scores: &found.scores / temper, covariance: &found.covariance / temper };
         let seen = |k: usize| found.scores[k].powi(2) / found.covariance[(k, k)].max(f64::MIN_POSITIVE);
         let clearest = (0..self.rows.len()).max_by(|a, b| seen(*a).total_cmp(&seen(*b)));

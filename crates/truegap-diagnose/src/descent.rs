@@ -145,7 +145,10 @@ impl<'a, 'm> Descent<'a, 'm> {
     }
 
     pub(crate) fn finish(self) -> Fit {
-        finish(self.z, self.residual, self.jacobian, self.bounds, self.iterations, self.converged)
+        let sizes = self.model.open_sizes();
+        let counts = (self.iterations, self.converged);
+        let free_form = self.model.free_form();
+        Fit { free_form, ..finish(self.z, self.residual, self.jacobian, self.bounds, &sizes, counts) }
     }
 }
 

@@ -16,15 +16,19 @@ use crate::{
     gate::Gate,
     held_out::AllRows,
     issues::{DiagnoseError, check},
-    joint::noise::measured,
+    joint::noise::{measured, misfit_at},
     latent::{Hidden, SlowInput},
-    problem::Problem,
+    noise::{TOO_LOUD, quieter_than},
+    problem::{NoiseModel, Problem},
     search::{LOOSE, Progress, Search},
     select::Selection,
     thin::thin,
     verdict::{Decision, interrupted},
 };
-use std::sync::{Arc, atomic::AtomicBool};
+use std::sync::{
+    Arc,
+    atomic::{AtomicBool, Ordering},
+};
 
 /// Rows that are searched; longer recordings are searched on means of their quiet rows (see [`crate::thin`]) and predicted row by row.
 const SEARCHED_ROWS: usize = 2500;
@@ -78,6 +82,21 @@ pub fn diagnose(
     check(problem)?;
     let (quiet, noise) = measured(problem)?;
     let problem = &Problem { inputs: &quiet, response: problem.response, simulator: problem.simulator };
+    let mut outcome = with_noise(problem, noise, false, facts, options, progress, stop)?;
+    outcome.diagnosis.seconds = started.elapsed().as_secs_f64();
+    Ok(outcome)
+}
+
+/// Diagnoses with this noise; once more where a model leaves less than it, unless it is `settled`.
+fn with_noise(
+    problem: &Problem<'_>,
+    noise: NoiseModel,
+    settled: bool,
+    facts: RecordingFacts,
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+    stop: &AtomicBool,
+) -> Result<Outcome, DiagnoseError> {
     let context = problem.context(problem.span(), noise.floor());
     let everything = library();
     let (testable, not_testable) = part(&everything, &context, options);
@@ -92,6 +111,12 @@ pub fn diagnose(
     let directions = directions(searched.inputs, searched.simulator);
     let gate = Gate::new(&directions, &whitener, searched.runs(), searched_noise.uncertainty);
     let mut examined = examine(&search, &gate)?;
+    if !settled
+        && !stop.load(Ordering::Relaxed)
+        && let Some(quieter) = too_loud(problem, &search, &examined.selection, &noise)?
+    {
+        return with_noise(problem, quieter, true, facts, options, progress, stop);
+    }
     // where nothing may be named, there is nothing to be right or wrong about
     let bank = match options.bank.as_ref().filter(|_| options.withheld.is_none()) {
         Some(wanted) => Some(fill(&search, Whole { problem, noise: &noise }, &examined, wanted)?),
@@ -137,8 +162,23 @@ pub fn diagnose(
         outcome.diagnosis.concealed_column = Some(column);
         outcome.traces.course = Some(trace);
     }
-    outcome.diagnosis.seconds = started.elapsed().as_secs_f64();
     Ok(outcome)
+}
+
+/// The noise as the model that leaves least has it, where that leaves less than noise.
+fn too_loud(
+    problem: &Problem<'_>,
+    search: &Search<'_>,
+    selection: &Selection,
+    noise: &NoiseModel,
+) -> Result<Option<NoiseModel>, DiagnoseError> {
+    let Some(best) = selection.least() else { return Ok(None) };
+    let rows = search.whitener.rows.max(1) as f64;
+    if problem.simulator.joined().is_some() || best.fit.chi2 / rows > TOO_LOUD {
+        return Ok(None);
+    }
+    let model = Model::new(problem, search.context, best.effects.iter().map(|e| search.library[*e]).collect());
+    Ok(quieter_than(problem, &misfit_at(&model, &best.fit.z)?, noise))
 }
 
 /// The decision, taken back where the recording may not be trusted or an input is missing that was hidden on purpose; with the reason.

@@ -35,7 +35,7 @@ pub struct Examined {
 /// # Errors
 /// Those of the simulator at the centre of the prior.
 pub fn examine(search: &Search<'_>, gate: &Gate) -> Result<Examined, SimulationError> {
-    let selection = select(search, search.base()?);
+    let selection = select(search, gate, search.base()?);
     let nothing = expected(selection.models.iter(), &search.library).map_or(0.0, |m| m.fit.objective());
     let causes = Causes::new(search.problem, search.whitener);
     let selection = selection.with_unlisted(&causes, &search.library, gate.slack());

@@ -50,6 +50,16 @@ impl<'a> Model<'a> {
         first..first + self.counts[index]
     }
 
+    /// Indices of the sizes whose order of magnitude is not known: of all effects that nobody has computed beforehand.
+    pub(crate) fn open_sizes(&self) -> Vec<usize> {
+        (0..self.effects.len()).filter(|i| !self.effects[*i].foreseen()).map(|i| self.first_of(i)).collect()
+    }
+
+    /// Indices of the parameters of effects without an equation.
+    pub(crate) fn free_form(&self) -> Vec<usize> {
+        (0..self.effects.len()).filter(|i| self.effects[*i].free_form()).flat_map(|i| self.range_of(i)).collect()
+    }
+
     /// Values in the parameters' units.
     pub fn values(&self, z: &[f64]) -> Vec<f64> {
         self.parameters.iter().zip(z).map(|(p, z)| p.prior.at(*z)).collect()
@@ -179,8 +189,12 @@ pub struct Fit {
     pub hessian: DMatrix<f64>,
     /// which parameters lie on a bound
     pub at_limit: Vec<bool>,
+    /// parameters of effects without an equation
+    pub free_form: Vec<usize>,
     /// log evidence, up to a constant common to all models of one noise model
     pub log_evidence: f64,
+    /// the part of it that comes from sizes whose order of magnitude is not known
+    pub scale_gain: f64,
     /// steps taken
     pub iterations: usize,
     /// whether the last step was small
@@ -191,6 +205,25 @@ impl Fit {
     /// Objective: half of chi2 + |z|^2.
     pub fn objective(&self) -> f64 {
         0.5 * (self.chi2 + self.z.iter().map(|z| z * z).sum::<f64>())
+    }
+
+    /// Log evidence where differences count for `temper` times less, because equations may be off.
+    ///
+    /// What has no equation has nothing that could be off, but freedom enough to follow what others leave: its freedom is paid for in full, at noise of
+    /// `temper` times the variance.
+    pub fn tempered(&self, temper: f64) -> f64 {
+        let freedom = |temper: f64| {
+            let louder = (&self.hessian - DMatrix::identity(self.z.len(), self.z.len())) / temper;
+            let hessian = louder + DMatrix::identity(self.z.len(), self.z.len());
+            let fixed: Vec<usize> = (0..self.z.len()).filter(|i| !self.free_form.contains(i)).collect();
+            let others = hessian.select_rows(&fixed).select_columns(&fixed);
+            [hessian, others].map(|h| Cholesky::new(h).map_or(0.0, |f| evidence::log_determinant(&f)))
+        };
+        if self.free_form.is_empty() {
+            return self.log_evidence / temper;
+        }
+        let [paid, due] = [freedom(1.0), freedom(temper)].map(|[all, others]| 0.5 * (all - others));
+        (self.log_evidence + paid) / temper - due
     }
 
     /// Cholesky factor of the Hessian.
@@ -291,22 +324,25 @@ pub fn approach(
     Ok(search.z)
 }
 
-/// A fit from where a search has ended.
+/// A fit from where a search has ended; `open_sizes` are the parameters whose order of magnitude is not known.
 pub(crate) fn finish(
     z: Vec<f64>,
     residual: Vec<f64>,
     jacobian: DMatrix<f64>,
     bounds: &[(f64, f64)],
-    iterations: usize,
-    converged: bool,
+    open_sizes: &[usize],
+    (iterations, converged): (usize, bool),
 ) -> Fit {
     let hessian = jacobian.tr_mul(&jacobian) + DMatrix::identity(z.len(), z.len());
     let chi2 = residual.iter().map(|r| r * r).sum();
     let gradient = DVector::from_column_slice(&z) - jacobian.tr_mul(&DVector::from_column_slice(&residual));
-    let at_limit: Vec<bool> = z.iter().zip(bounds).map(|(z, b)| (z - b.0).abs() < 1e-9 || (b.1 - z).abs() < 1e-9).collect();
-    let log_evidence = evidence::laplace(chi2, &z, &hessian, gradient.as_slice(), bounds);
-    let sd = Cholesky::new(hessian.clone())
+    let at_limit: Vec<bool> = z.iter().zip(bounds).map(|(z, b)| evidence::on_bound(*z, b.0) || evidence::on_bound(*z, b.1)).collect();
+    let sd: Vec<f64> = Cholesky::new(hessian.clone())
         .map(|f| f.inverse().diagonal().iter().map(|v| v.sqrt()).collect())
         .unwrap_or_else(|| vec![f64::NAN; z.len()]);
-    Fit { z, sd, chi2, residual, jacobian, hessian, at_limit, log_evidence, iterations, converged }
+    let gain = |i: &usize| evidence::any_scale(z[*i], sd[*i] * sd[*i], gradient[*i], bounds[*i]);
+    let scale_gain: f64 = open_sizes.iter().map(gain).filter(|gain| gain.is_finite()).sum();
+    let log_evidence = evidence::laplace(chi2, &z, &hessian, gradient.as_slice(), bounds) + scale_gain;
+    let free_form = Vec::new();
+    Fit { z, sd, chi2, residual, jacobian, hessian, at_limit, free_form, log_evidence, scale_gain, iterations, converged }
 }

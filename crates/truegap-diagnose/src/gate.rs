@@ -71,6 +71,12 @@ impl Gate {
         scores(&fit.settled(), &self.columns)
     }
 
+    /// What a fit may leave over, in units of the noise variance: what the tests find above expectation, and two standard deviations of the smooth one.
+    pub fn may_leave(&self, fit: &Fit) -> f64 {
+        let Adequacy { smooth, stretches, .. } = self.adequacy(fit);
+        self.slack * (smooth.excess() + 2.0 * (2.0 * smooth.freedom as f64).sqrt()).max(stretches.excess())
+    }
+
     /// The three tests.
     pub fn adequacy(&self, fit: &Fit) -> Adequacy {
         let settled = fit.settled();

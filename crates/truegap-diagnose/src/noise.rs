@@ -10,6 +10,7 @@ mod rest;
 
 use crate::context::load_column;
 use crate::problem::{InputNoise, NoiseModel, Problem};
+use crate::whiten::Noise;
 use denoise::Denoised;
 pub use input::scatter;
 use likelihood::{Block, estimate, without_outliers};
@@ -99,10 +100,10 @@ pub fn noise_model(
 ) -> Result<NoiseModel, SimulationError> {
     let load = load_column(problem.inputs, problem.simulator);
     let input_error = problem.input_variance(base, &inputs, left, shapes)?;
-    let (blocks, measured, says) = blocks(problem, load.as_deref(), &inputs);
+    let (blocks, measured, says) = blocks(problem, load.as_deref(), &inputs, !shapes.is_empty());
     let rows = blocks.iter().map(|b| b.rows.len()).sum();
-    let (mut response, uncertainty) = estimate(problem.response, &blocks);
-    response.white_sd = response.white_sd.max(resolution(problem.response) / 12f64.sqrt());
+    let (response, uncertainty) = estimate(problem.response, &blocks);
+    let response = no_finer_than_read(response, problem);
     let recordings = Vec::new();
     Ok(NoiseModel { response, inputs, recordings, input_error, uncertainty, weights: None, measured, rows, says })
 }
@@ -113,20 +114,74 @@ pub fn from_misfit(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) ->
     let mut short = without_outliers(misfit, rest::short_stretches(problem.inputs));
     thin(&mut short);
     let rows = short.iter().map(|b| b.rows.len()).sum();
-    let (mut response, uncertainty) = estimate(misfit, &short);
-    response.white_sd = response.white_sd.max(resolution(problem.response) / 12f64.sqrt());
+    let (response, uncertainty) = estimate(misfit, &short);
+    let response = no_finer_than_read(response, problem);
     let says = format!(
         "no rest record: from what the calibrated model leaves over in {rows} rows of short stretches; slow noise would go unseen"
     );
     NoiseModel { response, rows, uncertainty: uncertainty.max(UNSEEN), says, ..noise.clone() }
 }
 
+/// The noise estimated again where `misfit`, what some model leaves over, is quieter than `noise`: what was taken for noise was something that the model knows.
+/// `None` where it is not.
+///
+/// A model with a handful of numbers can take physics out of thousands of rows, but not their noise.
+pub fn quieter_than(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Option<NoiseModel> {
+    (share_left(problem, misfit, noise) < TOO_LOUD).then(|| {
+        let again = if noise.measured {
+            let load = load_column(problem.inputs, problem.simulator);
+            let (blocks, _, says) = blocks(problem, load.as_deref(), &noise.inputs, noise.bends());
+            let (response, uncertainty) = estimate(misfit, &blocks);
+            let says = format!("{says}, beside what a model explains");
+            NoiseModel { response: no_finer_than_read(response, problem), uncertainty, says, ..noise.clone() }
+        } else {
+            from_misfit(problem, misfit, noise)
+        };
+        not_above(problem, misfit, again)
+    })
+}
+
+/// Mean square of the whitened misfit: 1 where the noise is as loud as taken, and nothing else is left.
+fn share_left(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> f64 {
+    let mut column = misfit.to_vec();
+    noise.whitener(&problem.runs(), None).apply(&mut column);
+    column.iter().map(|v| v * v).sum::<f64>() / misfit.len() as f64
+}
+
+/// The noise, lowered where `misfit` shows that it is too loud: of response and inputs by the factors under which the misfit is likeliest.
+pub fn not_above(problem: &Problem<'_>, misfit: &[f64], noise: NoiseModel) -> NoiseModel {
+    if share_left(problem, misfit, &noise) >= TOO_LOUD {
+        return noise;
+    }
+    let deviance = |noise: &NoiseModel| {
+        let whitener = noise.whitener(&problem.runs(), None);
+        let mut column = misfit.to_vec();
+        whitener.apply(&mut column);
+        whitener.deviance(&column)
+    };
+    let lowered = |response: f64| LOWER.map(|inputs| noise.with_parts_scaled(response, inputs));
+    let tried: Vec<(f64, NoiseModel)> = LOWER.into_iter().flat_map(lowered).map(|noise| (deviance(&noise), noise)).collect();
+    tried.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).map_or(noise, |(_, likeliest)| likeliest)
+}
+
+/// Share of its variance below which what is left over shows that a noise is not as loud as taken: three standard deviations in 200 rows.
+pub const TOO_LOUD: f64 = 0.7;
+
+/// Factors on a noise that was too loud.
+const LOWER: [f64; 8] = [1.0, 0.84, 0.7, 0.59, 0.5, 0.35, 0.25, 0.12];
+
+/// A response is read to steps, which are noise too.
+fn no_finer_than_read(noise: Noise, problem: &Problem<'_>) -> Noise {
+    Noise { white_sd: noise.white_sd.max(resolution(problem.response) / 12f64.sqrt()), ..noise }
+}
+
 /// Least relative uncertainty of a noise that was not measured at rest.
 const UNSEEN: f64 = 0.25;
 
-/// Stretches to take the noise from, whether they are apart from the mismatch, and a sentence about them.
-fn blocks(problem: &Problem<'_>, load: Option<&[f64]>, inputs: &InputNoise) -> (Vec<Block>, bool, String) {
-    let mut rest = without_outliers(problem.response, rest::at_rest(problem.inputs, load, inputs));
+/// Stretches to take the noise from, whether they are apart from the mismatch, and a sentence about them; a load that `bends` all the time never rests.
+fn blocks(problem: &Problem<'_>, load: Option<&[f64]>, inputs: &InputNoise, bends: bool) -> (Vec<Block>, bool, String) {
+    let at_rest = if bends { Vec::new() } else { rest::at_rest(problem.inputs, load, inputs) };
+    let mut rest = without_outliers(problem.response, at_rest);
     thin(&mut rest);
     let rows: usize = rest.iter().map(|b| b.rows.len()).sum();
     if rows >= ENOUGH {

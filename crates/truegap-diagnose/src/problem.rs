@@ -152,6 +152,11 @@ impl NoiseModel {
         Whitener::by_run(&of_run, &self.input_error, self.weights.as_deref(), runs, keep)
     }
 
+    /// Whether the load bends all the time, so that its error is known by its shape only.
+    pub fn bends(&self) -> bool {
+        !self.input_error.shapes.is_empty()
+    }
+
     /// The recording that a row belongs to, where there are several.
     fn recording_at(&self, row: usize) -> Option<&RecordingNoise> {
         self.recordings.iter().find(|r| r.rows.contains(&row))
@@ -170,10 +175,16 @@ impl NoiseModel {
     /// The same noise, `factor` times larger.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
-        let scaled = |n: Noise| Noise { white_sd: n.white_sd * factor, ar_sd: n.ar_sd * factor, ..n };
+        self.with_parts_scaled(factor, factor)
+    }
+
+    /// The same noise, that of the response `response` times larger and what comes from the inputs `inputs` times.
+    #[must_use]
+    pub fn with_parts_scaled(&self, response: f64, inputs: f64) -> Self {
+        let scaled = |n: Noise| Noise { white_sd: n.white_sd * response, ar_sd: n.ar_sd * response, ..n };
         let recordings = self.recordings.iter().map(|r| RecordingNoise { response: scaled(r.response), ..r.clone() }).collect();
-        let scale = |column: &[f64]| column.iter().map(|v| v * factor * factor).collect();
-        let shape = |shape: &Vec<f64>| shape.iter().map(|v| v * factor).collect();
+        let scale = |column: &[f64]| column.iter().map(|v| v * inputs * inputs).collect();
+        let shape = |shape: &Vec<f64>| shape.iter().map(|v| v * inputs).collect();
         let input_error = InputError {
             variance: scale(&self.input_error.variance),
             level: scale(&self.input_error.level),

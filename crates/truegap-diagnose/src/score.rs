@@ -105,7 +105,7 @@ mod tests {
         let free = [(f64::NEG_INFINITY, f64::INFINITY); 2];
         // at the optimum J^T r = z
         let residual = vec![30.0 / s, -10.0 / d];
-        let settled = finish(vec![30.0, 20.0], residual, jacobian, &free, 1, true).settled();
+        let settled = finish(vec![30.0, 20.0], residual, jacobian, &free, &[], (1, true)).settled();
         assert!(settled.is_reached());
         let found = scores(&settled, &DMatrix::from_column_slice(2, 1, &[b, 0.0]));
         let left = b * b * (1.0 + d * d) / (1.0 + 2.0 * s * s + d * d + s * s * d * d);

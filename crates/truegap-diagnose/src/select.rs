@@ -5,6 +5,7 @@
 use crate::{
     effect::Effect,
     evidence::log_sum_exp,
+    gate::Gate,
     importance::{Sampled, sampled},
     search::{Progress, Search, Tried},
     unlisted::{Causes, Unlisted},
@@ -70,6 +71,11 @@ impl Selection {
         &self.models[self.base]
     }
 
+    /// The model that leaves least, its parameters' distance from what is known of them counted.
+    pub fn least(&self) -> Option<&Tried> {
+        least(self.models.iter())
+    }
+
     /// Index of the likeliest model that names something; `None` where nothing was fitted.
     pub fn likeliest_named(&self) -> Option<usize> {
         self.models.iter().position(|m| !m.effects.is_empty())
@@ -86,7 +92,9 @@ impl Selection {
     #[must_use]
     pub fn with_unlisted(mut self, causes: &Causes, library: &[&dyn Effect], slack: f64) -> Self {
         let temper = self.temper * slack;
-        let weight = weight(temper, self.effect_probability.len());
+        // what is outside pays for its freedom in full, and so does what is inside without an equation
+        let library_size = self.effect_probability.len();
+        let weight = |m: &Tried| m.fit.tempered(temper) + log_prior(m.effects.len(), library_size);
         let total = log_sum_exp(&self.models.iter().map(weight).collect::<Vec<_>>());
         let found = causes.beside(&self.models, library, weight, temper);
         self.unlisted = found
@@ -203,7 +211,7 @@ fn weight(temper: f64, library: usize) -> impl Fn(&Tried) -> f64 + Copy + Sync {
 }
 
 /// Tries singles, forward steps with swaps, and pairs of the best; weighs all of them.
-pub fn select(search: &Search<'_>, base: Tried) -> Selection {
+pub fn select(search: &Search<'_>, gate: &Gate, base: Tried) -> Selection {
     let all: Vec<usize> = (0..search.library.len()).collect();
     let mut tried: BTreeMap<Vec<usize>, Tried> = BTreeMap::new();
     let singles = search.add_each(&base, &all, all.len(), "one effect");
@@ -213,11 +221,11 @@ pub fn select(search: &Search<'_>, base: Tried) -> Selection {
     if gain > CLEAR {
         let best: Vec<&Tried> = order.iter().take(6).map(|i| &singles[*i]).collect();
         pairs(search, &best, &all, &mut tried);
-        triples(search, &all, &mut tried);
+        triples(search, gate, &all, &mut tried);
     }
-    polish(search, &mut tried);
-    let check = check(search, &mut tried);
-    Selection { check, ..weigh(tried, &search.library) }
+    polish(search, gate, &mut tried);
+    let check = check(search, gate, &mut tried);
+    Selection { check, ..weigh(tried, &search.library, gate) }
 }
 
 /// Models that are sampled, those with the most weight, and the draws for each.
@@ -226,8 +234,8 @@ const SAMPLED: (usize, usize) = (8, 128);
 const ENOUGH: f64 = 0.1;
 
 /// Replaces Laplace's evidence by a sampled one for the models with the most weight, and for the base model.
-fn check(search: &Search<'_>, tried: &mut BTreeMap<Vec<usize>, Tried>) -> EvidenceCheck {
-    let weight = weight(temper_of(tried.values(), &search.library), search.library.len());
+fn check(search: &Search<'_>, gate: &Gate, tried: &mut BTreeMap<Vec<usize>, Tried>) -> EvidenceCheck {
+    let weight = weight(temper_of(tried.values(), &search.library, gate), search.library.len());
     let mut order: Vec<(Vec<usize>, f64)> = tried.iter().map(|(key, m)| (key.clone(), weight(m))).collect();
     order.sort_by(|a, b| b.1.total_cmp(&a.1));
     let best = order.first().map_or(0.0, |o| o.1);
@@ -246,17 +254,18 @@ fn check(search: &Search<'_>, tried: &mut BTreeMap<Vec<usize>, Tried>) -> Eviden
     for (key, sampled) in found.into_iter().filter(|(_, s)| s.effective_share > ENOUGH) {
         let Some(m) = tried.get_mut(&key) else { continue };
         report.replaced += 1;
-        report.largest_change = report.largest_change.max((sampled.log_evidence - m.fit.log_evidence).abs());
-        m.fit.log_evidence = sampled.log_evidence;
+        let log_evidence = sampled.log_evidence + m.fit.scale_gain;
+        report.largest_change = report.largest_change.max((log_evidence - m.fit.log_evidence).abs());
+        m.fit.log_evidence = log_evidence;
     }
     report
 }
 
 /// Fits to the end what could still matter; the search itself is content with rough fits.
-fn polish(search: &Search<'_>, tried: &mut BTreeMap<Vec<usize>, Tried>) {
+fn polish(search: &Search<'_>, gate: &Gate, tried: &mut BTreeMap<Vec<usize>, Tried>) {
     let mut done: BTreeSet<Vec<usize>> = BTreeSet::from([Vec::new()]);
     loop {
-        let weight = weight(temper_of(tried.values(), &search.library), search.library.len());
+        let weight = weight(temper_of(tried.values(), &search.library, gate), search.library.len());
         let best = tried.values().map(weight).fold(f64::NEG_INFINITY, f64::max);
         let near = |(key, m): &(&Vec<usize>, &Tried)| !done.contains(*key) && weight(m) > best - CLOSE;
         let rough: Vec<&Tried> = tried.iter().filter(near).map(|(_, m)| m).collect();
@@ -320,10 +329,10 @@ fn pairs(search: &Search<'_>, best: &[&Tried], all: &[usize], tried: &mut BTreeM
 }
 
 /// The best pair with every other effect, where the pair is worth it; where the triple is, too, each of its other pairs with every other effect (a swap).
-fn triples(search: &Search<'_>, all: &[usize], tried: &mut BTreeMap<Vec<usize>, Tried>) {
-    let Some(pair) = worth_more(search, tried, 2) else { return };
+fn triples(search: &Search<'_>, gate: &Gate, all: &[usize], tried: &mut BTreeMap<Vec<usize>, Tried>) {
+    let Some(pair) = worth_more(search, gate, tried, 2) else { return };
     keep(tried, search.add_each(&pair, all, PARTNERS, "three effects"));
-    let Some(triple) = worth_more(search, tried, 3) else { return };
+    let Some(triple) = worth_more(search, gate, tried, 3) else { return };
     let others = pair.effects.iter().map(|left_out| triple.effects.iter().copied().filter(|e| e != left_out).collect::<Vec<_>>());
     for other in others {
         let known = tried.get(&sorted(&other)).cloned();
@@ -338,12 +347,12 @@ fn triples(search: &Search<'_>, all: &[usize], tried: &mut BTreeMap<Vec<usize>, 
 }
 
 /// The best model of `count` effects, where it is clearly better than the best of one less.
-fn worth_more(search: &Search<'_>, tried: &BTreeMap<Vec<usize>, Tried>, count: usize) -> Option<Tried> {
+fn worth_more(search: &Search<'_>, gate: &Gate, tried: &BTreeMap<Vec<usize>, Tried>, count: usize) -> Option<Tried> {
     let of_size = |n: usize| {
         tried.values().filter(move |t| t.effects.len() == n).max_by(|a, b| a.fit.log_evidence.total_cmp(&b.fit.log_evidence))
     };
     let (smaller, larger) = (of_size(count - 1)?, of_size(count)?);
-    let gain = (larger.fit.log_evidence - smaller.fit.log_evidence) / temper_of(tried.values(), &search.library);
+    let gain = (larger.fit.log_evidence - smaller.fit.log_evidence) / temper_of(tried.values(), &search.library, gate);
     (gain > CLEAR && !search.stop.load(Ordering::Relaxed)).then(|| larger.clone())
 }
 
@@ -353,23 +362,26 @@ fn sorted(effects: &[usize]) -> Vec<usize> {
     key
 }
 
-/// Divisor of log evidence when the misfit is `deviance` (in units of the noise variance): the right physics written with another
-/// equation leaves `FORM_ERROR` of its signal over `FORM_SHAPES` shapes, and evidence between models must not rest on less than that.
-fn temper(deviance: f64) -> f64 {
-    1.0 + FORM_ERROR * FORM_ERROR * deviance.max(0.0) / FORM_SHAPES
-}
-
-/// [`temper`] of the misfit that the best of some models explains, beyond what was foreseen.
+/// Divisor of log evidence: the right physics written with another equation leaves `FORM_ERROR` of its signal over `FORM_SHAPES` shapes, and evidence between
+/// models must not rest on less than that.
 ///
-/// Parameters pushed away from what is known of them are misfit too: calibration may have hidden most of it there.
-fn temper_of<'t>(models: impl Iterator<Item = &'t Tried> + Clone, library: &[&dyn Effect]) -> f64 {
-    let least = least(models.clone());
-    temper(2.0 * (expected(models, library).map_or(0.0, |m| m.fit.objective()) - least))
+/// The signal is what the best of the models explains, beyond what was foreseen. Parameters pushed away from what is known of them are misfit too: calibration may
+/// have hidden most of it there. How wrong the equations can be shows in what the best model leaves: all but a `HIDDEN`th may hide in its parameters, not more.
+fn temper_of<'t>(models: impl Iterator<Item = &'t Tried> + Clone, library: &[&dyn Effect], gate: &Gate) -> f64 {
+    let Some(best) = least(models.clone()) else { return 1.0 };
+    let nothing = expected(models, library).map_or(0.0, |m| m.fit.objective());
+    let signal = 2.0 * (nothing - best.fit.objective()).max(0.0);
+    let error = FORM_ERROR * FORM_ERROR * signal;
+    let shows = if error > HIDDEN { HIDDEN * gate.may_leave(&best.fit) } else { f64::INFINITY };
+    1.0 + error.min(shows) / FORM_SHAPES
 }
 
-/// The lowest objective.
-fn least<'t>(models: impl Iterator<Item = &'t Tried>) -> f64 {
-    models.map(|m| m.fit.objective()).fold(f64::INFINITY, f64::min)
+/// Part of an error of form that shows in what a model leaves, the rest hidden in its parameters: one in so many, in units of the noise variance.
+const HIDDEN: f64 = 10.0;
+
+/// The model of the lowest objective.
+fn least<'t>(models: impl Iterator<Item = &'t Tried>) -> Option<&'t Tried> {
+    models.min_by(|a, b| a.fit.objective().total_cmp(&b.fit.objective()))
 }
 
 /// Share of the misfit from which on it counts as foreseen.
@@ -379,16 +391,16 @@ const FORESEEN: f64 = 0.9;
 /// missing. They carry the error of their computation, some per cent, and not that of an equation chosen for its simplicity.
 pub(crate) fn expected<'t>(models: impl Iterator<Item = &'t Tried> + Clone, library: &[&dyn Effect]) -> Option<&'t Tried> {
     let base = models.clone().find(|m| m.effects.is_empty())?;
-    let least = least(models.clone());
+    let least = least(models.clone())?.fit.objective();
     let computed = models.filter(|m| m.effects.iter().all(|e| library[*e].foreseen()));
     let best = computed.min_by(|a, b| a.fit.objective().total_cmp(&b.fit.objective()))?;
     let most = base.fit.objective() - best.fit.objective() > FORESEEN * (base.fit.objective() - least);
     Some(if most { best } else { base })
 }
 
-fn weigh(tried: BTreeMap<Vec<usize>, Tried>, library: &[&dyn Effect]) -> Selection {
+fn weigh(tried: BTreeMap<Vec<usize>, Tried>, library: &[&dyn Effect], gate: &Gate) -> Selection {
     let mut models: Vec<Tried> = tried.into_values().collect();
-    let temper = temper_of(models.iter(), library);
+    let temper = temper_of(models.iter(), library, gate);
     let weight = weight(temper, library.len());
     models.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
     let weights: Vec<f64> = models.iter().map(weight).collect();

@@ -107,7 +107,11 @@ pub struct Unlisted {
 }
 
 /// The causes that these inputs could show.
-pub struct Causes(Vec<Columns>);
+pub struct Causes {
+    list: Vec<Columns>,
+    /// the zero wanders inside runs; none where no run is long enough
+    inside: Option<Columns>,
+}
 
 impl Causes {
     /// Columns of every cause, whitened.
@@ -119,6 +123,7 @@ impl Causes {
         let rows = problem.response.len();
         let knots = knots(&runs, rows);
         let inside: Vec<usize> = knots.iter().copied().filter(|k| runs.iter().all(|r| r.start != *k)).collect();
+        let inside_runs = wandering(&inside, time, rows, |_| 1.0);
         let mut list = vec![
             (Cause::WanderingZero, wandering(&knots, time, rows, |_| 1.0)),
             (Cause::Jump, inside.iter().map(|k| step(*k, rows, &runs)).collect()),
@@ -137,7 +142,8 @@ impl Causes {
             let rows = if cause.is_one_of() { inside.clone() } else { Vec::new() };
             Columns { cause, gram: columns.tr_mul(&columns), columns, rows }
         };
-        Self(list.into_iter().filter(|(_, c)| !c.is_empty()).map(of).collect())
+        let inside = (runs.len() > 1 && !inside_runs.is_empty()).then(|| of((Cause::WanderingZero, inside_runs)));
+        Self { list: list.into_iter().filter(|(_, c)| !c.is_empty()).map(of).collect(), inside }
     }
 
     /// Each cause beside the models near the best; `weight` is a model's log weight, `temper` its divisor of log evidence.
@@ -159,7 +165,7 @@ impl Causes {
         let heavier = |a: &Tried, b: &Tried| weight(b).total_cmp(&weight(a));
         near.sort_by(|(a, _), (b, _)| b.effects.is_empty().cmp(&a.effects.is_empty()).then(heavier(a, b)));
         near.truncate(MOST);
-        let share = (OUTSIDE / self.0.len().max(1) as f64).ln();
+        let share = (OUTSIDE / self.list.len().max(1) as f64).ln();
         let nothing = models.iter().find(|m| m.effects.is_empty()).map_or(0.0, |m| m.fit.objective());
         let one = |model: &Tried, settled: &Settled, columns: &Columns| {
             let (gain, tempered, row) = columns.gain(settled, temper);
@@ -169,12 +175,22 @@ impl Causes {
             let counts = model.effects.is_empty() || gain > (1.0 - RIGHT_FAMILY) * (explained + gain);
             counts.then(|| Unlisted { cause: columns.cause, effects: model.key(), weight, gain, row })
         };
-        let apart = |model: &Tried, cause: Cause| model.effects.iter().all(|e| !cause.holds(library[*e].id()));
+        let still = self.still_inside_runs(models, library, temper);
+        let apart = |model: &Tried, cause: Cause| {
+            !(still && cause == Cause::WanderingZero) && model.effects.iter().all(|e| !cause.holds(library[*e].id()))
+        };
         let of = |(model, settled): &(&'t Tried, Settled)| {
-            let apart = self.0.iter().filter(|c| apart(model, c.cause));
+            let apart = self.list.iter().filter(|c| apart(model, c.cause));
             apart.filter_map(|c| one(model, settled, c)).collect::<Vec<_>>()
         };
         near.par_iter().flat_map_iter(of).filter(|u| u.weight.is_finite()).collect()
+    }
+
+    /// Whether a number for each run leaves nothing that wanders inside one: a zero that wanders would do both.
+    fn still_inside_runs(&self, models: &[Tried], library: &[&dyn Effect], temper: f64) -> bool {
+        let steps = models.iter().find(|m| !m.effects.is_empty() && m.effects.iter().all(|e| library[*e].free_form()));
+        let gain = |(inside, steps): (&Columns, &Tried)| inside.gain(&steps.fit.settled(), temper).1;
+        self.inside.as_ref().zip(steps).map(gain).is_some_and(|gain| gain <= 0.0)
     }
 }
 

@@ -7,7 +7,9 @@ use crate::{
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
-/// Error of linearity and hysteresis of the load cell; its gain and zero are taken up by calibration.
+/// Errors of zero, gain, linearity and hysteresis of the load cell.
+///
+/// Calibration takes up most of a zero and of a gain, but not their temperature: silicone that is loaded where the cell reads nothing gets softer with heat.
 pub struct LoadCellError;
 
 /// Half width of the cell's hysteresis, full loads.
@@ -17,10 +19,12 @@ struct Cell {
     size: f64,
     /// never more than half of the error of linearity: a cell of nothing but hysteresis is not known, beads of it are
     hysteresis: f64,
+    zero: f64,
+    gain: f64,
 }
 
 impl Cell {
-    /// Adds the error of linearity `bow(load)`, 1 at half load, and of hysteresis.
+    /// Adds the errors of zero and gain, of linearity `bow(load)`, 1 at half load, and of hysteresis.
     fn apply(&self, inputs: &Inputs, load: &mut [f64], bow: impl Fn(f64) -> f64) {
         let given = load.to_vec();
         play_set(
@@ -28,7 +32,10 @@ impl Cell {
             WIDTH,
             |row| given[row],
             |_| 0.0,
-            |row, slip| load[row] += self.size * (bow(given[row]) + self.hysteresis * slip),
+            |row, slip| {
+                let straight = self.zero + self.gain * given[row];
+                load[row] += self.size * (bow(given[row]) + straight + self.hysteresis * slip);
+            },
         );
     }
 }
@@ -49,7 +56,7 @@ impl Stage for Sine {
 }
 
 fn cell(values: &[f64]) -> Cell {
-    Cell { size: values[0], hysteresis: values[1] }
+    Cell { size: values[0], hysteresis: values[1], zero: values[2], gain: values[3] }
 }
 
 impl Effect for LoadCellError {
@@ -64,8 +71,8 @@ impl Effect for LoadCellError {
     }
     fn about(&self) -> About {
         About {
-            physics: "the load cell that the sensor is compared with is itself not straight",
-            equation: "L_true = L + q [4 L (1 - L) + h s], s the slip of three plays as in `rate_independent_hysteresis`, w = 0.1",
+            physics: "the load cell that the sensor is compared with errs itself: in zero, gain, linearity, hysteresis",
+            equation: "L_true = L + q [4 L (1 - L) + z + g L + h s], s the slip of three plays as in `rate_independent_hysteresis`, w = 0.1",
             excitation: "load over the whole range, up and down",
             impostors: &["strain_stiffening", "contact_toe_in", "rate_independent_hysteresis", "eccentric_load"],
             separates: "the same error at the same load, whatever the temperature and whichever sensor; another reference changes it",
@@ -74,13 +81,15 @@ impl Effect for LoadCellError {
     }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         vec![
-            Parameter::normal("bow", "full loads", 0.0, 0.005, "error of linearity at half load").within(-0.1, 0.1),
+            Parameter::normal("bow", "full loads", 0.0, 0.01, "error of linearity at half load").within(-0.1, 0.1),
             Parameter::normal("hysteresis", "bows", 0.0, 0.3, "hysteresis of the cell over its error of linearity")
                 .within(-0.5, 0.5),
+            Parameter::normal("zero", "bows", 0.0, 1.0, "error of its zero over that of linearity").within(-5.0, 5.0),
+            Parameter::normal("gain", "bows", 0.0, 1.0, "error of its gain over that of linearity").within(-5.0, 5.0),
         ]
     }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
-        vec![vec![0.0]]
+        vec![vec![0.0; 3]]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Inputs)?;

@@ -5,11 +5,11 @@
 use crate::{
     fit::{FitOptions, Model, fit},
     issues::DiagnoseError,
-    noise::{Quiet, from_misfit, noise_model, quiet},
+    noise::{Quiet, from_misfit, noise_model, not_above, quiet},
     problem::{NoiseModel, Problem, RecordingNoise},
 };
 use std::ops::Range;
-use truegap_core::{Inputs, Joined};
+use truegap_core::{Inputs, Joined, SimulationError};
 
 /// The inputs made quiet, and the noise of every row.
 ///
@@ -94,10 +94,14 @@ fn without_rest(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, 
     for _ in 0..2 {
         let whitener = known.whitener(&problem.runs(), None);
         start = fit(&model, &whitener, &start, &FitOptions::default())?.z;
-        let misfit: Vec<f64> = problem.response.iter().zip(model.respond(&start)?).map(|(y, m)| y - m).collect();
-        known = from_misfit(problem, &misfit, &known);
+        known = from_misfit(problem, &misfit_at(&model, &start)?, &known);
     }
     let whitener = known.whitener(&problem.runs(), None);
-    let left = fit(&model, &whitener, &start, &FitOptions::default())?.chi2 / problem.response.len() as f64;
-    Ok(if left < 0.7 { known.scaled(left.sqrt()) } else { known })
+    let start = fit(&model, &whitener, &start, &FitOptions::default())?.z;
+    Ok(not_above(problem, &misfit_at(&model, &start)?, known))
+}
+
+/// What a model leaves over of the response.
+pub(crate) fn misfit_at(model: &Model<'_>, z: &[f64]) -> Result<Vec<f64>, SimulationError> {
+    Ok(model.problem.response.iter().zip(model.respond(z)?).map(|(y, m)| y - m).collect())
 }

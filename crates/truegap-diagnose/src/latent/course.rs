@@ -3,7 +3,10 @@
 //! Limits: one course, through the zero or through the gain of the reading; Gaussian, about one calibration.
 
 use super::knots::{Hat, Knots};
-use crate::search::{Search, Tried};
+use crate::{
+    evidence::log_determinant,
+    search::{Search, Tried},
+};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use std::ops::Range;
 use truegap_core::{Drive, Inputs, Readout, SimulationError, Stage};
@@ -232,8 +235,4 @@ impl Linear {
         let objective = self.residual.norm_squared() + self.at.dot(&(&prior * &self.at));
         Some(-0.5 * (objective + log_determinant(&factor) - log_prior))
     }
-}
-
-fn log_determinant(factor: &Cholesky<f64, Dyn>) -> f64 {
-    2.0 * factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum::<f64>()
 }

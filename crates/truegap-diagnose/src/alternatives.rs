@@ -6,7 +6,6 @@
 use crate::{
     answer::Answer,
     bank::Bank,
-    burst::Burst,
     detectability::visible_size,
     diagnosis::{Candidate, SmallestVisible, UnlistedCause, Verdict},
     memory::elapsed_s,
@@ -76,15 +75,21 @@ impl Answer<'_> {
         )
     }
 
-    /// The loudest burst of the calibrated base model's residual, in words; `None` where there is none.
-    pub(crate) fn burst_says(&self) -> Option<String> {
-        let burst = Some(self.burst).filter(Burst::is_heard)?;
-        let inputs = self.all.problem.inputs;
-        let (run, time) = (inputs.run[burst.row], elapsed_s(inputs, burst.row));
-        Some(format!(
-            "short bursts, the loudest in run {run} near {time:.0} s with {:.1} times the scatter of the noise",
-            burst.loudness
-        ))
+    /// The tone, or else the loudest burst, of the calibrated base model's residual, in words; `None` where there is neither.
+    pub(crate) fn heard_says(&self) -> Option<String> {
+        let (tone, burst, inputs) = (self.heard.tone, self.heard.burst, self.all.problem.inputs);
+        if tone.is_heard() {
+            let at = tone.frequency_hz.map_or_else(|| format!("{:.4} cycles a row", tone.per_row), |hz| format!("{hz:.4} Hz"));
+            return Some(format!(
+                "a tone at {at} (as sampled; it may be a faster one), {:.2} times as large as the noise",
+                tone.amplitude
+            ));
+        }
+        burst.is_heard().then(|| {
+            let (run, time) = (inputs.run[burst.row], elapsed_s(inputs, burst.row));
+            let loudness = burst.loudness;
+            format!("short bursts, the loudest in run {run} near {time:.0} s with {loudness:.1} times the scatter of the noise")
+        })
     }
 
     /// The cause outside the library that comes nearest, where the library explains too little and none outside it is likelier.

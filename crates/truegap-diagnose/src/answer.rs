@@ -5,7 +5,6 @@
 use crate::{
     augmented::{AddedEffect, Augmented, NamedValue, Scales},
     bank::Bank,
-    burst::Burst,
     conflicts::conflicts,
     control::shuffled,
     detectability::detectability,
@@ -14,6 +13,7 @@ use crate::{
     directions::Direction,
     effect::FittedParameter,
     gate::{Adequacy, Gate},
+    heard::Heard,
     held_out::{AllRows, HeldOutFit, held_out, misfit_removed, rmse_of},
     issues::doubts,
     locate::map,
@@ -45,8 +45,8 @@ pub struct Answer<'a> {
     pub before: Adequacy,
     /// adequacy of the likeliest model
     pub after: Adequacy,
-    /// the loudest burst in what the base model leaves
-    pub burst: Burst,
+    /// bursts and a tone in what the base model leaves
+    pub heard: Heard,
     /// directions, whitened
     pub gate: &'a Gate,
     /// directions
@@ -114,7 +114,8 @@ impl Answer<'_> {
             adequacy: AdequacyFacts {
                 before: Some(self.before),
                 after: Some(self.after),
-                burst: Some(self.burst),
+                burst: Some(self.heard.burst),
+                tone: Some(self.heard.tone),
                 removed: self.decision.removed,
             },
             evidence_check: self.selection.check,
@@ -358,8 +359,8 @@ impl Answer<'_> {
             ),
             Verdict::Unexplained => match &self.decision.outside {
                 Some(cause) => format!("something real is missing that is not in the library: {}", self.says_of(cause)),
-                None if !self.before.fires() => match self.burst_says() {
-                    Some(burst) => format!("something is in the reading that is not in the library: {burst}"),
+                None if !self.before.fires() => match self.heard_says() {
+                    Some(heard) => format!("something is in the reading that is not in the library: {heard}"),
                     None => "something real is missing that nothing in the library explains".into(),
                 },
                 None => format!(

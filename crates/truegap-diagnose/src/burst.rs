@@ -1,10 +1,8 @@
 //! Bursts: stretches of some rows in which the residual is louder than the noise.
 //!
-//! Noise that is louder for a while is nothing that a model lacks, so it takes no part in naming; where nothing else is found, it is what there is to say.
-//!
 //! Limits: bursts of about ten to thirty rows; judged on every row, since means of rows silence them.
 
-use crate::{problem::NoiseModel, problem::Problem, score::upper_tail};
+use crate::score::upper_tail;
 use std::ops::Range;
 
 /// Rows in which the residual is louder than the noise.
@@ -26,31 +24,23 @@ const LEVEL: f64 = 1e-6;
 const WINDOWS: [usize; 2] = [8, 24];
 
 impl Burst {
-    /// The loudest burst in what `predicted` leaves of a recording; `slack` is the factor by which the noise may be larger than taken.
-    pub fn loudest(problem: &Problem<'_>, predicted: &[f64], noise: &NoiseModel, slack: f64) -> Self {
-        let runs = problem.runs();
-        let mut residual: Vec<f64> = problem.response.iter().zip(predicted).map(|(r, p)| r - p).collect();
-        noise.whitener(&runs, None).apply(&mut residual);
-        loudest(&residual, &runs, slack)
+    /// The loudest of overlapping windows of a whitened residual, by its chi-squared; `slack` is the factor by which the noise may be larger than taken.
+    pub fn loudest(residual: &[f64], runs: &[Range<usize>], slack: f64) -> Self {
+        let starts = |rows: usize| runs.iter().flat_map(move |r| r.clone().step_by(rows / 2).filter(move |s| s + rows <= r.end));
+        let windows: usize = WINDOWS.iter().map(|rows| starts(*rows).count()).sum();
+        let of = |rows: usize, row: usize| {
+            let squares = residual[row..row + rows].iter().map(|r| r * r).sum::<f64>();
+            let p_value = (upper_tail(squares / slack, rows) * windows as f64).min(1.0);
+            Self { row, rows, loudness: (squares / rows as f64).sqrt(), p_value }
+        };
+        let all = WINDOWS.iter().flat_map(|rows| starts(*rows).map(|row| of(*rows, row)));
+        all.min_by(|a, b| a.p_value.total_cmp(&b.p_value)).unwrap_or(Self { row: 0, rows: 0, loudness: 1.0, p_value: 1.0 })
     }
 
     /// Whether it is there.
     pub fn is_heard(&self) -> bool {
         self.p_value < LEVEL
     }
-}
-
-/// Chi-squared test of the loudest of overlapping windows.
-fn loudest(residual: &[f64], runs: &[Range<usize>], slack: f64) -> Burst {
-    let starts = |rows: usize| runs.iter().flat_map(move |r| r.clone().step_by(rows / 2).filter(move |s| s + rows <= r.end));
-    let windows: usize = WINDOWS.iter().map(|rows| starts(*rows).count()).sum();
-    let of = |rows: usize, row: usize| {
-        let squares = residual[row..row + rows].iter().map(|r| r * r).sum::<f64>();
-        let p_value = (upper_tail(squares / slack, rows) * windows as f64).min(1.0);
-        Burst { row, rows, loudness: (squares / rows as f64).sqrt(), p_value }
-    };
-    let all = WINDOWS.iter().flat_map(|rows| starts(*rows).map(|row| of(*rows, row)));
-    all.min_by(|a, b| a.p_value.total_cmp(&b.p_value)).unwrap_or(Burst { row: 0, rows: 0, loudness: 1.0, p_value: 1.0 })
 }
 
 #[cfg(test)]
@@ -70,10 +60,10 @@ mod tests {
         let runs = [0..900, 900..2000];
         for seed in 0..20 {
             // one in a million a recording
-            assert!(!loudest(&noise(seed), &runs, 1.0).is_heard(), "{seed}");
+            assert!(!Burst::loudest(&noise(seed), &runs, 1.0).is_heard(), "{seed}");
             let mut residual = noise(seed);
             (1207..1232).for_each(|row| residual[row] += 4.0 * (1.9 * row as f64).sin());
-            let found = loudest(&residual, &runs, 1.0);
+            let found = Burst::loudest(&residual, &runs, 1.0);
             // a tone of amplitude 4 brings the scatter to sqrt(1 + 8); windows overlap by half, so that one holds three quarters of it
             assert!(found.is_heard() && found.row.abs_diff(1207) <= 24 && (found.loudness - 3.0).abs() < 0.9, "{found:?}");
         }
@@ -82,6 +72,6 @@ mod tests {
     #[test]
     fn noise_that_is_louder_throughout_is_no_burst_where_its_level_is_not_known() {
         let louder: Vec<f64> = noise(3).iter().map(|v| 1.3 * v).collect();
-        assert!(!loudest(&louder, &[0..900, 900..2000], 2.0).is_heard());
+        assert!(!Burst::loudest(&louder, &[0..900, 900..2000], 2.0).is_heard());
     }
 }

@@ -6,7 +6,6 @@ use crate::{
     answer::Answer,
     augmented::Augmented,
     bank::{BankOptions, Whole, fill},
-    burst::Burst,
     diagnosis::{Diagnosis, NextExperiment, RecordingFacts, Traces, Verdict},
     directions::directions,
     effect::Effect,
@@ -14,6 +13,7 @@ use crate::{
     examine::{Examined, examine, judge},
     fit::Model,
     gate::Gate,
+    heard::Heard,
     held_out::AllRows,
     issues::{DiagnoseError, check},
     joint::noise::{measured, misfit_at},
@@ -128,8 +128,8 @@ fn with_noise(
     let Examined { selection, before, after, decision } = &examined;
     let slow = options.hidden.first().and_then(|hidden| SlowInput::of(&search, selection).map(|slow| (slow, hidden)));
     let predicted = Model::new(problem, &context, Vec::new()).respond(&selection.base().fit.z)?;
-    let burst = Burst::loudest(problem, &predicted, &noise, gate.slack());
-    let decision = if burst.is_heard() { decision.clone().with_bursts(selection.base) } else { decision.clone() };
+    let heard = Heard::in_what_is_left(problem, &predicted, &noise, gate.slack());
+    let decision = if heard.is_anything() { decision.clone().with_what_is_heard(selection.base) } else { decision.clone() };
     let (decision, because) = reserved(decision, selection, slow.as_ref().map(|(slow, _)| slow), options);
     let all = AllRows { problem, first: thinned.as_ref().map(|t| t.first.as_slice()) };
     let answer = Answer {
@@ -142,7 +142,7 @@ fn with_noise(
         before: *before,
         after: *after,
         bank: bank.as_ref(),
-        burst,
+        heard,
         gate: &gate,
         directions: &directions,
     };

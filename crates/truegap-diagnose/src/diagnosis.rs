@@ -2,7 +2,7 @@
 //!
 //! Limits: plain data; nothing here decides anything.
 
-use crate::{burst::Burst, gate::Adequacy, latent::ConcealedColumn, notice::Notice, select::EvidenceCheck};
+use crate::{burst::Burst, gate::Adequacy, latent::ConcealedColumn, notice::Notice, select::EvidenceCheck, tone::Tone};
 use serde::Serialize;
 
 pub use crate::{
@@ -87,6 +87,8 @@ pub struct AdequacyFacts {
     pub after: Option<Adequacy>,
     /// the loudest burst in what the former leaves, on every row
     pub burst: Option<Burst>,
+    /// the strongest tone in the same
+    pub tone: Option<Tone>,
     /// share of the misfit that the latter removes
     pub removed: f64,
 }

@@ -220,7 +220,7 @@ pub fn select(search: &Search<'_>, gate: &Gate, base: Tried) -> Selection {
     keep(&mut tried, std::iter::once(base).chain(singles.iter().cloned()));
     if gain > CLEAR {
         let best: Vec<&Tried> = order.iter().take(6).map(|i| &singles[*i]).collect();
-        pairs(search, &best, &all, &mut tried);
+        pairs(search, gate, &best, &all, &mut tried);
         triples(search, gate, &all, &mut tried);
     }
     polish(search, gate, &mut tried);
@@ -309,12 +309,17 @@ fn keep(tried: &mut BTreeMap<Vec<usize>, Tried>, models: impl IntoIterator<Item 
     }
 }
 
-/// The best single with every other effect, then the best partner with every other (a swap), then all pairs of the best six.
-fn pairs(search: &Search<'_>, best: &[&Tried], all: &[usize], tried: &mut BTreeMap<Vec<usize>, Tried>) {
+/// The best single with every other effect, then the best partner with every other (a swap), then all pairs of the best six; no more than the first where the
+/// best single leaves nothing and no partner gains anything.
+fn pairs(search: &Search<'_>, gate: &Gate, best: &[&Tried], all: &[usize], tried: &mut BTreeMap<Vec<usize>, Tried>) {
     let Some(first) = best.first() else { return };
     let forward = search.add_each(first, all, PARTNERS, "two effects");
-    let partner = ranked(&forward).first().map(|i| forward[*i].effects[1]);
+    let Some(second) = ranked(&forward).first().map(|i| forward[*i].clone()) else { return };
+    let partner = second.effects.get(1).copied();
     keep(tried, forward);
+    if second.fit.log_evidence < first.fit.log_evidence + CLEAR && !gate.adequacy(&first.fit).fires() {
+        return;
+    }
     if let Some(alone) = partner.and_then(|p| tried.get(&vec![p]).cloned()) {
         keep(tried, search.add_each(&alone, all, PARTNERS, "two effects, swapped"));
     }

@@ -35,7 +35,7 @@ pub struct Decision {
 impl Decision {
     /// Something is in the reading that no model of the base's physics could make: the verdict where otherwise all agrees.
     #[must_use]
-    pub fn with_bursts(self, base: usize) -> Self {
+    pub fn with_what_is_heard(self, base: usize) -> Self {
         match self.verdict {
             Verdict::Agrees => Self::nothing(Verdict::Unexplained, base),
             _ => self,

@@ -1,0 +1,36 @@
+//! What is heard on every row of a recording, where means of rows would silence it: bursts, and a tone.
+//!
+//! Neither is anything that a model lacks, so they take no part in naming; where nothing else is found, they are what there is to say.
+//!
+//! Limits: judged on what the calibrated base model leaves.
+
+use crate::{
+    burst::Burst,
+    problem::{NoiseModel, Problem},
+    tone::Tone,
+};
+
+/// The loudest of each.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Heard {
+    /// rows that are louder than the noise
+    pub burst: Burst,
+    /// interference of a constant frequency
+    pub tone: Tone,
+}
+
+impl Heard {
+    /// In what `predicted` leaves of a recording; `slack` is the factor by which the noise may be larger than taken.
+    pub fn in_what_is_left(problem: &Problem<'_>, predicted: &[f64], noise: &NoiseModel, slack: f64) -> Self {
+        let runs = problem.runs();
+        let mut residual: Vec<f64> = problem.response.iter().zip(predicted).map(|(r, p)| r - p).collect();
+        noise.whitener(&runs, None).apply(&mut residual);
+        let tone = Tone::strongest(&residual, problem.inputs.time_s.as_deref(), &runs);
+        Self { burst: Burst::loudest(&residual, &runs, slack), tone }
+    }
+
+    /// Whether there is any.
+    pub fn is_anything(&self) -> bool {
+        self.burst.is_heard() || self.tone.is_heard()
+    }
+}

@@ -1,0 +1,156 @@
+//! A tone in the reading: interference of a constant frequency, too weak in any one stretch to be seen, added up over all runs.
+//!
+//! Limits: runs sampled evenly and at the same pace as the longest; the lowest frequencies belong to the smooth tests.
+
+use rustfft::{FftPlanner, num_complex::Complex};
+use statrs::distribution::{ContinuousCDF, Gamma};
+use std::ops::Range;
+
+/// The strongest tone.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Tone {
+    /// frequency, cycles a row
+    pub per_row: f64,
+    /// the same in Hz; `None` where the recording has no time
+    pub frequency_hz: Option<f64>,
+    /// amplitude in the whitened residual, in units of the noise
+    pub amplitude: f64,
+    /// probability of one as strong in noise, with all frequencies counted
+    pub p_value: f64,
+}
+
+/// Probability below which a tone is one: what calibration leaves of a slow mismatch is periodic, too, where the load is.
+const LEVEL: f64 = 1e-8;
+/// Fewest rows of a run that is listened to.
+const SHORTEST: usize = 64;
+/// Spread of the steps in time, over their median, up to which a run counts as evenly sampled; and of the pace of runs that are added up.
+const EVEN: f64 = 0.02;
+/// Lowest frequency, in cycles of the longest run.
+const LOWEST: usize = 8;
+/// Half width of the stretch of spectrum that a line is compared with, and of the gap about the line, in cycles of the longest run.
+const AROUND: (usize, usize) = (40, 4);
+
+impl Tone {
+    /// No tone.
+    const NONE: Self = Self { per_row: 0.0, frequency_hz: None, amplitude: 0.0, p_value: 1.0 };
+
+    /// The strongest tone in a whitened residual; `time` in s.
+    pub fn strongest(residual: &[f64], time: Option<&[f64]>, runs: &[Range<usize>]) -> Self {
+        let long = runs.iter().filter(|r| r.len() >= SHORTEST);
+        let paced: Vec<(&Range<usize>, f64)> = long.filter_map(|r| pace(time, r).map(|pace| (r, pace))).collect();
+        let Some((longest, step)) = paced.iter().max_by_key(|(r, _)| r.len()).copied() else { return Self::NONE };
+        let alike: Vec<&Range<usize>> = paced.iter().filter(|(_, s)| (s / step - 1.0).abs() < EVEN).map(|(r, _)| *r).collect();
+        // twice as fine as the longest run: a tone between two of its frequencies loses little
+        let size = (2 * longest.len()).next_power_of_two();
+        let power = added_up(residual, &alike, size);
+        let cycle = size / longest.len();
+        let first = LOWEST * cycle;
+        let count = (power.len().saturating_sub(first) / cycle).max(1) as f64 * 2.0;
+        let Ok(noise) = Gamma::new(alike.len() as f64, 1.0) else { return Self::NONE };
+        let surrounding = surroundings(&power, cycle);
+        let mut best = Self::NONE;
+        for line in first..power.len() {
+            let level = (surrounding[line] / alike.len() as f64).max(f64::MIN_POSITIVE);
+            let p_value = (noise.sf(power[line] / level) * count).min(1.0);
+            if p_value < best.p_value {
+                let per_row = line as f64 / size as f64;
+                let rows: usize = alike.iter().map(|r| r.len()).sum();
+                let amplitude = (4.0 * (power[line] - surrounding[line]).max(0.0) / rows as f64).sqrt();
+                best = Self { per_row, frequency_hz: time.map(|_| per_row / step), amplitude, p_value };
+            }
+        }
+        best
+    }
+
+    /// Whether it is there.
+    pub fn is_heard(&self) -> bool {
+        self.p_value < LEVEL
+    }
+}
+
+/// Median step of a run, s (1 where there is no time); `None` where its steps are not even.
+fn pace(time: Option<&[f64]>, run: &Range<usize>) -> Option<f64> {
+    let Some(time) = time else { return Some(1.0) };
+    let mut steps: Vec<f64> = time[run.clone()].windows(2).map(|w| w[1] - w[0]).collect();
+    steps.sort_by(f64::total_cmp);
+    let (median, tenth, ninth) = (steps[steps.len() / 2], steps[steps.len() / 10], steps[steps.len() * 9 / 10]);
+    (median > 0.0 && ninth - tenth < EVEN * median).then_some(median)
+}
+
+/// Periodograms of the runs at the frequencies `k / size`, up to half a cycle a row, added up; each has mean 1 for unit white noise.
+fn added_up(residual: &[f64], runs: &[&Range<usize>], size: usize) -> Vec<f64> {
+    let transform = FftPlanner::<f64>::new().plan_fft_forward(size);
+    let mut sum = vec![0.0; size / 2];
+    for run in runs {
+        let mut values: Vec<Complex<f64>> = residual[(*run).clone()].iter().map(|v| (*v).into()).collect();
+        values.resize(size, Complex::default());
+        transform.process(&mut values);
+        sum.iter_mut().zip(&values).for_each(|(s, v)| *s += v.norm_sqr() / run.len() as f64);
+    }
+    sum
+}
+
+/// Mean of the spectrum around each frequency, the line itself left out; `cycle` is one cycle of the longest run, in entries.
+fn surroundings(power: &[f64], cycle: usize) -> Vec<f64> {
+    let mut sums = vec![0.0];
+    for p in power {
+        sums.push(sums.last().copied().unwrap_or(0.0) + p);
+    }
+    let (wide, gap) = (AROUND.0 * cycle, AROUND.1 * cycle);
+    let between = |line: usize, half: usize| {
+        let (low, high) = (line.saturating_sub(half), (line + half + 1).min(power.len()));
+        (sums[high] - sums[low], (high - low) as f64)
+    };
+    let mean = |line: usize| {
+        let ((all, entries), (near, left_out)) = (between(line, wide), between(line, gap));
+        (all - near) / (entries - left_out).max(1.0)
+    };
+    (0..power.len()).map(mean).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    const RUNS: [Range<usize>; 3] = [0..1200, 1200..1700, 1700..4000];
+
+    fn noise(seed: u64, correlation: f64) -> Vec<f64> {
+        let random = &mut ChaCha8Rng::seed_from_u64(seed);
+        let mut state = 0.0;
+        (0..4000)
+            .map(|_| {
+                let push: f64 = StandardNormal.sample(random);
+                state = correlation * state + (1.0f64 - correlation * correlation).sqrt() * push;
+                state
+            })
+            .collect()
+    }
+
+    /// Amplitude 0.3: 13 noise units in 4000 rows, a twentieth of the variance.
+    #[test]
+    fn a_faint_tone_is_heard_at_its_frequency_and_noise_is_none_even_where_it_is_coloured() {
+        let time: Vec<f64> = (0..4000).map(|i| 0.2 * f64::from(i)).collect();
+        for seed in 0..10 {
+            for correlation in [0.0, 0.5] {
+                let found = Tone::strongest(&noise(seed, correlation), Some(&time), &RUNS);
+                assert!(!found.is_heard(), "{seed} {found:?}");
+            }
+            let hum = |i: usize| 0.3 * (0.731 * i as f64 + 0.4).sin();
+            let residual: Vec<f64> = noise(seed, 0.0).iter().enumerate().map(|(i, v)| v + hum(i)).collect();
+            let found = Tone::strongest(&residual, Some(&time), &RUNS);
+            // half a cycle of the longest run; the amplitude to four standard deviations of sqrt(2 / rows)
+            assert!(found.is_heard() && (found.per_row - 0.731 / std::f64::consts::TAU).abs() < 0.5 / 2300.0, "{found:?}");
+            approx::assert_abs_diff_eq!(found.amplitude, 0.3, epsilon = 0.09);
+            approx::assert_relative_eq!(found.frequency_hz.unwrap_or(0.0), found.per_row / 0.2, max_relative = 1e-9);
+        }
+    }
+
+    #[test]
+    fn runs_on_random_moments_are_not_listened_to() {
+        let time: Vec<f64> = (0..4000).map(|i| f64::from(i) + if i % 3 == 0 { 0.3 } else { 0.0 }).collect();
+        assert_eq!(Tone::strongest(&noise(1, 0.0), Some(&time), &RUNS), Tone::NONE);
+    }
+}

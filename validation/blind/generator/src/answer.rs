@@ -21,6 +21,9 @@ pub struct Answer {
     pub stranger: Option<String>,
     /// Detectability of all causes together; 0 where there is none.
     pub detectability: f64,
+    /// The same with the noise of the recorded inputs counted; absent in studies before it was.
+    #[serde(default)]
+    pub detectability_beside_input_noise: Option<f64>,
     /// Detectability of each cause alone, in the order of `effects` (or of the stranger).
     pub each: Vec<f64>,
     /// Detectability of each cause once the others are known but for their size: small where two look alike.

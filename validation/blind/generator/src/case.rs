@@ -5,6 +5,7 @@
 use crate::answer::Answer;
 use crate::causes::{Bench, LIBRARY, STRANGERS, SizeError};
 use crate::chain::{Act, PlatesTouch, Scene, simulate};
+use crate::detectability::input_error;
 use crate::draws::Draws;
 use crate::history::History;
 use crate::mechanism::{Mechanism, Needs};
@@ -157,6 +158,9 @@ impl Setting {
         let truth_pf = simulate(self.scene(), declared.warp, &acts).map_err(closed)?;
         let base_pf = simulate(self.scene(), declared.warp, &[]).map_err(closed)?;
         let left = bench.leftover(&acts).map_err(closed)?;
+        let noisy = input_error(self.scene(), declared.warp, &self.noise).map_err(closed)?;
+        let noisy = Bench::with_noise(self.scene(), declared.warp, noisy).map_err(closed)?;
+        let beside_input_noise = noisy.leftover(&acts).map_err(closed)?.detectability;
         let mut each = Vec::new();
         for act in &acts {
             let alone = bench.leftover(std::slice::from_ref(act)).map_err(closed)?;
@@ -171,6 +175,7 @@ impl Setting {
             effects: if stranger { Vec::new() } else { names.clone() },
             stranger: names.first().filter(|_| stranger).cloned(),
             detectability: left.detectability,
+            detectability_beside_input_noise: Some(beside_input_noise),
             apart: bench.apart(&acts).map_err(closed)?,
             each,
             residual_share: if left.detectability > 0.0 { left.residual / left.detectability } else { 0.0 },

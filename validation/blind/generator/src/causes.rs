@@ -91,6 +91,11 @@ pub struct Bench<'a> {
 impl<'a> Bench<'a> {
     /// Simulates the base model and its Jacobian.
     pub fn new(scene: Scene<'a>, warp: bool, noise_pf: f64) -> Result<Self, PlatesTouch> {
+        Self::with_noise(scene, warp, vec![noise_pf; scene.history.rows()])
+    }
+
+    /// As [`Bench::new`], with the noise of each row, pF.
+    pub fn with_noise(scene: Scene<'a>, warp: bool, noise_pf: Vec<f64>) -> Result<Self, PlatesTouch> {
         let nominal = crate::sensor::Sensor::singletact_s15();
         Ok(Self {
             scene,

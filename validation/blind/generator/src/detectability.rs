@@ -4,9 +4,10 @@
 //!
 //! with e the effect, J the Jacobian per standard deviation of each tolerance, sigma the noise: what stays in the residual and what
 //! the parameters had to be pushed for, in one number. That this is the number in the shared open recordings is tested on them.
-//! Limits: linear (finite differences at the true sensor); autocorrelation and noise on the inputs are ignored.
+//! Limits: linear (finite differences at the true sensor); autocorrelation is ignored, and noise on the inputs unless it is asked for ([`input_error`]).
 
 use crate::chain::{PlatesTouch, Scene, simulate};
+use crate::noise::Noise;
 use crate::sensor::{Sensor, Toleranced};
 
 const PARAMETERS: usize = Toleranced::ALL.len();
@@ -18,7 +19,8 @@ const STEP: f64 = 0.1;
 pub struct Calibration {
     columns: Vec<Vec<f64>>,
     factor: [[f64; PARAMETERS]; PARAMETERS],
-    noise_pf: f64,
+    /// Noise of each row, pF.
+    noise_pf: Vec<f64>,
 }
 
 /// What calibration leaves.
@@ -35,8 +37,8 @@ pub struct Leftover {
 }
 
 impl Calibration {
-    /// Calibration of `scene.sensor` about its true values, tolerances those of `nominal`.
-    pub fn new(scene: Scene, nominal: &Sensor, warp: bool, noise_pf: f64) -> Result<Self, PlatesTouch> {
+    /// Calibration of `scene.sensor` about its true values, tolerances those of `nominal`; `noise_pf` is the noise of each row.
+    pub fn new(scene: Scene, nominal: &Sensor, warp: bool, noise_pf: Vec<f64>) -> Result<Self, PlatesTouch> {
         let mut columns = Vec::with_capacity(PARAMETERS);
         for what in Toleranced::ALL {
             let by = STEP * nominal.tolerance(what);
@@ -44,8 +46,8 @@ impl Calibration {
                 let sensor = scene.sensor.moved(what, by);
                 simulate(Scene { sensor: &sensor, ..scene }, warp, &[])
             });
-            let slope = |(up, down): (&f64, &f64)| (up - down) / (2.0 * STEP * noise_pf);
-            columns.push(up?.iter().zip(&down?).map(slope).collect::<Vec<f64>>());
+            let slope = |((up, down), noise): ((&f64, &f64), &f64)| (up - down) / (2.0 * STEP * noise);
+            columns.push(up?.iter().zip(&down?).zip(&noise_pf).map(slope).collect::<Vec<f64>>());
         }
         let factor = cholesky(&columns);
         Ok(Self { columns, factor, noise_pf })
@@ -53,7 +55,7 @@ impl Calibration {
 
     /// What is left of `effect` (pF, one entry a row) after calibration.
     pub fn leftover(&self, effect: &[f64]) -> Leftover {
-        let scaled: Vec<f64> = effect.iter().map(|e| e / self.noise_pf).collect();
+        let scaled = self.scaled(effect);
         let mut moved = [0.0; PARAMETERS];
         for (b, column) in moved.iter_mut().zip(&self.columns) {
             *b = dot(column, &scaled);
@@ -71,21 +73,40 @@ impl Calibration {
 }
 
 impl Calibration {
+    fn scaled(&self, effect: &[f64]) -> Vec<f64> {
+        effect.iter().zip(&self.noise_pf).map(|(e, noise)| e / noise).collect()
+    }
+
     /// What calibration leaves of two effects (pF) in common: a'b less what the parameters take up, in units of the noise squared.
     ///
     /// For one effect it is the square of its detectability.
     pub fn in_common(&self, a: &[f64], b: &[f64]) -> f64 {
+        let (a, b) = (self.scaled(a), self.scaled(b));
         let project = |effect: &[f64]| {
             let mut onto = [0.0; PARAMETERS];
             for (entry, column) in onto.iter_mut().zip(&self.columns) {
-                *entry = dot(column, effect) / self.noise_pf;
+                *entry = dot(column, effect);
             }
             onto
         };
-        let (onto_a, mut onto_b) = (project(a), project(b));
+        let (onto_a, mut onto_b) = (project(&a), project(&b));
         solve(&self.factor, &mut onto_b);
-        dot(a, b) / (self.noise_pf * self.noise_pf) - dot(&onto_a, &onto_b)
+        dot(&a, &b) - dot(&onto_a, &onto_b)
     }
+}
+
+/// Noise of each row (pF) where that of the recorded load and temperature is carried through the base model and added to `noise.sd_pf`.
+pub fn input_error(scene: Scene, warp: bool, noise: &Noise) -> Result<Vec<f64>, PlatesTouch> {
+    let base = simulate(scene, warp, &[])?;
+    let moved = |force: f64, kelvin: f64| {
+        let mut history = scene.history.clone();
+        history.force.iter_mut().for_each(|f| *f += force);
+        history.temperature.iter_mut().for_each(|t| *t += kelvin);
+        simulate(Scene { history: &history, ..scene }, warp, &[])
+    };
+    let (by_force, by_kelvin) = (moved(noise.force_n, 0.0)?, moved(0.0, noise.temperature_k)?);
+    let row = |(here, (force, kelvin)): (&f64, (&f64, &f64))| noise.sd_pf.hypot(force - here).hypot(kelvin - here);
+    Ok(base.iter().zip(by_force.iter().zip(&by_kelvin)).map(row).collect())
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

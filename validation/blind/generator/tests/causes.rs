@@ -2,8 +2,10 @@
 
 use truegap_generator::causes::{Bench, LIBRARY, STRANGERS, SizeError};
 use truegap_generator::chain::{Act, Scene, simulate};
+use truegap_generator::detectability::input_error;
 use truegap_generator::draws::Draws;
 use truegap_generator::history::History;
+use truegap_generator::noise::Noise;
 use truegap_generator::protocol::Kind;
 use truegap_generator::score::family::{Family, family};
 use truegap_generator::sensor::Sensor;
@@ -70,6 +72,33 @@ fn every_library_cause_has_a_family_and_no_stranger_has_one() {
 }
 
 /// Two routes: elimination of the common part here, an unregularised least-squares fit of the other's size by search there.
+/// The sensor reads some pF a newton: 5 mN on a held load are as much noise as the reading has, and more where it is soft.
+#[test]
+fn noise_of_the_inputs_is_carried_through_the_sensor_and_hides_causes() {
+    let (sensor, history) = (Sensor::singletact_s15(), history());
+    let scene = Scene { sensor: &sensor, history: &history };
+    let noise = Noise::white(0.004);
+    let rows = input_error(scene, true, &noise).expect("base");
+    let row = (0..history.rows()).max_by(|a, b| history.force[*a].total_cmp(&history.force[*b])).expect("rows");
+    // the other route: a tenth of the nudge, times ten
+    let nudged = |force: f64, kelvin: f64| {
+        let mut history = history.clone();
+        history.force[row] += force;
+        history.temperature[row] += kelvin;
+        simulate(Scene { sensor: &sensor, history: &history }, true, &[]).expect("open")[row]
+    };
+    let slope = |there: f64| 10.0 * (there - nudged(0.0, 0.0));
+    let exact = noise.sd_pf.hypot(slope(nudged(0.0005, 0.0))).hypot(slope(nudged(0.0, 0.005)));
+    // curvature over 5 mN and 0.05 K
+    assert!((rows[row] / exact - 1.0).abs() < 1e-2 && exact > 1.2 * noise.sd_pf, "{} {exact}", rows[row]);
+    let (id, shape) = LIBRARY[0];
+    let quiet = Bench::new(scene, true, noise.sd_pf).expect("bench");
+    let act = [quiet.sized(shape(&mut Draws::of(13, id)), 10.0).expect("seen")];
+    let noisy = Bench::with_noise(scene, true, rows).expect("bench");
+    let (before, after) = (quiet.leftover(&act).expect("open").detectability, noisy.leftover(&act).expect("open").detectability);
+    assert!(after < 0.95 * before, "{before} {after}");
+}
+
 #[test]
 fn what_is_left_of_a_cause_beside_another_is_the_best_fit_of_that_other() {
     let (sensor, history) = (Sensor::singletact_s15(), history());

@@ -112,12 +112,15 @@ fn naming(cases: &[Scored]) -> Vec<Row> {
     let seen = |case: &Scored| case.claim.verdict != "agrees";
     let single = |case: &Scored| case.truth.causes.len() == 1 && case.truth.detectability >= 10.0;
     let near_six = |case: &Scored| !case.truth.is_null() && (5.0..7.2).contains(&case.truth.detectability);
+    let near_six_beside_inputs =
+        |case: &Scored| !case.truth.is_null() && case.truth.beside_input_noise.is_some_and(|d| (5.0..7.2).contains(&d));
     let pair = |case: &Scored| case.truth.causes.len() == 2 && case.truth.weakest >= 16.0;
     let separable = |case: &Scored| pair(case) && case.truth.weakest_apart >= 16.0;
     let exact = |case: &Scored| case.outcome == Outcome::Right;
     let set = |case: &Scored| matches!(case.outcome, Outcome::Right | Outcome::WithinSet);
     vec![
         share("mismatch detected at d = 6 (5 to 7.2)", Target::AtLeast(0.90), cases, near_six, seen),
+        share("the same where d counts the noise of the inputs", Target::None, cases, near_six_beside_inputs, seen),
         share("family named, singles at d >= 10", Target::AtLeast(0.95), cases, single, same_family),
         share("exact effect named, singles at d >= 10", Target::AtLeast(0.60), cases, single, exact),
         share("exact or within its set, singles at d >= 10", Target::None, cases, single, set),

@@ -17,6 +17,8 @@ pub struct Truth {
     pub stranger: Option<String>,
     /// Detectability of all together.
     pub detectability: f64,
+    /// The same with the noise of the recorded inputs counted, where known.
+    pub beside_input_noise: Option<f64>,
     /// Detectability of the weakest cause alone.
     pub weakest: f64,
     /// The same with the other causes known but for their size: whether several can be told apart at all.
@@ -43,6 +45,7 @@ impl Truth {
             causes: causes.into_iter().map(str::to_owned).collect(),
             stranger: unlisted.first().map(|name| name.trim_start_matches("unlisted:").to_owned()),
             detectability,
+            beside_input_noise: None,
             weakest: detectability,
             weakest_apart: detectability,
             coloured: None,
@@ -58,6 +61,7 @@ impl From<&Answer> for Truth {
             causes: answer.effects.iter().cloned().collect(),
             stranger: answer.stranger.clone(),
             detectability: answer.detectability,
+            beside_input_noise: answer.detectability_beside_input_noise,
             weakest: answer.each.iter().copied().reduce(f64::min).unwrap_or(0.0),
             weakest_apart: answer.apart.iter().chain(&answer.each).copied().reduce(f64::min).unwrap_or(0.0),
             coloured: Some(answer.noise.is_coloured()),

@@ -18,7 +18,7 @@ use crate::{
     issues::{DiagnoseError, check},
     joint::noise::{measured, misfit_at},
     latent::{Hidden, SlowInput},
-    noise::{TOO_LOUD, quieter_than},
+    noise::{quieter_than, too_loud},
     problem::{NoiseModel, Problem},
     search::{LOOSE, Progress, Search},
     select::Selection,
@@ -113,7 +113,7 @@ fn with_noise(
     let mut examined = examine(&search, &gate)?;
     if !settled
         && !stop.load(Ordering::Relaxed)
-        && let Some(quieter) = too_loud(problem, &search, &examined.selection, &noise)?
+        && let Some(quieter) = once_more(problem, &search, &examined.selection, &noise)?
     {
         return with_noise(problem, quieter, true, facts, options, progress, stop);
     }
@@ -166,7 +166,7 @@ fn with_noise(
 }
 
 /// The noise as the model that leaves least has it, where that leaves less than noise.
-fn too_loud(
+fn once_more(
     problem: &Problem<'_>,
     search: &Search<'_>,
     selection: &Selection,
@@ -174,7 +174,7 @@ fn too_loud(
 ) -> Result<Option<NoiseModel>, DiagnoseError> {
     let Some(best) = selection.least() else { return Ok(None) };
     let rows = search.whitener.rows.max(1) as f64;
-    if problem.simulator.joined().is_some() || best.fit.chi2 / rows > TOO_LOUD {
+    if problem.simulator.joined().is_some() || best.fit.chi2 / rows > too_loud(noise) {
         return Ok(None);
     }
     let model = Model::new(problem, search.context, best.effects.iter().map(|e| search.library[*e]).collect());

@@ -6,7 +6,8 @@ use crate::{
     detectability::detectability,
     gate::{Adequacy, Gate},
     search::{Search, Tried},
-    select::{Selection, expected, select},
+    select::{Selection, select},
+    temper::expected,
     unlisted::Causes,
     verdict::{Decision, decide, interrupted, stated},
 };
@@ -14,7 +15,7 @@ use std::sync::atomic::Ordering;
 use truegap_core::SimulationError;
 
 /// Detectability below which an effect is not claimed.
-const VISIBLE: f64 = 4.5;
+const VISIBLE: f64 = 3.0;
 /// The same as a share of the whole misfit: the right physics in the wrong equation leaves as much behind, and another effect can pick that up.
 const VISIBLE_SHARE: f64 = 0.1;
 

@@ -336,7 +336,8 @@ pub(crate) fn finish(
     let hessian = jacobian.tr_mul(&jacobian) + DMatrix::identity(z.len(), z.len());
     let chi2 = residual.iter().map(|r| r * r).sum();
     let gradient = DVector::from_column_slice(&z) - jacobian.tr_mul(&DVector::from_column_slice(&residual));
-    let at_limit: Vec<bool> = z.iter().zip(bounds).map(|(z, b)| evidence::on_bound(*z, b.0) || evidence::on_bound(*z, b.1)).collect();
+    let at_limit: Vec<bool> =
+        z.iter().zip(bounds).map(|(z, b)| evidence::on_bound(*z, b.0) || evidence::on_bound(*z, b.1)).collect();
     let sd: Vec<f64> = Cholesky::new(hessian.clone())
         .map(|f| f.inverse().diagonal().iter().map(|v| v.sqrt()).collect())
         .unwrap_or_else(|| vec![f64::NAN; z.len()]);
@@ -345,4 +346,24 @@ pub(crate) fn finish(
     let log_evidence = evidence::laplace(chi2, &z, &hessian, gradient.as_slice(), bounds) + scale_gain;
     let free_form = Vec::new();
     Fit { z, sd, chi2, residual, jacobian, hessian, at_limit, free_form, log_evidence, scale_gain, iterations, converged }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two columns that have nothing in common, one of them without an equation: at noise of `t` times the variance it costs `ln(1 + a^2 / t) / 2`, and all
+    /// else is divided by `t`.
+    #[test]
+    fn what_has_no_equation_pays_for_its_freedom_in_full() {
+        let (law, free, temper) = (30.0, 200.0, 7.0);
+        let jacobian = DMatrix::from_row_slice(2, 2, &[law, 0.0, 0.0, free]);
+        let bounds = [(f64::NEG_INFINITY, f64::INFINITY); 2];
+        let fit = Fit { free_form: vec![1], ..finish(vec![0.5, 0.5], vec![3.0, 4.0], jacobian, &bounds, &[], (1, true)) };
+        let (chi2, size) = (25.0, 0.5);
+        let paid = |entry: f64| 0.5 * f64::ln(1.0 + entry * entry);
+        let exact = -(0.5 * (chi2 + size) + paid(law)) / temper - paid(free / temper.sqrt());
+        approx::assert_relative_eq!(fit.tempered(temper), exact, max_relative = 1e-12);
+        approx::assert_relative_eq!(fit.tempered(1.0), fit.log_evidence, max_relative = 1e-12);
+    }
 }

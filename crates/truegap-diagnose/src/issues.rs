@@ -80,7 +80,9 @@ const WARMS: f64 = 0.3;
 fn constant(problem: &Problem<'_>) -> Option<(&'static str, String)> {
     let inputs = problem.inputs;
     let runs = inputs.runs();
-    let stands = |column: &[f64], least: f64| spread(column) <= least.max(ONLY_NOISE * scatter(column, &runs));
+    let stands = |column: &[f64], least: f64| {
+        spread(column) <= least.max(ONLY_NOISE * scatter(column, problem.inputs.time_s.as_deref(), &runs))
+    };
     if inputs.temperature_c.as_ref().is_some_and(|t| !stands(t, WARMS)) {
         return None;
     }

@@ -6,6 +6,7 @@ mod bends;
 pub mod denoise;
 mod input;
 mod likelihood;
+mod lowered;
 mod rest;
 
 use crate::context::load_column;
@@ -14,6 +15,7 @@ use crate::whiten::Noise;
 use denoise::Denoised;
 pub use input::scatter;
 use likelihood::{Block, estimate, without_outliers};
+pub use lowered::{not_above, quieter_than, too_loud};
 use std::ops::Range;
 use truegap_core::{Inputs, SimulationError, Simulator};
 
@@ -49,7 +51,7 @@ pub fn quiet(inputs: &Inputs, simulator: &dyn Simulator) -> Quiet {
     };
     let full = simulator.full_load().unwrap_or(1.0);
     // of the loads, the one that the simulator sees says how noisy it is
-    let sd = simulator.load(inputs).map_or(0.0, |load| scatter(&load, &runs)) * full;
+    let sd = simulator.load(inputs).map_or(0.0, |load| scatter(&load, time, &runs)) * full;
     for column in [&mut quiet.inputs.force_n, &mut quiet.inputs.pressure_pa].into_iter().flatten() {
         let Quieter { sd, found, bends } = quieter(column, time, &runs, sd);
         quiet.noise.load = sd / full;
@@ -60,7 +62,7 @@ pub fn quiet(inputs: &Inputs, simulator: &dyn Simulator) -> Quiet {
         (*column, quiet.load_left) = (found.column, found.left);
     }
     if let Some(column) = &mut quiet.inputs.temperature_c {
-        let Quieter { sd, found, .. } = quieter(column, time, &runs, scatter(column, &runs));
+        let Quieter { sd, found, .. } = quieter(column, time, &runs, scatter(column, time, &runs));
         quiet.noise.temperature = sd;
         (*column, quiet.temperature_left) = (found.column, found.left);
     }
@@ -78,14 +80,16 @@ struct Quieter {
 
 /// A column on straight lines; as it is, where hardly any hold.
 fn quieter(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>], sd: f64) -> Quieter {
-    if sd > 0.0 && denoise::crookedness(column, time, runs, sd) > CROOKED {
+    let (most, unbent) = input::bent(column, runs);
+    if sd > 0.0 && denoise::crookedness(column, time, runs, sd.min(most)) > CROOKED {
+        let sd = sd.min(unbent);
         return Quieter { sd, found: Denoised { column: column.to_vec(), left: vec![1.0; column.len()] }, bends: true };
     }
     Quieter { sd, found: denoise::denoise(column, time, runs, sd), bends: false }
 }
 
 /// Scatter about short lines, over that of noise, from which on a column is no course of straight lines.
-const CROOKED: f64 = 0.75;
+const CROOKED: f64 = 0.85;
 /// Noise of a problem whose inputs were quietened: `inputs` as recorded, `left` the shares of variance left in load and temperature,
 /// `shapes` courses that the error of the load may follow, `base` the parameter values at which all that is carried through.
 ///
@@ -121,54 +125,6 @@ pub fn from_misfit(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) ->
     );
     NoiseModel { response, rows, uncertainty: uncertainty.max(UNSEEN), says, ..noise.clone() }
 }
-
-/// The noise estimated again where `misfit`, what some model leaves over, is quieter than `noise`: what was taken for noise was something that the model knows.
-/// `None` where it is not.
-///
-/// A model with a handful of numbers can take physics out of thousands of rows, but not their noise.
-pub fn quieter_than(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Option<NoiseModel> {
-    (share_left(problem, misfit, noise) < TOO_LOUD).then(|| {
-        let again = if noise.measured {
-            let load = load_column(problem.inputs, problem.simulator);
-            let (blocks, _, says) = blocks(problem, load.as_deref(), &noise.inputs, noise.bends());
-            let (response, uncertainty) = estimate(misfit, &blocks);
-            let says = format!("{says}, beside what a model explains");
-            NoiseModel { response: no_finer_than_read(response, problem), uncertainty, says, ..noise.clone() }
-        } else {
-            from_misfit(problem, misfit, noise)
-        };
-        not_above(problem, misfit, again)
-    })
-}
-
-/// Mean square of the whitened misfit: 1 where the noise is as loud as taken, and nothing else is left.
-fn share_left(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> f64 {
-    let mut column = misfit.to_vec();
-    noise.whitener(&problem.runs(), None).apply(&mut column);
-    column.iter().map(|v| v * v).sum::<f64>() / misfit.len() as f64
-}
-
-/// The noise, lowered where `misfit` shows that it is too loud: of response and inputs by the factors under which the misfit is likeliest.
-pub fn not_above(problem: &Problem<'_>, misfit: &[f64], noise: NoiseModel) -> NoiseModel {
-    if share_left(problem, misfit, &noise) >= TOO_LOUD {
-        return noise;
-    }
-    let deviance = |noise: &NoiseModel| {
-        let whitener = noise.whitener(&problem.runs(), None);
-        let mut column = misfit.to_vec();
-        whitener.apply(&mut column);
-        whitener.deviance(&column)
-    };
-    let lowered = |response: f64| LOWER.map(|inputs| noise.with_parts_scaled(response, inputs));
-    let tried: Vec<(f64, NoiseModel)> = LOWER.into_iter().flat_map(lowered).map(|noise| (deviance(&noise), noise)).collect();
-    tried.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).map_or(noise, |(_, likeliest)| likeliest)
-}
-
-/// Share of its variance below which what is left over shows that a noise is not as loud as taken: three standard deviations in 200 rows.
-pub const TOO_LOUD: f64 = 0.7;
-
-/// Factors on a noise that was too loud.
-const LOWER: [f64; 8] = [1.0, 0.84, 0.7, 0.59, 0.5, 0.35, 0.25, 0.12];
 
 /// A response is read to steps, which are noise too.
 fn no_finer_than_read(noise: Noise, problem: &Problem<'_>) -> Noise {

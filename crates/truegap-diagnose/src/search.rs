@@ -132,6 +132,21 @@ impl<'a> Search<'a> {
         fit_onwards(model, self.whitener, &z, &launch.from.fit.jacobian, &FitOptions::default()).ok()
     }
 
+    /// The same models with one effect less each, started from where the larger one ended: a shape that was found in company may hold alone, too.
+    pub fn without_each(&self, tried: &Tried) -> Vec<Tried> {
+        let whole = self.model(&tried.effects);
+        let without = |index: usize| {
+            let own = whole.range_of(index);
+            let kept: Vec<usize> = (0..tried.fit.z.len()).filter(|i| !own.contains(i)).collect();
+            let effects: Vec<usize> = tried.effects.iter().enumerate().filter(|(i, _)| *i != index).map(|(_, e)| *e).collect();
+            let start: Vec<f64> = kept.iter().map(|i| tried.fit.z[*i]).collect();
+            let known = tried.fit.jacobian.select_columns(&kept);
+            let fit = fit_onwards(&self.model(&effects), self.whitener, &start, &known, &FitOptions::default()).ok()?;
+            Some(Tried { effects, fit })
+        };
+        (0..tried.effects.len()).filter_map(without).collect()
+    }
+
     /// The same model, fitted to the end.
     pub fn polished(&self, tried: &Tried) -> Option<Tried> {
         let model = self.model(&tried.effects);

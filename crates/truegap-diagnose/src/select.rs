@@ -6,28 +6,18 @@ use crate::{
     effect::Effect,
     evidence::log_sum_exp,
     gate::Gate,
-    importance::{Sampled, sampled},
-    search::{Progress, Search, Tried},
+    search::{Search, Tried},
+    temper::{least, temper_of},
+    tries::Tries,
     unlisted::{Causes, Unlisted},
-};
-use rayon::prelude::*;
-use std::{
-    collections::{BTreeMap, BTreeSet},
-    sync::atomic::{AtomicUsize, Ordering},
 };
 
 /// Prior probabilities of 0, 1, 2 and 3 effects, shared evenly within each number.
 const NUMBER_PRIOR: [f64; 4] = [0.5, 0.35, 0.12, 0.03];
-/// Relative error that even the right physics has when written with the wrong equation (sibling forms; see `docs/diagnosis.md`).
-pub const FORM_ERROR: f64 = 0.2;
-/// Partners that are fitted at each step, those that promise most.
-const PARTNERS: usize = 6;
 /// Probability below which a model is not looked at more closely.
 const NEGLIGIBLE: f64 = 1e-4;
 /// Log odds that are large enough to stand for certainty.
 const LARGEST: f64 = 500.0;
-/// Number of independent shapes over which that error spreads.
-const FORM_SHAPES: f64 = 10.0;
 
 /// All models tried, with probabilities.
 pub struct Selection {
@@ -206,205 +196,18 @@ pub(crate) fn one_more(count: usize) -> f64 {
 }
 
 /// Log posterior of a model, up to a constant: its log evidence over `temper`, and its log prior.
-fn weight(temper: f64, library: usize) -> impl Fn(&Tried) -> f64 + Copy + Sync {
+pub(crate) fn weight(temper: f64, library: usize) -> impl Fn(&Tried) -> f64 + Copy + Sync {
     move |m| m.fit.log_evidence / temper + log_prior(m.effects.len(), library)
 }
 
-/// Tries singles, forward steps with swaps, and pairs of the best; weighs all of them.
+/// Tries models and weighs all of them.
 pub fn select(search: &Search<'_>, gate: &Gate, base: Tried) -> Selection {
-    let all: Vec<usize> = (0..search.library.len()).collect();
-    let mut tried: BTreeMap<Vec<usize>, Tried> = BTreeMap::new();
-    let singles = search.add_each(&base, &all, all.len(), "one effect");
-    let order = ranked(&singles);
-    let gain = order.first().map_or(0.0, |i| singles[*i].fit.log_evidence - base.fit.log_evidence);
-    keep(&mut tried, std::iter::once(base).chain(singles.iter().cloned()));
-    if gain > CLEAR {
-        let best: Vec<&Tried> = order.iter().take(6).map(|i| &singles[*i]).collect();
-        pairs(search, gate, &best, &all, &mut tried);
-        triples(search, gate, &all, &mut tried);
-    }
-    polish(search, gate, &mut tried);
-    let check = check(search, gate, &mut tried);
-    Selection { check, ..weigh(tried, &search.library, gate) }
+    let mut tries = Tries::all(search, gate, base);
+    let check = tries.check();
+    Selection { check, ..weigh(tries.into_models(), &search.library, gate) }
 }
 
-/// Models that are sampled, those with the most weight, and the draws for each.
-const SAMPLED: (usize, usize) = (8, 128);
-/// Effective share of draws from which a sampled evidence stands in for Laplace's.
-const ENOUGH: f64 = 0.1;
-
-/// Replaces Laplace's evidence by a sampled one for the models with the most weight, and for the base model.
-fn check(search: &Search<'_>, gate: &Gate, tried: &mut BTreeMap<Vec<usize>, Tried>) -> EvidenceCheck {
-    let weight = weight(temper_of(tried.values(), &search.library, gate), search.library.len());
-    let mut order: Vec<(Vec<usize>, f64)> = tried.iter().map(|(key, m)| (key.clone(), weight(m))).collect();
-    order.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let best = order.first().map_or(0.0, |o| o.1);
-    let near = |(place, (key, w)): &(usize, (Vec<usize>, f64))| key.is_empty() || (*place < SAMPLED.0 && *w > best - CLOSE);
-    let keys: Vec<Vec<usize>> = order.into_iter().enumerate().filter(near).map(|(_, (key, _))| key).collect();
-    let look = |key: &Vec<usize>| {
-        let m = tried.get(key)?;
-        let seed = key.iter().fold(0x7a11_u64, |seed, e| seed.wrapping_mul(31).wrapping_add(*e as u64 + 1));
-        sampled(&search.model(&m.effects), search.whitener, &m.fit, SAMPLED.1, seed).map(|s| (key.clone(), s))
-    };
-    let stopped = || search.stop.load(Ordering::Relaxed);
-    let found: Vec<(Vec<usize>, Sampled)> = keys.par_iter().filter(|_| !stopped()).filter_map(look).collect();
-    let mut report = EvidenceCheck { models: found.len(), ..EvidenceCheck::default() };
-    let shares = found.iter().map(|(_, s)| s.effective_share);
-    report.effective_share = [shares.clone().fold(1.0, f64::min), shares.fold(0.0, f64::max)];
-    for (key, sampled) in found.into_iter().filter(|(_, s)| s.effective_share > ENOUGH) {
-        let Some(m) = tried.get_mut(&key) else { continue };
-        report.replaced += 1;
-        let log_evidence = sampled.log_evidence + m.fit.scale_gain;
-        report.largest_change = report.largest_change.max((log_evidence - m.fit.log_evidence).abs());
-        m.fit.log_evidence = log_evidence;
-    }
-    report
-}
-
-/// Fits to the end what could still matter; the search itself is content with rough fits.
-fn polish(search: &Search<'_>, gate: &Gate, tried: &mut BTreeMap<Vec<usize>, Tried>) {
-    let mut done: BTreeSet<Vec<usize>> = BTreeSet::from([Vec::new()]);
-    loop {
-        let weight = weight(temper_of(tried.values(), &search.library, gate), search.library.len());
-        let best = tried.values().map(weight).fold(f64::NEG_INFINITY, f64::max);
-        let near = |(key, m): &(&Vec<usize>, &Tried)| !done.contains(*key) && weight(m) > best - CLOSE;
-        let rough: Vec<&Tried> = tried.iter().filter(near).map(|(_, m)| m).collect();
-        if rough.is_empty() || search.stop.load(Ordering::Relaxed) {
-            return;
-        }
-        done.extend(rough.iter().map(|m| m.key()));
-        let count = rough.len() as f64;
-        let finished = AtomicUsize::new(0);
-        let better: Vec<Tried> = rough
-            .par_iter()
-            .filter_map(|m| {
-                let polished = search.polished(m);
-                let done = (finished.fetch_add(1, Ordering::Relaxed) + 1) as f64 / count;
-                (search.progress)(Progress { step: "closer look", what: format!("{} models", rough.len()), done });
-                polished
-            })
-            .collect();
-        keep(tried, better);
-    }
-}
-
-/// Gain in log evidence from which a larger model is worth looking for still larger ones.
-const CLEAR: f64 = 3.0;
-/// Difference in log weight beyond which a model is not looked at more closely.
-const CLOSE: f64 = 12.0;
-
-fn ranked(models: &[Tried]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..models.len()).collect();
-    order.sort_by(|a, b| models[*b].fit.log_evidence.total_cmp(&models[*a].fit.log_evidence));
-    order
-}
-
-/// Keeps the better fit of models with the same effects.
-fn keep(tried: &mut BTreeMap<Vec<usize>, Tried>, models: impl IntoIterator<Item = Tried>) {
-    for model in models {
-        let better = tried.get(&model.key()).is_none_or(|old| model.fit.log_evidence > old.fit.log_evidence);
-        if better {
-            tried.insert(model.key(), model);
-        }
-    }
-}
-
-/// The best single with every other effect, then the best partner with every other (a swap), then all pairs of the best six; no more than the first where the
-/// best single leaves nothing and no partner gains anything.
-fn pairs(search: &Search<'_>, gate: &Gate, best: &[&Tried], all: &[usize], tried: &mut BTreeMap<Vec<usize>, Tried>) {
-    let Some(first) = best.first() else { return };
-    let forward = search.add_each(first, all, PARTNERS, "two effects");
-    let Some(second) = ranked(&forward).first().map(|i| forward[*i].clone()) else { return };
-    let partner = second.effects.get(1).copied();
-    keep(tried, forward);
-    if second.fit.log_evidence < first.fit.log_evidence + CLEAR && !gate.adequacy(&first.fit).fires() {
-        return;
-    }
-    if let Some(alone) = partner.and_then(|p| tried.get(&vec![p]).cloned()) {
-        keep(tried, search.add_each(&alone, all, PARTNERS, "two effects, swapped"));
-    }
-    for (index, one) in best.iter().enumerate().skip(1) {
-        let others: Vec<usize> = best[index + 1..]
-            .iter()
-            .map(|o| o.effects[0])
-            .filter(|o| !tried.contains_key(&sorted(&[one.effects[0], *o])))
-            .collect();
-        keep(tried, search.add_each(one, &others, PARTNERS, "pairs of the best"));
-    }
-}
-
-/// The best pair with every other effect, where the pair is worth it; where the triple is, too, each of its other pairs with every other effect (a swap).
-fn triples(search: &Search<'_>, gate: &Gate, all: &[usize], tried: &mut BTreeMap<Vec<usize>, Tried>) {
-    let Some(pair) = worth_more(search, gate, tried, 2) else { return };
-    keep(tried, search.add_each(&pair, all, PARTNERS, "three effects"));
-    let Some(triple) = worth_more(search, gate, tried, 3) else { return };
-    let others = pair.effects.iter().map(|left_out| triple.effects.iter().copied().filter(|e| e != left_out).collect::<Vec<_>>());
-    for other in others {
-        let known = tried.get(&sorted(&other)).cloned();
-        let from = known.or_else(|| {
-            let alone = tried.get(&vec![other[0]])?;
-            search.add_each(alone, &other[1..], 1, "three effects, swapped").pop()
-        });
-        let Some(from) = from else { continue };
-        keep(tried, search.add_each(&from, all, PARTNERS, "three effects, swapped"));
-        keep(tried, [from]);
-    }
-}
-
-/// The best model of `count` effects, where it is clearly better than the best of one less.
-fn worth_more(search: &Search<'_>, gate: &Gate, tried: &BTreeMap<Vec<usize>, Tried>, count: usize) -> Option<Tried> {
-    let of_size = |n: usize| {
-        tried.values().filter(move |t| t.effects.len() == n).max_by(|a, b| a.fit.log_evidence.total_cmp(&b.fit.log_evidence))
-    };
-    let (smaller, larger) = (of_size(count - 1)?, of_size(count)?);
-    let gain = (larger.fit.log_evidence - smaller.fit.log_evidence) / temper_of(tried.values(), &search.library, gate);
-    (gain > CLEAR && !search.stop.load(Ordering::Relaxed)).then(|| larger.clone())
-}
-
-fn sorted(effects: &[usize]) -> Vec<usize> {
-    let mut key = effects.to_vec();
-    key.sort_unstable();
-    key
-}
-
-/// Divisor of log evidence: the right physics written with another equation leaves `FORM_ERROR` of its signal over `FORM_SHAPES` shapes, and evidence between
-/// models must not rest on less than that.
-///
-/// The signal is what the best of the models explains, beyond what was foreseen. Parameters pushed away from what is known of them are misfit too: calibration may
-/// have hidden most of it there. How wrong the equations can be shows in what the best model leaves: all but a `HIDDEN`th may hide in its parameters, not more.
-fn temper_of<'t>(models: impl Iterator<Item = &'t Tried> + Clone, library: &[&dyn Effect], gate: &Gate) -> f64 {
-    let Some(best) = least(models.clone()) else { return 1.0 };
-    let nothing = expected(models, library).map_or(0.0, |m| m.fit.objective());
-    let signal = 2.0 * (nothing - best.fit.objective()).max(0.0);
-    let error = FORM_ERROR * FORM_ERROR * signal;
-    let shows = if error > HIDDEN { HIDDEN * gate.may_leave(&best.fit) } else { f64::INFINITY };
-    1.0 + error.min(shows) / FORM_SHAPES
-}
-
-/// Part of an error of form that shows in what a model leaves, the rest hidden in its parameters: one in so many, in units of the noise variance.
-const HIDDEN: f64 = 10.0;
-
-/// The model of the lowest objective.
-fn least<'t>(models: impl Iterator<Item = &'t Tried>) -> Option<&'t Tried> {
-    models.min_by(|a, b| a.fit.objective().total_cmp(&b.fit.objective()))
-}
-
-/// Share of the misfit from which on it counts as foreseen.
-const FORESEEN: f64 = 0.9;
-
-/// The model from which equations may be off: the base model, or that with nothing but effects that were computed beforehand, where those are most of what is
-/// missing. They carry the error of their computation, some per cent, and not that of an equation chosen for its simplicity.
-pub(crate) fn expected<'t>(models: impl Iterator<Item = &'t Tried> + Clone, library: &[&dyn Effect]) -> Option<&'t Tried> {
-    let base = models.clone().find(|m| m.effects.is_empty())?;
-    let least = least(models.clone())?.fit.objective();
-    let computed = models.filter(|m| m.effects.iter().all(|e| library[*e].foreseen()));
-    let best = computed.min_by(|a, b| a.fit.objective().total_cmp(&b.fit.objective()))?;
-    let most = base.fit.objective() - best.fit.objective() > FORESEEN * (base.fit.objective() - least);
-    Some(if most { best } else { base })
-}
-
-fn weigh(tried: BTreeMap<Vec<usize>, Tried>, library: &[&dyn Effect], gate: &Gate) -> Selection {
-    let mut models: Vec<Tried> = tried.into_values().collect();
+fn weigh(mut models: Vec<Tried>, library: &[&dyn Effect], gate: &Gate) -> Selection {
     let temper = temper_of(models.iter(), library, gate);
     let weight = weight(temper, library.len());
     models.sort_by(|a, b| weight(b).total_cmp(&weight(a)));

@@ -51,6 +51,30 @@ fn a_zero_that_is_another_in_each_run_keeps_its_name() {
 }
 
 #[test]
+fn a_reading_that_follows_the_speed_of_the_load_is_not_called_another_zero_in_each_run() {
+    let said = said_of(|inputs, row| {
+        let (time, force) = (inputs.time_s.as_ref().unwrap(), inputs.force_n.as_ref().unwrap());
+        let before = row.saturating_sub(1);
+        let speed = if row > 0 && inputs.run[row] == inputs.run[before] {
+            (force[row] - force[before]) / (time[row] - time[before])
+        } else {
+            0.0
+        };
+        4.0 * NOISE * (speed / 2.0).powi(2).min(1.0)
+    });
+    assert_eq!((said.verdict, said.findings.len()), (Verdict::Unexplained, 0), "{}", said.says);
+    assert!(said.says.contains("how fast the load changes"), "{}", said.says);
+}
+
+/// Less than half as large as the noise of a row: no run by itself shows it, and means of rows silence it.
+#[test]
+fn a_faint_tone_is_said_to_be_one() {
+    let said = said_of(|inputs, row| 0.42 * NOISE * (0.55 * inputs.time_s.as_ref().unwrap()[row]).sin());
+    assert_eq!((said.verdict, said.findings.len()), (Verdict::Unexplained, 0), "{}", said.says);
+    assert!(said.says.contains("a tone at 0.087"), "{}", said.says);
+}
+
+#[test]
 fn nothing_outside_is_claimed_where_nothing_is_missing() {
     let said = said_of(|_, _| 0.0);
     assert_eq!(said.verdict, Verdict::Agrees, "{}", said.says);

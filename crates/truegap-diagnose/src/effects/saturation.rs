@@ -80,11 +80,12 @@ impl Effect for Saturation {
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         vec![
             Parameter::normal("lost", "1", 0.0, 0.3, "share of the slope that is lost above the knee").within(0.0, 1.0),
-            Parameter::normal("knee", "spans", 0.85, 0.2, "reading above which it is lost").within(0.1, 2.0),
+            Parameter::normal("knee", "spans", 0.85, 0.3, "reading above which it is lost; a warm sensor reads beyond its span")
+                .within(0.1, 2.0),
         ]
     }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
-        vec![vec![0.5], vec![0.7], vec![0.85], vec![0.95]]
+        [0.5, 0.7, 0.85, 0.95, 1.1, 1.25, 1.4].map(|knee| vec![knee]).to_vec()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;

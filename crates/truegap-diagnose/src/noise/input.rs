@@ -2,21 +2,48 @@
 //!
 //! Limits: an input that is not straight over three rows in most places would look noisy.
 
+use super::denoise::crookedness;
 use std::ops::Range;
 
 /// Standard deviation of white noise on a column, robust against corners and steps of a profile.
 ///
 /// Differences of order k of white noise have `C(2k, k)` times its variance; their median absolute value ignores corners. A profile that bends all the time
-/// leaves less in differences of higher order, so the least of three orders is believed where it is clearly less. Where most rows lie on curves, the quieter
-/// quarter of short stretches says much less than the median of all, and is believed.
-pub fn scatter(column: &[f64], runs: &[Range<usize>]) -> f64 {
+/// leaves less in differences of higher order, so the least of three orders is believed where it is clearly less; a straight one on uneven moments leaves less about
+/// lines over time. Where most rows lie on curves, the quieter quarter of short stretches says much less than the median of all, and is believed.
+pub fn scatter(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>]) -> f64 {
     let [second, fourth, sixth] = [1, 2, 3].map(|pairs| of_order(column, runs, pairs));
-    let least = fourth.min(sixth);
+    let about_lines = (crookedness(column, time, runs, 1.0) / STRAIGHT).sqrt();
+    let enough = runs.iter().any(|r| r.len() > 100);
+    let least = if enough { about_lines } else { f64::INFINITY }.min(fourth).min(sixth);
     if least < CLEARLY * second { least } else { second }
 }
 
-/// Share of the estimate from second differences below which one from higher orders is believed; noise alone stays above it.
+/// Share of the estimate from second differences below which another is believed; noise alone stays above it.
 const CLEARLY: f64 = 0.8;
+/// What [`crookedness`] makes of white noise of variance 1.
+const STRAIGHT: f64 = 0.55;
+
+/// The noise of a column that bends all the time: an upper limit from differences, and what is left of it when the bends are taken out.
+///
+/// Where the speed is pushed at random, differences of order k hold the noise and the push in the ratio `C(2k, k)` to `C(2k - 4, k - 2)`; two orders tell them
+/// apart. Where higher differences are no smaller, nothing bends, and the two are the same.
+pub fn bent(column: &[f64], runs: &[Range<usize>]) -> (f64, f64) {
+    let orders = [1, 2, 3, 4, 5, 6].map(|pairs| of_order(column, runs, pairs));
+    let most = orders.into_iter().fold(f64::INFINITY, f64::min);
+    let (second, last) = (orders[0].powi(2), orders[5].powi(2));
+    let share = |k: usize| binomial(2 * k - 4) / binomial(2 * k);
+    let push = ((second - last) / (share(2) - share(12))).max(0.0);
+    let unbent = (last - share(12) * push).max(0.0).sqrt();
+    (most, unbent.clamp(LEAST * most, most))
+}
+
+/// Least share of the upper limit that is believed to be noise.
+const LEAST: f64 = 0.3;
+
+/// `C(n, n / 2)`.
+fn binomial(n: usize) -> f64 {
+    (1..=n / 2).map(|i| (n / 2 + i) as f64 / i as f64).product()
+}
 
 /// The estimate from differences of order `2 pairs`.
 fn of_order(column: &[f64], runs: &[Range<usize>], pairs: usize) -> f64 {
@@ -28,8 +55,7 @@ fn of_order(column: &[f64], runs: &[Range<usize>], pairs: usize) -> f64 {
         }
         differences.extend(part.iter().map(|d| d.abs()));
     }
-    // C(4, 2), C(8, 4), C(12, 6)
-    let factor = f64::from([6, 70, 924][pairs - 1]).sqrt();
+    let factor = binomial(4 * pairs).sqrt();
     let mut stretches: Vec<f64> = differences.chunks(STRETCH).filter(|c| c.len() == STRETCH).map(median).collect();
     stretches.sort_by(f64::total_cmp);
     let all = median(&differences);
@@ -63,9 +89,9 @@ mod tests {
         let normal = rand_distr::Normal::new(0.0, 0.005).unwrap();
         let column: Vec<f64> = (0..4000).map(|i| f64::from(i / 60 % 5) + normal.sample(&mut rng)).collect();
         // 4000 rows: the median of 4000 correlated absolute values is good to about 3 %
-        approx::assert_relative_eq!(scatter(&column, &[0..4000]), 0.005, max_relative = 0.08);
+        approx::assert_relative_eq!(scatter(&column, None, &[0..4000]), 0.005, max_relative = 0.08);
         let clean: Vec<f64> = (0..400).map(|i| f64::from(i / 60)).collect();
-        assert_eq!(scatter(&clean, &[0..400]), 0.0);
+        assert_eq!(scatter(&clean, None, &[0..400]), 0.0);
     }
 
     /// A load that wanders in waves of twelve rows: second differences see its curvature, which is three times the noise.
@@ -76,7 +102,7 @@ mod tests {
         let wave = |i: i32| 0.1 * (f64::from(i) * 0.5).sin() + 0.07 * (f64::from(i) * 0.31).cos();
         let column: Vec<f64> = (0..3000).map(|i| wave(i) + normal.sample(&mut rng)).collect();
         assert!(of_order(&column, &[0..3000], 1) > 0.007);
-        approx::assert_relative_eq!(scatter(&column, &[0..3000]), 0.005, max_relative = 0.15);
+        approx::assert_relative_eq!(scatter(&column, None, &[0..3000]), 0.005, max_relative = 0.15);
     }
 
     #[test]
@@ -86,6 +112,6 @@ mod tests {
         let curved = |i: i32| if i % 100 < 60 { (f64::from(i) * 0.9).sin() } else { 0.5 };
         let column: Vec<f64> = (0..1000).map(|i| curved(i) + normal.sample(&mut rng)).collect();
         // a quarter of the stretches is at rest; the quartile of medians of 12 is low by up to a third
-        approx::assert_relative_eq!(scatter(&column, &[0..1000]), 0.005, max_relative = 0.4);
+        approx::assert_relative_eq!(scatter(&column, None, &[0..1000]), 0.005, max_relative = 0.4);
     }
 }

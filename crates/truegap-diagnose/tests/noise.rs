@@ -71,6 +71,7 @@ fn a_load_that_bends_all_the_time_makes_no_noise_of_itself() {
     assert_eq!(said.verdict, Verdict::Agrees, "{}", said.says);
     let left = said.adequacy.before.unwrap().stretches;
     let loudness = left.statistic / left.freedom as f64;
-    // 1 with a noise that is known; by differences of the load alone it was taken three times too loud, which makes this a tenth
-    assert!((0.5..1.4).contains(&loudness), "{loudness}");
+    // 1 with a noise that is known; differences of the load alone make it a tenth. Up to 0.7 of the variance is left alone, and the courses that the
+    // error of the load may follow take up part of what is there.
+    assert!((0.3..1.4).contains(&loudness), "{loudness}");
 }

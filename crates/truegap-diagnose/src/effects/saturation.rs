@@ -85,7 +85,7 @@ impl Effect for Saturation {
         ]
     }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
-        [0.5, 0.7, 0.85, 0.95, 1.1, 1.25, 1.4].map(|knee| vec![knee]).to_vec()
+        [0.5, 0.7, 0.85, 0.95, 1.15, 1.35].map(|knee| vec![knee]).to_vec()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;

@@ -75,7 +75,7 @@ impl Answer<'_> {
         )
     }
 
-    /// The tone, or else the loudest burst, of the calibrated base model's residual, in words; `None` where there is neither.
+    /// The tone, or else the loudest burst, of what the model stood behind leaves, in words; `None` where there is neither.
     pub(crate) fn heard_says(&self) -> Option<String> {
         let (tone, burst, inputs) = (self.heard.tone, self.heard.burst, self.all.problem.inputs);
         if tone.is_heard() {

@@ -45,7 +45,7 @@ pub struct Answer<'a> {
     pub before: Adequacy,
     /// adequacy of the likeliest model
     pub after: Adequacy,
-    /// bursts and a tone in what the base model leaves
+    /// bursts and a tone in what the model stood behind leaves
     pub heard: Heard,
     /// directions, whitened
     pub gate: &'a Gate,
@@ -359,7 +359,7 @@ impl Answer<'_> {
             ),
             Verdict::Unexplained => match &self.decision.outside {
                 Some(cause) => format!("something real is missing that is not in the library: {}", self.says_of(cause)),
-                None if !self.before.fires() => match self.heard_says() {
+                None if !self.before.fires() || self.heard.tone.is_heard() => match self.heard_says() {
                     Some(heard) => format!("something is in the reading that is not in the library: {heard}"),
                     None => "something real is missing that nothing in the library explains".into(),
                 },

@@ -127,9 +127,15 @@ fn with_noise(
     }
     let Examined { selection, before, after, decision } = &examined;
     let slow = options.hidden.first().and_then(|hidden| SlowInput::of(&search, selection).map(|slow| (slow, hidden)));
-    let predicted = Model::new(problem, &context, Vec::new()).respond(&selection.base().fit.z)?;
+    let stood_behind = &selection.models[decision.model];
+    let effects = stood_behind.effects.iter().map(|e| search.library[*e]).collect();
+    let predicted = Model::new(problem, &context, effects).respond(&stood_behind.fit.z)?;
     let heard = Heard::in_what_is_left(problem, &predicted, &noise, gate.slack());
-    let decision = if heard.is_anything() { decision.clone().with_what_is_heard(selection.base) } else { decision.clone() };
+    let explained = 2.0 * (selection.base().fit.objective() - stood_behind.fit.objective());
+    let decision = match heard.is_anything() {
+        true => decision.clone().with_what_is_heard(selection.base, explained, heard.excess()),
+        false => decision.clone(),
+    };
     let (decision, because) = reserved(decision, selection, slow.as_ref().map(|(slow, _)| slow), options);
     let all = AllRows { problem, first: thinned.as_ref().map(|t| t.first.as_slice()) };
     let answer = Answer {

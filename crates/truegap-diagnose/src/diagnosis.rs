@@ -85,7 +85,7 @@ pub struct AdequacyFacts {
     pub before: Option<Adequacy>,
     /// of the likeliest model that names something
     pub after: Option<Adequacy>,
-    /// the loudest burst in what the former leaves, on every row
+    /// the loudest burst in what the model stood behind leaves, on every row
     pub burst: Option<Burst>,
     /// the strongest tone in the same
     pub tone: Option<Tone>,

@@ -5,7 +5,7 @@
 use crate::{
     directions::Direction,
     fit::{Fit, Settled},
-    score::{JointTest, Scores, scores, upper_tail},
+    score::{JointTest, Scores, excess_of, scores, upper_tail},
     whiten::Whitener,
 };
 use nalgebra::{DMatrix, DVector};
@@ -45,6 +45,12 @@ impl Adequacy {
     /// Smallest of the p-values, for having tried three.
     pub fn p_value(&self) -> f64 {
         (3.0 * self.smooth.p_value.min(self.stretches.p_value).min(self.line_p_value)).min(1.0)
+    }
+
+    /// What the test that finds most finds above expectation, in units of the noise variance; of a line, what its p-value is worth.
+    pub fn left(&self) -> f64 {
+        let line = if self.line_p_value < LEVEL { excess_of(self.line_p_value) } else { 0.0 };
+        self.smooth.excess().max(self.stretches.excess()).max(line)
     }
 
     /// Whether something is left that noise does not make.

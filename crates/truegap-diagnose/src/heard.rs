@@ -2,11 +2,12 @@
 //!
 //! Neither is anything that a model lacks, so they take no part in naming; where nothing else is found, they are what there is to say.
 //!
-//! Limits: judged on what the calibrated base model leaves.
+//! Limits: judged on what one model leaves.
 
 use crate::{
     burst::Burst,
     problem::{NoiseModel, Problem},
+    score::excess_of,
     tone::Tone,
 };
 
@@ -27,6 +28,13 @@ impl Heard {
         noise.whitener(&runs, None).apply(&mut residual);
         let tone = Tone::strongest(&residual, problem.inputs.time_s.as_deref(), &runs);
         Self { burst: Burst::loudest(&residual, &runs, slack), tone }
+    }
+
+    /// How much of the louder of the two is heard, in units of the noise variance.
+    pub fn excess(&self) -> f64 {
+        let burst = if self.burst.is_heard() { self.burst.rows as f64 * (self.burst.loudness.powi(2) - 1.0) } else { 0.0 };
+        let tone = if self.tone.is_heard() { excess_of(self.tone.p_value) } else { 0.0 };
+        burst.max(tone)
     }
 
     /// Whether there is any.

@@ -42,6 +42,11 @@ impl JointTest {
     }
 }
 
+/// Squared amplitude, in units of the noise variance, of a periodic part that has this p-value: `-2 ln p`.
+pub fn excess_of(p_value: f64) -> f64 {
+    -2.0 * p_value.max(f64::MIN_POSITIVE).ln()
+}
+
 /// Scores along whitened columns `b` (n x k).
 pub fn scores(settled: &Settled, b: &DMatrix<f64>) -> Scores {
     scores_with(settled, b, &b.tr_mul(b))

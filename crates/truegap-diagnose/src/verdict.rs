@@ -33,11 +33,14 @@ pub struct Decision {
 }
 
 impl Decision {
-    /// Something is in the reading that no model of the base's physics could make: the verdict where otherwise all agrees.
+    /// Something is in the reading that no model of the base's physics could make, `left` of it beside the model stood behind, which explains `explained`: the verdict
+    /// where otherwise all agrees, or where it is more than an equation in the wrong form leaves.
     #[must_use]
-    pub fn with_what_is_heard(self, base: usize) -> Self {
+    pub fn with_what_is_heard(self, base: usize, explained: f64, left: f64) -> Self {
+        let more = share(explained, left) < RIGHT_FAMILY;
         match self.verdict {
             Verdict::Agrees => Self::nothing(Verdict::Unexplained, base),
+            Verdict::Explained | Verdict::Ambiguous | Verdict::WrongForm if more => Self::nothing(Verdict::Unexplained, base),
             _ => self,
         }
     }
@@ -118,7 +121,11 @@ pub fn interrupted(selection: &Selection) -> Decision {
 ///
 /// Parameters pushed away from what is known of them are misfit too, which is why the fall of the whole objective counts and not that of the residual.
 fn removed(explained: f64, after: &Adequacy) -> f64 {
-    let left = after.smooth.excess().max(after.stretches.excess());
+    share(explained, after.left())
+}
+
+/// What is explained over that and what is left; 1 where there is neither.
+fn share(explained: f64, left: f64) -> f64 {
     let explained = explained.max(0.0);
     if explained + left > 0.0 { explained / (explained + left) } else { 1.0 }
 }
@@ -151,4 +158,24 @@ fn rival_sets(selection: &Selection, best: usize) -> Vec<Vec<usize>> {
         set
     };
     model.effects.iter().map(place).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn explained() -> Decision {
+        Decision { verdict: Verdict::Explained, model: 3, sets: vec![vec![7]], ..Decision::nothing(Verdict::Explained, 0) }
+    }
+
+    /// An effect that takes 30 units of a recording with a burst of 360 is a small part of what is there; one that takes 3000 is not.
+    #[test]
+    fn what_is_heard_unseats_an_effect_that_explains_less_of_the_recording() {
+        let small = explained().with_what_is_heard(0, 30.0, 360.0);
+        assert_eq!((small.verdict, small.model, small.sets.len()), (Verdict::Unexplained, 0, 0));
+        let large = explained().with_what_is_heard(0, 3000.0, 360.0);
+        assert_eq!((large.verdict, large.model), (Verdict::Explained, 3));
+        assert_eq!(Decision::nothing(Verdict::Agrees, 0).with_what_is_heard(0, 0.0, 1.0).verdict, Verdict::Unexplained);
+        assert_eq!(Decision::nothing(Verdict::Undecided, 0).with_what_is_heard(0, 0.0, 99.0).verdict, Verdict::Undecided);
+    }
 }

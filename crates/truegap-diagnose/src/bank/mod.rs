@@ -38,8 +38,8 @@ use truegap_core::SimulationError;
 const ROWS: usize = 500;
 /// Recordings after which the answers are stored.
 const STORE_EVERY: usize = 16;
-/// Version of the bank's own rules; part of the key.
-const RULES: u32 = 1;
+/// Version of the rules by which a diagnosis answers; part of the key, raised where an answer may change.
+const RULES: u32 = 2;
 
 /// Keeps finished recordings of a bank between runs of the program.
 pub trait BankStore: Send + Sync {

@@ -4,6 +4,9 @@ use super::{Plate, recording};
 use std::fmt::Write;
 use truegap_diagnose::{Context, Effect, library};
 
+/// Parameters that are listed one by one; an effect with more has one a run.
+const LISTED: usize = 4;
+
 const HEAD: &str = "# The library of omitted physics
 
 Written by `cargo run -p truegap-diagnose --example effects > docs/effects.md`; a test compares the two.
@@ -68,10 +71,10 @@ fn section(page: &mut String, effect: &dyn Effect, context: &Context<'_>) {
     let _ = writeln!(page, "- **Told apart by:** {}.\n- **Source:** {}.\n", about.separates, about.source);
     page.push_str("| parameter | unit | meaning |\n|---|---|---|\n");
     let parameters = effect.parameters(context);
-    for p in parameters.iter().take(3) {
+    for p in parameters.iter().take(LISTED) {
         let _ = writeln!(page, "| `{}` | {} | {} |", p.name, p.unit, p.meaning);
     }
-    if parameters.len() > 3 {
+    if parameters.len() > LISTED {
         page.push_str("| ... | | and so on |\n");
     }
 }

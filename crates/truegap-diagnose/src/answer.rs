@@ -25,6 +25,10 @@ use crate::{
     verdict::Decision,
 };
 
+/// What to do where a tone or bursts are in the reading.
+const LISTEN: &str = "record again at another sampling rate, with leads shielded and what switches nearby turned off: \
+    interference moves to another frequency or goes, what the sensor makes stays";
+
 /// All that was found.
 pub struct Answer<'a> {
     /// problem, context, library, noise filter
@@ -275,6 +279,9 @@ impl Answer<'_> {
     }
 
     fn next(&self) -> NextExperiment {
+        if self.decision.verdict == Verdict::Unexplained && self.heard.is_the_matter(&self.before) {
+            return NextExperiment { says: LISTEN.into(), ..NextExperiment::default() };
+        }
         let best = self.selection.models.iter().find(|m| !m.effects.is_empty());
         let Some(best) = best.filter(|_| self.decision.verdict != Verdict::Agrees) else {
             return NextExperiment {
@@ -359,10 +366,10 @@ impl Answer<'_> {
             ),
             Verdict::Unexplained => match &self.decision.outside {
                 Some(cause) => format!("something real is missing that is not in the library: {}", self.says_of(cause)),
-                None if !self.before.fires() || self.heard.tone.is_heard() => match self.heard_says() {
-                    Some(heard) => format!("something is in the reading that is not in the library: {heard}"),
-                    None => "something real is missing that nothing in the library explains".into(),
-                },
+                None if self.heard.is_the_matter(&self.before) => {
+                    format!("something is in the reading that is not in the library: {}", self.heard_says().unwrap_or_default())
+                }
+                None if !self.before.fires() => "something real is missing that nothing in the library explains".into(),
                 None => format!(
                     "something real is missing that nothing in the library explains (the likeliest effect removes {:.0} % of the misfit){line}{}",
                     100.0 * self.decision.removed,

@@ -4,12 +4,15 @@
 
 use super::number::{capitalised, spoken};
 use super::wording;
-use truegap_diagnose::diagnosis::Diagnosis;
+use truegap_diagnose::{Verdict, diagnosis::Diagnosis};
 
 /// Verdict, findings with sizes, errors, what next.
 pub fn summary(diagnosis: &Diagnosis) -> String {
     let mut lines = vec![wording::headline(diagnosis)];
     lines.extend(diagnosis.notices.iter().map(|notice| format!("  notice: {}", notice.says)));
+    if diagnosis.verdict == Verdict::Unexplained && !diagnosis.notices.iter().any(|n| n.withholds) {
+        lines.push(format!("  {}", diagnosis.says.replace('_', " ")));
+    }
     for finding in &diagnosis.findings {
         lines.push(format!("  {}: {}", spoken(&finding.effect), finding.says));
         lines.push(format!("    {}", wording::how_sure(finding)));

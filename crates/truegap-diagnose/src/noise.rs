@@ -11,6 +11,7 @@ mod rest;
 
 use crate::context::load_column;
 use crate::problem::{InputNoise, NoiseModel, Problem};
+use crate::screen::pauses::after_pauses;
 use crate::whiten::Noise;
 use denoise::Denoised;
 pub use input::scatter;
@@ -40,7 +41,7 @@ pub struct Quiet {
 
 /// Takes the noise out of load and temperature.
 pub fn quiet(inputs: &Inputs, simulator: &dyn Simulator) -> Quiet {
-    let (runs, time) = (inputs.runs(), inputs.time_s.as_deref());
+    let (runs, time) = (between_pauses(inputs), inputs.time_s.as_deref());
     let none = || vec![0.0; inputs.len()];
     let mut quiet = Quiet {
         inputs: inputs.clone(),
@@ -67,6 +68,21 @@ pub fn quiet(inputs: &Inputs, simulator: &dyn Simulator) -> Quiet {
         (*column, quiet.temperature_left) = (found.column, found.left);
     }
     quiet
+}
+
+/// Runs, parted where time jumps: no line of an input goes on through a pause.
+fn between_pauses(inputs: &Inputs) -> Vec<Range<usize>> {
+    let cuts = after_pauses(inputs).map_or_else(Vec::new, |(_, rows)| rows);
+    let mut parts = Vec::new();
+    for run in inputs.runs() {
+        let mut start = run.start;
+        for cut in cuts.iter().copied().filter(|cut| run.contains(cut) && *cut > run.start) {
+            parts.push(start..cut);
+            start = cut;
+        }
+        parts.push(start..run.end);
+    }
+    parts
 }
 
 /// A column without its noise.

@@ -75,3 +75,28 @@ fn a_load_that_bends_all_the_time_makes_no_noise_of_itself() {
     // error of the load may follow take up part of what is there.
     assert!((0.3..1.4).contains(&loudness), "{loudness}");
 }
+
+/// Five rows at each of forty points of load and temperature, ten minutes apart: three of five second differences would span a pause.
+#[test]
+fn points_measured_with_pauses_between_them_are_not_joined_by_lines() {
+    let plate = Plate::new(Some(true));
+    let random = &mut ChaCha8Rng::seed_from_u64(21);
+    let mut truth = Inputs { time_s: Some(vec![]), force_n: Some(vec![]), temperature_c: Some(vec![]), ..Inputs::default() };
+    for row in 0..200_u32 {
+        let point = row / 5;
+        truth.run.push(1);
+        truth.time_s.as_mut().unwrap().push(600.0 * f64::from(point) + f64::from(row % 5));
+        truth.force_n.as_mut().unwrap().push(if point % 2 == 1 { 4.5 } else { 0.0 });
+        truth.temperature_c.as_mut().unwrap().push(20.0 + 15.0 * f64::from(point / 2 % 3));
+    }
+    let mut response = plate.respond(&TRUE, &truth, &[]).unwrap();
+    response.iter_mut().for_each(|r| *r += NOISE * drawn(random));
+    let mut recorded = truth;
+    recorded.force_n.as_mut().unwrap().iter_mut().for_each(|f| *f += 0.005 * drawn(random));
+    let problem = Problem { inputs: &recorded, response: &response, simulator: &plate };
+    let facts = RecordingFacts { rows: response.len(), runs: 1, ..RecordingFacts::default() };
+    let said = diagnose(&problem, facts, &Options::default(), &|_| (), &AtomicBool::new(false)).unwrap().diagnosis;
+    assert_eq!(said.verdict, Verdict::Agrees, "{}", said.says);
+    // 120 second differences of three rows each, in full loads of 4.5 N
+    approx::assert_relative_eq!(said.noise.load_sd, 0.005, max_relative = 0.3);
+}

@@ -11,7 +11,8 @@ use std::ops::Range;
 /// leaves less in differences of higher order, so the least of three orders is believed where it is clearly less; a straight one on uneven moments leaves less about
 /// lines over time. Where most rows lie on curves, the quieter quarter of short stretches says much less than the median of all, and is believed.
 pub fn scatter(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>]) -> f64 {
-    let [second, fourth, sixth] = [1, 2, 3].map(|pairs| of_order(column, runs, pairs));
+    let second = of_order(column, runs, 1).unwrap_or(0.0);
+    let [fourth, sixth] = [2, 3].map(|pairs| of_order(column, runs, pairs).unwrap_or(f64::INFINITY));
     let about_lines = (crookedness(column, time, runs, 1.0) / STRAIGHT).sqrt();
     let enough = runs.iter().any(|r| r.len() > 100);
     let least = if enough { about_lines } else { f64::INFINITY }.min(fourth).min(sixth);
@@ -29,8 +30,9 @@ const STRAIGHT: f64 = 0.55;
 /// apart. Where higher differences are no smaller, nothing bends, and the two are the same.
 pub fn bent(column: &[f64], runs: &[Range<usize>]) -> (f64, f64) {
     let orders = [1, 2, 3, 4, 5, 6].map(|pairs| of_order(column, runs, pairs));
-    let most = orders.into_iter().fold(f64::INFINITY, f64::min);
-    let (second, last) = (orders[0].powi(2), orders[5].powi(2));
+    let most = orders.into_iter().flatten().fold(f64::INFINITY, f64::min);
+    let (Some(second), Some(last)) = (orders[0], orders[5]) else { return (most, most) };
+    let (second, last) = (second.powi(2), last.powi(2));
     let share = |k: usize| binomial(2 * k - 4) / binomial(2 * k);
     let push = ((second - last) / (share(2) - share(12))).max(0.0);
     let unbent = (last - share(12) * push).max(0.0).sqrt();
@@ -45,8 +47,8 @@ fn binomial(n: usize) -> f64 {
     (1..=n / 2).map(|i| (n / 2 + i) as f64 / i as f64).product()
 }
 
-/// The estimate from differences of order `2 pairs`.
-fn of_order(column: &[f64], runs: &[Range<usize>], pairs: usize) -> f64 {
+/// The estimate from differences of order `2 pairs`; `None` where no run is long enough for one.
+fn of_order(column: &[f64], runs: &[Range<usize>], pairs: usize) -> Option<f64> {
     let mut differences: Vec<f64> = Vec::new();
     for run in runs {
         let mut part = column[run.clone()].to_vec();
@@ -61,7 +63,7 @@ fn of_order(column: &[f64], runs: &[Range<usize>], pairs: usize) -> f64 {
     let all = median(&differences);
     let quiet = stretches.get(stretches.len() / 4).copied().unwrap_or(all);
     let typical = if quiet < MOSTLY_CURVED * all { quiet } else { all };
-    typical / 0.674_489_750_196_081_7 / factor
+    (!differences.is_empty()).then(|| typical / 0.674_489_750_196_081_7 / factor)
 }
 
 /// Rows of a short stretch.
@@ -101,7 +103,7 @@ mod tests {
         let normal = rand_distr::Normal::new(0.0, 0.005).unwrap();
         let wave = |i: i32| 0.1 * (f64::from(i) * 0.5).sin() + 0.07 * (f64::from(i) * 0.31).cos();
         let column: Vec<f64> = (0..3000).map(|i| wave(i) + normal.sample(&mut rng)).collect();
-        assert!(of_order(&column, &[0..3000], 1) > 0.007);
+        assert!(of_order(&column, &[0..3000], 1).unwrap() > 0.007);
         approx::assert_relative_eq!(scatter(&column, None, &[0..3000]), 0.005, max_relative = 0.15);
     }
 

@@ -5,7 +5,7 @@
 mod clipped;
 mod dead;
 mod outliers;
-mod pauses;
+pub(crate) mod pauses;
 mod range;
 mod wrong_sensor;
 

@@ -145,10 +145,8 @@ impl<'a, 'm> Descent<'a, 'm> {
     }
 
     pub(crate) fn finish(self) -> Fit {
-        let sizes = self.model.open_sizes();
         let counts = (self.iterations, self.converged);
-        let free_form = self.model.free_form();
-        Fit { free_form, ..finish(self.z, self.residual, self.jacobian, self.bounds, &sizes, counts) }
+        finish(self.z, self.residual, self.jacobian, self.bounds, self.model.kinds(), counts)
     }
 }
 

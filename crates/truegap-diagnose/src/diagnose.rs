@@ -16,7 +16,7 @@ use crate::{
     heard::Heard,
     held_out::AllRows,
     issues::{DiagnoseError, check},
-    joint::noise::{measured, misfit_at},
+    joint::noise::measured,
     latent::{Hidden, SlowInput},
     noise::{quieter_than, too_loud},
     problem::{NoiseModel, Problem},
@@ -129,8 +129,7 @@ fn with_noise(
     let slow = options.hidden.first().and_then(|hidden| SlowInput::of(&search, selection).map(|slow| (slow, hidden)));
     let stood_behind = &selection.models[decision.model];
     let effects = stood_behind.effects.iter().map(|e| search.library[*e]).collect();
-    let predicted = Model::new(problem, &context, effects).respond(&stood_behind.fit.z)?;
-    let heard = Heard::in_what_is_left(problem, &predicted, &noise, gate.slack());
+    let heard = Heard::in_what_is_left(&Model::new(problem, &context, effects), &stood_behind.fit.z, &noise, gate.slack())?;
     let explained = 2.0 * (selection.base().fit.objective() - stood_behind.fit.objective());
     let decision = match heard.is_anything() {
         true => decision.clone().with_what_is_heard(selection.base, explained, heard.excess()),
@@ -184,7 +183,7 @@ fn once_more(
         return Ok(None);
     }
     let model = Model::new(problem, search.context, best.effects.iter().map(|e| search.library[*e]).collect());
-    Ok(quieter_than(problem, &misfit_at(&model, &best.fit.z)?, noise))
+    Ok(quieter_than(problem, &model.misfit(&best.fit.z)?, noise))
 }
 
 /// The decision, taken back where the recording may not be trusted or an input is missing that was hidden on purpose; with the reason.

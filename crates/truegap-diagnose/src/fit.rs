@@ -50,14 +50,13 @@ impl<'a> Model<'a> {
         first..first + self.counts[index]
     }
 
-    /// Indices of the sizes whose order of magnitude is not known: of all effects that nobody has computed beforehand.
-    pub(crate) fn open_sizes(&self) -> Vec<usize> {
-        (0..self.effects.len()).filter(|i| !self.effects[*i].foreseen()).map(|i| self.first_of(i)).collect()
-    }
-
-    /// Indices of the parameters of effects without an equation.
-    pub(crate) fn free_form(&self) -> Vec<usize> {
-        (0..self.effects.len()).filter(|i| self.effects[*i].free_form()).flat_map(|i| self.range_of(i)).collect()
+    /// Which of the parameters are of a kind of their own.
+    pub(crate) fn kinds(&self) -> Kinds {
+        let effects = || 0..self.effects.len();
+        Kinds {
+            open_sizes: effects().filter(|i| !self.effects[*i].foreseen()).map(|i| self.first_of(i)).collect(),
+            free_form: effects().filter(|i| self.effects[*i].free_form()).flat_map(|i| self.range_of(i)).collect(),
+        }
     }
 
     /// Values in the parameters' units.
@@ -88,13 +87,22 @@ impl<'a> Model<'a> {
         self.problem.simulator.respond(&values[..self.base], self.problem.inputs, &borrowed)
     }
 
-    /// Whitened residual, recorded less simulated.
+    /// What it leaves over: recorded less simulated.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn misfit(&self, z: &[f64]) -> Result<Vec<f64>, SimulationError> {
+        let mut r = self.respond(z)?;
+        r.iter_mut().zip(self.problem.response).for_each(|(r, y)| *r = y - *r);
+        Ok(r)
+    }
+
+    /// The same, whitened.
     ///
     /// # Errors
     /// Those of the simulator.
     pub fn residual(&self, z: &[f64], whitener: &Whitener) -> Result<Vec<f64>, SimulationError> {
-        let mut r = self.respond(z)?;
-        r.iter_mut().zip(self.problem.response).for_each(|(r, y)| *r = y - *r);
+        let mut r = self.misfit(z)?;
         whitener.apply(&mut r);
         Ok(r)
     }
@@ -147,6 +155,15 @@ impl<'a> Model<'a> {
         let scale = (moved[index] - z[index]).recip();
         Ok(there.iter().zip(at).map(|(a, b)| (b - a) * scale).collect())
     }
+}
+
+/// Indices of the parameters of a model that are of a kind of their own.
+#[derive(Default)]
+pub(crate) struct Kinds {
+    /// sizes whose order of magnitude is not known: of all effects that nobody has computed beforehand
+    open_sizes: Vec<usize>,
+    /// parameters of effects without an equation
+    free_form: Vec<usize>,
 }
 
 /// Step of the difference quotients, in prior standard deviations.
@@ -249,11 +266,6 @@ impl Fit {
         let residual = (&here - &basis * &along).rows(0, rows).into_owned();
         Settled { residual, taken: basis.rows(0, rows).into_owned(), promise: 0.5 * along.norm_squared() }
     }
-
-    /// Posterior covariance in z.
-    pub fn covariance(&self) -> Option<DMatrix<f64>> {
-        self.factor().map(|f| f.inverse())
-    }
 }
 
 /// Numerical settings of a fit.
@@ -324,13 +336,13 @@ pub fn approach(
     Ok(search.z)
 }
 
-/// A fit from where a search has ended; `open_sizes` are the parameters whose order of magnitude is not known.
+/// A fit from where a search has ended.
 pub(crate) fn finish(
     z: Vec<f64>,
     residual: Vec<f64>,
     jacobian: DMatrix<f64>,
     bounds: &[(f64, f64)],
-    open_sizes: &[usize],
+    Kinds { open_sizes, free_form }: Kinds,
     (iterations, converged): (usize, bool),
 ) -> Fit {
     let hessian = jacobian.tr_mul(&jacobian) + DMatrix::identity(z.len(), z.len());
@@ -344,7 +356,6 @@ pub(crate) fn finish(
     let gain = |i: &usize| evidence::any_scale(z[*i], sd[*i] * sd[*i], gradient[*i], bounds[*i]);
     let scale_gain: f64 = open_sizes.iter().map(gain).filter(|gain| gain.is_finite()).sum();
     let log_evidence = evidence::laplace(chi2, &z, &hessian, gradient.as_slice(), bounds) + scale_gain;
-    let free_form = Vec::new();
     Fit { z, sd, chi2, residual, jacobian, hessian, at_limit, free_form, log_evidence, scale_gain, iterations, converged }
 }
 
@@ -359,7 +370,8 @@ mod tests {
         let (law, free, temper) = (30.0, 200.0, 7.0);
         let jacobian = DMatrix::from_row_slice(2, 2, &[law, 0.0, 0.0, free]);
         let bounds = [(f64::NEG_INFINITY, f64::INFINITY); 2];
-        let fit = Fit { free_form: vec![1], ..finish(vec![0.5, 0.5], vec![3.0, 4.0], jacobian, &bounds, &[], (1, true)) };
+        let kinds = Kinds { free_form: vec![1], ..Kinds::default() };
+        let fit = finish(vec![0.5, 0.5], vec![3.0, 4.0], jacobian, &bounds, kinds, (1, true));
         let (chi2, size) = (25.0, 0.5);
         let paid = |entry: f64| 0.5 * f64::ln(1.0 + entry * entry);
         let exact = -(0.5 * (chi2 + size) + paid(law)) / temper - paid(free / temper.sqrt());

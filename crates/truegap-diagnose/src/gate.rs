@@ -79,17 +79,22 @@ impl Gate {
 
     /// What a fit may leave over, in units of the noise variance: what the tests find above expectation, and two standard deviations of the smooth one.
     pub fn may_leave(&self, fit: &Fit) -> f64 {
-        let Adequacy { smooth, stretches, .. } = self.adequacy(fit);
+        let (smooth, stretches) = self.smooth_and_stretches(fit);
         self.slack * (smooth.excess() + 2.0 * (2.0 * smooth.freedom as f64).sqrt()).max(stretches.excess())
     }
 
     /// The three tests.
     pub fn adequacy(&self, fit: &Fit) -> Adequacy {
+        let (smooth, stretches) = self.smooth_and_stretches(fit);
+        let (line_p_value, line_at) = strongest_line(&fit.residual, &self.runs);
+        Adequacy { smooth, stretches, line_p_value, line_at }
+    }
+
+    /// The two tests of what calibration leaves.
+    fn smooth_and_stretches(&self, fit: &Fit) -> (JointTest, JointTest) {
         let settled = fit.settled();
         let smooth = if self.columns.ncols() == 0 { none() } else { scores(&settled, &self.columns).joint() };
-        let (line_p_value, line_at) = strongest_line(&fit.residual, &self.runs);
-        let stretches = stretches(&settled, &self.runs);
-        Adequacy { smooth: smooth.over(self.slack), stretches: stretches.over(self.slack), line_p_value, line_at }
+        (smooth.over(self.slack), stretches(&settled, &self.runs).over(self.slack))
     }
 }
 

@@ -4,13 +4,8 @@
 //!
 //! Limits: judged on what one model leaves.
 
-use crate::{
-    burst::Burst,
-    gate::Adequacy,
-    problem::{NoiseModel, Problem},
-    score::excess_of,
-    tone::Tone,
-};
+use crate::{burst::Burst, fit::Model, gate::Adequacy, problem::NoiseModel, score::excess_of, tone::Tone};
+use truegap_core::SimulationError;
 
 /// The loudest of each.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,13 +17,15 @@ pub struct Heard {
 }
 
 impl Heard {
-    /// In what `predicted` leaves of a recording; `slack` is the factor by which the noise may be larger than taken.
-    pub fn in_what_is_left(problem: &Problem<'_>, predicted: &[f64], noise: &NoiseModel, slack: f64) -> Self {
-        let runs = problem.runs();
-        let mut residual: Vec<f64> = problem.response.iter().zip(predicted).map(|(r, p)| r - p).collect();
-        noise.whitener(&runs, None).apply(&mut residual);
-        let tone = Tone::strongest(&residual, problem.inputs.time_s.as_deref(), &runs);
-        Self { burst: Burst::loudest(&residual, &runs, slack), tone }
+    /// In what a model leaves of a recording at `z`; `slack` is the factor by which the noise may be larger than taken.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn in_what_is_left(model: &Model<'_>, z: &[f64], noise: &NoiseModel, slack: f64) -> Result<Self, SimulationError> {
+        let runs = model.problem.runs();
+        let residual = model.residual(z, &noise.whitener(&runs, None))?;
+        let tone = Tone::strongest(&residual, model.problem.inputs.time_s.as_deref(), &runs);
+        Ok(Self { burst: Burst::loudest(&residual, &runs, slack), tone })
     }
 
     /// How much of the louder of the two is heard, in units of the noise variance.

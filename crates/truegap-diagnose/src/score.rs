@@ -99,7 +99,7 @@ pub fn upper_tail(statistic: f64, freedom: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::finish;
+    use crate::fit::{Kinds, finish};
 
     /// Two parameters that do nearly the same, each known from the data to a millionth of what is known beforehand: along their common column
     /// `B^2 (1 + d^2) / (1 + 2 S^2 + d^2 + S^2 d^2)` is left, the entry of `(1 + J J^T)^-1` for J = [[S, S], [0, d]].
@@ -110,7 +110,7 @@ mod tests {
         let free = [(f64::NEG_INFINITY, f64::INFINITY); 2];
         // at the optimum J^T r = z
         let residual = vec![30.0 / s, -10.0 / d];
-        let settled = finish(vec![30.0, 20.0], residual, jacobian, &free, &[], (1, true)).settled();
+        let settled = finish(vec![30.0, 20.0], residual, jacobian, &free, Kinds::default(), (1, true)).settled();
         assert!(settled.is_reached());
         let found = scores(&settled, &DMatrix::from_column_slice(2, 1, &[b, 0.0]));
         let left = b * b * (1.0 + d * d) / (1.0 + 2.0 * s * s + d * d + s * s * d * d);

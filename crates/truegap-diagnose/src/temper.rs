@@ -38,9 +38,9 @@ const FORESEEN: f64 = 0.9;
 /// missing. They carry the error of their computation, some per cent, and not that of an equation chosen for its simplicity.
 pub(crate) fn expected<'t>(models: impl Iterator<Item = &'t Tried> + Clone, library: &[&dyn Effect]) -> Option<&'t Tried> {
     let base = models.clone().find(|m| m.effects.is_empty())?;
-    let least = least(models.clone())?.fit.objective();
+    let lowest = least(models.clone())?.fit.objective();
     let computed = models.filter(|m| m.effects.iter().all(|e| library[*e].foreseen()));
-    let best = computed.min_by(|a, b| a.fit.objective().total_cmp(&b.fit.objective()))?;
-    let most = base.fit.objective() - best.fit.objective() > FORESEEN * (base.fit.objective() - least);
+    let best = least(computed)?;
+    let most = base.fit.objective() - best.fit.objective() > FORESEEN * (base.fit.objective() - lowest);
     Some(if most { best } else { base })
 }

@@ -9,7 +9,7 @@ use crate::{
     problem::{NoiseModel, Problem, RecordingNoise},
 };
 use std::ops::Range;
-use truegap_core::{Inputs, Joined, SimulationError};
+use truegap_core::{Inputs, Joined};
 
 /// The inputs made quiet, and the noise of every row.
 ///
@@ -94,14 +94,9 @@ fn without_rest(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, 
     for _ in 0..2 {
         let whitener = known.whitener(&problem.runs(), None);
         start = fit(&model, &whitener, &start, &FitOptions::default())?.z;
-        known = from_misfit(problem, &misfit_at(&model, &start)?, &known);
+        known = from_misfit(problem, &model.misfit(&start)?, &known);
     }
     let whitener = known.whitener(&problem.runs(), None);
     let start = fit(&model, &whitener, &start, &FitOptions::default())?.z;
-    Ok(not_above(problem, &misfit_at(&model, &start)?, known))
-}
-
-/// What a model leaves over of the response.
-pub(crate) fn misfit_at(model: &Model<'_>, z: &[f64]) -> Result<Vec<f64>, SimulationError> {
-    Ok(model.problem.response.iter().zip(model.respond(z)?).map(|(y, m)| y - m).collect())
+    Ok(not_above(problem, &model.misfit(&start)?, known))
 }

@@ -6,6 +6,7 @@ use super::{blocks, from_misfit, likelihood::estimate, no_finer_than_read};
 use crate::{
     context::load_column,
     problem::{NoiseModel, Problem},
+    whiten::Whitener,
 };
 
 /// Share of its variance below which what is left over shows that a noise is not as loud as taken: three standard deviations in 200 rows.
@@ -36,10 +37,17 @@ pub fn quieter_than(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -
     })
 }
 
+/// The filter of a noise, and the misfit behind it.
+fn whitened(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> (Whitener, Vec<f64>) {
+    let whitener = noise.whitener(&problem.runs(), None);
+    let mut column = misfit.to_vec();
+    whitener.apply(&mut column);
+    (whitener, column)
+}
+
 /// Mean square of the whitened misfit: 1 where the noise is as loud as taken, and nothing else is left.
 fn share_left(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> f64 {
-    let mut column = misfit.to_vec();
-    noise.whitener(&problem.runs(), None).apply(&mut column);
+    let (_, column) = whitened(problem, misfit, noise);
     column.iter().map(|v| v * v).sum::<f64>() / misfit.len() as f64
 }
 
@@ -49,9 +57,7 @@ pub fn not_above(problem: &Problem<'_>, misfit: &[f64], noise: NoiseModel) -> No
         return noise;
     }
     let deviance = |noise: &NoiseModel| {
-        let whitener = noise.whitener(&problem.runs(), None);
-        let mut column = misfit.to_vec();
-        whitener.apply(&mut column);
+        let (whitener, column) = whitened(problem, misfit, noise);
         whitener.deviance(&column)
     };
     let likeliest = |factors: Vec<(f64, f64)>| {

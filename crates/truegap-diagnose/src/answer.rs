@@ -120,6 +120,7 @@ impl Answer<'_> {
                 after: Some(self.after),
                 burst: Some(self.heard.burst),
                 tone: Some(self.heard.tone),
+                heard: self.is_about_what_is_heard(),
                 removed: self.decision.removed,
             },
             evidence_check: self.selection.check,
@@ -278,8 +279,14 @@ impl Answer<'_> {
         shuffled(&self.selection.base().fit, &tried.fit, &problem.runs(), &problem.inputs.run)
     }
 
+    /// Whether a tone or bursts are what there is to say, and nothing that is missing.
+    fn is_about_what_is_heard(&self) -> bool {
+        let nothing_missing = self.decision.verdict == Verdict::Unexplained && self.decision.outside.is_none();
+        nothing_missing && self.heard.is_the_matter(&self.before)
+    }
+
     fn next(&self) -> NextExperiment {
-        if self.decision.verdict == Verdict::Unexplained && self.heard.is_the_matter(&self.before) {
+        if self.is_about_what_is_heard() {
             return NextExperiment { says: LISTEN.into(), ..NextExperiment::default() };
         }
         let best = self.selection.models.iter().find(|m| !m.effects.is_empty());
@@ -366,7 +373,7 @@ impl Answer<'_> {
             ),
             Verdict::Unexplained => match &self.decision.outside {
                 Some(cause) => format!("something real is missing that is not in the library: {}", self.says_of(cause)),
-                None if self.heard.is_the_matter(&self.before) => {
+                None if self.is_about_what_is_heard() => {
                     format!("something is in the reading that is not in the library: {}", self.heard_says().unwrap_or_default())
                 }
                 None if !self.before.fires() => "something real is missing that nothing in the library explains".into(),

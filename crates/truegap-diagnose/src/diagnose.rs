@@ -154,6 +154,7 @@ fn with_noise(
     let mut outcome = answer.outcome(facts, not_testable);
     if let Some(because) = because {
         outcome.diagnosis.says = because;
+        outcome.diagnosis.adequacy.heard = false;
     }
     if options.withheld.is_some() {
         outcome.diagnosis.concealed = false;

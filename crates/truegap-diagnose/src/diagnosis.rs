@@ -2,9 +2,7 @@
 //!
 //! Limits: plain data; nothing here decides anything.
 
-use crate::{
-    burst::Burst, gate::Adequacy, heard::Heard, latent::ConcealedColumn, notice::Notice, select::EvidenceCheck, tone::Tone,
-};
+use crate::{burst::Burst, gate::Adequacy, latent::ConcealedColumn, notice::Notice, select::EvidenceCheck, tone::Tone};
 use serde::Serialize;
 
 pub use crate::{
@@ -80,16 +78,6 @@ pub struct Diagnosis {
     pub seconds: f64,
 }
 
-impl Diagnosis {
-    /// Whether a tone or bursts in the reading are what there is to say.
-    pub fn is_about_what_is_heard(&self) -> bool {
-        let AdequacyFacts { before, burst, tone, .. } = &self.adequacy;
-        let heard = burst.zip(*tone).map(|(burst, tone)| Heard { burst, tone });
-        let matters = heard.zip(*before).is_some_and(|(heard, before)| heard.is_the_matter(&before));
-        self.verdict == Verdict::Unexplained && matters && self.unlisted.is_empty()
-    }
-}
-
 /// Is a model adequate? Tests that know no effect.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct AdequacyFacts {
@@ -101,6 +89,8 @@ pub struct AdequacyFacts {
     pub burst: Option<Burst>,
     /// the strongest tone in the same
     pub tone: Option<Tone>,
+    /// whether one of these two is what there is to say, and nothing that is missing
+    pub heard: bool,
     /// share of the misfit that the latter removes
     pub removed: f64,
 }

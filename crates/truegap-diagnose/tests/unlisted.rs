@@ -71,7 +71,7 @@ fn a_reading_that_follows_the_speed_of_the_load_is_not_called_another_zero_in_ea
 fn a_faint_tone_is_said_to_be_one() {
     let said = said_of(|inputs, row| 0.42 * NOISE * (0.55 * inputs.time_s.as_ref().unwrap()[row]).sin());
     assert_eq!((said.verdict, said.findings.len()), (Verdict::Unexplained, 0), "{}", said.says);
-    assert!(said.says.contains("a tone at 0.087") && said.is_about_what_is_heard(), "{}", said.says);
+    assert!(said.says.contains("a tone at 0.087") && said.adequacy.heard, "{}", said.says);
     assert!(said.next_experiment.says.contains("sampling rate"), "{}", said.next_experiment.says);
 }
 

@@ -7,8 +7,7 @@ use std::hint::black_box;
 use truegap_core::Simulator;
 use truegap_diagnose::{
     Problem,
-    fit::{FitOptions, Model, fit},
-    whiten::{InputError, Noise, Whitener},
+    calibration::{FitOptions, InputError, Model, Noise, Whitener, fit},
 };
 use truegap_model::{
     Stack, StackOptions,

@@ -2,61 +2,50 @@
 //!
 //! Limits: sees a model only through [`truegap_core::Simulator`]; one scalar response.
 
-pub mod context;
-pub mod effect;
-pub mod effects;
-pub mod memory;
+#[cfg(test)]
+extern crate self as truegap_diagnose;
 
-pub use context::Context;
-pub use effect::{About, Effect, Family, FittedParameter};
-pub use effects::library;
-
-mod alternatives;
+mod adequacy;
 pub mod answer;
-pub mod augmented;
-pub mod bank;
-pub mod burst;
-pub mod conflicts;
-pub mod control;
-pub(crate) mod descent;
-pub mod detectability;
-pub mod diagnose;
-pub mod diagnosis;
-pub mod directions;
-pub mod evidence;
-pub mod examine;
-pub mod fit;
-mod fit_facts;
-pub mod flexible;
-pub mod gate;
-pub mod heard;
-pub mod held_out;
-pub mod importance;
-pub mod issues;
-pub mod joint;
-pub mod latent;
-pub mod locate;
-pub mod next;
-pub mod noise;
-pub mod notice;
-pub mod number;
-pub mod problem;
-pub mod score;
-pub mod screen;
-pub mod search;
-pub mod select;
-mod temper;
-pub mod thin;
-pub mod tone;
-mod traces;
-mod tries;
-pub mod unlisted;
-pub mod verdict;
-pub mod whiten;
+mod data;
+pub mod effects;
+mod explain;
+mod fit;
+mod noise;
+mod pipeline;
+pub mod quality;
+mod selection;
+mod stats;
+pub mod text;
+mod validation;
+mod whitening;
 
-pub use augmented::Augmented;
-pub use diagnose::{Options, Outcome, diagnose};
-pub use diagnosis::{Diagnosis, RecordingFacts, Traces, Verdict};
-pub use issues::DiagnoseError;
-pub use problem::Problem;
-pub use search::Progress;
+pub use answer::{Augmented, Diagnosis, Outcome, RecordingFacts, Traces, Verdict};
+pub use data::{context::Context, error::DiagnoseError, joint, problem::Problem};
+pub use effects::{
+    effect::{About, Effect, Family, FittedParameter},
+    library,
+};
+pub use pipeline::{Options, diagnose};
+pub use selection::candidates::Progress;
+
+pub use validation::{cross_validation::parts, recovery};
+
+/// Calibration of a model to a recording, noise and all: what a diagnosis does first.
+pub mod calibration {
+    pub use crate::{
+        fit::{
+            levenberg_marquardt::FitOptions,
+            maximum_a_posteriori::{fit, fit_onwards},
+            model::Model,
+            optimum::Fit,
+        },
+        whitening::whitener::{InputError, Noise, Whitener},
+    };
+}
+
+#[cfg(test)]
+#[path = "../tests/common/mod.rs"]
+mod common;
+#[cfg(test)]
+mod tests;

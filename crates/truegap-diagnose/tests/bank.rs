@@ -11,9 +11,8 @@ use std::{
 };
 use truegap_core::Simulator;
 use truegap_diagnose::{
-    Context, Options, Problem, RecordingFacts, Verdict,
-    bank::{BankCase, BankOptions, BankStore},
-    diagnose, library,
+    Context, Options, Problem, RecordingFacts, Verdict, diagnose, library,
+    recovery::{BankCase, BankOptions, BankStore},
 };
 
 type Stored = Arc<Mutex<BTreeMap<String, BTreeMap<usize, BankCase>>>>;

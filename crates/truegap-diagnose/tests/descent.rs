@@ -5,8 +5,7 @@
 use truegap_core::{Inputs, Parameter, Role, SimulationError, Simulator, Stage, simulator::StageName};
 use truegap_diagnose::{
     Context, Problem,
-    fit::{FitOptions, Model, fit},
-    whiten::{InputError, Noise, Whitener},
+    calibration::{FitOptions, InputError, Model, Noise, Whitener, fit},
 };
 
 /// Rows that all say `a - b^2 / 3`, with noise a thousandth of what they say per unit: the floor of the valley is a parabola, and only what is known of

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use truegap_core::sensor::{SensorError, builtin_sensors};
 use truegap_core::{Inputs, Sensor, SimulationError, Simulator};
-use truegap_diagnose::augmented::{AddedEffect, NamedValue, Scales, UnknownEffect};
+use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales, UnknownEffect};
 use truegap_diagnose::{Augmented, Context, library};
 use truegap_model::BaseModel;
 use truegap_model::base::BaseError;

@@ -4,8 +4,8 @@
 
 use std::sync::atomic::AtomicBool;
 use truegap::core::{BaseSpec, Inputs, Recording};
-use truegap::diagnose::diagnosis::Verdict;
-use truegap::diagnose::latent::{ConcealedColumn, Through};
+use truegap::diagnose::answer::Verdict;
+use truegap::diagnose::answer::{ConcealedColumn, Through};
 use truegap::diagnosis::{Diagnosed, Request, diagnose, open};
 use truegap::example_recording;
 

@@ -5,7 +5,7 @@
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use truegap::core::{BaseSpec, Inputs, Recording, Simulator};
-use truegap::diagnose::diagnosis::{Diagnosis, Verdict};
+use truegap::diagnose::answer::{Diagnosis, Verdict};
 use truegap::diagnose::{Context, library};
 use truegap::diagnosis::{Request, diagnose, open};
 use truegap::model::Stack;

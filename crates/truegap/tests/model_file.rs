@@ -4,7 +4,7 @@
 
 use std::path::Path;
 use truegap::core::{Inputs, Simulator, sensor::builtin_sensors};
-use truegap::diagnose::augmented::{AddedEffect, NamedValue, Scales};
+use truegap::diagnose::answer::{AddedEffect, NamedValue, Scales};
 use truegap::diagnose::{Context, Effect, library};
 use truegap::model::{BaseModel, SeriesOrder, Stack, StackOptions};
 use truegap::model_file::{ModelFile, ModelFileError, SCHEMA};

@@ -6,7 +6,7 @@
 mod fixture;
 
 use truegap::report::{html, terminal, wording};
-use truegap_diagnose::diagnosis::Verdict;
+use truegap_diagnose::answer::Verdict;
 
 #[test]
 fn a_report_says_first_what_is_missing_with_size_unit_and_certainty() {

@@ -1,9 +1,11 @@
 //! The modulus drifts over hours and days.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
-    memory::elapsed_s,
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        memory::elapsed_s,
+    },
 };
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
 

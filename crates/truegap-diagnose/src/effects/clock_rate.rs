@@ -1,9 +1,11 @@
 //! The clocks of load and response run at different rates.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
-    memory::at_time,
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        memory::at_time,
+    },
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 

@@ -1,8 +1,8 @@
 //! A series gap that never closes.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
+    data::context::Context,
+    effects::effect::{About, Effect, Family, FittedParameter},
 };
 use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
 

@@ -1,9 +1,11 @@
 //! A load off centre tilts the plate.
 
-use super::scale::full_strain;
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        scale::full_strain,
+    },
 };
 use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
 

@@ -6,7 +6,7 @@ use truegap_core::{Parameter, Stage};
 const SHARE_SD: f64 = 0.15;
 
 /// The only parameter: a share of what was computed. Less than half of it, or more than one and a half times, would be something else.
-pub(super) fn share(meaning: &str) -> Parameter {
+pub(crate) fn share(meaning: &str) -> Parameter {
     Parameter::normal("share", "1", 1.0, SHARE_SD, meaning).within(0.5, 1.5)
 }
 
@@ -15,7 +15,7 @@ struct Nothing;
 impl Stage for Nothing {}
 
 /// What was computed as a stage; one that changes nothing where nothing was computed.
-pub(super) fn stage(computed: Option<impl Stage + 'static>) -> Box<dyn Stage> {
+pub(crate) fn stage(computed: Option<impl Stage + 'static>) -> Box<dyn Stage> {
     match computed {
         Some(computed) => Box::new(computed),
         None => Box::new(Nothing),

@@ -1,8 +1,8 @@
 //! The field outside the plates.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
+    data::context::Context,
+    effects::effect::{About, Effect, Family, FittedParameter},
 };
 use std::f64::consts::PI;
 use truegap_core::{Drive, EffectId, FieldView, Parameter, Stage, simulator::StageName};

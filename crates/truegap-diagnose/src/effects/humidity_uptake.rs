@@ -1,10 +1,13 @@
 //! The insulator takes up water from the air.
 
-use super::{permittivity_temperature::has_insulator, scale};
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
-    memory::lag_through_runs,
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        memory::lag_through_runs,
+        permittivity_temperature::has_insulator,
+        scale,
+    },
 };
 use truegap_core::{Dielectric, Drive, EffectId, Parameter, Stage, simulator::StageName};
 

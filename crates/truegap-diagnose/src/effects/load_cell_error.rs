@@ -1,9 +1,11 @@
 //! The reference of the load errs.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
-    memory::play_set,
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        memory::play_set,
+    },
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 

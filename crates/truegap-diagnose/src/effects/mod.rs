@@ -2,7 +2,10 @@
 //!
 //! Limits: an effect sees the inputs and the chain, never the recorded response.
 
-use crate::effect::Effect;
+use effect::Effect;
+
+pub(crate) mod effect;
+pub(crate) mod memory;
 
 mod ageing;
 mod bonded_layers;

@@ -1,9 +1,11 @@
 //! The beads are softer below the greatest load so far.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
-    memory::greatest_so_far,
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        memory::greatest_so_far,
+    },
 };
 use statrs::function::erf::erf;
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};

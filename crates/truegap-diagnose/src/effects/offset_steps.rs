@@ -1,8 +1,8 @@
 //! The zero jumps from run to run.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
+    data::context::Context,
+    effects::effect::{About, Effect, Family, FittedParameter},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 

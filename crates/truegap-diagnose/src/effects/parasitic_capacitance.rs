@@ -1,8 +1,8 @@
 //! A capacitance beside the sensor that load does not change.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
+    data::context::Context,
+    effects::effect::{About, Effect, Family, FittedParameter},
 };
 use truegap_core::{Drive, EffectId, FieldView, Parameter, Stage, simulator::StageName};
 

@@ -1,9 +1,11 @@
 //! Permittivities change with temperature.
 
-use super::scale;
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        scale,
+    },
 };
 use truegap_core::{Dielectric, Drive, EffectId, Parameter, Stage, simulator::StageName};
 
@@ -65,7 +67,7 @@ impl Stage for ClausiusMossotti {
 }
 
 /// Whether the base model has an insulator; the plates have one dielectric only.
-pub(super) fn has_insulator(context: &Context<'_>) -> bool {
+pub(crate) fn has_insulator(context: &Context<'_>) -> bool {
     context.simulator.name() == "stack"
 }
 

@@ -1,10 +1,12 @@
 //! Loading and unloading differ at any speed.
 
-use super::scale::full_strain;
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
-    memory::{Play, play_set, walk},
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        memory::{Play, play_set, walk},
+        scale::full_strain,
+    },
 };
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
 

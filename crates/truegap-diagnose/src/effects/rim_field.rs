@@ -1,9 +1,11 @@
 //! The field at the rims of disc and tail, as finite elements have computed it for this sensor.
 
-use super::foreseen::{share, stage};
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        foreseen::{share, stage},
+    },
 };
 use std::sync::Arc;
 use truegap_core::{Corrections, Drive, EffectId, FieldView, Parameter, Stage, simulator::StageName};

@@ -2,7 +2,7 @@
 //!
 //! Limits: the reading at the centre of the priors of the base model, on a sample of the rows; the strain at the greatest load applied.
 
-use crate::context::Context;
+use crate::data::context::Context;
 use truegap_core::Stage;
 
 /// Rows of the sample.
@@ -36,7 +36,7 @@ fn spread(context: &Context<'_>, stage: &dyn Stage) -> Option<f64> {
 }
 
 /// Strain of a full load, as it is at the greatest load applied; 1 where no load is known.
-pub(super) fn full_strain(load: &[f64], strain: &[f64]) -> f64 {
+pub(crate) fn full_strain(load: &[f64], strain: &[f64]) -> f64 {
     let greatest = load.iter().zip(strain).max_by(|a, b| a.0.total_cmp(b.0));
     greatest.filter(|(load, _)| **load > 0.0).map_or(1.0, |(load, strain)| strain / load)
 }

@@ -1,8 +1,8 @@
 //! The dielectric stiffens as it is compressed.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
+    data::context::Context,
+    effects::effect::{About, Effect, Family, FittedParameter},
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 

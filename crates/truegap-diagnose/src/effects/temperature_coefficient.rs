@@ -1,8 +1,8 @@
 //! A reading that should not move moves with temperature, by a mechanism that the base model has no place for.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
+    data::context::Context,
+    effects::effect::{About, Effect, Family, FittedParameter},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 

@@ -1,9 +1,11 @@
 //! The warp differs on heating and cooling.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
-    memory::{Play, play_set, walk},
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        memory::{Play, play_set, walk},
+    },
 };
 use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
 

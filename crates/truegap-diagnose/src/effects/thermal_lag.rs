@@ -1,10 +1,12 @@
 //! The sensor follows the thermometer with a time constant.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
-    memory::first_order_lag,
-    number::Scale,
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        memory::first_order_lag,
+    },
+    text::Scale,
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 

@@ -1,9 +1,11 @@
 //! The clocks of load and response differ.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
-    memory::rates,
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        memory::rates,
+    },
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 

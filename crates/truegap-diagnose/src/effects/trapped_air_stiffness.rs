@@ -1,9 +1,11 @@
 //! Air shut in between the beads carries load and leaks out.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
-    memory::{Lag, walk},
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        memory::{Lag, walk},
+    },
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 

@@ -1,9 +1,11 @@
 //! Strain that goes on growing under constant load.
 
 use crate::{
-    context::Context,
-    effect::{About, Effect, Family, FittedParameter},
-    memory::{Lag, walk},
+    data::context::Context,
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        memory::{Lag, walk},
+    },
 };
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
 

@@ -5,7 +5,7 @@
 //!
 //! Limits: noise is white with a known standard deviation; a corner is kept where the noise lets it be seen.
 
-use super::input::median;
+use crate::stats::median;
 use std::ops::Range;
 
 /// Longest stretch on either side of a row.

@@ -2,7 +2,7 @@
 //!
 //! Limits: an input that is not straight over three rows in most places would look noisy.
 
-use super::denoise::crookedness;
+use crate::{noise::denoise::crookedness, stats::median};
 use std::ops::Range;
 
 /// Standard deviation of white noise on a column, robust against corners and steps of a profile.
@@ -70,13 +70,6 @@ fn of_order(column: &[f64], runs: &[Range<usize>], pairs: usize) -> Option<f64> 
 const STRETCH: usize = 12;
 /// Share of the median of all below which the quieter stretches are believed; noise alone gives about 0.8.
 const MOSTLY_CURVED: f64 = 0.5;
-
-/// Median; 0 of none.
-pub(super) fn median(values: &[f64]) -> f64 {
-    let mut values = values.to_vec();
-    let middle = values.len() / 2;
-    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f64::total_cmp).1 }
-}
 
 #[cfg(test)]
 #[allow(clippy::single_range_in_vec_init)]

@@ -2,8 +2,7 @@
 //!
 //! Limits: rest means that load and temperature stay within their own noise.
 
-use super::likelihood::Block;
-use crate::problem::InputNoise;
+use crate::{noise::reml::Block, whitening::noise_model::InputNoise};
 use std::ops::Range;
 use truegap_core::Inputs;
 

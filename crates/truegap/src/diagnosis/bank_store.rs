@@ -7,7 +7,7 @@ use std::{
     path::{Path, PathBuf},
     sync::Arc,
 };
-use truegap_diagnose::bank::{BankCase, BankOptions, BankStore};
+use truegap_diagnose::recovery::{BankCase, BankOptions, BankStore};
 
 /// A bank of so many recordings, kept in the cache folder.
 pub(super) fn options(recordings: usize) -> Arc<BankOptions> {

@@ -5,8 +5,8 @@
 use super::DiagnosisError;
 use crate::nearest::nearest;
 use truegap_core::{Inputs, Recording};
+use truegap_diagnose::answer::Hidden;
 use truegap_diagnose::joint::{Free, behind_one_another};
-use truegap_diagnose::latent::Hidden;
 
 /// What the user asks for beside the recordings.
 #[derive(Clone, Debug, Default, PartialEq)]

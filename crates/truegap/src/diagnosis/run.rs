@@ -12,9 +12,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use truegap_core::units::twelve_digits;
 use truegap_core::{Inputs, Recording, Role, SimulationError};
-use truegap_diagnose::diagnosis::OneRecording;
+use truegap_diagnose::answer::OneRecording;
 use truegap_diagnose::joint::{Member, Together};
-use truegap_diagnose::notice::Notice;
+use truegap_diagnose::quality::Notice;
 use truegap_diagnose::{DiagnoseError, Options, Outcome, Problem, Progress, RecordingFacts};
 
 /// Said where the search was stopped.

@@ -6,9 +6,9 @@ use super::DiagnosisError;
 use super::bases::{Bases, bases};
 use super::request::{Opened, together};
 use truegap_core::{Recording, Simulator};
-use truegap_diagnose::issues::FEWEST_ROWS;
-use truegap_diagnose::notice::{Notice, NoticeKind};
-use truegap_diagnose::screen::{OF_CLIPPED, Rows, outliers, troubles};
+use truegap_diagnose::quality::FEWEST_ROWS;
+use truegap_diagnose::quality::{Notice, NoticeKind};
+use truegap_diagnose::quality::{OF_CLIPPED, Rows, outliers, troubles};
 use truegap_diagnose::{Options, Problem};
 
 /// Recordings without their outliers, with their base models and what is wrong with them.

@@ -4,7 +4,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 use truegap_core::Inputs;
-use truegap_diagnose::held_out::parts;
+use truegap_diagnose::parts;
 
 /// Rows learned from.
 const LEARNED: usize = 300;

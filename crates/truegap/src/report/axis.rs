@@ -2,7 +2,7 @@
 //!
 //! Limits: pauses inside a run stay as they are.
 
-use super::number::Scale;
+use super::text::Scale;
 use std::ops::Range;
 use truegap_core::Inputs;
 use truegap_scene::figure::Figure;

@@ -3,9 +3,9 @@
 //! Limits: a bar chart of the first dozen; the table holds all.
 
 use super::draw;
-use super::number::{measured, percent, significant, spoken};
 use super::subject::Subject;
-use truegap_diagnose::diagnosis::{Candidate, SmallestVisible, UnlistedCause};
+use super::text::{measured, percent, significant, spoken};
+use truegap_diagnose::answer::{Candidate, SmallestVisible, UnlistedCause};
 use truegap_scene::figure::{Bars, FigureError};
 use truegap_scene::page::{Page, Table};
 

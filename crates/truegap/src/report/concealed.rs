@@ -3,10 +3,10 @@
 //! Limits: two courses on two panels, each in its own unit; the line between them is told, not drawn.
 
 use super::draw::{self, AFTER, NOISE, RECORDED};
-use super::number::{Scale, capitalised, significant};
+use super::text::{Scale, capitalised, significant};
 use super::{axis::Axis, subject::Subject, wording};
-use truegap_diagnose::diagnosis::CourseTrace;
-use truegap_diagnose::latent::{ConcealedColumn, CourseErrors};
+use truegap_diagnose::answer::CourseTrace;
+use truegap_diagnose::answer::{ConcealedColumn, CourseErrors};
 use truegap_scene::figure::{Figure, FigureError, Stack};
 use truegap_scene::page::{Page, Table};
 

@@ -3,7 +3,7 @@
 //! Limits: thinning for the screen keeps every extreme; nothing is smoothed.
 
 use super::draw::{self, AFTER, BEFORE, RECORDED};
-use super::{axis::Axis, number::Scale, subject::Subject};
+use super::{axis::Axis, subject::Subject, text::Scale};
 use truegap_scene::figure::{Figure, FigureError, Stack};
 use truegap_scene::page::Page;
 

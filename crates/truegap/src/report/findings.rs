@@ -2,9 +2,9 @@
 //!
 //! Limits: equations and sources are those of the effect library.
 
-use super::number::{capitalised, listed, measured, spoken};
+use super::text::{capitalised, listed, measured, spoken};
 use super::{subject::Subject, wording};
-use truegap_diagnose::diagnosis::{Finding, ParameterFacts, Verdict};
+use truegap_diagnose::answer::{Finding, ParameterFacts, Verdict};
 use truegap_diagnose::{About, library};
 use truegap_scene::page::{Page, Table};
 

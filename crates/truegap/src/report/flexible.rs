@@ -3,9 +3,9 @@
 //! Limits: told only where the diagnosis holds such a term.
 
 use super::axis::Axis;
-use super::number::{capitalised, percent, significant, spoken};
+use super::text::{capitalised, percent, significant, spoken};
 use super::{draw, subject::Subject, summary, wording};
-use truegap_diagnose::diagnosis::{BeforeAfter, PredictionOnly};
+use truegap_diagnose::answer::{BeforeAfter, PredictionOnly};
 use truegap_scene::page::{Page, Table};
 
 /// Sentences of what remains.
@@ -44,7 +44,7 @@ fn sentence(subject: &Subject<'_>, term: &PredictionOnly) -> String {
     });
     format!(
         "A flexible term shaped like {} serves prediction only: its equation is not adequate, and no cause is claimed.{removed}{control} The noise of one reading is {}.",
-        super::number::listed(&shapes, "and"),
+        super::text::listed(&shapes, "and"),
         wording::error(subject.diagnosis, subject.diagnosis.fit.noise_floor),
     )
 }

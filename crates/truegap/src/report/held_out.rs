@@ -4,9 +4,9 @@
 
 use super::axis::Axis;
 use super::draw;
-use super::number::significant;
+use super::text::significant;
 use super::{subject::Subject, summary, wording};
-use truegap_diagnose::diagnosis::HeldOut;
+use truegap_diagnose::answer::HeldOut;
 use truegap_scene::figure::{Bars, FigureError};
 use truegap_scene::page::{Page, Table};
 

@@ -3,9 +3,9 @@
 //! Limits: cells and directions are those of the diagnosis.
 
 use super::draw;
-use super::number::{listed, p_value, significant};
+use super::text::{listed, p_value, significant};
 use super::{axis::Axis, subject::Subject, summary};
-use truegap_diagnose::diagnosis::{Map, Mismatch};
+use truegap_diagnose::answer::{Map, Mismatch};
 use truegap_scene::figure::{FigureError, HeatMap};
 use truegap_scene::page::{Page, Table};
 

@@ -1,6 +1,6 @@
 //! The report that a person reads: one page, no network, the answer first and everything behind it below.
 //!
-//! Limits: tells what a [`Diagnosis`](truegap_diagnose::diagnosis::Diagnosis) says; decides nothing.
+//! Limits: tells what a [`Diagnosis`](truegap_diagnose::answer::Diagnosis) says; decides nothing.
 
 mod axis;
 mod candidates;
@@ -21,7 +21,7 @@ pub mod terminal;
 pub mod wording;
 
 pub use subject::{Provenance, Subject};
-pub use truegap_diagnose::number;
+pub use truegap_diagnose::text;
 
 use axis::Axis;
 use truegap_scene::page::Page;

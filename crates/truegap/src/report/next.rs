@@ -2,8 +2,8 @@
 //!
 //! Limits: the ranking is the diagnosis's.
 
-use super::number::{listed, significant, spoken};
 use super::subject::Subject;
+use super::text::{listed, significant, spoken};
 use truegap_scene::page::{Page, Table};
 
 /// Sentence, ranked options, command that plays the profile.

@@ -2,9 +2,9 @@
 //!
 //! Limits: told as the diagnosis tells it.
 
-use super::number::{Scale, significant};
 use super::subject::Subject;
-use truegap_diagnose::diagnosis::NoiseFacts;
+use super::text::{Scale, significant};
+use truegap_diagnose::answer::NoiseFacts;
 use truegap_scene::page::{Page, Table, Tone};
 
 /// Doubts, where there are any.

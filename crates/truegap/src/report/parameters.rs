@@ -3,9 +3,9 @@
 //! Limits: distances are in standard deviations of the prior; parameters without a proper prior are listed, not drawn.
 
 use super::draw;
-use super::number::{capitalised, measured, significant, spoken};
 use super::subject::Subject;
-use truegap_diagnose::diagnosis::ParameterFacts;
+use super::text::{capitalised, measured, significant, spoken};
+use truegap_diagnose::answer::ParameterFacts;
 use truegap_scene::figure::{Bars, FigureError};
 use truegap_scene::page::{Page, Table, Tone};
 

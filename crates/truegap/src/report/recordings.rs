@@ -2,9 +2,9 @@
 //!
 //! Limits: nothing where there is one recording.
 
-use super::number::capitalised;
+use super::text::capitalised;
 use super::{subject::Subject, wording};
-use truegap_diagnose::diagnosis::{OneRecording, RecordingError};
+use truegap_diagnose::answer::{OneRecording, RecordingError};
 use truegap_scene::page::{Page, Table};
 
 /// Sentence and table.

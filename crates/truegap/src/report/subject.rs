@@ -2,9 +2,9 @@
 //!
 //! Limits: borrowed; nothing is computed but units.
 
-use super::number::Scale;
+use super::text::Scale;
 use truegap_core::Inputs;
-use truegap_diagnose::diagnosis::{Diagnosis, Traces};
+use truegap_diagnose::answer::{Diagnosis, Traces};
 
 /// Everything that a report draws and tells.
 #[derive(Clone, Copy)]

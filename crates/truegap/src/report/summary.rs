@@ -3,9 +3,9 @@
 //! Limits: whoever reads nothing else has read the answer; details follow in the other sections.
 
 use super::draw::{self, AFTER, BEFORE, NOISE};
-use super::number::{Scale, capitalised};
+use super::text::{Scale, capitalised};
 use super::{axis::Axis, subject::Subject, wording};
-use truegap_diagnose::diagnosis::{Diagnosis, Verdict};
+use truegap_diagnose::answer::{Diagnosis, Verdict};
 use truegap_scene::figure::{Figure, FigureError, Stack};
 use truegap_scene::page::{Page, Tone};
 

@@ -2,9 +2,9 @@
 //!
 //! Limits: no colour, no table; at most a line a finding.
 
-use super::number::{capitalised, spoken};
+use super::text::{capitalised, spoken};
 use super::wording;
-use truegap_diagnose::{Verdict, diagnosis::Diagnosis};
+use truegap_diagnose::{Verdict, answer::Diagnosis};
 
 /// Verdict, findings with sizes, errors, what next.
 pub fn summary(diagnosis: &Diagnosis) -> String {

@@ -2,9 +2,9 @@
 //!
 //! Limits: below a detectability of [`SURE`] nothing is called missing, only "most consistent with".
 
-use super::number::{capitalised, listed, percent, spoken};
 use super::subject::error_scale;
-use truegap_diagnose::diagnosis::{Diagnosis, Finding, Verdict};
+use super::text::{capitalised, listed, percent, spoken};
+use truegap_diagnose::answer::{Diagnosis, Finding, Verdict};
 
 /// Detectability from which an effect is called missing without a reserve.
 pub const SURE: f64 = 10.0;
@@ -128,7 +128,7 @@ mod tests {
             says: String::new(),
             detectability,
             parameters: Vec::new(),
-            held_out: truegap_diagnose::diagnosis::BeforeAfterUnit { rmse_before: 1.0, rmse_after: 0.1, unit: "pF".into() },
+            held_out: truegap_diagnose::answer::BeforeAfterUnit { rmse_before: 1.0, rmse_after: 0.1, unit: "pF".into() },
             rivals: Vec::new(),
         }
     }

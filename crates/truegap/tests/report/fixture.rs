@@ -2,7 +2,7 @@
 
 use truegap::report::{Provenance, Subject};
 use truegap_core::Inputs;
-use truegap_diagnose::diagnosis::*;
+use truegap_diagnose::answer::*;
 
 const ROWS: usize = 900;
 const NOISE: f64 = 0.004;

@@ -8,7 +8,7 @@ pub(super) mod sensitivity;
 pub(super) mod tolerance;
 
 use truegap_design::{METRICS, Metric, Metrics};
-use truegap_diagnose::number::significant;
+use truegap_diagnose::text::significant;
 
 /// A metric as a reader calls it.
 fn spoken(metric: Metric) -> &'static str {

@@ -7,7 +7,7 @@ use crate::study::StudyError;
 use crate::study::tolerance::{BatchAnswer, ToleranceAnswer};
 use truegap_design::tolerance::PROBABILITIES;
 use truegap_design::{METRICS, Metric};
-use truegap_diagnose::number::significant;
+use truegap_diagnose::text::significant;
 use truegap_scene::figure::{Bars, Figure, FigureError};
 use truegap_scene::page::{Page, Table, Tone};
 

@@ -1,0 +1,77 @@
+//! Bursts: stretches of some rows in which the residual is louder than the noise.
+//!
+//! Limits: bursts of about ten to thirty rows; judged on every row, since means of rows silence them.
+
+use crate::stats::upper_tail;
+use std::ops::Range;
+
+/// Rows in which the residual is louder than the noise.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Burst {
+    /// first row
+    pub row: usize,
+    /// number of rows
+    pub rows: usize,
+    /// root-mean-square of the whitened residual there; 1 for noise
+    pub loudness: f64,
+    /// probability of one as loud, with all windows counted
+    pub p_value: f64,
+}
+
+/// Probability below which a burst is one: noise is rarely quite Gaussian.
+const LEVEL: f64 = 1e-6;
+/// Rows over which bursts are looked for.
+const WINDOWS: [usize; 2] = [8, 24];
+
+impl Burst {
+    /// The loudest of overlapping windows of a whitened residual, by its chi-squared; `slack` is the factor by which the noise may be larger than taken.
+    pub fn loudest(residual: &[f64], runs: &[Range<usize>], slack: f64) -> Self {
+        let starts = |rows: usize| runs.iter().flat_map(move |r| r.clone().step_by(rows / 2).filter(move |s| s + rows <= r.end));
+        let windows: usize = WINDOWS.iter().map(|rows| starts(*rows).count()).sum();
+        let of = |rows: usize, row: usize| {
+            let squares = residual[row..row + rows].iter().map(|r| r * r).sum::<f64>();
+            let p_value = (upper_tail(squares / slack, rows) * windows as f64).min(1.0);
+            Self { row, rows, loudness: (squares / rows as f64).sqrt(), p_value }
+        };
+        let all = WINDOWS.iter().flat_map(|rows| starts(*rows).map(|row| of(*rows, row)));
+        all.min_by(|a, b| a.p_value.total_cmp(&b.p_value)).unwrap_or(Self { row: 0, rows: 0, loudness: 1.0, p_value: 1.0 })
+    }
+
+    /// Whether it is there.
+    pub fn is_heard(&self) -> bool {
+        self.p_value < LEVEL
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    fn noise(seed: u64) -> Vec<f64> {
+        let random = &mut ChaCha8Rng::seed_from_u64(seed);
+        (0..2000).map(|_| StandardNormal.sample(random)).collect()
+    }
+
+    #[test]
+    fn a_burst_is_heard_where_it_is_and_noise_is_not_one() {
+        let runs = [0..900, 900..2000];
+        for seed in 0..20 {
+            // one in a million a recording
+            assert!(!Burst::loudest(&noise(seed), &runs, 1.0).is_heard(), "{seed}");
+            let mut residual = noise(seed);
+            (1207..1232).for_each(|row| residual[row] += 4.0 * (1.9 * row as f64).sin());
+            let found = Burst::loudest(&residual, &runs, 1.0);
+            // a tone of amplitude 4 brings the scatter to sqrt(1 + 8); windows overlap by half, so that one holds three quarters of it
+            assert!(found.is_heard() && found.row.abs_diff(1207) <= 24 && (found.loudness - 3.0).abs() < 0.9, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn noise_that_is_louder_throughout_is_no_burst_where_its_level_is_not_known() {
+        let louder: Vec<f64> = noise(3).iter().map(|v| 1.3 * v).collect();
+        assert!(!Burst::loudest(&louder, &[0..900, 900..2000], 2.0).is_heard());
+    }
+}

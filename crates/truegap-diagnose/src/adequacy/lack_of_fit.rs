@@ -1,0 +1,148 @@
+//! Is a fitted model adequate? Three tests that know no effect: smooth directions, means over short stretches, and lines in the spectrum.
+//!
+//! Limits: a mismatch shorter than a stretch, without a period, and below the noise goes unseen.
+
+use crate::{
+    adequacy::directions::Direction,
+    fit::{
+        optimum::{Fit, Settled},
+        score_test::{JointTest, Scores, scores},
+    },
+    stats::excess_of,
+    whitening::whitener::Whitener,
+};
+use nalgebra::{DMatrix, DVector};
+use std::ops::Range;
+
+/// Probability below which a test fires.
+pub const LEVEL: f64 = 1e-4;
+
+/// Relative uncertainty of the noise beyond which the tests are not blunted further.
+const MOST_UNCERTAIN: f64 = 0.5;
+
+/// Whitened directions, ready for scoring any fit of the same noise model.
+pub struct Gate {
+    /// n x k
+    columns: DMatrix<f64>,
+    runs: Vec<Range<usize>>,
+    /// factor by which the noise may be larger than taken, two standard deviations up
+    slack: f64,
+}
+
+/// Outcome of the three tests.
+#[derive(Clone, Copy, Debug, serde::Serialize)]
+pub struct Adequacy {
+    /// smooth directions
+    pub smooth: JointTest,
+    /// means over short stretches
+    pub stretches: JointTest,
+    /// strongest line in the spectrum of a run: p-value with all frequencies and runs counted
+    pub line_p_value: f64,
+    /// run with the strongest line, and its frequency in cycles a row
+    pub line_at: (usize, f64),
+}
+
+impl Adequacy {
+    /// Smallest of the p-values, for having tried three.
+    pub fn p_value(&self) -> f64 {
+        (3.0 * self.smooth.p_value.min(self.stretches.p_value).min(self.line_p_value)).min(1.0)
+    }
+
+    /// What the test that finds most finds above expectation, in units of the noise variance; of a line, what its p-value is worth.
+    pub fn left(&self) -> f64 {
+        let line = if self.line_p_value < LEVEL { excess_of(self.line_p_value) } else { 0.0 };
+        self.smooth.excess().max(self.stretches.excess()).max(line)
+    }
+
+    /// Whether something is left that noise does not make.
+    pub fn fires(&self) -> bool {
+        self.p_value() < LEVEL
+    }
+}
+
+impl Gate {
+    /// Whitens the directions; `uncertainty` is the relative standard deviation of the noise's variance.
+    pub fn new(directions: &[Direction], whitener: &Whitener, runs: Vec<Range<usize>>, uncertainty: f64) -> Self {
+        let columns = whitener.matrix(directions.iter().map(|d| d.column.clone()).collect());
+        Self { columns, runs, slack: 1.0 + 2.0 * uncertainty.min(MOST_UNCERTAIN) }
+    }
+
+    /// Factor by which the noise may be larger than taken, two standard deviations up.
+    pub fn slack(&self) -> f64 {
+        self.slack
+    }
+
+    /// Scores along the directions.
+    pub fn scores(&self, fit: &Fit) -> Scores {
+        scores(&fit.settled(), &self.columns)
+    }
+
+    /// What a fit may leave over, in units of the noise variance: what the tests find above expectation, and two standard deviations of the smooth one.
+    pub fn may_leave(&self, fit: &Fit) -> f64 {
+        let (smooth, stretches) = self.smooth_and_stretches(fit);
+        self.slack * (smooth.excess() + 2.0 * (2.0 * smooth.freedom as f64).sqrt()).max(stretches.excess())
+    }
+
+    /// The three tests.
+    pub fn adequacy(&self, fit: &Fit) -> Adequacy {
+        let (smooth, stretches) = self.smooth_and_stretches(fit);
+        let (line_p_value, line_at) = strongest_line(&fit.residual, &self.runs);
+        Adequacy { smooth, stretches, line_p_value, line_at }
+    }
+
+    /// The two tests of what calibration leaves.
+    fn smooth_and_stretches(&self, fit: &Fit) -> (JointTest, JointTest) {
+        let settled = fit.settled();
+        let smooth = if self.columns.ncols() == 0 { none() } else { scores(&settled, &self.columns).joint() };
+        (smooth.over(self.slack), stretches(&settled, &self.runs).over(self.slack))
+    }
+}
+
+fn none() -> JointTest {
+    JointTest { statistic: 0.0, freedom: 0, p_value: 1.0 }
+}
+
+/// Most stretches.
+const STRETCHES: usize = 240;
+
+/// Joint test of the means of the whitened residual over short stretches.
+fn stretches(settled: &Settled, runs: &[Range<usize>]) -> JointTest {
+    let rows: usize = runs.iter().map(ExactSizeIterator::len).sum();
+    let length = (rows / STRETCHES).max(8);
+    let cells: Vec<Range<usize>> = runs
+        .iter()
+        .flat_map(|r| r.clone().step_by(length).map(|a| a..(a + length).min(r.end)))
+        .filter(|c| c.len() * 2 > length)
+        .collect();
+    if cells.len() < 4 {
+        return none();
+    }
+    let sum = |cell: &Range<usize>| settled.residual.rows(cell.start, cell.len()).sum();
+    let scores = DVector::from_fn(cells.len(), |i, _| sum(&cells[i]));
+    let taken = DMatrix::from_fn(settled.taken.ncols(), cells.len(), |p, i| {
+        settled.taken.column(p).rows(cells[i].start, cells[i].len()).sum()
+    });
+    let lengths = DMatrix::from_diagonal(&DVector::from_fn(cells.len(), |i, _| cells[i].len() as f64));
+    Scores { scores, covariance: lengths - taken.tr_mul(&taken) }.joint()
+}
+
+/// Fisher's test of the strongest line in the periodograms of the runs: p-value and (run, cycles a row).
+fn strongest_line(residual: &[f64], runs: &[Range<usize>]) -> (f64, (usize, f64)) {
+    let mut planner = rustfft::FftPlanner::<f64>::new();
+    let (mut best, mut at) = (1.0, (0, 0.0));
+    for (index, run) in runs.iter().enumerate().filter(|(_, r)| r.len() >= 64) {
+        let n = run.len();
+        let mut values: Vec<rustfft::num_complex::Complex<f64>> = residual[run.clone()].iter().map(|v| (*v).into()).collect();
+        planner.plan_fft_forward(n).process(&mut values);
+        // the lowest lines belong to the smooth tests
+        let power: Vec<f64> = values[4..n / 2].iter().map(|c| c.norm_sqr()).collect();
+        let total: f64 = power.iter().sum();
+        let Some((line, strongest)) = power.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)) else { continue };
+        let m = power.len() as f64;
+        let p = (m * (1.0 - strongest / total).max(0.0).powf(m - 1.0) * runs.len() as f64).min(1.0);
+        if p < best {
+            (best, at) = (p, (index, (line + 4) as f64 / n as f64));
+        }
+    }
+    (best, at)
+}

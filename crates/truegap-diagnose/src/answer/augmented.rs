@@ -1,0 +1,96 @@
+//! The model that a diagnosis ends with: a calibrated base and effects with numbers, ready to be written to a file.
+//!
+//! Limits: names and numbers only; whoever knows the base models rebuilds a simulator from it.
+
+use crate::{data::context::Context, effects::effect::Effect};
+use serde::{Deserialize, Serialize};
+use truegap_core::Stage;
+
+/// A calibrated model with added physics.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Augmented {
+    /// base parameters
+    pub parameters: Vec<NamedValue>,
+    /// added effects
+    pub effects: Vec<AddedEffect>,
+    /// facts that the effects scale by
+    pub scales: Scales,
+}
+
+/// A number with its name, unit and standard deviation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct NamedValue {
+    /// name
+    pub name: String,
+    /// unit
+    pub unit: String,
+    /// value
+    pub value: f64,
+    /// standard deviation
+    pub sd: f64,
+}
+
+/// An effect with its numbers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AddedEffect {
+    /// id
+    pub id: String,
+    /// parameters in the order of the library
+    pub parameters: Vec<NamedValue>,
+}
+
+/// What an effect's equations take from the recording on which it was fitted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Scales {
+    /// longest run, s
+    pub longest_run_s: f64,
+    /// shortest step, s; 0 without a clock
+    pub shortest_step_s: f64,
+    /// from first to last row, s
+    pub duration_s: f64,
+    /// response span, response unit
+    pub response_span: f64,
+    /// noise, response unit
+    pub noise_sd: f64,
+    /// runs; an effect may have a number for each
+    #[serde(default)]
+    pub runs: Option<usize>,
+}
+
+/// An effect that the library does not have.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("the library has no effect `{id}`; known: {known}")]
+pub struct UnknownEffect {
+    /// the id asked for
+    pub id: String,
+    /// all ids
+    pub known: String,
+}
+
+impl Augmented {
+    /// The stages of the added effects; `context` describes the inputs to be simulated.
+    ///
+    /// # Errors
+    /// [`UnknownEffect`] for an id that the library does not have.
+    pub fn stages(&self, library: &[Box<dyn Effect>], context: &Context<'_>) -> Result<Vec<Box<dyn Stage>>, UnknownEffect> {
+        let known = || library.iter().map(|e| e.id().0).collect::<Vec<_>>().join(", ");
+        let stage = |added: &AddedEffect| {
+            let effect = library
+                .iter()
+                .find(|e| e.id().0 == added.id)
+                .ok_or_else(|| UnknownEffect { id: added.id.clone(), known: known() })?;
+            Ok(effect.with(&added.parameters.iter().map(|p| p.value).collect::<Vec<_>>(), context))
+        };
+        self.effects.iter().map(stage).collect()
+    }
+
+    /// Sets the scales of a context to those of the fit, so that an effect means the same on other inputs.
+    pub fn apply_scales(&self, context: &mut Context<'_>) {
+        context.longest_run_s = self.scales.longest_run_s;
+        context.duration_s = self.scales.duration_s;
+        context.shortest_step_s = (self.scales.shortest_step_s > 0.0).then_some(self.scales.shortest_step_s);
+        context.response_span = self.scales.response_span;
+        context.noise_sd = self.scales.noise_sd;
+        context.runs = self.scales.runs.unwrap_or(context.runs);
+    }
+}

@@ -1,0 +1,93 @@
+//! Errors in sample and on rows left out, as `diagnosis.json` has them.
+//!
+//! Limits: plain data.
+
+use crate::{answer::diagnosis::ParameterFacts, explain::locate::Mismatch};
+use serde::Serialize;
+
+/// Errors before and after.
+#[derive(Clone, Debug, Serialize)]
+pub struct FitFacts {
+    /// all rows fitted
+    pub in_sample: BeforeAfter,
+    /// rows left out
+    pub held_out: HeldOut,
+    /// noise of one row, response unit
+    pub noise_floor: f64,
+    /// response unit
+    pub unit: String,
+}
+
+/// Root-mean-square errors.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct BeforeAfter {
+    /// calibrated base model
+    pub rmse_before: f64,
+    /// with the findings
+    pub rmse_after: f64,
+}
+
+/// Errors on rows that the fit did not see.
+#[derive(Clone, Debug, Serialize)]
+pub struct HeldOut {
+    /// how rows were left out
+    pub how: String,
+    /// calibrated base model
+    pub rmse_before: f64,
+    /// with the findings
+    pub rmse_after: f64,
+    /// share of the reproducible misfit that the findings remove; absent where there is none to remove
+    pub misfit_removed: Option<f64>,
+    /// the same share for an added term of equal freedom driven by a shuffled history
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shuffled_control: Option<f64>,
+    /// per part left out: name, before, after
+    pub parts: Vec<(String, f64, f64)>,
+    /// of each of several recordings
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub recordings: Vec<RecordingError>,
+}
+
+/// Errors on rows left out of one of several recordings.
+#[derive(Clone, Debug, Serialize)]
+pub struct RecordingError {
+    /// its number, from 1
+    pub recording: usize,
+    /// calibrated base model
+    pub rmse_before: f64,
+    /// with the findings
+    pub rmse_after: f64,
+    /// noise of one row
+    pub noise_floor: f64,
+}
+
+/// A flexible term, for prediction only: what the nearest effects of the library can follow of a mismatch that none of them explains.
+#[derive(Clone, Debug, Serialize)]
+pub struct PredictionOnly {
+    /// sentence with numbers
+    pub says: String,
+    /// its parts; no claim about the cause
+    pub terms: Vec<FlexibleTerm>,
+    /// all rows fitted
+    pub in_sample: BeforeAfter,
+    /// rows left out, as in [`FitFacts::held_out`]
+    pub held_out: BeforeAfter,
+    /// share of the reproducible misfit that it removes on rows left out; absent where there is none to remove
+    pub misfit_removed: Option<f64>,
+    /// the same share for a term of equal freedom driven by a shuffled history
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shuffled_control: Option<f64>,
+    /// where recording and prediction still differ
+    pub remains: Vec<Mismatch>,
+}
+
+/// One part of a flexible term.
+#[derive(Clone, Debug, Serialize)]
+pub struct FlexibleTerm {
+    /// id of the effect whose equation it borrows
+    pub shaped_like: String,
+    /// what that effect would say
+    pub says: String,
+    /// fitted parameters
+    pub parameters: Vec<ParameterFacts>,
+}

@@ -1,0 +1,37 @@
+//! From a decision to the words, numbers and columns that are given back.
+//!
+//! Limits: decides nothing.
+
+pub(crate) mod alternatives;
+pub(crate) mod assemble;
+pub(crate) mod augmented;
+pub(crate) mod diagnosis;
+pub(crate) mod fit_facts;
+pub(crate) mod outcome;
+pub(crate) mod prediction;
+pub(crate) mod traces;
+
+pub use crate::{
+    adequacy::{
+        interference::{burst::Burst, tone::Tone},
+        lack_of_fit::Adequacy,
+    },
+    data::joint::share::Sharing,
+    explain::{
+        conflicts::Conflict,
+        hidden_input::{
+            course::Through,
+            slow_input::{ConcealedColumn, CourseErrors, CourseRun, CourseTrace, Hidden},
+        },
+        locate::{Map, Mismatch},
+        next_experiment::{ExperimentOption, NextExperiment},
+    },
+    fit::score_test::JointTest,
+    quality::notice::{Notice, NoticeKind},
+    selection::{model_space::EvidenceCheck, verdict::Verdict},
+};
+pub use augmented::{AddedEffect, Augmented, NamedValue, Scales, UnknownEffect};
+pub use diagnosis::*;
+pub use fit_facts::{BeforeAfter, FitFacts, FlexibleTerm, HeldOut, PredictionOnly, RecordingError};
+pub use outcome::Outcome;
+pub use traces::Traces;

@@ -1,0 +1,66 @@
+//! Columns of several recordings behind one another, and the columns of one of them again.
+//!
+//! Limits: a column that a recording lacks stands as a constant among the joint columns and is taken out again before that recording is simulated.
+
+use std::ops::Range;
+use truegap_core::{Inputs, Role};
+
+/// A column of the inputs, to be read.
+type Get = fn(&Inputs) -> &Option<Vec<f64>>;
+/// The same, to be changed.
+type GetMut = fn(&mut Inputs) -> &mut Option<Vec<f64>>;
+
+const COLUMNS: [(Role, Get, GetMut); 7] = [
+    (Role::Time, |i| &i.time_s, |i| &mut i.time_s),
+    (Role::Force, |i| &i.force_n, |i| &mut i.force_n),
+    (Role::Pressure, |i| &i.pressure_pa, |i| &mut i.pressure_pa),
+    (Role::Gap, |i| &i.gap_m, |i| &mut i.gap_m),
+    (Role::Temperature, |i| &i.temperature_c, |i| &mut i.temperature_c),
+    (Role::Humidity, |i| &i.humidity_pct, |i| &mut i.humidity_pct),
+    (Role::Simulated, |i| &i.simulated, |i| &mut i.simulated),
+];
+
+/// Columns that were recorded.
+pub(crate) fn recorded(inputs: &Inputs) -> Vec<Role> {
+    COLUMNS.iter().filter(|(_, get, _)| get(inputs).is_some()).map(|(role, ..)| *role).collect()
+}
+
+/// All inputs, runs numbered on from 1; and the number of the first run of each recording.
+///
+/// `members` are the inputs of each recording, with the temperature that stands for one that was not recorded.
+pub fn behind_one_another(members: &[(&Inputs, f64)]) -> (Inputs, Vec<u32>) {
+    let mut all = Inputs::default();
+    let (mut first_runs, mut runs) = (Vec::new(), 0);
+    for (inputs, _) in members {
+        first_runs.push(runs + 1);
+        for run in inputs.runs() {
+            runs += 1;
+            all.run.extend(run.map(|_| runs));
+        }
+    }
+    for (role, get, get_mut) in COLUMNS {
+        if members.iter().any(|(inputs, _)| get(inputs).is_some()) {
+            let own = |m: &(&Inputs, f64)| get(m.0).clone().unwrap_or_else(|| stand_in(role, m.0.len(), m.1));
+            *get_mut(&mut all) = Some(members.iter().flat_map(own).collect());
+        }
+    }
+    (all, first_runs)
+}
+
+/// What stands for a column that was not recorded.
+fn stand_in(role: Role, rows: usize, temperature_c: f64) -> Vec<f64> {
+    match role {
+        Role::Time => (0..rows).map(|row| row as f64).collect(),
+        Role::Temperature => vec![temperature_c; rows],
+        _ => vec![0.0; rows],
+    }
+}
+
+/// Some rows, with the columns of `has` only.
+pub(crate) fn block(inputs: &Inputs, rows: Range<usize>, has: &[Role]) -> Inputs {
+    let mut own = Inputs { run: inputs.run[rows.clone()].to_vec(), ..Inputs::default() };
+    for (_, get, get_mut) in COLUMNS.iter().filter(|(role, ..)| has.contains(role)) {
+        *get_mut(&mut own) = get(inputs).as_ref().map(|column| column[rows.clone()].to_vec());
+    }
+    own
+}

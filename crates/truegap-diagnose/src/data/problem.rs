@@ -1,0 +1,37 @@
+//! A recording set against a simulator: what all later steps share.
+//!
+//! Limits: immutable; the same rows throughout (rows are left out by weight, so that memory sees the whole history).
+
+use crate::{data::context::Context, stats::spread};
+use std::ops::Range;
+use truegap_core::{Inputs, Joined, Simulator};
+
+/// What was done, what was read, and what should have been read.
+pub struct Problem<'a> {
+    /// inputs, SI
+    pub inputs: &'a Inputs,
+    /// recorded values, in the simulator's unit
+    pub response: &'a [f64],
+    /// the base model
+    pub simulator: &'a dyn Simulator,
+}
+
+impl Problem<'_> {
+    /// Runs, as row ranges.
+    pub fn runs(&self) -> Vec<Range<usize>> {
+        self.inputs.runs()
+    }
+
+    /// Range of the response; the widest of one recording where there are several.
+    pub fn span(&self) -> f64 {
+        let rows = |j: &dyn Joined, k: usize| spread(&self.response[j.rows(k, self.inputs)]);
+        self.simulator.joined().map_or_else(|| spread(self.response), |j| (0..j.count()).map(|k| rows(j, k)).fold(0.0, f64::max))
+    }
+
+    /// Facts that effects scale their priors by.
+    pub fn context(&self, span: f64, noise_sd: f64) -> Context<'_> {
+        let rows = self.response.len().max(1) as f64;
+        let response_level = self.response.iter().map(|r| r.abs()).sum::<f64>() / rows;
+        Context { response_level, ..Context::new(self.inputs, self.simulator, span, noise_sd) }
+    }
+}

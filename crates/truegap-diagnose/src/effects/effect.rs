@@ -1,0 +1,96 @@
+//! What an effect of the library must say of itself.
+//!
+//! Limits: an effect knows the inputs and the chain, never the recorded response.
+
+use crate::data::context::Context;
+use truegap_core::{EffectId, Parameter, Stage, simulator::StageName};
+
+/// Groups of effects that a reader would call the same kind of thing; a claim may be right about the family and wrong about the member.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Family {
+    /// how load reaches the dielectric, and how stiff it is: no memory
+    StaticMechanics,
+    /// strain that remembers load
+    MechanicalMemory,
+    /// temperature: lag, warp, permittivity
+    Thermal,
+    /// field and gap geometry
+    Field,
+    /// electronics and clocks
+    Readout,
+    /// the surroundings: water
+    Environment,
+}
+
+/// What a reader should know of an effect before any number is fitted.
+#[derive(Clone, Copy, Debug, serde::Serialize)]
+pub struct About {
+    /// one sentence: the physics
+    pub physics: &'static str,
+    /// the equation as fitted, in plain text
+    pub equation: &'static str,
+    /// what a recording must contain to show it
+    pub excitation: &'static str,
+    /// effects that it is usually mistaken for
+    pub impostors: &'static [&'static str],
+    /// what tells it from them
+    pub separates: &'static str,
+    /// where the physics is described
+    pub source: &'static str,
+}
+
+/// A parameter after the fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedParameter {
+    /// name, unit, prior
+    pub parameter: Parameter,
+    /// most probable value, in the parameter's unit
+    pub value: f64,
+    /// standard deviation, in the parameter's unit
+    pub sd: f64,
+    /// whether the value lies on a bound
+    pub at_limit: bool,
+}
+
+/// Omitted physics: one stage of the chain that the base model takes to be the identity.
+///
+/// `parameters(..)[0]` is the *size*: 0 means that the effect is absent, and the response is smooth in it.
+pub trait Effect: Send + Sync {
+    /// Stable name.
+    fn id(&self) -> EffectId;
+    /// Place in the chain.
+    fn stage(&self) -> StageName;
+    /// Kind of thing.
+    fn family(&self) -> Family;
+    /// What a reader should know.
+    fn about(&self) -> About;
+    /// Free parameters with unit, prior and bounds; the first is the size, whose prior is centred on 0 unless it is
+    /// [`Effect::foreseen`].
+    fn parameters(&self, context: &Context<'_>) -> Vec<Parameter>;
+    /// Whether somebody else has computed the size: it is a share of what is foreseen, with a prior about 1, and not about 0.
+    fn foreseen(&self) -> bool {
+        false
+    }
+    /// Whether it has no equation that could be wrong, but a number for whatever happens; what it leaves is then another cause.
+    fn free_form(&self) -> bool {
+        false
+    }
+    /// Values of the parameters behind the size from which a search starts; one empty list where the size is all there is.
+    fn starts(&self, _context: &Context<'_>) -> Vec<Vec<f64>> {
+        vec![Vec::new()]
+    }
+    /// Whether this recording could show it at all.
+    ///
+    /// # Errors
+    /// The reason why not, for a reader.
+    fn testable(&self, context: &Context<'_>) -> Result<(), String>;
+    /// The stage with these values.
+    fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage>;
+    /// The same physics by other equations, with the same parameters: made for testing recovery, never fitted.
+    fn sibling(&self, _values: &[f64], _context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        None
+    }
+    /// What a reader should be told, with the fitted numbers in it.
+    fn says(&self, fitted: &[FittedParameter]) -> String;
+}

@@ -1,0 +1,8 @@
+//! Where a recording and its model differ, what calibration hid, and what to measure next.
+//!
+//! Limits: names no cause.
+
+pub(crate) mod conflicts;
+pub(crate) mod hidden_input;
+pub(crate) mod locate;
+pub(crate) mod next_experiment;

@@ -1,0 +1,119 @@
+//! Evidence by importance sampling: the check of Laplace's approximation for the models near the top.
+//!
+//! Parameters that trade off against one another make a valley that bends; draws from a Gaussian at its lowest point leave it. So only the soft directions are
+//! drawn, and for each draw the stiff ones are settled again, where Laplace's approximation is good.
+//!
+//! Limits: one valley; the curvature across it is taken as the same all along; where few draws carry the weight, the estimate is refused and Laplace stands.
+
+use crate::{
+    fit::{model::Model, optimum::Fit},
+    stats::{log_sum_exp, normal_between},
+    whitening::whitener::Whitener,
+};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{ChiSquared, Distribution, StandardNormal};
+use statrs::function::gamma::ln_gamma;
+use std::f64::consts::PI;
+
+/// Degrees of freedom of the proposal: tails heavier than the posterior's.
+const FREEDOM: f64 = 6.0;
+/// Curvature, in units of the prior's, above which a direction is stiff.
+const STIFF: f64 = 100.0;
+/// Most steps in which the stiff directions are settled, and the promise below which they are.
+const SETTLED: (usize, f64) = (4, 0.1);
+
+/// An estimate of the log evidence, on the scale of [`crate::fit::laplace::laplace`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sampled {
+    /// log of the mean weight
+    pub log_evidence: f64,
+    /// effective number of draws over their number, 0 to 1
+    pub effective_share: f64,
+}
+
+/// Draws the soft directions from a multivariate t about the optimum and averages the weights; `None` where no draw has an answer.
+///
+/// **Source:** importance sampling as in Robert & Casella, Monte Carlo Statistical Methods, section 3.3, on the profile over the stiff directions.
+pub fn sampled(model: &Model<'_>, whitener: &Whitener, fit: &Fit, draws: usize, seed: u64) -> Option<Sampled> {
+    let valley = Valley::of(model, whitener, fit);
+    let soft = valley.soft.ncols();
+    let bounds = model.bounds();
+    let mass: f64 = bounds.iter().map(|(low, high)| normal_between(*low, *high).max(1e-12).ln()).sum();
+    let chi = ChiSquared::new(FREEDOM).ok()?;
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let mut weights = Vec::with_capacity(draws);
+    for _ in 0..draws {
+        let normal = DVector::from_fn(soft, |_, _| -> f64 { StandardNormal.sample(&mut random) });
+        let stretch: f64 = FREEDOM / chi.sample(&mut random);
+        let along = DVector::from_fn(soft, |i, _| normal[i] * (stretch / valley.curvature[i]).sqrt());
+        let proposal = log_t(soft, normal.norm_squared() * stretch) + 0.5 * valley.curvature.iter().map(|c| c.ln()).sum::<f64>();
+        let height = valley.height(&along, &bounds).unwrap_or(f64::INFINITY);
+        weights.push(valley.across - height - 0.5 * soft as f64 * (2.0 * PI).ln() - mass - proposal);
+    }
+    let total = log_sum_exp(&weights);
+    let squares = log_sum_exp(&weights.iter().map(|w| 2.0 * w).collect::<Vec<_>>());
+    let share = (2.0 * total - squares).exp() / draws as f64;
+    total.is_finite().then(|| Sampled { log_evidence: total - (draws as f64).ln(), effective_share: share })
+}
+
+/// Log density of the standard multivariate t in `n` dimensions at a squared distance.
+fn log_t(n: usize, distance: f64) -> f64 {
+    let n = n as f64;
+    let constant = ln_gamma(0.5 * (FREEDOM + n)) - ln_gamma(0.5 * FREEDOM) - 0.5 * n * (FREEDOM * PI).ln();
+    constant - 0.5 * (FREEDOM + n) * (distance / FREEDOM).ln_1p()
+}
+
+/// The posterior about a fit, split into soft and stiff directions.
+struct Valley<'a, 'm> {
+    model: &'a Model<'m>,
+    whitener: &'a Whitener,
+    fit: &'a Fit,
+    /// p x soft
+    soft: DMatrix<f64>,
+    /// curvature along each of them
+    curvature: Vec<f64>,
+    /// p x p: from a gradient to the stiff part of a Newton step
+    settle: DMatrix<f64>,
+    /// minus half the log determinant of the stiff curvatures
+    across: f64,
+}
+
+impl<'a, 'm> Valley<'a, 'm> {
+    fn of(model: &'a Model<'m>, whitener: &'a Whitener, fit: &'a Fit) -> Self {
+        let eigen = SymmetricEigen::new(fit.hessian.clone());
+        let n = fit.z.len();
+        let soft: Vec<usize> = (0..n).filter(|i| eigen.eigenvalues[*i] < STIFF).collect();
+        let mut settle = DMatrix::zeros(n, n);
+        let mut across = 0.0;
+        for i in (0..n).filter(|i| !soft.contains(i)) {
+            let direction = eigen.eigenvectors.column(i);
+            settle += direction * direction.transpose() / eigen.eigenvalues[i];
+            across -= 0.5 * eigen.eigenvalues[i].ln();
+        }
+        let curvature = soft.iter().map(|i| eigen.eigenvalues[*i].max(1e-3)).collect();
+        Self { model, whitener, fit, soft: eigen.eigenvectors.select_columns(&soft), curvature, settle, across }
+    }
+
+    /// Half of chi2 + |z|^2 at a place along the soft directions, the stiff ones settled; `None` outside the bounds or where there is no answer.
+    fn height(&self, along: &DVector<f64>, bounds: &[(f64, f64)]) -> Option<f64> {
+        let mut z = DVector::from_column_slice(&self.fit.z) + &self.soft * along;
+        let mut best = f64::INFINITY;
+        for _ in 0..=SETTLED.0 {
+            if !z.iter().zip(bounds).all(|(z, b)| (b.0..=b.1).contains(z)) {
+                break;
+            }
+            let Ok(residual) = self.model.residual(z.as_slice(), self.whitener) else { break };
+            let residual = DVector::from_vec(residual);
+            best = best.min(0.5 * (residual.norm_squared() + z.norm_squared()));
+            let gradient = self.fit.jacobian.tr_mul(&residual) - &z;
+            let step = &self.settle * &gradient;
+            if 0.5 * step.dot(&gradient) < SETTLED.1 {
+                break;
+            }
+            z += step;
+        }
+        best.is_finite().then_some(best)
+    }
+}

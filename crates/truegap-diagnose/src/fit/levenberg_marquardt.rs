@@ -1,0 +1,268 @@
+//! The way down to an optimum: damped Gauss-Newton steps inside bounds, each corrected until it is back in the valley.
+//!
+//! Limits: one mode; what an optimum is worth is for [`crate::fit::optimum`] to say.
+
+use crate::{
+    fit::{
+        model::Model,
+        optimum::{Fit, finish},
+    },
+    whitening::whitener::Whitener,
+};
+use nalgebra::{Cholesky, DMatrix, DVector};
+use truegap_core::SimulationError;
+
+/// Numerical settings of a fit.
+#[derive(Clone, Copy, Debug)]
+pub struct FitOptions {
+    /// most steps
+    pub iterations: usize,
+    /// a step that promises to lower the objective by less than this ends the search
+    pub tolerance: f64,
+}
+
+impl Default for FitOptions {
+    fn default() -> Self {
+        Self { iterations: 20, tolerance: 0.05 }
+    }
+}
+
+/// A search on its way down.
+///
+/// The derivatives by the parameters of the base model change little from step to step, those by the parameters of an effect much: every second step renews
+/// only the latter. Nothing is called converged before all derivatives have been computed where it stands.
+pub(crate) struct Descent<'a, 'm> {
+    model: &'a Model<'m>,
+    whitener: &'a Whitener,
+    bounds: &'a [(f64, f64)],
+    pub(crate) z: Vec<f64>,
+    residual: Vec<f64>,
+    jacobian: DMatrix<f64>,
+    damping: f64,
+    /// whether some columns were computed elsewhere
+    stale: bool,
+    iterations: usize,
+    converged: bool,
+}
+
+impl<'a, 'm> Descent<'a, 'm> {
+    pub(crate) fn at(
+        model: &'a Model<'m>,
+        whitener: &'a Whitener,
+        start: &[f64],
+        bounds: &'a [(f64, f64)],
+    ) -> Result<Self, SimulationError> {
+        let z: Vec<f64> = start.iter().zip(bounds).map(|(z, b)| z.clamp(b.0, b.1)).collect();
+        let residual = model.residual(&z, whitener)?;
+        let jacobian = DMatrix::zeros(residual.len(), z.len());
+        Ok(Self { model, whitener, bounds, z, residual, jacobian, damping: 1e-6, stale: false, iterations: 0, converged: false })
+    }
+
+    /// Computes the columns from `first` on anew.
+    pub(crate) fn refresh(&mut self, first: usize) -> Result<(), SimulationError> {
+        let columns = first..self.z.len();
+        self.model.refresh(&mut self.jacobian, columns, &self.z, &self.residual, self.whitener, self.bounds)?;
+        self.stale = first > 0;
+        Ok(())
+    }
+
+    /// Takes over the first columns, computes the others.
+    pub(crate) fn know(&mut self, known: &DMatrix<f64>) -> Result<(), SimulationError> {
+        self.jacobian.columns_mut(0, known.ncols()).copy_from(known);
+        self.refresh(known.ncols())
+    }
+
+    /// One step; the gain, or `None` where no step lowers the objective.
+    pub(crate) fn step(&mut self) -> Option<f64> {
+        let (next, residual, gain) =
+            best_step(self.model, self.whitener, self.bounds, &self.z, &self.residual, &self.jacobian, &mut self.damping)?;
+        (self.z, self.residual) = (next, residual);
+        Some(gain)
+    }
+
+    pub(crate) fn run(&mut self, options: &FitOptions) -> Result<(), SimulationError> {
+        let (mut reach, mut failed) = (REACH, 0);
+        while self.iterations < options.iterations && !self.converged {
+            self.iterations += 1;
+            let was_stale = self.stale;
+            let promise = self.promised();
+            let gain = self.step();
+            if promise > options.tolerance && gain.is_none_or(|g| g < 0.5 * promise) && failed < FAILED {
+                self.refresh(0)?;
+                if self.leap(reach)? {
+                    (reach, failed) = (3.0 * reach, 0);
+                    self.converged = self.promised() < options.tolerance;
+                    continue;
+                }
+                (reach, failed) = (0.2 * reach, failed + 1);
+            }
+            match gain {
+                None if was_stale => {
+                    self.refresh(0)?;
+                    self.damping = 1e-6;
+                }
+                None => self.converged = true,
+                Some(gain) => {
+                    let only_effects = !was_stale && gain > options.tolerance && self.model.base_count() < self.z.len();
+                    self.refresh(if only_effects { self.model.base_count() } else { 0 })?;
+                    self.converged = !self.stale && gain < options.tolerance && self.promised() < options.tolerance;
+                }
+            }
+        }
+        if self.stale { self.refresh(0) } else { Ok(()) }
+    }
+
+    /// A stride along a valley that is too narrow and too curved for steps that may never climb: straight along its floor, at most `reach` in any coordinate
+    /// and up its wall, then back down to the floor, each with derivatives of its own.
+    ///
+    /// `true` as soon as the objective is below where they started, with all derivatives known there; `false` where it does not get there, and everything
+    /// but the derivatives is as before.
+    ///
+    /// **Source:** steps that climb are let through as in Transtrum & Sethna, Improvements to the Levenberg-Marquardt algorithm (2012), section 5.
+    fn leap(&mut self, reach: f64) -> Result<bool, SimulationError> {
+        let (z, residual, jacobian) = (self.z.clone(), self.residual.clone(), self.jacobian.clone());
+        let start = objective(&residual, &z);
+        let back = std::iter::repeat_n((PINNED, f64::INFINITY), STEPS_BACK);
+        for (pinned, reach) in std::iter::once((0.0, reach)).chain(back) {
+            let Some(next) = self.undamped(pinned, reach) else { break };
+            let Ok(there) = self.model.residual(&next, self.whitener) else { break };
+            (self.z, self.residual) = (next, there);
+            if self.refresh(0).is_err() {
+                break;
+            }
+            if objective(&self.residual, &self.z) < start {
+                return Ok(true);
+            }
+        }
+        (self.z, self.residual, self.jacobian, self.stale) = (z, residual, jacobian, false);
+        Ok(false)
+    }
+
+    /// Where the step without damping leads, with `pinned` added to the curvature in every direction; shortened as a whole to `reach` in any coordinate.
+    fn undamped(&self, pinned: f64, reach: f64) -> Option<Vec<f64>> {
+        let (mut gram, gradient) = self.normal_equations();
+        (0..self.z.len()).for_each(|i| gram[(i, i)] += pinned);
+        let next = bounded_step(&gram, &gradient, &self.z, self.bounds, 0.0)?;
+        let longest = next.iter().zip(&self.z).map(|(to, from)| (to - from).abs()).fold(0.0, f64::max);
+        let share = if longest > reach { reach / longest } else { 1.0 };
+        Some(next.iter().zip(&self.z).map(|(to, from)| from + share * (to - from)).collect())
+    }
+
+    /// What a straight step to the optimum promises to lower the objective by.
+    fn promised(&self) -> f64 {
+        let (gram, gradient) = self.normal_equations();
+        let Some(next) = bounded_step(&gram, &gradient, &self.z, self.bounds, 0.0) else { return 0.0 };
+        let step = DVector::from_fn(self.z.len(), |i, _| next[i] - self.z[i]);
+        step.dot(&gradient) - 0.5 * (step.dot(&(&gram * &step)) + step.norm_squared())
+    }
+
+    /// `J^T J`, and the gradient of the objective, downhill.
+    fn normal_equations(&self) -> (DMatrix<f64>, DVector<f64>) {
+        let downhill = self.jacobian.tr_mul(&DVector::from_column_slice(&self.residual)) - DVector::from_column_slice(&self.z);
+        (self.jacobian.tr_mul(&self.jacobian), downhill)
+    }
+
+    pub(crate) fn finish(self) -> Fit {
+        let counts = (self.iterations, self.converged);
+        finish(self.z, self.residual, self.jacobian, self.bounds, self.model.kinds(), counts)
+    }
+}
+
+/// The first damped step that lowers the objective: point, residual there, gain.
+///
+/// Parameters that trade off against one another make a valley that is curved and narrow. A straight step along it leaves it, so each step is
+/// corrected with the same Jacobian until it is back in the valley (chord iterations), and only then judged.
+fn best_step(
+    model: &Model<'_>,
+    whitener: &Whitener,
+    bounds: &[(f64, f64)],
+    z: &[f64],
+    residual: &[f64],
+    jacobian: &DMatrix<f64>,
+    damping: &mut f64,
+) -> Option<(Vec<f64>, Vec<f64>, f64)> {
+    let gram = jacobian.tr_mul(jacobian);
+    let here = objective(residual, z);
+    for _ in 0..10 {
+        let mut best: Option<(Vec<f64>, Vec<f64>, f64)> = None;
+        let (mut at, mut there) = (z.to_vec(), residual.to_vec());
+        for _ in 0..CHORDS {
+            let gradient = jacobian.tr_mul(&DVector::from_column_slice(&there)) - DVector::from_column_slice(&at);
+            at = bounded_step(&gram, &gradient, &at, bounds, *damping)?;
+            let Ok(next) = model.residual(&at, whitener) else { break };
+            there = next;
+            let gain = here - objective(&there, &at);
+            let before = best.as_ref().map_or(0.0, |b| b.2);
+            if gain > before && gain.is_finite() {
+                best = Some((at.clone(), there.clone(), gain));
+            }
+            if best.is_some() && gain < before + 0.01 * before.abs() {
+                break;
+            }
+        }
+        if best.is_some() {
+            *damping = (*damping * 0.1).max(1e-9);
+            return best;
+        }
+        *damping = (*damping * 10.0).max(1e-4);
+    }
+    None
+}
+
+/// How far the first leap strides, in prior standard deviations; after one that succeeds further, after one that fails less far.
+const REACH: f64 = 3.0;
+/// Leaps that may fail in a row.
+const FAILED: usize = 3;
+/// Steps back to the floor.
+const STEPS_BACK: usize = 3;
+/// Curvature added in every direction on the way back to the floor: much for directions along the valley, nothing for those across it.
+const PINNED: f64 = 100.0;
+/// Most corrections of a step with one Jacobian.
+const CHORDS: usize = 5;
+
+fn objective(residual: &[f64], z: &[f64]) -> f64 {
+    0.5 * (residual.iter().map(|r| r * r).sum::<f64>() + z.iter().map(|z| z * z).sum::<f64>())
+}
+
+/// Damped Gauss-Newton step; coordinates that would leave their range stop at it and the others are solved again.
+fn bounded_step(
+    gram: &DMatrix<f64>,
+    gradient: &DVector<f64>,
+    z: &[f64],
+    bounds: &[(f64, f64)],
+    damping: f64,
+) -> Option<Vec<f64>> {
+    let n = z.len();
+    let mut fixed: Vec<Option<f64>> = vec![None; n];
+    for _ in 0..=n {
+        let mut hessian = gram.clone();
+        let mut rhs = gradient.clone();
+        for i in 0..n {
+            hessian[(i, i)] += 1.0 + damping * (gram[(i, i)] + 1.0);
+        }
+        for i in 0..n {
+            if let Some(step) = fixed[i] {
+                (0..n).filter(|j| *j != i).for_each(|j| rhs[j] -= hessian[(j, i)] * step);
+                for j in 0..n {
+                    hessian[(i, j)] = 0.0;
+                    hessian[(j, i)] = 0.0;
+                }
+                hessian[(i, i)] = 1.0;
+                rhs[i] = step;
+            }
+        }
+        let step = Cholesky::new(hessian)?.solve(&rhs);
+        let mut blocked = false;
+        for i in 0..n {
+            let target = z[i] + step[i];
+            if fixed[i].is_none() && (target < bounds[i].0 || target > bounds[i].1) {
+                fixed[i] = Some(target.clamp(bounds[i].0, bounds[i].1) - z[i]);
+                blocked = true;
+            }
+        }
+        if !blocked {
+            return Some((0..n).map(|i| (z[i] + step[i]).clamp(bounds[i].0, bounds[i].1)).collect());
+        }
+    }
+    None
+}

@@ -1,0 +1,67 @@
+//! Fits: the most probable point from a start, by [`super::levenberg_marquardt`].
+//!
+//! Limits: one mode; the caller gives the starting point.
+
+use crate::{
+    fit::{
+        levenberg_marquardt::{Descent, FitOptions},
+        model::Model,
+        optimum::Fit,
+    },
+    whitening::whitener::Whitener,
+};
+use nalgebra::DMatrix;
+use truegap_core::SimulationError;
+
+/// Levenberg-Marquardt search inside the bounds, from `start`.
+///
+/// # Errors
+/// Those of the simulator at the starting point; later steps that have no answer are shortened.
+pub fn fit(model: &Model<'_>, whitener: &Whitener, start: &[f64], options: &FitOptions) -> Result<Fit, SimulationError> {
+    let bounds = model.bounds();
+    let mut search = Descent::at(model, whitener, start, &bounds)?;
+    search.refresh(0)?;
+    search.run(options)?;
+    Ok(search.finish())
+}
+
+/// As [`fit`], from a point where the derivatives by the first parameters are known already: `known` holds their columns.
+///
+/// # Errors
+/// As [`fit`].
+pub fn fit_onwards(
+    model: &Model<'_>,
+    whitener: &Whitener,
+    start: &[f64],
+    known: &DMatrix<f64>,
+    options: &FitOptions,
+) -> Result<Fit, SimulationError> {
+    let bounds = model.bounds();
+    let mut search = Descent::at(model, whitener, start, &bounds)?;
+    search.know(known)?;
+    search.run(options)?;
+    Ok(search.finish())
+}
+
+/// A few steps inside narrower bounds (equal bounds hold a parameter still), from where the derivatives by the first parameters are known and not
+/// computed again: a better starting point, not a fit.
+///
+/// # Errors
+/// As [`fit`].
+pub fn approach(
+    model: &Model<'_>,
+    whitener: &Whitener,
+    start: &[f64],
+    bounds: &[(f64, f64)],
+    known: &DMatrix<f64>,
+    options: &FitOptions,
+) -> Result<Vec<f64>, SimulationError> {
+    let mut search = Descent::at(model, whitener, start, bounds)?;
+    for _ in 0..options.iterations {
+        search.know(known)?;
+        if search.step().is_none_or(|gain| gain < options.tolerance) {
+            break;
+        }
+    }
+    Ok(search.z)
+}

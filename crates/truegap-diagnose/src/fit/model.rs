@@ -1,0 +1,174 @@
+//! A base model with effects plugged in, as a function of coordinates in units of the prior's standard deviations.
+//!
+//! Limits: derivatives are difference quotients.
+
+use crate::{
+    data::{context::Context, problem::Problem},
+    effects::effect::Effect,
+    whitening::whitener::Whitener,
+};
+use nalgebra::DMatrix;
+use truegap_core::{Parameter, SimulationError, Stage};
+
+/// A base model with effects plugged in, as a function of prior-whitened coordinates z.
+pub struct Model<'a> {
+    /// recording and simulator
+    pub problem: &'a Problem<'a>,
+    /// effects, each with the number of its parameters
+    pub effects: Vec<&'a dyn Effect>,
+    /// base parameters, then those of each effect
+    pub parameters: Vec<Parameter>,
+    /// facts for the effects
+    pub context: &'a Context<'a>,
+    counts: Vec<usize>,
+    base: usize,
+}
+
+impl<'a> Model<'a> {
+    /// The base model with these effects.
+    pub fn new(problem: &'a Problem<'a>, context: &'a Context<'a>, effects: Vec<&'a dyn Effect>) -> Self {
+        let mut parameters = problem.simulator.parameters().to_vec();
+        let base = parameters.len();
+        let mut counts = Vec::new();
+        for effect in &effects {
+            let own = effect.parameters(context);
+            counts.push(own.len());
+            parameters.extend(own);
+        }
+        Self { problem, effects, parameters, context, counts, base }
+    }
+
+    /// Number of base parameters.
+    pub fn base_count(&self) -> usize {
+        self.base
+    }
+
+    /// Index of the first parameter of effect `index`.
+    pub fn first_of(&self, index: usize) -> usize {
+        self.base + self.counts[..index].iter().sum::<usize>()
+    }
+
+    /// Parameter range of effect `index`.
+    pub fn range_of(&self, index: usize) -> std::ops::Range<usize> {
+        let first = self.first_of(index);
+        first..first + self.counts[index]
+    }
+
+    /// Which of the parameters are of a kind of their own.
+    pub(crate) fn kinds(&self) -> Kinds {
+        let effects = || 0..self.effects.len();
+        Kinds {
+            open_sizes: effects().filter(|i| !self.effects[*i].foreseen()).map(|i| self.first_of(i)).collect(),
+            free_form: effects().filter(|i| self.effects[*i].free_form()).flat_map(|i| self.range_of(i)).collect(),
+        }
+    }
+
+    /// Values in the parameters' units.
+    pub fn values(&self, z: &[f64]) -> Vec<f64> {
+        self.parameters.iter().zip(z).map(|(p, z)| p.prior.at(*z)).collect()
+    }
+
+    /// Bounds in z.
+    pub fn bounds(&self) -> Vec<(f64, f64)> {
+        let to_z = |p: &Parameter, v: f64| if v.is_finite() { p.prior.z(v) } else { v };
+        self.parameters.iter().map(|p| (to_z(p, p.bounds.0), to_z(p, p.bounds.1))).collect()
+    }
+
+    /// The stages at `z`.
+    pub fn stages(&self, z: &[f64]) -> Vec<Box<dyn Stage>> {
+        let values = self.values(z);
+        self.effects.iter().enumerate().map(|(i, e)| e.with(&values[self.range_of(i)], self.context)).collect()
+    }
+
+    /// Response of every row.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn respond(&self, z: &[f64]) -> Result<Vec<f64>, SimulationError> {
+        let stages = self.stages(z);
+        let borrowed: Vec<&dyn Stage> = stages.iter().map(AsRef::as_ref).collect();
+        let values = self.values(&z[..self.base]);
+        self.problem.simulator.respond(&values[..self.base], self.problem.inputs, &borrowed)
+    }
+
+    /// What it leaves over: recorded less simulated.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn misfit(&self, z: &[f64]) -> Result<Vec<f64>, SimulationError> {
+        let mut r = self.respond(z)?;
+        r.iter_mut().zip(self.problem.response).for_each(|(r, y)| *r = y - *r);
+        Ok(r)
+    }
+
+    /// The same, whitened.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn residual(&self, z: &[f64], whitener: &Whitener) -> Result<Vec<f64>, SimulationError> {
+        let mut r = self.misfit(z)?;
+        whitener.apply(&mut r);
+        Ok(r)
+    }
+
+    /// Whitened change of the response per unit of z, for the columns asked, as an n x p matrix.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn jacobian(&self, z: &[f64], at: &[f64], whitener: &Whitener) -> Result<DMatrix<f64>, SimulationError> {
+        let mut jacobian = DMatrix::zeros(at.len(), z.len());
+        self.refresh(&mut jacobian, 0..z.len(), z, at, whitener, &self.bounds())?;
+        Ok(jacobian)
+    }
+
+    /// Computes these columns of a Jacobian anew; a parameter held between equal bounds has none.
+    pub(crate) fn refresh(
+        &self,
+        jacobian: &mut DMatrix<f64>,
+        columns: std::ops::Range<usize>,
+        z: &[f64],
+        at: &[f64],
+        whitener: &Whitener,
+        bounds: &[(f64, f64)],
+    ) -> Result<(), SimulationError> {
+        for index in columns.filter(|i| bounds[*i].0 < bounds[*i].1) {
+            let column = self.derivative(z, index, at, bounds[index], whitener)?;
+            jacobian.column_mut(index).copy_from_slice(&column);
+        }
+        Ok(())
+    }
+
+    /// One column of [`Model::jacobian`]; `at` is the whitened residual at `z`.
+    fn derivative(
+        &self,
+        z: &[f64],
+        index: usize,
+        at: &[f64],
+        bound: (f64, f64),
+        whitener: &Whitener,
+    ) -> Result<Vec<f64>, SimulationError> {
+        let mut moved = z.to_vec();
+        let room = bound.1 - z[index];
+        let mut step = if room > STEP { STEP } else { -STEP };
+        moved[index] = z[index] + step;
+        let there = self.residual(&moved, whitener).or_else(|_| {
+            step = -step;
+            moved[index] = (z[index] + step).max(bound.0);
+            self.residual(&moved, whitener)
+        })?;
+        let scale = (moved[index] - z[index]).recip();
+        Ok(there.iter().zip(at).map(|(a, b)| (b - a) * scale).collect())
+    }
+}
+
+/// Indices of the parameters of a model that are of a kind of their own.
+#[derive(Default)]
+pub(crate) struct Kinds {
+    /// sizes whose order of magnitude is not known: of all effects that nobody has computed beforehand
+    pub(crate) open_sizes: Vec<usize>,
+    /// parameters of effects without an equation
+    pub(crate) free_form: Vec<usize>,
+}
+
+/// Step of the difference quotients, in prior standard deviations.
+const STEP: f64 = 1e-3;

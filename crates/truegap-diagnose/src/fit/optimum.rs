@@ -1,0 +1,149 @@
+//! Whitened maximum a posteriori fits in units of the prior's standard deviations, with Laplace evidence.
+//!
+//! Limits: one mode; the caller gives the starting point.
+
+use crate::fit::{laplace, model::Kinds};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
+/// Promise, in units of the objective, below which a fit counts as settled.
+const REACHED: f64 = 1.0;
+
+/// A fit at the optimum of its linearised objective.
+pub struct Settled {
+    /// whitened residual there; that of the fit itself where it has converged
+    pub residual: DVector<f64>,
+    /// what calibration can take up of a whitened column b: the squared length of `taken^T b`; n x (free parameters)
+    pub taken: DMatrix<f64>,
+    /// by how much the objective is lower there
+    pub promise: f64,
+}
+
+impl Settled {
+    /// Whether the straight step there promises next to nothing: where it promises more, the search has stopped short, and what is linear in the fit says little.
+    pub fn is_reached(&self) -> bool {
+        self.promise < REACHED
+    }
+}
+
+/// A fit at its optimum.
+#[derive(Clone)]
+pub struct Fit {
+    /// most probable point, prior-whitened
+    pub z: Vec<f64>,
+    /// standard deviations, prior-whitened
+    pub sd: Vec<f64>,
+    /// sum of squares of the whitened residual
+    pub chi2: f64,
+    /// whitened residual
+    pub residual: Vec<f64>,
+    /// whitened Jacobian at the optimum
+    pub jacobian: DMatrix<f64>,
+    /// J^T J + 1
+    pub hessian: DMatrix<f64>,
+    /// which parameters lie on a bound
+    pub at_limit: Vec<bool>,
+    /// parameters of effects without an equation
+    pub free_form: Vec<usize>,
+    /// log evidence, up to a constant common to all models of one noise model
+    pub log_evidence: f64,
+    /// the part of it that comes from sizes whose order of magnitude is not known
+    pub scale_gain: f64,
+    /// steps taken
+    pub iterations: usize,
+    /// whether the last step was small
+    pub converged: bool,
+}
+
+impl Fit {
+    /// Objective: half of chi2 + |z|^2.
+    pub fn objective(&self) -> f64 {
+        0.5 * (self.chi2 + self.z.iter().map(|z| z * z).sum::<f64>())
+    }
+
+    /// Log evidence where differences count for `temper` times less, because equations may be off.
+    ///
+    /// What has no equation has nothing that could be off, but freedom enough to follow what others leave: its freedom is paid for in full, at noise of
+    /// `temper` times the variance.
+    pub fn tempered(&self, temper: f64) -> f64 {
+        let freedom = |temper: f64| {
+            let louder = (&self.hessian - DMatrix::identity(self.z.len(), self.z.len())) / temper;
+            let hessian = louder + DMatrix::identity(self.z.len(), self.z.len());
+            let fixed: Vec<usize> = (0..self.z.len()).filter(|i| !self.free_form.contains(i)).collect();
+            let others = hessian.select_rows(&fixed).select_columns(&fixed);
+            [hessian, others].map(|h| Cholesky::new(h).map_or(0.0, |f| laplace::log_determinant(&f)))
+        };
+        if self.free_form.is_empty() {
+            return self.log_evidence / temper;
+        }
+        let [paid, due] = [freedom(1.0), freedom(temper)].map(|[all, others]| 0.5 * (all - others));
+        (self.log_evidence + paid) / temper - due
+    }
+
+    /// Cholesky factor of the Hessian.
+    pub fn factor(&self) -> Option<Cholesky<f64, Dyn>> {
+        Cholesky::new(self.hessian.clone())
+    }
+
+    /// The linearised objective at its optimum; parameters on a bound stay there.
+    ///
+    /// By an orthogonal factorisation of the Jacobian above what is known beforehand: products of the Jacobian with itself lose, in a narrow valley, what the
+    /// scores of a direction consist of.
+    pub fn settled(&self) -> Settled {
+        let free: Vec<usize> = (0..self.z.len()).filter(|i| !self.at_limit[*i]).collect();
+        let (rows, count) = (self.residual.len(), free.len());
+        let stacked = DMatrix::from_fn(rows + count, count, |row, k| match row.checked_sub(rows) {
+            None => self.jacobian[(row, free[k])],
+            Some(own) => f64::from(u8::from(own == k)),
+        });
+        let known = free.iter().map(|i| -self.z[*i]);
+        let here = DVector::from_iterator(rows + count, self.residual.iter().copied().chain(known));
+        let basis = stacked.qr().q();
+        let along = basis.tr_mul(&here);
+        let residual = (&here - &basis * &along).rows(0, rows).into_owned();
+        Settled { residual, taken: basis.rows(0, rows).into_owned(), promise: 0.5 * along.norm_squared() }
+    }
+}
+
+/// A fit from where a search has ended.
+pub(crate) fn finish(
+    z: Vec<f64>,
+    residual: Vec<f64>,
+    jacobian: DMatrix<f64>,
+    bounds: &[(f64, f64)],
+    Kinds { open_sizes, free_form }: Kinds,
+    (iterations, converged): (usize, bool),
+) -> Fit {
+    let hessian = jacobian.tr_mul(&jacobian) + DMatrix::identity(z.len(), z.len());
+    let chi2 = residual.iter().map(|r| r * r).sum();
+    let gradient = DVector::from_column_slice(&z) - jacobian.tr_mul(&DVector::from_column_slice(&residual));
+    let at_limit: Vec<bool> =
+        z.iter().zip(bounds).map(|(z, b)| laplace::on_bound(*z, b.0) || laplace::on_bound(*z, b.1)).collect();
+    let sd: Vec<f64> = Cholesky::new(hessian.clone())
+        .map(|f| f.inverse().diagonal().iter().map(|v| v.sqrt()).collect())
+        .unwrap_or_else(|| vec![f64::NAN; z.len()]);
+    let gain = |i: &usize| laplace::any_scale(z[*i], sd[*i] * sd[*i], gradient[*i], bounds[*i]);
+    let scale_gain: f64 = open_sizes.iter().map(gain).filter(|gain| gain.is_finite()).sum();
+    let log_evidence = laplace::laplace(chi2, &z, &hessian, gradient.as_slice(), bounds) + scale_gain;
+    Fit { z, sd, chi2, residual, jacobian, hessian, at_limit, free_form, log_evidence, scale_gain, iterations, converged }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two columns that have nothing in common, one of them without an equation: at noise of `t` times the variance it costs `ln(1 + a^2 / t) / 2`, and all
+    /// else is divided by `t`.
+    #[test]
+    fn what_has_no_equation_pays_for_its_freedom_in_full() {
+        let (law, free, temper) = (30.0, 200.0, 7.0);
+        let jacobian = DMatrix::from_row_slice(2, 2, &[law, 0.0, 0.0, free]);
+        let bounds = [(f64::NEG_INFINITY, f64::INFINITY); 2];
+        let kinds = Kinds { free_form: vec![1], ..Kinds::default() };
+        let fit = finish(vec![0.5, 0.5], vec![3.0, 4.0], jacobian, &bounds, kinds, (1, true));
+        let (chi2, size) = (25.0, 0.5);
+        let paid = |entry: f64| 0.5 * f64::ln(1.0 + entry * entry);
+        let exact = -(0.5 * (chi2 + size) + paid(law)) / temper - paid(free / temper.sqrt());
+        approx::assert_relative_eq!(fit.tempered(temper), exact, max_relative = 1e-12);
+        approx::assert_relative_eq!(fit.tempered(1.0), fit.log_evidence, max_relative = 1e-12);
+    }
+}

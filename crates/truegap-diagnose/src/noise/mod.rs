@@ -1,0 +1,15 @@
+//! Noise before anything else: of the inputs, and of the response, from rest or replicates; never from what a model leaves over a slow change.
+//!
+//! Limits: one noise for a whole recording.
+
+pub(crate) mod block_average;
+pub(crate) mod denoise;
+pub(crate) mod errors_in_load;
+pub(crate) mod input;
+pub(crate) mod input_error;
+pub(crate) mod quiet;
+pub(crate) mod reml;
+pub(crate) mod rescale;
+pub(crate) mod response;
+pub(crate) mod rest;
+pub(crate) mod several;

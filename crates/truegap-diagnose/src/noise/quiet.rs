@@ -1,0 +1,97 @@
+//! Inputs without their noise, column by column.
+//!
+//! Limits: one noise for a whole column.
+
+use crate::{
+    data::pauses::after_pauses,
+    noise::{
+        denoise::{self, Denoised},
+        errors_in_load,
+        input::{self, scatter},
+    },
+    whitening::noise_model::InputNoise,
+};
+use std::ops::Range;
+use truegap_core::{Inputs, Simulator};
+
+/// Inputs without their noise.
+pub struct Quiet {
+    /// the inputs
+    pub inputs: Inputs,
+    /// noise as recorded
+    pub noise: InputNoise,
+    /// share of the variance of the load's noise that is left, row by row
+    pub load_left: Vec<f64>,
+    /// the same of the temperature
+    pub temperature_left: Vec<f64>,
+    /// courses that the error of the load follows with a weight not known beforehand, in full loads at one standard deviation of it
+    pub load_shapes: Vec<Vec<f64>>,
+}
+
+/// Takes the noise out of load and temperature.
+pub fn quiet(inputs: &Inputs, simulator: &dyn Simulator) -> Quiet {
+    let (runs, time) = (between_pauses(inputs), inputs.time_s.as_deref());
+    let none = || vec![0.0; inputs.len()];
+    let mut quiet = Quiet {
+        inputs: inputs.clone(),
+        noise: InputNoise::default(),
+        load_left: none(),
+        temperature_left: none(),
+        load_shapes: Vec::new(),
+    };
+    let full = simulator.full_load().unwrap_or(1.0);
+    // of the loads, the one that the simulator sees says how noisy it is
+    let sd = simulator.load(inputs).map_or(0.0, |load| scatter(&load, time, &runs)) * full;
+    for column in [&mut quiet.inputs.force_n, &mut quiet.inputs.pressure_pa].into_iter().flatten() {
+        let Quieter { sd, found, bends } = quieter(column, time, &runs, sd);
+        quiet.noise.load = sd / full;
+        if bends {
+            quiet.load_shapes = errors_in_load::bends(column, &runs, sd);
+            quiet.load_shapes.iter_mut().flatten().for_each(|v| *v /= full);
+        }
+        (*column, quiet.load_left) = (found.column, found.left);
+    }
+    if let Some(column) = &mut quiet.inputs.temperature_c {
+        let Quieter { sd, found, .. } = quieter(column, time, &runs, scatter(column, time, &runs));
+        quiet.noise.temperature = sd;
+        (*column, quiet.temperature_left) = (found.column, found.left);
+    }
+    quiet
+}
+
+/// Runs, parted where time jumps: no line of an input goes on through a pause.
+fn between_pauses(inputs: &Inputs) -> Vec<Range<usize>> {
+    let cuts = after_pauses(inputs).map_or_else(Vec::new, |(_, rows)| rows);
+    let mut parts = Vec::new();
+    for run in inputs.runs() {
+        let mut start = run.start;
+        for cut in cuts.iter().copied().filter(|cut| run.contains(cut) && *cut > run.start) {
+            parts.push(start..cut);
+            start = cut;
+        }
+        parts.push(start..run.end);
+    }
+    parts
+}
+
+/// A column without its noise.
+struct Quieter {
+    /// standard deviation of the noise
+    sd: f64,
+    found: Denoised,
+    /// whether it is no course of straight lines
+    bends: bool,
+}
+
+/// A column on straight lines; as it is, where hardly any hold.
+fn quieter(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>], sd: f64) -> Quieter {
+    let (most, unbent) = input::bent(column, runs);
+    if sd > 0.0 && denoise::crookedness(column, time, runs, sd.min(most)) > CROOKED {
+        let sd = sd.min(unbent);
+        return Quieter { sd, found: Denoised { column: column.to_vec(), left: vec![1.0; column.len()] }, bends: true };
+    }
+    Quieter { sd, found: denoise::denoise(column, time, runs, sd), bends: false }
+}
+
+/// Scatter about short lines, over that of noise, from which on a column is no course of straight lines.
+const CROOKED: f64 = 0.85;

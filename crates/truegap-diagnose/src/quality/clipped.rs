@@ -1,0 +1,64 @@
+//! Readings that end at exactly one value where the inputs go on.
+//!
+//! Limits: a rail without noise; readings that bend over near the end of a range are for the effect `saturation` to find.
+
+use crate::{
+    data::problem::Problem,
+    quality::{
+        notice::{Notice, NoticeKind},
+        rows::{Rows, drivers, ends, equal_stretches, standing_still},
+    },
+    stats::spread,
+};
+use std::ops::Range;
+
+/// Fewest rows at the rail.
+const FEWEST: usize = 8;
+/// Share of all rows at the rail, at least.
+const SHARE: f64 = 0.005;
+/// Share of its range that a driver must cross while the reading stays at the rail.
+const CROSSED: f64 = 0.08;
+/// Share of neighbouring readings that are equal elsewhere, at most: a coarse reading is often at its extremes.
+const COARSE: f64 = 0.2;
+
+/// A notice where readings are clipped.
+pub fn clipped(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
+    let runs = problem.inputs.runs();
+    let stretches = equal_stretches(problem.response, &runs);
+    let (least, greatest) = ends(problem.response, 0..problem.response.len());
+    [(greatest, "never goes above"), (least, "never goes below")]
+        .into_iter()
+        .find_map(|(rail, words)| at(problem, rows, &stretches, rail, words))
+}
+
+fn at(problem: &Problem<'_>, rows: &Rows<'_>, stretches: &[Range<usize>], rail: f64, words: &str) -> Option<Notice> {
+    let on_rail: Vec<&Range<usize>> = stretches.iter().filter(|s| problem.response[s.start] == rail).collect();
+    let count: usize = on_rail.iter().map(|s| s.len()).sum();
+    let long = on_rail.iter().map(|s| s.len()).max().unwrap_or(0);
+    let enough = count >= FEWEST && count as f64 >= SHARE * problem.response.len() as f64 && long >= 4;
+    if !enough || standing_still(stretches, 4) > COARSE || !a_driver_goes_on(problem, &on_rail) {
+        return None;
+    }
+    let first = on_rail.iter().max_by_key(|s| s.len())?;
+    let says = format!(
+        "the reading {words} {}: {count} rows lie exactly there, the longest stretch {}; it is clipped by the range of the converter or the \
+         software. Widen the range and record again, or leave these rows out; until then nothing but saturation is looked for",
+        rows.reading(rail),
+        rows.places(first)
+    );
+    Some(Notice { kind: NoticeKind::Clipped, says, rows: rows.numbers(on_rail.into_iter()), withholds: false })
+}
+
+/// Whether a driver crosses part of its range on the rail, and hardly any other row lies in that part: the rail is what is read there.
+fn a_driver_goes_on(problem: &Problem<'_>, on_rail: &[&Range<usize>]) -> bool {
+    let mut inside = vec![false; problem.response.len()];
+    on_rail.iter().for_each(|s| inside[(*s).clone()].fill(true));
+    drivers(problem).iter().any(|driver| {
+        // the middle nine tenths of the rows on the rail: noise at its edge aside
+        let mut at: Vec<f64> = (0..inside.len()).filter(|row| inside[*row]).map(|row| driver[row]).collect();
+        at.sort_by(f64::total_cmp);
+        let (low, high) = (at[at.len() / 20], at[at.len() - 1 - at.len() / 20]);
+        let others = (0..inside.len()).filter(|row| !inside[*row] && (low..=high).contains(&driver[*row])).count();
+        high - low > CROSSED * spread(driver) && (others as f64) < 0.2 * at.len() as f64
+    })
+}

@@ -1,0 +1,20 @@
+//! What is wrong with a recording, before any physics is named: one kind of trouble a file.
+//!
+//! Limits: looks at one recording at a time.
+
+pub(crate) mod clipped;
+pub(crate) mod dead;
+pub(crate) mod notice;
+pub(crate) mod outliers;
+pub(crate) mod pauses;
+pub(crate) mod preconditions;
+pub(crate) mod range;
+pub(crate) mod rows;
+pub(crate) mod screen;
+pub(crate) mod wrong_sensor;
+
+pub use crate::data::error::FEWEST_ROWS;
+pub use notice::{Notice, NoticeKind};
+pub use outliers::outliers;
+pub use rows::Rows;
+pub use screen::{OF_CLIPPED, troubles};

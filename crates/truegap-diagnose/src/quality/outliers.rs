@@ -1,0 +1,99 @@
+//! Single readings far from their neighbours while nothing was done to the sensor.
+//!
+//! Limits: at most three rows together; slower bursts are left to the noise model.
+
+use crate::{
+    data::{context::load_column, problem::Problem},
+    quality::{
+        notice::{Notice, NoticeKind},
+        rows::Rows,
+    },
+    stats::resolution,
+};
+use std::ops::Range;
+
+/// Standard deviations beyond the neighbours.
+const FAR: f64 = 12.0;
+/// Ranges of the neighbours beyond them.
+const BEYOND: f64 = 5.0;
+/// Most rows together.
+const TOGETHER: usize = 3;
+/// Share of rows beyond which a channel is no longer to be trusted.
+const TOO_MANY: f64 = 0.02;
+/// Rows that are named one by one.
+const NAMED: usize = 4;
+
+/// A notice, and the rows that are to be left out; none are where there are too many.
+pub fn outliers(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<usize>)> {
+    let runs = problem.inputs.runs();
+    let response = problem.response;
+    let sd = white_sd(response, &runs).max(resolution(response));
+    let load = load_column(problem.inputs, problem.simulator);
+    let still: Vec<&[f64]> = [load.as_deref(), problem.inputs.temperature_c.as_deref()].into_iter().flatten().collect();
+    let mut found: Vec<Range<usize>> = Vec::new();
+    for run in &runs {
+        let mut row = run.start + 2;
+        while row + 2 < run.end {
+            let group = (1..=TOGETHER)
+                .filter(|length| row + length + 2 <= run.end)
+                .map(|length| row..row + length)
+                .find(|group| stands_out(response, group, FAR * sd) && still.iter().all(|c| !stands_out(c, group, 0.0)));
+            row = group.as_ref().map_or(row + 1, |g| g.end);
+            found.extend(group);
+        }
+    }
+    let out: Vec<usize> = found.iter().flat_map(Clone::clone).collect();
+    if out.is_empty() {
+        return None;
+    }
+    let too_many = out.len() as f64 > TOO_MANY * response.len() as f64;
+    let notice = Notice {
+        kind: NoticeKind::Outliers,
+        says: says(&found, out.len(), too_many, response, rows),
+        rows: rows.numbers(found.iter()),
+        withholds: too_many,
+    };
+    Some((notice, if too_many { Vec::new() } else { out }))
+}
+
+fn says(found: &[Range<usize>], count: usize, too_many: bool, response: &[f64], rows: &Rows<'_>) -> String {
+    let one = |group: &Range<usize>| {
+        let beside = response[group.start - 1];
+        format!("{} reads {}, {} beside it", rows.place(group.start), rows.reading(response[group.start]), rows.reading(beside))
+    };
+    let named = found.iter().take(NAMED).map(one).collect::<Vec<_>>().join("; ");
+    let more = if found.len() > NAMED { format!("; and {} more", found.len() - NAMED) } else { String::new() };
+    let (what, fix) = match count {
+        1 => ("1 reading stands far outside its neighbours".to_owned(), "it was"),
+        _ => (format!("{count} readings stand far outside their neighbours"), "they were"),
+    };
+    let end = if too_many {
+        "that is too many for a channel that works: look for interference or a loose contact and record again".to_owned()
+    } else {
+        format!("{fix} left out; look for interference or a loose contact")
+    };
+    format!("{what} while nothing was done: {named}{more}; {end}")
+}
+
+/// Whether all rows of `group` lie on one side of the two rows before and after, by more than `least` and several times their range.
+fn stands_out(column: &[f64], group: &Range<usize>, least: f64) -> bool {
+    let beside = [group.start - 2, group.start - 1, group.end, group.end + 1];
+    if beside[3] >= column.len() {
+        return false;
+    }
+    let (low, high) = crate::quality::rows::ends(column, beside.into_iter());
+    let reach = (BEYOND * (high - low)).max(least);
+    let (lowest, highest) = crate::quality::rows::ends(column, group.clone());
+    lowest > high + reach || highest < low - reach
+}
+
+/// White noise from second differences, deaf to corners and spikes.
+fn white_sd(column: &[f64], runs: &[Range<usize>]) -> f64 {
+    let mut second: Vec<f64> =
+        runs.iter().flat_map(|run| column[run.clone()].windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).abs())).collect();
+    if second.is_empty() {
+        return 0.0;
+    }
+    let middle = second.len() / 2;
+    *second.select_nth_unstable_by(middle, f64::total_cmp).1 / 0.674_489_750_196_081_7 / 6f64.sqrt()
+}

@@ -1,0 +1,100 @@
+//! Doubts about a recording itself, found before any physics is named.
+//!
+//! Limits: looks at one column at a time; what is certainly wrong is told by [`crate::quality::rows`].
+
+use crate::{
+    data::{
+        context::load_column,
+        error::{DiagnoseError, FEWEST_ROWS},
+        problem::Problem,
+    },
+    noise::input::scatter,
+    stats::spread,
+    text::Scale,
+};
+use truegap_core::{Inputs, Role};
+
+/// Checks what makes a diagnosis impossible.
+///
+/// # Errors
+/// [`DiagnoseError`] for a recording that cannot tell anything.
+pub fn check(problem: &Problem<'_>) -> Result<(), DiagnoseError> {
+    let rows = problem.response.len();
+    if rows < FEWEST_ROWS {
+        return Err(DiagnoseError::TooFewRows { rows, needed: FEWEST_ROWS });
+    }
+    if spread(problem.response) == 0.0 {
+        return Err(DiagnoseError::DeadChannel { value: problem.response[0], unit: problem.simulator.unit().into() });
+    }
+    match constant(problem) {
+        Some((column, value)) => Err(DiagnoseError::ConstantInput { column, value, rows }),
+        None => Ok(()),
+    }
+}
+
+/// Spread of a column that is noise and nothing else, in its standard deviations.
+const ONLY_NOISE: f64 = 10.0;
+/// Temperature change that counts as one, K.
+const WARMS: f64 = 0.3;
+
+/// The column that drives the model and its value, where neither it nor temperature changes.
+fn constant(problem: &Problem<'_>) -> Option<(&'static str, String)> {
+    let inputs = problem.inputs;
+    let runs = inputs.runs();
+    let stands = |column: &[f64], least: f64| {
+        spread(column) <= least.max(ONLY_NOISE * scatter(column, problem.inputs.time_s.as_deref(), &runs))
+    };
+    if inputs.temperature_c.as_ref().is_some_and(|t| !stands(t, WARMS)) {
+        return None;
+    }
+    let driving = |role: Role| match role {
+        Role::Force => inputs.force_n.as_ref().map(|c| ("force", "N", c)),
+        Role::Pressure => inputs.pressure_pa.as_ref().map(|c| ("pressure", "Pa", c)),
+        Role::Gap => inputs.gap_m.as_ref().map(|c| ("gap", "m", c)),
+        _ => None,
+    };
+    let all: Vec<_> = problem.simulator.needs().iter().filter_map(|role| driving(*role)).collect();
+    let full = problem.simulator.full_load();
+    let still = |(_, _, column): &(&str, &str, &Vec<f64>)| {
+        let greatest = column.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        stands(column, 1e-3 * full.unwrap_or(greatest))
+    };
+    let (name, unit, column) = *all.first()?;
+    let value = column.iter().sum::<f64>() / column.len() as f64;
+    all.iter().all(still).then(|| (name, Scale::of(unit, value.abs()).text(value)))
+}
+
+/// Doubts that a reader should know of, worst first.
+pub fn doubts(problem: &Problem<'_>) -> Vec<String> {
+    let mut list = Vec::new();
+    list.extend(stuck(problem.response));
+    list.extend(constant_inputs(problem.inputs, problem));
+    list
+}
+
+/// A long stretch of one value while the inputs moved elsewhere.
+fn stuck(response: &[f64]) -> Option<String> {
+    let (mut longest, mut at, mut first) = (0, 0, 0);
+    for row in 1..=response.len() {
+        if row == response.len() || response[row] != response[first] {
+            if row - first > longest {
+                (longest, at) = (row - first, first);
+            }
+            first = row;
+        }
+    }
+    let distinct = response.windows(2).filter(|w| w[0] != w[1]).count();
+    (longest > 50 && longest * 10 > distinct).then(|| {
+        format!(
+            "the response stays at {} for {longest} rows from row {}: a channel that hangs, or a coarse resolution",
+            response[at],
+            at + 1
+        )
+    })
+}
+
+fn constant_inputs(inputs: &Inputs, problem: &Problem<'_>) -> Option<String> {
+    let load = load_column(inputs, problem.simulator).is_some_and(|l| spread(&l) > 1e-3);
+    let temperature = inputs.temperature_c.as_ref().is_some_and(|t| spread(t) > 0.3);
+    (!load && !temperature).then(|| "no input changes: only noise, drift and steps can show".to_owned())
+}

@@ -1,0 +1,65 @@
+//! Inputs beyond what the sensor is made for, where its model is no longer known to hold.
+//!
+//! Limits: full scale is the sensor file's; temperatures are those that silicone, polyimide and solder bear with straight material laws.
+
+use crate::{
+    data::problem::Problem,
+    quality::{
+        notice::{Notice, NoticeKind},
+        rows::Rows,
+    },
+    text::Scale,
+};
+use truegap_core::Role;
+
+/// Share of the full scale up to which a load is in range; a load cell's zero and gain are good to some per cent.
+const HIGHEST: f64 = 1.1;
+/// Share of the full scale down to which a load may be negative.
+const LOWEST: f64 = -0.05;
+/// Temperatures in range, degrees Celsius.
+const TEMPERATURES_C: (f64, f64) = (-40.0, 125.0);
+
+/// Notices for loads and temperatures out of range.
+pub fn out_of_range(problem: &Problem<'_>, rows: &Rows<'_>) -> Vec<Notice> {
+    let mut list = Vec::new();
+    list.extend(loads(problem, rows));
+    list.extend(temperatures(problem, rows));
+    list
+}
+
+fn loads(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
+    let full = problem.simulator.full_load()?;
+    let load = problem.simulator.load(problem.inputs)?;
+    let out: Vec<usize> = (0..load.len()).filter(|row| !(LOWEST..=HIGHEST).contains(&load[*row])).collect();
+    let worst = *out.iter().max_by(|a, b| (load[**a] - 0.5).abs().total_cmp(&(load[**b] - 0.5).abs()))?;
+    let (name, unit) = if problem.simulator.needs().contains(&Role::Pressure) { ("pressure", "Pa") } else { ("force", "N") };
+    let text = |share: f64| Scale::of(unit, (share * full).abs()).text(share * full);
+    let fix = if load[worst] > 0.0 {
+        "leave these rows out, or name a sensor of a larger range with --sensor"
+    } else {
+        "a pull that the sensor cannot bear: check the sign and the tare of the column, or leave these rows out"
+    };
+    let says = format!(
+        "the {name} goes outside the sensor's range of 0 to {}: {} in {}, {} rows in all; {fix}",
+        text(1.0),
+        text(load[worst]),
+        rows.place(worst),
+        out.len()
+    );
+    Some(Notice { kind: NoticeKind::OutOfRange, says, rows: rows.numbers_of(&out), withholds: true })
+}
+
+fn temperatures(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
+    let temperature = problem.inputs.temperature_c.as_ref()?;
+    let (low, high) = TEMPERATURES_C;
+    let out: Vec<usize> = (0..temperature.len()).filter(|row| !(low..=high).contains(&temperature[*row])).collect();
+    let worst = *out.iter().max_by(|a, b| (temperature[**a] - 40.0).abs().total_cmp(&(temperature[**b] - 40.0).abs()))?;
+    let says = format!(
+        "the temperature leaves the range of {low:.0} to {high:.0} °C in which the materials are known: {:.4} °C in {}, {} rows in all; check the unit \
+         of the column and the thermometer, or leave these rows out",
+        temperature[worst],
+        rows.place(worst),
+        out.len()
+    );
+    Some(Notice { kind: NoticeKind::OutOfRange, says, rows: rows.numbers_of(&out), withholds: true })
+}

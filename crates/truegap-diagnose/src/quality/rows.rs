@@ -1,0 +1,111 @@
+//! What is wrong with a recording, before any physics is named: one kind of trouble a file.
+//!
+//! Limits: looks at one recording at a time; what is told here is certain or nearly so, doubts are told by [`crate::quality::preconditions`].
+
+use crate::{data::problem::Problem, text::Scale};
+use std::ops::Range;
+use truegap_core::Inputs;
+
+/// Where a row is, for a reader.
+#[derive(Clone, Copy)]
+pub struct Rows<'a> {
+    /// what was done
+    pub inputs: &'a Inputs,
+    /// number in the recording as it was given, from 0; absent where no row was left out
+    pub given: Option<&'a [usize]>,
+    /// unit of the response
+    pub unit: &'a str,
+}
+
+impl Rows<'_> {
+    /// Number as the user counts, from 1.
+    pub fn number(&self, row: usize) -> usize {
+        self.given.map_or(row, |given| given[row]) + 1
+    }
+
+    /// `row 132 (t = 66.0 s)`.
+    pub(crate) fn place(&self, row: usize) -> String {
+        match &self.inputs.time_s {
+            Some(time) => format!("row {} (t = {})", self.number(row), Scale::of("s", time[row].abs()).text(time[row])),
+            None => format!("row {}", self.number(row)),
+        }
+    }
+
+    /// `rows 40 to 95 (t = 20.0 s)`.
+    pub(crate) fn places(&self, rows: &Range<usize>) -> String {
+        let (first, last) = (self.number(rows.start), self.number(rows.end - 1));
+        match &self.inputs.time_s {
+            Some(time) => {
+                format!("rows {first} to {last} (from t = {})", Scale::of("s", time[rows.start].abs()).text(time[rows.start]))
+            }
+            None => format!("rows {first} to {last}"),
+        }
+    }
+
+    /// A reading with its unit.
+    pub(crate) fn reading(&self, value: f64) -> String {
+        let number = format!("{value:.6}");
+        let number = number.trim_end_matches('0').trim_end_matches('.');
+        if self.unit.is_empty() || self.unit == "1" { number.to_owned() } else { format!("{number} {}", self.unit) }
+    }
+
+    /// First and last number of each stretch.
+    pub(crate) fn numbers<'r>(&self, ranges: impl Iterator<Item = &'r Range<usize>>) -> Vec<[usize; 2]> {
+        ranges.map(|rows| [self.number(rows.start), self.number(rows.end - 1)]).collect()
+    }
+
+    /// The same for single rows in order, neighbours put together.
+    pub(crate) fn numbers_of(&self, rows: &[usize]) -> Vec<[usize; 2]> {
+        let mut found: Vec<[usize; 2]> = Vec::new();
+        for number in rows.iter().map(|row| self.number(*row)) {
+            match found.last_mut() {
+                Some([_, last]) if *last + 1 == number => *last = number,
+                _ => found.push([number, number]),
+            }
+        }
+        found
+    }
+}
+
+/// Stretches of equal values inside runs.
+pub(crate) fn equal_stretches(column: &[f64], runs: &[Range<usize>]) -> Vec<Range<usize>> {
+    let mut found = Vec::new();
+    for run in runs {
+        let mut first = run.start;
+        for row in run.start + 1..=run.end {
+            if row == run.end || column[row] != column[first] {
+                found.push(first..row);
+                first = row;
+            }
+        }
+    }
+    found
+}
+
+/// Share of neighbouring rows with equal values, those inside stretches longer than `longest` aside.
+pub(crate) fn standing_still(stretches: &[Range<usize>], longest: usize) -> f64 {
+    let others = stretches.iter().filter(|s| s.len() < longest);
+    let (pairs, rows) = others.fold((0, 0), |(pairs, rows), s| (pairs + s.len() - 1, rows + s.len()));
+    if rows == 0 { 1.0 } else { pairs as f64 / rows as f64 }
+}
+
+/// Least and greatest value over some rows.
+pub(crate) fn ends(column: &[f64], rows: impl Iterator<Item = usize>) -> (f64, f64) {
+    rows.map(|row| column[row]).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+}
+
+/// Inputs that drive a reading, each with its range over the recording: load or gap, temperature, simulation.
+pub(crate) fn drivers(problem: &Problem<'_>) -> Vec<Vec<f64>> {
+    let load = crate::data::context::load_column(problem.inputs, problem.simulator);
+    let columns = [load, problem.inputs.temperature_c.clone(), problem.inputs.simulated.clone()];
+    columns.into_iter().flatten().filter(|c| crate::stats::spread(c) > 0.0).collect()
+}
+
+/// Greatest change of any driver over some rows, as a share of its range; temperature counts where it moves by a kelvin or more.
+pub(crate) fn moved(drivers: &[Vec<f64>], rows: &Range<usize>) -> f64 {
+    let share = |column: &Vec<f64>| {
+        let (low, high) = ends(column, rows.clone());
+        (high - low) / crate::stats::spread(column)
+    };
+    drivers.iter().map(share).fold(0.0, f64::max)
+}

@@ -1,0 +1,283 @@
+//! Which effects, alone and together, explain a recording: singles, forward steps, swaps, pairs of the best.
+//!
+//! Limits: at most three effects at once.
+
+use crate::{
+    data::{context::Context, problem::Problem},
+    effects::effect::Effect,
+    fit::{
+        levenberg_marquardt::FitOptions,
+        maximum_a_posteriori::{approach, fit, fit_onwards},
+        model::Model,
+        optimum::{Fit, Settled},
+        score_test::scores,
+    },
+    whitening::whitener::Whitener,
+};
+use nalgebra::DMatrix;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
+use truegap_core::SimulationError;
+
+/// A model that was fitted: the base with some effects of the library.
+#[derive(Clone)]
+pub struct Tried {
+    /// indices into [`Search::library`], ascending in the order in which they were added
+    pub effects: Vec<usize>,
+    /// its fit
+    pub fit: Fit,
+}
+
+impl Tried {
+    /// The same effects whatever their order.
+    pub fn key(&self) -> Vec<usize> {
+        let mut key = self.effects.clone();
+        key.sort_unstable();
+        key
+    }
+}
+
+/// What is being tried, for a progress bar.
+#[derive(Clone, Debug)]
+pub struct Progress {
+    /// step of the pipeline
+    pub step: &'static str,
+    /// what is tried
+    pub what: String,
+    /// share done, 0 to 1
+    pub done: f64,
+}
+
+/// Everything a search needs.
+pub struct Search<'a> {
+    /// recording and simulator
+    pub problem: &'a Problem<'a>,
+    /// facts for the effects
+    pub context: &'a Context<'a>,
+    /// effects that this recording can show
+    pub library: Vec<&'a dyn Effect>,
+    /// noise
+    pub whitener: &'a Whitener,
+    /// the same noise, many times larger: a fit to it stays near what is known beforehand
+    pub loose: &'a Whitener,
+    /// told what is tried
+    pub progress: &'a (dyn Fn(Progress) + Sync),
+    /// set from outside to end early with what is known
+    pub stop: &'a AtomicBool,
+}
+
+impl<'a> Search<'a> {
+    /// The base model alone.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn base(&self) -> Result<Tried, SimulationError> {
+        let model = self.model(&[]);
+        let start = vec![0.0; model.parameters.len()];
+        Ok(Tried { effects: Vec::new(), fit: fit(&model, self.whitener, &start, &FitOptions::default())? })
+    }
+
+    /// The base model with these effects.
+    pub fn model(&self, effects: &[usize]) -> Model<'a> {
+        Model::new(self.problem, self.context, effects.iter().map(|i| self.library[*i]).collect())
+    }
+
+    /// Adds each of `candidates` to `from`, in parallel; only the `most` that promise most are fitted.
+    pub fn add_each(&self, from: &Tried, candidates: &[usize], most: usize, step: &'static str) -> Vec<Tried> {
+        let open = |c: &&usize| !from.effects.contains(c) && !self.stop.load(Ordering::Relaxed);
+        let settled = from.fit.settled();
+        let loosened = self.loosened(from).map(|l| (l.fit.settled(), l));
+        let mut launches = vec![Launch { from, settled: &settled, whitener: self.whitener }];
+        launches.extend(loosened.as_ref().map(|(settled, from)| Launch { from, settled, whitener: self.loose }));
+        let starts = |candidate: usize| launches.iter().map(|l| self.promising(*l, candidate)).collect::<Vec<_>>();
+        let mut promising: Vec<(usize, Vec<Vec<Start>>)> = candidates.par_iter().filter(open).map(|c| (*c, starts(*c))).collect();
+        let gain =
+            |starts: &[Vec<Start>]| starts.iter().filter_map(|s| s.first()).map(|s| s.gain).fold(f64::NEG_INFINITY, f64::max);
+        promising.retain(|(_, starts)| gain(starts) > f64::NEG_INFINITY);
+        promising.sort_by(|a, b| gain(&b.1).total_cmp(&gain(&a.1)));
+        promising.truncate(most);
+        keep_best(&mut promising, 1, LOOSE_FITS);
+        let done = std::sync::atomic::AtomicUsize::new(0);
+        let total = promising.len().max(1) as f64;
+        let fitted = promising.par_iter().filter(|_| !self.stop.load(Ordering::Relaxed)).filter_map(|(candidate, starts)| {
+            let fits = launches.iter().zip(starts).filter_map(|(launch, starts)| self.add(*launch, *candidate, starts));
+            let tried = fits.max_by(|a, b| a.fit.log_evidence.total_cmp(&b.fit.log_evidence));
+            let count = done.fetch_add(1, Ordering::Relaxed) + 1;
+            (self.progress)(Progress { step, what: self.library[*candidate].id().to_string(), done: count as f64 / total });
+            tried
+        });
+        fitted.collect()
+    }
+
+    /// `launch` with one more effect, fitted from its most promising starts; `None` where no start has an answer.
+    fn add(&self, launch: Launch<'_>, candidate: usize, starts: &[Start]) -> Option<Tried> {
+        let mut effects = launch.from.effects.clone();
+        effects.push(candidate);
+        let model = self.model(&effects);
+        let best = starts.first()?;
+        let close = starts.iter().take(2).filter(|s| s.gain >= 0.6 * best.gain);
+        let starts: Vec<&Start> = if best.gain > HOPELESS { close.collect() } else { vec![best] };
+        let fits = starts.iter().filter_map(|s| self.refine(&model, s, launch));
+        let fit = fits.max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence))?;
+        // a larger model cannot fit worse than the one that it holds: start again from there
+        let lost = std::ptr::eq(launch.whitener, self.whitener)
+            && !self.library[candidate].foreseen()
+            && fit.objective() > launch.from.fit.objective() + 0.5;
+        let again = if lost { self.with_nothing_added(&model, launch, best) } else { None };
+        Some(Tried { effects, fit: again.unwrap_or(fit) })
+    }
+
+    /// A fit that starts where the new effect is absent, with the shape of `start`.
+    fn with_nothing_added(&self, model: &Model<'_>, launch: Launch<'_>, start: &Start) -> Option<Fit> {
+        let mut z = start.z.clone();
+        let first = launch.from.fit.z.len();
+        z[..first].copy_from_slice(&launch.from.fit.z);
+        z[first] = zero_size(model, model.effects.len() - 1);
+        fit_onwards(model, self.whitener, &z, &launch.from.fit.jacobian, &FitOptions::default()).ok()
+    }
+
+    /// The same models with one effect less each, started from where the larger one ended: a shape that was found in company may hold alone, too.
+    pub fn without_each(&self, tried: &Tried) -> Vec<Tried> {
+        let whole = self.model(&tried.effects);
+        let without = |index: usize| {
+            let own = whole.range_of(index);
+            let kept: Vec<usize> = (0..tried.fit.z.len()).filter(|i| !own.contains(i)).collect();
+            let effects: Vec<usize> = tried.effects.iter().enumerate().filter(|(i, _)| *i != index).map(|(_, e)| *e).collect();
+            let start: Vec<f64> = kept.iter().map(|i| tried.fit.z[*i]).collect();
+            let known = tried.fit.jacobian.select_columns(&kept);
+            let fit = fit_onwards(&self.model(&effects), self.whitener, &start, &known, &FitOptions::default()).ok()?;
+            Some(Tried { effects, fit })
+        };
+        (0..tried.effects.len()).filter_map(without).collect()
+    }
+
+    /// The same model, fitted to the end.
+    pub fn polished(&self, tried: &Tried) -> Option<Tried> {
+        let model = self.model(&tried.effects);
+        let fit = fit_onwards(&model, self.whitener, &tried.fit.z, &tried.fit.jacobian, &FitOptions::default()).ok()?;
+        Some(Tried { effects: tried.effects.clone(), fit })
+    }
+
+    /// Where calibration has driven the parameters of `from` far from what is known of them, hiding physics that is missing: its fit to
+    /// larger noise, which stays near; more physics is better looked for from there.
+    fn loosened(&self, from: &Tried) -> Option<Tried> {
+        let model = self.model(&from.effects);
+        let base = model.base_count();
+        if from.fit.z[..base].iter().all(|z| z.abs() < DRIVEN_FAR) {
+            return None;
+        }
+        let mut start = from.fit.z.clone();
+        start[..base].fill(0.0);
+        fit(&model, self.loose, &start, &FitOptions::default()).ok().map(|fit| Tried { effects: from.effects.clone(), fit })
+    }
+
+    /// Refits with everything free, after a first fit that holds the shape of the new effect.
+    fn refine(&self, model: &Model<'_>, start: &Start, launch: Launch<'_>) -> Option<Fit> {
+        let before = launch.from.fit.z.len();
+        let mut bounds = model.bounds();
+        for (bound, z) in bounds.iter_mut().zip(&start.z).skip(before + 1) {
+            *bound = (*z, *z);
+        }
+        let held = FitOptions { iterations: 3, tolerance: 1.0 };
+        let mut z = start.z.clone();
+        if z.len() > before + 1 {
+            z = approach(model, launch.whitener, &z, &bounds, &launch.from.fit.jacobian, &held).ok()?;
+        }
+        let options = FitOptions { iterations: if start.gain > HOPELESS { 6 } else { 3 }, tolerance: 0.5 };
+        if std::ptr::eq(launch.whitener, self.whitener) {
+            return fit_onwards(model, self.whitener, &z, &launch.from.fit.jacobian, &options).ok();
+        }
+        z = fit(model, launch.whitener, &z, &FitOptions { iterations: 8, tolerance: 0.5 }).ok()?.z;
+        fit(model, self.whitener, &z, &FitOptions { iterations: 20, tolerance: 0.5 }).ok()
+    }
+
+    /// Starting points of one more effect, most promising first, judged by one straight step from `from`.
+    fn promising(&self, launch: Launch<'_>, candidate: usize) -> Vec<Start> {
+        let mut effects = launch.from.effects.clone();
+        effects.push(candidate);
+        let model = &self.model(&effects);
+        let last = model.effects.len() - 1;
+        let parameters = &model.parameters[model.range_of(last)];
+        let bounds = model.bounds()[model.first_of(last)];
+        let mut starts: Vec<Start> = Vec::new();
+        for shape in model.effects[last].starts(self.context) {
+            let z_shape: Vec<f64> = parameters.iter().skip(1).zip(&shape).map(|(p, v)| p.prior.z(*v)).collect();
+            // a size that is foreseen lies far from 0, where it starts
+            let foreseen = -zero_size(model, last);
+            for trial in [0.01, 0.5, -0.5].into_iter().chain((foreseen != 0.0).then_some(foreseen)) {
+                if (bounds.0..=bounds.1).contains(&trial) {
+                    starts.extend(self.straight_step(launch, model, trial, &z_shape, bounds));
+                }
+            }
+        }
+        starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        starts
+    }
+
+    /// Size that a straight line through size 0 and `trial` promises, and its gain in log likelihood.
+    fn straight_step(
+        &self,
+        launch: Launch<'_>,
+        model: &Model<'_>,
+        trial: f64,
+        shape: &[f64],
+        bounds: (f64, f64),
+    ) -> Option<Start> {
+        let from = launch.from;
+        let zero = zero_size(model, model.effects.len() - 1);
+        let size = if trial > 0.0 { (zero + trial).min(bounds.1) } else { (zero + trial).max(bounds.0) };
+        let mut z = from.fit.z.clone();
+        z.push(size);
+        z.extend_from_slice(shape);
+        let there = model.residual(&z, launch.whitener).ok()?;
+        let column: Vec<f64> = from.fit.residual.iter().zip(&there).map(|(a, b)| (a - b) / (size - zero)).collect();
+        let found = scores(launch.settled, &DMatrix::from_column_slice(column.len(), 1, &column));
+        let (score, variance) = (found.scores[0], found.covariance[(0, 0)]);
+        let best =
+            (zero + (score - zero) / (variance + 1.0)).clamp(bounds.0, bounds.1).clamp(zero.min(0.0) - 4.0, zero.max(0.0) + 4.0);
+        let step = best - zero;
+        z[from.fit.z.len()] = if step == 0.0 { (zero + 1e-3 * trial.signum()).clamp(bounds.0, bounds.1) } else { best };
+        Some(Start { z, gain: score * step - 0.5 * variance * step * step })
+    }
+}
+
+/// Leaves the starts from launch `launch` to the `count` candidates that promise most from there.
+fn keep_best(promising: &mut [(usize, Vec<Vec<Start>>)], launch: usize, count: usize) {
+    let gain = |starts: &[Vec<Start>]| starts.get(launch).and_then(|s| s.first()).map_or(f64::NEG_INFINITY, |s| s.gain);
+    let mut gains: Vec<f64> = promising.iter().map(|(_, starts)| gain(starts)).collect();
+    gains.sort_by(|a, b| b.total_cmp(a));
+    let Some(least) = gains.get(count).copied() else { return };
+    promising.iter_mut().filter(|(_, starts)| gain(starts) <= least).for_each(|(_, starts)| {
+        starts.get_mut(launch).map(Vec::clear);
+    });
+}
+
+/// Candidates that are fitted from near the prior as well, where calibration has driven the parameters far.
+const LOOSE_FITS: usize = 8;
+
+/// Promised gain in log likelihood below which an effect is fitted roughly: it cannot win.
+const HOPELESS: f64 = 1.5;
+
+/// Prior standard deviations beyond which a parameter counts as driven far.
+const DRIVEN_FAR: f64 = 4.0;
+/// Factor on the noise of a loose fit.
+pub const LOOSE: f64 = 30.0;
+
+/// A fitted model to start from, and the noise under which it was fitted.
+#[derive(Clone, Copy)]
+struct Launch<'a> {
+    from: &'a Tried,
+    settled: &'a Settled,
+    whitener: &'a Whitener,
+}
+
+/// A starting point and what a straight step promises of it.
+struct Start {
+    z: Vec<f64>,
+    gain: f64,
+}
+
+/// Coordinate at which the size of effect `index` is 0.
+pub fn zero_size(model: &Model<'_>, index: usize) -> f64 {
+    model.parameters[model.first_of(index)].prior.z(0.0)
+}

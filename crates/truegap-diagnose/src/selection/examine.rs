@@ -1,0 +1,77 @@
+//! The part of the pipeline that decides: fits, probabilities, adequacy, verdict. Recordings and simulated ones ([`crate::validation::recovery`]) go through the same.
+//!
+//! Limits: noise, thinned rows and directions are given.
+
+use crate::{
+    adequacy::lack_of_fit::{Adequacy, Gate},
+    selection::{
+        candidates::{Search, Tried},
+        detectability::detectability,
+        posterior::{Selection, select},
+        tempering::expected,
+        unmodelled::Causes,
+        verdict::{Decision, decide, interrupted, stated},
+    },
+};
+use std::sync::atomic::Ordering;
+use truegap_core::SimulationError;
+
+/// Detectability below which an effect is not claimed.
+const VISIBLE: f64 = 3.0;
+/// The same as a share of the whole misfit: the right physics in the wrong equation leaves as much behind, and another effect can pick that up.
+const VISIBLE_SHARE: f64 = 0.1;
+
+/// What was found before it is put into words.
+pub struct Examined {
+    /// models and probabilities
+    pub selection: Selection,
+    /// adequacy of the base model
+    pub before: Adequacy,
+    /// adequacy of the likeliest model that names something; of the base model where nothing was fitted
+    pub after: Adequacy,
+    /// verdict
+    pub decision: Decision,
+}
+
+/// Fits, weighs and decides.
+///
+/// # Errors
+/// Those of the simulator at the centre of the prior.
+pub fn examine(search: &Search<'_>, gate: &Gate) -> Result<Examined, SimulationError> {
+    let selection = select(search, gate, search.base()?);
+    let nothing = expected(selection.models.iter(), &search.library).map_or(0.0, |m| m.fit.objective());
+    let causes = Causes::new(search.problem, search.whitener);
+    let selection = selection.with_unlisted(&causes, &search.library, gate.slack());
+    Ok(judge(search, gate, selection.merged(|models, tried| hidden(search, models, tried, nothing))))
+}
+
+/// The verdict on a selection.
+pub fn judge(search: &Search<'_>, gate: &Gate, selection: Selection) -> Examined {
+    let named = stated(&selection).unwrap_or(selection.base);
+    let before = gate.adequacy(&selection.base().fit);
+    let after = gate.adequacy(&selection.models[named].fit);
+    let stopped = search.stop.load(Ordering::Relaxed);
+    let decision =
+        if stopped { interrupted(&selection) } else { decide(&selection, &before, &after, |e| search.library[e].free_form()) };
+    Examined { selection, before, after, decision }
+}
+
+/// The effect of a model that stands least above the noise, and above the error of its equations, where that is not enough; `nothing` is the objective of the
+/// model from which equations may be off.
+///
+/// An effect stands out by what the objective rises without it: exactly, where the model without it was fitted, else as its linear detectability has it.
+fn hidden(search: &Search<'_>, models: &[Tried], tried: &Tried, nothing: f64) -> Option<usize> {
+    let deviance = |objective: f64| (2.0 * (objective - tried.fit.objective())).max(0.0).sqrt();
+    let needed = if tried.effects.len() > 1 { VISIBLE.max(VISIBLE_SHARE * deviance(nothing)) } else { VISIBLE };
+    let without = |effect: usize| {
+        let mut key: Vec<usize> = tried.key();
+        key.retain(|e| *e != effect);
+        models.iter().find(|m| m.key() == key).map(|m| m.fit.objective())
+    };
+    let seen = (0..tried.effects.len()).map(|index| {
+        let exact = without(tried.effects[index]).map(deviance);
+        (exact.unwrap_or_else(|| detectability(search, tried, index)), tried.effects[index])
+    });
+    let least = seen.min_by(|a, b| a.0.total_cmp(&b.0));
+    least.filter(|(d, _)| *d < needed).map(|(_, effect)| effect)
+}

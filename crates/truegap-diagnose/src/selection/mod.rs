@@ -1,0 +1,13 @@
+//! Which effects, alone and together, explain a recording, and how sure that is.
+//!
+//! Limits: at most three effects at once.
+
+pub(crate) mod candidates;
+pub(crate) mod detectability;
+pub(crate) mod examine;
+pub(crate) mod model_space;
+pub(crate) mod posterior;
+pub(crate) mod prior;
+pub(crate) mod tempering;
+pub(crate) mod unmodelled;
+pub(crate) mod verdict;

@@ -1,0 +1,233 @@
+//! The models that are tried: singles, forward steps with swaps, pairs of the best, triples; those that matter fitted to the end and their evidence sampled.
+//!
+//! Limits: a model that no step leads to is not tried.
+
+use crate::{
+    adequacy::lack_of_fit::Gate,
+    fit::importance::{Sampled, sampled},
+    selection::{
+        candidates::{Progress, Search, Tried},
+        prior::weight,
+        tempering::temper_of,
+    },
+};
+use rayon::prelude::*;
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::atomic::{AtomicUsize, Ordering},
+};
+
+/// Partners that are fitted at each step, those that promise most.
+const PARTNERS: usize = 6;
+/// Gain in log evidence from which a larger model is worth looking for still larger ones.
+const CLEAR: f64 = 3.0;
+/// Difference in log weight beyond which a model is not looked at more closely.
+const CLOSE: f64 = 12.0;
+/// Models that are sampled, those with the most weight, and the draws for each.
+const SAMPLED: (usize, usize) = (8, 128);
+/// Effective share of draws from which a sampled evidence stands in for Laplace's.
+const ENOUGH: f64 = 0.1;
+/// Models whose parts are fitted again.
+const LIKELY: usize = 3;
+/// Gain in log evidence of such a part from which all is weighed anew.
+const BETTER: f64 = 0.5;
+
+/// The best fit of each set of effects so far.
+pub(crate) struct Tries<'s, 'a> {
+    search: &'s Search<'a>,
+    gate: &'s Gate,
+    models: BTreeMap<Vec<usize>, Tried>,
+}
+
+impl<'s, 'a> Tries<'s, 'a> {
+    /// The base model and every effect alone; where one is worth it, two and three together; all that is close fitted to the end.
+    pub fn all(search: &'s Search<'a>, gate: &'s Gate, base: Tried) -> Self {
+        let mut tries = Self { search, gate, models: BTreeMap::new() };
+        let all: Vec<usize> = (0..search.library.len()).collect();
+        let singles = search.add_each(&base, &all, all.len(), "one effect");
+        let order = ranked(&singles);
+        let gain = order.first().map_or(0.0, |i| singles[*i].fit.log_evidence - base.fit.log_evidence);
+        tries.keep(std::iter::once(base).chain(singles.iter().cloned()));
+        if gain > CLEAR {
+            let best: Vec<&Tried> = order.iter().take(PARTNERS).map(|i| &singles[*i]).collect();
+            tries.pairs(&best, &all);
+            tries.triples(&all);
+        }
+        tries.polish();
+        if tries.smaller() {
+            tries.polish();
+        }
+        tries
+    }
+
+    /// The models.
+    pub fn into_models(self) -> Vec<Tried> {
+        self.models.into_values().collect()
+    }
+
+    fn stopped(&self) -> bool {
+        self.search.stop.load(Ordering::Relaxed)
+    }
+
+    fn temper(&self) -> f64 {
+        temper_of(self.models.values(), &self.search.library, self.gate)
+    }
+
+    /// Keeps the better fit of models with the same effects.
+    fn keep(&mut self, models: impl IntoIterator<Item = Tried>) {
+        for model in models {
+            let better = self.models.get(&model.key()).is_none_or(|old| model.fit.log_evidence > old.fit.log_evidence);
+            if better {
+                self.models.insert(model.key(), model);
+            }
+        }
+    }
+
+    /// The best single with every other effect, then the best partner with every other (a swap), then all pairs of the best; no more than the first where the
+    /// best single leaves nothing and no partner gains anything.
+    fn pairs(&mut self, best: &[&Tried], all: &[usize]) {
+        let Some(first) = best.first() else { return };
+        let forward = self.search.add_each(first, all, PARTNERS, "two effects");
+        let Some(second) = ranked(&forward).first().map(|i| forward[*i].clone()) else { return };
+        self.keep(forward);
+        if second.fit.log_evidence < first.fit.log_evidence + CLEAR && !self.gate.adequacy(&first.fit).fires() {
+            return;
+        }
+        if let Some(alone) = second.effects.get(1).and_then(|partner| self.models.get(&vec![*partner]).cloned()) {
+            self.keep(self.search.add_each(&alone, all, PARTNERS, "two effects, swapped"));
+        }
+        for (index, one) in best.iter().enumerate().skip(1) {
+            let others = best[index + 1..].iter().map(|o| o.effects[0]);
+            let others: Vec<usize> = others.filter(|o| !self.models.contains_key(&sorted(&[one.effects[0], *o]))).collect();
+            self.keep(self.search.add_each(one, &others, PARTNERS, "pairs of the best"));
+        }
+    }
+
+    /// The best pair with every other effect, where the pair is worth it; where the triple is, too, each of its other pairs with every other effect (a swap).
+    fn triples(&mut self, all: &[usize]) {
+        let Some(pair) = self.worth_more(2) else { return };
+        self.keep(self.search.add_each(&pair, all, PARTNERS, "three effects"));
+        let Some(triple) = self.worth_more(3) else { return };
+        let without = |left_out: &usize| triple.effects.iter().copied().filter(|e| e != left_out).collect::<Vec<_>>();
+        for other in pair.effects.iter().map(without) {
+            let known = self.models.get(&sorted(&other)).cloned();
+            let from = known.or_else(|| {
+                let alone = self.models.get(&vec![other[0]])?;
+                self.search.add_each(alone, &other[1..], 1, "three effects, swapped").pop()
+            });
+            let Some(from) = from else { continue };
+            self.keep(self.search.add_each(&from, all, PARTNERS, "three effects, swapped"));
+            self.keep([from]);
+        }
+    }
+
+    /// The best model of `count` effects, where it is clearly better than the best of one less.
+    fn worth_more(&self, count: usize) -> Option<Tried> {
+        let of_size = |n: usize| {
+            let those = self.models.values().filter(move |t| t.effects.len() == n);
+            those.max_by(|a, b| a.fit.log_evidence.total_cmp(&b.fit.log_evidence))
+        };
+        let (smaller, larger) = (of_size(count - 1)?, of_size(count)?);
+        let gain = (larger.fit.log_evidence - smaller.fit.log_evidence) / self.temper();
+        (gain > CLEAR && !self.stopped()).then(|| larger.clone())
+    }
+
+    /// Fits to the end what could still matter; the search itself is content with rough fits.
+    fn polish(&mut self) {
+        let mut done: BTreeSet<Vec<usize>> = BTreeSet::from([Vec::new()]);
+        loop {
+            let weight = weight(self.temper(), self.search.library.len());
+            let best = self.models.values().map(weight).fold(f64::NEG_INFINITY, f64::max);
+            let near = |(key, m): &(&Vec<usize>, &Tried)| !done.contains(*key) && weight(m) > best - CLOSE;
+            let rough: Vec<&Tried> = self.models.iter().filter(near).map(|(_, m)| m).collect();
+            if rough.is_empty() || self.stopped() {
+                return;
+            }
+            done.extend(rough.iter().map(|m| m.key()));
+            let better = self.polished(&rough);
+            self.keep(better);
+        }
+    }
+
+    fn polished(&self, rough: &[&Tried]) -> Vec<Tried> {
+        let finished = AtomicUsize::new(0);
+        let one = |m: &&Tried| {
+            let polished = self.search.polished(m);
+            let done = (finished.fetch_add(1, Ordering::Relaxed) + 1) as f64 / rough.len() as f64;
+            (self.search.progress)(Progress { step: "closer look", what: format!("{} models", rough.len()), done });
+            polished
+        };
+        rough.par_iter().filter_map(one).collect()
+    }
+
+    /// Fits the models that the likeliest hold from where those ended; whether one of them is better for it.
+    fn smaller(&mut self) -> bool {
+        let weight = weight(self.temper(), self.search.library.len());
+        let best = self.models.values().map(weight).fold(f64::NEG_INFINITY, f64::max);
+        let mut likely: Vec<&Tried> = self.models.values().filter(|m| m.effects.len() > 1 && weight(m) > best - CLEAR).collect();
+        likely.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
+        likely.truncate(LIKELY);
+        if self.stopped() {
+            return false;
+        }
+        let found: Vec<Tried> = likely.par_iter().flat_map_iter(|m| self.search.without_each(m)).collect();
+        let gains = |m: &Tried| self.models.get(&m.key()).is_none_or(|old| m.fit.log_evidence > old.fit.log_evidence + BETTER);
+        let better = found.iter().any(gains);
+        self.keep(found);
+        better
+    }
+
+    /// Replaces Laplace's evidence by a sampled one for the models with the most weight, and for the base model.
+    pub fn check(&mut self) -> EvidenceCheck {
+        let weight = weight(self.temper(), self.search.library.len());
+        let mut order: Vec<(&Vec<usize>, f64)> = self.models.iter().map(|(key, m)| (key, weight(m))).collect();
+        order.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let best = order.first().map_or(0.0, |o| o.1);
+        let near = |(place, (key, w)): &(usize, (&Vec<usize>, f64))| key.is_empty() || (*place < SAMPLED.0 && *w > best - CLOSE);
+        let keys: Vec<Vec<usize>> = order.into_iter().enumerate().filter(near).map(|(_, (key, _))| key.clone()).collect();
+        let found: Vec<(Vec<usize>, Sampled)> =
+            keys.par_iter().filter_map(|key| Some((key.clone(), self.sampled(key)?))).collect();
+        let mut report = EvidenceCheck { models: found.len(), ..EvidenceCheck::default() };
+        let shares = found.iter().map(|(_, s)| s.effective_share);
+        report.effective_share = [shares.clone().fold(1.0, f64::min), shares.fold(0.0, f64::max)];
+        for (key, sampled) in found.into_iter().filter(|(_, s)| s.effective_share > ENOUGH) {
+            let Some(m) = self.models.get_mut(&key) else { continue };
+            report.replaced += 1;
+            let log_evidence = sampled.log_evidence + m.fit.scale_gain;
+            report.largest_change = report.largest_change.max((log_evidence - m.fit.log_evidence).abs());
+            m.fit.log_evidence = log_evidence;
+        }
+        report
+    }
+
+    fn sampled(&self, key: &[usize]) -> Option<Sampled> {
+        let m = self.models.get(key).filter(|_| !self.stopped())?;
+        let seed = key.iter().fold(0x7a11_u64, |seed, e| seed.wrapping_mul(31).wrapping_add(*e as u64 + 1));
+        sampled(&self.search.model(&m.effects), self.search.whitener, &m.fit, SAMPLED.1, seed)
+    }
+}
+
+fn ranked(models: &[Tried]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..models.len()).collect();
+    order.sort_by(|a, b| models[*b].fit.log_evidence.total_cmp(&models[*a].fit.log_evidence));
+    order
+}
+
+fn sorted(effects: &[usize]) -> Vec<usize> {
+    let mut key = effects.to_vec();
+    key.sort_unstable();
+    key
+}
+
+/// Laplace's approximation against importance sampling.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+pub struct EvidenceCheck {
+    /// models sampled
+    pub models: usize,
+    /// models whose evidence is the sampled one; the others had too few effective draws
+    pub replaced: usize,
+    /// largest change of log evidence among those replaced
+    pub largest_change: f64,
+    /// effective share of the draws: smallest and greatest over the models sampled
+    pub effective_share: [f64; 2],
+}

@@ -1,0 +1,189 @@
+//! From fits to probabilities: a prior that pays for multiplicity, and tempering for the error of every equation.
+//!
+//! Limits: models that were not tried have probability 0.
+
+use crate::{
+    adequacy::lack_of_fit::Gate,
+    effects::effect::Effect,
+    selection::{
+        candidates::{Search, Tried},
+        model_space::{EvidenceCheck, Tries},
+        prior::{log_prior, weight},
+        tempering::{least, temper_of},
+        unmodelled::{Causes, Unlisted},
+    },
+    stats::log_sum_exp,
+};
+/// Probability below which a model is not looked at more closely.
+const NEGLIGIBLE: f64 = 1e-4;
+/// Log odds that are large enough to stand for certainty.
+const LARGEST: f64 = 500.0;
+
+/// All models tried, with probabilities.
+pub struct Selection {
+    /// models, likeliest first
+    pub models: Vec<Tried>,
+    /// probability of each
+    pub probability: Vec<f64>,
+    /// probability of each effect of the library to belong to the model
+    pub effect_probability: Vec<f64>,
+    /// divisor of log evidence
+    pub temper: f64,
+    /// index of the base model in `models`
+    pub base: usize,
+    /// how Laplace's approximation fared near the top
+    pub check: EvidenceCheck,
+    /// causes outside the library beside models of it, likeliest first, with their odds against all of `models` together
+    pub unlisted: Vec<(Unlisted, f64)>,
+}
+
+impl Selection {
+    /// The likeliest model.
+    pub fn best(&self) -> &Tried {
+        &self.models[0]
+    }
+
+    /// The base model.
+    pub fn base(&self) -> &Tried {
+        &self.models[self.base]
+    }
+
+    /// The model that leaves least, its parameters' distance from what is known of them counted.
+    pub fn least(&self) -> Option<&Tried> {
+        least(self.models.iter())
+    }
+
+    /// Index of the likeliest model that names something; `None` where nothing was fitted.
+    pub fn likeliest_named(&self) -> Option<usize> {
+        self.models.iter().position(|m| !m.effects.is_empty())
+    }
+
+    /// Probability that nothing is missing.
+    pub fn probability_none(&self) -> f64 {
+        self.probability[self.base]
+    }
+
+    /// Sets causes outside the library beside the models; the probabilities of effects then leave room for them.
+    ///
+    /// Where the noise may have `slack` times the variance that was taken, the evidence of both sides is worth that much less.
+    #[must_use]
+    pub fn with_unlisted(mut self, causes: &Causes, library: &[&dyn Effect], slack: f64) -> Self {
+        let temper = self.temper * slack;
+        // what is outside pays for its freedom in full, and so does what is inside without an equation
+        let library_size = self.effect_probability.len();
+        let weight = |m: &Tried| m.fit.tempered(temper) + log_prior(m.effects.len(), library_size);
+        let total = log_sum_exp(&self.models.iter().map(weight).collect::<Vec<_>>());
+        let found = causes.beside(&self.models, library, weight, temper);
+        self.unlisted = found
+            .into_iter()
+            .map(|u| {
+                let odds = (u.weight - total).min(LARGEST).exp();
+                (u, odds)
+            })
+            .collect();
+        self.sorted()
+    }
+
+    /// What weights against all of `models` together are divided by to make probabilities that leave room for causes outside the library.
+    fn whole(&self) -> f64 {
+        1.0 + self.unlisted.iter().map(|(_, odds)| odds).sum::<f64>()
+    }
+
+    /// Causes outside the library with the probability of each, likeliest first.
+    pub fn unlisted_probabilities(&self) -> impl Iterator<Item = (&Unlisted, f64)> {
+        let whole = self.whole();
+        self.unlisted.iter().map(move |(cause, odds)| (cause, odds / whole))
+    }
+
+    /// Probability that a cause outside the library acts.
+    pub fn probability_unlisted(&self) -> f64 {
+        self.unlisted_probabilities().map(|(_, p)| p).sum()
+    }
+
+    /// The likeliest cause outside the library, where it is likelier than all of the library together.
+    pub fn outside(&self) -> Option<&Unlisted> {
+        self.unlisted.first().filter(|(_, odds)| *odds > 1.0).map(|(u, _)| u)
+    }
+
+    /// Counts each likely model for the one without its least visible effect, while that cannot be seen in the fit: it is not claimed.
+    ///
+    /// `hidden` names the least visible effect of a model, where it does not stand above the noise. One effect is dropped at a time: two that can stand in
+    /// for one another are each hidden by the other, and together they are not nothing.
+    #[must_use]
+    pub fn merged(mut self, hidden: impl Fn(&[Tried], &Tried) -> Option<usize>) -> Self {
+        let keys: Vec<Vec<usize>> = self.models.iter().map(Tried::key).collect();
+        let largest = keys.iter().map(Vec::len).max().unwrap_or(0);
+        for size in (1..=largest).rev() {
+            for index in 0..self.models.len() {
+                if keys[index].len() != size || self.probability[index] < NEGLIGIBLE {
+                    continue;
+                }
+                let Some(dropped) = hidden(&self.models, &self.models[index]) else { continue };
+                let key: Vec<usize> = keys[index].iter().copied().filter(|e| *e != dropped).collect();
+                // where the smaller model was not tried, nothing is known of it
+                let Some(target) = keys.iter().position(|k| *k == key) else { continue };
+                self.probability[target] += self.probability[index];
+                self.probability[index] = 0.0;
+            }
+        }
+        self.sorted()
+    }
+
+    /// The same models with the probabilities raised to a power: above 1 they were too modest, below 1 too bold (see [`crate::validation::recovery`]).
+    #[must_use]
+    pub fn sharpened(mut self, power: f64) -> Self {
+        let total: f64 = self.probability.iter().map(|p| p.powf(power)).sum();
+        self.probability.iter_mut().for_each(|p| *p = p.powf(power) / total);
+        self.unlisted.iter_mut().for_each(|(_, odds)| *odds = odds.powf(power) / total);
+        self.sorted()
+    }
+
+    /// Likeliest first, with the probabilities of the effects added up again.
+    fn sorted(mut self) -> Self {
+        let mut order: Vec<usize> = (0..self.models.len()).collect();
+        order.sort_by(|a, b| self.probability[*b].total_cmp(&self.probability[*a]));
+        self.models = order.iter().map(|i| self.models[*i].clone()).collect();
+        self.probability = order.iter().map(|i| self.probability[*i]).collect();
+        self.base = self.models.iter().position(|m| m.effects.is_empty()).unwrap_or(0);
+        self.unlisted.sort_by(|a, b| b.1.total_cmp(&a.1));
+        self.effect_probability = self.of_effects();
+        self
+    }
+
+    /// Probability of each effect to belong to the model, causes outside the library beside it or not.
+    fn of_effects(&self) -> Vec<f64> {
+        let mut sums = vec![0.0; self.effect_probability.len()];
+        let inside = self.models.iter().map(|m| &m.effects).zip(&self.probability);
+        let outside = self.unlisted.iter().map(|(u, odds)| (&u.effects, odds));
+        inside.chain(outside).for_each(|(effects, p)| effects.iter().for_each(|e| sums[*e] += p));
+        let whole = self.whole();
+        // rounding of many small terms
+        sums.iter_mut().for_each(|p| *p = (*p / whole).min(1.0));
+        sums
+    }
+
+    /// The model with exactly these effects.
+    pub fn with(&self, effects: &[usize]) -> Option<&Tried> {
+        let mut key = effects.to_vec();
+        key.sort_unstable();
+        self.models.iter().find(|m| m.key() == key)
+    }
+}
+
+/// Tries models and weighs all of them.
+pub fn select(search: &Search<'_>, gate: &Gate, base: Tried) -> Selection {
+    let mut tries = Tries::all(search, gate, base);
+    let check = tries.check();
+    Selection { check, ..weigh(tries.into_models(), &search.library, gate) }
+}
+
+fn weigh(mut models: Vec<Tried>, library: &[&dyn Effect], gate: &Gate) -> Selection {
+    let temper = temper_of(models.iter(), library, gate);
+    let weight = weight(temper, library.len());
+    models.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
+    let weights: Vec<f64> = models.iter().map(weight).collect();
+    let total = log_sum_exp(&weights);
+    let probability: Vec<f64> = weights.iter().map(|w| (w - total).exp()).collect();
+    let (effect_probability, check) = (vec![0.0; library.len()], EvidenceCheck::default());
+    Selection { models, probability, effect_probability, temper, base: 0, check, unlisted: Vec::new() }.sorted()
+}

@@ -1,0 +1,24 @@
+//! What a model is worth before the recording is seen: fewer effects are likelier, and many candidates share what their number is worth.
+//!
+//! Limits: every set of one size is as likely as another.
+
+use crate::selection::candidates::Tried;
+/// Prior probabilities of 0, 1, 2 and 3 effects, shared evenly within each number.
+const NUMBER_PRIOR: [f64; 4] = [0.5, 0.35, 0.12, 0.03];
+
+/// Log prior of a model with `count` of `library` effects.
+pub(crate) fn log_prior(count: usize, library: usize) -> f64 {
+    let combinations: f64 = (0..count).map(|i| (library.max(count) - i) as f64 / (i + 1) as f64).product();
+    (NUMBER_PRIOR.get(count).copied().unwrap_or(0.0) / combinations).ln()
+}
+
+/// Log prior of one thing more beside `count` effects, over that of those alone; minus infinity where there are as many as there may be.
+pub(crate) fn one_more(count: usize) -> f64 {
+    let prior = |count: usize| NUMBER_PRIOR.get(count).copied().unwrap_or(0.0);
+    (prior(count + 1) / prior(count)).ln()
+}
+
+/// Log posterior of a model, up to a constant: its log evidence over `temper`, and its log prior.
+pub(crate) fn weight(temper: f64, library: usize) -> impl Fn(&Tried) -> f64 + Copy + Sync {
+    move |m| m.fit.log_evidence / temper + log_prior(m.effects.len(), library)
+}

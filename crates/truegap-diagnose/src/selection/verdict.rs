@@ -1,0 +1,201 @@
+//! One of six verdicts from probabilities and adequacy.
+//!
+//! Limits: thresholds were fixed on generated recordings and the open cases (`docs/diagnosis.md`), never on sealed ones.
+
+use crate::{
+    adequacy::lack_of_fit::Adequacy,
+    selection::{posterior::Selection, tempering::RIGHT_FAMILY, unmodelled::Unlisted},
+};
+use serde::Serialize;
+
+/// Probability of "nothing is missing" below which a mismatch is called present.
+const DETECTED: f64 = 0.05;
+/// The same above which recording and model agree.
+const AGREED: f64 = 0.3;
+/// Probability that a named effect must have to be stated without rivals.
+const SURE: f64 = 0.9;
+/// Odds against the best model within which a rival is not excluded.
+const RIVAL: f64 = 0.05;
+
+/// The six verdicts, and no others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// no mismatch found
+    Agrees,
+    /// missing: the findings
+    Explained,
+    /// missing: one of `ambiguity`
+    Ambiguous,
+    /// the family is clear, the equation is not adequate
+    WrongForm,
+    /// something real that nothing in the library explains
+    Unexplained,
+    /// mismatch present, cause not decided
+    Undecided,
+}
+
+/// What was decided.
+#[derive(Clone, Debug)]
+pub struct Decision {
+    /// verdict
+    pub verdict: Verdict,
+    /// index into the selection's models of the model stood behind; the base model where nothing is named
+    pub model: usize,
+    /// sets of effects (indices into the library) that cannot be told apart, one a finding
+    pub sets: Vec<Vec<usize>>,
+    /// share of the structured misfit that the best model removes
+    pub removed: f64,
+    /// cause outside the library that is likelier than all of it
+    pub outside: Option<Unlisted>,
+    /// whether a cause outside the library cannot be excluded
+    pub outside_rivals: bool,
+}
+
+impl Decision {
+    /// Something is in the reading that no model of the base's physics could make, `left` of it beside the model stood behind, which explains `explained`: the verdict
+    /// where otherwise all agrees, or where it is more than an equation in the wrong form leaves.
+    #[must_use]
+    pub fn with_what_is_heard(self, base: usize, explained: f64, left: f64) -> Self {
+        let more = share(explained, left) < RIGHT_FAMILY;
+        match self.verdict {
+            Verdict::Agrees => Self::nothing(Verdict::Unexplained, base),
+            Verdict::Explained | Verdict::Ambiguous | Verdict::WrongForm if more => Self::nothing(Verdict::Unexplained, base),
+            _ => self,
+        }
+    }
+
+    /// A verdict that names nothing, where model `base` is the base model.
+    fn nothing(verdict: Verdict, base: usize) -> Self {
+        Self { verdict, model: base, sets: Vec::new(), removed: 0.0, outside: None, outside_rivals: false }
+    }
+}
+
+/// The model to stand behind, an index into the selection's: the likeliest that names something; where that holds effects that are not sure and have no rival
+/// in their place, the model of those that are sure. `None` where nothing was fitted.
+pub fn stated(selection: &Selection) -> Option<usize> {
+    let best = selection.likeliest_named()?;
+    let sure = |e: &usize| selection.effect_probability[*e] >= SURE;
+    let effects = &selection.models[best].effects;
+    if effects.iter().all(sure) || rival_sets(selection, best).iter().any(|s| s.len() > 1) {
+        return Some(best);
+    }
+    let mut key: Vec<usize> = effects.iter().copied().filter(sure).collect();
+    key.sort_unstable();
+    let smaller = selection.models.iter().position(|m| !key.is_empty() && m.key() == key);
+    Some(smaller.unwrap_or(best))
+}
+
+/// Decides; `after` is the adequacy of the model that [`stated`] names, `free_form` says which effects have no equation that could be wrong.
+pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_form: impl Fn(usize) -> bool) -> Decision {
+    let nothing = |verdict| Decision::nothing(verdict, selection.base);
+    let none = selection.probability_none();
+    let library_sees = none < DETECTED;
+    if !library_sees {
+        return if before.fires() {
+            let likely = selection.unlisted.first().filter(|(_, odds)| *odds > none);
+            Decision { outside: likely.map(|(u, _)| u.clone()), ..nothing(Verdict::Unexplained) }
+        } else {
+            nothing(if none >= AGREED { Verdict::Agrees } else { Verdict::Undecided })
+        };
+    }
+    if let Some(unlisted) = selection.outside() {
+        return outside(selection, unlisted);
+    }
+    let Some(best) = stated(selection) else { return nothing(Verdict::Undecided) };
+    let removed = removed(2.0 * (selection.base().fit.objective() - selection.models[best].fit.objective()), after);
+    let likeliest = selection.likeliest_named() == Some(best);
+    // a smaller model than the likeliest is stated because its effects are sure: the larger ones that hold them are no rivals
+    let alone = || selection.models[best].effects.iter().map(|e| vec![*e]).collect();
+    let sets = if likeliest { rival_sets(selection, best) } else { alone() };
+    let rivals = sets.iter().any(|s| s.len() > 1);
+    let sure = selection.models[best].effects.iter().all(|e| selection.effect_probability[*e] >= SURE);
+    if after.fires() && removed.min(removed_by_equations(selection, best, after, free_form)) < RIGHT_FAMILY {
+        return Decision { removed, ..nothing(Verdict::Unexplained) };
+    }
+    let outside_rivals = !sure && selection.probability_unlisted() > 1.0 - SURE;
+    let verdict = match (sure && !rivals, after.fires()) {
+        (true, false) => Verdict::Explained,
+        (true, true) => Verdict::WrongForm,
+        (false, _) if rivals || outside_rivals => Verdict::Ambiguous,
+        (false, _) => Verdict::Undecided,
+    };
+    let model = if verdict == Verdict::Undecided { selection.base } else { best };
+    Decision { verdict, model, sets, removed, outside: None, outside_rivals }
+}
+
+/// A cause outside the library is likelier than all of it. What it stands beside is not named: it would be a smaller part of what is missing.
+fn outside(selection: &Selection, unlisted: &Unlisted) -> Decision {
+    let beside = selection.with(&unlisted.effects).unwrap_or(selection.base());
+    let explained = (selection.base().fit.objective() - beside.fit.objective()).max(0.0);
+    let removed = explained / (explained + unlisted.gain.max(f64::MIN_POSITIVE));
+    Decision { removed, outside: Some(unlisted.clone()), ..Decision::nothing(Verdict::Unexplained, selection.base) }
+}
+
+/// What may be said when the search was stopped: that it was not finished, and nothing of causes.
+pub fn interrupted(selection: &Selection) -> Decision {
+    Decision::nothing(Verdict::Undecided, selection.base)
+}
+
+/// Share of the misfit that the best model removes: what it explains, in units of the noise variance, over that and what the tests still find.
+///
+/// Parameters pushed away from what is known of them are misfit too, which is why the fall of the whole objective counts and not that of the residual.
+fn removed(explained: f64, after: &Adequacy) -> f64 {
+    share(explained, after.left())
+}
+
+/// What is explained over that and what is left; 1 where there is neither.
+fn share(explained: f64, left: f64) -> f64 {
+    let explained = explained.max(0.0);
+    if explained + left > 0.0 { explained / (explained + left) } else { 1.0 }
+}
+
+/// Share of the misfit that effects with an equation remove of what those without one leave; 1 where all have one.
+fn removed_by_equations(selection: &Selection, best: usize, after: &Adequacy, free_form: impl Fn(usize) -> bool) -> f64 {
+    let model = &selection.models[best];
+    let free: Vec<usize> = model.effects.iter().copied().filter(|e| free_form(*e)).collect();
+    if free.is_empty() {
+        return 1.0;
+    }
+    let without = selection.with(&free).unwrap_or(selection.base());
+    removed(2.0 * (without.fit.objective() - model.fit.objective()), after)
+}
+
+/// For each effect of model `best`, the effects that could stand in its place.
+fn rival_sets(selection: &Selection, best: usize) -> Vec<Vec<usize>> {
+    let model = &selection.models[best];
+    let probability = selection.probability[best];
+    let place = |effect: &usize| {
+        let others: Vec<usize> = model.effects.iter().copied().filter(|e| e != effect).collect();
+        let mut set = vec![*effect];
+        for (rival, p) in selection.models.iter().zip(&selection.probability) {
+            let same_size = rival.effects.len() == model.effects.len();
+            if same_size && *p > RIVAL * probability && others.iter().all(|o| rival.effects.contains(o)) {
+                set.extend(rival.effects.iter().filter(|e| !others.contains(e) && *e != effect));
+            }
+        }
+        set.dedup();
+        set
+    };
+    model.effects.iter().map(place).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn explained() -> Decision {
+        Decision { verdict: Verdict::Explained, model: 3, sets: vec![vec![7]], ..Decision::nothing(Verdict::Explained, 0) }
+    }
+
+    /// An effect that takes 30 units of a recording with a burst of 360 is a small part of what is there; one that takes 3000 is not.
+    #[test]
+    fn what_is_heard_unseats_an_effect_that_explains_less_of_the_recording() {
+        let small = explained().with_what_is_heard(0, 30.0, 360.0);
+        assert_eq!((small.verdict, small.model, small.sets.len()), (Verdict::Unexplained, 0, 0));
+        let large = explained().with_what_is_heard(0, 3000.0, 360.0);
+        assert_eq!((large.verdict, large.model), (Verdict::Explained, 3));
+        assert_eq!(Decision::nothing(Verdict::Agrees, 0).with_what_is_heard(0, 0.0, 1.0).verdict, Verdict::Unexplained);
+        assert_eq!(Decision::nothing(Verdict::Undecided, 0).with_what_is_heard(0, 0.0, 99.0).verdict, Verdict::Undecided);
+    }
+}

@@ -1,0 +1,60 @@
+//! Numbers that every stage needs: spread, median, resolution, errors, tails of distributions.
+//!
+//! Limits: plain columns of numbers; knows no recording.
+
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+use statrs::function::erf::erfc;
+use std::ops::Range;
+
+/// Greatest less least.
+pub fn spread(x: &[f64]) -> f64 {
+    let (low, high) = x.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+    high - low
+}
+
+/// Median; 0 of none.
+pub fn median(values: &[f64]) -> f64 {
+    let mut values = values.to_vec();
+    let middle = values.len() / 2;
+    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f64::total_cmp).1 }
+}
+
+/// Smallest difference between two neighbouring values of a column; 0 where all are equal.
+pub fn resolution(column: &[f64]) -> f64 {
+    let greatest = column.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    let differences = column.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|d| *d > 1e-12 * greatest);
+    let least = differences.fold(f64::INFINITY, f64::min);
+    if least.is_finite() { least } else { 0.0 }
+}
+
+/// Root-mean-square error over some rows, those without a prediction aside.
+pub fn rmse_of(prediction: &[f64], response: &[f64], rows: Range<usize>) -> f64 {
+    let squares: Vec<f64> =
+        rows.map(|row| (prediction[row] - response[row]).powi(2)).filter(|square| square.is_finite()).collect();
+    (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
+}
+
+/// Probability that a chi-squared variable of `freedom` exceeds `statistic`.
+pub fn upper_tail(statistic: f64, freedom: usize) -> f64 {
+    ChiSquared::new(freedom.max(1) as f64).map_or(1.0, |d| d.sf(statistic))
+}
+
+/// Squared amplitude, in units of the noise variance, of a periodic part that has this p-value: `-2 ln p`.
+pub fn excess_of(p_value: f64) -> f64 {
+    -2.0 * p_value.max(f64::MIN_POSITIVE).ln()
+}
+
+/// Log of the sum of exponentials.
+pub fn log_sum_exp(values: &[f64]) -> f64 {
+    let greatest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if greatest == f64::NEG_INFINITY {
+        return greatest;
+    }
+    greatest + values.iter().map(|v| (v - greatest).exp()).sum::<f64>().ln()
+}
+
+/// Probability of a unit normal between two points.
+pub fn normal_between(low: f64, high: f64) -> f64 {
+    let upper_tail = |x: f64| 0.5 * erfc(x / std::f64::consts::SQRT_2);
+    if low > 0.0 { upper_tail(low) - upper_tail(high) } else { upper_tail(-high) - upper_tail(-low) }
+}

@@ -1,0 +1,6 @@
+//! Tests of several stages together, which no user of the crate can reach.
+
+#![allow(clippy::unwrap_used)]
+
+mod evidence;
+mod noise;

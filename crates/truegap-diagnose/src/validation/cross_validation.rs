@@ -1,0 +1,150 @@
+//! Errors on rows that a fit did not see: whole runs left out, or blocks where there is one run.
+//!
+//! Limits: free-run prediction, so a slow drift between runs cannot be foreseen and counts as error.
+
+use crate::{
+    data::problem::Problem,
+    fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model, optimum::Fit},
+    selection::candidates::{Search, Tried},
+    whitening::noise_model::NoiseModel,
+};
+use rayon::prelude::*;
+use std::ops::Range;
+use truegap_core::{Inputs, Joined};
+
+/// Most parts that are left out one after another.
+const MOST_PARTS: usize = 10;
+/// Blocks of a single run.
+const BLOCKS: usize = 6;
+
+/// Rows left out together.
+pub struct Part {
+    /// name for a reader
+    pub name: String,
+    /// row ranges
+    pub rows: Vec<Range<usize>>,
+}
+
+/// Predictions of rows left out.
+pub struct HeldOutFit {
+    /// how rows were left out
+    pub how: String,
+    /// prediction a row; NaN where a part could not be predicted
+    pub prediction: Vec<f64>,
+    /// parts: name and root-mean-square error
+    pub parts: Vec<(String, f64)>,
+    /// root-mean-square error over all rows predicted
+    pub rmse: f64,
+}
+
+/// How to leave out rows of these runs.
+pub fn parts(runs: &[Range<usize>], numbers: &[u32]) -> (String, Vec<Part>) {
+    if runs.len() == 1 {
+        let (run, n) = (&runs[0], runs[0].len());
+        let block = |k: usize| run.start + k * n / BLOCKS..run.start + (k + 1) * n / BLOCKS;
+        let parts = (0..BLOCKS).map(|k| Part { name: format!("block {}", k + 1), rows: vec![block(k)] });
+        return (
+            format!("{BLOCKS} blocks of the one run, each left out in turn"),
+            parts.filter(|p| !p.rows[0].is_empty()).collect(),
+        );
+    }
+    let count = runs.len().min(MOST_PARTS);
+    let mut parts: Vec<Part> = (0..count).map(|_| Part { name: String::new(), rows: Vec::new() }).collect();
+    for (index, run) in runs.iter().enumerate() {
+        let part = &mut parts[index % count];
+        let separator = if part.name.is_empty() { "run " } else { ", " };
+        part.name += &format!("{separator}{}", numbers[run.start]);
+        part.rows.push(run.clone());
+    }
+    ("each run left out in turn, predicted without having been seen".into(), parts)
+}
+
+/// The same for several recordings: runs, and blocks of single runs where recordings have parameters that no other recording could tell.
+fn joint_parts(joined: &dyn Joined, inputs: &Inputs) -> (String, Vec<Part>) {
+    let mut chunks: Vec<(String, Range<usize>)> = Vec::new();
+    // what one recording has of its own it has against the others, the first one included
+    let blocks = (0..joined.count()).any(|index| joined.has_own(index));
+    for index in 0..joined.count() {
+        let rows = joined.rows(index, inputs);
+        let runs: Vec<Range<usize>> = inputs.runs().into_iter().filter(|r| rows.contains(&r.start)).collect();
+        match runs.as_slice() {
+            [run] if blocks => {
+                let edge = |k: usize| run.start + k * run.len() / BLOCKS;
+                let block = |k: usize| (format!("block {} of recording {}", k + 1, index + 1), edge(k)..edge(k + 1));
+                chunks.extend((0..BLOCKS).map(block).filter(|(_, rows)| !rows.is_empty()));
+            }
+            runs => chunks.extend(runs.iter().map(|run| (format!("run {}", inputs.run[run.start]), run.clone()))),
+        }
+    }
+    let count = chunks.len().min(MOST_PARTS);
+    let mut parts: Vec<Part> = (0..count).map(|_| Part { name: String::new(), rows: Vec::new() }).collect();
+    for (index, (name, rows)) in chunks.into_iter().enumerate() {
+        let part = &mut parts[index % count];
+        part.name += if part.name.is_empty() { "" } else { ", " };
+        part.name += &name;
+        part.rows.push(rows);
+    }
+    let how = if blocks {
+        "runs, and blocks of recordings that are one run, each left out in turn"
+    } else {
+        "each run left out in turn, predicted without having been seen"
+    };
+    (how.into(), parts)
+}
+
+/// All rows of a recording, and where the rows that are fitted come from.
+#[derive(Clone, Copy)]
+pub struct AllRows<'a> {
+    /// every row
+    pub problem: &'a Problem<'a>,
+    /// first row that each fitted row is a mean of; absent where every row is fitted
+    pub first: Option<&'a [usize]>,
+}
+
+/// Fits `tried` without each part in turn and predicts every row of it.
+pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> HeldOutFit {
+    let runs = all.problem.runs();
+    let (how, parts) = match all.problem.simulator.joined() {
+        Some(joined) => joint_parts(joined, all.problem.inputs),
+        None => parts(&runs, &all.problem.inputs.run),
+    };
+    let model = Model::new(all.problem, search.context, tried.effects.iter().map(|e| search.library[*e]).collect());
+    let predict = |part: &Part| model.respond(&without(search, noise, tried, part, all.first)?.z).ok();
+    let predicted: Vec<(usize, Option<Vec<f64>>)> = parts.par_iter().enumerate().map(|(i, part)| (i, predict(part))).collect();
+    let response = all.problem.response;
+    let mut prediction = vec![f64::NAN; response.len()];
+    let (mut errors, mut squares, mut rows) = (Vec::new(), 0.0, 0usize);
+    for (index, values) in predicted {
+        let Some(values) = values else { continue };
+        let part = &parts[index];
+        let mut sum = 0.0;
+        let mut count = 0;
+        for row in part.rows.iter().cloned().flatten() {
+            prediction[row] = values[row];
+            sum += (values[row] - response[row]).powi(2);
+            count += 1;
+        }
+        errors.push((part.name.clone(), (sum / f64::from(count.max(1))).sqrt()));
+        squares += sum;
+        rows += count as usize;
+    }
+    HeldOutFit { how, prediction, parts: errors, rmse: (squares / rows.max(1) as f64).sqrt() }
+}
+
+/// The fit without one part.
+fn without(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, part: &Part, first: Option<&[usize]>) -> Option<Fit> {
+    let source = |row: usize| first.map_or(row, |f| f[row]);
+    let keep: Vec<bool> =
+        (0..search.problem.response.len()).map(|row| !part.rows.iter().any(|r| r.contains(&source(row)))).collect();
+    let whitener = noise.whitener(&search.problem.runs(), Some(&keep));
+    let options = FitOptions { iterations: 6, tolerance: 0.02 };
+    fit(&search.model(&tried.effects), &whitener, &tried.fit.z, &options).ok()
+}
+
+/// Share of the reproducible misfit that is removed, `1 - (after^2 - floor^2) / (before^2 - floor^2)`; `None` where nothing is there to remove.
+pub fn misfit_removed(before: f64, after: f64, floor: f64, rows: usize) -> Option<f64> {
+    let there = before * before - floor * floor;
+    // the floor's own square is uncertain by floor^2 sqrt(2 / rows it was measured on)
+    let uncertain = floor * floor * (2.0 / rows.max(1) as f64).sqrt();
+    (there > 4.0 * uncertain).then(|| 1.0 - (after * after - floor * floor) / there)
+}

@@ -1,0 +1,75 @@
+//! One number that makes stated probabilities mean what they say: the power to which those of the models are raised.
+//!
+//! Limits: one power for all effects and sizes.
+
+use crate::validation::recovery::{case::BankCase, fill::sharpened};
+/// Standard deviation of what is known of the logarithm of the power beforehand.
+const LOG_SD: f64 = 0.4;
+/// Range of powers looked at, in logarithms, and the steps.
+const RANGE: (f64, f64, usize) = (-1.4, 1.4, 281);
+
+/// A claim: probability stated for an effect of the model named, and whether it was concealed.
+pub fn claims(cases: &[BankCase], power: f64) -> Vec<(f64, bool)> {
+    cases.iter().flat_map(|case| claims_of(case, power)).collect()
+}
+
+/// The effects of the likeliest model that names something, with their probabilities.
+fn claims_of(case: &BankCase, power: f64) -> Vec<(f64, bool)> {
+    let logs: Vec<f64> = case.models.iter().map(|m| m.1).collect();
+    let probability = sharpened(&logs, power);
+    let of = |effect: &String| -> f64 {
+        case.models.iter().zip(&probability).filter(|(m, _)| m.0.contains(effect)).map(|(_, p)| p).sum()
+    };
+    case.named.iter().map(|e| (of(e).clamp(1e-6, 1.0 - 1e-6), case.truth.effects.contains(e))).collect()
+}
+
+/// The power under which the bank's own claims would have been likeliest, with a prior about 1.
+///
+/// **Source:** temperature scaling, Guo et al. (2017), with a penalty so that few claims change little.
+pub fn power(cases: &[BankCase]) -> f64 {
+    let score = |log: f64| {
+        let likelihood: f64 =
+            claims(cases, log.exp()).iter().map(|(p, right)| if *right { p.ln() } else { (1.0 - p).ln() }).sum();
+        likelihood - 0.5 * (log / LOG_SD).powi(2)
+    };
+    let at = |i: usize| RANGE.0 + (RANGE.1 - RANGE.0) * i as f64 / (RANGE.2 - 1) as f64;
+    let best = (0..RANGE.2).map(at).max_by(|a, b| score(*a).total_cmp(&score(*b)));
+    best.unwrap_or(0.0).exp()
+}
+
+/// Expected calibration error of claims: count in ten bins times |mean probability - share right|.
+///
+/// **Source:** Guo et al., On Calibration of Modern Neural Networks (2017), eq. (3).
+pub fn calibration_error(claims: &[(f64, bool)]) -> f64 {
+    let mut bins = [(0.0, 0.0); 10];
+    for (probability, right) in claims {
+        let bin = &mut bins[((probability * 10.0) as usize).min(9)];
+        bin.0 += probability;
+        bin.1 += f64::from(u8::from(*right));
+    }
+    bins.iter().map(|(stated, right)| (stated - right).abs()).sum::<f64>() / claims.len().max(1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::validation::recovery::Truth;
+
+    fn case(stated: f64, right: bool) -> BankCase {
+        let truth = Truth { effects: vec![if right { "a" } else { "b" }.into()], detectability: 20.0, ..Truth::default() };
+        let models = vec![(vec!["a".to_owned()], stated.ln()), (vec!["b".to_owned()], (1.0 - stated).ln())];
+        BankCase { truth, verdict: "explained".into(), named: vec!["a".into()], sets: Vec::new(), models }
+    }
+
+    /// Claims stated at 0.7 and right in 9 of 10: the logit must be multiplied by ln 9 / ln (7/3) = 2.59; the prior holds it back a little.
+    #[test]
+    fn modest_claims_are_sharpened_and_bold_ones_blunted() {
+        let modest: Vec<BankCase> = (0..400).map(|i| case(0.7, i % 10 != 0)).collect();
+        let bold: Vec<BankCase> = (0..400).map(|i| case(0.97, i % 5 != 0)).collect();
+        let (up, down) = (power(&modest), power(&bold));
+        assert!((2.3..2.6).contains(&up), "{up}");
+        let exact = 4f64.ln() / (0.97f64 / 0.03).ln();
+        assert!((exact..exact + 0.08).contains(&down), "{down} {exact}");
+        assert!(calibration_error(&claims(&modest, up)) < 0.03 && calibration_error(&claims(&modest, 1.0)) > 0.19);
+    }
+}

@@ -1,0 +1,122 @@
+//! The noise of a recording: of the response, and of the inputs carried through the model, row by row.
+//!
+//! Limits: says what the noise is, not where it comes from (`crate::noise`).
+
+use crate::whitening::whitener::{InputError, Noise, Whitener};
+use std::ops::Range;
+
+/// Standard deviations of the recorded inputs.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct InputNoise {
+    /// load, in units of the full load
+    pub load: f64,
+    /// temperature, K
+    pub temperature: f64,
+}
+
+/// The noise of one of several recordings.
+#[derive(Clone, Debug)]
+pub struct RecordingNoise {
+    /// its rows
+    pub rows: Range<usize>,
+    /// of the response
+    pub response: Noise,
+    /// of the inputs
+    pub inputs: InputNoise,
+    /// where it comes from, for a reader
+    pub says: String,
+}
+
+/// The noise of a problem: of the response, and of the inputs carried through the model.
+#[derive(Clone, Debug)]
+pub struct NoiseModel {
+    /// of the response; of the first recording where there are several
+    pub response: Noise,
+    /// of the inputs; of the first recording where there are several
+    pub inputs: InputNoise,
+    /// one a recording, in the order of rows, where there are several; empty for one
+    pub recordings: Vec<RecordingNoise>,
+    /// error from the inputs, row by row
+    pub input_error: InputError,
+    /// relative standard deviation of the noise's weight in the mean of many rows
+    pub uncertainty: f64,
+    /// rows of the recording that each row is the mean of; absent where each is one
+    pub weights: Option<Vec<f64>>,
+    /// measured apart from the mismatch
+    pub measured: bool,
+    /// rows that it rests on
+    pub rows: usize,
+    /// where it comes from, for a reader
+    pub says: String,
+}
+
+impl NoiseModel {
+    /// Filter with the rows that `keep` names.
+    pub fn whitener(&self, runs: &[Range<usize>], keep: Option<&[bool]>) -> Whitener {
+        let of_run = |run: &Range<usize>| self.response_at(run.start);
+        Whitener::by_run(&of_run, &self.input_error, self.weights.as_deref(), runs, keep)
+    }
+
+    /// Whether the load bends all the time, so that its error is known by its shape only.
+    pub fn bends(&self) -> bool {
+        !self.input_error.shapes.is_empty()
+    }
+
+    /// The recording that a row belongs to, where there are several.
+    fn recording_at(&self, row: usize) -> Option<&RecordingNoise> {
+        self.recordings.iter().find(|r| r.rows.contains(&row))
+    }
+
+    /// Noise of the response at a row.
+    pub fn response_at(&self, row: usize) -> Noise {
+        self.recording_at(row).map_or(self.response, |r| r.response)
+    }
+
+    /// Noise of the inputs at a row.
+    pub fn inputs_at(&self, row: usize) -> InputNoise {
+        self.recording_at(row).map_or(self.inputs, |r| r.inputs)
+    }
+
+    /// The same noise, `factor` times larger.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        self.with_parts_scaled(factor, factor)
+    }
+
+    /// The same noise, that of the response `response` times larger and what comes from the inputs `inputs` times.
+    #[must_use]
+    pub fn with_parts_scaled(&self, response: f64, inputs: f64) -> Self {
+        let scaled = |n: Noise| Noise { white_sd: n.white_sd * response, ar_sd: n.ar_sd * response, ..n };
+        let recordings = self.recordings.iter().map(|r| RecordingNoise { response: scaled(r.response), ..r.clone() }).collect();
+        let scale = |column: &[f64]| column.iter().map(|v| v * inputs * inputs).collect();
+        let shape = |shape: &Vec<f64>| shape.iter().map(|v| v * inputs).collect();
+        let input_error = InputError {
+            variance: scale(&self.input_error.variance),
+            level: scale(&self.input_error.level),
+            shapes: self.input_error.shapes.iter().map(shape).collect(),
+        };
+        Self { response: scaled(self.response), recordings, input_error, ..self.clone() }
+    }
+
+    /// Variance of one row.
+    fn row_variance(&self, row: usize) -> f64 {
+        let noise = self.response_at(row);
+        noise.white_sd.powi(2) + noise.ar_sd.powi(2) + self.input_error.variance[row]
+    }
+
+    /// Standard deviation of one row.
+    pub fn row_sd(&self, row: usize) -> f64 {
+        self.row_variance(row).sqrt()
+    }
+
+    /// Root mean square of one row's noise over some rows.
+    pub fn floor_of(&self, rows: Range<usize>) -> f64 {
+        let n = rows.len().max(1) as f64;
+        (rows.map(|row| self.row_variance(row)).sum::<f64>() / n).sqrt()
+    }
+
+    /// Root mean square of one row's noise over all rows.
+    pub fn floor(&self) -> f64 {
+        self.floor_of(0..self.input_error.variance.len())
+    }
+}

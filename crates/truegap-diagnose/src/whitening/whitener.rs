@@ -1,0 +1,361 @@
+//! Noise of a row: white, first-order autoregressive, and the error of quietened inputs, taken out exactly by a Kalman filter with two states.
+//!
+//! Inputs that were replaced by straight lines err little, but alike over the whole line: per row that error is small, in the mean of many rows it is that of
+//! the noise as recorded. It is taken as autoregressive with the memory that gives both.
+//!
+//! A row may stand for the mean of several rows of the recording (see [`crate::noise::block_average`]); its noise is that of the mean.
+//!
+//! Limits: correlation runs from row to row, whatever the time between them, and starts afresh with each run.
+
+use nalgebra::DMatrix;
+use std::ops::Range;
+
+/// Standard deviations and correlation of the noise on one response, in its unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Noise {
+    /// white part
+    pub white_sd: f64,
+    /// stationary standard deviation of the autoregressive part
+    pub ar_sd: f64,
+    /// correlation of the autoregressive part from row to row
+    pub ar_correlation: f64,
+}
+
+impl Noise {
+    /// Variance of the autoregressive part in the mean of `rows` rows.
+    fn ar_variance_of_mean(&self, rows: f64) -> f64 {
+        let phi = self.ar_correlation;
+        let variance = self.ar_sd * self.ar_sd;
+        if rows <= 1.0 || variance == 0.0 {
+            return variance;
+        }
+        let decay = 1.0 - phi;
+        variance / rows * ((1.0 + phi) / decay - 2.0 * phi * (1.0 - phi.powf(rows)) / (rows * decay * decay))
+    }
+}
+
+impl Noise {
+    /// Correlation of the autoregressive parts of two neighbouring means.
+    fn ar_correlation_of_means(&self, rows: f64, next: f64) -> f64 {
+        let phi = self.ar_correlation;
+        let decay = 1.0 - phi;
+        let covariance =
+            self.ar_sd * self.ar_sd * phi * (1.0 - phi.powf(rows)) * (1.0 - phi.powf(next)) / (decay * decay * rows * next);
+        let variances = self.ar_variance_of_mean(rows) * self.ar_variance_of_mean(next);
+        if variances > 0.0 { covariance / variances.sqrt() } else { 0.0 }
+    }
+}
+
+/// Error of the response that errors of the inputs make, row by row.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct InputError {
+    /// variance in one row
+    pub variance: Vec<f64>,
+    /// variance that white noise would have that weighs as much in the mean of many rows; not below `variance`
+    pub level: Vec<f64>,
+    /// courses that the error follows with a weight not known beforehand, each as large as one standard deviation of that weight makes it
+    pub shapes: Vec<Vec<f64>>,
+}
+
+impl InputError {
+    /// Independent from row to row.
+    pub fn white(variance: Vec<f64>) -> Self {
+        Self { level: variance.clone(), variance, shapes: Vec::new() }
+    }
+
+    /// Error in the mean of `rows` rows: its variance, and its correlation with the next mean as memory and length have it.
+    fn of_mean(&self, row: usize, rows: f64) -> Noise {
+        let (variance, level) = (self.variance[row], self.level[row].max(self.variance[row]));
+        let correlation = if variance > 0.0 { (level - variance) / (level + variance) } else { 0.0 };
+        Noise {
+            white_sd: 0.0,
+            ar_sd: Noise { white_sd: 0.0, ar_sd: variance.sqrt(), ar_correlation: correlation }.ar_variance_of_mean(rows).sqrt(),
+            ar_correlation: correlation.powf(rows),
+        }
+    }
+}
+
+/// A linear filter that turns noise of a known kind into unit white noise; rows that are left out come out as 0.
+#[derive(Clone, Debug)]
+pub struct Whitener {
+    /// gains of the two states
+    gain: Vec<[f64; 2]>,
+    inverse_sd: Vec<f64>,
+    /// factors from a row's states to those of the row after
+    carry: Vec<[f64; 2]>,
+    runs: Vec<Range<usize>>,
+    /// shapes of the error, whitened by all that comes before them
+    shapes: Vec<Shape>,
+    /// sum of the logarithms of the innovation variances
+    pub log_determinant: f64,
+    /// rows that count
+    pub rows: usize,
+}
+
+/// A whitened column s that unit white noise has been given with a weight of unit variance: its covariance is 1 + s s^T.
+#[derive(Clone, Debug)]
+struct Shape {
+    column: Vec<f64>,
+    /// its squared length
+    length: f64,
+}
+
+impl Shape {
+    /// Applies the symmetric root of (1 + s s^T)^-1.
+    fn take_out(&self, column: &mut [f64]) {
+        self.stretch(column, (1.0 + self.length).sqrt().recip());
+    }
+
+    /// Applies the symmetric root of 1 + s s^T.
+    fn put_in(&self, column: &mut [f64]) {
+        self.stretch(column, (1.0 + self.length).sqrt());
+    }
+
+    /// Multiplies the part of a column along the shape by `factor`.
+    fn stretch(&self, column: &mut [f64], factor: f64) {
+        if self.length > 0.0 {
+            let along = column.iter().zip(&self.column).map(|(c, s)| c * s).sum::<f64>() / self.length;
+            column.iter_mut().zip(&self.column).for_each(|(c, s)| *c += (factor - 1.0) * along * s);
+        }
+    }
+}
+
+fn squared(column: &[f64]) -> f64 {
+    column.iter().map(|v| v * v).sum()
+}
+
+/// Covariance of the two states.
+#[derive(Clone, Copy)]
+struct States {
+    response: f64,
+    cross: f64,
+    input: f64,
+}
+
+impl Whitener {
+    /// Filter for `noise`, with the error of the inputs (carried through the model) added row by row.
+    ///
+    /// `weights[row]` is the number of rows whose mean a row is (all 1 where absent); `keep[row] = false` leaves a row out.
+    pub fn new(noise: &Noise, input: &InputError, weights: Option<&[f64]>, runs: &[Range<usize>], keep: Option<&[bool]>) -> Self {
+        Self::by_run(&|_| *noise, input, weights, runs, keep)
+    }
+
+    /// As [`Whitener::new`], with the noise that `of_run` gives each run.
+    pub fn by_run(
+        of_run: &dyn Fn(&Range<usize>) -> Noise,
+        input: &InputError,
+        weights: Option<&[f64]>,
+        runs: &[Range<usize>],
+        keep: Option<&[bool]>,
+    ) -> Self {
+        let n = input.variance.len();
+        let weight = |row: usize| weights.map_or(1.0, |w| w[row]);
+        let mut filter = Self {
+            gain: vec![[0.0; 2]; n],
+            inverse_sd: vec![0.0; n],
+            carry: vec![[0.0; 2]; n],
+            runs: runs.to_vec(),
+            shapes: Vec::new(),
+            log_determinant: 0.0,
+            rows: 0,
+        };
+        for run in runs {
+            let (noise, first) = (&of_run(run), weight(run.start));
+            let mut predicted = States {
+                response: noise.ar_variance_of_mean(first),
+                cross: 0.0,
+                input: input.of_mean(run.start, first).ar_sd.powi(2),
+            };
+            for row in run.clone() {
+                if keep.is_none_or(|k| k[row]) {
+                    predicted = filter.observe(row, predicted, noise.white_sd * noise.white_sd / weight(row));
+                }
+                if row + 1 < run.end {
+                    predicted = filter.step(noise, input, row, predicted, (weight(row), weight(row + 1)));
+                }
+            }
+        }
+        for shape in &input.shapes {
+            let mut column = shape.clone();
+            filter.apply(&mut column);
+            let length = squared(&column);
+            filter.log_determinant += length.ln_1p();
+            filter.shapes.push(Shape { column, length });
+        }
+        filter
+    }
+
+    /// Gains of a row that is seen, and the covariance after it.
+    fn observe(&mut self, row: usize, p: States, white: f64) -> States {
+        let (response, input) = (p.response + p.cross, p.cross + p.input);
+        let variance = response + input + white;
+        self.gain[row] = [response / variance, input / variance];
+        self.inverse_sd[row] = variance.sqrt().recip();
+        self.log_determinant += variance.ln();
+        self.rows += 1;
+        let [a, b] = self.gain[row];
+        States { response: p.response - a * response, cross: p.cross - a * input, input: p.input - b * input }
+    }
+
+    /// Covariance predicted for the row after, and the factors that lead there.
+    fn step(&mut self, noise: &Noise, input: &InputError, row: usize, p: States, (weight, next): (f64, f64)) -> States {
+        let (here, there) = (noise.ar_variance_of_mean(weight), noise.ar_variance_of_mean(next));
+        let phi = noise.ar_correlation_of_means(weight, next);
+        let (now, then) = (input.of_mean(row, weight), input.of_mean(row + 1, next));
+        // a line ends where the next row has less memory
+        let memory = now.ar_correlation.min(then.ar_correlation);
+        let ratio = |from: f64, to: f64| if from > 0.0 { to / from } else { 0.0 };
+        let [a, b] = [phi * ratio(here, there).sqrt(), memory * ratio(now.ar_sd, then.ar_sd)];
+        self.carry[row] = [a, b];
+        let fresh = if now.ar_sd > 0.0 { (1.0 - memory * memory) * then.ar_sd.powi(2) } else { then.ar_sd.powi(2) };
+        States {
+            response: a * a * p.response + (1.0 - phi * phi) * there,
+            cross: a * b * p.cross,
+            input: b * b * p.input + fresh,
+        }
+    }
+
+    /// Whitens a column in place.
+    pub fn apply(&self, column: &mut [f64]) {
+        for run in &self.runs {
+            let (mut response, mut input) = (0.0, 0.0);
+            for row in run.clone() {
+                let innovation = column[row] - (response + input);
+                column[row] = innovation * self.inverse_sd[row];
+                let ([a, b], [c, d]) = (self.gain[row], self.carry[row]);
+                response = c * (response + a * innovation);
+                input = d * (input + b * innovation);
+            }
+        }
+        self.shapes.iter().for_each(|shape| shape.take_out(column));
+    }
+
+    /// Columns of equal length, whitened, side by side.
+    pub fn matrix(&self, columns: Vec<Vec<f64>>) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(columns.first().map_or(0, Vec::len), columns.len());
+        for (mut column, mut place) in columns.into_iter().zip(matrix.column_iter_mut()) {
+            self.apply(&mut column);
+            place.copy_from_slice(&column);
+        }
+        matrix
+    }
+
+    /// Undoes [`Whitener::apply`] in place: unit white noise becomes noise of the kind that the filter takes out. Rows left out stay 0.
+    pub fn colour(&self, column: &mut [f64]) {
+        self.shapes.iter().rev().for_each(|shape| shape.put_in(column));
+        for run in &self.runs {
+            let (mut response, mut input) = (0.0, 0.0);
+            for row in run.clone() {
+                let seen = self.inverse_sd[row] > 0.0;
+                let innovation = if seen { column[row] / self.inverse_sd[row] } else { 0.0 };
+                column[row] = if seen { innovation + response + input } else { 0.0 };
+                let ([a, b], [c, d]) = (self.gain[row], self.carry[row]);
+                response = c * (response + a * innovation);
+                input = d * (input + b * innovation);
+            }
+        }
+    }
+
+    /// Sum of the logarithms of the innovation variances plus squares of a whitened column: minus twice the log likelihood, up to a constant.
+    pub fn deviance(&self, whitened: &[f64]) -> f64 {
+        self.log_determinant + whitened.iter().map(|v| v * v).sum::<f64>()
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::single_range_in_vec_init)]
+mod tests {
+    use super::*;
+    use nalgebra::DVector;
+
+    #[test]
+    fn the_filter_equals_the_dense_covariance() {
+        let noise = Noise { white_sd: 0.7, ar_sd: 1.3, ar_correlation: 0.8 };
+        let extra: Vec<f64> = (0..12).map(|i| 0.05 * f64::from(i)).collect();
+        let x: Vec<f64> = (0..12).map(|i| f64::from(i).sin()).collect();
+        let covariance = DMatrix::from_fn(12, 12, |i, j| {
+            let same_run = (i < 5) == (j < 5);
+            let lag = (i as f64 - j as f64).abs();
+            let ar = if same_run { 1.69 * 0.8f64.powf(lag) } else { 0.0 };
+            ar + if i == j { 0.49 + extra[i] } else { 0.0 }
+        });
+        let dense = covariance.clone().cholesky().unwrap();
+        let v = DVector::from_column_slice(&x);
+        let quadratic = v.dot(&dense.solve(&v));
+        let filter = Whitener::new(&noise, &InputError::white(extra), None, &[0..5, 5..12], None);
+        let mut w = x;
+        filter.apply(&mut w);
+        approx::assert_relative_eq!(w.iter().map(|a| a * a).sum::<f64>(), quadratic, max_relative = 1e-12);
+        approx::assert_relative_eq!(filter.log_determinant, covariance.determinant().ln(), max_relative = 1e-10);
+    }
+
+    /// Unit lines over 40 rows with independent errors of their means, as smoothing leaves them: the filter must find the mean of all rows as uncertain as the
+    /// dense covariance of a moving average does, within what an autoregression can copy of it.
+    #[test]
+    fn the_error_of_smoothed_inputs_weighs_in_the_mean_like_the_noise_as_recorded() {
+        let (n, window) = (600usize, 30usize);
+        let noise = Noise { white_sd: 0.5, ar_sd: 0.0, ar_correlation: 0.0 };
+        let covariance = DMatrix::from_fn(n, n, |i, j| {
+            let shared = (window as f64 - i.abs_diff(j) as f64).max(0.0) / (window * window) as f64;
+            shared + if i == j { 0.25 } else { 0.0 }
+        });
+        let ones = DVector::from_element(n, 1.0);
+        let dense = ones.dot(&covariance.cholesky().unwrap().solve(&ones));
+        let smoothed = InputError { variance: vec![1.0 / window as f64; n], level: vec![1.0; n], shapes: Vec::new() };
+        let information = |input: &InputError| {
+            let mut one = vec![1.0; n];
+            Whitener::new(&noise, input, None, &[0..n], None).apply(&mut one);
+            one.iter().map(|v| v * v).sum::<f64>()
+        };
+        approx::assert_relative_eq!(information(&smoothed), dense, max_relative = 0.05);
+        // taken as independent, it would promise four times as much
+        assert!(information(&InputError::white(smoothed.variance.clone())) > 4.0 * dense);
+    }
+
+    #[test]
+    fn noise_that_was_coloured_is_whitened_again() {
+        let noise = Noise { white_sd: 0.7, ar_sd: 1.3, ar_correlation: 0.8 };
+        let filter = Whitener::new(&noise, &InputError::white(vec![0.1; 9]), Some(&[3.0; 9]), &[0..4, 4..9], None);
+        let white: Vec<f64> = (0..9).map(|i| (1.7 * f64::from(i)).cos()).collect();
+        let mut column = white.clone();
+        filter.colour(&mut column);
+        assert!(column.iter().zip(&white).any(|(a, b)| (a - b).abs() > 0.1));
+        filter.apply(&mut column);
+        column.iter().zip(&white).for_each(|(a, b)| approx::assert_relative_eq!(a, b, max_relative = 1e-12));
+    }
+
+    #[test]
+    fn a_row_left_out_carries_no_weight() {
+        let noise = Noise { white_sd: 0.7, ar_sd: 1.3, ar_correlation: 0.8 };
+        let keep = [true, true, false, true];
+        let filter = Whitener::new(&noise, &InputError::white(vec![0.0; 4]), None, &[0..4], Some(&keep));
+        let (mut a, mut b) = (vec![1.0, 2.0, 3.0, 4.0], vec![1.0, 2.0, -50.0, 4.0]);
+        filter.apply(&mut a);
+        filter.apply(&mut b);
+        assert_eq!(a, b);
+        assert_eq!(a[2], 0.0);
+    }
+
+    #[test]
+    fn shapes_of_unknown_weight_equal_the_dense_covariance() {
+        let n = 9;
+        let noise = Noise { white_sd: 0.6, ar_sd: 0.9, ar_correlation: 0.5 };
+        let shapes: Vec<Vec<f64>> = vec![(0..n).map(|i| (i as f64).cos()).collect(), (0..n).map(|i| 0.3 * i as f64).collect()];
+        let input = InputError { shapes: shapes.clone(), ..InputError::white(vec![0.1; n]) };
+        let filter = Whitener::new(&noise, &input, None, &[0..n], None);
+        let covariance = DMatrix::from_fn(n, n, |i, j| {
+            let apart = i.abs_diff(j) as i32;
+            let own = if i == j { noise.white_sd.powi(2) + 0.1 } else { 0.0 };
+            own + noise.ar_sd.powi(2) * noise.ar_correlation.powi(apart) + shapes.iter().map(|s| s[i] * s[j]).sum::<f64>()
+        });
+        let x: Vec<f64> = (0..n).map(|i| (1.3 * i as f64).sin()).collect();
+        let mut white = x.clone();
+        filter.apply(&mut white);
+        let dense = covariance.clone().cholesky().unwrap();
+        let column = DVector::from_column_slice(&x);
+        approx::assert_relative_eq!(squared(&white), column.dot(&dense.solve(&column)), max_relative = 1e-10);
+        approx::assert_relative_eq!(filter.log_determinant, covariance.determinant().ln(), max_relative = 1e-10);
+        filter.colour(&mut white);
+        approx::assert_relative_eq!(white.as_slice(), x.as_slice(), epsilon = 1e-12, max_relative = 1e-10);
+    }
+}

@@ -1,6 +1,6 @@
 //! The graph of files: which file names what of which other file, and the circles among them.
 //!
-//! Limits: inside of one package; a `mod` line is no arrow, nor is a `pub use` of the root of a crate.
+//! Limits: inside of one package; a `mod` line is no arrow, nor is a `pub use` in `lib.rs`.
 
 use crate::{
     import::{Brings, Import, Seen},
@@ -25,7 +25,7 @@ pub(crate) fn taken(modules: &Modules, module: usize) -> Vec<(Found, usize)> {
     let here = &modules.all[module];
     let mut taken = Vec::new();
     for import in &here.source.imports {
-        if is_facade(here, import) {
+        if is_facade(modules, module, import) {
             continue;
         }
         let found = resolve(modules, module, &import.path);
@@ -44,9 +44,10 @@ pub(crate) fn taken(modules: &Modules, module: usize) -> Vec<(Found, usize)> {
     taken
 }
 
-/// A `pub use` of the root of a crate shows what is inside and needs nothing of it.
-fn is_facade(module: &Module, import: &Import) -> bool {
-    module.parent.is_none() && module.part == Part::Library && import.seen == Seen::Everywhere
+/// A `pub use` in `lib.rs`, be it in a module in place, shows what is inside and needs nothing of it.
+fn is_facade(modules: &Modules, module: usize, import: &Import) -> bool {
+    let here = &modules.all[module];
+    here.part == Part::Library && import.seen == Seen::Everywhere && here.file == modules.all[modules.root(module)].file
 }
 
 fn by_glob(modules: &Modules, module: usize, other: usize) -> impl Iterator<Item = Found> {

@@ -87,3 +87,11 @@ fn globs_that_name_each_other_end() {
     let expected = ["three.rs -> one.rs: One", "three.rs -> two.rs: Nothing Two"];
     assert_eq!(arrows(&sources), expected);
 }
+
+#[test]
+fn what_lib_shows_is_no_arrow_and_what_it_uses_is_one() {
+    let lib =
+        ("lib.rs", "mod one; mod two; mod three; pub use one::One; pub mod face { pub use crate::two::Two; }\nuse three::Three;");
+    let sources = [lib, ("one.rs", "pub struct One;"), ("two.rs", "pub struct Two;"), ("three.rs", "pub struct Three;")];
+    assert_eq!(arrows(&sources), ["lib.rs -> three.rs: Three"]);
+}

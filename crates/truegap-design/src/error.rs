@@ -2,7 +2,7 @@
 //!
 //! Limits: the first problem found.
 
-use crate::{Metric, Quantity};
+use crate::{metric::Metric, quantity::Quantity};
 
 /// Why a study has no answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -25,7 +25,7 @@ pub fn uniform(seed: u64, point: usize, dimension: usize) -> f64 {
 /// A number whose bits depend on all bits of the argument.
 ///
 /// **Source:** the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
-pub fn mix(bits: u64) -> u64 {
+pub(crate) fn mix(bits: u64) -> u64 {
     let z = bits.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -3,9 +3,8 @@
 #![allow(clippy::unwrap_used)]
 
 use truegap_core::{Sensor, sensor::builtin_sensors, units::Measure};
-use truegap_design::sample::BATCH;
 use truegap_design::sensitivity::{PAPER_QUANTITIES, SobolOptions, one_at_a_time, tolerance_indices};
-use truegap_design::tolerance::{BatchOptions, Limit, Specification, Summary, batch, join, part, tighten};
+use truegap_design::tolerance::{BATCH, BatchOptions, Limit, Specification, Summary, batch, join, part, tighten};
 use truegap_design::{DesignError, Metric, MetricOptions, QUANTITIES, Quantity, metrics};
 
 fn default() -> Sensor {

@@ -2,7 +2,10 @@
 //!
 //! Limits: the paper says "useful baseline, FSR, and linearity" without numbers; the shares here are ours.
 
-use crate::{DesignError, Metric, Metrics};
+use crate::{
+    error::DesignError,
+    metric::{Metric, Metrics},
+};
 use serde::{Deserialize, Serialize};
 use truegap_core::{Sensor, sensor::Filling};
 

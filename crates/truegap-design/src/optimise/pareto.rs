@@ -7,7 +7,7 @@
 /// Sorted by the first objective, a design is beaten when one before it is no worse in the two others: a staircase of those is kept.
 ///
 /// **Source:** Kung, Luccio, Preparata (1975).
-pub fn nondominated<const M: usize>(points: &[[f64; M]]) -> Vec<usize> {
+pub(super) fn nondominated<const M: usize>(points: &[[f64; M]]) -> Vec<usize> {
     const { assert!(M >= 1 && M <= 3, "one to three objectives") };
     let third = |i: usize| -> [f64; 3] { std::array::from_fn(|m| if m < M { points[i][m] } else { 0.0 }) };
     let order = |a: &[f64; 3], b: &[f64; 3]| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]));

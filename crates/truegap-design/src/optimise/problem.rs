@@ -4,13 +4,17 @@
 
 use super::{
     constraint::{CONSTRAINTS, Constraint, Useful},
+    design::Design,
     front::{Evaluation, Front, SearchOptions, front},
     latin::latin_hypercube,
     space::Space,
-    union::Design,
     vector::descend,
 };
-use crate::{DesignError, Metric, MetricOptions, Metrics, metrics};
+use crate::{
+    error::DesignError,
+    metric::{Metric, Metrics},
+    metrics::{MetricOptions, metrics},
+};
 use rayon::prelude::*;
 use serde::Serialize;
 

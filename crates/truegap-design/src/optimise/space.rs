@@ -2,7 +2,7 @@
 //!
 //! Limits: axes are independent; what they exclude together is for the constraints to say.
 
-use crate::{DesignError, Quantity};
+use crate::{error::DesignError, quantity::Quantity};
 use serde::{Deserialize, Serialize};
 use truegap_core::{Sensor, sensor::Filling};
 
@@ -77,8 +77,7 @@ impl Space {
     /// 25, 50, 75 um).
     ///
     /// **Source:** [hampson2023] Table 2 for the ranges; the levels inside them are ours, the paper does not list them.
-    ///
-    pub fn paper_axes() -> Vec<Axis> {
+    fn paper_axes() -> Vec<Axis> {
         let um = |levels: &[f64]| Choice::Levels(levels.iter().map(|l| l * 1e-6).collect());
         let axes = [
             (Quantity::Young, Choice::Continuous(0.7e6, 1.5e6)),

@@ -2,22 +2,13 @@
 //!
 //! Limits: a search hands on at most [`KEPT`] designs, spread evenly over its front.
 
-use super::{DesignProblem, SearchOptions, pareto::nondominated};
-use crate::DesignError;
+use super::{design::Design, front::SearchOptions, pareto::nondominated, problem::DesignProblem};
+use crate::error::DesignError;
 use serde::{Deserialize, Serialize};
 use std::collections::HashSet;
 
 /// Designs that one search hands on.
-pub const KEPT: usize = 1000;
-
-/// A feasible design of a front.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Design {
-    /// point of the unit cube
-    pub unit: Vec<f64>,
-    /// sizes of the three coefficients over those of the starting design
-    pub ratios: [f64; 3],
-}
+pub(super) const KEPT: usize = 1000;
 
 /// Result of one search.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -2,7 +2,12 @@
 //!
 //! Limits: central differences with one Richardson step, not dual numbers: the model's equations are written for `f64`. Each derivative carries its own error estimate.
 
-use crate::{DesignError, METRICS, MetricOptions, Quantity, metrics};
+use crate::{
+    error::DesignError,
+    metric::METRICS,
+    metrics::{MetricOptions, metrics},
+    quantity::Quantity,
+};
 use serde::Serialize;
 use truegap_core::Sensor;
 
@@ -57,7 +62,7 @@ fn derivative(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Metric, sensitivity::PAPER_QUANTITIES};
+    use crate::{metric::Metric, sensitivity::PAPER_QUANTITIES};
     use truegap_core::sensor::builtin_sensors;
 
     #[test]

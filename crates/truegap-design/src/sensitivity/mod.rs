@@ -9,5 +9,5 @@ mod tolerances;
 
 pub use local::{LocalSensitivity, local};
 pub use one_at_a_time::{OneAtATime, PAPER_QUANTITIES, one_at_a_time, ranked};
-pub use sobol::{Index, SobolOptions, sobol_indices, watched_indices};
+pub use sobol::{Index, SobolOptions};
 pub use tolerances::{QuantityIndices, ToleranceIndices, tolerance_indices};

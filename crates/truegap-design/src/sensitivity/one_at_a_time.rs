@@ -2,7 +2,12 @@
 //!
 //! Limits: no interactions; foils are varied by the same share as everything else, although nobody sells them so.
 
-use crate::{DesignError, METRICS, Metric, MetricOptions, Metrics, Quantity, metrics};
+use crate::{
+    error::DesignError,
+    metric::{METRICS, Metric, Metrics},
+    metrics::{MetricOptions, metrics},
+    quantity::Quantity,
+};
 use serde::Serialize;
 use truegap_core::Sensor;
 

@@ -2,7 +2,7 @@
 //!
 //! Limits: independent inputs; rows with an answer that is not finite are left out and counted.
 
-use crate::DesignError;
+use crate::error::DesignError;
 use crate::sample::{BATCH, mix, uniform};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -37,7 +37,7 @@ pub struct Index {
 
 /// Indices of `outputs` functions: `first[input][output]`, `total[input][output]`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Indices {
+pub(super) struct Indices {
     /// share of the variance that goes when the input is known
     pub first: Vec<Vec<Index>>,
     /// share of the variance that stays when all other inputs are known
@@ -51,29 +51,18 @@ pub struct Indices {
 /// Values of one row: f(A), f(B), and f(A with column i of B) for each input.
 type Row<const M: usize> = (Vec<[f64; M]>, [f64; M], [f64; M]);
 
-/// Sobol indices of `function` on the unit cube of `inputs` dimensions.
+/// Rows between two calls of whoever watches.
+const WATCHED: usize = 512;
+
+/// Sobol indices of `function` on the unit cube of `inputs` dimensions. `watch` is told how many rows are done; where it answers `false` these rows are all
+/// there will be.
 ///
 /// **Source:** sampling of Saltelli (2002); first order by Saltelli et al. (2010), total by Jansen (1999). **Accuracy:** the Ishigami function's indices lie in the intervals,
 /// `the_indices_of_ishigamis_function_are_found`.
 ///
 /// # Errors
 /// [`DesignError::TooFewSamples`], [`DesignError::TooManySamples`], [`DesignError::Refused`] where more than 1 % of the rows have no answer.
-pub fn sobol_indices<const M: usize>(
-    function: impl Fn(&[f64]) -> [f64; M] + Sync,
-    inputs: usize,
-    options: SobolOptions,
-) -> Result<Indices, DesignError> {
-    watched_indices(function, inputs, options, |_| true)
-}
-
-/// Rows between two calls of whoever watches.
-const WATCHED: usize = 512;
-
-/// As [`sobol_indices`]; `watch` is told how many rows are done, and where it answers `false` these rows are all there will be.
-///
-/// # Errors
-/// As [`sobol_indices`].
-pub fn watched_indices<const M: usize>(
+pub(super) fn watched_indices<const M: usize>(
     function: impl Fn(&[f64]) -> [f64; M] + Sync,
     inputs: usize,
     options: SobolOptions,
@@ -156,6 +145,14 @@ fn estimate<const M: usize>(rows: &[Row<M>], chosen: &[usize], inputs: usize) ->
 mod tests {
     use super::*;
     use std::f64::consts::PI;
+
+    fn sobol_indices<const M: usize>(
+        function: impl Fn(&[f64]) -> [f64; M] + Sync,
+        inputs: usize,
+        options: SobolOptions,
+    ) -> Result<Indices, DesignError> {
+        watched_indices(function, inputs, options, |_| true)
+    }
 
     #[test]
     fn the_indices_of_ishigamis_function_are_found() {

@@ -5,7 +5,12 @@
 use super::sobol::{Index, SobolOptions, watched_indices};
 use crate::sample::normal_quantile;
 use crate::tolerance::toleranced;
-use crate::{DesignError, METRICS, MetricOptions, Quantity, metrics};
+use crate::{
+    error::DesignError,
+    metric::METRICS,
+    metrics::{MetricOptions, metrics},
+    quantity::Quantity,
+};
 use serde::Serialize;
 use truegap_core::Sensor;
 
@@ -31,10 +36,12 @@ pub struct ToleranceIndices {
     pub quantities: Vec<QuantityIndices>,
 }
 
-/// Indices of every quantity that has a tolerance; `watch` as in [`watched_indices`].
+/// Indices of every quantity that has a tolerance, by rows of quasi-random sensors. `watch` is told how many rows are done; where it answers `false` these
+/// rows are all there will be.
 ///
 /// # Errors
-/// [`DesignError::NoTolerance`]; otherwise as [`watched_indices`].
+/// [`DesignError::NoTolerance`]; [`DesignError::TooFewSamples`] and [`DesignError::TooManySamples`] for the rows; [`DesignError::Refused`] where more than
+/// 1 % of them have no answer.
 pub fn tolerance_indices(
     sensor: &Sensor,
     metric_options: MetricOptions,

@@ -2,10 +2,15 @@
 //!
 //! Limits: all of it in memory, 56 bytes a sensor; larger ones by [`part`] and [`Summary`](super::Summary).
 
-use super::Specification;
 use super::count::{Counts, Yield};
+use super::spec::Specification;
 use crate::sample::{BATCH, normal_quantile, uniform};
-use crate::{DesignError, METRICS, Metric, MetricOptions, Metrics, QUANTITIES, Quantity, metrics};
+use crate::{
+    error::DesignError,
+    metric::{METRICS, Metric, Metrics},
+    metrics::{MetricOptions, metrics},
+    quantity::{QUANTITIES, Quantity},
+};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::ops::Range;

@@ -2,8 +2,8 @@
 //!
 //! Limits: standard errors come from independent scrambles, so there is none below two of them (131 072 sensors).
 
-use super::Specification;
-use crate::Metrics;
+use super::spec::Specification;
+use crate::metric::Metrics;
 use crate::sample::BATCH;
 use serde::{Deserialize, Serialize};
 

@@ -8,6 +8,7 @@ mod spec;
 mod summary;
 mod tighten;
 
+pub use crate::sample::{BATCH, normal_quantile, uniform};
 pub(crate) use batch::toleranced;
 pub use batch::{Batch, BatchOptions, PROBABILITIES, Scatter, batch, part};
 pub use count::{Counts, Yield};

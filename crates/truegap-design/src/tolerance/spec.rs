@@ -2,7 +2,10 @@
 //!
 //! Limits: one interval a metric; several limits on one metric must all hold.
 
-use crate::{DesignError, Metric, Metrics};
+use crate::{
+    error::DesignError,
+    metric::{Metric, Metrics},
+};
 use serde::Serialize;
 
 /// An interval that a metric must lie in, ends included.

@@ -2,8 +2,12 @@
 //!
 //! Limits: quantiles of the whole are the means of the parts' quantiles, each of 65 536 sensors, not quantiles of all sensors at once.
 
-use super::{Batch, Counts, Scatter, Specification, Yield};
-use crate::METRICS;
+use super::{
+    batch::{Batch, Scatter},
+    count::{Counts, Yield},
+    spec::Specification,
+};
+use crate::metric::METRICS;
 use serde::{Deserialize, Serialize};
 
 /// Moments and quantiles of one metric over the sensors of a part that work.

@@ -2,8 +2,12 @@
 //!
 //! Limits: one tolerance at a time; the gain is a difference on the same random numbers, so small gains are seen as well.
 
-use super::{BatchOptions, Scatter, Specification, Yield, batch};
-use crate::{DesignError, METRICS, Quantity};
+use super::{
+    batch::{BatchOptions, Scatter, batch, toleranced},
+    count::Yield,
+    spec::Specification,
+};
+use crate::{error::DesignError, metric::METRICS, quantity::Quantity};
 use serde::Serialize;
 use truegap_core::Sensor;
 
@@ -57,7 +61,7 @@ pub fn rank(mut rows: Vec<Tightened>) -> Vec<Tightened> {
 
 /// Quantities of a sensor that have a tolerance.
 pub fn tolerances(sensor: &Sensor) -> Vec<Quantity> {
-    super::toleranced(sensor).into_iter().map(|(quantity, _)| quantity).collect()
+    toleranced(sensor).into_iter().map(|(quantity, _)| quantity).collect()
 }
 
 /// The sensor with one spread halved.

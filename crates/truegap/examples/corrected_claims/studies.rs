@@ -7,9 +7,8 @@ use truegap::core::Sensor;
 use truegap::design::optimise::{
     Axis, CONSTRAINTS, Choice, Evaluation, OBJECTIVES, SearchOptions, Space, Useful, descend, front,
 };
-use truegap::design::sample::{normal_quantile, uniform};
 use truegap::design::sensitivity::PAPER_QUANTITIES;
-use truegap::design::tolerance::tolerances;
+use truegap::design::tolerance::{normal_quantile, tolerances, uniform};
 use truegap::design::{DesignError, Metric, Metrics, Quantity};
 
 /// Quantities in the order in which 10 % of them moves a metric, the first the most.

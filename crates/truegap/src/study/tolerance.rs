@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 use std::path::Path;
 use truegap_core::Sensor;
-use truegap_design::sample::BATCH;
 use truegap_design::tolerance::{
-    BatchOptions, Limit, PROBABILITIES, Scatter, Specification, Summary, Tightened, Yield, halved, join, part, rank, tolerances,
+    BATCH, BatchOptions, Limit, PROBABILITIES, Scatter, Specification, Summary, Tightened, Yield, halved, join, part, rank,
+    tolerances,
 };
 use truegap_design::{DesignError, METRICS, Metric, MetricOptions, Quantity};
 use truegap_sweep::Sweep;

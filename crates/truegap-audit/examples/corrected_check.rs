@@ -9,7 +9,7 @@
 use rayon::prelude::*;
 use std::time::Instant;
 use truegap_audit::AuditError;
-use truegap_audit::corrections::{Corrected, designs::held_out};
+use truegap_audit::corrections::{Corrected, held_out};
 use truegap_audit::reference::{CellDisc, DiscState, FlatCells};
 use truegap_core::Sensor;
 use truegap_core::sensor::builtin_sensors;

@@ -4,23 +4,12 @@
 
 use std::path::Path;
 use std::time::Instant;
-use truegap_audit::AuditError;
-use truegap_audit::corrections::{Table, make};
-
-type Make = fn() -> Result<Table, AuditError>;
+use truegap_audit::corrections::MAKERS;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let wanted: Vec<String> = std::env::args().skip(1).collect();
-    let all: [(&str, Make); 6] = [
-        ("tail_edge", make::tail_edge),
-        ("held_expansion", make::heat),
-        ("heated_field", make::heated_field),
-        ("cell_field", make::cell_field),
-        ("rim_field", make::rim_field),
-        ("bead_load", make::bead_load),
-    ];
     println!("| table | coefficients | largest relative error between nodes | points checked | seconds |\n|---|---|---|---|---|");
-    for (name, compute) in all.into_iter().filter(|(name, _)| wanted.is_empty() || wanted.iter().any(|w| w == name)) {
+    for (name, compute) in MAKERS.into_iter().filter(|(name, _)| wanted.is_empty() || wanted.iter().any(|w| w == name)) {
         let begin = Instant::now();
         let mut table = compute()?;
         table.command = format!("cargo run -p truegap-audit --example corrections {name}");

@@ -6,7 +6,7 @@
 //! the capacitance from the unloaded cold state, in per cent of the span: rubber rings less bead cells.
 
 use truegap_audit::cell::Cell;
-use truegap_audit::corrections::designs::held_out;
+use truegap_audit::corrections::held_out;
 use truegap_audit::disc::{BeadSpring, Coupled, CoupledOptions, Fineness, Gap, Laminate, RingPlate, Section, Whole};
 use truegap_audit::reference::{CellDisc, CellSlopes, DiscState, FlatCells};
 use truegap_audit::{AuditError, Options, Study, Watch};

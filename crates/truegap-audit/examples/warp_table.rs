@@ -2,8 +2,7 @@
 //!
 //! `cargo run -p truegap-audit --example warp_table`
 
-use truegap_audit::disc::baselines::DATA_SHEET_PCT_FSR_PER_K;
-use truegap_audit::disc::{Baseline, baselines};
+use truegap_audit::disc::{Baseline, DATA_SHEET_PCT_FSR_PER_K, baselines};
 use truegap_audit::{AuditError, Options, Study, Watch};
 use truegap_core::Sensor;
 use truegap_core::sensor::builtin_sensors;

@@ -2,7 +2,7 @@
 //!
 //! Limits: one finding an assumption and sensor.
 
-use crate::{AuditError, Finding, Study};
+use crate::{error::AuditError, finding::Finding, study::Study};
 use truegap_core::Sensor;
 
 /// Something that the analytic model takes to be true.

@@ -2,7 +2,14 @@
 //!
 //! Limits: assumptions run side by side on plain threads, one a core; each may use rayon inside.
 
-use crate::{Assumption, AuditError, Cache, Finding, Options, Progress, Ranking, Study, Watch, cache::Key, ranking::ranking};
+use crate::{
+    assumption::Assumption,
+    cache::{Cache, Key},
+    error::AuditError,
+    finding::Finding,
+    ranking::{Ranking, ranking},
+    study::{Options, Progress, Study, Watch},
+};
 use serde::{Deserialize, Serialize};
 use std::{
     collections::BTreeMap,

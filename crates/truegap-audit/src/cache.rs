@@ -2,7 +2,7 @@
 //!
 //! Limits: the hash covers sensor, options, assumption and [`REVISION`], not the code itself: raise the revision when a method changes.
 
-use crate::{AuditError, Finding, Options};
+use crate::{error::AuditError, finding::Finding, study::Options};
 use sha2::{Digest, Sha256};
 use std::{
     path::{Path, PathBuf},
@@ -11,18 +11,18 @@ use std::{
 use truegap_core::Sensor;
 
 /// Raised with every change of a method, so that old findings are not taken for new ones.
-pub const REVISION: u32 = 4;
+pub(crate) const REVISION: u32 = 4;
 
 /// What a finding depends on.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Key {
+pub(crate) struct Key {
     /// sha256, hexadecimal
-    pub sha256: String,
+    pub(crate) sha256: String,
 }
 
 impl Key {
     /// The key of an assumption for a sensor; name and description of the sensor do not count.
-    pub fn of(sensor: &Sensor, options: Options, id: &str) -> Self {
+    pub(crate) fn of(sensor: &Sensor, options: Options, id: &str) -> Self {
         let physics = Sensor { name: String::new(), description: String::new(), ..sensor.clone() };
         // Debug prints floating-point numbers with all their digits.
         let text = format!("truegap.audit {} {REVISION}\n{id}\n{options:?}\n{physics:?}", env!("CARGO_PKG_VERSION"));
@@ -56,7 +56,7 @@ impl Cache {
     ///
     /// # Errors
     /// [`AuditError::Cache`] where the file is there and the system refuses to read it.
-    pub fn finding(&self, key: &Key) -> Result<Option<Finding>, AuditError> {
+    pub(crate) fn finding(&self, key: &Key) -> Result<Option<Finding>, AuditError> {
         let Some(path) = self.path(key) else { return Ok(None) };
         match std::fs::read_to_string(&path) {
             Ok(text) => Ok(serde_json::from_str(&text).ok()),
@@ -69,7 +69,7 @@ impl Cache {
     ///
     /// # Errors
     /// [`AuditError::Cache`] where the folder is not writable.
-    pub fn store(&self, key: &Key, finding: &Finding) -> Result<(), AuditError> {
+    pub(crate) fn store(&self, key: &Key, finding: &Finding) -> Result<(), AuditError> {
         static NEXT: AtomicU64 = AtomicU64::new(0);
         let (Some(folder), Some(path)) = (&self.folder, self.path(key)) else { return Ok(()) };
         let number = NEXT.fetch_add(1, Ordering::Relaxed);
@@ -79,5 +79,50 @@ impl Cache {
         std::fs::create_dir_all(folder).map_err(|e| refused(e.to_string()))?;
         std::fs::write(&beside, text).map_err(|e| refused(e.to_string()))?;
         std::fs::rename(&beside, &path).map_err(|e| refused(e.to_string()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        effect::EffectOn,
+        finding::{FemValue, Measure, Value, Verdict},
+    };
+    use truegap_core::sensor::builtin_sensors;
+
+    #[test]
+    fn the_cache_knows_a_finding_by_what_it_depends_on() {
+        let folder = std::env::temp_dir().join(format!("truegap-audit-cache-{}", std::process::id()));
+        let (cache, sensor) = (Cache::in_folder(&folder), builtin_sensors()[0].sensor().unwrap());
+        let finding = Finding {
+            id: "A".into(),
+            says: "a".into(),
+            analytic: Value { value: 0.1 + 0.2, unit: "pF".into() },
+            fem: FemValue { value: 1.0 / 3.0, unit: "pF".into(), error_estimate: 1e-9 },
+            relative_error: -0.1,
+            verdict: Verdict::Broken,
+            reason: "r".into(),
+            effect_on: EffectOn { baseline_pct: Some(1.0), ..EffectOn::default() },
+            measure: Measure { name: "m".into(), value: 1.0, limit: 2.0 },
+            source: "s".into(),
+            figure: None,
+        };
+        let key = Key::of(&sensor, Options::default(), "A");
+        assert_eq!(cache.finding(&key).unwrap(), None);
+        cache.store(&key, &finding).unwrap();
+        assert_eq!(cache.finding(&key).unwrap(), Some(finding));
+        let renamed = Sensor { name: "another".into(), ..sensor.clone() };
+        assert_eq!(Key::of(&renamed, Options::default(), "A"), key);
+        let mut changed = sensor.clone();
+        changed.tail.0 += 1e-9;
+        for other in [
+            Key::of(&changed, Options::default(), "A"),
+            Key::of(&sensor, Options::default(), "B"),
+            Key::of(&sensor, Options { hot_c: 51.0, ..Options::default() }, "A"),
+        ] {
+            assert_ne!(other, key);
+        }
+        std::fs::remove_dir_all(folder).unwrap();
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Limits: (24)-(28) between two temperatures and no and full load; a change of a coefficient that is zero has no percentage.
 
-use crate::AuditError;
+use crate::error::AuditError;
 use serde::{Deserialize, Serialize};
 use truegap_model::{
     Coefficients,
@@ -31,7 +31,7 @@ impl EffectOn {
     pub const NAMES: [&'static str; 5] = ["baseline", "span", "K_baseline", "K_sensitivity", "K_linearity"];
 
     /// The change from one set of coefficients to another.
-    pub fn between(base: &Coefficients, other: &Coefficients) -> Self {
+    pub(crate) fn between(base: &Coefficients, other: &Coefficients) -> Self {
         let change = |base: f64, other: f64| (base != 0.0).then(|| 100.0 * (other - base) / base.abs()).filter(|p| p.is_finite());
         Self {
             baseline_pct: change(base.baseline_pf, other.baseline_pf),

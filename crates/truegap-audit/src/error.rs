@@ -49,6 +49,32 @@ pub enum AuditError {
         /// how to fix it
         remedy: &'static str,
     },
+    /// An iteration ended before it met its target.
+    #[error(
+        "{what} did not converge at {at}: after {steps} steps {measure} is {left:.3e}, wanted is at most {target:.3e}; {remedy}"
+    )]
+    NotConverged {
+        /// what was sought
+        what: &'static str,
+        /// where: load and temperature, or what else was given
+        at: String,
+        /// steps taken
+        steps: usize,
+        /// what tells how far it came, with unit
+        measure: &'static str,
+        /// its last value
+        left: f64,
+        /// its greatest value that would have done
+        target: f64,
+        /// how to fix it
+        remedy: &'static str,
+    },
+    /// A disc without beads was asked for what only beads can carry.
+    #[error("{what} needs beads below the disc, which has none; give the disc beads")]
+    NoBeads {
+        /// what was asked for
+        what: &'static str,
+    },
     /// A table of corrections does not cover the sensor.
     #[error("{what} = {value} lies outside of {low} to {high}; {remedy}")]
     Uncovered {

@@ -2,7 +2,7 @@
 //!
 //! Limits: a scalar comparison; what depends on load or temperature goes into the figure.
 
-use crate::EffectOn;
+use crate::effect::EffectOn;
 use serde::{Deserialize, Serialize};
 
 /// A number with its unit.
@@ -50,9 +50,9 @@ pub enum Verdict {
 
 impl Verdict {
     /// Effect, in per cent, from which an assumption is strained.
-    pub const STRAINED_PCT: f64 = 1.0;
+    const STRAINED_PCT: f64 = 1.0;
     /// Effect, in per cent, from which an assumption is broken.
-    pub const BROKEN_PCT: f64 = 10.0;
+    const BROKEN_PCT: f64 = 10.0;
 
     /// The verdict on an effect and a measure, with the reason as a sentence.
     ///
@@ -108,7 +108,7 @@ pub struct Figure {
 impl Figure {
     /// The figure with a band of relative errors about one of its curves.
     #[must_use]
-    pub fn with_errors(mut self, curve: usize, relative: f64) -> Self {
+    pub(crate) fn with_errors(mut self, curve: usize, relative: f64) -> Self {
         if let Some(curve) = self.curves.get_mut(curve) {
             curve.errors = curve.points.iter().map(|p| relative * p.1.abs()).collect();
         }
@@ -142,43 +142,4 @@ pub struct Finding {
     /// both routes as curves
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
-}
-
-/// What an assumption measured, before the verdict.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Measured {
-    /// unit of both values; empty for a ratio
-    pub unit: &'static str,
-    /// by the analytic model
-    pub analytic: f64,
-    /// by finite elements
-    pub fem: f64,
-    /// estimated magnitude of the error of `fem`
-    pub error_estimate: f64,
-    /// the number that decides
-    pub measure: Measure,
-    /// effect on the coefficients
-    pub effect_on: EffectOn,
-    /// both routes as curves
-    pub figure: Option<Figure>,
-}
-
-impl Measured {
-    /// The row of an assumption, with the verdict of [`Verdict::of`].
-    pub fn finding(self, assumption: &dyn crate::Assumption) -> Finding {
-        let (verdict, reason) = Verdict::of(&self.effect_on, &self.measure);
-        Finding {
-            id: assumption.id().into(),
-            says: assumption.says().into(),
-            analytic: Value { value: self.analytic, unit: self.unit.into() },
-            fem: FemValue { value: self.fem, unit: self.unit.into(), error_estimate: self.error_estimate },
-            relative_error: self.analytic / self.fem - 1.0,
-            verdict,
-            reason,
-            effect_on: self.effect_on,
-            measure: self.measure,
-            source: assumption.source().into(),
-            figure: self.figure,
-        }
-    }
 }

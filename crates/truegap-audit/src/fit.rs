@@ -2,12 +2,12 @@
 //!
 //! Limits: one variable, a closed range; asked outside of it, a curve refuses.
 
-use crate::AuditError;
+use crate::error::AuditError;
 use serde::{Deserialize, Serialize};
 
 /// A polynomial over a closed range, in Chebyshev form.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Chebyshev {
+pub(crate) struct Chebyshev {
     /// lower end of the range
     pub low: f64,
     /// upper end of the range
@@ -21,7 +21,7 @@ impl Chebyshev {
     ///
     /// # Errors
     /// [`AuditError::OutOfRange`] where there are too few points for the degree, or they do not lie in the range.
-    pub fn fit(points: &[(f64, f64)], degree: usize, low: f64, high: f64) -> Result<Self, AuditError> {
+    pub(crate) fn fit(points: &[(f64, f64)], degree: usize, low: f64, high: f64) -> Result<Self, AuditError> {
         let size = degree + 1;
         if points.len() < size {
             let (value, most) = (points.len() as f64, f64::INFINITY);
@@ -67,7 +67,7 @@ impl Chebyshev {
     ///
     /// # Errors
     /// [`AuditError::OutOfRange`] outside of the range.
-    pub fn at(&self, x: f64) -> Result<f64, AuditError> {
+    pub(crate) fn at(&self, x: f64) -> Result<f64, AuditError> {
         let t = self.reduced(x)?;
         // Clenshaw's recurrence
         let (mut next, mut after) = (0.0, 0.0);
@@ -81,7 +81,7 @@ impl Chebyshev {
     ///
     /// # Errors
     /// [`AuditError::OutOfRange`] where a point lies outside of the range.
-    pub fn misfit(&self, points: &[(f64, f64)]) -> Result<f64, AuditError> {
+    pub(crate) fn misfit(&self, points: &[(f64, f64)]) -> Result<f64, AuditError> {
         points.iter().try_fold(0.0, |worst: f64, &(x, y)| Ok(worst.max((self.at(x)? - y).abs())))
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Limits: effects one at a time; they do not add up where two assumptions touch the same piece.
 
-use crate::{EffectOn, Finding};
+use crate::{effect::EffectOn, finding::Finding};
 use serde::{Deserialize, Serialize};
 
 /// An assumption's effect on one coefficient.
@@ -24,7 +24,7 @@ pub struct Ranking {
 }
 
 /// One ranking a coefficient; ties keep the order of the register.
-pub fn ranking(findings: &[Finding]) -> Vec<Ranking> {
+pub(crate) fn ranking(findings: &[Finding]) -> Vec<Ranking> {
     let rank = |(k, name): (usize, &&str)| {
         let effect = |f: &Finding| Some(Ranked { id: f.id.clone(), pct: f.effect_on.values()[k]? });
         let mut order: Vec<Ranked> = findings.iter().filter_map(effect).collect();

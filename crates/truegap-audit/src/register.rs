@@ -3,8 +3,9 @@
 //! Limits: ids never change their meaning.
 
 use crate::{
-    Assumption, AuditError,
+    assumption::Assumption,
     assumptions::{cell, plate},
+    error::AuditError,
 };
 
 /// Every assumption, in the order of the model's chain: beads and field first, then the plate.

@@ -3,8 +3,9 @@
 //! Limits: one sensor; shared results live as long as the study.
 
 use crate::{
-    AuditError, Chain, EffectOn, Swap,
-    effect::{Corners, coefficients_of},
+    effect::{Corners, EffectOn, coefficients_of},
+    error::AuditError,
+    swap::{Chain, Swap},
 };
 use std::{
     any::{Any, TypeId},
@@ -57,7 +58,7 @@ pub struct Watch<'a> {
 
 impl Watch<'_> {
     /// Whether the caller wants to stop.
-    pub fn stopped(&self) -> bool {
+    pub(crate) fn stopped(&self) -> bool {
         self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
     }
 
@@ -110,12 +111,12 @@ impl<'a> Study<'a> {
     }
 
     /// Full load, N.
-    pub fn full_n(&self) -> f64 {
+    pub(crate) fn full_n(&self) -> f64 {
         self.sensor.full_scale
     }
 
     /// Kelvins from the sensor's reference temperature to the hot one.
-    pub fn hot_kelvin(&self) -> f64 {
+    pub(crate) fn hot_kelvin(&self) -> f64 {
         self.options.hot_c - self.sensor.reference_c
     }
 
@@ -167,7 +168,7 @@ impl<'a> Study<'a> {
     ///
     /// # Errors
     /// [`AuditError::Cancelled`].
-    pub fn keep_going(&self) -> Result<(), AuditError> {
+    pub(crate) fn keep_going(&self) -> Result<(), AuditError> {
         if self.watch.stopped() { Err(AuditError::Cancelled) } else { Ok(()) }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Limits: the pieces of `truegap_model::stack::Device`; a replacement sees one load and one temperature.
 
-use crate::AuditError;
+use crate::error::AuditError;
 use truegap_model::stack::{Capacitances, Device, Refusal, Squeeze, Warm};
 
 type Warming<'a> = Box<dyn Fn(&mut Warm) -> Result<(), AuditError> + Send + Sync + 'a>;

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use truegap_audit::AuditError;
-use truegap_audit::corrections::{Corrected, curves, designs::held_out, library};
+use truegap_audit::corrections::{Corrected, curves, held_out, library};
 use truegap_audit::disc::Fineness;
 use truegap_audit::reference::{CellDisc, FlatCells};
 use truegap_core::{Corrections, Dielectric, Drive, FieldView, Inputs, Sensor, Simulator, Stage, sensor::builtin_sensors};

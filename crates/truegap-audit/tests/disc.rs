@@ -2,10 +2,9 @@
 
 #![allow(clippy::unwrap_used)]
 
-use truegap_audit::disc::buckled::{buckled, critical_curvature};
-use truegap_audit::disc::contact::Bond;
-use truegap_audit::disc::foundation::Foundation;
-use truegap_audit::disc::{BeadSpring, Disc, Fineness, Laminate, Loading, Profile, Sheet, Strains};
+use truegap_audit::disc::{
+    BeadSpring, Bond, Disc, Fineness, Foundation, Laminate, Loading, Profile, Sheet, Strains, buckled, critical_curvature,
+};
 use truegap_model::equations::curvature::{Bimetal, ExpansionPair, Lamina, bimetal_curvature, mismatch_strain};
 
 fn sheet(name: &str, thickness: f64, young: f64, poisson: f64, expansion: f64) -> Sheet {

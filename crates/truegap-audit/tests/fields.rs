@@ -2,7 +2,6 @@
 
 #![allow(clippy::unwrap_used)]
 
-use truegap_audit::assumptions::cell::tail_parallel_plate::{Section, edge_factor};
 use truegap_audit::cell::Layered;
 use truegap_audit::{Finding, Options, Study, Watch, register};
 use truegap_core::{Sensor, VACUUM_PERMITTIVITY, sensor::builtin_sensors};
@@ -16,17 +15,6 @@ fn examined(sensor: &Sensor, id: &str) -> Finding {
     let watch = Watch::default();
     let study = Study::new(sensor, Options::default(), &watch).unwrap();
     register().into_iter().find(|a| a.id() == id).unwrap().examine(&study).unwrap()
-}
-
-#[test]
-fn the_edge_field_of_a_trace_is_known() {
-    // C' / eps of a trace 100 um wide, 25 um from each of two shields, for thicknesses in um; converged values of other programs.
-    for (thickness, exact) in [(5e-6, 10.276967843), (17e-6, 10.999940878), (35e-6, 11.732440504)] {
-        let factor = edge_factor(Section { width: 100e-6, distance: 25e-6, thickness }, 1e-5).unwrap();
-        // Two faces as plates: 2 w / d = 8.
-        assert!((8.0 * factor.value / exact - 1.0).abs() < 1e-5, "{thickness}: {factor:?}");
-        assert!(8.0 * factor.error_estimate < 1e-4 * exact);
-    }
 }
 
 #[test]

@@ -3,11 +3,9 @@
 #![allow(clippy::unwrap_used)]
 
 use std::f64::consts::TAU;
-use truegap_audit::disc::contact::Bond;
-use truegap_audit::disc::plate_contact::Pressed;
-use truegap_audit::disc::section::Ring;
 use truegap_audit::disc::{
-    BeadSpring, Disc, Facing, Fineness, Gap, Laminate, Loading, Profile, RingPlate, Rings, Section, Sheet, Strains,
+    BeadSpring, Bond, Disc, Facing, Fineness, Gap, Laminate, Loading, Pressed, Profile, Ring, RingPlate, Rings, Section, Sheet,
+    Strains,
 };
 
 const FINE: Fineness = Fineness { columns: 40, rows: 1 };

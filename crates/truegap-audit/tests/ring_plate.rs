@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
-use truegap_audit::disc::RingPlate;
-use truegap_audit::disc::foundation::Foundation;
-use truegap_audit::disc::section::Ring;
+use truegap_audit::disc::{Foundation, Ring, RingPlate};
 
 fn plate(rings: Vec<Ring>) -> RingPlate {
     RingPlate { bending: 5e-4, poisson: 0.34, radius: 7.5e-3, stiffness: 1.2e9, tilt: 1.0, rings }

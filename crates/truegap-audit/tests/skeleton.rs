@@ -1,4 +1,4 @@
-//! The chain with pieces replaced, the cache and the ranking.
+//! The chain with pieces replaced, and what a study shares.
 
 #![allow(clippy::unwrap_used)]
 
@@ -58,39 +58,4 @@ fn a_study_shares_one_result_of_a_type_and_hands_its_error_to_all() {
     struct Hopeless;
     assert!(matches!(study.shared(|_| Err::<Hopeless, _>(AuditError::Cancelled)), Err(AuditError::Cancelled)));
     assert!(matches!(study.shared(|_| Ok(Hopeless)), Err(AuditError::Cancelled)));
-}
-
-#[test]
-fn the_cache_knows_a_finding_by_what_it_depends_on() {
-    let folder = std::env::temp_dir().join(format!("truegap-audit-cache-{}", std::process::id()));
-    let (cache, sensor) = (Cache::in_folder(&folder), builtin_sensors()[0].sensor().unwrap());
-    let finding = Finding {
-        id: "A".into(),
-        says: "a".into(),
-        analytic: Value { value: 0.1 + 0.2, unit: "pF".into() },
-        fem: FemValue { value: 1.0 / 3.0, unit: "pF".into(), error_estimate: 1e-9 },
-        relative_error: -0.1,
-        verdict: Verdict::Broken,
-        reason: "r".into(),
-        effect_on: EffectOn { baseline_pct: Some(1.0), ..EffectOn::default() },
-        measure: Measure { name: "m".into(), value: 1.0, limit: 2.0 },
-        source: "s".into(),
-        figure: None,
-    };
-    let key = cache::Key::of(&sensor, Options::default(), "A");
-    assert_eq!(cache.finding(&key).unwrap(), None);
-    cache.store(&key, &finding).unwrap();
-    assert_eq!(cache.finding(&key).unwrap(), Some(finding));
-    let renamed = Sensor { name: "another".into(), ..sensor.clone() };
-    assert_eq!(cache::Key::of(&renamed, Options::default(), "A"), key);
-    let mut changed = sensor.clone();
-    changed.tail.0 += 1e-9;
-    for other in [
-        cache::Key::of(&changed, Options::default(), "A"),
-        cache::Key::of(&sensor, Options::default(), "B"),
-        cache::Key::of(&sensor, Options { hot_c: 51.0, ..Options::default() }, "A"),
-    ] {
-        assert_ne!(other, key);
-    }
-    std::fs::remove_dir_all(folder).unwrap();
 }

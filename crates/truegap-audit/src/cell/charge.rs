@@ -2,8 +2,8 @@
 //!
 //! Limits: plates are flat; the side wall has no normal field, as in an endless pattern of equal cells.
 
-use super::{Cell, Profile};
-use crate::AuditError;
+use super::geometry::{Cell, Profile};
+use crate::error::AuditError;
 use truegap_core::VACUUM_PERMITTIVITY;
 use truegap_fem::{
     Symmetry,

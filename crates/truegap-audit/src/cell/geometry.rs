@@ -1,6 +1,6 @@
 //! Sizes of the unit cell, and the profile of a bead.
 
-use crate::AuditError;
+use crate::error::AuditError;
 use std::f64::consts::PI;
 use truegap_core::{Sensor, sensor::Filling};
 use truegap_fem::mesh::Point;
@@ -44,7 +44,7 @@ impl Cell {
     }
 
     /// Face of the bead, m².
-    pub fn face(&self) -> f64 {
+    pub(crate) fn face(&self) -> f64 {
         PI * self.bead * self.bead
     }
 

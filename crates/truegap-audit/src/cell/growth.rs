@@ -7,7 +7,7 @@ use truegap_model::stack::Warm;
 
 /// Coefficients of a bead between plates, 1/K.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Growth {
+pub(crate) struct Growth {
     /// of a free bead, linear
     pub free: f64,
     /// of the plates, linear
@@ -25,7 +25,7 @@ impl Growth {
     ///    \alpha' = \alpha - \alpha_p $$
     ///
     /// The volume follows exactly from the height: no axial force means no mean axial stress, so the height tells the mean lateral one, and that the volume.
-    pub fn of(sensor: &Sensor, held: f64) -> Self {
+    pub(crate) fn of(sensor: &Sensor, held: f64) -> Self {
         let silicone = &sensor.dielectric.layer.material;
         let (free, plates, nu) = (silicone.expansion, sensor.conductor.material.expansion, silicone.poisson);
         let more = free - plates;
@@ -34,7 +34,7 @@ impl Growth {
     }
 
     /// Gives a warm sensor the height and the mean area of held beads.
-    pub fn apply(&self, warm: &mut Warm) {
+    pub(crate) fn apply(&self, warm: &mut Warm) {
         let (free, held) = (1.0 + self.free * warm.kelvin, 1.0 + self.height * warm.kelvin);
         // a free bead's volume grows by free³, which is linear in the same order as the rest
         let volume = 1.0 + (self.volume - 3.0 * self.free) * warm.kelvin;

@@ -3,10 +3,10 @@
 //! Limits: rigid plates; heights and stiffness, not the shape of the side.
 
 use super::{
-    Bonding, Cell,
-    press::{half_mesh, silicone},
+    geometry::Cell,
+    press::{Bonding, half_mesh, silicone},
 };
-use crate::AuditError;
+use crate::error::AuditError;
 use truegap_fem::{
     FemError, Symmetry,
     physics::elasticity::{Component, Condition, Goal, LawKind, Material, Order, Problem, Quantity, Temperature, solve_goals},
@@ -45,7 +45,7 @@ pub fn held_expansion(cell: &Cell) -> Result<Estimated, AuditError> {
 ///
 /// # Errors
 /// [`AuditError::Fem`].
-pub fn heated_stiffness(cell: &Cell, thermal_strain: f64, strain: f64) -> Result<Estimated, AuditError> {
+pub(crate) fn heated_stiffness(cell: &Cell, thermal_strain: f64, strain: f64) -> Result<Estimated, AuditError> {
     let failed = || AuditError::fem::<FemError>("heated bead");
     let grown = held_expansion(cell)?.value * thermal_strain;
     let law = LawKind::NeoHookean;

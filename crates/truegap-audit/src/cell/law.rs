@@ -2,8 +2,11 @@
 //!
 //! Limits: strains up to [`Law::greatest`]; modulus and face scale the force, so one law serves every temperature.
 
-use super::{Bonding, Cell, Pressed, error_by_rim, press};
-use crate::{AuditError, Study, fit::Chebyshev};
+use super::{
+    geometry::Cell,
+    press::{Bonding, Pressed, error_by_rim, press},
+};
+use crate::{error::AuditError, fit::Chebyshev, study::Study};
 
 /// Degree of the fit of reduced load over strain.
 const DEGREE: usize = 5;
@@ -49,7 +52,7 @@ impl Law {
     ///
     /// # Errors
     /// [`AuditError::OutOfRange`] beyond the greatest strain.
-    pub fn reduced_load(&self, strain: f64) -> Result<f64, AuditError> {
+    pub(crate) fn reduced_load(&self, strain: f64) -> Result<f64, AuditError> {
         Ok(strain * self.secant.at(strain)?)
     }
 
@@ -89,7 +92,7 @@ pub fn bonded_law(study: &Study<'_>) -> Result<std::sync::Arc<Law>, AuditError> 
     study.shared(|study| {
         study.keep_going()?;
         let cell = Cell::of(study.sensor)?;
-        let chain = study.chain(crate::Swap::none());
+        let chain = study.chain(crate::swap::Swap::none());
         let mut greatest: f64 = 0.05;
         for temperature in [study.options.cold_c, study.options.hot_c] {
             greatest = greatest.max(chain.row(study.full_n(), temperature)?.squeeze.strain);

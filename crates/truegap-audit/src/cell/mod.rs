@@ -13,8 +13,11 @@ mod rim;
 
 pub use charge::{Charged, Filled, cell_capacitance};
 pub use geometry::{Cell, Profile};
-pub use growth::Growth;
-pub use heat::{Estimated, heated_stiffness, held_expansion};
+pub use heat::{Estimated, held_expansion};
 pub use law::{Law, bonded_law};
-pub use press::{Bonding, Pressed, PressedAt, error_by_rim, heated_and_loaded, heated_and_squeezed, press};
+pub use press::{Bonding, Pressed, PressedAt, heated_and_loaded, press};
 pub use rim::Layered;
+
+pub(crate) use growth::Growth;
+pub(crate) use heat::heated_stiffness;
+pub(crate) use press::heated_and_squeezed;

@@ -3,8 +3,8 @@
 //! The side of a bonded bead folds onto the plate from the first load on (the corner is singular), so the plate is an obstacle to it, without
 //! friction. Half a bead is meshed and mirrored at its middle: both faces are held alike.
 
-use super::{Cell, Profile};
-use crate::AuditError;
+use super::geometry::{Cell, Profile};
+use crate::error::AuditError;
 use truegap_fem::{
     FemError, Symmetry,
     mesh::{Geometry, Mesh, MeshOptions, Outline, Point, SizeField, SizeSource, mesh_geometry},
@@ -80,7 +80,7 @@ pub fn press(cell: &Cell, bonding: Bonding, strains: &[f64]) -> Result<Pressed, 
 ///
 /// # Errors
 /// As [`press`].
-pub fn error_by_rim(cell: &Cell, bonding: Bonding, pressed: &Pressed) -> Result<f64, AuditError> {
+pub(crate) fn error_by_rim(cell: &Cell, bonding: Bonding, pressed: &Pressed) -> Result<f64, AuditError> {
     let every = (pressed.steps.len() / 4).max(1);
     let some: Vec<&PressedAt> = pressed.steps.iter().skip(every - 1).step_by(every).collect();
     let strains: Vec<f64> = some.iter().map(|s| s.strain).collect();
@@ -136,7 +136,7 @@ pub fn heated_and_loaded(cell: &Cell, heat: f64, reduced_load: f64, start: f64) 
 ///
 /// # Errors
 /// As [`heated_and_loaded`].
-pub fn heated_and_squeezed(cell: &Cell, heat: f64, strain: f64) -> Result<PressedAt, AuditError> {
+pub(crate) fn heated_and_squeezed(cell: &Cell, heat: f64, strain: f64) -> Result<PressedAt, AuditError> {
     with_some_rim("heated and squeezed bead", |rim| {
         let solution = Solver::new(half_bead(cell, Bonding::Bonded, strain, heat, rim)?)?.solve()?;
         pressed_at(cell, strain, &solution)

@@ -2,8 +2,8 @@
 //!
 //! Limits: beads and air as one medium; shields end where the electrode ends.
 
-use super::Estimated;
-use crate::AuditError;
+use super::heat::Estimated;
+use crate::error::AuditError;
 use truegap_core::VACUUM_PERMITTIVITY;
 use truegap_fem::{
     FemError, Symmetry,
@@ -32,7 +32,7 @@ pub struct Layered {
 
 impl Layered {
     /// Capacitance of the parallel plates, F.
-    pub fn plates(&self) -> f64 {
+    pub(crate) fn plates(&self) -> f64 {
         let area = std::f64::consts::PI * self.radius * self.radius;
         let main = area / (self.beads / self.bead_permittivity + self.film / self.film_permittivity);
         main + self.backing.map_or(0.0, |thickness| self.film_permittivity * area / thickness)

@@ -2,8 +2,8 @@
 //!
 //! Limits: strains up to the end of the tables.
 
-use super::{Library, one_sensor::curve};
-use crate::{AuditError, cell::Cell, fit::Chebyshev};
+use super::{library::Library, one_sensor::curve};
+use crate::{cell::Cell, error::AuditError, fit::Chebyshev};
 
 /// Bonded beads of one sensor.
 #[derive(Clone, Debug)]
@@ -18,14 +18,14 @@ impl BeadLaw {
     ///
     /// # Errors
     /// [`AuditError::Uncovered`] beyond the tables.
-    pub fn of(cell: &Cell, tables: &Library) -> Result<Self, AuditError> {
+    pub(super) fn of(cell: &Cell, tables: &Library) -> Result<Self, AuditError> {
         let at = [cell.shape_factor(), 1.0 - 2.0 * cell.poisson];
         let secant = curve(&tables.bead_load.given(&at)?);
         Ok(Self { softest: secant.at(0.0)?, secant })
     }
 
     /// Greatest strain covered.
-    pub fn greatest(&self) -> f64 {
+    pub(super) fn greatest(&self) -> f64 {
         self.secant.high
     }
 
@@ -33,7 +33,7 @@ impl BeadLaw {
     ///
     /// # Errors
     /// [`AuditError::OutOfRange`] beyond the greatest strain.
-    pub fn load(&self, strain: f64) -> Result<f64, AuditError> {
+    pub(super) fn load(&self, strain: f64) -> Result<f64, AuditError> {
         Ok(strain * self.secant.at(strain)?)
     }
 
@@ -41,7 +41,7 @@ impl BeadLaw {
     ///
     /// # Errors
     /// As [`BeadLaw::load`].
-    pub fn secant(&self, strain: f64) -> Result<f64, AuditError> {
+    pub(super) fn secant(&self, strain: f64) -> Result<f64, AuditError> {
         self.secant.at(strain)
     }
 
@@ -49,7 +49,7 @@ impl BeadLaw {
     ///
     /// # Errors
     /// As [`BeadLaw::load`].
-    pub fn tangent(&self, strain: f64) -> Result<f64, AuditError> {
+    pub(super) fn tangent(&self, strain: f64) -> Result<f64, AuditError> {
         let step = 1e-4 * self.secant.high;
         let (low, high) = ((strain - step).max(0.0), (strain + step).min(self.secant.high));
         Ok((self.load(high)? - self.load(low)?) / (high - low))
@@ -60,7 +60,7 @@ impl BeadLaw {
     ///
     /// # Errors
     /// [`AuditError::Uncovered`] beyond the greatest strain.
-    pub fn strain(&self, reduced_load: f64) -> Result<f64, AuditError> {
+    pub(super) fn strain(&self, reduced_load: f64) -> Result<f64, AuditError> {
         let mut strain = (reduced_load / self.softest).clamp(0.0, self.secant.high);
         for _ in 0..50 {
             let next = strain - (self.load(strain)? - reduced_load) / self.tangent(strain)?;

@@ -7,7 +7,7 @@ use truegap_core::{Sensor, sensor::Material};
 
 /// Layers in whose equations bonding is included.
 #[derive(Clone, Debug, PartialEq)]
-pub struct BondedLayers {
+pub(crate) struct BondedLayers {
     /// the sensor with the electrode's common growth in its plane, and with the growth and the modulus of the insulator on a shield
     pub sensor: Sensor,
     /// growth of the insulator behind the electrode over that of the one on a shield, 1/K
@@ -18,7 +18,7 @@ pub struct BondedLayers {
 
 impl BondedLayers {
     /// The layers of a sensor.
-    pub fn of(sensor: &Sensor) -> Self {
+    pub(crate) fn of(sensor: &Sensor) -> Self {
         let (plate, film) = (Laminate::backed(sensor), Sheet::of("insulator", &sensor.insulator));
         let in_plane = plate.flat_expansion();
         let on_shield = film.held_growth(sensor.conductor.material.expansion);

@@ -2,8 +2,8 @@
 //!
 //! Limits: bonded beads; the box of each table; shielded layout; a rigid load plate, full contact (no lift-off), no bending between beads.
 
-use super::{Gains, Parts, make, pieces::Pieces};
-use crate::AuditError;
+use super::{make, parts::Parts, pieces::Pieces, warped::Gains};
+use crate::error::AuditError;
 use truegap_core::{Inputs, Parameter, Role, Sensor, SimulationError, Simulator, Stage, simulator::StageName};
 use truegap_model::{Stack, StackOptions};
 

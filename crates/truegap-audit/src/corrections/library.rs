@@ -2,8 +2,8 @@
 //!
 //! Limits: part of the program; made again by the command that each one names.
 
-use super::Table;
-use crate::AuditError;
+use super::table::Table;
+use crate::error::AuditError;
 use std::sync::OnceLock;
 
 /// All tables.

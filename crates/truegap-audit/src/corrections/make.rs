@@ -2,24 +2,34 @@
 //!
 //! Limits: minutes of work; the results are committed, so only a change of a method needs it.
 
-use super::{Axis, Table};
+use super::table::{Axis, Table};
 use crate::{
-    AuditError,
-    assumptions::cell::{
-        mixed_capacitance,
-        tail_parallel_plate::{Section, edge_factor},
-    },
+    assumptions::cell::{Section, edge_factor, mixed_capacitance},
     cell::{Bonding, Cell, Filled, Law, Layered, Profile, cell_capacitance, heated_and_squeezed, held_expansion, press},
+    error::AuditError,
 };
 use rayon::prelude::*;
 use truegap_core::VACUUM_PERMITTIVITY;
 
+/// Computes a table.
+pub type Maker = fn() -> Result<Table, AuditError>;
+
+/// Every table by the name of its file.
+pub const MAKERS: [(&str, Maker); 6] = [
+    ("tail_edge", tail_edge),
+    ("held_expansion", heat),
+    ("heated_field", heated_field),
+    ("cell_field", cell_field),
+    ("rim_field", rim_field),
+    ("bead_load", bead_load),
+];
+
 /// Greatest strain that the tables cover.
-pub const GREATEST_STRAIN: f64 = 0.3;
+pub(super) const GREATEST_STRAIN: f64 = 0.3;
 /// Relative permittivities for which [`cell_field`] and [`rim_field`] are computed: the paper's Table 1.
-pub const PERMITTIVITIES: Filled = Filled { bead: 3.4, air: 1.0, film: 3.4 };
+pub(super) const PERMITTIVITIES: Filled = Filled { bead: 3.4, air: 1.0, film: 3.4 };
 /// Poisson's ratio for which [`cell_field`] is computed: the paper's Table 1.
-pub const POISSON: f64 = 0.49;
+pub(super) const POISSON: f64 = 0.49;
 
 /// Shape factors: beads of 300 to 760 um, 150 to 210 um high.
 fn shape_factors(count: usize) -> Axis {
@@ -39,14 +49,14 @@ fn bead(shape_factor: f64, compressibility: f64) -> Cell {
 }
 
 /// Points between the nodes: the Halton sequence, the same every time.
-pub fn between(axes: &[Axis], count: usize) -> Vec<Vec<f64>> {
+pub(super) fn between(axes: &[Axis], count: usize) -> Vec<Vec<f64>> {
     let point =
         |i: usize| axes.iter().zip([2, 3, 5, 7, 11]).map(|(axis, base)| axis.expanded(2.0 * halton(i + 1, base) - 1.0)).collect();
     (0..count).map(point).collect()
 }
 
 /// Radical inverse of `index` in a base, 0 to 1.
-pub fn halton(mut index: usize, base: usize) -> f64 {
+pub(super) fn halton(mut index: usize, base: usize) -> f64 {
     let (mut value, mut digit) = (0.0, 1.0 / base as f64);
     while index > 0 {
         value += digit * (index % base) as f64;
@@ -77,7 +87,7 @@ fn tabulated(
 ///
 /// # Errors
 /// [`AuditError::Fem`].
-pub fn bead_load() -> Result<Table, AuditError> {
+fn bead_load() -> Result<Table, AuditError> {
     let axes = vec![shape_factors(7), compressibility(6), strains(6)];
     let says = "secant stiffness k of a bonded neo-Hookean bead: F = E A e k, with A the face and e the compressive strain";
     // one squeeze gives all strains
@@ -109,7 +119,7 @@ pub fn bead_load() -> Result<Table, AuditError> {
 ///
 /// # Errors
 /// [`AuditError::Fem`].
-pub fn heat() -> Result<Table, AuditError> {
+fn heat() -> Result<Table, AuditError> {
     let says = "held expansion m of a bonded bead's height: alpha_height = alpha_plate + m (alpha_bead - alpha_plate)";
     tabulated("held_expansion", says, vec![shape_factors(8), compressibility(5)], 16, |p| {
         Ok(held_expansion(&bead(p[0], p[1]))?.value)
@@ -120,7 +130,7 @@ pub fn heat() -> Result<Table, AuditError> {
 ///
 /// # Errors
 /// [`AuditError::Fem`].
-pub fn cell_field() -> Result<Table, AuditError> {
+fn cell_field() -> Result<Table, AuditError> {
     let axes = vec![
         shape_factors(6),
         Axis::linear("coverage, bead area / electrode area", 0.03, 0.5, 5),
@@ -169,13 +179,13 @@ fn field_factor(p: &[f64], profile: &Profile) -> Result<f64, AuditError> {
 }
 
 /// Thermal strain over that of the plates for which [`heated_field`] is computed: the paper's silicone, 30 K warmer.
-pub const HEAT: f64 = 5.5e-3;
+pub(super) const HEAT: f64 = 5.5e-3;
 
 /// What heat does to the field of a bonded bead beyond its height and its mean area.
 ///
 /// # Errors
 /// [`AuditError::Fem`].
-pub fn heated_field() -> Result<Table, AuditError> {
+fn heated_field() -> Result<Table, AuditError> {
     let axes = vec![
         shape_factors(3),
         Axis::linear("coverage, bead area / electrode area", 0.03, 0.5, 3),
@@ -203,7 +213,7 @@ pub fn heated_field() -> Result<Table, AuditError> {
 ///
 /// # Errors
 /// [`AuditError::Fem`].
-pub fn rim_field() -> Result<Table, AuditError> {
+fn rim_field() -> Result<Table, AuditError> {
     let axes = vec![
         Axis::logarithmic("insulator / radius", 1.3e-3, 2.5e-2, 7),
         Axis::logarithmic("electrode / radius", 1.3e-3, 1.5e-2, 4),
@@ -229,7 +239,7 @@ pub fn rim_field() -> Result<Table, AuditError> {
 ///
 /// # Errors
 /// [`AuditError::Fem`].
-pub fn tail_edge() -> Result<Table, AuditError> {
+fn tail_edge() -> Result<Table, AuditError> {
     let axes = vec![
         Axis::logarithmic("trace width / insulator thickness", 1.2, 12.0, 8),
         Axis::logarithmic("trace thickness / insulator thickness", 0.12, 4.0, 8),

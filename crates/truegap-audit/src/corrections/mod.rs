@@ -7,19 +7,22 @@ mod bead_law;
 mod bonded;
 mod corrected;
 mod curves;
-pub mod designs;
+mod designs;
 mod library;
-pub mod make;
+mod make;
 mod one_sensor;
 mod parts;
 mod pieces;
 mod table;
 mod warped;
 
-pub use bonded::BondedLayers;
 pub use corrected::Corrected;
 pub use curves::curves;
+pub use designs::held_out;
 pub use library::{Library, library};
+pub use make::{MAKERS, Maker};
 pub use parts::Parts;
 pub use table::{Axis, Table};
-pub use warped::{BeadsAt, Gains, Warped};
+pub use warped::Gains;
+
+pub(crate) use bonded::BondedLayers;

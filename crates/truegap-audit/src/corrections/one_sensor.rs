@@ -2,11 +2,15 @@
 //!
 //! Limits: the paper's permittivities; temperatures within [`KELVIN`] of the reference.
 
-use super::{Axis, Library, Table, make};
+use super::{
+    library::Library,
+    make,
+    table::{Axis, Table},
+};
 use crate::{
-    AuditError,
     assumptions::cell::filled,
     cell::{Cell, Growth},
+    error::AuditError,
     fit::Chebyshev,
 };
 use truegap_core::Sensor;

@@ -3,15 +3,17 @@
 //! Limits: as [`super::Corrected`]; smooth in load and temperature but for the loads at which a load plate touches at another place.
 
 use super::{
-    BondedLayers, Parts, Table,
     bead_law::BeadLaw,
-    library,
+    bonded::BondedLayers,
+    library::library,
     one_sensor::{check_permittivities, field},
+    parts::Parts,
+    table::Table,
     warped::{BeadsAt, Warp, Warped},
 };
 use crate::{
-    AuditError,
     cell::{Cell, Growth},
+    error::AuditError,
 };
 use truegap_core::{Sensor, VACUUM_PERMITTIVITY, sensor::Layout};
 use truegap_model::{
@@ -34,7 +36,7 @@ pub(super) struct Pieces {
 }
 
 impl Pieces {
-    pub fn new(sensor: &Sensor) -> Result<Self, AuditError> {
+    pub(super) fn new(sensor: &Sensor) -> Result<Self, AuditError> {
         let lacks = |part| AuditError::Lacks { sensor: sensor.name.clone(), part };
         if sensor.layout != Layout::Shielded {
             return Err(lacks("shields, for which the field at the rim is tabulated"));
@@ -76,20 +78,20 @@ impl Pieces {
     }
 
     /// The warm sensor with beads whose faces are held.
-    pub fn warm(&self, temperature_c: f64) -> Warm {
+    pub(super) fn warm(&self, temperature_c: f64) -> Warm {
         let mut warm = self.device.at(temperature_c);
         self.growth.apply(&mut warm);
         warm
     }
 
     /// Strain of the beads of a warm sensor under a force (N).
-    pub fn strain(&self, warm: &Warm, force_n: f64) -> Result<f64, AuditError> {
+    pub(super) fn strain(&self, warm: &Warm, force_n: f64) -> Result<f64, AuditError> {
         self.beads.strain(force_n / (warm.areas.solid * warm.young))
     }
 
     /// Capacitance of the flat gap by the field of its cells, F, and what the field at the rim adds, F: between cells of that capacitance the rim sees
     /// one medium.
-    pub fn field_and_rim(&self, warm: &Warm, strain: f64, flat: &Capacitances) -> Result<[f64; 2], AuditError> {
+    pub(super) fn field_and_rim(&self, warm: &Warm, strain: f64, flat: &Capacitances) -> Result<[f64; 2], AuditError> {
         let main = flat.shares.main * self.field.at(&[warm.kelvin, strain])?;
         let gap = warm.layers.beads * (1.0 - strain);
         let medium = gap / (warm.areas.electrode * VACUUM_PERMITTIVITY * (1.0 / main - 1.0 / flat.insulator));
@@ -97,7 +99,7 @@ impl Pieces {
     }
 
     /// What is added up at a force (N) and a temperature (degrees Celsius).
-    pub fn parts(&self, force_n: f64, temperature_c: f64) -> Result<Parts, AuditError> {
+    pub(super) fn parts(&self, force_n: f64, temperature_c: f64) -> Result<Parts, AuditError> {
         let warm = self.warm(temperature_c);
         let strain = self.strain(&warm, force_n)?;
         let row = self.device.plain(&warm, force_n, strain);

@@ -2,7 +2,7 @@
 //!
 //! Limits: a box; asked outside of it, a table refuses.
 
-use crate::{AuditError, fit::polynomials};
+use crate::{error::AuditError, fit::polynomials};
 use serde::{Deserialize, Serialize};
 
 /// One argument of a table.
@@ -22,23 +22,23 @@ pub struct Axis {
 
 impl Axis {
     /// An axis that is even in the quantity itself.
-    pub fn linear(name: &str, low: f64, high: f64, count: usize) -> Self {
+    pub(crate) fn linear(name: &str, low: f64, high: f64, count: usize) -> Self {
         Self { name: name.into(), low, high, logarithmic: false, count }
     }
 
     /// An axis that is even in the logarithm.
-    pub fn logarithmic(name: &str, low: f64, high: f64, count: usize) -> Self {
+    pub(crate) fn logarithmic(name: &str, low: f64, high: f64, count: usize) -> Self {
         Self { name: name.into(), low, high, logarithmic: true, count }
     }
 
     /// Values at which the table is computed: zeros of the next Chebyshev polynomial.
-    pub fn nodes(&self) -> Vec<f64> {
+    pub(crate) fn nodes(&self) -> Vec<f64> {
         let reduced = |k: usize| (std::f64::consts::PI * (k as f64 + 0.5) / self.count as f64).cos();
         (0..self.count).map(|k| self.expanded(reduced(k))).collect()
     }
 
     /// The value at a position from -1 to 1.
-    pub fn expanded(&self, t: f64) -> f64 {
+    pub(crate) fn expanded(&self, t: f64) -> f64 {
         let share = 0.5 * (1.0 + t);
         if self.logarithmic { self.low * (self.high / self.low).powf(share) } else { self.low + share * (self.high - self.low) }
     }
@@ -85,7 +85,7 @@ pub struct Table {
 
 impl Table {
     /// Interpolates values given at all nodes, the last axis fastest.
-    pub fn interpolating(id: &str, says: &str, axes: Vec<Axis>, values: Vec<f64>) -> Self {
+    pub(crate) fn interpolating(id: &str, says: &str, axes: Vec<Axis>, values: Vec<f64>) -> Self {
         let mut coefficients = values;
         for axis in 0..axes.len() {
             let inner: usize = axes[axis + 1..].iter().map(|a| a.count).product();
@@ -95,7 +95,7 @@ impl Table {
     }
 
     /// All nodes, the last axis fastest.
-    pub fn nodes(axes: &[Axis]) -> Vec<Vec<f64>> {
+    pub(crate) fn nodes(axes: &[Axis]) -> Vec<Vec<f64>> {
         let extend = |points: Vec<Vec<f64>>, axis: &Axis| {
             let longer = |p: &Vec<f64>| axis.nodes().into_iter().map(|x| [p.as_slice(), &[x]].concat()).collect::<Vec<_>>();
             points.iter().flat_map(longer).collect()
@@ -119,7 +119,7 @@ impl Table {
     ///
     /// # Errors
     /// [`AuditError::Uncovered`] outside of the box.
-    pub fn given(&self, first: &[f64]) -> Result<Self, AuditError> {
+    pub(crate) fn given(&self, first: &[f64]) -> Result<Self, AuditError> {
         let mut table = self.clone();
         for &x in first {
             let polynomials = table.axes[0].polynomials(x)?;

@@ -4,16 +4,16 @@
 
 use super::{make, one_sensor::KELVIN};
 use crate::{
-    AuditError,
     assumptions::cell::filled,
     cell::{Cell, Filled},
-    disc::{BeadSpring, Bent, Gap, Laminate, RingPlate, section::Ring, section::rings},
+    disc::{BeadSpring, Bent, Gap, Laminate, Ring, RingPlate, rings},
+    error::AuditError,
 };
 use truegap_core::{Curve, Sensor};
 
 /// A plate, its rings and what lies between it and the shield.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Warped {
+pub(super) struct Warped {
     /// the electrode with the insulator behind it
     pub plate: Laminate,
     /// rings of beads
@@ -26,7 +26,7 @@ pub struct Warped {
 
 /// Beads below a bent electrode.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BeadsAt {
+pub(super) struct BeadsAt {
     /// their height, m
     pub gap: f64,
     /// slope of their force over their height, per their cold area, Pa/m
@@ -47,7 +47,7 @@ impl Warped {
     ///
     /// # Errors
     /// [`AuditError::Lacks`] without beads.
-    pub fn of(sensor: &Sensor) -> Result<Self, AuditError> {
+    pub(super) fn of(sensor: &Sensor) -> Result<Self, AuditError> {
         let cell = Cell::of(sensor)?;
         let plate = Laminate::backed(sensor);
         let gap = Gap::Rings { height: cell.height, coverage: cell.coverage(), zones: BeadSpring::zones(sensor) };
@@ -55,15 +55,11 @@ impl Warped {
         Ok(Self { plate, rings, film: cell.film, filled: filled(sensor) })
     }
 
-    /// What the electrode does where it would be bent to `curvature` (1/m) if it were free, below a rigid plate with a force (N).
+    /// What the electrode does where it would be bent to `curvature` (1/m) if it were free, below a rigid plate with a force (N), and in `start` which nodes
+    /// the load plate touches; before, `start` is where it touches under a similar load.
     ///
     /// # Errors
-    /// [`AuditError::OutOfRange`] where the load plate finds no place to rest.
-    pub fn gains(&self, curvature: f64, force_n: f64, beads: BeadsAt) -> Result<Gains, AuditError> {
-        self.pressed(curvature, force_n, beads, &mut None)
-    }
-
-    /// The same and which nodes the load plate touches; `start` is where it touches under a similar load.
+    /// [`AuditError::NotConverged`] where the load plate finds no place to rest.
     fn pressed(&self, curvature: f64, force_n: f64, beads: BeadsAt, start: &mut Option<Vec<bool>>) -> Result<Gains, AuditError> {
         let plate = self.on(beads.stiffness);
         let shape = if force_n > 0.0 {
@@ -134,7 +130,10 @@ impl Warp {
     ///
     /// # Errors
     /// What `state` refuses, and where a load plate finds no place to rest.
-    pub fn of(warped: &Warped, state: impl Fn(f64, f64) -> Result<(BeadsAt, f64), AuditError>) -> Result<Self, AuditError> {
+    pub(super) fn of(
+        warped: &Warped,
+        state: impl Fn(f64, f64) -> Result<(BeadsAt, f64), AuditError>,
+    ) -> Result<Self, AuditError> {
         let per_kelvin = warped.plate.curvature_per_kelvin();
         let flattening_n_per_kelvin = warped.flattening_n(per_kelvin, state(0.0, 0.0)?.0.stiffness);
         let at = |kelvin: f64| -> Result<[Curve; 2], AuditError> {
@@ -157,7 +156,7 @@ impl Warp {
     }
 
     /// The gains at a temperature above the reference and the force (N) of a rigid plate.
-    pub fn gains(&self, kelvin: f64, force_n: f64) -> Gains {
+    pub(super) fn gains(&self, kelvin: f64, force_n: f64) -> Gains {
         if kelvin == 0.0 {
             return Gains::default();
         }

@@ -13,17 +13,17 @@ pub(super) struct Banded {
 }
 
 impl Banded {
-    pub fn new(count: usize) -> Self {
+    pub(super) fn new(count: usize) -> Self {
         Self { rows: vec![[0.0; BAND]; count], right: vec![0.0; count] }
     }
 
     /// Adds to an entry of the lower half.
-    pub fn add(&mut self, row: usize, column: usize, value: f64) {
+    pub(super) fn add(&mut self, row: usize, column: usize, value: f64) {
         self.rows[row][row - column] += value;
     }
 
     /// Gives an unknown a value.
-    pub fn fix(&mut self, unknown: usize, value: f64) {
+    pub(super) fn fix(&mut self, unknown: usize, value: f64) {
         for near in unknown.saturating_sub(BAND - 1)..self.rows.len().min(unknown + BAND) {
             self.right[near] -= value * self.entry(near, unknown);
             self.rows[near.max(unknown)][near.abs_diff(unknown)] = 0.0;
@@ -37,13 +37,13 @@ impl Banded {
     }
 
     /// What is left over in an equation where the unknowns have these values: the force that holds it.
-    pub fn residual(&self, row: usize, values: &[f64]) -> f64 {
+    pub(super) fn residual(&self, row: usize, values: &[f64]) -> f64 {
         let near = row.saturating_sub(BAND - 1)..self.rows.len().min(row + BAND);
         near.map(|column| self.entry(row, column) * values[column]).sum::<f64>() - self.right[row]
     }
 
     /// Factors L D Lᵀ of the matrix, in its place.
-    pub fn factored(mut self) -> Factored {
+    pub(super) fn factored(mut self) -> Factored {
         for i in 0..self.rows.len() {
             // rows above the first are those of the identity
             let [first, second, third] = [1, 2, 3].map(|k| if i >= k { self.rows[i - k] } else { [1.0, 0.0, 0.0, 0.0] });
@@ -57,7 +57,7 @@ impl Banded {
     }
 
     /// The solution.
-    pub fn solved(mut self) -> Vec<f64> {
+    pub(super) fn solved(mut self) -> Vec<f64> {
         let right = std::mem::take(&mut self.right);
         self.factored().solve(right)
     }
@@ -70,7 +70,7 @@ pub(super) struct Factored {
 
 impl Factored {
     /// The solution for a right side.
-    pub fn solve(&self, mut right: Vec<f64>) -> Vec<f64> {
+    pub(super) fn solve(&self, mut right: Vec<f64>) -> Vec<f64> {
         let count = right.len();
         for i in 0..count {
             let above: f64 = (1..BAND.min(i + 1)).map(|k| self.rows[i][k] * right[i - k]).sum();

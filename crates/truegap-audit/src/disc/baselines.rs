@@ -3,8 +3,15 @@
 //! Limits: shapes only; the rest of the chain is the paper's.
 
 use super::buckled::{buckled, critical_curvature, gain};
-use super::{BeadSpring, Disc, Fineness, Laminate, Loading, Profile, Strains, shaped};
-use crate::{AuditError, Study, Swap};
+use super::{
+    bead_spring::BeadSpring,
+    body::{Disc, Loading, Strains},
+    fineness::Fineness,
+    laminate::Laminate,
+    profile::Profile,
+    shaped::shaped,
+};
+use crate::{error::AuditError, study::Study, swap::Swap};
 use truegap_model::Coefficients;
 use truegap_model::equations::electrodes::series;
 
@@ -77,7 +84,7 @@ fn cylinder(study: &Study<'_>, plate: &Laminate) -> Result<Option<Baseline>, Aud
 }
 
 /// The chain with the disc of least energy, bowl or cylinder; `per_kelvin` is its free curvature, 1/(m K).
-pub fn cylindrical<'a>(plate: &Laminate, per_kelvin: f64) -> Swap<'a> {
+pub(crate) fn cylindrical<'a>(plate: &Laminate, per_kelvin: f64) -> Swap<'a> {
     let (plate, flat) = (plate.clone(), Profile::from_fn(1, |_| 0.0));
     Swap::none().shape(move |_, _| Ok(flat.clone())).parts(move |warm, row, parts| {
         let gap = warm.layers.beads * (1.0 - row.strain);

@@ -2,7 +2,7 @@
 //!
 //! Secant moduli: right for the mean strain; rings that are loaded differently share one modulus.
 
-use crate::AuditError;
+use crate::error::AuditError;
 use std::f64::consts::PI;
 use truegap_core::{Sensor, sensor::Filling};
 use truegap_model::stack::{Device, Warm};
@@ -54,7 +54,7 @@ impl BeadSpring {
     ///
     /// # Errors
     /// [`AuditError::NoResponse`] where the load closes the gap.
-    pub fn of_paper(sensor: &Sensor, device: &Device, warm: &Warm, force_n: f64) -> Result<Self, AuditError> {
+    pub(crate) fn of_paper(sensor: &Sensor, device: &Device, warm: &Warm, force_n: f64) -> Result<Self, AuditError> {
         Self::new(sensor, warm, force_n, |warm, force| {
             device.strain(warm, force, 1.0, [0.0; 2]).map_err(|_| AuditError::NoResponse {
                 force_n: force,

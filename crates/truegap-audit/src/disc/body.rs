@@ -3,29 +3,20 @@
 //! Beads answer linearly with the modulus of [`BeadSpring`] and do not spread, or are rings of neo-Hookean rubber that do; metals and insulator bend by
 //! small or large rotations. Air that is kept is a solid too soft to matter, so that it moves along.
 
-use super::{BeadSpring, Gap, Laminate, Profile, Section, Sheet, submesh::part};
-use crate::AuditError;
+use super::{
+    bead_spring::BeadSpring,
+    fineness::Fineness,
+    laminate::{Laminate, Sheet},
+    profile::Profile,
+    section::{Gap, Section},
+    submesh::part,
+};
+use crate::error::AuditError;
 use truegap_fem::Symmetry;
 use truegap_fem::mesh::{Mesh, Point};
 use truegap_fem::physics::elasticity::{
     Component, Condition, Formulation, LawKind, Material, Order, Place, Problem, Solution, Solver, Temperature,
 };
-
-/// How fine a section is meshed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Fineness {
-    /// columns along the radius, grading at the rim not counted
-    pub columns: usize,
-    /// factor on the rows across each layer
-    pub rows: usize,
-}
-
-impl Fineness {
-    /// For values.
-    pub const FINE: Self = Self { columns: 64, rows: 2 };
-    /// Half of it, for the estimate of the error.
-    pub const COARSE: Self = Self { columns: 32, rows: 1 };
-}
 
 /// Which rotations are taken into account.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,7 +124,7 @@ impl Disc {
     }
 
     /// The elastic problem with the rings that `attached` tells (all of them where there are none to tell apart).
-    pub fn problem(&self, kelvin: f64, loading: &Loading, attached: &[bool]) -> Problem {
+    pub(crate) fn problem(&self, kelvin: f64, loading: &Loading, attached: &[bool]) -> Problem {
         let bodies = |name: &str| match name.strip_prefix("ring ") {
             Some(number) => number.parse().ok().and_then(|j: usize| attached.get(j - 1)).copied().unwrap_or(true),
             None => self.air || name != "air",

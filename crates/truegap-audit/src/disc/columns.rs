@@ -3,7 +3,7 @@
 //! Limits: one graded end.
 
 /// Positions from 0 to the last of `stops` (increasing, m), at most `step` apart, shrinking to `finest` at the rim.
-pub fn columns(stops: &[f64], step: f64, finest: f64) -> Vec<f64> {
+pub(super) fn columns(stops: &[f64], step: f64, finest: f64) -> Vec<f64> {
     const SHRINK: f64 = 0.6;
     let mut out = vec![0.0];
     let (Some(&rim), inner) = (stops.last(), &stops[..stops.len().saturating_sub(1)]) else { return out };

@@ -1,11 +1,10 @@
 //! Rings that push but do not pull, and a rigid plate that carries a given force.
 //!
 //! Sets of touching nodes and rings are changed until they agree with the forces (primal-dual active sets); a ring lets go as a whole. Under loads of
-//! some thousandths of what presses the warp flat the sets may not settle, which is an error.
+//! some thousandths of what presses the warp flat the sets may not settle, which is [`AuditError::NotConverged`].
 
-use super::Disc;
-use super::body::Loading;
-use crate::AuditError;
+use super::body::{Disc, Loading};
+use crate::error::AuditError;
 use std::collections::BTreeSet;
 use truegap_fem::mesh::Point;
 use truegap_fem::physics::elasticity::{Component, Solution};
@@ -45,40 +44,46 @@ impl Disc {
     /// Equilibrium without a load plate; touching rings that would pull are let go, those that would be passed are taken back.
     ///
     /// # Errors
-    /// Where Newton's method finds no equilibrium, or the set of touching rings does not settle.
+    /// Where Newton's method finds no equilibrium; [`AuditError::NotConverged`] where the set of touching rings does not settle, or no ring carries.
     pub fn carried(&self, kelvin: f64, loading: &Loading, bond: Bond) -> Result<Carried, AuditError> {
         let mut attached = vec![true; self.section.rings.len()];
-        for _ in 0..ROUNDS {
+        let at = || format!("{kelvin} K");
+        let mut changing = 0;
+        for step in 1..=ROUNDS {
             let solution = self.solve(kelvin, loading, &attached)?;
             let forces = self.forces(&solution, &attached)?;
             let next = self.next_rings(&solution, kelvin, bond, &attached, &forces)?;
             if next == attached {
                 return Ok(Carried { solution, attached, forces, plate_force: 0.0 });
             }
+            if let Some(lifted) = lifted(&next, at, step) {
+                return Err(lifted);
+            }
+            changing = differences(&next, &attached);
             attached = next;
         }
-        Err(unsettled("rings of beads"))
+        let what = "the set of rings that push";
+        Err(unsettled(what, at(), ROUNDS, ("the number of rings that change", changing as f64, 0.0)))
     }
 
     /// Equilibrium under a rigid plate that carries `force_n`, to one part in ten thousand.
     ///
     /// # Errors
-    /// As [`Disc::carried`], and where no travel of the plate gives the force.
+    /// As [`Disc::carried`]; [`AuditError::NotConverged`] also where no travel of the plate gives the force; [`AuditError::NoBeads`].
     pub fn pressed(&self, kelvin: f64, force_n: f64, bond: Bond) -> Result<Carried, AuditError> {
-        let Some(beads) = self.beads else {
-            let (what, remedy) = ("beads below a loaded plate", "give the disc beads");
-            return Err(AuditError::OutOfRange { what, value: 0.0, low: 1.0, high: 1.0, remedy });
-        };
+        let beads = self.beads.ok_or(AuditError::NoBeads { what: "a load plate" })?;
         let stiffness = std::f64::consts::PI * self.plate.radius * self.plate.radius * beads.stiffness();
         let mut contact = Contact::new(self);
         let mut travel = force_n / stiffness - beads.expansion * kelvin * beads.height;
         let (mut low, mut high): (Option<[f64; 2]>, Option<[f64; 2]>) = (None, None);
+        let mut left = f64::INFINITY;
         for _ in 0..ROUNDS {
             let carried = self.under_plate(kelvin, travel, bond, &mut contact)?;
             let off = carried.plate_force - force_n;
             if off.abs() < 1e-4 * force_n {
                 return Ok(carried);
             }
+            left = off.abs();
             if off < 0.0 {
                 low = Some([travel, off])
             } else {
@@ -90,7 +95,8 @@ impl Disc {
                 _ => travel - off / stiffness,
             };
         }
-        Err(unsettled("travel of the load plate"))
+        let told = ("the load plate's distance from its force (N)", left, 1e-4 * force_n);
+        Err(unsettled("the travel of the load plate", format!("{kelvin} K and {force_n} N"), ROUNDS, told))
     }
 
     /// Force (N) of a rigid plate that holds all of the top and has gone down so far (m).
@@ -108,8 +114,9 @@ impl Disc {
     /// what heats and loads it.
     ///
     /// # Errors
-    /// Where Newton's method finds no equilibrium, or no travel of the plate gives the force.
+    /// Where Newton's method finds no equilibrium; [`AuditError::NotConverged`] where no travel of the plate gives the force; [`AuditError::NoBeads`].
     pub fn held_flat(&self, kelvin: f64, force_n: f64) -> Result<Carried, AuditError> {
+        let beads = self.beads.ok_or(AuditError::NoBeads { what: "a load plate that holds the disc flat" })?;
         let attached = vec![true; self.section.rings.len()];
         let touched = Contact::new(self).touched();
         let at = |travel: f64| -> Result<Carried, AuditError> {
@@ -118,7 +125,7 @@ impl Disc {
             Ok(Carried { solution, attached: attached.clone(), forces: Vec::new(), plate_force })
         };
         let area = std::f64::consts::PI * self.plate.radius * self.plate.radius;
-        let stiffness = self.beads.map_or(f64::NAN, |b| area * b.stiffness());
+        let stiffness = area * beads.stiffness();
         let mut last = at(0.0)?;
         let settled = 1e-4 * force_n.abs().max(last.plate_force.abs());
         let (mut here, mut slope) = (0.0, stiffness);
@@ -132,14 +139,17 @@ impl Disc {
             slope = (next.plate_force - last.plate_force) / step;
             (here, last) = (here + step, next);
         }
-        Err(unsettled("travel of a plate that holds the disc flat"))
+        let told = ("the load plate's distance from its force (N)", (last.plate_force - force_n).abs(), settled);
+        Err(unsettled("the travel of a plate that holds the disc flat", format!("{kelvin} K and {force_n} N"), ROUNDS, told))
     }
 
     /// Equilibrium below a rigid plate at a given travel; `contact` starts from the last one.
     fn under_plate(&self, kelvin: f64, travel: f64, bond: Bond, contact: &mut Contact) -> Result<Carried, AuditError> {
         let mut seen = BTreeSet::new();
         let mut one_by_one = false;
-        for _ in 0..PIVOTS {
+        let at = || format!("{kelvin} K and {travel:.3e} m of travel");
+        let mut changing = 0;
+        for step in 1..=PIVOTS {
             let touched = contact.touched();
             if touched.is_empty() {
                 // Out of reach: the plate carries nothing, and the disc rests as it would without it.
@@ -149,7 +159,8 @@ impl Disc {
             }
             let solution = self.solve(kelvin, &Loading::Plate { travel, touched }, &contact.attached)?;
             let nodes = contact.next_nodes(&solution, travel);
-            if nodes != contact.touching {
+            changing = differences(&nodes, &contact.touching);
+            if changing > 0 {
                 // All at once while that leads somewhere new, then by the rule of the last index, which cannot cycle.
                 one_by_one |= !seen.insert(contact.touching.clone());
                 contact.change(&nodes, one_by_one);
@@ -161,10 +172,14 @@ impl Disc {
                 let plate_force = contact.plate_force(&solution);
                 return Ok(Carried { solution, attached: rings, forces, plate_force });
             }
+            if let Some(lifted) = lifted(&rings, at, step) {
+                return Err(lifted);
+            }
             contact.attached = rings;
             (one_by_one, seen) = (false, BTreeSet::new());
         }
-        Err(unsettled("nodes under the load plate"))
+        let told = ("the number of nodes that change", changing as f64, 0.0);
+        Err(unsettled("the set of nodes under the load plate", at(), PIVOTS, told))
     }
 
     fn forces(&self, solution: &Solution, attached: &[bool]) -> Result<Vec<f64>, AuditError> {
@@ -199,18 +214,27 @@ impl Disc {
             let ring = self.section.rings[j];
             0.5 * (profile.height(ring.inner / self.plate.radius) + profile.height(ring.outer / self.plate.radius))
         };
-        let next: Vec<bool> = (0..attached.len()).map(|j| if attached[j] { forces[j] > 0.0 } else { above(j) < grown }).collect();
-        if next.is_empty() || next.contains(&true) {
-            Ok(next)
-        } else {
-            Err(unsettled("rings of beads, none of which carries the plate: they"))
-        }
+        Ok((0..attached.len()).map(|j| if attached[j] { forces[j] > 0.0 } else { above(j) < grown }).collect())
     }
 }
 
-fn unsettled(what: &'static str) -> AuditError {
-    let remedy = "the set does not settle; take an even load, or bonded beads";
-    AuditError::OutOfRange { what, value: ROUNDS as f64, low: 0.0, high: (ROUNDS - 1) as f64, remedy }
+/// How many entries of two sets differ.
+fn differences(next: &[bool], last: &[bool]) -> usize {
+    next.iter().zip(last).filter(|(a, b)| a != b).count()
+}
+
+/// What is wrong where all rings let go: nothing carries the plate any more.
+fn lifted(next: &[bool], at: impl Fn() -> String, step: usize) -> Option<AuditError> {
+    let rings = next.len();
+    let told = ("the number of rings that let go", rings as f64, rings as f64 - 1.0);
+    (rings > 0 && !next.contains(&true)).then(|| unsettled("the set of rings that push", at(), step, told))
+}
+
+/// `told` is what tells how far it came, its value and its greatest value that would have done.
+fn unsettled(what: &'static str, at: String, steps: usize, told: (&'static str, f64, f64)) -> AuditError {
+    let (measure, left, target) = told;
+    let remedy = "take an even load, a larger one, or bonded beads";
+    AuditError::NotConverged { what, at, steps, measure, left, target, remedy }
 }
 
 /// Nodes of the top and rings, and which of them touch.

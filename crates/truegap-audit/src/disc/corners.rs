@@ -2,9 +2,9 @@
 //!
 //! Limits: linearity would need loads between.
 
-use super::Whole;
+use super::coupled::Whole;
 use crate::effect::Corners;
-use crate::{AuditError, Study};
+use crate::{error::AuditError, study::Study};
 use truegap_model::equations::coefficients::{Pair, Range, baseline_coefficient, sensitivity, sensitivity_coefficient};
 
 /// What four solutions of the coupled disc say.

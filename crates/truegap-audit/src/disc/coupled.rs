@@ -3,12 +3,17 @@
 //! Beads are bonded rings of rubber with the force-strain law of the bead cell; the shield below is flat and grows like the conductor; the rim is a guard
 //! ring (no field outside of the plates); the tail is that of (22). Steady state, one temperature.
 
-use super::body::{Facing, Loading, Rings, Strains};
-use super::contact::{Bond, Carried};
-use super::field::{Field, field};
-use super::{BeadSpring, Disc, Fineness, Gap, Laminate, Section, Sheet};
+use super::{
+    bead_spring::BeadSpring,
+    body::{Disc, Facing, Loading, Rings, Strains},
+    contact::{Bond, Carried},
+    field::{Field, field},
+    fineness::Fineness,
+    laminate::{Laminate, Sheet},
+    section::{Gap, Section},
+};
 use crate::cell::{Cell, Growth, bonded_law, held_expansion};
-use crate::{AuditError, Study};
+use crate::{error::AuditError, study::Study};
 use std::f64::consts::PI;
 use truegap_core::sensor::Filling;
 use truegap_core::{Sensor, VACUUM_PERMITTIVITY};

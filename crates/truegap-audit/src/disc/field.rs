@@ -4,7 +4,7 @@
 //! mesh, capacitances on one refined from it; both keep the section's straight edges.
 
 use super::submesh::{Part, part};
-use crate::AuditError;
+use crate::error::AuditError;
 use truegap_fem::Symmetry;
 use truegap_fem::mesh::{Mesh, Topology};
 use truegap_fem::physics::electrostatics::{Accuracy, Answer, Conductor, Goal, Problem, Quantity, solve_adaptive, solve_on};
@@ -36,7 +36,7 @@ const METALS: [&str; 2] = ["plating", "conductor"];
 ///
 /// # Errors
 /// Where the section has folded, or the target is not reached.
-pub fn field(section: &Mesh, permittivity: &dyn Fn(&str) -> f64, target: f64) -> Result<Field, AuditError> {
+pub(crate) fn field(section: &Mesh, permittivity: &dyn Fn(&str) -> f64, target: f64) -> Result<Field, AuditError> {
     let part = part(section, |region| !METALS.contains(&region));
     let problem = problem(&part.mesh, permittivity, &[("face", 1.0), ("conductor.top", 1.0), ("bottom", 0.0), ("top", 0.0)])?;
     let potential = solve_on(&problem, &[], &part.mesh).map_err(AuditError::fem(FAILED))?.potential;
@@ -57,7 +57,7 @@ pub fn field(section: &Mesh, permittivity: &dyn Fn(&str) -> f64, target: f64) ->
 ///
 /// # Errors
 /// As [`field`].
-pub fn gap_capacitance(section: &Mesh, permittivity: &dyn Fn(&str) -> f64, target: f64) -> Result<f64, AuditError> {
+pub(crate) fn gap_capacitance(section: &Mesh, permittivity: &dyn Fn(&str) -> f64, target: f64) -> Result<f64, AuditError> {
     let gap = part(section, |region| !METALS.contains(&region) && region != "backing").mesh;
     let problem = problem(&gap, permittivity, &[("face", 1.0), ("bottom", 0.0)])?;
     Ok(capacitances(&problem, &gap, &["face"], target)?[0].value)

@@ -29,7 +29,7 @@ impl Foundation {
     /// $$ \ell = (D / k)^{1/4} $$
     ///
     /// **Source:** Timoshenko & Woinowsky-Krieger, Theory of Plates and Shells, art. 57. The beam's length of the errata is sqrt 2 times this.
-    pub fn length(&self) -> f64 {
+    pub(crate) fn length(&self) -> f64 {
         (self.bending / self.stiffness).powf(0.25)
     }
 

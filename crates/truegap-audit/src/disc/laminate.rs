@@ -46,7 +46,7 @@ impl Sheet {
     /// Modulus of a layer that cannot spread when it is pressed, Pa.
     ///
     /// $$ M = E \frac{1 - \nu}{(1 + \nu)(1 - 2 \nu)} $$
-    pub fn held_modulus(&self) -> f64 {
+    pub(crate) fn held_modulus(&self) -> f64 {
         self.young * (1.0 - self.poisson) / ((1.0 + self.poisson) * (1.0 - 2.0 * self.poisson))
     }
 }
@@ -62,7 +62,7 @@ pub struct Laminate {
 
 impl Laminate {
     /// The centre electrode: plating (at the gap) and conductor.
-    pub fn electrode(sensor: &Sensor) -> Self {
+    pub(crate) fn electrode(sensor: &Sensor) -> Self {
         let plating = sensor.plating.as_ref().map(|l| Sheet::of("plating", l));
         let conductor = Sheet::of("conductor", &sensor.conductor);
         Self { sheets: plating.into_iter().chain([conductor]).collect(), radius: 0.5 * sensor.diameter.value }
@@ -76,7 +76,7 @@ impl Laminate {
     }
 
     /// Thickness, m.
-    pub fn thickness(&self) -> f64 {
+    pub(crate) fn thickness(&self) -> f64 {
         self.sheets.iter().map(|s| s.thickness).sum()
     }
 
@@ -98,13 +98,13 @@ impl Laminate {
     }
 
     /// Growth in the plane of the plate that is held flat, 1/K: mean of its layers by their stretching stiffness in two directions.
-    pub fn flat_expansion(&self) -> f64 {
+    pub(crate) fn flat_expansion(&self) -> f64 {
         let modulus = |s: &Sheet| s.young / (1.0 - s.poisson);
         self.moments(|s| s.expansion * modulus(s))[0] / self.moments(modulus)[0]
     }
 
     /// Distance of the neutral plane of equal bending both ways from the face at the gap, m.
-    pub fn neutral(&self) -> f64 {
+    pub(crate) fn neutral(&self) -> f64 {
         let m = self.moments(|s| s.young / (1.0 - s.poisson));
         m[1] / m[0]
     }

@@ -1,36 +1,49 @@
 //! The whole disc: a stack of layers on beads, heated and pressed, as finite elements and as the closed forms it is checked against.
 //!
-//! Axisymmetric: beads become rings of equal area fraction. What has no axis (a cylinder after buckling) is in [`buckled`], by energy.
+//! Axisymmetric: beads become rings of equal area fraction. What has no axis (a cylinder after buckling) is in [`buckled()`], by energy.
 
 mod banded;
-pub mod baselines;
-pub mod bead_spring;
-pub mod body;
-pub mod buckled;
-pub mod columns;
-pub mod contact;
-pub mod corners;
-pub mod coupled;
-pub mod field;
-pub mod foundation;
-pub mod laminate;
-pub mod plate_contact;
-pub mod profile;
-pub mod refined;
-pub mod ring_plate;
-pub mod section;
-pub mod shaped;
-pub mod submesh;
-pub mod von_mises;
+mod baselines;
+mod bead_spring;
+mod body;
+mod buckled;
+mod columns;
+mod contact;
+mod corners;
+mod coupled;
+mod field;
+mod fineness;
+mod foundation;
+mod laminate;
+mod plate_contact;
+mod profile;
+mod refined;
+mod ring_plate;
+mod section;
+mod shaped;
+mod submesh;
+mod von_mises;
 
-pub use baselines::{Baseline, baselines};
+pub use baselines::{Baseline, DATA_SHEET_PCT_FSR_PER_K, baselines};
 pub use bead_spring::BeadSpring;
-pub use body::{Disc, Facing, Fineness, Loading, Rings, Strains};
+pub use body::{Disc, Facing, Loading, Rings, Strains};
+pub use buckled::{TwoCurvatures, buckled, critical_curvature};
+pub use contact::{Bond, Carried};
 pub use corners::{CornerCoefficients, corner_coefficients};
 pub use coupled::{BeadStrain, Beads, Charged, Coupled, CoupledOptions, Press, Whole};
+pub use field::Field;
+pub use fineness::Fineness;
+pub use foundation::{Foundation, Held};
 pub use laminate::{Laminate, Sheet};
+pub use plate_contact::Pressed;
 pub use profile::Profile;
-pub use refined::{Refined, refined};
 pub use ring_plate::{Bent, RingPlate};
-pub use section::{Gap, Section};
-pub use shaped::shaped;
+pub use section::{Gap, Ring, Section};
+pub use submesh::Part;
+pub use von_mises::von_mises;
+
+pub(crate) use baselines::cylindrical;
+pub(crate) use field::{field, gap_capacitance};
+pub(crate) use refined::{Refined, refined};
+pub(crate) use section::rings;
+pub(crate) use shaped::shaped;

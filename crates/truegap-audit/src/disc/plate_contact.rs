@@ -4,7 +4,7 @@
 
 use super::banded::Banded;
 use super::ring_plate::{Bent, RingPlate};
-use crate::AuditError;
+use crate::error::AuditError;
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
@@ -39,7 +39,7 @@ impl RingPlate {
     /// finite elements in `tests/plate_contact.rs`.
     ///
     /// # Errors
-    /// [`AuditError::OutOfRange`] where no set agrees.
+    /// [`AuditError::NotConverged`] where no set agrees.
     pub fn pressed(&self, curvature: f64, force_n: f64, start: Option<&[bool]>) -> Result<Pressed, AuditError> {
         let radii = self.radii();
         let area: f64 = self.rings.iter().map(|ring| PI * (ring.outer * ring.outer - ring.inner * ring.inner)).sum();
@@ -47,11 +47,16 @@ impl RingPlate {
         // a set of a similar load lacks a few nodes, and changing many at once leads off
         let warm = start.filter(|set| set.len() == radii.len()).map_or_else(|| self.highest(curvature), <[bool]>::to_vec);
         let found =
-            settled(&system, warm, force_n, PIVOTS[0]).or_else(|| settled(&system, vec![true; radii.len()], force_n, PIVOTS[1]));
-        let Some(Rest { touching, values, level, mut forces }) = found else {
-            let (what, remedy) = ("sets of touching nodes tried", "the load plate finds no place to rest; take another load");
-            return Err(AuditError::OutOfRange { what, value: PIVOTS[1] as f64, low: 0.0, high: PIVOTS[1] as f64, remedy });
-        };
+            settled(&system, warm, force_n, PIVOTS[0]).or_else(|_| settled(&system, vec![true; radii.len()], force_n, PIVOTS[1]));
+        let Rest { touching, values, level, mut forces } = found.map_err(|changing| AuditError::NotConverged {
+            what: "the set of nodes that the load plate touches",
+            at: format!("{curvature} 1/m and {force_n} N"),
+            steps: PIVOTS.iter().sum(),
+            measure: "the number of nodes that change",
+            left: changing as f64,
+            target: 0.0,
+            remedy: "the load plate finds no place to rest; take another load",
+        })?;
         forces.iter_mut().zip(&touching).filter(|(_, on)| !**on).for_each(|(force, _)| *force = 0.0);
         Ok(Pressed { shape: Bent::of(radii, &values), level, touching, forces })
     }
@@ -74,9 +79,11 @@ struct Rest {
     forces: Vec<f64>,
 }
 
-/// Changes a set until it agrees with the forces: where all nodes touch, all at once while that leads somewhere new, else one node at a time.
-fn settled(system: &Banded, mut touching: Vec<bool>, force_n: f64, pivots: usize) -> Option<Rest> {
+/// Changes a set until it agrees with the forces: where all nodes touch, all at once while that leads somewhere new, else one node at a time. Without
+/// agreement, how many nodes the last step would change.
+fn settled(system: &Banded, mut touching: Vec<bool>, force_n: f64, pivots: usize) -> Result<Rest, usize> {
     let (mut seen, mut one) = (BTreeSet::new(), touching.contains(&false));
+    let mut changing = touching.len();
     for _ in 0..pivots {
         let (values, level) = below(system, &touching, force_n);
         let forces: Vec<f64> = (0..touching.len()).map(|i| -TAU * system.residual(2 * i, &values)).collect();
@@ -84,12 +91,13 @@ fn settled(system: &Banded, mut touching: Vec<bool>, force_n: f64, pivots: usize
         let above = |i: usize| values[2 * i] > level + SLACK * largest;
         let next: Vec<bool> = (0..touching.len()).map(|i| if touching[i] { forces[i] >= 0.0 } else { above(i) }).collect();
         if next == touching {
-            return Some(Rest { touching, values, level, forces });
+            return Ok(Rest { touching, values, level, forces });
         }
+        changing = next.iter().zip(&touching).filter(|(a, b)| a != b).count();
         one |= !seen.insert(touching.clone());
         change(&mut touching, &next, one);
     }
-    None
+    Err(changing)
 }
 
 /// Heights and slopes below a load plate that holds some nodes, and its height: all is straight in that height, so two solutions tell.

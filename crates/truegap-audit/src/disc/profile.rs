@@ -2,7 +2,7 @@
 //!
 //! Straight between the nodes of the mesh; no field outside of the plates.
 
-use crate::AuditError;
+use crate::error::AuditError;
 use std::f64::consts::TAU;
 use truegap_fem::physics::elasticity::Solution;
 use truegap_model::equations::warp::{Dome, sag};
@@ -19,7 +19,7 @@ impl Profile {
     ///
     /// # Errors
     /// A body without that boundary.
-    pub fn of_face(solution: &Solution) -> Result<Self, AuditError> {
+    pub(crate) fn of_face(solution: &Solution) -> Result<Self, AuditError> {
         let body = solution.body();
         let nodes = body.boundary_nodes("face").map_err(AuditError::fem("face of the electrode"))?;
         let mut points: Vec<[f64; 2]> = nodes
@@ -62,44 +62,44 @@ impl Profile {
     }
 
     /// Lowest height, m.
-    pub fn lowest(&self) -> f64 {
+    pub(crate) fn lowest(&self) -> f64 {
         self.points.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min)
     }
 
     /// Largest distance from the mean height, m.
-    pub fn largest_deviation(&self) -> f64 {
+    pub(crate) fn largest_deviation(&self) -> f64 {
         let mean = self.mean();
         self.points.iter().map(|p| (p[1] - mean).abs()).fold(0.0, f64::max)
     }
 
     /// The shape a share `t` of the way to another one.
     #[must_use]
-    pub fn towards(&self, other: &Self, t: f64) -> Self {
+    pub(crate) fn towards(&self, other: &Self, t: f64) -> Self {
         let at = |p: &[f64; 2]| [p[0], (1.0 - t) * p[1] + t * other.height(p[0])];
         Self { points: self.points.iter().map(at).collect() }
     }
 
     /// The shape times a factor.
     #[must_use]
-    pub fn times(&self, factor: f64) -> Self {
+    pub(crate) fn times(&self, factor: f64) -> Self {
         Self { points: self.points.iter().map(|p| [p[0], factor * p[1]]).collect() }
     }
 
     /// The sum of two shapes, at the points of this one.
     #[must_use]
-    pub fn plus(&self, other: &Self) -> Self {
+    pub(crate) fn plus(&self, other: &Self) -> Self {
         Self { points: self.points.iter().map(|p| [p[0], p[1] + other.height(p[0])]).collect() }
     }
 
     /// The cap of (18) over a radius (m).
-    pub fn sphere(curvature: f64, radius: f64) -> Self {
+    pub(crate) fn sphere(curvature: f64, radius: f64) -> Self {
         Self::from_fn(200, |share| sag(Dome { curvature, radius }, share * radius))
     }
 
     /// Mean of mean gap over local gap: the factor on the capacitance of flat plates; `None` where the plates touch.
     ///
     /// $$ f = \frac{1}{A} \int \frac{g}{g + w - \bar w}\,dA $$
-    pub fn gain(&self, mean_gap: f64) -> Option<f64> {
+    pub(crate) fn gain(&self, mean_gap: f64) -> Option<f64> {
         let mean = self.mean();
         let open = self.points.iter().all(|p| mean_gap + p[1] - mean > 0.0);
         open.then(|| self.integral(|_, height| mean_gap / (mean_gap + height - mean)) / std::f64::consts::PI)

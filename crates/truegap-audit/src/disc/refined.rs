@@ -2,12 +2,12 @@
 //!
 //! The difference is an estimate of the coarse value's error and so, on the safe side, of the fine one's.
 
-use super::Fineness;
-use crate::AuditError;
+use super::fineness::Fineness;
+use crate::error::AuditError;
 
 /// A result on the finer mesh and how far a number of it moved.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Refined<T> {
+pub(crate) struct Refined<T> {
     /// result on the finer mesh
     pub result: T,
     /// the number
@@ -20,7 +20,7 @@ pub struct Refined<T> {
 ///
 /// # Errors
 /// What `compute` refuses.
-pub fn refined<T>(
+pub(crate) fn refined<T>(
     compute: impl Fn(Fineness) -> Result<T, AuditError>,
     number: impl Fn(&T) -> f64,
 ) -> Result<Refined<T>, AuditError> {

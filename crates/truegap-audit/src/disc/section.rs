@@ -3,8 +3,8 @@
 //! Limits: flat layers; beads are rings, each in the middle of its zone and covering the same share of it.
 
 use super::columns::columns;
-use super::{Fineness, Laminate};
-use crate::AuditError;
+use super::{fineness::Fineness, laminate::Laminate};
+use crate::error::AuditError;
 use truegap_fem::mesh::{BoundaryEdge, Layer, Mesh, Point, layered_grid};
 
 /// What lies between the electrode and what carries it.

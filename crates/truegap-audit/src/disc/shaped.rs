@@ -2,15 +2,15 @@
 //!
 //! The mean gap stays that of the chain: the shape only distributes it, as (16) does.
 
-use super::Profile;
-use crate::{AuditError, Swap};
+use super::profile::Profile;
+use crate::{error::AuditError, swap::Swap};
 use truegap_model::equations::electrodes::series;
 use truegap_model::stack::Warm;
 
 impl<'a> Swap<'a> {
     /// Replaces the spherical cap: `shape` gives the electrode's shape at a temperature and a force (N).
     #[must_use]
-    pub fn shape(self, shape: impl Fn(&Warm, f64) -> Result<Profile, AuditError> + Send + Sync + 'a) -> Self {
+    pub(crate) fn shape(self, shape: impl Fn(&Warm, f64) -> Result<Profile, AuditError> + Send + Sync + 'a) -> Self {
         self.squeeze(|_, row| {
             row.warp_factor = 0.0;
             Ok(())
@@ -30,7 +30,7 @@ impl<'a> Swap<'a> {
 }
 
 /// A shape that grows in proportion to the temperature difference, known at `kelvin`.
-pub fn shaped<'a>(at_hot: &Profile, kelvin: f64) -> Swap<'a> {
+pub(crate) fn shaped<'a>(at_hot: &Profile, kelvin: f64) -> Swap<'a> {
     let hot = at_hot.clone();
     Swap::none().shape(move |warm, _| {
         let t = if kelvin == 0.0 { 0.0 } else { warm.kelvin / kelvin };

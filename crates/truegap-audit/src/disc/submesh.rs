@@ -14,7 +14,7 @@ pub struct Part {
 }
 
 /// The triangles whose region `keep` names, with all region and boundary names kept in their order.
-pub fn part(mesh: &Mesh, keep: impl Fn(&str) -> bool) -> Part {
+pub(super) fn part(mesh: &Mesh, keep: impl Fn(&str) -> bool) -> Part {
     let kept: Vec<bool> = mesh.region_names.iter().map(|n| keep(n)).collect();
     let chosen = || (0..mesh.triangles.len()).filter(|&t| kept[mesh.triangle_regions[t] as usize]);
     let mut number = vec![NONE; mesh.points.len()];

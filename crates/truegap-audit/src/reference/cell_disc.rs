@@ -3,15 +3,14 @@
 //! Heat and load bend the section, the field is solved on what they leave of it. Limits: rings of equal share, each a spring that is straight about the
 //! flat state; a rigid load plate without friction; the field at the rim, the tail and what is beside the sensor are those of the cells.
 
+use super::cells::{CellSlopes, CellState, FlatCells};
 use super::ring_medium::{FlatRings, RingMedium};
-use super::{CellSlopes, CellState, FlatCells};
-use crate::AuditError;
 use crate::assumptions::cell::filled;
 use crate::cell::Cell;
-use crate::disc::contact::{Bond, Carried};
-use crate::disc::field::{Field, field};
-use crate::disc::section::Ring;
-use crate::disc::{BeadSpring, Disc, Facing, Fineness, Gap, Laminate, Loading, Rings, Section, Sheet, Strains};
+use crate::disc::{
+    BeadSpring, Bond, Carried, Disc, Facing, Field, Fineness, Gap, Laminate, Loading, Ring, Rings, Section, Sheet, Strains, field,
+};
+use crate::error::AuditError;
 use std::f64::consts::PI;
 use truegap_core::{VACUUM_PERMITTIVITY, sensor::Layout};
 
@@ -79,7 +78,7 @@ impl<'a> CellDisc<'a> {
     /// The disc at a force (N) on a rigid plate and a temperature (degrees Celsius).
     ///
     /// # Errors
-    /// [`AuditError::Fem`] where a solver fails, [`AuditError::OutOfRange`] where the contact does not settle.
+    /// [`AuditError::Fem`] where a solver fails, [`AuditError::NotConverged`] where the contact does not settle.
     pub fn at(&self, force_n: f64, temperature_c: f64) -> Result<DiscState, AuditError> {
         self.solve(force_n, temperature_c, false)
     }

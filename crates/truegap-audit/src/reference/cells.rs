@@ -3,13 +3,10 @@
 //! Limits: beads bonded and alike, the electrode flat between and beyond them (what its bending adds comes from [`super::CellDisc`]); modulus by (7).
 
 use crate::{
-    AuditError,
-    assumptions::cell::{
-        filled,
-        tail_parallel_plate::{Section, edge_factor},
-    },
+    assumptions::cell::{Section, edge_factor, filled},
     cell::{Cell, Layered, PressedAt, cell_capacitance, heated_and_loaded, heated_and_squeezed},
     corrections::{BondedLayers, Parts},
+    error::AuditError,
 };
 use std::f64::consts::PI;
 use truegap_core::{
@@ -81,7 +78,7 @@ impl<'a> FlatCells<'a> {
     }
 
     /// Relative error wanted of the fields.
-    pub fn target(&self) -> f64 {
+    pub(crate) fn target(&self) -> f64 {
         self.target
     }
 

@@ -2,9 +2,9 @@
 //!
 //! Limits: rings as wide as when cold; one permittivity for all rings of one height, straight over the height.
 
-use super::CellSlopes;
-use crate::AuditError;
-use crate::disc::{Fineness, Gap, Laminate, Section, field::gap_capacitance};
+use super::cells::CellSlopes;
+use crate::disc::{Fineness, Gap, Laminate, Section, gap_capacitance};
+use crate::error::AuditError;
 use truegap_core::VACUUM_PERMITTIVITY;
 
 /// The gap of a flat disc, and permittivities relative to that of vacuum.
@@ -48,8 +48,8 @@ impl RingMedium {
     /// Rings of the beads' height (m) whose flat disc has the cells' capacitance (F) there and, by its slopes, near it.
     ///
     /// # Errors
-    /// What the field refuses; [`AuditError::OutOfRange`] where no permittivity does it.
-    pub fn of(flat: &FlatRings, height: f64, main: f64, slopes: &CellSlopes) -> Result<Self, AuditError> {
+    /// What the field refuses; [`AuditError::NotConverged`] where no permittivity does it.
+    pub(super) fn of(flat: &FlatRings, height: f64, main: f64, slopes: &CellSlopes) -> Result<Self, AuditError> {
         let permittivity = flat.permittivity(height, main, flat.film_permittivity)?;
         let [lower, higher] = [(-slopes.step, slopes.main[0]), (slopes.step, slopes.main[1])]
             .map(|(step, main)| flat.permittivity(height + step, main, permittivity));
@@ -57,7 +57,7 @@ impl RingMedium {
     }
 
     /// At a height (m).
-    pub fn at(&self, height: f64) -> f64 {
+    pub(super) fn at(&self, height: f64) -> f64 {
         self.permittivity + self.slope * (height - self.height)
     }
 }
@@ -67,18 +67,25 @@ impl FlatRings {
     fn permittivity(&self, height: f64, wanted: f64, start: f64) -> Result<f64, AuditError> {
         let gap = Gap::Rings { height, coverage: self.coverage, zones: self.zones };
         let section = Section::new(&self.plate, &gap, Some(self.film), self.fineness)?;
-        let mut permittivity = start;
+        let (mut permittivity, mut left) = (start, f64::INFINITY);
         for _ in 0..ROUNDS {
             let of = |region: &str| self.of_region(region, permittivity);
             let found = gap_capacitance(&section.mesh, &of, self.target)?;
-            if (found / wanted - 1.0).abs() <= MET * self.target {
+            left = (found / wanted - 1.0).abs();
+            if left <= MET * self.target {
                 return Ok(permittivity);
             }
             permittivity += (wanted - found) / self.slope(height, permittivity);
         }
-        let (what, remedy) =
-            ("relative permittivity of the rings", "the cell's field cannot be that of rings; ask for a larger target");
-        Err(AuditError::OutOfRange { what, value: permittivity, low: 0.0, high: f64::INFINITY, remedy })
+        Err(AuditError::NotConverged {
+            what: "the relative permittivity of the rings",
+            at: format!("{height:.4e} m and {wanted:.4e} F"),
+            steps: ROUNDS,
+            measure: "the relative error of the capacitance",
+            left,
+            target: MET * self.target,
+            remedy: "the cell's field cannot be that of rings; ask for a larger target",
+        })
     }
 
     /// Change of the capacitance with the rings' permittivity, F: field lines straight across.
@@ -95,5 +102,34 @@ impl FlatRings {
             _ => ring,
         };
         VACUUM_PERMITTIVITY * relative
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use truegap_core::sensor::builtin_sensor;
+
+    #[test]
+    fn more_than_the_film_lets_through_is_no_permittivity() {
+        let sensor = builtin_sensor("singletact-s15-4.5n").unwrap().unwrap();
+        let (film, film_permittivity) = (25e-6, 3.4);
+        let flat = FlatRings {
+            plate: Laminate::backed(&sensor),
+            film,
+            coverage: 0.15,
+            zones: 2,
+            film_permittivity,
+            air_permittivity: 1.0,
+            fineness: Fineness { columns: 12, rows: 1 },
+            target: 1e-2,
+        };
+        let area = std::f64::consts::PI * flat.plate.radius * flat.plate.radius;
+        // rings of metal and the air between them would give 1.2 to 1.4 times the film below the rings
+        let wanted = 1.6 * VACUUM_PERMITTIVITY * film_permittivity * flat.coverage * area / film;
+        let found = flat.permittivity(162e-6, wanted, film_permittivity);
+        let Err(AuditError::NotConverged { steps, left, target, .. }) = found else { panic!("{found:?}") };
+        assert_eq!((steps, target), (ROUNDS, MET * flat.target));
+        assert!(left > 0.05 && left < 0.6, "{left}");
     }
 }

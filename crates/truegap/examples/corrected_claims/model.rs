@@ -3,7 +3,7 @@
 //! Limits: the numbers of the data sheet between 20 and 50 degrees Celsius and up to full load.
 
 use truegap::audit::corrections::Corrected;
-use truegap::audit::effect::{Corners, coefficients_of};
+use truegap::audit::{Corners, coefficients_of};
 use truegap::core::Sensor;
 use truegap::design::{MetricOptions, Metrics, Quantity, metrics};
 

@@ -4,8 +4,7 @@
 
 use super::Colour;
 use std::collections::BTreeMap;
-use truegap_audit::disc::Coupled;
-use truegap_audit::disc::von_mises::von_mises;
+use truegap_audit::disc::{Coupled, von_mises};
 use truegap_core::Sensor;
 use truegap_scene::colour::{ColourMap, Rgb};
 use truegap_scene::glb::Field;

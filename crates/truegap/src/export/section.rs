@@ -2,8 +2,7 @@
 //!
 //! Limits: at rest, with the displacement to warp by; quadratic triangles.
 
-use truegap_audit::disc::Coupled;
-use truegap_audit::disc::von_mises::von_mises;
+use truegap_audit::disc::{Coupled, von_mises};
 use truegap_scene::vtu::{Cells, Data, Grid};
 
 /// The grid: displacement, temperature, potential (unknown in metals), von Mises stress and field strength by cell.

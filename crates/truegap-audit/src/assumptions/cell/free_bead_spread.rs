@@ -2,16 +2,21 @@
 //!
 //! Limits: perfect bonding; a bead that slides a little lies between the two.
 
+use super::beads::needs_beads;
 use crate::{
-    Assumption, AuditError, Finding, Study, Swap,
-    assumptions::over_load,
+    assumption::Assumption,
+    assumptions::over_load::over_load,
     cell::{Cell, Law, bonded_law},
-    finding::{Measure, Measured},
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::Swap,
 };
 use truegap_core::Sensor;
 
 /// See the module.
-pub struct FreeBeadSpread;
+pub(super) struct FreeBeadSpread;
 
 /// Shape factor up to which bonding stiffens a nearly incompressible bead by less than 10 %: 1 + 2 S² < 1.1.
 const LIMIT: f64 = 0.22;
@@ -30,7 +35,7 @@ impl Assumption for FreeBeadSpread {
     }
 
     fn applies(&self, sensor: &Sensor) -> Result<(), String> {
-        super::needs_beads(sensor)
+        needs_beads(sensor)
     }
 
     fn examine(&self, study: &Study<'_>) -> Result<Finding, AuditError> {

@@ -2,15 +2,20 @@
 //!
 //! Limits: perfect bonding; plates expand like the electrode's conductor.
 
+use super::beads::needs_beads;
 use crate::{
-    Assumption, AuditError, Finding, Study, Swap,
+    assumption::Assumption,
     cell::{Cell, Growth, held_expansion},
-    finding::{Measure, Measured},
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::Swap,
 };
 use truegap_core::Sensor;
 
 /// See the module.
-pub struct FreeExpansion;
+pub(super) struct FreeExpansion;
 
 /// Excess of the held expansion of the height up to which it may be called free.
 const LIMIT: f64 = 0.05;
@@ -29,7 +34,7 @@ impl Assumption for FreeExpansion {
     }
 
     fn applies(&self, sensor: &Sensor) -> Result<(), String> {
-        super::needs_beads(sensor)
+        needs_beads(sensor)
     }
 
     fn examine(&self, study: &Study<'_>) -> Result<Finding, AuditError> {

@@ -2,15 +2,20 @@
 //!
 //! Limits: the network is ideal and without filler; fillers and free chains soften a real silicone with temperature.
 
+use super::beads::needs_beads;
 use crate::{
-    Assumption, AuditError, Finding, Study, Swap,
+    assumption::Assumption,
     cell::{Cell, heated_stiffness},
-    finding::{Measure, Measured},
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::Swap,
 };
 use truegap_core::Sensor;
 
 /// See the module.
-pub struct LinearSoftening;
+pub(super) struct LinearSoftening;
 
 /// Difference of the modulus at the hot end up to which the two laws say the same.
 const LIMIT: f64 = 0.05;
@@ -32,7 +37,7 @@ impl Assumption for LinearSoftening {
     }
 
     fn applies(&self, sensor: &Sensor) -> Result<(), String> {
-        super::needs_beads(sensor)
+        needs_beads(sensor)
     }
 
     fn examine(&self, study: &Study<'_>) -> Result<Finding, AuditError> {

@@ -2,19 +2,24 @@
 //!
 //! Limits: the bead keeps the model's own shape, a cylinder that spreads by (11), so that only the field is judged.
 
+use super::beads::{greatest_strain, needs_beads};
 use crate::{
-    Assumption, AuditError, Finding, Study, Swap,
-    assumptions::over_load,
+    assumption::Assumption,
+    assumptions::over_load::over_load,
     cell::{Cell, Charged, Filled, Profile, cell_capacitance},
-    finding::{Measure, Measured},
+    error::AuditError,
+    finding::{Finding, Measure},
     fit::Chebyshev,
+    measured::Measured,
+    study::Study,
+    swap::Swap,
 };
 use std::f64::consts::PI;
 use truegap_core::{Sensor, VACUUM_PERMITTIVITY};
 use truegap_model::equations::electrodes::series;
 
 /// See the module.
-pub struct MixingParallel;
+pub(super) struct MixingParallel;
 
 /// Contrast times insulator share up to which both bounds of the mixture lie within about 1 %.
 const LIMIT: f64 = 0.02;
@@ -33,7 +38,7 @@ impl Assumption for MixingParallel {
     }
 
     fn applies(&self, sensor: &Sensor) -> Result<(), String> {
-        super::needs_beads(sensor)
+        needs_beads(sensor)
     }
 
     fn examine(&self, study: &Study<'_>) -> Result<Finding, AuditError> {
@@ -66,7 +71,7 @@ pub(super) struct Mixing {
 impl Mixing {
     fn of(study: &Study<'_>) -> Result<Self, AuditError> {
         let (cell, filled) = (Cell::of(study.sensor)?, filled(study.sensor));
-        let greatest = super::greatest_strain(study)?;
+        let greatest = greatest_strain(study)?;
         let mut points = Vec::new();
         let mut relative_error: f64 = 0.0;
         for i in 0..4 {

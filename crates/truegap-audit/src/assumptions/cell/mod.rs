@@ -2,6 +2,7 @@
 //!
 //! Limits: one bead stands for all; interaction with the plate's shape is in [`super::plate`].
 
+mod beads;
 mod free_bead_spread;
 mod free_expansion;
 mod linear_softening;
@@ -10,16 +11,16 @@ mod no_fringing;
 mod permittivity_constant;
 mod polyimide_uniform_stress;
 mod series_of_integrals;
-pub mod tail_parallel_plate;
+mod tail_parallel_plate;
 mod uniform_temperature;
 
 pub(crate) use mixing_parallel::{filled, mixed_capacitance};
+pub(crate) use tail_parallel_plate::{Section, edge_factor};
 
-use crate::{Assumption, AuditError, Study, Swap};
-use truegap_core::{Sensor, sensor::Filling};
+use crate::assumption::Assumption;
 
 /// The list, in the order of the model's chain.
-pub const ASSUMPTIONS: &[&dyn Assumption] = &[
+pub(crate) const ASSUMPTIONS: &[&dyn Assumption] = &[
     &uniform_temperature::UniformTemperature,
     &free_expansion::FreeExpansion,
     &linear_softening::LinearSoftening,
@@ -31,18 +32,3 @@ pub const ASSUMPTIONS: &[&dyn Assumption] = &[
     &no_fringing::NoFringing,
     &tail_parallel_plate::TailParallelPlate,
 ];
-
-/// Whether a sensor has beads.
-fn needs_beads(sensor: &Sensor) -> Result<(), String> {
-    match sensor.dielectric.filling {
-        Filling::Beads { .. } => Ok(()),
-        Filling::Solid { .. } => Err("the dielectric is solid, without beads".into()),
-    }
-}
-
-/// The greatest strain that the analytic model knows in the range of a study.
-fn greatest_strain(study: &Study<'_>) -> Result<f64, AuditError> {
-    let chain = study.chain(Swap::none());
-    let strain = |temperature| Ok::<f64, AuditError>(chain.row(study.full_n(), temperature)?.squeeze.strain);
-    Ok(strain(study.options.cold_c)?.max(strain(study.options.hot_c)?))
-}

@@ -3,16 +3,19 @@
 //! Limits: flat plates; shields that reach beyond the electrode hold some of the field that is lost here, so the edge's share depends on them.
 
 use crate::{
-    Assumption, AuditError, Finding, Study, Swap,
-    assumptions::over_load,
+    assumption::Assumption,
+    assumptions::over_load::over_load,
     cell::{Estimated, Layered},
-    finding::{Measure, Measured},
-    swap::Row,
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::{Row, Swap},
 };
 use truegap_core::{VACUUM_PERMITTIVITY, sensor::Layout};
 
 /// See the module.
-pub struct NoFringing;
+pub(super) struct NoFringing;
 
 /// Gap over radius up to which Kirchhoff's edge term (d / pi a) (ln(16 pi a / d) - 1) of two discs is less than 1 %.
 const LIMIT: f64 = 0.0037;

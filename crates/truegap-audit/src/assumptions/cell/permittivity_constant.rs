@@ -4,14 +4,18 @@
 
 use super::mixing_parallel::filled;
 use crate::{
-    Assumption, AuditError, Finding, Study, Swap,
+    assumption::Assumption,
     cell::{Cell, Filled, Profile, cell_capacitance},
-    finding::{Measure, Measured},
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::Swap,
 };
 use truegap_core::sensor::{Filling, Material};
 
 /// See the module.
-pub struct PermittivityConstant;
+pub(super) struct PermittivityConstant;
 
 /// Drift of the baseline by permittivity, over the span, up to which it does not matter.
 const LIMIT: f64 = 0.01;

@@ -2,10 +2,15 @@
 //!
 //! Limits: small strain; the film behind the electrode is taken to be pressed like the one under the beads.
 
+use super::beads::needs_beads;
 use crate::{
-    Assumption, AuditError, Finding, Study, Swap,
+    assumption::Assumption,
     cell::Cell,
-    finding::{Measure, Measured},
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::Swap,
 };
 use truegap_core::Sensor;
 use truegap_fem::{
@@ -16,7 +21,7 @@ use truegap_fem::{
 use truegap_model::equations::electrodes::series;
 
 /// See the module.
-pub struct PolyimideUniformStress;
+pub(super) struct PolyimideUniformStress;
 
 /// Strain of the film up to which its law plays no part in a capacitance that is read to 1e-4.
 const LIMIT: f64 = 1e-4;
@@ -35,7 +40,7 @@ impl Assumption for PolyimideUniformStress {
     }
 
     fn applies(&self, sensor: &Sensor) -> Result<(), String> {
-        super::needs_beads(sensor)
+        needs_beads(sensor)
     }
 
     fn examine(&self, study: &Study<'_>) -> Result<Finding, AuditError> {

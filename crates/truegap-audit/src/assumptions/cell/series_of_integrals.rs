@@ -3,9 +3,12 @@
 //! Limits: the mixture is one medium, and nothing leaves the plates sideways, so that only the order of series and integral is judged.
 
 use crate::{
-    Assumption, AuditError, Finding, Study, Swap,
-    finding::{Measure, Measured},
-    swap::Row,
+    assumption::Assumption,
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::{Row, Swap},
 };
 use truegap_core::Sensor;
 use truegap_fem::{
@@ -23,7 +26,7 @@ use truegap_model::{
 };
 
 /// See the module.
-pub struct SeriesOfIntegrals;
+pub(super) struct SeriesOfIntegrals;
 
 /// Rim sag over gap up to which the two orders differ by less than about 1e-4.
 const LIMIT: f64 = 0.3;

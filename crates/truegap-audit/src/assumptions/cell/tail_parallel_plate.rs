@@ -3,8 +3,12 @@
 //! Limits: a straight tail of constant section, as thick as the electrode's conductor, the insulator on all sides of it.
 
 use crate::{
-    Assumption, AuditError, Finding, Study, Swap,
-    finding::{Measure, Measured},
+    assumption::Assumption,
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::Swap,
 };
 use truegap_core::{Sensor, sensor::Layout};
 use truegap_fem::{
@@ -14,7 +18,7 @@ use truegap_fem::{
 };
 
 /// See the module.
-pub struct TailParallelPlate;
+pub(super) struct TailParallelPlate;
 
 /// Distance over width up to which the edge field of a thin trace is less than 1 %: 2 ln 2 / pi per edge pair is 0.88 distances.
 const LIMIT: f64 = 0.011;
@@ -67,7 +71,7 @@ impl Assumption for TailParallelPlate {
 
 /// Section of a trace between two shields, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Section {
+pub(crate) struct Section {
     /// width of the trace
     pub width: f64,
     /// distance to each shield
@@ -78,14 +82,14 @@ pub struct Section {
 
 impl Section {
     /// Of a sensor's tail.
-    pub fn of(sensor: &Sensor) -> Self {
+    pub(crate) fn of(sensor: &Sensor) -> Self {
         Self { width: sensor.tail.1, distance: sensor.insulator.thickness.value, thickness: sensor.conductor.thickness.value }
     }
 }
 
 /// A factor and its estimated error.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Factor {
+pub(crate) struct Factor {
     /// the factor
     pub value: f64,
     /// estimated magnitude of its error
@@ -98,7 +102,7 @@ pub struct Factor {
 ///
 /// # Errors
 /// [`AuditError::Fem`] where the target is not reached.
-pub fn edge_factor(section: Section, target: f64) -> Result<Factor, AuditError> {
+pub(crate) fn edge_factor(section: Section, target: f64) -> Result<Factor, AuditError> {
     let failed = "field of the tail";
     let Section { width, distance, thickness } = section;
     let (edge, half, top) = (0.5 * width, 0.5 * thickness, 0.5 * thickness + distance);
@@ -125,4 +129,20 @@ pub fn edge_factor(section: Section, target: f64) -> Result<Factor, AuditError> 
     let plate = edge / distance;
     let answer = &outcome.answers[0];
     Ok(Factor { value: answer.value / plate, error_estimate: answer.error_estimate / plate })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_edge_field_of_a_trace_is_known() {
+        // C' / eps of a trace 100 um wide, 25 um from each of two shields, for thicknesses in um; converged values of other programs.
+        for (thickness, exact) in [(5e-6, 10.276967843), (17e-6, 10.999940878), (35e-6, 11.732440504)] {
+            let factor = edge_factor(Section { width: 100e-6, distance: 25e-6, thickness }, 1e-5).unwrap();
+            // Two faces as plates: 2 w / d = 8.
+            assert!((8.0 * factor.value / exact - 1.0).abs() < 1e-5, "{thickness}: {factor:?}");
+            assert!(8.0 * factor.error_estimate < 1e-4 * exact);
+        }
+    }
 }

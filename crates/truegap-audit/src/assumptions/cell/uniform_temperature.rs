@@ -2,15 +2,20 @@
 //!
 //! Limits: steady; the anvil has the stated temperature, the far face loses heat to air at the cold temperature by free convection.
 
+use super::beads::needs_beads;
 use crate::{
-    Assumption, AuditError, Finding, Study, Swap,
+    assumption::Assumption,
     cell::{Cell, Filled, Profile, cell_capacitance},
-    finding::{Measure, Measured},
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::Swap,
 };
 use truegap_core::{Sensor, VACUUM_PERMITTIVITY};
 
 /// See the module.
-pub struct UniformTemperature;
+pub(super) struct UniformTemperature;
 
 /// Thermal conductivities, W/(m K): silicone rubber and air from Incropera & DeWitt, polyimide from DuPont's Kapton HN data sheet.
 const CONDUCTIVITY: Filled = Filled { bead: 0.2, air: 0.0263, film: 0.12 };
@@ -33,7 +38,7 @@ impl Assumption for UniformTemperature {
     }
 
     fn applies(&self, sensor: &Sensor) -> Result<(), String> {
-        super::needs_beads(sensor)
+        needs_beads(sensor)
     }
 
     fn examine(&self, study: &Study<'_>) -> Result<Finding, AuditError> {

@@ -3,13 +3,18 @@
 //! Limits: beads as an even layer with the model's own stiffness; whether real beads are bonded is for recordings to decide.
 
 use super::warp::{Effect, figure, paper_curvature, paper_sag_um, paper_shape, warped, warps};
-use crate::disc::foundation::Foundation;
-use crate::disc::{BeadSpring, Disc, Laminate, Profile, Strains, shaped};
-use crate::{Assumption, AuditError, Finding, Measure, Study, finding::Measured};
+use crate::disc::{BeadSpring, Disc, Foundation, Laminate, Profile, Strains, shaped};
+use crate::{
+    assumption::Assumption,
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+};
 use truegap_core::Sensor;
 
 /// The beads do not hold the warping electrode down.
-pub struct BeadsDoNotHold;
+pub(super) struct BeadsDoNotHold;
 
 impl Assumption for BeadsDoNotHold {
     fn id(&self) -> &'static str {

@@ -4,11 +4,17 @@
 
 use super::warp::{Effect, figure, paper_sag_um, paper_shape, warped, warps};
 use crate::disc::{Disc, Laminate, Strains, shaped};
-use crate::{Assumption, AuditError, Finding, Measure, Study, finding::Measured};
+use crate::{
+    assumption::Assumption,
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+};
 use truegap_core::Sensor;
 
 /// The curvature of a disc is that of a strip of the same two layers.
-pub struct BimetalStrip;
+pub(super) struct BimetalStrip;
 
 impl Assumption for BimetalStrip {
     fn id(&self) -> &'static str {

@@ -3,12 +3,19 @@
 //! Limits: small strain; the film on the shield is taken to behave like the one behind the electrode.
 
 use crate::disc::{Disc, Fineness, Laminate, Loading, Sheet, Strains, refined};
-use crate::{Assumption, AuditError, Finding, Measure, Study, Swap, finding::Measured};
+use crate::{
+    assumption::Assumption,
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::Swap,
+};
 use truegap_fem::mesh::Point;
 use truegap_fem::physics::elasticity::{Component, Condition, Place, Solver};
 
 /// The insulator thickens with temperature as if it were free.
-pub struct InsulatorExpandsFreely;
+pub(super) struct InsulatorExpandsFreely;
 
 impl Assumption for InsulatorExpandsFreely {
     fn id(&self) -> &'static str {

@@ -4,11 +4,17 @@
 
 use super::warp::{Effect, figure, paper_sag_um, paper_shape, warped, warps};
 use crate::disc::{Disc, Laminate, Strains, shaped};
-use crate::{Assumption, AuditError, Finding, Measure, Study, finding::Measured};
+use crate::{
+    assumption::Assumption,
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+};
 use truegap_core::Sensor;
 
 /// Only the two metals of the electrode bend.
-pub struct LayersOutsideIgnored;
+pub(super) struct LayersOutsideIgnored;
 
 impl Assumption for LayersOutsideIgnored {
     fn id(&self) -> &'static str {

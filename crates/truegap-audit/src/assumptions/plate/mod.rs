@@ -12,25 +12,16 @@ mod spherical_stable;
 mod warp;
 mod warp_under_load;
 
-pub use beads_do_not_hold::BeadsDoNotHold;
-pub use bimetal_strip::BimetalStrip;
-pub use insulator_expands_freely::InsulatorExpandsFreely;
-pub use layers_outside_ignored::LayersOutsideIgnored;
-pub use rigid_plates::RigidPlates;
-pub use small_deflection::SmallDeflection;
-pub use spherical_stable::SphericalStable;
-pub use warp_under_load::WarpUnderLoad;
-
-use crate::Assumption;
+use crate::assumption::Assumption;
 
 /// The list, in the order of the model's chain.
-pub const ASSUMPTIONS: &[&dyn Assumption] = &[
-    &BimetalStrip,
-    &SmallDeflection,
-    &SphericalStable,
-    &LayersOutsideIgnored,
-    &InsulatorExpandsFreely,
-    &BeadsDoNotHold,
-    &WarpUnderLoad,
-    &RigidPlates,
+pub(crate) const ASSUMPTIONS: &[&dyn Assumption] = &[
+    &bimetal_strip::BimetalStrip,
+    &small_deflection::SmallDeflection,
+    &spherical_stable::SphericalStable,
+    &layers_outside_ignored::LayersOutsideIgnored,
+    &insulator_expands_freely::InsulatorExpandsFreely,
+    &beads_do_not_hold::BeadsDoNotHold,
+    &warp_under_load::WarpUnderLoad,
+    &rigid_plates::RigidPlates,
 ];

@@ -4,11 +4,18 @@
 
 use super::warp::{Effect, figure};
 use crate::disc::{BeadSpring, Disc, Laminate, Loading, Profile, Strains, refined};
-use crate::{Assumption, AuditError, Finding, Measure, Study, Swap, finding::Measured};
+use crate::{
+    assumption::Assumption,
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::Swap,
+};
 use truegap_core::{Sensor, sensor::Filling};
 
 /// The electrodes stay flat between the beads.
-pub struct RigidPlates;
+pub(super) struct RigidPlates;
 
 impl Assumption for RigidPlates {
     fn id(&self) -> &'static str {

@@ -4,11 +4,18 @@
 
 use super::warp::{Effect, figure, paper_sag_um, paper_shape, warped, warps};
 use crate::disc::{Disc, Laminate, Strains};
-use crate::{Assumption, AuditError, Curve, Finding, Measure, Study, Swap, finding::Measured};
+use crate::{
+    assumption::Assumption,
+    error::AuditError,
+    finding::{Curve, Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::Swap,
+};
 use truegap_core::Sensor;
 
 /// The warp is small against the electrode's thickness.
-pub struct SmallDeflection;
+pub(super) struct SmallDeflection;
 
 impl Assumption for SmallDeflection {
     fn id(&self) -> &'static str {

@@ -3,15 +3,20 @@
 //! Limits: the critical temperature by finite elements (second variation per harmonic), the shape beyond it by energy with two curvatures.
 
 use super::warp::{Effect, paper_curvature, warps};
-use crate::disc::baselines::cylindrical;
-use crate::disc::buckled::critical_curvature;
-use crate::disc::{Disc, Laminate, Loading, Strains, refined};
-use crate::{Assumption, AuditError, Finding, Measure, Study, Swap, finding::Measured};
+use crate::disc::{Disc, Laminate, Loading, Strains, critical_curvature, cylindrical, refined};
+use crate::{
+    assumption::Assumption,
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::Swap,
+};
 use truegap_core::Sensor;
 use truegap_fem::physics::elasticity::{NewtonOptions, Solver};
 
 /// The warped electrode stays a body of revolution.
-pub struct SphericalStable;
+pub(super) struct SphericalStable;
 
 impl Assumption for SphericalStable {
     fn id(&self) -> &'static str {

@@ -3,7 +3,13 @@
 //! Limits: shapes at the hot end of the range.
 
 use crate::disc::{Disc, Fineness, Loading, Profile, Refined, refined};
-use crate::{AuditError, Curve, EffectOn, Figure, Finding, Study, Swap, Verdict};
+use crate::{
+    effect::EffectOn,
+    error::AuditError,
+    finding::{Curve, Figure, Finding, Verdict},
+    study::Study,
+    swap::Swap,
+};
 use truegap_core::Sensor;
 use truegap_model::equations::warp::{Dome, rim_sag};
 

@@ -4,13 +4,19 @@
 //! deflection.
 
 use super::warp::{Effect, figure, paper_sag_um, paper_shape, warps};
-use crate::disc::contact::{Bond, Carried};
-use crate::disc::{BeadSpring, Disc, Fineness, Laminate, Profile, Strains};
-use crate::{Assumption, AuditError, Finding, Measure, Study, Swap, finding::Measured};
+use crate::disc::{BeadSpring, Bond, Carried, Disc, Fineness, Laminate, Profile, Strains};
+use crate::{
+    assumption::Assumption,
+    error::AuditError,
+    finding::{Finding, Measure},
+    measured::Measured,
+    study::Study,
+    swap::Swap,
+};
 use truegap_core::{Sensor, sensor::Filling};
 
 /// The electrode keeps its warp under load.
-pub struct WarpUnderLoad;
+pub(super) struct WarpUnderLoad;
 
 /// Shares of the full load at which the shape is computed beside the whole.
 const SHARES: [f64; 2] = [0.02, 0.1];
@@ -49,7 +55,9 @@ impl Assumption for WarpUnderLoad {
             match self.pressed(study, &plate, share * full, Fineness::COARSE) {
                 Ok((_, shape)) => shapes.push((share * full, shape)),
                 // Between the neighbours in load the shape is interpolated.
-                Err(AuditError::OutOfRange { .. }) => unsettled += &format!("; contact does not settle at {:.3} N", share * full),
+                Err(AuditError::NotConverged { .. }) => {
+                    unsettled += &format!("; contact does not settle at {:.3} N", share * full)
+                }
                 Err(error) => return Err(error),
             }
         }

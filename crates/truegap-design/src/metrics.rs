@@ -25,7 +25,7 @@ impl Default for MetricOptions {
 
 /// The metrics of a sensor between no load and its full scale.
 ///
-/// **Source:** [hampson2023] (24)-(28). **Accuracy:** agrees with `truegap_model::coefficients`, which scans and sections, to 1e-7 of the linearity and to rounding
+/// **Source:** \[hampson2023\] (24)-(28). **Accuracy:** agrees with `truegap_model::coefficients`, which scans and sections, to 1e-7 of the linearity and to rounding
 /// otherwise: `the_fast_metrics_are_those_of_the_slow_route`.
 ///
 /// # Errors

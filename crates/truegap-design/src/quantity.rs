@@ -196,7 +196,7 @@ impl fmt::Display for Quantity {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::metrics::metrics::{MetricOptions, metrics};
+    use crate::metrics::{MetricOptions, metrics};
     use truegap_core::sensor::builtin_sensors;
 
     #[test]

@@ -57,7 +57,7 @@ const AT_REST: f64 = 1e-4;
 /// Squeezes a bead to each of `strains`, which rise from above 0.
 ///
 /// **Accuracy:** the stiffness at rest 5e-4, `a_bonded_bead_is_as_stiff_as_other_programs_say`; at a strain of 0.15 the force falls by 0.3 % when the rim's
-/// edge falls from 6e-3 to 4e-3 (see [`error_by_rim`]).
+/// edge falls from 6e-3 to 4e-3 (see `error_by_rim`).
 ///
 /// # Errors
 /// [`AuditError::Fem`] where no equilibrium is found with any rim.

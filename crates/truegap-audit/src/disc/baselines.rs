@@ -15,7 +15,7 @@ use crate::{error::AuditError, study::Study, swap::Swap};
 use truegap_model::Coefficients;
 use truegap_model::equations::electrodes::series;
 
-/// The value that the data sheet gives, %FSR/K. **Source:** [hampson2023], abstract: nominal temperature sensitivity of the S15-4.5N.
+/// The value that the data sheet gives, %FSR/K. **Source:** \[hampson2023\], abstract: nominal temperature sensitivity of the S15-4.5N.
 pub const DATA_SHEET_PCT_FSR_PER_K: f64 = 0.2;
 
 /// One way of treating the warp.

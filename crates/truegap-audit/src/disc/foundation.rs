@@ -44,7 +44,7 @@ impl Foundation {
     /// | D, ν, k | `self`     | N m, -, Pa/m |
     /// | κ      | `curvature` | 1/m |
     ///
-    /// **Source:** as [`Foundation::length`]; the thermal moment at the rim is own. **Assumes:** springs that pull as well as they push.
+    /// **Source:** as `Foundation::length`; the thermal moment at the rim is own. **Assumes:** springs that pull as well as they push.
     /// **Accuracy:** `the_held_plate_solves_its_equation`; 2 % against finite elements of a soft elastic layer, `a_soft_layer_holds_the_plate_like_springs`;
     /// a layer as stiff as the beads also resists shear and leaves 19 to 36 % less at the rim of the built-in sensors.
     pub fn held(&self, curvature: f64) -> Option<Held> {

@@ -63,14 +63,28 @@ impl RingMedium {
 }
 
 impl FlatRings {
-    /// The permittivity of rings of a height (m) that gives a capacitance (F), by steps as long as parallel plates side by side would need.
+    /// The permittivity of rings of a height (m) that gives a capacitance (F).
     fn permittivity(&self, height: f64, wanted: f64, start: f64) -> Result<f64, AuditError> {
         let gap = Gap::Rings { height, coverage: self.coverage, zones: self.zones };
         let section = Section::new(&self.plate, &gap, Some(self.film), self.fineness)?;
+        let capacitance = |permittivity| {
+            let of = |region: &str| self.of_region(region, permittivity);
+            gap_capacitance(&section.mesh, &of, self.target)
+        };
+        self.meeting(height, wanted, start, capacitance)
+    }
+
+    /// The permittivity at which `capacitance` is the wanted one (F), by steps as long as parallel plates side by side would need.
+    fn meeting(
+        &self,
+        height: f64,
+        wanted: f64,
+        start: f64,
+        capacitance: impl Fn(f64) -> Result<f64, AuditError>,
+    ) -> Result<f64, AuditError> {
         let (mut permittivity, mut left) = (start, f64::INFINITY);
         for _ in 0..ROUNDS {
-            let of = |region: &str| self.of_region(region, permittivity);
-            let found = gap_capacitance(&section.mesh, &of, self.target)?;
+            let found = capacitance(permittivity)?;
             left = (found / wanted - 1.0).abs();
             if left <= MET * self.target {
                 return Ok(permittivity);
@@ -111,25 +125,24 @@ mod tests {
     use truegap_core::sensor::builtin_sensor;
 
     #[test]
-    fn more_than_the_film_lets_through_is_no_permittivity() {
+    fn a_capacitance_that_no_permittivity_gives_is_not_converged() {
         let sensor = builtin_sensor("singletact-s15-4.5n").unwrap().unwrap();
-        let (film, film_permittivity) = (25e-6, 3.4);
         let flat = FlatRings {
             plate: Laminate::backed(&sensor),
-            film,
+            film: 25e-6,
             coverage: 0.15,
             zones: 2,
-            film_permittivity,
+            film_permittivity: 3.4,
             air_permittivity: 1.0,
             fineness: Fineness { columns: 12, rows: 1 },
             target: 1e-2,
         };
-        let area = std::f64::consts::PI * flat.plate.radius * flat.plate.radius;
-        // rings of metal and the air between them would give 1.2 to 1.4 times the film below the rings
-        let wanted = 1.6 * VACUUM_PERMITTIVITY * film_permittivity * flat.coverage * area / film;
-        let found = flat.permittivity(162e-6, wanted, film_permittivity);
+        // the film below the rings lets no more through
+        let found = flat.meeting(162e-6, 1e-12, 3.4, |_| Ok(0.75e-12));
         let Err(AuditError::NotConverged { steps, left, target, .. }) = found else { panic!("{found:?}") };
         assert_eq!((steps, target), (ROUNDS, MET * flat.target));
-        assert!(left > 0.05 && left < 0.6, "{left}");
+        assert!((left - 0.25).abs() < 1e-12, "{left}");
+        let straight = |permittivity: f64| Ok(1e-12 * permittivity / 3.5);
+        assert!((flat.meeting(162e-6, 1e-12, 3.5, straight).unwrap() - 3.5).abs() < 1e-12);
     }
 }

@@ -18,7 +18,7 @@ use crate::{
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// What is minimised, in size: the three temperature coefficients of [hampson2023].
+/// What is minimised, in size: the three temperature coefficients of \[hampson2023\].
 pub const OBJECTIVES: [Metric; 3] = [Metric::KBaseline, Metric::KSensitivity, Metric::KLinearity];
 
 /// A space, constraints and the starting design's metrics.

@@ -43,7 +43,7 @@ impl OneAtATime {
 
 /// Changes of every metric for quantities that go down and up by a share of their values.
 ///
-/// **Source:** [hampson2023] VII-C, VIII-C with `share` = 0.1.
+/// **Source:** \[hampson2023\] VII-C, VIII-C with `share` = 0.1.
 ///
 /// # Errors
 /// As [`metrics`] for the sensor itself.

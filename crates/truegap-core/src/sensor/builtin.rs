@@ -2,7 +2,7 @@
 //!
 //! Limits: their files are part of the program; edit a copy to change one.
 
-use super::{Sensor, SensorError};
+use super::{description::Sensor, error::SensorError};
 
 /// A sensor file that is part of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,9 +2,22 @@
 //!
 //! Limits: at the reference temperature; the loads that cover the electrode or close the gap follow from the bead law (11), (12) without solving it.
 
-use super::{Filling, Layer, Sensor, SensorProblem};
+use super::{
+    description::{Filling, Layer, Sensor},
+    error::{SensorError, SensorProblem},
+};
 use crate::units::{Measure, twelve_digits};
 use std::f64::consts::PI;
+
+impl Sensor {
+    /// Checks what the type cannot: positive dimensions, beads within the electrode also at full load, a load that leaves the gap open.
+    ///
+    /// # Errors
+    /// [`SensorError`] without a line, with `file` as the name of the place where the sensor comes from.
+    pub fn check(&self, file: &str) -> Result<(), SensorError> {
+        check(self).map_err(|(key, problem)| SensorError { file: file.to_owned(), line: None, key, problem })
+    }
+}
 
 /// A dotted key and what is wrong with it.
 type Finding = (String, SensorProblem);

@@ -5,6 +5,9 @@
 use crate::units::UnitError;
 use std::fmt;
 
+/// Schema that the reader knows.
+pub(super) const SCHEMA: &str = "truegap.sensor/1";
+
 /// A problem with its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorError {
@@ -48,7 +51,7 @@ pub enum SensorProblem {
         message: String,
     },
     /// Another schema.
-    #[error("`{found}` is not a schema of sensor files; write schema = \"{}\"", super::file::SCHEMA)]
+    #[error("`{found}` is not a schema of sensor files; write schema = \"{}\"", SCHEMA)]
     Schema {
         /// what stands there
         found: String,

@@ -1,27 +1,43 @@
 //! The sensor file, `truegap.sensor/1`.
 //!
-//! Limits: reads what is written; whether such a sensor can exist is for [`super::check`].
+//! Limits: reads what is written; whether such a sensor can exist is for [`Sensor::check`].
 
 use super::{
-    CompressibleDielectric, Filling, Layer, Layout, Sensor, SensorError, SensorProblem,
+    check::check,
+    description::{CompressibleDielectric, Filling, Layer, Layout, Sensor},
+    error::{SCHEMA, SensorError, SensorProblem},
     materials::Materials,
     table::{Source, Table},
 };
 use crate::units::{Dimension, Measure};
 use toml::de::DeTable;
 
-/// Schema that this reader knows.
-pub(super) const SCHEMA: &str = "truegap.sensor/1";
+impl Sensor {
+    /// Reads a sensor file (`truegap.sensor/1`, see `docs/sensor-files.md`) and checks it; `file` is named in errors.
+    ///
+    /// # Errors
+    /// [`SensorError`] with file, line, key, value and a remedy: an unknown key, a missing or wrong unit, a number that no sensor can have.
+    pub fn from_toml(text: &str, file: &str) -> Result<Self, SensorError> {
+        let sensor = read(text, file)?;
+        check(&sensor.value).map_err(|(key, problem)| SensorError {
+            file: file.to_owned(),
+            line: sensor.line_of(&key),
+            key,
+            problem,
+        })?;
+        Ok(sensor.value)
+    }
+}
 
 /// A sensor and the text it came from, to say later where a number stands.
-pub(super) struct Read<'a> {
-    pub value: Sensor,
+struct Read<'a> {
+    value: Sensor,
     text: &'a str,
 }
 
 impl Read<'_> {
     /// Line of a dotted key.
-    pub(super) fn line_of(&self, key: &str) -> Option<usize> {
+    fn line_of(&self, key: &str) -> Option<usize> {
         let root = DeTable::parse(self.text).ok()?;
         let source = Source { file: "", text: self.text };
         let (mut table, mut line) = (root.get_ref(), None);
@@ -38,7 +54,7 @@ impl Read<'_> {
 }
 
 /// Reads a sensor file.
-pub(super) fn read<'a>(text: &'a str, file: &str) -> Result<Read<'a>, SensorError> {
+fn read<'a>(text: &'a str, file: &str) -> Result<Read<'a>, SensorError> {
     let syntax = |error: toml::de::Error| SensorError {
         file: file.to_owned(),
         line: error.span().map(|span| Source { file, text }.line(span.start)),

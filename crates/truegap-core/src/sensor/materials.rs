@@ -2,7 +2,11 @@
 //!
 //! Limits: Poisson's ratios of metals and polyimide are handbook values, used by finite elements only.
 
-use super::{Material, SensorError, SensorProblem, table::Table};
+use super::{
+    description::Material,
+    error::{SensorError, SensorProblem},
+    table::Table,
+};
 use crate::units::{Dimension, Measure};
 
 /// A material as far as it is known.

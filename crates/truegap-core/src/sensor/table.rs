@@ -2,7 +2,7 @@
 //!
 //! Limits: as much of TOML as sensor files need: text, numbers, tables.
 
-use super::{SensorError, SensorProblem};
+use super::error::{SensorError, SensorProblem};
 use crate::units::{Dimension, Measure, parse};
 use std::cell::RefCell;
 use toml::{

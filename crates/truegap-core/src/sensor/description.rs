@@ -1,16 +1,6 @@
-//! A capacitive tactile sensor as its maker would describe it: layers, materials, tolerances. SI inside.
+//! The parts of a sensor: layers, materials, tolerances. SI inside.
 //!
 //! Limits: a circular electrode; one compressible dielectric; at most two metals in the warping electrode.
-
-mod builtin;
-mod check;
-mod error;
-mod file;
-mod materials;
-mod table;
-
-pub use builtin::{BuiltIn, builtin_sensor, builtin_sensors};
-pub use error::{SensorError, SensorProblem};
 
 use crate::units::Measure;
 
@@ -104,29 +94,4 @@ pub struct Sensor {
     pub tail: (f64, f64),
     /// capacitance beside the sensor, F
     pub stray: Measure,
-}
-
-impl Sensor {
-    /// Reads a sensor file (`truegap.sensor/1`, see `docs/sensor-files.md`) and checks it; `file` is named in errors.
-    ///
-    /// # Errors
-    /// [`SensorError`] with file, line, key, value and a remedy: an unknown key, a missing or wrong unit, a number that no sensor can have.
-    pub fn from_toml(text: &str, file: &str) -> Result<Self, SensorError> {
-        let sensor = file::read(text, file)?;
-        check::check(&sensor.value).map_err(|(key, problem)| SensorError {
-            file: file.to_owned(),
-            line: sensor.line_of(&key),
-            key,
-            problem,
-        })?;
-        Ok(sensor.value)
-    }
-
-    /// Checks what the type cannot: positive dimensions, beads within the electrode also at full load, a load that leaves the gap open.
-    ///
-    /// # Errors
-    /// [`SensorError`] without a line, with `file` as the name of the place where the sensor comes from.
-    pub fn check(&self, file: &str) -> Result<(), SensorError> {
-        check::check(self).map_err(|(key, problem)| SensorError { file: file.to_owned(), line: None, key, problem })
-    }
 }

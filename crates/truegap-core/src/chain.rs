@@ -9,6 +9,29 @@
 //! Limits: a stage sees whole columns, in time order, and may not look at the recorded response.
 
 use crate::inputs::Inputs;
+use serde::{Deserialize, Serialize};
+
+/// Places of the chain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum StageName {
+    /// clocks and references of the inputs
+    Inputs,
+    /// load path
+    LoadPath,
+    /// thermal path
+    ThermalPath,
+    /// compressible dielectric
+    Beads,
+    /// gap and electrode shape
+    Geometry,
+    /// permittivities
+    Dielectric,
+    /// field outside the plates
+    Field,
+    /// electronics
+    Readout,
+}
 
 /// What drives the beads, after the load path and the thermal path.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,34 @@
 //!
 //! Limits: rows are in time order inside a run; runs follow one another.
 
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
+
+/// What a column of a recording is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, PartialOrd, Ord)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    /// clock, s
+    Time,
+    /// applied force, N
+    Force,
+    /// applied pressure, Pa
+    Pressure,
+    /// plate separation, m
+    Gap,
+    /// thermometer, degrees Celsius
+    Temperature,
+    /// relative humidity, per cent
+    Humidity,
+    /// recorded value
+    Response,
+    /// somebody else's simulation
+    Simulated,
+    /// run number
+    Run,
+    /// sensor name
+    Sensor,
+}
 
 /// Columns of equal length; a column that was not recorded is absent.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -34,6 +61,21 @@ impl Inputs {
     /// Whether there is no row.
     pub fn is_empty(&self) -> bool {
         self.run.is_empty()
+    }
+
+    /// The column of a role, SI; `None` where it was not recorded, or is no column of numbers that is done to a sensor (response, run, sensor).
+    pub fn column(&self, role: Role) -> Option<&[f64]> {
+        let column = match role {
+            Role::Time => &self.time_s,
+            Role::Force => &self.force_n,
+            Role::Pressure => &self.pressure_pa,
+            Role::Gap => &self.gap_m,
+            Role::Temperature => &self.temperature_c,
+            Role::Humidity => &self.humidity_pct,
+            Role::Simulated => &self.simulated,
+            Role::Response | Role::Run | Role::Sensor => &None,
+        };
+        column.as_deref()
     }
 
     /// Row ranges of the runs, in order.

@@ -1,40 +1,23 @@
-//! What a diagnosis needs of a model: parameters with priors, and a response that omitted physics can be plugged into.
+//! What a diagnosis needs of a model: parameters with priors, a response that omitted physics can be plugged into, and what the model can say at all.
 //!
-//! Limits: one scalar response a row.
+//! Limits: one scalar response a row. [`Simulator`] and [`Joined`] stand in one file because each hands out the other.
 
-use crate::{chain::Stage, corrections::Corrections, inputs::Inputs, joined::Joined, parameter::Parameter};
-use serde::{Deserialize, Serialize};
-use std::sync::Arc;
+use crate::{
+    chain::Stage,
+    corrections::Corrections,
+    inputs::{Inputs, Role},
+    parameter::Parameter,
+    simulation_error::SimulationError,
+};
+use std::{ops::Range, sync::Arc};
 
-/// What a column of a recording is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, PartialOrd, Ord)]
-#[serde(rename_all = "snake_case")]
-pub enum Role {
-    /// clock, s
-    Time,
-    /// applied force, N
-    Force,
-    /// applied pressure, Pa
-    Pressure,
-    /// plate separation, m
-    Gap,
-    /// thermometer, degrees Celsius
-    Temperature,
-    /// relative humidity, per cent
-    Humidity,
-    /// recorded value
-    Response,
-    /// somebody else's simulation
-    Simulated,
-    /// run number
-    Run,
-    /// sensor name
-    Sensor,
-}
+pub use crate::chain::StageName;
 
 /// A model of the response, in SI or in the recording's own unit ([`Simulator::unit`]).
+///
+/// The equations are walked by [`walk`](crate::walk) or [`walk_without_plates`](crate::walk_without_plates); a base model gives its physics only.
 pub trait Simulator: Send + Sync {
-    /// Name of the base model as in files: `stack`, `parallel-plate`, ...
+    /// Name of the base model as in files and reports: `stack`, `parallel-plate`, ...; what a model can do is asked of the methods below, not of its name.
     fn name(&self) -> &str;
     /// Unit of the response.
     fn unit(&self) -> &str;
@@ -46,13 +29,26 @@ pub trait Simulator: Send + Sync {
     }
     /// Columns without which there is no response.
     fn needs(&self) -> &[Role];
-    /// Stages that mean something in this model; others are skipped with the reason given.
+    /// Why a stage means nothing in this model; `None` where it acts.
     fn lacks(&self, stage: StageName) -> Option<&'static str>;
     /// Full load in SI, to which [`crate::Drive::load`] is relative; `None` where load plays no part.
     fn full_load(&self) -> Option<f64>;
     /// Whether the electrode of the base model warps with temperature; `None` where it has no electrode to warp.
     fn warps(&self) -> Option<bool> {
         None
+    }
+    /// Whether an insulator lies in series with the compressible dielectric, with a permittivity of its own ([`crate::Dielectric::insulator`]).
+    fn has_insulator(&self) -> bool {
+        false
+    }
+    /// Whether the model predicts any movement of the response; `false` for a value that should stay as it is, which shows no gain and does not clip.
+    fn moves(&self) -> bool {
+        true
+    }
+    /// Whether the priors give the absolute level of the response before the recording is seen, from dimensions and materials; `false` where they are scaled
+    /// from the recording itself, so that another sensor or another unit cannot be told from it.
+    fn knows_its_level(&self) -> bool {
+        false
     }
     /// Temperature at which the model is described, degrees Celsius.
     fn reference_c(&self) -> f64 {
@@ -66,69 +62,64 @@ pub trait Simulator: Send + Sync {
     fn joined(&self) -> Option<&dyn Joined> {
         None
     }
-    /// Recorded load over [`Simulator::full_load`], before any stage; `None` where load plays no part.
-    fn load(&self, inputs: &Inputs) -> Option<Vec<f64>>;
-    /// Response of each row, one pass down the chain with `stages` plugged in.
+    /// Recorded load over [`Simulator::full_load`], before any stage: the force or pressure that the model needs. `None` where load plays no part or was not
+    /// recorded.
+    fn load(&self, inputs: &Inputs) -> Option<Vec<f64>> {
+        let full_load = self.full_load()?;
+        let role = self.needs().iter().find(|role| matches!(role, Role::Force | Role::Pressure))?;
+        Some(inputs.column(*role)?.iter().map(|load| load / full_load).collect())
+    }
+    /// The recorded column of a role.
     ///
     /// # Errors
-    /// [`SimulationError`] where a row has no physical answer (closed gap) or a column is missing.
+    /// [`SimulationError::MissingColumn`] where it was not recorded.
+    fn column<'a>(&self, inputs: &'a Inputs, role: Role) -> Result<&'a [f64], SimulationError> {
+        inputs.column(role).ok_or_else(|| SimulationError::MissingColumn { model: self.name().to_owned(), role })
+    }
+    /// Whether there is one value for each parameter, and every column that the model needs.
+    ///
+    /// # Errors
+    /// [`SimulationError::WrongNumberOfValues`] or [`SimulationError::MissingColumn`].
+    fn check(&self, values: &[f64], inputs: &Inputs) -> Result<(), SimulationError> {
+        let (expected, given) = (self.parameters().len(), values.len());
+        if expected != given {
+            return Err(SimulationError::WrongNumberOfValues { model: self.name().to_owned(), expected, given });
+        }
+        self.needs().iter().try_for_each(|role| self.column(inputs, *role).map(|_| ()))
+    }
+    /// Response of each row, one pass down the chain with `stages` plugged in; `values` in the order of [`Simulator::parameters`].
+    ///
+    /// # Errors
+    /// [`SimulationError`] where a row has no physical answer (closed gap), a column is missing, or there is not one value for each parameter.
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError>;
 }
 
-/// Places of the chain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum StageName {
-    /// clocks and references of the inputs
-    Inputs,
-    /// load path
-    LoadPath,
-    /// thermal path
-    ThermalPath,
-    /// compressible dielectric
-    Beads,
-    /// gap and electrode shape
-    Geometry,
-    /// permittivities
-    Dielectric,
-    /// field outside the plates
-    Field,
-    /// electronics
-    Readout,
+/// What a [`Simulator`] that joins several recordings of one physics tells of them.
+///
+/// A run belongs to one recording; nothing but parameters and added physics is common to all.
+pub trait Joined: Send + Sync {
+    /// Number of recordings.
+    fn count(&self) -> usize;
+    /// Rows of recording `index`, in order and without a gap.
+    fn rows(&self, index: usize, inputs: &Inputs) -> Range<usize>;
+    /// What was done in recording `index`: its rows, with the columns that were recorded there, on its own clock.
+    fn inputs(&self, index: usize, inputs: &Inputs) -> Inputs;
+    /// Model of recording `index` by itself.
+    fn model(&self, index: usize) -> &dyn Simulator;
+    /// For each parameter of that model, its index among the parameters of the joint model.
+    fn places(&self, index: usize) -> &[usize];
+    /// Whether recording `index` has parameters that no other recording has.
+    fn has_own(&self, index: usize) -> bool {
+        let others = |place: &usize| (0..self.count()).any(|k| k != index && self.places(k).contains(place));
+        !self.places(index).iter().all(others)
+    }
 }
 
-/// Why a model has no answer.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum SimulationError {
-    /// The plates touch.
-    #[error(
-        "row {row}: a load of {load_si} closes the gap (strain {strain}); leave out loads beyond the sensor's range, or give a thicker or stiffer dielectric"
-    )]
-    GapCloses {
-        /// row of the inputs
-        row: usize,
-        /// load, SI
-        load_si: f64,
-        /// compressive strain reached
-        strain: f64,
-    },
-    /// A column that the model needs.
-    #[error("the base model `{model}` needs a column `{role:?}`; name it under [columns] or choose another [base] model")]
-    MissingColumn {
-        /// model
-        model: String,
-        /// the column's role
-        role: Role,
-    },
-    /// A number that is not finite came out.
-    #[error("row {row}: the response is {value}; the parameters {parameters:?} lie outside what the model can describe")]
-    NotFinite {
-        /// row of the inputs
-        row: usize,
-        /// response
-        value: f64,
-        /// parameter values
-        parameters: Vec<f64>,
-    },
+/// Parameter values as an array, so that each gets its name in one line: `let [offset, gain] = named_values(self, values)?`.
+///
+/// # Errors
+/// [`SimulationError::WrongNumberOfValues`] where there are not `N` of them.
+pub fn named_values<const N: usize>(simulator: &dyn Simulator, values: &[f64]) -> Result<[f64; N], SimulationError> {
+    let wrong = |_| SimulationError::WrongNumberOfValues { model: simulator.name().to_owned(), expected: N, given: values.len() };
+    values.try_into().map_err(wrong)
 }

@@ -16,15 +16,15 @@ use truegap_core::{Sensor, SimulationError, sensor::builtin_sensors};
 
 /// One comparison.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Erratum {
+struct Erratum {
     /// equation of the paper
-    pub equation: &'static str,
+    equation: &'static str,
     /// what is compared, and where
-    pub quantity: String,
+    quantity: String,
     /// with the printed equation
-    pub printed: String,
+    printed: String,
     /// with the corrected one
-    pub corrected: String,
+    corrected: String,
 }
 
 fn row(equation: &'static str, quantity: impl Into<String>, printed: String, corrected: String) -> Erratum {
@@ -35,7 +35,7 @@ fn row(equation: &'static str, quantity: impl Into<String>, printed: String, cor
 ///
 /// # Errors
 /// [`SimulationError`] where a built-in sensor has no answer, which the tests rule out.
-pub fn errata() -> Result<Vec<Erratum>, SimulationError> {
+fn errata() -> Result<Vec<Erratum>, SimulationError> {
     let sensors: Vec<Sensor> = builtin_sensors().iter().take(3).filter_map(|s| s.sensor().ok()).collect();
     let mut rows = Vec::new();
     for sensor in &sensors {

@@ -6,10 +6,7 @@ use truegap_core::{
     Dielectric, Drive, FieldView, Geometry, Inputs, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName,
 };
 use truegap_model::{
-    BaseError, BaseModel, Recorded, StackOptions,
-    base::{External, ExternalOptions, ResponseScale},
-    base_model,
-    cases::default_sensor,
+    BaseError, BaseModel, External, ExternalOptions, Recorded, ResponseScale, StackOptions, base_model, cases::default_sensor,
 };
 
 fn built(model: &str, inputs: &Inputs, response: &[f64], unit: &str) -> Box<dyn Simulator> {
@@ -140,7 +137,7 @@ fn a_written_base_model_is_the_same_when_read_again() {
     inputs.gap_m = Some(vec![3e-3, 2e-3, 1e-3]);
     inputs.simulated = Some(vec![1.0, 2.0, 3.0]);
     let response = [1.0, 1.3, 2.1];
-    for name in truegap_model::base::BASE_MODELS {
+    for name in truegap_model::BASE_MODELS {
         let recorded = Recorded { inputs: &inputs, response: &response, unit: "pF" };
         let written = BaseModel::of(name, Some("singletact-s15-4.5n"), StackOptions::default(), recorded).unwrap();
         let text = toml::to_string(&written).unwrap();
@@ -178,8 +175,44 @@ fn stages_that_mean_nothing_are_refused_with_a_reason() {
     assert!(model("external").lacks(StageName::Field).unwrap().contains("column"));
     assert!(model("parallel-plate").lacks(StageName::Field).unwrap().contains("size"));
     assert!(model("gap-plate").lacks(StageName::LoadPath).unwrap().contains("gap is given"));
-    for name in truegap_model::base::BASE_MODELS {
+    for name in truegap_model::BASE_MODELS {
         assert_eq!(model(name).lacks(StageName::Readout), None);
     }
     assert_eq!(model("stack").lacks(StageName::Beads), None);
+}
+
+/// One value too many, one too few: what is expected and what was given, whatever the model.
+#[test]
+fn a_wrong_number_of_parameter_values_says_how_many_are_expected() {
+    let mut inputs = pressed(&[0.0, 1e3]);
+    inputs.force_n = Some(vec![0.0, 1.0]);
+    inputs.gap_m = Some(vec![1e-3, 2e-3]);
+    inputs.simulated = Some(vec![1.0, 2.0]);
+    for name in truegap_model::BASE_MODELS {
+        let model = built(name, &inputs, &[1.0, 2.0], "pF");
+        let expected = model.parameters().len();
+        for given in [expected + 1, expected.saturating_sub(1)].into_iter().filter(|given| *given != expected) {
+            let wrong = SimulationError::WrongNumberOfValues { model: name.into(), expected, given };
+            let error = model.respond(&vec![1.0; given], &inputs, &[]).unwrap_err();
+            assert_eq!(error, wrong);
+            assert!(error.to_string().contains(&format!("`{name}` has {expected} parameters, but {given} values")), "{error}");
+        }
+    }
+}
+
+#[test]
+fn base_models_say_what_they_can() {
+    let mut inputs = pressed(&[0.0, 1e3]);
+    inputs.gap_m = Some(vec![1e-3, 2e-3]);
+    inputs.simulated = Some(vec![1.0, 2.0]);
+    let can = |name: &str| {
+        let model = built(name, &inputs, &[1.0, 2.0], "pF");
+        (model.has_insulator(), model.moves(), model.knows_its_level())
+    };
+    assert_eq!(can("stack"), (true, true, true));
+    // their priors come from the recording, and they have one dielectric at most
+    for name in ["parallel-plate", "gap-plate", "external"] {
+        assert_eq!(can(name), (false, true, false), "{name}");
+    }
+    assert_eq!(can("constant"), (false, false, false));
 }

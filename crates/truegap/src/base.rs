@@ -5,8 +5,7 @@
 use crate::sensors::{FindSensorError, find_sensor};
 use truegap_audit::corrections::curves;
 use truegap_core::{Corrections, Recording, Sensor, Simulator};
-use truegap_model::base::{BaseError, BaseModel, Recorded};
-use truegap_model::{SeriesOrder, StackOptions};
+use truegap_model::{BaseError, BaseModel, Recorded, SeriesOrder, StackOptions};
 
 /// Why there is no base model.
 #[derive(Debug, thiserror::Error)]

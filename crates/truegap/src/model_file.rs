@@ -10,8 +10,7 @@ use truegap_core::sensor::{SensorError, builtin_sensors};
 use truegap_core::{Inputs, Sensor, SimulationError, Simulator};
 use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales, UnknownEffect};
 use truegap_diagnose::{Augmented, Context, library};
-use truegap_model::BaseModel;
-use truegap_model::base::BaseError;
+use truegap_model::{BaseError, BaseModel};
 
 /// Identifier of the file format.
 pub const SCHEMA: &str = "truegap.model/1";

@@ -93,18 +93,22 @@ impl Simulator for Corrected {
         Some(false)
     }
 
+    fn has_insulator(&self) -> bool {
+        true
+    }
+
+    fn knows_its_level(&self) -> bool {
+        true
+    }
+
     fn reference_c(&self) -> f64 {
         self.sensor.reference_c
     }
 
-    fn load(&self, inputs: &Inputs) -> Option<Vec<f64>> {
-        self.stack.load(inputs)
-    }
-
     /// Response of each row; stages are left out, as [`Simulator::lacks`] says. A row beyond the tables counts as a gap that closes.
     fn respond(&self, values: &[f64], inputs: &Inputs, _stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
-        let missing = || SimulationError::MissingColumn { model: self.name().to_owned(), role: Role::Force };
-        let force = inputs.force_n.as_ref().ok_or_else(missing)?;
+        self.check(values, inputs)?;
+        let force = self.column(inputs, Role::Force)?;
         let outside = || SimulationError::NotFinite { row: 0, value: f64::NAN, parameters: values.to_vec() };
         let pieces = Pieces::new(&self.stack.calibrated(values)).map_err(|_| outside())?;
         let row = |(row, &force_n): (usize, &f64)| {

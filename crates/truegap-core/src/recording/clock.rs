@@ -2,7 +2,7 @@
 //!
 //! Limits: where a run's clock begins below the end of the run before, the pause between them is not known and taken as one step.
 
-use super::{Note, RecordingError};
+use super::{error::RecordingError, note::Note};
 use std::collections::HashSet;
 use std::path::PathBuf;
 

@@ -2,25 +2,15 @@
 //!
 //! Limits: a unit is the end of a column's name (`force_n`, `Force [N]`, `Time(s)`) or stands under `[units]`.
 
-use super::manifest::{Manifest, Named};
-use super::{Note, RecordingError};
-use crate::simulator::Role;
+use super::{
+    error::RecordingError,
+    manifest::{Manifest, Named},
+    note::Note,
+    roles::{ROLES, key},
+};
+use crate::inputs::Role;
 use crate::units::{Dimension, UnitError};
 use std::path::Path;
-
-/// Every role, in the order in which columns are written.
-pub(super) const ROLES: [Role; 10] = [
-    Role::Run,
-    Role::Sensor,
-    Role::Time,
-    Role::Force,
-    Role::Pressure,
-    Role::Gap,
-    Role::Temperature,
-    Role::Humidity,
-    Role::Simulated,
-    Role::Response,
-];
 
 /// A column that plays a role.
 #[derive(Clone, Debug)]
@@ -32,22 +22,6 @@ pub(super) struct Column {
     pub unit: String,
     /// value = cell x factor + offset
     pub scale: (f64, f64),
-}
-
-/// Name of a role in a TOML.
-pub(super) fn key(role: Role) -> &'static str {
-    match role {
-        Role::Time => "time",
-        Role::Force => "force",
-        Role::Pressure => "pressure",
-        Role::Gap => "gap",
-        Role::Temperature => "temperature",
-        Role::Humidity => "humidity",
-        Role::Response => "response",
-        Role::Simulated => "simulated",
-        Role::Run => "run",
-        Role::Sensor => "sensor",
-    }
 }
 
 /// What a role measures; `None` for names, and for readings in any unit.

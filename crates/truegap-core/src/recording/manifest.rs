@@ -2,15 +2,15 @@
 //!
 //! Limits: one CSV a TOML; `[base]` may hold further keys, which the base model reads.
 
-use super::RecordingError;
-use crate::simulator::Role;
+use super::error::RecordingError;
+use crate::inputs::Role;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
 use toml::Spanned;
 
 /// Schema of a recording's TOML.
-pub const SCHEMA: &str = "truegap.recording/1";
+pub(super) const SCHEMA: &str = "truegap.recording/1";
 
 /// The base model that the recording is to be compared with.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

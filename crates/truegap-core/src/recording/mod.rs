@@ -4,140 +4,20 @@
 
 mod clock;
 mod columns;
+mod data;
 mod error;
+mod made;
 mod manifest;
 mod note;
 mod number;
 mod open;
+mod roles;
 mod rows;
 mod singletact;
 mod table;
 mod write;
 
+pub use data::{Recording, Sensors};
 pub use error::RecordingError;
-pub use manifest::{BaseSpec, SCHEMA};
+pub use manifest::BaseSpec;
 pub use note::Note;
-
-use crate::inputs::Inputs;
-use crate::simulator::Role;
-use std::collections::BTreeMap;
-use std::path::PathBuf;
-
-/// What was done to a sensor and what was read.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Recording {
-    /// what was done, SI
-    pub inputs: Inputs,
-    /// what was read, one value a row, in `response_unit`
-    pub response: Vec<f64>,
-    /// `pF` for every capacitance, else the unit as it was named
-    pub response_unit: String,
-    /// the base model that the recording is to be compared with
-    pub base: BaseSpec,
-    /// sensor of each row, where the recording holds several
-    pub sensors: Option<Sensors>,
-    /// name in the file of each role's column
-    pub columns: BTreeMap<Role, String>,
-    /// SHA-256 of the CSV, hexadecimal
-    pub sha256: String,
-    /// TOML or CSV that was opened; empty for a recording made in the program
-    pub path: PathBuf,
-    /// what reading changed, left out or assumed
-    pub notes: Vec<Note>,
-}
-
-/// Which sensor each row is from.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Sensors {
-    /// index of `names`, one a row
-    pub of_row: Vec<u32>,
-    /// names as in the file
-    pub names: Vec<String>,
-}
-
-impl Recording {
-    /// A recording made in the program.
-    ///
-    /// # Errors
-    /// [`RecordingError::Lengths`] where a column has not one value a row, [`RecordingError::NotToml`] where `base` cannot be written.
-    pub fn new(inputs: Inputs, response: Vec<f64>, response_unit: &str, base: BaseSpec) -> Result<Self, RecordingError> {
-        let mut recording = Self {
-            inputs,
-            response,
-            response_unit: response_unit.to_owned(),
-            base,
-            sensors: None,
-            columns: BTreeMap::new(),
-            sha256: String::new(),
-            path: PathBuf::new(),
-            notes: Vec::new(),
-        };
-        recording.check_lengths()?;
-        recording.columns = write::names(&recording);
-        recording.sha256 = write::sha256(&recording)?;
-        Ok(recording)
-    }
-
-    /// Number of rows.
-    pub fn len(&self) -> usize {
-        self.response.len()
-    }
-
-    /// Whether there is no row.
-    pub fn is_empty(&self) -> bool {
-        self.response.is_empty()
-    }
-
-    /// Rows `keep` in that order; names, base and notes stay.
-    #[must_use]
-    pub fn select(&self, keep: &[usize]) -> Self {
-        let of_row = |sensors: &Sensors| keep.iter().map(|&row| sensors.of_row[row]).collect();
-        Self {
-            inputs: self.inputs.select(keep),
-            response: keep.iter().map(|&row| self.response[row]).collect(),
-            sensors: self.sensors.as_ref().map(|s| Sensors { of_row: of_row(s), names: s.names.clone() }),
-            ..self.clone()
-        }
-    }
-
-    /// The rows of one sensor; all rows where the recording does not tell sensors apart.
-    #[must_use]
-    pub fn of_sensor(&self, name: &str) -> Self {
-        let Some(sensors) = &self.sensors else { return self.clone() };
-        let is_it = |row: &usize| sensors.names.get(sensors.of_row[*row] as usize).is_some_and(|n| n == name);
-        self.select(&(0..self.len()).filter(is_it).collect::<Vec<_>>())
-    }
-
-    /// The columns of numbers that were recorded, SI, with their roles.
-    pub fn quantities(&self) -> Vec<(Role, &[f64])> {
-        let inputs = &self.inputs;
-        let columns = [
-            (Role::Time, &inputs.time_s),
-            (Role::Force, &inputs.force_n),
-            (Role::Pressure, &inputs.pressure_pa),
-            (Role::Gap, &inputs.gap_m),
-            (Role::Temperature, &inputs.temperature_c),
-            (Role::Humidity, &inputs.humidity_pct),
-            (Role::Simulated, &inputs.simulated),
-        ];
-        let given = columns.into_iter().filter_map(|(role, column)| column.as_deref().map(|c| (role, c)));
-        given.chain([(Role::Response, self.response.as_slice())]).collect()
-    }
-
-    fn check_lengths(&self) -> Result<(), RecordingError> {
-        let expected = self.inputs.len();
-        match self.quantities().into_iter().find(|(_, column)| column.len() != expected) {
-            Some((role, column)) => {
-                Err(RecordingError::Lengths { column: columns::key(role).to_owned(), found: column.len(), expected })
-            }
-            None => Ok(()),
-        }
-    }
-
-    /// Notes on columns that never change.
-    fn constants(&self) -> Vec<Note> {
-        let constant = |column: &[f64]| column.len() > 1 && column.iter().all(|v| *v == column[0]);
-        let found = self.quantities().into_iter().filter(|(_, column)| constant(column));
-        found.map(|(role, column)| Note::Constant { role, value: column[0] }).collect()
-    }
-}

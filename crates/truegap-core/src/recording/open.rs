@@ -2,12 +2,17 @@
 //!
 //! Limits: one pass over the file, two where the vendor's tool logged several sensors.
 
-use super::columns::{self, Column};
-use super::manifest::{Manifest, Named};
-use super::rows::Rows;
-use super::table::Table;
-use super::{BaseSpec, Note, Recording, RecordingError, Sensors, singletact};
-use crate::simulator::Role;
+use super::{
+    columns::{self, Column},
+    data::{Recording, Sensors},
+    error::RecordingError,
+    manifest::{BaseSpec, Manifest, Named},
+    note::Note,
+    rows::Rows,
+    singletact,
+    table::Table,
+};
+use crate::inputs::Role;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{Cursor, ErrorKind, Read, Seek};

@@ -2,13 +2,16 @@
 //!
 //! Limits: every column that plays a role must have a value in every row; only the vendor's tool may mark one as missing.
 
-use super::clock::{Clock, Tick};
-use super::columns::Column;
-use super::number::{Fault, number};
-use super::table::Table;
-use super::{Note, RecordingError, singletact};
-use crate::inputs::Inputs;
-use crate::simulator::Role;
+use super::{
+    clock::{Clock, Tick},
+    columns::Column,
+    error::RecordingError,
+    note::Note,
+    number::{Fault, number},
+    singletact,
+    table::Table,
+};
+use crate::inputs::{Inputs, Role};
 use std::io::{Read, Seek};
 
 /// Lowest temperature there is, degrees Celsius.

@@ -2,7 +2,7 @@
 //!
 //! Limits: the separator is a comma, a semicolon or a tab; the header is one line.
 
-use super::RecordingError;
+use super::{error::RecordingError, singletact};
 use sha2::{Digest, Sha256};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
@@ -31,7 +31,7 @@ impl<R: Read + Seek> Table<R> {
         if first.is_empty() {
             return Err(RecordingError::Empty { file: file.to_owned() });
         }
-        let singletact = super::singletact::wrote(&first);
+        let singletact = singletact::wrote(&first);
         let separator = separator(&first);
         let reader = csv::ReaderBuilder::new()
             .has_headers(false)

@@ -2,11 +2,14 @@
 //!
 //! Limits: columns are written in SI (response in its own unit) with the shortest digits that read back exactly; the folder must exist.
 
-use super::columns::{ROLES, key};
-use super::manifest::{BaseSpec, SCHEMA};
-use super::table::hexadecimal;
-use super::{Recording, RecordingError};
-use crate::simulator::Role;
+use super::{
+    data::Recording,
+    error::RecordingError,
+    manifest::{BaseSpec, SCHEMA},
+    roles::{ROLES, key},
+    table::hexadecimal,
+};
+use crate::inputs::Role;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;

@@ -2,8 +2,10 @@
 //!
 //! Limits: no load, no plates; only clock, thermal path and readout mean anything.
 
-use super::{ResponseScale, Start, check_finite};
-use truegap_core::{Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName};
+use super::scale::ResponseScale;
+use truegap_core::{
+    Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, StageName, named_values, walk_without_plates,
+};
 
 /// Response `level`.
 #[derive(Clone, Debug)]
@@ -55,21 +57,14 @@ impl Simulator for Constant {
         self.reference_c
     }
 
-    fn load(&self, _inputs: &Inputs) -> Option<Vec<f64>> {
-        None
+    fn moves(&self) -> bool {
+        false
     }
 
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
-        let &[level] = values else {
-            return Err(SimulationError::NotFinite { row: 0, value: f64::NAN, parameters: values.to_vec() });
-        };
-        let mut value = vec![level; inputs.len()];
-        if !stages.is_empty() {
-            let start = Start::new(inputs, stages, self.reference_c, 1.0, |inputs| Ok(vec![0.0; inputs.len()]))?;
-            // nothing spans a constant: the range of the recording is the scale for effects that ask for one
-            let readout = Readout { zero: level, span: self.range };
-            stages.iter().for_each(|stage| stage.readout(&start.drive(), &readout, &mut value));
-        }
-        check_finite(value, values)
+        let [level] = named_values(self, values)?;
+        // nothing spans a constant: the range of the recording is the scale for effects that ask for one
+        let readout = Readout { zero: level, span: self.range };
+        walk_without_plates(self, values, inputs, stages, |drive| Ok((vec![level; drive.load.len()], readout)))
     }
 }

@@ -2,9 +2,9 @@
 //!
 //! Limits: nothing inside it can be changed; only clocks, thermal path and readout plug in, the simulation itself being shifted with the load's clock.
 
-use super::{ResponseScale, Start, check_finite};
+use super::scale::ResponseScale;
 use serde::{Deserialize, Serialize};
-use truegap_core::{Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName};
+use truegap_core::{Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, StageName, walk_without_plates};
 
 /// What of an external simulation may be adjusted; nothing unless asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -79,20 +79,14 @@ impl Simulator for External {
         self.reference_c
     }
 
-    fn load(&self, _inputs: &Inputs) -> Option<Vec<f64>> {
-        None
-    }
-
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         let (gain, offset) = self.line(values);
-        let missing = || SimulationError::MissingColumn { model: self.name().to_owned(), role: Role::Simulated };
-        let start = Start::new(inputs, stages, self.reference_c, 1.0, |inputs| Ok(vec![0.0; inputs.len()]))?;
-        let simulated = start.inputs().simulated.as_ref().ok_or_else(missing)?;
-        let mut value: Vec<f64> = simulated.iter().map(|value| offset + gain * value).collect();
-        let low = value.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = value.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let readout = Readout { zero: low, span: high - low };
-        stages.iter().for_each(|stage| stage.readout(&start.drive(), &readout, &mut value));
-        check_finite(value, values)
+        walk_without_plates(self, values, inputs, stages, |drive| {
+            let simulated = self.column(drive.inputs, Role::Simulated)?;
+            let value: Vec<f64> = simulated.iter().map(|value| offset + gain * value).collect();
+            let low = value.iter().copied().fold(f64::INFINITY, f64::min);
+            let high = value.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            Ok((value, Readout { zero: low, span: high - low }))
+        })
     }
 }

@@ -2,12 +2,12 @@
 //!
 //! Limits: one permittivity between the plates; the widest recorded gap is the unloaded one.
 
-use super::{ResponseScale, Start, check_finite, shape::flat};
+use super::scale::ResponseScale;
 use crate::equations::plates::plate_capacitance;
-use crate::stack::shape_factor;
+use crate::wedge::shape_factor;
 use truegap_core::{
-    Dielectric, Drive, FieldView, Geometry, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage,
-    VACUUM_PERMITTIVITY, simulator::StageName,
+    Dielectric, Drive, GapReading, Geometry, Inputs, Parameter, PlateReading, Plates, Readout, Refusal, Role, SimulationError,
+    Simulator, Stage, StageName, Stiffness, VACUUM_PERMITTIVITY, named_values, walk,
 };
 
 /// Response `area_permittivity / gap`, in the unit of the recording.
@@ -29,40 +29,40 @@ impl GapPlate {
         let parameters = vec![Parameter::log_normal("area_permittivity", &unit, scale.response_times_gap, 1.0, meaning)];
         Self { unit: scale.unit.clone(), widest_m, narrowest_m, reference_c, parameters }
     }
+}
 
-    fn gaps<'a>(&self, inputs: &'a Inputs) -> Result<&'a [f64], SimulationError> {
-        let missing = || SimulationError::MissingColumn { model: self.name().to_owned(), role: Role::Gap };
-        inputs.gap_m.as_deref().ok_or_else(missing)
+/// The plates with parameter values filled in.
+struct Filled {
+    area_permittivity: f64,
+    widest_m: f64,
+    narrowest_m: f64,
+    radius_m: f64,
+}
+
+impl Plates for Filled {
+    /// The closing of the recorded gap, whatever closes it.
+    #[inline]
+    fn strain(&self, drive: &Drive<'_>, row: usize, _: Stiffness) -> Result<f64, Refusal> {
+        let gaps = drive.inputs.gap_m.as_ref().ok_or(Refusal::NoAnswer)?;
+        Ok(1.0 - gaps[row] / self.widest_m)
     }
 
-    /// Mean separation of a row, m.
-    fn separation(&self, geometry: &Geometry<'_>, row: usize) -> f64 {
-        (1.0 - geometry.strain[row] + geometry.gap[row]) * self.widest_m
-    }
-
-    /// Reading between the plates of a row; `None` where they touch.
-    fn plates(&self, area_permittivity: f64, geometry: &Geometry<'_>, factors: &Dielectric, row: usize) -> Option<f64> {
-        let gap = self.separation(geometry, row);
-        let shape = shape_factor(geometry.tilt[row], geometry.sag[row] * self.widest_m / gap)?;
+    #[inline]
+    fn reading(&self, _: &Drive<'_>, row: usize, geometry: &Geometry<'_>, factors: &Dielectric) -> Result<PlateReading, Refusal> {
+        let touches = Refusal::Touches { strain: geometry.strain[row] };
+        let gap = (1.0 - geometry.strain[row] + geometry.gap[row]) * self.widest_m;
+        let shape = shape_factor(geometry.tilt[row], geometry.sag[row] * self.widest_m / gap).ok_or(touches)?;
+        if gap.is_nan() || gap <= 0.0 {
+            return Err(touches);
+        }
         // plate_capacitance takes permittivity and area; only their product is known here
-        (gap > 0.0).then(|| plate_capacitance(area_permittivity, shape * factors.beads[row], gap))
+        let plates = plate_capacitance(self.area_permittivity, shape * factors.beads[row], gap);
+        Ok(PlateReading { value: plates, gap: Some(GapReading { aspect: gap / self.radius_m, plates }) })
     }
 
-    /// Adds the field outside the plates.
-    fn with_field(
-        &self,
-        area_permittivity: f64,
-        geometry: &Geometry<'_>,
-        plates: Vec<f64>,
-        drive: &Drive<'_>,
-        stages: &[&dyn Stage],
-    ) -> Vec<f64> {
-        let radius = radius_m(area_permittivity, &self.unit);
-        let aspect: Vec<f64> = (0..plates.len()).map(|row| self.separation(geometry, row) / radius).collect();
-        let mut extra = vec![0.0; plates.len()];
-        let view = FieldView { aspect: &aspect, strain: geometry.strain, plates: &plates };
-        stages.iter().for_each(|stage| stage.field(drive, &view, &mut extra));
-        plates.iter().zip(&extra).map(|(plates, extra)| plates + extra).collect()
+    fn readout(&self) -> Result<Readout, SimulationError> {
+        let zero = self.area_permittivity / self.widest_m;
+        Ok(Readout { zero, span: self.area_permittivity / self.narrowest_m - zero })
     }
 }
 
@@ -101,29 +101,10 @@ impl Simulator for GapPlate {
         self.reference_c
     }
 
-    fn load(&self, _inputs: &Inputs) -> Option<Vec<f64>> {
-        None
-    }
-
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
-        let &[area_permittivity] = values else {
-            return Err(SimulationError::NotFinite { row: 0, value: f64::NAN, parameters: values.to_vec() });
-        };
-        let start = Start::new(inputs, stages, self.reference_c, 1.0, |inputs| Ok(vec![0.0; inputs.len()]))?;
-        let drive = start.drive();
-        let mut strain: Vec<f64> = self.gaps(start.inputs())?.iter().map(|gap| 1.0 - gap / self.widest_m).collect();
-        stages.iter().for_each(|stage| stage.strain(&drive, &mut strain));
-        let mut geometry = flat(&strain, &drive);
-        stages.iter().for_each(|stage| stage.geometry(&drive, &mut geometry));
-        let mut factors = Dielectric { beads: vec![1.0; strain.len()], insulator: vec![1.0; strain.len()] };
-        stages.iter().for_each(|stage| stage.dielectric(&drive, &mut factors));
-        let closed = |row: usize| SimulationError::GapCloses { row, load_si: drive.load[row], strain: strain[row] };
-        let plates = |row: usize| self.plates(area_permittivity, &geometry, &factors, row).ok_or_else(|| closed(row));
-        let plates = (0..strain.len()).map(plates).collect::<Result<Vec<_>, _>>()?;
-        let mut value = self.with_field(area_permittivity, &geometry, plates, &drive, stages);
-        let zero = area_permittivity / self.widest_m;
-        let readout = Readout { zero, span: area_permittivity / self.narrowest_m - zero };
-        stages.iter().for_each(|stage| stage.readout(&drive, &readout, &mut value));
-        check_finite(value, values)
+        let [area_permittivity] = named_values(self, values)?;
+        let radius_m = radius_m(area_permittivity, &self.unit);
+        let plates = Filled { area_permittivity, widest_m: self.widest_m, narrowest_m: self.narrowest_m, radius_m };
+        walk(self, &plates, values, inputs, stages)
     }
 }

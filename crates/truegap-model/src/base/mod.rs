@@ -6,14 +6,10 @@ mod constant;
 mod external;
 mod gap_plate;
 mod parallel_plate;
-mod shape;
+mod scale;
 mod spec;
-mod start;
 
-pub use constant::Constant;
 pub use external::{External, ExternalOptions};
-pub use gap_plate::GapPlate;
-pub use parallel_plate::{Load, ParallelPlate};
-pub use spec::{BASE_MODELS, BaseError, BaseModel, Recorded, ResponseScale, base_model};
-
-pub(crate) use start::{Start, check_finite, stiffening};
+pub use parallel_plate::Load;
+pub use scale::{Recorded, ResponseScale};
+pub use spec::{BASE_MODELS, BaseError, BaseModel, base_model};

@@ -2,12 +2,13 @@
 //!
 //! Limits: the size of the plates is unknown, so a field outside of them cannot be told from gain and offset.
 
-use super::{ResponseScale, Start, check_finite, shape::flat, stiffening};
+use super::scale::ResponseScale;
 use crate::equations::load::{BeadLaw, compressive_strain};
-use crate::stack::shape_factor;
+use crate::wedge::shape_factor;
 use serde::{Deserialize, Serialize};
 use truegap_core::{
-    Dielectric, Drive, Geometry, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName,
+    Dielectric, Drive, Geometry, Inputs, Parameter, PlateReading, Plates, Readout, Refusal, Role, SimulationError, Simulator,
+    Stage, StageName, Stiffness, named_values, walk,
 };
 
 /// What loads the plates.
@@ -31,17 +32,13 @@ impl Load {
 
     /// Column of the load.
     pub fn column(self, inputs: &Inputs) -> Option<&[f64]> {
-        match self {
-            Self::Force => inputs.force_n.as_deref(),
-            Self::Pressure => inputs.pressure_pa.as_deref(),
-        }
+        inputs.column(self.role())
     }
 }
 
 /// Response `offset + gain C / C0` with `C / C0 = 1 / (1 - load / modulus)`.
 #[derive(Clone, Debug)]
 pub struct ParallelPlate {
-    load: Load,
     needs: [Role; 1],
     full_load: f64,
     unit: String,
@@ -72,38 +69,36 @@ impl ParallelPlate {
                 )
             },
         ];
-        Self { load, needs: [load.role()], full_load, unit: scale.unit.clone(), reference_c, parameters }
+        Self { needs: [load.role()], full_load, unit: scale.unit.clone(), reference_c, parameters }
+    }
+}
+
+/// The plates with parameter values filled in.
+struct Filled {
+    offset: f64,
+    gain: f64,
+    modulus: f64,
+}
+
+impl Plates for Filled {
+    #[inline]
+    fn strain(&self, drive: &Drive<'_>, row: usize, stiffness: Stiffness) -> Result<f64, Refusal> {
+        let load = drive.load[row];
+        let law = BeadLaw { poisson: 0.0, stiffening: stiffness.stiffening };
+        let strain = compressive_strain(load / (self.modulus * stiffness.modulus), law).filter(|s| s.is_finite());
+        let closes = load > 0.0 && stiffness.modulus > 0.0;
+        strain.ok_or(if closes { Refusal::Touches { strain: 1.0 } } else { Refusal::NoAnswer })
     }
 
-    fn loads(&self, inputs: &Inputs) -> Result<Vec<f64>, SimulationError> {
-        let missing = || SimulationError::MissingColumn { model: self.name().to_owned(), role: self.load.role() };
-        Ok(self.load.column(inputs).ok_or_else(missing)?.iter().map(|load| load / self.full_load).collect())
+    #[inline]
+    fn reading(&self, _: &Drive<'_>, row: usize, geometry: &Geometry<'_>, factors: &Dielectric) -> Result<PlateReading, Refusal> {
+        let touches = Refusal::Touches { strain: geometry.strain[row] };
+        let value = self.offset + self.gain * relative_capacitance(geometry, factors, row).ok_or(touches)?;
+        Ok(PlateReading { value, gap: None })
     }
 
-    fn strains(
-        &self,
-        modulus: f64,
-        drive: &Drive<'_>,
-        stages: &[&dyn Stage],
-        values: &[f64],
-    ) -> Result<Vec<f64>, SimulationError> {
-        let mut factor = vec![1.0; drive.load.len()];
-        stages.iter().for_each(|stage| stage.modulus(drive, &mut factor));
-        let law = BeadLaw { poisson: 0.0, stiffening: stiffening(stages) };
-        let strain = |(row, factor): (usize, f64)| {
-            let load = drive.load[row];
-            let strain = compressive_strain(load / (modulus * factor), law);
-            strain.filter(|s| s.is_finite()).ok_or_else(|| {
-                if load > 0.0 && factor > 0.0 {
-                    SimulationError::GapCloses { row, load_si: load * self.full_load, strain: 1.0 }
-                } else {
-                    SimulationError::NotFinite { row, value: f64::NAN, parameters: values.to_vec() }
-                }
-            })
-        };
-        let mut strain = factor.into_iter().enumerate().map(strain).collect::<Result<Vec<_>, _>>()?;
-        stages.iter().for_each(|stage| stage.strain(drive, &mut strain));
-        Ok(strain)
+    fn readout(&self) -> Result<Readout, SimulationError> {
+        Ok(Readout { zero: self.offset + self.gain, span: self.gain / (self.modulus - 1.0) })
     }
 }
 
@@ -145,29 +140,8 @@ impl Simulator for ParallelPlate {
         self.reference_c
     }
 
-    fn load(&self, inputs: &Inputs) -> Option<Vec<f64>> {
-        self.loads(inputs).ok()
-    }
-
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
-        let &[offset, gain, modulus] = values else {
-            return Err(SimulationError::NotFinite { row: 0, value: f64::NAN, parameters: values.to_vec() });
-        };
-        let start = Start::new(inputs, stages, self.reference_c, self.full_load, |inputs| self.loads(inputs))?;
-        let drive = start.drive();
-        let rows = drive.load.len();
-        let strain = self.strains(modulus, &drive, stages, values)?;
-        let mut geometry = flat(&strain, &drive);
-        stages.iter().for_each(|stage| stage.geometry(&drive, &mut geometry));
-        let mut factors = Dielectric { beads: vec![1.0; rows], insulator: vec![1.0; rows] };
-        stages.iter().for_each(|stage| stage.dielectric(&drive, &mut factors));
-        let response = |row: usize| {
-            let closed = || SimulationError::GapCloses { row, load_si: drive.load[row] * self.full_load, strain: strain[row] };
-            Ok(offset + gain * relative_capacitance(&geometry, &factors, row).ok_or_else(closed)?)
-        };
-        let mut value = (0..rows).map(response).collect::<Result<Vec<_>, _>>()?;
-        let readout = Readout { zero: offset + gain, span: gain / (modulus - 1.0) };
-        stages.iter().for_each(|stage| stage.readout(&drive, &readout, &mut value));
-        check_finite(value, values)
+        let [offset, gain, modulus] = named_values(self, values)?;
+        walk(self, &Filled { offset, gain, modulus }, values, inputs, stages)
     }
 }

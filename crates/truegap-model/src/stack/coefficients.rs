@@ -2,7 +2,11 @@
 //!
 //! Limits: two temperatures and the nominal dimensions; linearity against the end-point line.
 
-use super::{Device, Point, StackOptions, states::state};
+use super::{
+    device::Device,
+    options::StackOptions,
+    states::{Point, state},
+};
 use crate::equations::coefficients::{
     Pair, Range, baseline_coefficient, baseline_drift, linearity, linearity_coefficient, sensitivity, sensitivity_coefficient,
 };

@@ -2,7 +2,7 @@
 //!
 //! Limits: one temperature through the whole sensor; tilt, warp and load sag act on the bead gap only.
 
-use super::{SeriesOrder, StackOptions, wedge::shape_factor};
+use super::options::{SeriesOrder, StackOptions};
 use crate::equations::{
     curvature::{Bimetal, ExpansionPair, Lamina, bimetal_curvature, mismatch_strain},
     electrodes::{
@@ -15,9 +15,10 @@ use crate::equations::{
     thermal::{Areas, expanded_area, expanded_length, total_bead_area, young_at},
     warp::{Dome, RimSag, rim_sag},
 };
+use crate::wedge::shape_factor;
 use std::f64::consts::PI;
 use truegap_core::{
-    Sensor, VACUUM_PERMITTIVITY,
+    Refusal, Sensor, VACUUM_PERMITTIVITY,
     sensor::{Filling, Layer, Layout},
 };
 
@@ -128,18 +129,6 @@ pub struct Capacitances {
     pub aspect: f64,
     /// curvature of the electrode, 1/m
     pub curvature: f64,
-}
-
-/// Why a row has no answer.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Refusal {
-    /// the plates touch
-    Touches {
-        /// compressive strain
-        strain: f64,
-    },
-    /// modulus not positive, or a tension that no strain answers
-    NoAnswer,
 }
 
 impl Device {

@@ -2,7 +2,7 @@
 //!
 //! Limits: independent Gaussian tolerances.
 
-use super::StackOptions;
+use super::options::StackOptions;
 use truegap_core::{Measure, Parameter, Sensor, sensor::Filling};
 
 /// Farad in a picofarad.

@@ -2,9 +2,9 @@
 //!
 //! Limits: steady state, nominal dimensions.
 
-use super::{Device, StackOptions, refused};
+use super::{device::Device, options::StackOptions};
 use serde::Serialize;
-use truegap_core::{Sensor, SimulationError};
+use truegap_core::{Refusal, Sensor, SimulationError};
 
 /// A load and a temperature.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,7 +58,7 @@ fn decimal_difference(temperature_c: f64, reference_c: f64) -> f64 {
 pub(super) fn state(device: &Device, row: usize, point: Point) -> Result<State, SimulationError> {
     let Point { force_n, temperature_c } = point;
     let warm = device.warmed_by(decimal_difference(temperature_c, device.reference_c));
-    let refuse = |refusal| refused(refusal, row, force_n, &[]);
+    let refuse = |refusal: Refusal| refusal.at(row, force_n, &[]);
     let strain = device.strain(&warm, force_n, 1.0, [0.0; 2]).map_err(refuse)?;
     let parts = device.capacitances(&warm, &device.plain(&warm, force_n, strain)).map_err(refuse)?;
     Ok(State {

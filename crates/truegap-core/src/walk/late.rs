@@ -1,55 +1,15 @@
-//! The head of the chain, the same in every base model: clocks, load path, thermal path.
+//! The clock of the load against that of the response.
 //!
 //! Limits: a shifted column keeps its first and last value beyond the ends of a run, where nothing was recorded.
 
+use crate::{chain::Stage, inputs::Inputs};
 use std::borrow::Cow;
-use truegap_core::{Drive, Inputs, SimulationError, Stage};
-
-/// Columns that drive a model, before anything is computed from them.
-pub(crate) struct Start<'a> {
-    inputs: Cow<'a, Inputs>,
-    load: Vec<f64>,
-    temperature_c: Vec<f64>,
-    reference_c: f64,
-    full_load: f64,
-}
-
-impl<'a> Start<'a> {
-    /// Walks clocks, load path and thermal path; `load` reads the recorded load in units of `full_load`.
-    pub(crate) fn new(
-        inputs: &'a Inputs,
-        stages: &[&dyn Stage],
-        reference_c: f64,
-        full_load: f64,
-        load: impl Fn(&Inputs) -> Result<Vec<f64>, SimulationError>,
-    ) -> Result<Self, SimulationError> {
-        let inputs = on_one_clock(inputs, stages);
-        let mut load = load(&inputs)?;
-        stages.iter().for_each(|stage| stage.load(&inputs, &mut load));
-        let mut temperature_c = inputs.temperature_c.clone().unwrap_or_else(|| vec![reference_c; inputs.len()]);
-        stages.iter().for_each(|stage| stage.thermal(&inputs, &mut temperature_c));
-        Ok(Self { inputs, load, temperature_c, reference_c, full_load })
-    }
-
-    /// What the stages see.
-    pub(crate) fn drive(&self) -> Drive<'_> {
-        Drive {
-            inputs: &self.inputs,
-            load: &self.load,
-            temperature_c: &self.temperature_c,
-            reference_c: self.reference_c,
-            full_load: self.full_load,
-        }
-    }
-
-    /// The inputs on the response's clock.
-    pub(crate) fn inputs(&self) -> &Inputs {
-        &self.inputs
-    }
-}
 
 /// The inputs on the response's clock.
-fn on_one_clock<'a>(inputs: &'a Inputs, stages: &[&dyn Stage]) -> Cow<'a, Inputs> {
+pub(super) fn on_one_clock<'a>(inputs: &'a Inputs, stages: &[&dyn Stage]) -> Cow<'a, Inputs> {
+    if stages.is_empty() {
+        return Cow::Borrowed(inputs);
+    }
     let clock = clock(inputs);
     let first = clock.first().copied().unwrap_or(0.0);
     let late = |time: &f64| stages.iter().map(|stage| stage.late_s(time - first)).sum();
@@ -101,20 +61,6 @@ fn interpolated(time: &[f64], column: &[f64], late: &[f64]) -> Vec<f64> {
     (0..time.len()).map(at).collect()
 }
 
-/// Polynomial stiffening of all stages together.
-pub(crate) fn stiffening(stages: &[&dyn Stage]) -> [f64; 2] {
-    let add = |sum: [f64; 2], next: [f64; 2]| [sum[0] + next[0], sum[1] + next[1]];
-    stages.iter().map(|stage| stage.stiffening()).fold([0.0; 2], add)
-}
-
-/// The response, if every row of it is finite.
-pub(crate) fn check_finite(response: Vec<f64>, values: &[f64]) -> Result<Vec<f64>, SimulationError> {
-    match response.iter().position(|value| !value.is_finite()) {
-        None => Ok(response),
-        Some(row) => Err(SimulationError::NotFinite { row, value: response[row], parameters: values.to_vec() }),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -133,14 +79,17 @@ mod tests {
         Inputs { time_s: Some(time), run: vec![1, 1, 1, 2, 2, 2], force_n: Some(force), ..Inputs::default() }
     }
 
+    fn force(inputs: &Inputs) -> Vec<f64> {
+        inputs.force_n.clone().unwrap()
+    }
+
     fn shifted(late: f64) -> Vec<f64> {
         shifted_by(Late(late, 0.0))
     }
 
     fn shifted_by(stage: Late) -> Vec<f64> {
         let inputs = ramp();
-        let start = Start::new(&inputs, &[&stage], 20.0, 2.0, |i| Ok(i.force_n.clone().unwrap())).unwrap();
-        start.load
+        force(&on_one_clock(&inputs, &[&stage]))
     }
 
     #[test]
@@ -161,8 +110,6 @@ mod tests {
     fn two_stages_shift_by_the_sum() {
         let inputs = ramp();
         let (a, b) = (Late(0.75, 0.0), Late(-0.25, 0.0));
-        let start = Start::new(&inputs, &[&a, &b], 20.0, 2.0, |i| Ok(i.force_n.clone().unwrap())).unwrap();
-        assert_eq!(start.load, shifted(0.5));
-        assert_eq!(start.drive().temperature_c, [20.0; 6]);
+        assert_eq!(force(&on_one_clock(&inputs, &[&a, &b])), shifted(0.5));
     }
 }

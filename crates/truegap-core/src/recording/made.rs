@@ -1,0 +1,40 @@
+//! A recording made in the program, with the names and the hash that it has once it is written.
+//!
+//! Limits: what the columns mean is for the caller to know; only their lengths are checked.
+
+use super::{data::Recording, error::RecordingError, manifest::BaseSpec, roles::key, write};
+use crate::inputs::Inputs;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+impl Recording {
+    /// A recording made in the program.
+    ///
+    /// # Errors
+    /// [`RecordingError::Lengths`] where a column has not one value a row, [`RecordingError::NotToml`] where `base` cannot be written.
+    pub fn new(inputs: Inputs, response: Vec<f64>, response_unit: &str, base: BaseSpec) -> Result<Self, RecordingError> {
+        let mut recording = Self {
+            inputs,
+            response,
+            response_unit: response_unit.to_owned(),
+            base,
+            sensors: None,
+            columns: BTreeMap::new(),
+            sha256: String::new(),
+            path: PathBuf::new(),
+            notes: Vec::new(),
+        };
+        recording.check_lengths()?;
+        recording.columns = write::names(&recording);
+        recording.sha256 = write::sha256(&recording)?;
+        Ok(recording)
+    }
+
+    fn check_lengths(&self) -> Result<(), RecordingError> {
+        let expected = self.inputs.len();
+        match self.quantities().into_iter().find(|(_, column)| column.len() != expected) {
+            Some((role, column)) => Err(RecordingError::Lengths { column: key(role).to_owned(), found: column.len(), expected }),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Why a model has no answer, for a recording and for one row of it.
+//!
+//! Limits: the first row without an answer is named, not all of them.
+
+use crate::inputs::Role;
+
+/// Why a model has no answer.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SimulationError {
+    /// The plates touch.
+    #[error(
+        "row {row}: a load of {load_si} closes the gap (strain {strain}); leave out loads beyond the sensor's range, or give a thicker or stiffer dielectric"
+    )]
+    GapCloses {
+        /// row of the inputs
+        row: usize,
+        /// load, SI
+        load_si: f64,
+        /// compressive strain reached
+        strain: f64,
+    },
+    /// A column that the model needs.
+    #[error("the base model `{model}` needs a column `{role:?}`; name it under [columns] or choose another [base] model")]
+    MissingColumn {
+        /// model
+        model: String,
+        /// the column's role
+        role: Role,
+    },
+    /// A number that is not finite came out.
+    #[error("row {row}: the response is {value}; the parameters {parameters:?} lie outside what the model can describe")]
+    NotFinite {
+        /// row of the inputs
+        row: usize,
+        /// response
+        value: f64,
+        /// parameter values
+        parameters: Vec<f64>,
+    },
+    /// Not one value for each parameter.
+    #[error(
+        "the base model `{model}` has {expected} parameters, but {given} values were given; give one value for each parameter of the model, in their order"
+    )]
+    WrongNumberOfValues {
+        /// model
+        model: String,
+        /// number of its parameters
+        expected: usize,
+        /// number of values given
+        given: usize,
+    },
+}
+
+/// Why one row has no answer; [`Refusal::at`] says which row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Refusal {
+    /// the plates touch
+    Touches {
+        /// compressive strain
+        strain: f64,
+    },
+    /// modulus not positive, or a tension that no strain answers
+    NoAnswer,
+}
+
+impl Refusal {
+    /// The error of a row, its load (SI) and the parameter values.
+    pub fn at(self, row: usize, load_si: f64, values: &[f64]) -> SimulationError {
+        match self {
+            Self::Touches { strain } => SimulationError::GapCloses { row, load_si, strain },
+            Self::NoAnswer => SimulationError::NotFinite { row, value: f64::NAN, parameters: values.to_vec() },
+        }
+    }
+}
+
+/// The response, if every row of it is finite.
+///
+/// # Errors
+/// [`SimulationError::NotFinite`] with the first row that is not, and the parameter values.
+pub fn check_finite(response: Vec<f64>, values: &[f64]) -> Result<Vec<f64>, SimulationError> {
+    match response.iter().position(|value| !value.is_finite()) {
+        None => Ok(response),
+        Some(row) => Err(SimulationError::NotFinite { row, value: response[row], parameters: values.to_vec() }),
+    }
+}

@@ -1,0 +1,86 @@
+//! The physics of the stack, row by row: as the walk asks for it, and all at once where nothing is plugged in.
+//!
+//! Limits: an error names the first row that has no answer.
+
+use super::device::{Device, Squeeze};
+use truegap_core::{
+    Dielectric, Drive, GapReading, Geometry, PlateReading, Plates, Readout, Refusal, SimulationError, Stiffness, check_finite,
+};
+
+/// Picofarad in a farad.
+const PICO: f64 = 1e12;
+
+/// Response of each row, pF, nothing plugged in.
+pub(super) fn plain(
+    device: &Device,
+    force: &[f64],
+    temperature: Option<&[f64]>,
+    values: &[f64],
+) -> Result<Vec<f64>, SimulationError> {
+    let mut warm = device.at(device.reference_c);
+    let mut at = device.reference_c;
+    let mut response = Vec::with_capacity(force.len());
+    for (row, &force) in force.iter().enumerate() {
+        let now = temperature.map_or(device.reference_c, |t| t[row]);
+        if now != at {
+            (warm, at) = (device.at(now), now);
+        }
+        let parts =
+            device.strain(&warm, force, 1.0, [0.0; 2]).and_then(|e| device.capacitances(&warm, &device.plain(&warm, force, e)));
+        let parts = parts.map_err(|refusal: Refusal| refusal.at(row, force, values))?;
+        response.push(device.total(parts.shares) * PICO);
+    }
+    check_finite(response, values)
+}
+
+/// A device and the parameter values that made it.
+pub(super) struct Filled<'a> {
+    pub device: &'a Device,
+    pub values: &'a [f64],
+}
+
+impl Plates for Filled<'_> {
+    #[inline]
+    fn strain(&self, drive: &Drive<'_>, row: usize, stiffness: Stiffness) -> Result<f64, Refusal> {
+        let warm = self.device.at(drive.temperature_c[row]);
+        self.device.strain(&warm, force_n(drive, row), stiffness.modulus, stiffness.stiffening)
+    }
+
+    fn warp_factor(&self) -> f64 {
+        self.device.warp_factor()
+    }
+
+    #[inline]
+    fn reading(
+        &self,
+        drive: &Drive<'_>,
+        row: usize,
+        geometry: &Geometry<'_>,
+        factors: &Dielectric,
+    ) -> Result<PlateReading, Refusal> {
+        let squeeze = Squeeze {
+            force_n: force_n(drive, row),
+            strain: geometry.strain[row],
+            warp_kelvin: geometry.warp_kelvin[row],
+            warp_factor: geometry.warp_factor,
+            gap: geometry.gap[row],
+            tilt: geometry.tilt[row],
+            sag: geometry.sag[row],
+            beads: factors.beads[row],
+            insulator: factors.insulator[row],
+        };
+        let parts = self.device.capacitances(&self.device.at(drive.temperature_c[row]), &squeeze)?;
+        let gap = GapReading { aspect: parts.aspect, plates: parts.shares.main * PICO };
+        Ok(PlateReading { value: self.device.total(parts.shares) * PICO, gap: Some(gap) })
+    }
+
+    fn readout(&self) -> Result<Readout, SimulationError> {
+        let ends = plain(self.device, &[0.0, self.device.full_scale], None, self.values)?;
+        Ok(Readout { zero: ends[0], span: ends[1] - ends[0] })
+    }
+}
+
+/// Force on the dielectric, N.
+fn force_n(drive: &Drive<'_>, row: usize) -> f64 {
+    drive.load[row] * drive.full_load
+}

@@ -64,7 +64,7 @@ impl Effect for GainDrift {
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         context.needs_temperature(2.0)?;
-        if context.simulator.name() == "constant" {
+        if !context.simulator.moves() {
             return Err("a value that does not move shows no gain".into());
         }
         if context.inputs.gap_m.is_some() || context.inputs.simulated.is_some() { Ok(()) } else { context.needs_load() }

@@ -68,7 +68,7 @@ impl Stage for ClausiusMossotti {
 
 /// Whether the base model has an insulator; the plates have one dielectric only.
 pub(crate) fn has_insulator(context: &Context<'_>) -> bool {
-    context.simulator.name() == "stack"
+    context.simulator.has_insulator()
 }
 
 impl Effect for PermittivityTemperature {

@@ -89,7 +89,7 @@ impl Effect for Saturation {
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
-        if context.simulator.name() == "constant" {
+        if !context.simulator.moves() {
             return Err("a value that does not move does not clip".into());
         }
         if context.inputs.gap_m.is_some() || context.inputs.simulated.is_some() { Ok(()) } else { context.needs_load() }

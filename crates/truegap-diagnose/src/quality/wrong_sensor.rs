@@ -10,8 +10,6 @@ use crate::{
 };
 use truegap_core::Parameter;
 
-/// Models whose prior knows the reading before the recording is seen.
-const KNOWING: &str = "stack";
 /// Share of the foreseen reading that the recorded one may be off, beside [`FAR`] standard deviations of what tolerances allow.
 const OFF: f64 = 0.05;
 /// Standard deviations.
@@ -27,7 +25,7 @@ const LOADED: f64 = 0.3;
 
 /// A notice where recording and base model do not belong together.
 pub fn wrong_sensor(problem: &Problem<'_>) -> Option<Notice> {
-    if problem.simulator.name() != KNOWING {
+    if !problem.simulator.knows_its_level() {
         return None;
     }
     // medians and ranges need no more rows than this, however long the recording

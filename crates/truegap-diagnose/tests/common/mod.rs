@@ -113,6 +113,12 @@ impl Simulator for Plate {
     fn warps(&self) -> Option<bool> {
         self.warps
     }
+    fn has_insulator(&self) -> bool {
+        true
+    }
+    fn knows_its_level(&self) -> bool {
+        true
+    }
     fn corrections(&self) -> Option<&Arc<Corrections>> {
         Some(&self.corrections)
     }

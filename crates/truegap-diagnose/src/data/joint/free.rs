@@ -98,6 +98,18 @@ impl Simulator for Freed<'_> {
         self.inner.warps()
     }
 
+    fn has_insulator(&self) -> bool {
+        self.inner.has_insulator()
+    }
+
+    fn moves(&self) -> bool {
+        self.inner.moves()
+    }
+
+    fn knows_its_level(&self) -> bool {
+        self.inner.knows_its_level()
+    }
+
     fn reference_c(&self) -> f64 {
         self.inner.reference_c()
     }

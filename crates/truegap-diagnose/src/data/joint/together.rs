@@ -187,6 +187,18 @@ impl Simulator for Joint<'_> {
         self.parts.iter().find_map(|part| part.model.warps())
     }
 
+    fn has_insulator(&self) -> bool {
+        self.parts.iter().any(|part| part.model.has_insulator())
+    }
+
+    fn moves(&self) -> bool {
+        self.parts.iter().any(|part| part.model.moves())
+    }
+
+    fn knows_its_level(&self) -> bool {
+        self.parts.iter().all(|part| part.model.knows_its_level())
+    }
+
     fn reference_c(&self) -> f64 {
         self.parts[0].model.reference_c()
     }

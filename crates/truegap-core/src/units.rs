@@ -125,12 +125,12 @@ impl Dimension {
     }
 
     /// The unit that `text` names without regard to case, as the end of a column's name does: `pf` is `pF`, `kpa` is `kPa`.
-    pub fn unit_like(self, text: &str) -> Option<&'static str> {
+    pub(crate) fn unit_like(self, text: &str) -> Option<&'static str> {
         self.units().iter().map(|unit| unit.0).find(|name| !name.is_empty() && name.eq_ignore_ascii_case(text))
     }
 
     /// Names of the units of this dimension, the SI unit first.
-    pub fn unit_names(self) -> Vec<&'static str> {
+    pub(crate) fn unit_names(self) -> Vec<&'static str> {
         self.units().iter().map(|unit| unit.0).filter(|name| !name.is_empty()).collect()
     }
 

@@ -32,9 +32,6 @@ fn row(equation: &'static str, quantity: impl Into<String>, printed: String, cor
 }
 
 /// Every comparison.
-///
-/// # Errors
-/// [`SimulationError`] where a built-in sensor has no answer, which the tests rule out.
 fn errata() -> Result<Vec<Erratum>, SimulationError> {
     let sensors: Vec<Sensor> = builtin_sensors().iter().take(3).filter_map(|s| s.sensor().ok()).collect();
     let mut rows = Vec::new();
@@ -64,7 +61,7 @@ fn errata() -> Result<Vec<Erratum>, SimulationError> {
 /// The comparisons as a Markdown table.
 ///
 /// # Errors
-/// As [`errata`].
+/// [`SimulationError`] where a built-in sensor has no answer, which the tests rule out.
 pub fn errata_table() -> Result<String, SimulationError> {
     let mut text = "| eq. | quantity | printed | corrected |\n|---|---|---|---|\n".to_owned();
     for Erratum { equation, quantity, printed, corrected } in errata()? {

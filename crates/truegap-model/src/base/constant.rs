@@ -9,7 +9,7 @@ use truegap_core::{
 
 /// Response `level`.
 #[derive(Clone, Debug)]
-pub struct Constant {
+pub(super) struct Constant {
     unit: String,
     range: f64,
     reference_c: f64,

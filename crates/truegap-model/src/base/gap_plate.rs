@@ -12,7 +12,7 @@ use truegap_core::{
 
 /// Response `area_permittivity / gap`, in the unit of the recording.
 #[derive(Clone, Debug)]
-pub struct GapPlate {
+pub(super) struct GapPlate {
     unit: String,
     widest_m: f64,
     narrowest_m: f64,

@@ -38,7 +38,7 @@ impl Load {
 
 /// Response `offset + gain C / C0` with `C / C0 = 1 / (1 - load / modulus)`.
 #[derive(Clone, Debug)]
-pub struct ParallelPlate {
+pub(super) struct ParallelPlate {
     needs: [Role; 1],
     full_load: f64,
     unit: String,

@@ -36,7 +36,7 @@ impl Range {
 /// | C0     | `baseline` | pF   |
 /// | T1-T0  | `kelvin`   | K    |
 ///
-/// **Source:** [hampson2023] (24), as printed: pF/K, not the %FSR/K that the text says.
+/// **Source:** \[hampson2023\] (24), as printed: pF/K, not the %FSR/K that the text says.
 pub fn baseline_drift(baseline: Pair, kelvin: f64) -> f64 {
     (baseline.hot - baseline.cold) / kelvin
 }
@@ -51,7 +51,7 @@ pub fn baseline_drift(baseline: Pair, kelvin: f64) -> f64 {
 /// | T1-T0  | `kelvin`   | K    |
 /// | C_L-C0 | `span` at T0 | pF |
 ///
-/// **Source:** [hampson2023] (24), corrected by the capacitance span that its unit asks for; see `docs/errata.md`.
+/// **Source:** \[hampson2023\] (24), corrected by the capacitance span that its unit asks for; see `docs/errata.md`.
 pub fn baseline_coefficient(baseline: Pair, kelvin: f64, span: f64) -> f64 {
     100.0 * baseline_drift(baseline, kelvin) / span
 }
@@ -65,7 +65,7 @@ pub fn baseline_coefficient(baseline: Pair, kelvin: f64, span: f64) -> f64 {
 /// | C_L, C0 | `range`     | pF   |
 /// | F_full  | `full_load` | N    |
 ///
-/// **Source:** [hampson2023] (25); its FSR is the load at full scale.
+/// **Source:** \[hampson2023\] (25); its FSR is the load at full scale.
 pub fn sensitivity(range: Range, full_load: f64) -> f64 {
     range.span() / full_load
 }
@@ -79,7 +79,7 @@ pub fn sensitivity(range: Range, full_load: f64) -> f64 {
 /// | S      | `sensitivities` | pF/N |
 /// | T1-T0  | `kelvin`        | K    |
 ///
-/// **Source:** [hampson2023] (26), in per cent.
+/// **Source:** \[hampson2023\] (26), in per cent.
 pub fn sensitivity_coefficient(sensitivities: Pair, kelvin: f64) -> f64 {
     100.0 * (sensitivities.hot / sensitivities.cold - 1.0) / kelvin
 }
@@ -93,7 +93,7 @@ pub fn sensitivity_coefficient(sensitivities: Pair, kelvin: f64) -> f64 {
 /// | C_L, C0  | `range`     | pF   |
 /// | C(F)     | `responses`, as (share of the full load, response) | -, pF |
 ///
-/// **Source:** [hampson2023] (27), against the end-point line; its FSR is the span of the response. **Accuracy:** that of the sampling of `responses`.
+/// **Source:** \[hampson2023\] (27), against the end-point line; its FSR is the span of the response. **Accuracy:** that of the sampling of `responses`.
 pub fn linearity(range: Range, responses: impl IntoIterator<Item = (f64, f64)>) -> f64 {
     let off = |(share, response): (f64, f64)| (response - (range.unloaded + share * range.span())).abs();
     100.0 * responses.into_iter().map(off).fold(0.0, f64::max) / range.span().abs()
@@ -108,7 +108,7 @@ pub fn linearity(range: Range, responses: impl IntoIterator<Item = (f64, f64)>) 
 /// | μ      | `linearities` | %    |
 /// | T1-T0  | `kelvin`      | K    |
 ///
-/// **Source:** [hampson2023] (28).
+/// **Source:** \[hampson2023\] (28).
 pub fn linearity_coefficient(linearities: Pair, kelvin: f64) -> f64 {
     (linearities.hot - linearities.cold) / kelvin
 }

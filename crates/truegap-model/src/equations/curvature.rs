@@ -38,7 +38,7 @@ pub struct ExpansionPair {
 /// | K1, K2 | `expansions` | 1/K  |
 /// | ΔT     | `kelvin`     | K    |
 ///
-/// **Source:** [hampson2023] (8). **Accuracy:** two roundings.
+/// **Source:** \[hampson2023\] (8). **Accuracy:** two roundings.
 pub fn mismatch_strain(expansions: ExpansionPair, kelvin: f64) -> f64 {
     (expansions.first - expansions.second) * kelvin
 }
@@ -53,7 +53,7 @@ pub fn mismatch_strain(expansions: ExpansionPair, kelvin: f64) -> f64 {
 /// | E2, h2 | `layers.second` | Pa, m |
 /// | ε_M    | `mismatch`      | -    |
 ///
-/// **Source:** [hampson2023] (9), inverted and divided by (E2 h2²)², so that R = infinity needs no exception; see `docs/errata.md`.
+/// **Source:** \[hampson2023\] (9), inverted and divided by (E2 h2²)², so that R = infinity needs no exception; see `docs/errata.md`.
 /// **Assumes:** `BIMETAL-BEAM`, `FREE-PLATE`. **Accuracy:** about ten roundings; against the printed form in `curvature_is_the_inverse_of_the_printed_radius`.
 pub fn bimetal_curvature(layers: Bimetal, mismatch: f64) -> f64 {
     let Bimetal { first, second } = layers;
@@ -74,7 +74,7 @@ pub fn bimetal_curvature(layers: Bimetal, mismatch: f64) -> f64 {
 /// | E2, h2 | `layers.second` | Pa, m |
 /// | ε_M    | `mismatch`      | -    |
 ///
-/// **Source:** [hampson2023] (9). Infinite where the mismatch is zero; the model uses [`bimetal_curvature`].
+/// **Source:** \[hampson2023\] (9). Infinite where the mismatch is zero; the model uses [`bimetal_curvature`].
 pub fn bimetal_radius_as_printed(layers: Bimetal, mismatch: f64) -> f64 {
     let Lamina { young: e1, thickness: h1 } = layers.first;
     let Lamina { young: e2, thickness: h2 } = layers.second;
@@ -95,7 +95,7 @@ pub fn bimetal_radius_as_printed(layers: Bimetal, mismatch: f64) -> f64 {
 /// | 1/R    | `curvature` | 1/m  |
 /// | h      | `thickness` (both layers) | m |
 ///
-/// **Source:** [hampson2023] (10), for curvatures. The base model bends the mid-plane and does not use it: the faces differ by 1e-5 of the curvature.
+/// **Source:** \[hampson2023\] (10), for curvatures. The base model bends the mid-plane and does not use it: the faces differ by 1e-5 of the curvature.
 /// **Accuracy:** four roundings.
 pub fn surface_curvatures(curvature: f64, thickness: f64) -> [f64; 2] {
     let half = 0.5 * curvature * thickness;

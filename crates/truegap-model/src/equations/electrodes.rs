@@ -22,7 +22,7 @@ pub struct Fillings {
 /// | ε      | `permittivities` | any, that of the result |
 /// | A      | `areas`         | m²   |
 ///
-/// **Source:** [hampson2023] (20), with the bead area as spread by the load (11). **Assumes:** `PARALLEL-MIXING`. **Accuracy:** four roundings.
+/// **Source:** \[hampson2023\] (20), with the bead area as spread by the load (11). **Assumes:** `PARALLEL-MIXING`. **Accuracy:** four roundings.
 pub fn mean_permittivity(permittivities: Fillings, areas: Areas) -> f64 {
     permittivities.surrounding + (permittivities.solid - permittivities.surrounding) * areas.solid / areas.electrode
 }
@@ -35,7 +35,7 @@ pub fn mean_permittivity(permittivities: Fillings, areas: Areas) -> f64 {
 /// |--------|----------|------|
 /// | C1, C2 | `pair`   | F    |
 ///
-/// **Source:** [hampson2023] (21): integrate each layer, then add in series, exact only where the gap is the same everywhere.
+/// **Source:** \[hampson2023\] (21): integrate each layer, then add in series, exact only where the gap is the same everywhere.
 /// **Assumes:** `INTEGRATE-THEN-SERIES`. **Accuracy:** three roundings.
 pub fn series(pair: [f64; 2]) -> f64 {
     let [first, second] = pair;
@@ -61,7 +61,7 @@ pub struct SeriesLayer {
 /// | ε       | `permittivity` | F/m  |
 /// | h, ε_h  | `layer`        | m, F/m |
 ///
-/// **Source:** own; the exact form of [hampson2023] (21), see `docs/errata.md`. The layer is h ε / ε_h of extra gap in (19).
+/// **Source:** own; the exact form of \[hampson2023\] (21), see `docs/errata.md`. The layer is h ε / ε_h of extra gap in (19).
 /// **Assumes:** `SPHERICAL-WARP`, `NO-FRINGING`. **Accuracy:** `series_before_the_integral_is_the_quadrature_of_both_layers`.
 pub fn series_then_integrated(permittivity: f64, plates: BentPlates, layer: SeriesLayer) -> f64 {
     let extra = layer.thickness * permittivity / layer.permittivity;
@@ -87,7 +87,7 @@ pub struct Trace {
 /// | L, W   | `trace`        | m    |
 /// | d      | `thickness`    | m    |
 ///
-/// **Source:** [hampson2023] (22). **Assumes:** `NO-FRINGING`, poor for a trace only four thicknesses wide. **Accuracy:** a few roundings.
+/// **Source:** \[hampson2023\] (22). **Assumes:** `NO-FRINGING`, poor for a trace only four thicknesses wide. **Accuracy:** a few roundings.
 pub fn tail_capacitance(permittivity: f64, trace: Trace, thickness: f64) -> f64 {
     2.0 * plate_capacitance(permittivity, trace.length * trace.width, thickness)
 }
@@ -111,7 +111,7 @@ pub struct Shares {
 /// |--------|----------|------|
 /// | C      | `shares` | F    |
 ///
-/// **Source:** [hampson2023] (23). **Accuracy:** two roundings.
+/// **Source:** \[hampson2023\] (23). **Accuracy:** two roundings.
 pub fn total_capacitance(shares: Shares) -> f64 {
     shares.main + shares.backing + shares.tail
 }

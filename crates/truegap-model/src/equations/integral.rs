@@ -41,7 +41,7 @@ impl BentPlates {
     /// | g0     | `centre_gap`      | m    |
     /// | s, c   | rim sag, cos of the half-angle, from `dome` | m, - |
     ///
-    /// **Source:** [hampson2023] (19) integrated over rings; the second form is own and holds at k = 0 and for both signs without cancellation.
+    /// **Source:** \[hampson2023\] (19) integrated over rings; the second form is own and holds at k = 0 and for both signs without cancellation.
     /// **Assumes:** `SPHERICAL-WARP`, `NO-FRINGING`. **Accuracy:** 1e-13 relative from flat to plates that touch at 1e-6 of the mean gap, both signs,
     /// `the_closed_form_is_right_from_flat_to_nearly_touching` (50-digit arithmetic).
     pub fn integral(self) -> f64 {

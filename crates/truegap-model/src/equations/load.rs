@@ -35,7 +35,7 @@ impl BeadLaw {
 /// | ν      | `poisson` | -    |
 /// | e      | `strain`, compressive | - |
 ///
-/// **Source:** [hampson2023] (11), with e = -ε_Z. **Assumes:** `FREE-SPREADING`. **Accuracy:** four roundings.
+/// **Source:** \[hampson2023\] (11), with e = -ε_Z. **Assumes:** `FREE-SPREADING`. **Accuracy:** four roundings.
 pub fn spread_area(area: f64, poisson: f64, strain: f64) -> f64 {
     let spread = 1.0 + poisson * strain;
     area * spread * spread
@@ -50,7 +50,7 @@ pub fn spread_area(area: f64, poisson: f64, strain: f64) -> f64 {
 /// | ν, a, b | `law`    | -    |
 /// | e       | `strain`, compressive | - |
 ///
-/// **Source:** [hampson2023] (12), corrected; the factor with a and b is own, 1 in the paper. **Assumes:** `FREE-SPREADING`. **Accuracy:** a few roundings.
+/// **Source:** \[hampson2023\] (12), corrected; the factor with a and b is own, 1 in the paper. **Assumes:** `FREE-SPREADING`. **Accuracy:** a few roundings.
 pub fn reduced_load(law: BeadLaw, strain: f64) -> f64 {
     law.reduced_load(strain).0
 }
@@ -67,7 +67,7 @@ pub fn reduced_load(law: BeadLaw, strain: f64) -> f64 {
 /// The branch that starts at e = 0 for q = 0. A strain of 1 or more is returned as it is: the caller knows where the gap closes. Loads may be
 /// slightly negative (noise of a load cell about zero).
 ///
-/// **Source:** [hampson2023] (12), corrected to `E ν² ε³ - 2 E ν ε² + E ε + F/A = 0`; see `docs/errata.md`. **Assumes:** `FREE-SPREADING`.
+/// **Source:** \[hampson2023\] (12), corrected to `E ν² ε³ - 2 E ν ε² + E ε + F/A = 0`; see `docs/errata.md`. **Assumes:** `FREE-SPREADING`.
 /// **Accuracy:** 2e-15 relative, `the_strain_solves_its_equation`.
 pub fn compressive_strain(reduced_load: f64, law: BeadLaw) -> Option<f64> {
     let nu = law.poisson;
@@ -139,7 +139,7 @@ fn halve(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
 /// | q      | `reduced_load` | -    |
 /// | ν      | `poisson`      | -    |
 ///
-/// **Source:** [hampson2023] (12), as printed; the sign of its linear term is wrong.
+/// **Source:** \[hampson2023\] (12), as printed; the sign of its linear term is wrong.
 pub fn load_cubic_as_printed(strain: f64, reduced_load: f64, poisson: f64) -> f64 {
     let e = strain;
     poisson * poisson * e * e * e - 2.0 * poisson * e * e - e + reduced_load
@@ -152,7 +152,7 @@ pub fn load_cubic_as_printed(strain: f64, reduced_load: f64, poisson: f64) -> f6
 /// | q      | `reduced_load` | -    |
 /// | ν      | `poisson`      | -    |
 ///
-/// **Source:** [hampson2023] (12), as printed. Its magnitude differs from the corrected strain by 0.11 % at 0.05, 0.65 % at 0.13 and 2.8 % at 0.3.
+/// **Source:** \[hampson2023\] (12), as printed. Its magnitude differs from the corrected strain by 0.11 % at 0.05, 0.65 % at 0.13 and 2.8 % at 0.3.
 pub fn strain_as_printed(reduced_load: f64, poisson: f64) -> Option<f64> {
     let mut e = reduced_load / (1.0 + 2.0 * poisson * reduced_load);
     for _ in 0..50 {
@@ -175,7 +175,7 @@ pub fn strain_as_printed(reduced_load: f64, poisson: f64) -> Option<f64> {
 /// | d(T)   | `height` | m    |
 /// | e      | `strain`, compressive | - |
 ///
-/// **Source:** [hampson2023] (13), with e = -ε_Z. **Accuracy:** two roundings.
+/// **Source:** \[hampson2023\] (13), with e = -ε_Z. **Accuracy:** two roundings.
 pub fn loaded_height(height: f64, strain: f64) -> f64 {
     height * (1.0 - strain)
 }
@@ -189,7 +189,7 @@ pub fn loaded_height(height: f64, strain: f64) -> f64 {
 /// | d(T)   | `thickness`   | m    |
 /// | p, E   | `compression` | Pa   |
 ///
-/// **Source:** [hampson2023] (14), with p = -σ. **Assumes:** `LINEAR-SOLID`. **Accuracy:** three roundings.
+/// **Source:** \[hampson2023\] (14), with p = -σ. **Assumes:** `LINEAR-SOLID`. **Accuracy:** three roundings.
 pub fn loaded_thickness(thickness: f64, compression: Compression) -> f64 {
     thickness * (1.0 - compression.strain())
 }
@@ -211,7 +211,7 @@ pub struct Layers {
 /// |--------|----------|------|
 /// | d      | `layers` | m    |
 ///
-/// **Source:** [hampson2023] (15). **Accuracy:** one rounding.
+/// **Source:** \[hampson2023\] (15). **Accuracy:** one rounding.
 pub fn mean_separation(layers: Layers) -> f64 {
     layers.beads + layers.insulator
 }

@@ -28,7 +28,7 @@ impl Compression {
 /// | A      | `area`         | m²   |
 /// | d      | `gap`          | m    |
 ///
-/// **Source:** [hampson2023] (1). **Assumes:** `NO-FRINGING`. **Accuracy:** two roundings.
+/// **Source:** \[hampson2023\] (1). **Assumes:** `NO-FRINGING`. **Accuracy:** two roundings.
 pub fn plate_capacitance(permittivity: f64, area: f64, gap: f64) -> f64 {
     permittivity * area / gap
 }
@@ -45,7 +45,7 @@ pub fn plate_capacitance(permittivity: f64, area: f64, gap: f64) -> f64 {
 /// | p      | `compression.pressure` | Pa   |
 /// | E      | `compression.young`    | Pa   |
 ///
-/// **Source:** [hampson2023] (2), with p = -sigma. **Assumes:** `NO-FRINGING`, `LINEAR-SOLID`. **Accuracy:** a few roundings, as long as p is not close to E.
+/// **Source:** \[hampson2023\] (2), with p = -sigma. **Assumes:** `NO-FRINGING`, `LINEAR-SOLID`. **Accuracy:** a few roundings, as long as p is not close to E.
 pub fn spring_plate_capacitance(permittivity: f64, area: f64, unloaded_gap: f64, compression: Compression) -> f64 {
     plate_capacitance(permittivity, area, unloaded_gap * (1.0 - compression.strain()))
 }

@@ -93,7 +93,7 @@ impl Piece {
 /// | d, r    | `plates`   | m    |
 /// |         | `relative` tolerance | - |
 ///
-/// **Source:** [hampson2023] (19), as printed. **Accuracy:** `the_closed_form_agrees_with_the_papers_double_integral`.
+/// **Source:** \[hampson2023\] (19), as printed. **Accuracy:** `the_closed_form_agrees_with_the_papers_double_integral`.
 pub fn plate_integral_by_quadrature(plates: BentPlates, relative: f64) -> f64 {
     let r = plates.dome.radius;
     let strip = |x: f64| {

@@ -12,7 +12,7 @@
 /// | K      | `expansion` | 1/K  |
 /// | ΔT     | `kelvin`    | K    |
 ///
-/// **Source:** [hampson2023] (3). **Assumes:** `FREE-EXPANSION`. **Accuracy:** two roundings.
+/// **Source:** \[hampson2023\] (3). **Assumes:** `FREE-EXPANSION`. **Accuracy:** two roundings.
 pub fn expanded_length(length: f64, expansion: f64, kelvin: f64) -> f64 {
     length * (1.0 + expansion * kelvin)
 }
@@ -27,7 +27,7 @@ pub fn expanded_length(length: f64, expansion: f64, kelvin: f64) -> f64 {
 /// | K      | `expansion` | 1/K  |
 /// | ΔT     | `kelvin`    | K    |
 ///
-/// **Source:** [hampson2023] (4). **Assumes:** `FREE-EXPANSION`. **Accuracy:** four roundings.
+/// **Source:** \[hampson2023\] (4). **Assumes:** `FREE-EXPANSION`. **Accuracy:** four roundings.
 pub fn expanded_area(area: f64, expansion: f64, kelvin: f64) -> f64 {
     let stretch = 1.0 + expansion * kelvin;
     area * stretch * stretch
@@ -42,7 +42,7 @@ pub fn expanded_area(area: f64, expansion: f64, kelvin: f64) -> f64 {
 /// | N      | `count`     | -    |
 /// | A_bead | `bead_area` | m²   |
 ///
-/// **Source:** [hampson2023] (5). **Assumes:** equal beads. **Accuracy:** one rounding.
+/// **Source:** \[hampson2023\] (5). **Assumes:** equal beads. **Accuracy:** one rounding.
 pub fn total_bead_area(count: u32, bead_area: f64) -> f64 {
     f64::from(count) * bead_area
 }
@@ -65,7 +65,7 @@ pub struct Areas {
 /// | A_electrode | `areas.electrode` | m²   |
 /// | A_silicone  | `areas.solid`     | m²   |
 ///
-/// **Source:** [hampson2023] (6). **Accuracy:** one rounding.
+/// **Source:** \[hampson2023\] (6). **Accuracy:** one rounding.
 pub fn air_area(areas: Areas) -> f64 {
     areas.electrode - areas.solid
 }
@@ -80,7 +80,7 @@ pub fn air_area(areas: Areas) -> f64 {
 /// | K_SE   | `softening` | Pa/K |
 /// | ΔT     | `kelvin`    | K    |
 ///
-/// **Source:** [hampson2023] (7). The paper calls K_SE softening and gives it a sign that stiffens; the sign stays with the argument.
+/// **Source:** \[hampson2023\] (7). The paper calls K_SE softening and gives it a sign that stiffens; the sign stays with the argument.
 /// **Assumes:** a modulus that is linear in temperature. **Accuracy:** two roundings.
 pub fn young_at(young: f64, softening: f64, kelvin: f64) -> f64 {
     young + softening * kelvin

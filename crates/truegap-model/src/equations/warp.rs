@@ -45,7 +45,7 @@ pub struct RimSag {
 /// | k      | `dome.curvature` | 1/m  |
 /// | ρ      | `distance`       | m    |
 ///
-/// **Source:** [hampson2023] (18), rewritten so that a flat plate (k = 0) loses no digits; see `docs/errata.md`.
+/// **Source:** \[hampson2023\] (18), rewritten so that a flat plate (k = 0) loses no digits; see `docs/errata.md`.
 /// **Assumes:** `SPHERICAL-WARP`. **Accuracy:** 1e-15 relative against 50-digit arithmetic, `the_sag_keeps_its_digits_where_the_printed_form_loses_them`.
 pub fn sag(dome: Dome, distance: f64) -> f64 {
     rim_sag(Dome { radius: distance, ..dome })
@@ -60,7 +60,7 @@ pub fn sag(dome: Dome, distance: f64) -> f64 {
 /// | k      | `dome.curvature` | 1/m  |
 /// | r      | `dome.radius`    | m    |
 ///
-/// **Source:** [hampson2023] (18), at the rim. **Assumes:** `SPHERICAL-WARP`. **Accuracy:** as [`sag`].
+/// **Source:** \[hampson2023\] (18), at the rim. **Assumes:** `SPHERICAL-WARP`. **Accuracy:** as [`sag`].
 pub fn rim_sag(dome: Dome) -> f64 {
     dome.curvature * dome.radius * dome.radius / (1.0 + dome.cosine())
 }
@@ -74,7 +74,7 @@ pub fn rim_sag(dome: Dome) -> f64 {
 /// | k      | `dome.curvature` | 1/m  |
 /// | r      | `dome.radius`    | m    |
 ///
-/// **Source:** [hampson2023] (16) with the two volumes equated, relative to the centre instead of to the centre of the sphere.
+/// **Source:** \[hampson2023\] (16) with the two volumes equated, relative to the centre instead of to the centre of the sphere.
 /// **Assumes:** `SPHERICAL-WARP`, `LINEAR-FOUNDATION`. **Accuracy:** `the_mean_sag_is_the_mean_of_the_sag` (quadrature, 1e-12).
 pub fn mean_sag(dome: Dome) -> f64 {
     let c = dome.cosine();
@@ -99,7 +99,7 @@ pub struct Cap {
 /// | R      | `cap.sphere_radius` | m    |
 /// | θ      | `cap.half_angle`    | rad  |
 ///
-/// **Source:** [hampson2023] (16), (17), corrected: the volumes are equated, which makes the condition linear; see `docs/errata.md`.
+/// **Source:** \[hampson2023\] (16), (17), corrected: the volumes are equated, which makes the condition linear; see `docs/errata.md`.
 /// **Assumes:** `LINEAR-FOUNDATION`. **Accuracy:** `the_corrected_plane_halves_the_volume` (quadrature, 1e-12).
 pub fn settling_plane(cap: Cap) -> f64 {
     let c = cap.half_angle.cos();
@@ -115,7 +115,7 @@ pub fn settling_plane(cap: Cap) -> f64 {
 /// | θ      | `half_angle`                         | rad  |
 /// | a      | `height` over the radius of the sphere | -  |
 ///
-/// **Source:** [hampson2023] (17), as printed. It adds the volumes that it should equate, and is positive all over cos θ <= a <= 1 for every θ > 0: no root.
+/// **Source:** \[hampson2023\] (17), as printed. It adds the volumes that it should equate, and is positive all over cos θ <= a <= 1 for every θ > 0: no root.
 /// **Accuracy:** `the_printed_cubic_has_no_root_where_the_plane_must_be`.
 pub fn settling_cubic_as_printed(half_angle: f64, height: f64) -> f64 {
     let c = half_angle.cos();
@@ -131,7 +131,7 @@ pub fn settling_cubic_as_printed(half_angle: f64, height: f64) -> f64 {
 /// |--------|--------------|------|
 /// | θ      | `half_angle` | rad  |
 ///
-/// **Source:** own; the stationary point of [hampson2023] (17). **Accuracy:** absolute rounding of 1e-16, so meaningful for θ above about 0.01.
+/// **Source:** own; the stationary point of \[hampson2023\] (17). **Accuracy:** absolute rounding of 1e-16, so meaningful for θ above about 0.01.
 pub fn settling_cubic_minimum(half_angle: f64) -> f64 {
     let c = half_angle.cos();
     settling_cubic_as_printed(half_angle, ((1.0 + c * c) / 2.0).sqrt())
@@ -147,7 +147,7 @@ pub fn settling_cubic_minimum(half_angle: f64) -> f64 {
 /// | s      | `dome`     | 1/m, m |
 /// | ρ      | `distance` | m    |
 ///
-/// **Source:** [hampson2023] (18), rewritten: alpha minus the sphere is sag minus mean sag. **Assumes:** `SPHERICAL-WARP`, `LINEAR-FOUNDATION`.
+/// **Source:** \[hampson2023\] (18), rewritten: alpha minus the sphere is sag minus mean sag. **Assumes:** `SPHERICAL-WARP`, `LINEAR-FOUNDATION`.
 /// **Accuracy:** `the_local_gap_is_the_printed_one_where_that_has_digits_left`.
 pub fn local_gap(mean_gap: f64, dome: Dome, distance: f64) -> f64 {
     mean_gap + (sag(dome, distance) - mean_sag(dome))

@@ -55,7 +55,7 @@ pub struct Coefficients {
 
 /// Coefficients of a sensor.
 ///
-/// **Source:** [hampson2023] (24)-(28) between 20 and 50 degrees Celsius unless the options say otherwise.
+/// **Source:** \[hampson2023\] (24)-(28) between 20 and 50 degrees Celsius unless the options say otherwise.
 /// **Accuracy:** the greatest deviation is found to 1e-9 of itself (load steps, then golden section), `the_greatest_deviation_is_that_of_a_fine_scan`.
 ///
 /// # Errors

@@ -10,15 +10,16 @@
 //! use truegap_fem::elasticity::{
 //!     Component, Condition, Formulation, LawKind, Material, Order, Problem, Solver, Temperature,
 //! };
-//! use truegap_fem::mesh::{Geometry, MeshOptions, Outline, mesh_geometry};
+//! use truegap_fem::mesh::{Geometry, MeshOptions, Outline, SizeField, mesh_geometry};
 //! use truegap_fem::{FemError, Symmetry};
 //!
 //! let drawing = Geometry::default()
 //!     .region("bar", Outline::rectangle([0.0, 0.0], [1e-3, 2e-3]))
 //!     .boundary("bottom", &[[0.0, 0.0], [1e-3, 0.0]])
 //!     .boundary("top", &[[0.0, 2e-3], [1e-3, 2e-3]]);
+//! let options = MeshOptions { size: SizeField::uniform(0.25e-3), ..MeshOptions::default() };
 //! let problem = Problem {
-//!     mesh: mesh_geometry(&drawing, &MeshOptions::default())?,
+//!     mesh: mesh_geometry(&drawing, &options)?,
 //!     symmetry: Symmetry::Planar,
 //!     materials: vec![Material {
 //!         young: 1e6,

@@ -6,12 +6,12 @@
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use truegap_fem::FemError;
-use truegap_fem::adapt::bisect;
-use truegap_fem::assembly::Pattern;
+use truegap_fem::algebra::Pattern;
+use truegap_fem::algebra::{Direct, Kind};
+use truegap_fem::electrostatics::{Accuracy, solve_adaptive, solve_on};
+use truegap_fem::mesh::bisect;
 use truegap_fem::mesh::{MeshOptions, SizeField, Topology, mesh_geometry};
-use truegap_fem::physics::electrostatics::{Accuracy, solve_adaptive, solve_on};
 use truegap_fem::problems::{DiscSystem, disc_capacitor_geometry, disc_capacitor_mesh, disc_capacitor_problem};
-use truegap_fem::solve::{Direct, Kind};
 
 fn sizes() -> Vec<usize> {
     let asked = std::env::var("TRUEGAP_BENCH_UNKNOWNS").ok().and_then(|n| n.parse().ok());
@@ -51,7 +51,7 @@ fn steps_at(c: &mut Criterion, unknowns: usize) -> Result<(), FemError> {
     });
     let system = DiscSystem::new(&mesh);
     group.bench_function(BenchmarkId::new("pattern", unknowns), |b| b.iter(|| Pattern::new(&system.dofs, &system.numbering)));
-    let pattern = Pattern::new(&system.dofs, &system.numbering);
+    let pattern = Pattern::new(&system.dofs, &system.numbering)?;
     let mut matrix = pattern.matrix();
     group.bench_function(BenchmarkId::new("assemble", unknowns), |b| {
         b.iter(|| pattern.assemble(&mut matrix, |e, out| system.element(e, out)))

@@ -4,9 +4,7 @@
 
 use std::path::PathBuf;
 use truegap_core::SimulationError;
-use truegap_fem::{
-    FemError, mesh::MeshError, physics::elasticity::ElasticityError, physics::electrostatics::ElectrostaticsError,
-};
+use truegap_fem::{FemError, elasticity::ElasticityError, electrostatics::ElectrostaticsError, mesh::MeshError};
 
 /// Anything that keeps an assumption from being examined.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -12,10 +12,10 @@ use clock::Clock;
 use std::error::Error;
 use std::fs;
 use std::io::BufWriter;
+use truegap_fem::elasticity::{self, Component, Formulation, Solver};
+use truegap_fem::electrostatics::{self, Solved, VACUUM_PERMITTIVITY};
 use truegap_fem::io::{read_msh, write_msh};
 use truegap_fem::mesh::{Geometry, Mesh, MeshOptions, SizeField, mesh_geometry};
-use truegap_fem::physics::elasticity::{self, Component, Formulation, Solver};
-use truegap_fem::physics::electrostatics::{self, Solved, VACUUM_PERMITTIVITY};
 use truegap_fem::problems::{
     RUBBER_SIZE, disc_capacitor_geometry, disc_capacitor_mesh, disc_capacitor_problem, rubber_disc_geometry, rubber_disc_mesh,
     rubber_disc_problem,

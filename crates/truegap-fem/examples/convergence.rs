@@ -10,9 +10,9 @@ mod clock;
 
 use clock::Clock;
 use std::error::Error;
+use truegap_fem::elasticity::{self, Formulation, solve_goals, solve_goals_adaptive};
+use truegap_fem::electrostatics::{self, Order, VACUUM_PERMITTIVITY, solve_adaptive, solve_on_with};
 use truegap_fem::mesh::{Geometry, Mesh, MeshOptions, SizeField, mesh_geometry};
-use truegap_fem::physics::elasticity::{self, Formulation, solve_goals, solve_goals_adaptive};
-use truegap_fem::physics::electrostatics::{self, Order, VACUUM_PERMITTIVITY, solve_adaptive, solve_on_with};
 use truegap_fem::problems::{
     DISC_CAPACITOR, RUBBER_DISC, RUBBER_SIZE, disc_capacitor_geometry, disc_capacitor_mesh, disc_capacitor_problem,
     rubber_disc_geometry, rubber_disc_mesh, rubber_disc_problem,

@@ -8,10 +8,10 @@ mod clock;
 
 use clock::Clock;
 use std::error::Error;
-use truegap_fem::assembly::Pattern;
-use truegap_fem::physics::electrostatics::{VACUUM_PERMITTIVITY, solve_on};
+use truegap_fem::algebra::Pattern;
+use truegap_fem::algebra::{Direct, Kind};
+use truegap_fem::electrostatics::{VACUUM_PERMITTIVITY, solve_on};
 use truegap_fem::problems::{DISC_CAPACITOR, DiscSystem, disc_capacitor_mesh, disc_capacitor_problem};
-use truegap_fem::solve::{Direct, Kind};
 
 const SIZES: [usize; 8] = [5_000, 10_000, 20_000, 50_000, 100_000, 200_000, 500_000, 1_000_000];
 
@@ -25,14 +25,14 @@ fn row(size: usize) -> Result<(), Box<dyn Error>> {
     let mut seconds = Vec::new();
     let mesh = timed(&mut seconds, || disc_capacitor_mesh(size))?;
     let system = DiscSystem::new(&mesh);
-    let (mut matrix, places) = timed(&mut seconds, || Pattern::new(&system.dofs, &system.numbering).into_matrix());
-    timed(&mut seconds, || places.assemble(&mut matrix, |e, out| system.element(e, out)));
+    let (mut matrix, scatter) = timed(&mut seconds, || Pattern::new(&system.dofs, &system.numbering))?.into_matrix();
+    timed(&mut seconds, || scatter.assemble(&mut matrix, |e, out| system.element(e, out)));
     let mut direct = timed(&mut seconds, || Direct::analyse(&matrix, Kind::Llt))?;
     timed(&mut seconds, || direct.factorise(&matrix))?;
     let rhs: Vec<f64> = (0..matrix.ncols()).map(|i| (i % 17) as f64 - 8.0).collect();
     timed(&mut seconds, || direct.solve(&matrix, &rhs))?;
     let megabytes = direct.memory().bytes as f64 / 1e6;
-    drop((direct, matrix, places, system));
+    drop((direct, matrix, scatter, system));
     let (problem, goals) = disc_capacitor_problem();
     let found = timed(&mut seconds, || solve_on(&problem, &goals, &mesh))?;
     let error = found.answers[0].value / VACUUM_PERMITTIVITY / DISC_CAPACITOR - 1.0;

@@ -7,7 +7,7 @@ use serde::Deserialize;
 use std::error::Error;
 use std::path::Path;
 use truegap_fem::case::{QuantityValue, read_case, solve_case};
-use truegap_fem::physics::electrostatics::VACUUM_PERMITTIVITY;
+use truegap_fem::electrostatics::VACUUM_PERMITTIVITY;
 
 /// Files of references in `validation/verification` and their titles.
 const FILES: [(&str, &str); 3] = [

@@ -1,10 +1,10 @@
 //! The one error type that leaves the crate, gathering those of its parts.
 
+use crate::algebra::SolveError;
 use crate::case::CaseError;
+use crate::elasticity::ElasticityError;
+use crate::electrostatics::ElectrostaticsError;
 use crate::mesh::MeshError;
-use crate::physics::elasticity::ElasticityError;
-use crate::physics::electrostatics::ElectrostaticsError;
-use crate::solve::SolveError;
 
 /// Anything that can go wrong between a description and its numbers.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

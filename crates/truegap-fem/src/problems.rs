@@ -2,12 +2,13 @@
 //!
 //! Meshes are graded by the same rule at every size, so that times and errors of different sizes form one curve.
 
-use crate::adapt::{bisect, longest_edge_first};
+use crate::elasticity::{self, Component, Condition, Formulation, LawKind, Material, Temperature};
+use crate::electrostatics::{Conductor, Goal, Problem, Quantity, VACUUM_PERMITTIVITY, dielectric};
+use crate::error::FemError;
 use crate::mesh::{Geometry, Mesh, MeshOptions, Outline, Point, Topology, mesh_geometry, plane};
-use crate::physics::elasticity::{self, Component, Condition, Formulation, LawKind, Material, Temperature};
-use crate::physics::electrostatics::{Conductor, Goal, Problem, Quantity, VACUUM_PERMITTIVITY, dielectric};
+use crate::mesh::{bisect, longest_edge_first};
 use crate::space::{ElementDofs, Nodes, Numbering, P2, ShapeTable, triangle_rule};
-use crate::{FemError, Symmetry};
+use crate::symmetry::Symmetry;
 
 /// `C / (eps0 a)` of the disc capacitor, distance / radius = 0.1, by Love's equation.
 pub const DISC_CAPACITOR: f64 = 36.932_321_942_12;

@@ -2,9 +2,9 @@
 
 #![allow(clippy::unwrap_used)]
 
-use truegap_fem::assembly::{Pattern, element_residual};
+use truegap_fem::algebra::{Direct, Kind, SolveError};
+use truegap_fem::algebra::{Pattern, element_residual};
 use truegap_fem::mesh::*;
-use truegap_fem::solve::{Direct, Kind, SolveError};
 use truegap_fem::space::*;
 
 struct Square {
@@ -58,7 +58,7 @@ fn linear_fields_pass_the_patch_test_on_a_distorted_mesh() {
     let fixed = rim(&s);
     let numbering = Numbering::new(&fixed);
     let mut u: Vec<f64> = (0..s.dofs.count).map(|i| if fixed[i] { field(s.nodes.points[i]) } else { 0.0 }).collect();
-    let pattern = Pattern::new(&s.dofs, &numbering);
+    let pattern = Pattern::new(&s.dofs, &numbering).unwrap();
     let mut matrix = pattern.matrix();
     pattern.assemble(&mut matrix, laplace(&s.nodes));
     let load: Vec<f64> = element_residual(&s.dofs, &u, laplace(&s.nodes)).iter().map(|x| -x).collect();
@@ -82,7 +82,7 @@ fn the_number_of_threads_does_not_change_a_bit() {
     let numbering = Numbering::new(&rim(&s));
     let with = |threads: usize| {
         rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| {
-            let pattern = Pattern::new(&s.dofs, &numbering);
+            let pattern = Pattern::new(&s.dofs, &numbering).unwrap();
             let mut matrix = pattern.matrix();
             pattern.assemble(&mut matrix, laplace(&s.nodes));
             pattern.assemble(&mut matrix, laplace(&s.nodes));
@@ -102,7 +102,7 @@ fn the_number_of_threads_does_not_change_a_bit() {
 fn ldlt_solves_what_is_indefinite_and_llt_says_so() {
     let s = square(0.2);
     let numbering = Numbering::new(&rim(&s));
-    let pattern = Pattern::new(&s.dofs, &numbering);
+    let pattern = Pattern::new(&s.dofs, &numbering).unwrap();
     let mut matrix = pattern.matrix();
     // Laplace minus a large mass on the diagonal: some eigenvalues become negative.
     pattern.assemble(&mut matrix, laplace(&s.nodes));
@@ -124,7 +124,7 @@ fn ldlt_solves_what_is_indefinite_and_llt_says_so() {
 fn a_floating_body_is_reported_as_singular() {
     let s = square(0.2);
     let numbering = Numbering::new(&vec![false; s.dofs.count]);
-    let pattern = Pattern::new(&s.dofs, &numbering);
+    let pattern = Pattern::new(&s.dofs, &numbering).unwrap();
     let mut matrix = pattern.matrix();
     pattern.assemble(&mut matrix, laplace(&s.nodes));
     for kind in [Kind::Llt, Kind::Ldlt] {
@@ -142,7 +142,7 @@ fn a_floating_body_is_reported_as_singular() {
 fn a_solution_that_does_not_satisfy_its_equations_is_refused() {
     let s = square(0.2);
     let numbering = Numbering::new(&rim(&s));
-    let pattern = Pattern::new(&s.dofs, &numbering);
+    let pattern = Pattern::new(&s.dofs, &numbering).unwrap();
     let mut matrix = pattern.matrix();
     pattern.assemble(&mut matrix, laplace(&s.nodes));
     let mut direct = Direct::new(&matrix, Kind::Llt).unwrap();
@@ -153,4 +153,33 @@ fn a_solution_that_does_not_satisfy_its_equations_is_refused() {
         // No finite vector satisfies that: the residual is no number, and no number is small enough.
         assert!(matches!(direct.solve(&matrix, &b), Err(SolveError::Residual { .. })), "{bad}");
     }
+}
+
+#[test]
+fn a_numbering_of_other_unknowns_is_refused() {
+    let s = square(0.3);
+    let short = Numbering::new(&vec![false; s.dofs.count - 1]);
+    let told = Pattern::new(&s.dofs, &short).unwrap_err();
+    assert!(matches!(told, SolveError::WrongNumbering { numbered, .. } if numbered == s.dofs.count - 1), "{told}");
+    let mut beyond = Numbering::new(&vec![false; s.dofs.count]);
+    beyond.free.pop();
+    let told = Pattern::new(&s.dofs, &beyond).unwrap_err();
+    assert!(matches!(told, SolveError::WrongNumbering { free, .. } if free == s.dofs.count - 1), "{told}");
+}
+
+#[test]
+fn an_element_with_more_unknowns_than_a_scatter_map_holds_is_refused() {
+    let dofs = |unknowns: u32| {
+        let mut dofs = ElementDofs::empty(unknowns as usize);
+        dofs.push(&(0..unknowns).collect::<Vec<_>>());
+        dofs
+    };
+    let told = Pattern::new(&dofs(256), &Numbering::new(&[false; 256])).unwrap_err();
+    assert!(matches!(told, SolveError::ElementTooLarge { element: 0, unknowns: 256, most: 255 }), "{told}");
+    // One unknown fewer is a full matrix with every entry in its place.
+    let pattern = Pattern::new(&dofs(255), &Numbering::new(&[false; 255])).unwrap();
+    let mut matrix = pattern.matrix();
+    pattern.assemble(&mut matrix, |_, out| out.iter_mut().enumerate().for_each(|(k, x)| *x = k as f64));
+    assert_eq!(matrix.nnz(), 255 * 256 / 2);
+    assert!(matrix.triplet_iter().all(|(i, j, &x)| i >= j && x == (j * 255 + i) as f64));
 }

@@ -3,10 +3,10 @@
 
 #![allow(clippy::unwrap_used)]
 
-use truegap_fem::assembly::{Pattern, assemble_vector, element_residual};
+use truegap_fem::algebra::{Direct, Kind};
+use truegap_fem::algebra::{Pattern, assemble_vector, element_residual};
+use truegap_fem::electrostatics::*;
 use truegap_fem::mesh::*;
-use truegap_fem::physics::electrostatics::*;
-use truegap_fem::solve::{Direct, Kind};
 use truegap_fem::space::*;
 use truegap_fem::{FemError, Symmetry};
 
@@ -69,7 +69,7 @@ fn on_mesh(form: Form, weight: fn(f64) -> f64, edge: f64) -> [f64; 2] {
     let mut u: Vec<f64> = (0..dofs.count).map(|i| if fixed[i] { interpolant[i] } else { 0.0 }).collect();
     let lift = element_residual(&dofs, &u, matrix);
     let numbering = Numbering::new(&fixed);
-    let pattern = Pattern::new(&dofs, &numbering);
+    let pattern = Pattern::new(&dofs, &numbering).unwrap();
     let mut system = pattern.matrix();
     pattern.assemble(&mut system, matrix);
     let rhs: Vec<f64> = load.iter().zip(&lift).map(|(f, l)| f - l).collect();

@@ -6,8 +6,8 @@
 use std::path::Path;
 use truegap_fem::Symmetry;
 use truegap_fem::case::{read_case, solve_case};
+use truegap_fem::electrostatics::*;
 use truegap_fem::mesh::*;
-use truegap_fem::physics::electrostatics::*;
 
 const EPS: f64 = VACUUM_PERMITTIVITY;
 

@@ -8,7 +8,7 @@
 use serde::Deserialize;
 use std::path::Path;
 use truegap_fem::case::{read_case, solve_case};
-use truegap_fem::physics::electrostatics::VACUUM_PERMITTIVITY;
+use truegap_fem::electrostatics::VACUUM_PERMITTIVITY;
 
 #[derive(Deserialize)]
 struct References {

@@ -2,7 +2,6 @@
 
 #![allow(clippy::unwrap_used)]
 
-use truegap_fem::adapt::*;
 use truegap_fem::mesh::*;
 
 fn stack() -> Mesh {

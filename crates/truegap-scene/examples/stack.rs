@@ -3,10 +3,10 @@
 //! The shape is that of a tactile sensor (discs of 7.5 mm radius, layers of 17 to 180 um); displacement and field are
 //! formulas, not results.
 
+use truegap_scene::Viewer;
 use truegap_scene::colour::{ColourMap, Rgb};
 use truegap_scene::glb::{Field, Provenance, Scene, suggested_exaggeration};
 use truegap_scene::solid::{Layer, Sweep};
-use truegap_scene::viewer::Viewer;
 use truegap_scene::vtu::{Cells, Data, Grid};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -22,7 +22,7 @@ impl Rgb {
     }
 
     /// `#rrggbb`, as CSS and SVG write it.
-    pub fn css(self) -> String {
+    pub(crate) fn css(self) -> String {
         format!("#{:02x}{:02x}{:02x}", self.red, self.green, self.blue)
     }
 
@@ -38,7 +38,7 @@ impl Rgb {
     }
 
     /// Whether dark text reads better than white text on this colour (relative luminance above 0.30).
-    pub fn wants_dark_text(self) -> bool {
+    pub(crate) fn wants_dark_text(self) -> bool {
         let [r, g, b] = self.linear();
         0.2126 * r + 0.7152 * g + 0.0722 * b > 0.30
     }

@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used)]
 
 use base64::Engine;
+use truegap_scene::Viewer;
 use truegap_scene::page::Page;
-use truegap_scene::viewer::Viewer;
 
 fn embedded(html: &str) -> Vec<Vec<u8>> {
     let pieces = html.split("class=\"tg-glb\">").skip(1).map(|rest| rest.split('<').next().unwrap_or(""));

@@ -2,7 +2,7 @@
 //!
 //! Limits: numbers as the shortest decimal that reads back to the same bits; not a number and infinity are refused, not written as null.
 
-use crate::SweepError;
+use crate::error::SweepError;
 use serde::Serialize;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -12,7 +12,7 @@ use std::fmt::Write;
 ///
 /// # Errors
 /// [`SweepError::Unwritable`] for what JSON cannot hold: keys that are no strings, `null` where a number is not finite.
-pub fn canonical(value: &impl Serialize) -> Result<String, SweepError> {
+pub(crate) fn canonical(value: &impl Serialize) -> Result<String, SweepError> {
     let mut value = serde_json::to_value(value).map_err(|source| SweepError::Unwritable { reason: source.to_string() })?;
     if let Some(path) = null(&value, "") {
         return Err(SweepError::Unwritable { reason: format!("`{path}` is null: a number that is not finite, or no value") });
@@ -22,7 +22,7 @@ pub fn canonical(value: &impl Serialize) -> Result<String, SweepError> {
 }
 
 /// SHA-256 in hexadecimal.
-pub fn sha256(text: &str) -> String {
+pub(crate) fn sha256(text: &str) -> String {
     Sha256::digest(text.as_bytes()).iter().fold(String::with_capacity(64), |mut out, byte| {
         let _ = write!(out, "{byte:02x}"); // a String takes everything
         out

@@ -2,7 +2,7 @@
 //!
 //! Limits: a file is there whole or not at all, by writing beside it and renaming; a killed process leaves `*.part` files, which nobody reads.
 
-use crate::SweepError;
+use crate::error::SweepError;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use serde_json::Value;
 use std::fs::{self, File, OpenOptions};

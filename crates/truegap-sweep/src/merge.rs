@@ -2,8 +2,9 @@
 //!
 //! Limits: reads what is there; computes nothing.
 
+use crate::error::SweepError;
 use crate::files::{describe, read_case};
-use crate::{Sweep, SweepError};
+use crate::sweep::Sweep;
 use serde::{Serialize, de::DeserializeOwned};
 use std::path::{Path, PathBuf};
 

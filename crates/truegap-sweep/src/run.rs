@@ -2,8 +2,11 @@
 //!
 //! Limits: cases are begun in any order; the order of the list matters only to [`Sweep::merge`].
 
+use crate::control::{Control, Progress};
+use crate::error::SweepError;
 use crate::files::{Record, case_file, read_case, write_atomically};
-use crate::{Control, Progress, Shard, Sweep, SweepError};
+use crate::shard::Shard;
+use crate::sweep::Sweep;
 use rayon::prelude::*;
 use serde::{Serialize, de::DeserializeOwned};
 use std::path::Path;

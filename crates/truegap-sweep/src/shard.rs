@@ -2,7 +2,7 @@
 //!
 //! Limits: dealt in turn, whatever a case costs.
 
-use crate::SweepError;
+use crate::error::SweepError;
 use std::fmt;
 use std::str::FromStr;
 

@@ -3,8 +3,9 @@
 //! Limits: all cases of a sweep share one context; a change of either is another sweep.
 
 use crate::canonical::{canonical, sha256};
+use crate::error::SweepError;
+use crate::files;
 use crate::files::Described;
-use crate::{SweepError, files};
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::HashMap;

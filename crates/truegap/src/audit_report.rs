@@ -4,9 +4,9 @@
 
 use crate::audit_run::{Audited, Body};
 use truegap_audit::{Audit, EffectOn, Figure, Finding, Verdict};
+use truegap_scene::Viewer;
 use truegap_scene::figure::{Bars, Figure as Plot, FigureError};
 use truegap_scene::page::{Page, Table, Tone};
-use truegap_scene::viewer::Viewer;
 
 /// The page as HTML.
 pub fn html(audited: &Audited, bodies: &[Body]) -> String {

@@ -12,9 +12,9 @@ use truegap_audit::disc::{Beads, Charged, Coupled, CoupledOptions, Whole};
 use truegap_audit::{AuditError, Options, Study, Watch};
 use truegap_core::Sensor;
 use truegap_core::units::twelve_digits;
+use truegap_scene::Viewer;
 use truegap_scene::glb::{Provenance, Scene, SceneError, suggested_exaggeration};
 use truegap_scene::solid::Sweep;
-use truegap_scene::viewer::Viewer;
 use truegap_scene::vtu::VtuError;
 
 /// Why nothing can be exported.

@@ -7,8 +7,8 @@ use crate::error::AuditError;
 use truegap_core::VACUUM_PERMITTIVITY;
 use truegap_fem::{
     Symmetry,
+    electrostatics::{Accuracy, Conductor, Goal, Problem, Quantity, solve_adaptive},
     mesh::{Geometry, MeshOptions, Outline, Point, SizeField, mesh_geometry},
-    physics::electrostatics::{Accuracy, Conductor, Goal, Problem, Quantity, solve_adaptive},
 };
 
 /// Relative permittivities of a cell.

@@ -9,7 +9,7 @@ use super::{
 use crate::error::AuditError;
 use truegap_fem::{
     FemError, Symmetry,
-    physics::elasticity::{Component, Condition, Goal, LawKind, Material, Order, Problem, Quantity, Temperature, solve_goals},
+    elasticity::{Component, Condition, Goal, LawKind, Material, Order, Problem, Quantity, Temperature, solve_goals},
 };
 
 /// A number and its estimated error.

@@ -7,11 +7,11 @@ use super::geometry::{Cell, Profile};
 use crate::error::AuditError;
 use truegap_fem::{
     FemError, Symmetry,
-    mesh::{Geometry, Mesh, MeshOptions, Outline, Point, SizeField, SizeSource, mesh_geometry},
-    physics::elasticity::{
+    elasticity::{
         Component, Condition, ElasticityError, Formulation, LawKind, Material, NewtonOptions, Order, Problem, Side, Solution,
         Solver, Temperature,
     },
+    mesh::{Geometry, Mesh, MeshOptions, Outline, Point, SizeField, SizeSource, mesh_geometry},
 };
 
 /// How the faces of a bead are held by the plates.

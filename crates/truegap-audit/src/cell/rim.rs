@@ -7,8 +7,8 @@ use crate::error::AuditError;
 use truegap_core::VACUUM_PERMITTIVITY;
 use truegap_fem::{
     FemError, Symmetry,
+    electrostatics::{Accuracy, Conductor, Goal, Problem, Quantity, solve_adaptive},
     mesh::{Geometry, MeshOptions, Outline, SizeField, SizeSource, mesh_geometry},
-    physics::electrostatics::{Accuracy, Conductor, Goal, Problem, Quantity, solve_adaptive},
 };
 
 /// Flat layers, from the lower shield upwards, m.

@@ -13,10 +13,10 @@ use super::{
 };
 use crate::error::AuditError;
 use truegap_fem::Symmetry;
-use truegap_fem::mesh::{Mesh, Point};
-use truegap_fem::physics::elasticity::{
+use truegap_fem::elasticity::{
     Component, Condition, Formulation, LawKind, Material, Order, Place, Problem, Solution, Solver, Temperature,
 };
+use truegap_fem::mesh::{Mesh, Point};
 
 /// Which rotations are taken into account.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,8 +6,8 @@
 use super::body::{Disc, Loading};
 use crate::error::AuditError;
 use std::collections::BTreeSet;
+use truegap_fem::elasticity::{Component, Solution};
 use truegap_fem::mesh::Point;
-use truegap_fem::physics::elasticity::{Component, Solution};
 
 /// How the plate rests on the beads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

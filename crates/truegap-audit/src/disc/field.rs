@@ -6,8 +6,8 @@
 use super::submesh::{Part, part};
 use crate::error::AuditError;
 use truegap_fem::Symmetry;
+use truegap_fem::electrostatics::{Accuracy, Answer, Conductor, Goal, Problem, Quantity, solve_adaptive, solve_on};
 use truegap_fem::mesh::{Mesh, Topology};
-use truegap_fem::physics::electrostatics::{Accuracy, Answer, Conductor, Goal, Problem, Quantity, solve_adaptive, solve_on};
 use truegap_fem::space::{Nodes, P2};
 
 /// Electrode at 1 V against shields at 0 V.

@@ -4,7 +4,7 @@
 
 use crate::error::AuditError;
 use std::f64::consts::TAU;
-use truegap_fem::physics::elasticity::Solution;
+use truegap_fem::elasticity::Solution;
 use truegap_model::equations::warp::{Dome, sag};
 
 /// Heights of a face over its radius.

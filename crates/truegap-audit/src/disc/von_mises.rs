@@ -3,9 +3,9 @@
 //! From the shapes' own gradients, not recovered ones: first order at corners. Hydrostatic stress does not enter, so pressures are not needed.
 
 use truegap_fem::Symmetry;
-use truegap_fem::physics::elasticity::kinematics::displacement_gradient;
-use truegap_fem::physics::elasticity::laws::Tensor;
-use truegap_fem::physics::elasticity::{LawKind, Solution};
+use truegap_fem::elasticity::kinematics::displacement_gradient;
+use truegap_fem::elasticity::laws::Tensor;
+use truegap_fem::elasticity::{LawKind, Solution};
 use truegap_fem::space::{P2, Shape};
 
 /// Von Mises equivalent of the Cauchy stress at the corners of a triangle, Pa.

@@ -2,13 +2,17 @@
 //!
 //! Rubber (Poisson's ratio from 0.45 on) is solved in the mixed formulation; a boundary of a single point is a pin.
 
-use super::{Case, CaseError, CaseResult, Law, MeshCounts, Output, OutputKind, QuantityValue, SecondsSpent, mesh_case};
-use crate::mesh::{BoundaryPath, Mesh};
-use crate::physics::elasticity::{
+use super::description::{Case, Law, Output, OutputKind};
+use super::error::CaseError;
+use super::first_mesh::mesh_case;
+use super::result::{CaseResult, MeshCounts, QuantityValue, SecondsSpent};
+use crate::elasticity::{
     Accuracy, Answer, Component, Condition, Formulation, Goal, LawKind, Material, Order, Outcome, Place, Problem, Quantity,
     Temperature, solve_goals, solve_goals_adaptive,
 };
-use crate::{FemError, Symmetry};
+use crate::error::FemError;
+use crate::mesh::{BoundaryPath, Mesh};
+use crate::symmetry::Symmetry;
 use std::sync::Arc;
 use std::time::Instant;
 

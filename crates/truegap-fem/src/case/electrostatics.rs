@@ -1,11 +1,15 @@
 //! Electrostatic cases: from conditions and outputs to the solver and back.
 
-use super::{Case, CaseError, CaseResult, MeshCounts, Output, OutputKind, QuantityValue, SecondsSpent, mesh_case};
-use crate::mesh::Mesh;
-use crate::physics::electrostatics::{
+use super::description::{Case, Output, OutputKind};
+use super::error::CaseError;
+use super::first_mesh::mesh_case;
+use super::result::{CaseResult, MeshCounts, QuantityValue, SecondsSpent};
+use crate::electrostatics::{
     Accuracy, Conductor, Goal, Order, Outcome, Problem, Quantity, VACUUM_PERMITTIVITY, solve_adaptive, solve_on_with,
 };
-use crate::{FemError, Symmetry};
+use crate::error::FemError;
+use crate::mesh::Mesh;
+use crate::symmetry::Symmetry;
 use std::time::Instant;
 
 pub(super) fn solve(case: &Case) -> Result<(CaseResult, Mesh, Outcome), FemError> {
@@ -23,7 +27,7 @@ pub(super) fn solve(case: &Case) -> Result<(CaseResult, Mesh, Outcome), FemError
 }
 
 fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
-    let value = |a: &crate::physics::electrostatics::Answer| QuantityValue {
+    let value = |a: &crate::electrostatics::Answer| QuantityValue {
         value: a.value,
         unit: a.unit.into(),
         error_estimate: a.error_estimate,

@@ -1,6 +1,6 @@
 //! Polygons and paths of a case, to metres.
 
-use super::CaseError;
+use super::error::CaseError;
 use super::raw::{RawCase, RawStep};
 use crate::mesh::{Boundary, BoundaryPath, Geometry, Outline, Region, Step};
 

@@ -1,10 +1,12 @@
 //! From the text of a case file to a checked `Case`.
 
+use super::description::{Case, Condition, Law, Material, MeshRequest, Output, OutputKind, Physics};
+use super::error::CaseError;
 use super::geometry::geometry;
 use super::raw::{RawBoundary, RawCase, RawMaterial, RawOutput, RawRadial};
+use super::temperature::{RadialTerm, Temperature};
 use super::units::{Dimension, parse_quantity, unit_factor};
-use super::{Case, CaseError, Condition, Law, Material, MeshRequest, Output, OutputKind, Physics, RadialTerm, Temperature};
-use crate::Symmetry;
+use crate::symmetry::Symmetry;
 use std::collections::BTreeMap;
 
 const KINDS: &[(&str, OutputKind)] = &[

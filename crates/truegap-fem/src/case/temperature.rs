@@ -2,8 +2,8 @@
 //!
 //! Limits: above the stress-free temperature, the same at every load.
 
-use crate::Symmetry;
 use crate::mesh::Point;
+use crate::symmetry::Symmetry;
 
 /// A term that goes with a distance, measured in a reference radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,7 +55,7 @@ impl Temperature {
     }
 
     /// Whether the field is a straight line in every direction.
-    pub fn is_linear(&self) -> bool {
+    pub(super) fn is_linear(&self) -> bool {
         self.logarithm.is_none() && self.inverse.is_none()
     }
 }

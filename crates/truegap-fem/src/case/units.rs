@@ -2,7 +2,7 @@
 
 /// Kinds of quantity that a case holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Dimension {
+pub(super) enum Dimension {
     /// Length (m).
     Length,
     /// Electric potential (V).
@@ -74,7 +74,7 @@ impl Dimension {
 }
 
 /// SI value of a text such as `"25 kPa"`, or `None` where it is not a finite number with a unit of that dimension.
-pub fn parse_quantity(text: &str, dimension: Dimension) -> Option<f64> {
+pub(super) fn parse_quantity(text: &str, dimension: Dimension) -> Option<f64> {
     let text = text.trim();
     // The longest prefix that reads as a number: "5e-6 m", "1.43MPa", "-5 um".
     let number = text.char_indices().map(|(i, c)| i + c.len_utf8()).rev().find_map(|end| {
@@ -87,7 +87,7 @@ pub fn parse_quantity(text: &str, dimension: Dimension) -> Option<f64> {
 }
 
 /// SI value of one `unit`.
-pub fn unit_factor(unit: &str, dimension: Dimension) -> Option<f64> {
+pub(super) fn unit_factor(unit: &str, dimension: Dimension) -> Option<f64> {
     dimension.units().iter().find(|u| u.0 == unit).map(|u| u.1)
 }
 

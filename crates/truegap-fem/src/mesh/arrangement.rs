@@ -2,8 +2,8 @@
 //!
 //! Works pair by pair: meant for drawings of hundreds of curves, not of many thousands.
 
-use super::MeshError;
 use super::curve::Curve;
+use super::error::MeshError;
 use super::outline::{BoundaryPath, Geometry, check_closed};
 use super::plane::{Point, distance, minus};
 

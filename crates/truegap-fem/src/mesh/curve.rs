@@ -43,7 +43,7 @@ impl Circle {
 
 /// A directed piece of an outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Curve {
+pub(crate) struct Curve {
     /// Where it starts.
     pub from: Point,
     /// Where it ends.
@@ -78,14 +78,6 @@ impl Curve {
                 let angle = circle.angle(self.from) + t * sweep;
                 [circle.centre[0] + circle.radius * angle.cos(), circle.centre[1] + circle.radius * angle.sin()]
             }
-        }
-    }
-
-    /// Length (m).
-    pub fn length(&self) -> f64 {
-        match self.arc {
-            None => distance(self.from, self.to),
-            Some((circle, sweep)) => circle.radius * sweep.abs(),
         }
     }
 

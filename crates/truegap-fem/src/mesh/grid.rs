@@ -3,7 +3,8 @@
 //! Rectangles only. Quadratic elements bend well at aspect ratios of a hundred; free triangulations would need a
 //! triangle per thickness.
 
-use super::{BoundaryEdge, Mesh, MeshError};
+use super::error::MeshError;
+use super::mesh::{BoundaryEdge, Mesh};
 
 /// A layer of a stack.
 #[derive(Debug, Clone, PartialEq)]

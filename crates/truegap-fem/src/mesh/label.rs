@@ -4,48 +4,17 @@
 //! all of them.
 
 use super::arrangement::Arrangement;
-use super::curve::Curve;
-use super::mesh::{BoundaryEdge, CurvedEdge};
-use super::plane::{Point, along, distance, dot, minus, twice_area};
-use super::triangulate::{Cdt, Chord};
-use super::{Mesh, MeshError};
+use super::constrained::{Cdt, Chord};
+use super::error::MeshError;
+use super::inside::Inside;
+use super::mesh::{BoundaryEdge, CurvedEdge, Mesh};
+use super::plane::{Point, along, distance, dot, minus};
+use super::topology::Topology;
 use spade::Triangulation;
 use spade::handles::FixedVertexHandle;
 use std::collections::HashMap;
 
 const OUTSIDE: u16 = u16::MAX;
-
-/// Point-in-region test on the drawing, arcs taken as the chords of the mesh.
-pub(crate) struct Inside {
-    regions: Vec<Vec<Point>>,
-}
-
-impl Inside {
-    pub fn new(drawing: &Arrangement, arc_step_degrees: f64) -> Inside {
-        let chords = |c: &Curve| {
-            let parts = c.arc.map_or(1, |(_, sweep)| (sweep.abs().to_degrees() / arc_step_degrees).ceil().max(1.0) as usize);
-            (0..parts).map(|k| c.point(k as f64 / parts as f64)).collect::<Vec<_>>()
-        };
-        Inside { regions: drawing.regions.iter().map(|(_, curves)| curves.iter().flat_map(chords).collect()).collect() }
-    }
-
-    /// The last region that holds `p`.
-    pub fn region(&self, p: Point) -> Option<u16> {
-        (0..self.regions.len()).rev().find(|&i| encloses(&self.regions[i], p)).map(|i| i as u16)
-    }
-}
-
-fn encloses(polygon: &[Point], p: Point) -> bool {
-    let n = polygon.len();
-    let mut inside = false;
-    for i in 0..n {
-        let (a, b) = (polygon[i], polygon[(i + 1) % n]);
-        if (a[1] > p[1]) != (b[1] > p[1]) && (twice_area(a, b, p) > 0.0) == (b[1] > a[1]) {
-            inside = !inside;
-        }
-    }
-    inside
-}
 
 pub(crate) fn label_faces(cdt: &Cdt, drawing: &Arrangement, chords: &[Chord]) -> Result<Mesh, MeshError> {
     let faces = face_regions(cdt, drawing);
@@ -154,7 +123,22 @@ fn label_edges(
             }
         }
     }
-    mesh.drop_foreign_edges(drawing)
+    drop_foreign_edges(mesh, drawing)
+}
+
+/// Removes curved edges that no triangle has; a boundary edge without a triangle is an error.
+fn drop_foreign_edges(mesh: &mut Mesh, drawing: &Arrangement) -> Result<(), MeshError> {
+    let topology = Topology::new(mesh);
+    let known = |n: [u32; 2]| topology.edge(n[0], n[1]).is_some();
+    if let Some(e) = mesh.boundary_edges.iter().find(|e| !known(e.nodes)) {
+        let [a, b] = e.nodes.map(|i| mesh.points[i as usize]);
+        return Err(MeshError::BoundaryOnNothing {
+            boundary: drawing.boundaries[e.boundary as usize].clone(),
+            at: along(a, b, 0.5),
+        });
+    }
+    mesh.curved_edges.retain(|e| known(e.nodes));
+    Ok(())
 }
 
 /// Finds the chord on which a sub-edge lies; chords are sorted by their lower end so that few are looked at.

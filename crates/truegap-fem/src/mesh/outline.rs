@@ -2,8 +2,8 @@
 //!
 //! A later region cuts an earlier one; no region has holes other than those cut so.
 
-use super::MeshError;
 use super::curve::Curve;
+use super::error::MeshError;
 use super::plane::{Point, cross, distance, minus};
 
 /// One step of an outline from the point before it.

@@ -18,7 +18,7 @@ pub struct SizeField {
     pub max_edge: f64,
     /// Increase of the edge length per distance from a source, dimensionless; 0.2 to 0.5 is usual.
     pub growth: f64,
-    /// Places of finer mesh.
+    /// Points of finer mesh.
     pub sources: Vec<SizeSource>,
 }
 
@@ -40,7 +40,7 @@ impl SizeField {
     }
 
     /// Whether the wanted length is the same everywhere.
-    pub fn is_uniform(&self) -> bool {
+    pub(crate) fn is_uniform(&self) -> bool {
         self.sources.is_empty()
     }
 }

@@ -1,6 +1,7 @@
 //! Edges of a triangle mesh and what is on either side of them.
 
-use super::{Mesh, Point};
+use super::mesh::Mesh;
+use super::plane::Point;
 use rayon::slice::ParallelSliceMut;
 
 /// "There is none", in tables of indices.
@@ -47,6 +48,15 @@ impl Topology {
     /// Index of the edge between two corners.
     pub fn edge(&self, a: u32, b: u32) -> Option<usize> {
         self.edges.binary_search(&[a.min(b), a.max(b)]).ok()
+    }
+
+    /// Triangle and local edge of an outer edge, or `None` where two triangles meet.
+    pub(crate) fn outer_side(&self, edge: usize) -> Option<(usize, usize)> {
+        let [t, other] = self.edge_triangles[edge];
+        (other == NONE).then(|| {
+            let local = self.triangle_edges[t as usize].iter().position(|&e| e as usize == edge).unwrap_or(0);
+            (t as usize, local)
+        })
     }
 
     /// Positions of the middle nodes, one an edge: on the circle where the edge is curved (m).

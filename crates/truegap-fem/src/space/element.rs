@@ -77,7 +77,7 @@ impl PointMap {
 
 /// A point of an edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EdgePoint {
+pub(crate) struct EdgePoint {
     /// Position (m).
     pub at: Point,
     /// Unit normal to the right of the direction of travel: outward if the domain lies to the left.
@@ -118,12 +118,12 @@ impl Element {
     }
 
     /// The point at `t` of the local edge `k` (from corner k to corner k + 1), domain to the left.
-    pub fn edge_point(&self, k: usize, t: f64) -> EdgePoint {
+    pub(crate) fn edge_point(&self, k: usize, t: f64) -> EdgePoint {
         edge_point([self.nodes[k], self.nodes[(k + 1) % 3], self.nodes[k + 3]], t)
     }
 
     /// Reference coordinates of the point at `t` of the local edge `k`.
-    pub fn edge_reference(k: usize, t: f64) -> [f64; 2] {
+    pub(crate) fn edge_reference(k: usize, t: f64) -> [f64; 2] {
         match k {
             0 => [t, 0.0],
             1 => [1.0 - t, t],
@@ -133,7 +133,7 @@ impl Element {
 
     /// Reference coordinates of a physical point by Newton's method, or `None` where it lies outside by more than
     /// `slack` (in reference units).
-    pub fn locate(&self, p: Point, slack: f64) -> Option<[f64; 2]> {
+    pub(crate) fn locate(&self, p: Point, slack: f64) -> Option<[f64; 2]> {
         let mut at = [1.0 / 3.0; 2];
         for _ in 0..20 {
             let map = self.map_at(at);
@@ -150,7 +150,7 @@ impl Element {
 }
 
 /// The point at `t` of an edge with the nodes (start, end, middle).
-pub fn edge_point(nodes: [Point; 3], t: f64) -> EdgePoint {
+fn edge_point(nodes: [Point; 3], t: f64) -> EdgePoint {
     let (value, slope) = edge_shape(t);
     let sum = |w: [f64; 3], k: usize| (0..3).map(|i| w[i] * nodes[i][k]).sum::<f64>();
     let tangent = [sum(slope, 0), sum(slope, 1)];
@@ -159,7 +159,7 @@ pub fn edge_point(nodes: [Point; 3], t: f64) -> EdgePoint {
 }
 
 /// Smallest Jacobian of a six-node triangle over its six nodes (m^2).
-pub fn least_jacobian(nodes: &[Point; 6]) -> f64 {
+pub(crate) fn least_jacobian(nodes: &[Point; 6]) -> f64 {
     let element = Element { nodes: *nodes };
     [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.5, 0.0], [0.5, 0.5], [0.0, 0.5]]
         .into_iter()

@@ -2,12 +2,17 @@
 //!
 //! Triangles with linear or quadratic shapes; geometry is always the six-node (quadratic) triangle.
 
+mod bubbles;
 mod element;
 mod numbering;
 mod quadrature;
 mod shape;
 
-pub use element::{EdgePoint, Element, Nodes, PointMap, least_jacobian};
+pub(crate) use bubbles::{ABOVE_QUADRATIC, Bubble, bubbles_above_linear, bubbles_above_quadratic};
+pub(crate) use element::least_jacobian;
+pub use element::{Element, Nodes, PointMap};
 pub use numbering::{ElementDofs, Numbering};
-pub use quadrature::{QuadraturePoint, edge_rule, triangle_rule};
-pub use shape::{Order, P1, P2, Shape, ShapeTable, edge_shape};
+pub(crate) use quadrature::edge_rule;
+pub use quadrature::{QuadraturePoint, triangle_rule};
+pub(crate) use shape::edge_shape;
+pub use shape::{Order, P1, P2, Shape, ShapeTable};

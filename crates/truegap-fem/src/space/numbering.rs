@@ -1,6 +1,6 @@
 //! Which unknowns an element has, and which of all unknowns are free.
 
-use super::Nodes;
+use super::element::Nodes;
 
 /// The unknowns of every element, elements of different sizes allowed.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -36,11 +36,6 @@ impl ElementDofs {
     /// Vector quadratic space: unknown `2 node + component`; an element's are node by node.
     pub fn quadratic_vector(nodes: &Nodes) -> ElementDofs {
         ElementDofs::per_node(nodes, nodes.points.len(), 2, 6)
-    }
-
-    /// Vector linear space: unknown `2 corner + component`.
-    pub fn linear_vector(nodes: &Nodes) -> ElementDofs {
-        ElementDofs::per_node(nodes, nodes.corners, 2, 3)
     }
 
     fn per_node(nodes: &Nodes, points: usize, components: u32, local: usize) -> ElementDofs {
@@ -98,7 +93,7 @@ impl Numbering {
     }
 
     /// Adds the free entries to a vector over all unknowns.
-    pub fn scatter_add(&self, free: &[f64], all: &mut [f64]) {
+    pub(crate) fn scatter_add(&self, free: &[f64], all: &mut [f64]) {
         self.free.iter().zip(free).for_each(|(&i, &x)| all[i as usize] += x);
     }
 }

@@ -71,7 +71,7 @@ fn product_rule(degree: usize) -> Vec<QuadraturePoint> {
 }
 
 /// Gauss points and weights on [0, 1], exact up to `degree`; the weights sum to 1.
-pub fn edge_rule(degree: usize) -> Vec<(f64, f64)> {
+pub(crate) fn edge_rule(degree: usize) -> Vec<(f64, f64)> {
     let n = degree / 2 + 1;
     (0..n)
         .map(|i| {

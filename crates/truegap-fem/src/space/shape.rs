@@ -88,7 +88,7 @@ fn tabulated<const N: usize>(q: &QuadraturePoint, (value, slope): ([f64; N], [[f
 }
 
 /// Quadratic shapes of an edge at `t` in [0, 1], for its nodes (start, end, middle), and their derivatives by `t`.
-pub fn edge_shape(t: f64) -> ([f64; 3], [f64; 3]) {
+pub(crate) fn edge_shape(t: f64) -> ([f64; 3], [f64; 3]) {
     let s = 1.0 - t;
     ([s * (s - t), t * (t - s), 4.0 * s * t], [4.0 * t - 3.0, 4.0 * t - 1.0, 4.0 - 8.0 * t])
 }

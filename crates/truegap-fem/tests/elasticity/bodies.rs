@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 use truegap_fem::Symmetry;
+use truegap_fem::elasticity::*;
 use truegap_fem::mesh::*;
-use truegap_fem::physics::elasticity::*;
 
 pub use Component::{First, Second};
 

@@ -1,8 +1,8 @@
 //! Contact with rigid planes: against prescribed displacements where all of a face touches, and against Hertz.
 
 use super::bodies::*;
+use truegap_fem::elasticity::*;
 use truegap_fem::mesh::*;
-use truegap_fem::physics::elasticity::*;
 
 fn plane(boundary: &str, position: f64, travel: f64, side: Side) -> Condition {
     Condition::Obstacle { boundary: boundary.into(), component: Second, position, travel, side }

@@ -1,8 +1,8 @@
 //! Large deformation: closed forms, two formulations against each other, and the heated bimetal disc.
 
 use super::bodies::*;
+use truegap_fem::elasticity::*;
 use truegap_fem::mesh::*;
-use truegap_fem::physics::elasticity::*;
 
 fn neo(poisson: f64, formulation: Formulation) -> Material {
     Material { law: LawKind::NeoHookean, ..rubber(poisson, formulation) }

@@ -2,8 +2,8 @@
 
 use super::bodies::*;
 use truegap_fem::FemError;
+use truegap_fem::elasticity::*;
 use truegap_fem::mesh::*;
-use truegap_fem::physics::elasticity::*;
 
 fn pressed(law: LawKind, part: f64) -> Problem {
     let mesh = rectangle([0.0, 0.0], [291.5e-6, 198e-6], SizeField::uniform(60e-6));

@@ -3,8 +3,8 @@
 use super::bodies::*;
 use std::f64::consts::{FRAC_PI_6, PI};
 use truegap_fem::Symmetry;
+use truegap_fem::elasticity::*;
 use truegap_fem::mesh::*;
-use truegap_fem::physics::elasticity::*;
 
 fn patch(edge: f64) -> Mesh {
     let (low, high) = ([0.0, 0.0], [1.0, 1.0]);

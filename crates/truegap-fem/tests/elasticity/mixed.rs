@@ -1,8 +1,8 @@
 //! Nearly incompressible bodies: locking of displacements alone, and its absence in the mixed formulation.
 
 use super::bodies::*;
+use truegap_fem::elasticity::*;
 use truegap_fem::mesh::*;
-use truegap_fem::physics::elasticity::*;
 
 /// Converged apparent moduli (Poisson's ratio, upper face bonded, E_a / E).
 const DISC: [(f64, bool, f64); 5] = [

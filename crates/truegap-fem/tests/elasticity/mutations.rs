@@ -3,10 +3,10 @@
 
 use super::bodies::*;
 use truegap_fem::Symmetry;
-use truegap_fem::assembly::{assemble_vector, element_residual};
+use truegap_fem::algebra::{assemble_vector, element_residual};
+use truegap_fem::elasticity::kinematics::{R, T, Z, trial_gradient, work};
+use truegap_fem::elasticity::laws::{Law, Linear, Tensor};
 use truegap_fem::mesh::*;
-use truegap_fem::physics::elasticity::kinematics::{R, T, Z, trial_gradient, work};
-use truegap_fem::physics::elasticity::laws::{Law, Linear, Tensor};
 use truegap_fem::space::*;
 
 /// What can be wrong: the gradient of a trial function, the stress of a gradient, the work on a test function, 2 pi r.

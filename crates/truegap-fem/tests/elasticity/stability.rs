@@ -1,8 +1,8 @@
 //! Buckling: plates with closed forms, and the bimetal disc that stops being a bowl.
 
 use super::bodies::*;
+use truegap_fem::elasticity::*;
 use truegap_fem::mesh::*;
-use truegap_fem::physics::elasticity::*;
 
 /// Clamped disc of radius 0.1 m and thickness 1 mm with expansion 1e-5 /K, heated by 1 K; flat by order, or free to bend.
 fn clamped(flat: bool) -> Problem {

@@ -1,10 +1,6 @@
 //! The builder of a figure with two axes.
 
-use super::error::FigureError;
-use super::panel::{Panel, XAxis};
-use super::series::{Guide, Mark, Series, colours};
-use super::svg::Svg;
-use super::{legend, panel};
+use super::series::{Guide, Mark, Series};
 use crate::colour::Rgb;
 
 /// A plot of one or several series over two axes, built up and then drawn by [`Figure::to_svg`].
@@ -122,11 +118,6 @@ impl Figure {
         self.add(label, x, y, Mark::Errors { below: error.to_vec(), above: error.to_vec() })
     }
 
-    /// Points with error bars from `y - below` to `y + above`.
-    pub fn uneven_error_bars(self, label: &str, x: &[f64], y: &[f64], below: &[f64], above: &[f64]) -> Self {
-        self.add(label, x, y, Mark::Errors { below: below.to_vec(), above: above.to_vec() })
-    }
-
     /// Gives the series added last (and all of its label) this colour instead of the next of the palette.
     pub fn colour(mut self, colour: Rgb) -> Self {
         if let Some(label) = self.series.last().map(|s| s.label.clone()) {
@@ -157,22 +148,6 @@ impl Figure {
     pub fn shade_y(mut self, from: f64, to: f64, label: &str) -> Self {
         self.guides.push(Guide::SpanY(from, to, label.into()));
         self
-    }
-
-    /// Draws the figure.
-    ///
-    /// # Errors
-    /// Arrays of different length, an axis without a finite value, an empty range, a band whose x falls.
-    pub fn to_svg(&self) -> Result<String, FigureError> {
-        let panel = Panel::new(self)?;
-        let colours = colours(self.series.iter());
-        let mut svg = Svg::default();
-        let mut top = svg.heading(&self.title);
-        let left = panel.left_margin();
-        top += legend::draw(&mut svg, left, top, self.series.iter(), &colours);
-        let area = panel::plot_area(left, top + 8.0, self.height);
-        panel.draw(&mut svg, area, &colours, XAxis::Labelled);
-        Ok(svg.finish(&self.title, area.bottom() + panel::X_AXIS_HEIGHT))
     }
 
     fn add(mut self, label: &str, x: &[f64], y: &[f64], mark: Mark) -> Self {

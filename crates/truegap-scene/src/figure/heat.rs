@@ -1,7 +1,6 @@
 //! A plane of cells coloured by value, with a colour bar.
 
 use super::error::FigureError;
-use super::heat_draw;
 use super::scale::extent;
 use crate::colour::ColourMap;
 
@@ -18,6 +17,12 @@ pub struct HeatMap {
     pub(super) map: ColourMap,
     pub(super) range: Option<(f64, f64)>,
     pub(super) height: f64,
+}
+
+/// What the colours span and what the values span.
+pub(super) struct Spans {
+    pub colours: (f64, f64),
+    pub values: (f64, f64),
 }
 
 impl HeatMap {
@@ -74,11 +79,8 @@ impl HeatMap {
         self
     }
 
-    /// Draws the map.
-    ///
-    /// # Errors
-    /// Edges that do not rise, a number of cells that does not fit the edges, no finite value, an empty value range.
-    pub fn to_svg(&self) -> Result<String, FigureError> {
+    /// Ends of the colours and extent of the values, of a map whose edges and cells fit.
+    pub(super) fn checked(&self) -> Result<Spans, FigureError> {
         self.rising("x edges", &self.x_edges)?;
         self.rising("y edges", &self.y_edges)?;
         let wanted = (self.x_edges.len() - 1) * (self.y_edges.len() - 1);
@@ -98,7 +100,7 @@ impl HeatMap {
         if !(low < high && low.is_finite() && high.is_finite()) {
             return Err(FigureError::Range { figure: self.title.clone(), axis: "value", low, high });
         }
-        Ok(heat_draw::draw(self, (low, high), found))
+        Ok(Spans { colours: (low, high), values: found })
     }
 
     fn rising(&self, name: &str, edges: &[f64]) -> Result<(), FigureError> {

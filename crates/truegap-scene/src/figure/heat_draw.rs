@@ -1,6 +1,7 @@
 //! Drawing of [`HeatMap`]: cells of one colour share a path, neighbours of one colour share a stroke.
 
-use super::heat::HeatMap;
+use super::error::FigureError;
+use super::heat::{HeatMap, Spans};
 use super::scale::Scale;
 use super::svg::{Anchor, Area, Svg, TEXT, WIDTH, px, text_width};
 use super::ticks::Ticks;
@@ -10,7 +11,18 @@ use crate::colour::ColourMap;
 const LEVELS: usize = 96;
 const NO_VALUE: &str = r##"fill="#b9b9b9" fill-opacity="0.6""##;
 
-pub(super) fn draw(map: &HeatMap, (low, high): (f64, f64), found: (f64, f64)) -> String {
+impl HeatMap {
+    /// Draws the map.
+    ///
+    /// # Errors
+    /// Edges that do not rise, a number of cells that does not fit the edges, no finite value, an empty value range.
+    pub fn to_svg(&self) -> Result<String, FigureError> {
+        Ok(draw(self, &self.checked()?))
+    }
+}
+
+fn draw(map: &HeatMap, spans: &Spans) -> String {
+    let (low, high) = spans.colours;
     let mut svg = Svg::default();
     let top = svg.heading(&map.title) + 4.0;
     let axis =
@@ -25,7 +37,7 @@ pub(super) fn draw(map: &HeatMap, (low, high): (f64, f64), found: (f64, f64)) ->
     y_axis(&mut svg, area, &y, &y_ticks, &y_ticks.title(&map.y.0, &map.y.1));
     x_axis(&mut svg, area, &x, &map.x);
     let bar = Area { left: area.right() + 34.0, top, width: 14.0, height: map.height };
-    colour_bar(&mut svg, bar, map.map, (low, high), found, &map.value);
+    colour_bar(&mut svg, bar, map.map, (low, high), spans.values, &map.value);
     if missing {
         let style = r#"font-size="10.5" opacity="0.8""#;
         svg.styled_text(area.right(), area.bottom() + 36.0, Anchor::End, "grey: no value", style);

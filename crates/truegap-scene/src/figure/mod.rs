@@ -9,6 +9,7 @@
 
 mod bars;
 mod chart;
+mod chart_draw;
 mod decimate;
 mod error;
 mod guides;
@@ -18,6 +19,7 @@ mod legend;
 mod marks;
 mod matrix;
 mod panel;
+mod panel_draw;
 mod scale;
 mod series;
 mod stack;

@@ -18,8 +18,20 @@ use std::collections::BTreeMap;
 /// Mesh coordinates a metre.
 const PER_METRE: f64 = 1000.0;
 
+impl Scene {
+    /// The scene as the bytes of a `.glb` file.
+    ///
+    /// # Errors
+    /// Layers that are no solids, share a name or have displacements only in part; fields that do not match the
+    /// scene's or have no value anywhere; an exaggeration not above 1; more than 4 GiB.
+    pub fn to_glb(&self) -> Result<Vec<u8>, SceneError> {
+        self.check()?;
+        write(self)
+    }
+}
+
 /// The bytes of `scene`, which has been checked.
-pub(super) fn write(scene: &Scene) -> Result<Vec<u8>, SceneError> {
+fn write(scene: &Scene) -> Result<Vec<u8>, SceneError> {
     let (factors, legends) = (scene.factors(), scene.legends()?);
     let mut builder = Builder::new();
     let mut nodes = Vec::new();

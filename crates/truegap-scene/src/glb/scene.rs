@@ -1,6 +1,5 @@
 //! What a caller describes.
 
-use super::document;
 use super::error::SceneError;
 use super::field::{Field, Legend};
 use crate::solid::{Layer, Sweep};
@@ -37,16 +36,6 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The scene as the bytes of a `.glb` file.
-    ///
-    /// # Errors
-    /// Layers that are no solids, share a name or have displacements only in part; fields that do not match the
-    /// scene's or have no value anywhere; an exaggeration not above 1; more than 4 GiB.
-    pub fn to_glb(&self) -> Result<Vec<u8>, SceneError> {
-        self.check()?;
-        document::write(self)
-    }
-
     /// Displacement factors of the morph targets: none, true scale, or true scale and the exaggeration.
     pub(super) fn factors(&self) -> Vec<f64> {
         if self.layers.iter().all(|l| l.displacement.is_empty()) {
@@ -60,7 +49,7 @@ impl Scene {
         self.fields.iter().enumerate().map(legend).collect()
     }
 
-    fn check(&self) -> Result<(), SceneError> {
+    pub(super) fn check(&self) -> Result<(), SceneError> {
         if self.layers.is_empty() {
             return Err(SceneError::NoLayer { title: self.title.clone() });
         }

@@ -1,6 +1,7 @@
 //! The page builder.
 
-use super::{Table, escape};
+use super::escape::escape;
+use super::table::Table;
 
 const STYLE: &str = include_str!("style.css");
 

@@ -1,27 +1,18 @@
 //! Self-contained HTML pages: text, tables, figures, foldable details; light, dark and on paper.
 //!
 //! No script, no link, no font: the file can be mailed. Everything that is not markup made here is escaped.
+//!
+//! ```
+//! use truegap_scene::page::{Page, Tone};
+//!
+//! let html = Page::new("Gap & cap").callout(Tone::Good, "The model is adequate.").section("Data").text("12 runs").to_html();
+//! assert!(html.contains("<h1>Gap &amp; cap</h1>") && html.contains("12 runs"));
+//! ```
 
 mod build;
+mod escape;
 mod table;
 
 pub use build::{Page, Tone};
+pub use escape::escape;
 pub use table::Table;
-
-/// `text` with the characters that mean something to HTML and XML replaced; control characters that XML forbids become `�`.
-pub fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            '\t' | '\n' | '\r' => out.push(c),
-            c if c.is_control() => out.push('\u{FFFD}'),
-            c => out.push(c),
-        }
-    }
-    out
-}

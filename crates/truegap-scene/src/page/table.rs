@@ -1,6 +1,6 @@
 //! Tables with numbers on the right and words on the left.
 
-use super::escape;
+use super::escape::escape;
 
 /// A table; a column whose cells all look like numbers is set right-aligned.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -22,7 +22,7 @@ pub struct Layer {
 
 impl Layer {
     /// The points moved by `factor` times their displacement.
-    pub fn displaced(&self, factor: f64) -> Vec<[f64; 2]> {
+    pub(crate) fn displaced(&self, factor: f64) -> Vec<[f64; 2]> {
         if self.displacement.is_empty() {
             return self.points.clone();
         }
@@ -36,7 +36,7 @@ impl Layer {
     }
 
     /// Largest displacement, m; zero for a layer that does not move.
-    pub fn largest_displacement_m(&self) -> f64 {
+    pub(crate) fn largest_displacement_m(&self) -> f64 {
         self.displacement.iter().map(|u| u[0].hypot(u[1])).fold(0.0, f64::max)
     }
 

@@ -18,7 +18,7 @@ impl Sweep {
     pub const CUT_AWAY: Self = Self { degrees: 270.0, segments: 96 };
 
     /// Whether the solid closes on itself.
-    pub fn is_full(self) -> bool {
+    pub(crate) fn is_full(self) -> bool {
         self.degrees == 360.0
     }
 

@@ -1,7 +1,6 @@
 //! What a caller describes.
 
 use super::error::VtuError;
-use super::write;
 
 /// Corners of the cells, as point indices.
 #[derive(Debug, Clone, PartialEq)]
@@ -103,16 +102,7 @@ impl Grid {
         self
     }
 
-    /// The text of the `.vtu` file.
-    ///
-    /// # Errors
-    /// No cell, indices or lengths that do not fit, coordinates that are not finite, two fields of one name.
-    pub fn to_vtu(&self) -> Result<String, VtuError> {
-        self.check()?;
-        Ok(write::file(self))
-    }
-
-    fn check(&self) -> Result<(), VtuError> {
+    pub(super) fn check(&self) -> Result<(), VtuError> {
         if self.cells.is_empty() {
             return Err(VtuError::Empty);
         }

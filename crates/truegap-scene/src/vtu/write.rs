@@ -2,14 +2,26 @@
 //!
 //! **Source:** VTK file formats, "XML file formats", docs.vtk.org (unstructured grid, binary inline encoding).
 
+use super::error::VtuError;
 use super::grid::{Cells, Data, Grid};
 use crate::page::escape;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use std::fmt::Write;
 
+impl Grid {
+    /// The text of the `.vtu` file.
+    ///
+    /// # Errors
+    /// No cell, indices or lengths that do not fit, coordinates that are not finite, two fields of one name.
+    pub fn to_vtu(&self) -> Result<String, VtuError> {
+        self.check()?;
+        Ok(file(self))
+    }
+}
+
 /// The whole file; `grid` has been checked.
-pub(super) fn file(grid: &Grid) -> String {
+fn file(grid: &Grid) -> String {
     let mut out = String::from(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
          header_type=\"UInt64\">\n<UnstructuredGrid>\n",

@@ -15,8 +15,8 @@ use crate::{
 use truegap_core::Sensor;
 use truegap_fem::{
     FemError, Symmetry,
+    elasticity::{Component, Condition, Formulation, LawKind, Material, Order, Problem, Solution, Solver, Temperature},
     mesh::{Geometry, MeshOptions, Outline, SizeField, SizeSource, mesh_geometry},
-    physics::elasticity::{Component, Condition, Formulation, LawKind, Material, Order, Problem, Solution, Solver, Temperature},
 };
 use truegap_model::equations::electrodes::series;
 

@@ -13,8 +13,8 @@ use crate::{
 use truegap_core::Sensor;
 use truegap_fem::{
     Symmetry,
+    electrostatics::{Accuracy, Answer, Conductor, Goal, Problem, Quantity, solve_adaptive},
     mesh::{Boundary, BoundaryPath, Geometry, MeshOptions, Outline, SizeField, Step, mesh_geometry},
-    physics::electrostatics::{Accuracy, Answer, Conductor, Goal, Problem, Quantity, solve_adaptive},
 };
 use truegap_model::{
     SeriesOrder, StackOptions,

@@ -13,8 +13,8 @@ use crate::{
 use truegap_core::{Sensor, sensor::Layout};
 use truegap_fem::{
     Symmetry,
+    electrostatics::{Accuracy, Conductor, Goal, Problem, Quantity, solve_adaptive},
     mesh::{Geometry, MeshOptions, Outline, SizeField, SizeSource, mesh_geometry},
-    physics::electrostatics::{Accuracy, Conductor, Goal, Problem, Quantity, solve_adaptive},
 };
 
 /// See the module.

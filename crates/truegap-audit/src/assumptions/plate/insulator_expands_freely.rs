@@ -11,8 +11,8 @@ use crate::{
     study::Study,
     swap::Swap,
 };
+use truegap_fem::elasticity::{Component, Condition, Place, Solver};
 use truegap_fem::mesh::Point;
-use truegap_fem::physics::elasticity::{Component, Condition, Place, Solver};
 
 /// The insulator thickens with temperature as if it were free.
 pub(super) struct InsulatorExpandsFreely;

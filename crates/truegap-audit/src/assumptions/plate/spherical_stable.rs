@@ -13,7 +13,7 @@ use crate::{
     swap::Swap,
 };
 use truegap_core::Sensor;
-use truegap_fem::physics::elasticity::{NewtonOptions, Solver};
+use truegap_fem::elasticity::{NewtonOptions, Solver};
 
 /// The warped electrode stays a body of revolution.
 pub(super) struct SphericalStable;

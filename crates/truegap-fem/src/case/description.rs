@@ -1,0 +1,133 @@
+//! A checked case: regions, materials, conditions, outputs. SI throughout.
+
+use super::temperature::Temperature;
+use crate::mesh::{Geometry, Point};
+use crate::symmetry::Symmetry;
+
+/// Which equations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Physics {
+    /// Potentials and charges.
+    Electrostatics,
+    /// Displacements and stresses.
+    Elasticity,
+}
+
+/// Constitutive law of a solid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Law {
+    /// Hooke's law, small strain.
+    Linear,
+    /// Compressible neo-Hookean, finite strain.
+    NeoHookean,
+    /// St Venant-Kirchhoff, finite rotation, small strain.
+    StVenantKirchhoff,
+}
+
+/// A material; what a physics does not need may be missing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Material {
+    /// Name.
+    pub name: String,
+    /// Relative permittivity.
+    pub relative_permittivity: Option<f64>,
+    /// Young's modulus (Pa).
+    pub young: Option<f64>,
+    /// Poisson's ratio.
+    pub poisson: Option<f64>,
+    /// Linear thermal expansion (1/K).
+    pub expansion: f64,
+    /// Constitutive law.
+    pub law: Law,
+}
+
+/// What holds on a named boundary.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Condition {
+    /// Name of the boundary.
+    pub boundary: String,
+    /// Potential (V).
+    pub potential: Option<f64>,
+    /// The boundary stands for unbounded space.
+    pub open: bool,
+    /// Components held at zero.
+    pub fix: [bool; 2],
+    /// Prescribed displacement of the components (m).
+    pub displace: [Option<f64>; 2],
+    /// Pressure on the surface, positive inwards (Pa).
+    pub pressure: Option<f64>,
+}
+
+/// How fine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshRequest {
+    /// Relative error wanted in the outputs; refines adaptively.
+    pub target_error: Option<f64>,
+    /// Longest edge (m), of the first mesh if adaptive.
+    pub max_edge: Option<f64>,
+    /// Polynomial order of the elements.
+    pub order: u8,
+}
+
+/// What an output is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OutputKind {
+    /// Charge over the largest potential difference.
+    Capacitance,
+    /// Maxwell's matrix.
+    CapacitanceMatrix,
+    /// Field or strain energy.
+    Energy,
+    /// Force on a boundary.
+    Reaction,
+    /// Displacement at a point.
+    Displacement,
+    /// Stress at a point.
+    Stress,
+    /// Strain at a point.
+    Strain,
+    /// Potential at a point.
+    Potential,
+    /// Field at a point.
+    Field,
+}
+
+/// A wanted quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Output {
+    /// Name in the results.
+    pub name: String,
+    /// What.
+    pub kind: OutputKind,
+    /// On which boundary.
+    pub boundary: Option<String>,
+    /// At which point (m).
+    pub at: Option<Point>,
+    /// Which component, as written: `r`, `z`, `rr`, ...
+    pub component: Option<String>,
+}
+
+/// A checked case; SI throughout.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Case {
+    /// Where it was read from, for messages.
+    pub file: String,
+    /// Which equations.
+    pub physics: Physics,
+    /// Which symmetry.
+    pub symmetry: Symmetry,
+    /// Regions and boundaries.
+    pub geometry: Geometry,
+    /// Material of every region, index into `materials`.
+    pub region_materials: Vec<usize>,
+    /// Materials.
+    pub materials: Vec<Material>,
+    /// Conditions, one a boundary name.
+    pub conditions: Vec<Condition>,
+    /// Temperature.
+    pub temperature: Temperature,
+    /// How fine.
+    pub mesh: MeshRequest,
+    /// What is asked for.
+    pub outputs: Vec<Output>,
+}

@@ -56,7 +56,7 @@ fn name(value: impl serde::Serialize) -> String {
 }
 
 fn table(page: &mut String, effects: &[Box<dyn Effect>]) {
-    page.push_str("\n| effect | stage | family | physics |\n|---|---|---|---|\n");
+    page.push_str("\n## All of them\n\n| effect | stage | family | physics |\n|---|---|---|---|\n");
     for effect in effects {
         let row = (effect.id(), name(effect.stage()), name(effect.family()), effect.about().physics);
         let _ = writeln!(page, "| [`{0}`](#{0}) | {1} | {2} | {3} |", row.0, row.1, row.2, row.3);

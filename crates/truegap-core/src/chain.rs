@@ -11,8 +11,8 @@
 use crate::inputs::Inputs;
 use serde::{Deserialize, Serialize};
 
-/// Places of the chain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+/// Places of the chain, in its order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum StageName {
     /// clocks and references of the inputs

@@ -4,5 +4,5 @@
 mod common;
 
 fn main() {
-    print!("{}", common::page::page());
+    print!("{}", common::page::page(&truegap_diagnose::Library::default()));
 }

@@ -20,13 +20,14 @@ pub mod text;
 mod validation;
 mod whitening;
 
-pub use answer::{Augmented, Diagnosis, Outcome, RecordingFacts, Traces, Verdict};
+pub use answer::{Augmented, Diagnosis, Known, Outcome, RecordingFacts, Traces, Verdict};
 pub use data::{context::Context, error::DiagnoseError, joint, problem::Problem};
 pub use effects::{
-    effect::{About, Effect, Family, FittedParameter},
+    collection::Library,
+    effect::{About, Effect, Family, FittedParameter, Separation, ZeroCourse},
     library,
 };
-pub use pipeline::{Options, diagnose};
+pub use pipeline::{Options, Restriction, diagnose};
 pub use selection::candidates::Progress;
 
 pub use validation::{cross_validation::parts, recovery};

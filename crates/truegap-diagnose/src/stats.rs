@@ -27,11 +27,19 @@ pub fn resolution(column: &[f64]) -> f64 {
     if least.is_finite() { least } else { 0.0 }
 }
 
-/// Root-mean-square error over some rows, those without a prediction aside.
-pub fn rmse_of(prediction: &[f64], response: &[f64], rows: Range<usize>) -> f64 {
-    let squares: Vec<f64> =
-        rows.map(|row| (prediction[row] - response[row]).powi(2)).filter(|square| square.is_finite()).collect();
-    (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
+/// Root-mean-square error of each of two predictions over the rows of `rows` that both predict; a row without a prediction is NaN. `None` where there is no such
+/// row: an error over no rows is no error of 0.
+pub fn rmse_of_both(predictions: [&[f64]; 2], response: &[f64], rows: Range<usize>) -> Option<[f64; 2]> {
+    let error = |prediction: &[f64], row: usize| (prediction[row] - response[row]).powi(2);
+    let both = |row: usize| predictions.map(|p| error(p, row));
+    let squares: Vec<[f64; 2]> = rows.map(both).filter(|s| s.iter().all(|square| square.is_finite())).collect();
+    let mean = |k: usize| (squares.iter().map(|s| s[k]).sum::<f64>() / squares.len() as f64).sqrt();
+    (!squares.is_empty()).then(|| [mean(0), mean(1)])
+}
+
+/// Root-mean-square error of a prediction of every row; `None` where there are no rows.
+pub fn rmse(prediction: &[f64], response: &[f64], rows: Range<usize>) -> Option<f64> {
+    rmse_of_both([prediction, prediction], response, rows).map(|[error, _]| error)
 }
 
 /// Probability that a chi-squared variable of `freedom` exceeds `statistic`.

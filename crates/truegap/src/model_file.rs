@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use truegap_core::sensor::{SensorError, builtin_sensors};
 use truegap_core::{Inputs, Sensor, SimulationError, Simulator};
 use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales, UnknownEffect};
-use truegap_diagnose::{Augmented, Context, library};
+use truegap_diagnose::{Augmented, Context, Library};
 use truegap_model::{BaseError, BaseModel};
 
 /// Identifier of the file format.
@@ -213,7 +213,7 @@ impl RunningModel {
     pub fn respond(&self, inputs: &Inputs) -> Result<Vec<f64>, ModelFileError> {
         let mut context = Context::new(inputs, self.simulator.as_ref(), 0.0, 0.0);
         self.augmented.apply_scales(&mut context);
-        let stages = self.augmented.stages(&library(), &context)?;
+        let stages = self.augmented.stages(&Library::default(), &context)?;
         let stages: Vec<_> = stages.iter().map(AsRef::as_ref).collect();
         Ok(self.simulator.respond(&self.values, inputs, &stages)?)
     }
@@ -223,16 +223,16 @@ impl RunningModel {
         let inputs = Inputs { run: vec![1], ..Inputs::default() };
         let mut context = Context::new(&inputs, self.simulator.as_ref(), 0.0, 0.0);
         self.augmented.apply_scales(&mut context);
-        let effects = library();
+        let effects = Library::default();
         for added in &self.augmented.effects {
-            let Some(effect) = effects.iter().find(|e| e.id().0 == added.id) else { continue };
+            let Some(effect) = effects.find(&added.id) else { continue };
             let (expected, found) = (effect.parameters(&context).len(), added.parameters.len());
             if expected != found {
                 return Err(ModelFileError::ParameterCount { id: added.id.clone(), expected, found });
             }
         }
         // an id that the library does not have is told with all that it has; nothing is walked here
-        let known = |added: &AddedEffect| effects.iter().any(|e| e.id().0 == added.id);
+        let known = |added: &AddedEffect| effects.find(&added.id).is_some();
         match self.augmented.effects.iter().all(known) {
             true => Ok(()),
             false => Ok(self.augmented.stages(&effects, &context).map(|_| ())?),

@@ -45,7 +45,7 @@ fn a_recording_in_two_files_has_the_answer_of_the_whole() {
     let each: Vec<(usize, u32)> = two.recording.recordings.iter().map(|r| (r.runs, r.first_run)).collect();
     assert_eq!(each, [(4, 1), (3, 5)]);
     assert_eq!(two.fit.held_out.recordings.len(), 2);
-    let (before, after) = (two.fit.held_out.rmse_before, one.fit.held_out.rmse_before);
+    let (before, after) = (two.fit.held_out.rmse_before.unwrap(), one.fit.held_out.rmse_before.unwrap());
     approx::assert_relative_eq!(before, after, max_relative = 0.02);
 }
 

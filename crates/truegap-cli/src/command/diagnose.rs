@@ -8,7 +8,7 @@ use anyhow::Context;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use truegap::diagnose::{Progress, Verdict};
+use truegap::diagnose::{Library, Progress, Verdict};
 use truegap::diagnosis::{Diagnosed, Request, diagnose, open};
 use truegap::report::terminal;
 
@@ -124,6 +124,7 @@ impl Diagnose {
         Request {
             sensor: self.sensor.clone(),
             base: self.base.clone(),
+            library: Library::default(),
             no_warp: self.no_warp,
             effects: self.effects.clone(),
             conceal: self.conceal.clone(),

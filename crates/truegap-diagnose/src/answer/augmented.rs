@@ -2,7 +2,7 @@
 //!
 //! Limits: names and numbers only; whoever knows the base models rebuilds a simulator from it.
 
-use crate::{data::context::Context, effects::effect::Effect};
+use crate::{data::context::Context, effects::collection::Library};
 use serde::{Deserialize, Serialize};
 use truegap_core::Stage;
 
@@ -72,13 +72,10 @@ impl Augmented {
     ///
     /// # Errors
     /// [`UnknownEffect`] for an id that the library does not have.
-    pub fn stages(&self, library: &[Box<dyn Effect>], context: &Context<'_>) -> Result<Vec<Box<dyn Stage>>, UnknownEffect> {
-        let known = || library.iter().map(|e| e.id().0).collect::<Vec<_>>().join(", ");
+    pub fn stages(&self, library: &Library, context: &Context<'_>) -> Result<Vec<Box<dyn Stage>>, UnknownEffect> {
         let stage = |added: &AddedEffect| {
-            let effect = library
-                .iter()
-                .find(|e| e.id().0 == added.id)
-                .ok_or_else(|| UnknownEffect { id: added.id.clone(), known: known() })?;
+            let unknown = || UnknownEffect { id: added.id.clone(), known: library.ids().join(", ") };
+            let effect = library.find(&added.id).ok_or_else(unknown)?;
             Ok(effect.with(&added.parameters.iter().map(|p| p.value).collect::<Vec<_>>(), context))
         };
         self.effects.iter().map(stage).collect()

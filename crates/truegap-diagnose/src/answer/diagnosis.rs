@@ -34,7 +34,7 @@ pub struct Diagnosis {
     pub noise: NoiseFacts,
     /// one of the six
     pub verdict: Verdict,
-    /// posterior probability that nothing is missing
+    /// posterior probability that nothing is missing, on the scale of all probabilities here: models of the library and unmodelled causes together make 1
     pub probability_agrees: f64,
     /// the verdict as a sentence with its reasons
     pub says: String,
@@ -230,10 +230,10 @@ pub struct Finding {
 /// Root-mean-square errors with their unit.
 #[derive(Clone, Debug, Serialize)]
 pub struct BeforeAfterUnit {
-    /// calibrated base model
-    pub rmse_before: f64,
-    /// with the effect
-    pub rmse_after: f64,
+    /// without the effect, over the rows that both models predict; absent (null) where there is none
+    pub rmse_before: Option<f64>,
+    /// with the effect, over the same rows
+    pub rmse_after: Option<f64>,
     /// unit
     pub unit: String,
 }

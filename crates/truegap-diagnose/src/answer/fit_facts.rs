@@ -32,16 +32,16 @@ pub struct BeforeAfter {
 pub struct HeldOut {
     /// how rows were left out
     pub how: String,
-    /// calibrated base model
-    pub rmse_before: f64,
-    /// with the findings
-    pub rmse_after: f64,
+    /// calibrated base model, over the rows that both models predict; absent (null) where there is none
+    pub rmse_before: Option<f64>,
+    /// with the findings, over the same rows
+    pub rmse_after: Option<f64>,
     /// share of the reproducible misfit that the findings remove; absent where there is none to remove
     pub misfit_removed: Option<f64>,
     /// the same share for an added term of equal freedom driven by a shuffled history
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shuffled_control: Option<f64>,
-    /// per part left out: name, before, after
+    /// per part left out that both models predict: name, before, after
     pub parts: Vec<(String, f64, f64)>,
     /// of each of several recordings
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -53,10 +53,10 @@ pub struct HeldOut {
 pub struct RecordingError {
     /// its number, from 1
     pub recording: usize,
-    /// calibrated base model
-    pub rmse_before: f64,
-    /// with the findings
-    pub rmse_after: f64,
+    /// calibrated base model, over the rows that both models predict; absent (null) where there is none
+    pub rmse_before: Option<f64>,
+    /// with the findings, over the same rows
+    pub rmse_after: Option<f64>,
     /// noise of one row
     pub noise_floor: f64,
 }

@@ -6,10 +6,16 @@ pub(crate) mod alternatives;
 pub(crate) mod assemble;
 pub(crate) mod augmented;
 pub(crate) mod diagnosis;
+pub(crate) mod errors;
+pub(crate) mod findings;
 pub(crate) mod fit_facts;
+pub(crate) mod found;
+pub(crate) mod known;
+pub(crate) mod numbers;
 pub(crate) mod outcome;
 pub(crate) mod prediction;
 pub(crate) mod traces;
+pub(crate) mod words;
 
 pub use crate::{
     adequacy::{
@@ -30,8 +36,11 @@ pub use crate::{
     quality::notice::{Notice, NoticeKind},
     selection::{model_space::EvidenceCheck, verdict::Verdict},
 };
+pub(crate) use assemble::outcome;
 pub use augmented::{AddedEffect, Augmented, NamedValue, Scales, UnknownEffect};
 pub use diagnosis::*;
 pub use fit_facts::{BeforeAfter, FitFacts, FlexibleTerm, HeldOut, PredictionOnly, RecordingError};
+pub(crate) use found::{Found, Reserved};
+pub use known::Known;
 pub use outcome::Outcome;
 pub use traces::Traces;

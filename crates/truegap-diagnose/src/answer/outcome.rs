@@ -11,4 +11,6 @@ pub struct Outcome {
     pub traces: Traces,
     /// the model that it ends with
     pub augmented: Augmented,
+    /// whether the search was stopped before its end
+    pub interrupted: bool,
 }

@@ -96,6 +96,9 @@ impl Effect for BondedLayers {
             source: "finite elements of a bonded bead cell, truegap_audit::corrections (docs/audit.md)",
         }
     }
+    fn touches(&self) -> Vec<StageName> {
+        vec![StageName::Beads, StageName::Dielectric, StageName::Field]
+    }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         vec![share("share of what finite elements compute for bonded layers; 0: they slide, 1: they stick")]
     }

@@ -2,7 +2,7 @@
 
 use crate::{
     data::context::Context,
-    effects::effect::{About, Effect, Family, FittedParameter},
+    effects::effect::{About, Effect, Family, FittedParameter, Separation},
 };
 use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
 
@@ -45,6 +45,9 @@ impl Effect for DeadGap {
             separates: "less curvature of the reading over load, the same at every temperature, rate and direction",
             source: "capacitors in series, Baxter, Capacitive Sensors, ch. 2",
         }
+    }
+    fn separations(&self) -> &'static [Separation] {
+        &[Separation { rival: "contact_toe_in", says: "measure the thickness of the stack independently under load" }]
     }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         vec![Parameter::normal("share", "unloaded gaps", 0.0, 0.1, "extra separation that never closes").within(0.0, 2.0)]

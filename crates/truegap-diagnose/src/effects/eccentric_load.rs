@@ -70,6 +70,9 @@ impl Effect for EccentricLoad {
             source: "Winkler bed under a rigid disc: moment F a against stiffness k pi r^4 / 4 (Timoshenko, Strength of Materials II, ch. 1)",
         }
     }
+    fn touches(&self) -> Vec<StageName> {
+        vec![StageName::Geometry]
+    }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         vec![
             Parameter::normal(

@@ -40,6 +40,26 @@ pub struct About {
     pub source: &'static str,
 }
 
+/// An instrument change that tells an effect from another where no profile of load and temperature can.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct Separation {
+    /// id of the effect that it is told from
+    pub rival: &'static str,
+    /// what to do
+    pub says: &'static str,
+}
+
+/// How an effect moves the zero of the reading by itself, with numbers of its own instead of an equation in the inputs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ZeroCourse {
+    /// not at all
+    Still,
+    /// from run to run
+    BetweenRuns,
+    /// inside runs as well
+    InsideRuns,
+}
+
 /// A parameter after the fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedParameter {
@@ -70,6 +90,22 @@ pub trait Effect: Send + Sync {
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter>;
     /// Whether somebody else has computed the size: it is a share of what is foreseen, with a prior about 1, and not about 0.
     fn foreseen(&self) -> bool {
+        false
+    }
+    /// Every place of the chain that it acts at; one cause may show at several.
+    fn touches(&self) -> Vec<StageName> {
+        vec![self.stage()]
+    }
+    /// Instrument changes that tell it from others; a pair of effects is listed by one of the two.
+    fn separations(&self) -> &'static [Separation] {
+        &[]
+    }
+    /// How it moves the zero by itself: an unmodelled cause that does the same is not weighed beside it.
+    fn zero_course(&self) -> ZeroCourse {
+        ZeroCourse::Still
+    }
+    /// Whether it is what a clipped reading shows, so that it may be named where readings are clipped.
+    fn clips(&self) -> bool {
         false
     }
     /// Whether it has no equation that could be wrong, but a number for whatever happens; what it leaves is then another cause.

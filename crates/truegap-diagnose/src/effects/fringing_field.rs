@@ -2,7 +2,7 @@
 
 use crate::{
     data::context::Context,
-    effects::effect::{About, Effect, Family, FittedParameter},
+    effects::effect::{About, Effect, Family, FittedParameter, Separation},
 };
 use std::f64::consts::PI;
 use truegap_core::{Drive, EffectId, FieldView, Parameter, Stage, simulator::StageName};
@@ -65,6 +65,12 @@ impl Effect for FringingField {
             separates: "nearly constant as the gap closes, so a stray capacitance takes up most of it; grows with the rim, not with the area",
             source: "Kirchhoff 1877; Landau & Lifshitz, Electrodynamics of Continuous Media, sec. 3",
         }
+    }
+    fn separations(&self) -> &'static [Separation] {
+        &[Separation {
+            rival: "parasitic_capacitance",
+            says: "add a guard ring at shield potential, or measure sensors of two diameters",
+        }]
     }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         vec![Parameter::normal("factor", "1", 0.0, 0.7, "factor on the field outside two bare discs").within(0.0, 5.0)]

@@ -2,7 +2,7 @@
 
 use crate::{
     data::context::Context,
-    effects::effect::{About, Effect, Family, FittedParameter},
+    effects::effect::{About, Effect, Family, FittedParameter, Separation},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -57,6 +57,12 @@ impl Effect for GainDrift {
             separates: "no change without load, in proportion to the signal with it, without delay; calibration can hide it in the temperature coefficient of the modulus",
             source: "Analog Devices AD7746 data sheet (gain drift against temperature)",
         }
+    }
+    fn separations(&self) -> &'static [Separation] {
+        &[Separation {
+            rival: "permittivity_temperature",
+            says: "put a fixed reference capacitor on the same electronics and take it through the same temperatures",
+        }]
     }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         vec![Parameter::normal("per_kelvin", "1/K", 0.0, 3e-3, "relative change of the gain").within(-0.03, 0.03)]

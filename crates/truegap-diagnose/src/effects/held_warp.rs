@@ -80,6 +80,9 @@ impl Effect for HeldWarp {
             source: "plate on rings of springs and disc with contact, truegap_audit::corrections (docs/audit.md, docs/disc.md)",
         }
     }
+    fn touches(&self) -> Vec<StageName> {
+        vec![StageName::Geometry, StageName::Field]
+    }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         vec![share("how far beads hold the electrode as finite elements compute; 0: as in the base model, 1: as on bonded beads")]
     }

@@ -3,7 +3,7 @@
 use crate::{
     data::context::Context,
     effects::{
-        effect::{About, Effect, Family, FittedParameter},
+        effect::{About, Effect, Family, FittedParameter, Separation},
         memory::play_set,
     },
 };
@@ -80,6 +80,9 @@ impl Effect for LoadCellError {
             separates: "the same error at the same load, whatever the temperature and whichever sensor; another reference changes it",
             source: "VDI/VDE/DKD 2638 (load cells: linearity and hysteresis); class 0.1 to 0.5 of full scale",
         }
+    }
+    fn separations(&self) -> &'static [Separation] {
+        &[Separation { rival: "rate_independent_hysteresis", says: "exchange the load cell, or load with weights" }]
     }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         vec![

@@ -4,6 +4,7 @@
 
 use effect::Effect;
 
+pub(crate) mod collection;
 pub(crate) mod effect;
 pub(crate) mod memory;
 

@@ -3,7 +3,7 @@
 use crate::{
     data::context::Context,
     effects::{
-        effect::{About, Effect, Family, FittedParameter},
+        effect::{About, Effect, Family, FittedParameter, Separation, ZeroCourse},
         memory::elapsed_s,
     },
 };
@@ -73,6 +73,15 @@ impl Effect for OffsetDrift {
             separates: "the same at every load, goes on between the runs, knows no history of the load",
             source: "JCGM 200:2012 (VIM), 4.21 instrumental drift",
         }
+    }
+    fn separations(&self) -> &'static [Separation] {
+        &[
+            Separation { rival: "ageing", says: "record a fixed reference capacitor beside the sensor" },
+            Separation { rival: "humidity_uptake", says: "record humidity, and dry the sensor overnight" },
+        ]
+    }
+    fn zero_course(&self) -> ZeroCourse {
+        ZeroCourse::InsideRuns
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let hours = (context.duration_s / HOUR).max(1e-6);

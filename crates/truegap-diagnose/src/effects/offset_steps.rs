@@ -2,7 +2,7 @@
 
 use crate::{
     data::context::Context,
-    effects::effect::{About, Effect, Family, FittedParameter},
+    effects::effect::{About, Effect, Family, FittedParameter, ZeroCourse},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -91,6 +91,9 @@ impl Effect for OffsetSteps {
             separates: "constant inside each run and the same at every load",
             source: "Basseville & Nikiforov, Detection of Abrupt Changes, ch. 2",
         }
+    }
+    fn zero_course(&self) -> ZeroCourse {
+        ZeroCourse::BetweenRuns
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let scale = 0.02 * context.response_span.abs();

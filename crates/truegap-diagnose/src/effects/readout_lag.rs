@@ -3,7 +3,7 @@
 use crate::{
     data::context::Context,
     effects::{
-        effect::{About, Effect, Family, FittedParameter},
+        effect::{About, Effect, Family, FittedParameter, Separation},
         memory::first_order_lag,
     },
 };
@@ -52,6 +52,9 @@ impl Effect for ReadoutLag {
             separates: "the loop over load grows with the rate of the reading, gone in a hold; a lag rounds corners, a time offset does not",
             source: "Oppenheim & Willsky, Signals and Systems, sec. 6.5 (first-order systems)",
         }
+    }
+    fn separations(&self) -> &'static [Separation] {
+        &[Separation { rival: "viscoelastic_creep", says: "put a switched reference capacitor on the same electronics" }]
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let scale = context.shortest_step_s.unwrap_or(1.0).max(0.1);

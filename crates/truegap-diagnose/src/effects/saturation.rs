@@ -77,6 +77,9 @@ impl Effect for Saturation {
             source: "Horowitz & Hill, The Art of Electronics, sec. 4.4 (limits of amplifiers)",
         }
     }
+    fn clips(&self) -> bool {
+        true
+    }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         vec![
             Parameter::normal("lost", "1", 0.0, 0.3, "share of the slope that is lost above the knee").within(0.0, 1.0),

@@ -3,7 +3,7 @@
 use crate::{
     data::context::Context,
     effects::{
-        effect::{About, Effect, Family, FittedParameter},
+        effect::{About, Effect, Family, FittedParameter, Separation},
         memory::rates,
     },
 };
@@ -50,6 +50,18 @@ impl Effect for TimeOffset {
             separates: "the loop over load grows with the rate and may run the wrong way round; corners stay sharp, where a lag rounds them",
             source: "Oppenheim & Willsky, Signals and Systems, sec. 1.2 (time shift)",
         }
+    }
+    fn separations(&self) -> &'static [Separation] {
+        &[
+            Separation { rival: "readout_lag", says: "sample load and response on one clock, or mark both with one common edge" },
+            Separation {
+                rival: "clock_rate",
+                says: "sample load and response on one clock, or mark both with a common edge at the start and at the end",
+            },
+        ]
+    }
+    fn touches(&self) -> Vec<StageName> {
+        vec![StageName::Inputs, StageName::LoadPath]
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let scale = context.shortest_step_s.unwrap_or(1.0).max(0.05);

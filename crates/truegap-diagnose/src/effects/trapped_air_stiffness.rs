@@ -55,6 +55,9 @@ impl Effect for TrappedAirStiffness {
             source: "Gibson & Ashby, Cellular Solids, sec. 5.3 (fluid in the cells); Biot, J. Appl. Phys. 12 (1941) 155",
         }
     }
+    fn touches(&self) -> Vec<StageName> {
+        vec![StageName::LoadPath]
+    }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let shortest = context.shortest_step_s.unwrap_or(1.0);
         let longest = context.longest_run_s.max(10.0 * shortest);

@@ -2,8 +2,12 @@
 //!
 //! Limits: separation is judged at the fitted numbers, with the rival's parameters free again within what is known by then.
 
-use crate::selection::candidates::{Search, Tried};
+use crate::{
+    effects::effect::{Effect, Separation},
+    selection::candidates::{Search, Tried},
+};
 use serde::Serialize;
+use std::collections::BTreeSet;
 use truegap_core::{Inputs, Role, Stage};
 
 /// What to measure next.
@@ -139,26 +143,10 @@ fn overnight(t: f64) -> Points {
     (0..12 * 120).map(|i| (30.0 * f64::from(i), if i % 120 < 4 { 1.0 } else { 0.0 }, t, 1)).collect()
 }
 
-/// Instrument changes that settle what no profile of load and temperature can: a pair of effects, what to do.
-const INSTRUMENT: [(&str, &str, &str); 9] = [
-    (
-        "permittivity_temperature",
-        "gain_drift",
-        "put a fixed reference capacitor on the same electronics and take it through the same temperatures",
-    ),
-    ("offset_drift", "ageing", "record a fixed reference capacitor beside the sensor"),
-    ("readout_lag", "time_offset", "sample load and response on one clock, or mark both with one common edge"),
-    (
-        "clock_rate",
-        "time_offset",
-        "sample load and response on one clock, or mark both with a common edge at the start and at the end",
-    ),
-    ("fringing_field", "parasitic_capacitance", "add a guard ring at shield potential, or measure sensors of two diameters"),
-    ("dead_gap", "contact_toe_in", "measure the thickness of the stack independently under load"),
-    ("load_cell_error", "rate_independent_hysteresis", "exchange the load cell, or load with weights"),
-    ("humidity_uptake", "offset_drift", "record humidity, and dry the sensor overnight"),
-    ("readout_lag", "viscoelastic_creep", "put a switched reference capacitor on the same electronics"),
-];
+/// Standard deviations that an instrument change is taken to put between two effects: it tells one from the other for certain.
+const CERTAIN: f64 = 20.0;
+/// Hours that an instrument change is taken to need.
+const REBUILD_H: f64 = 1.0;
 
 /// Ranks what would tell `best` from `rivals`.
 pub fn next_experiment(search: &Search<'_>, best: &Tried, rivals: &[&Tried]) -> NextExperiment {
@@ -178,11 +166,9 @@ pub fn next_experiment(search: &Search<'_>, best: &Tried, rivals: &[&Tried]) -> 
             });
         }
     }
-    let ids: Vec<&str> = std::iter::once(best)
-        .chain(rivals.iter().copied())
-        .flat_map(|t| t.effects.iter().map(|e| search.library[*e].id().0))
-        .collect();
-    options.extend(instrument(&ids));
+    let survivors = std::iter::once(best).chain(rivals.iter().copied());
+    let survivors: BTreeSet<usize> = survivors.flat_map(|t| t.effects.iter().copied()).collect();
+    options.extend(instrument(&survivors.into_iter().map(|e| search.library[e]).collect::<Vec<_>>()));
     let worth = |o: &ExperimentOption| o.separation.min(30.0) / o.hours.max(0.5).sqrt();
     options.sort_by(|a, b| worth(b).total_cmp(&worth(a)));
     let separates = std::iter::once(best).chain(rivals.iter().copied()).map(label).collect::<Vec<_>>();
@@ -200,14 +186,16 @@ pub fn next_experiment(search: &Search<'_>, best: &Tried, rivals: &[&Tried]) -> 
     NextExperiment { says, separates, options }
 }
 
-fn instrument<'a>(ids: &'a [&str]) -> impl Iterator<Item = ExperimentOption> + 'a {
-    let fits = |(a, b, _): &&(&str, &str, &str)| ids.contains(a) && ids.contains(b);
-    INSTRUMENT.iter().filter(fits).map(|(_, _, says)| ExperimentOption {
-        says: (*says).into(),
-        separation: 20.0,
-        hours: 1.0,
-        profile: None,
-    })
+/// Instrument changes by which one of `effects` says that it is told from another of them, in the order of the library.
+fn instrument(effects: &[&dyn Effect]) -> Vec<ExperimentOption> {
+    let mut listed: Vec<Separation> = Vec::new();
+    for separation in effects.iter().flat_map(|e| e.separations()) {
+        if effects.iter().any(|e| e.id().0 == separation.rival) && !listed.contains(separation) {
+            listed.push(*separation);
+        }
+    }
+    let option = |s: Separation| ExperimentOption { says: s.says.into(), separation: CERTAIN, hours: REBUILD_H, profile: None };
+    listed.into_iter().map(option).collect()
 }
 
 fn ends(profile: &Profile) -> (f64, f64) {

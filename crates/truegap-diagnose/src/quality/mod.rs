@@ -17,4 +17,4 @@ pub use crate::data::error::FEWEST_ROWS;
 pub use notice::{Notice, NoticeKind};
 pub use outliers::outliers;
 pub use rows::Rows;
-pub use screen::{OF_CLIPPED, troubles};
+pub use screen::troubles;

@@ -18,6 +18,3 @@ pub fn troubles(problem: &Problem<'_>, rows: &Rows<'_>) -> Vec<Notice> {
     list.extend(pauses::pauses(problem, rows));
     list
 }
-
-/// Effects that may be named where readings are clipped.
-pub const OF_CLIPPED: [&str; 1] = ["saturation"];

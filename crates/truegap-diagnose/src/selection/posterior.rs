@@ -58,9 +58,14 @@ impl Selection {
         self.models.iter().position(|m| !m.effects.is_empty())
     }
 
-    /// Probability that nothing is missing.
+    /// Probability that nothing is missing, among the models of the library; a verdict weighs it against odds of causes outside it.
     pub fn probability_none(&self) -> f64 {
         self.probability[self.base]
+    }
+
+    /// Probability that nothing is missing, causes outside the library counted, on the scale of [`Selection::effect_probability`].
+    pub fn probability_agrees(&self) -> f64 {
+        self.probability_none() / self.whole()
     }
 
     /// Sets causes outside the library beside the models; the probabilities of effects then leave room for them.

@@ -9,7 +9,10 @@
 
 use crate::{
     data::{context::load_column, problem::Problem},
-    effects::{effect::Effect, memory::rates},
+    effects::{
+        effect::{Effect, ZeroCourse},
+        memory::rates,
+    },
     fit::{
         optimum::Settled,
         score_test::{Scores, scores_with},
@@ -21,7 +24,6 @@ use crate::{
 use nalgebra::{DMatrix, SymmetricEigen};
 use rayon::prelude::*;
 use std::ops::Range;
-use truegap_core::EffectId;
 
 /// Prior probability that something outside the library acts, over that of something inside, shared evenly by the causes.
 const OUTSIDE: f64 = 0.1;
@@ -64,11 +66,11 @@ impl Cause {
         }
     }
 
-    /// Whether it makes by itself what this effect of the library makes, so that the two are not weighed together.
-    fn holds(self, effect: EffectId) -> bool {
+    /// Whether it makes by itself the course of the zero that an effect of the library makes, so that the two are not weighed together.
+    fn holds(self, course: ZeroCourse) -> bool {
         match self {
-            Self::WanderingZero | Self::WanderingGain => matches!(effect.0, "offset_steps" | "offset_drift"),
-            Self::Jump => effect.0 == "offset_drift",
+            Self::WanderingZero | Self::WanderingGain => course != ZeroCourse::Still,
+            Self::Jump => course == ZeroCourse::InsideRuns,
             _ => false,
         }
     }
@@ -175,7 +177,7 @@ impl Causes {
         };
         let still = self.still_inside_runs(models, library, temper);
         let apart = |model: &Tried, cause: Cause| {
-            !(still && cause == Cause::WanderingZero) && model.effects.iter().all(|e| !cause.holds(library[*e].id()))
+            !(still && cause == Cause::WanderingZero) && model.effects.iter().all(|e| !cause.holds(library[*e].zero_course()))
         };
         let of = |(model, settled): &(&'t Tried, Settled)| {
             let apart = self.list.iter().filter(|c| apart(model, c.cause));

@@ -31,10 +31,41 @@ pub struct HeldOutFit {
     pub how: String,
     /// prediction a row; NaN where a part could not be predicted
     pub prediction: Vec<f64>,
-    /// parts: name and root-mean-square error
-    pub parts: Vec<(String, f64)>,
-    /// root-mean-square error over all rows predicted
-    pub rmse: f64,
+    /// what became of each part, in the order of [`parts`]: the same parts for every model of one recording
+    pub parts: Vec<PartError>,
+}
+
+/// One part left out.
+pub struct PartError {
+    /// name for a reader
+    pub name: String,
+    /// sum of squared errors over its rows; `None` where it could not be predicted
+    pub squares: Option<f64>,
+    /// its rows
+    pub rows: usize,
+}
+
+/// Errors of two models on rows left out, over the parts that both predict.
+pub struct Compared {
+    /// root-mean-square error of the one and of the other
+    pub rmse: [f64; 2],
+    /// the same part by part, with its name
+    pub parts: Vec<(String, f64, f64)>,
+}
+
+/// Compares two models on the same rows; `None` where no part was predicted by both.
+///
+/// A part that one model cannot predict counts for neither: an error over fewer and easier rows would look like a better model.
+pub fn compared(before: &HeldOutFit, after: &HeldOutFit) -> Option<Compared> {
+    let (mut sums, mut rows, mut parts) = ([0.0; 2], 0, Vec::new());
+    for (b, a) in before.parts.iter().zip(&after.parts) {
+        let (Some(first), Some(second)) = (b.squares, a.squares) else { continue };
+        let rmse = |squares: f64| (squares / b.rows.max(1) as f64).sqrt();
+        parts.push((b.name.clone(), rmse(first), rmse(second)));
+        sums = [sums[0] + first, sums[1] + second];
+        rows += b.rows;
+    }
+    (rows > 0).then(|| Compared { rmse: sums.map(|sum| (sum / rows as f64).sqrt()), parts })
 }
 
 /// How to leave out rows of these runs.
@@ -110,25 +141,24 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
     };
     let model = Model::new(all.problem, search.context, tried.effects.iter().map(|e| search.library[*e]).collect());
     let predict = |part: &Part| model.respond(&without(search, noise, tried, part, all.first)?.z).ok();
-    let predicted: Vec<(usize, Option<Vec<f64>>)> = parts.par_iter().enumerate().map(|(i, part)| (i, predict(part))).collect();
-    let response = all.problem.response;
-    let mut prediction = vec![f64::NAN; response.len()];
-    let (mut errors, mut squares, mut rows) = (Vec::new(), 0.0, 0usize);
-    for (index, values) in predicted {
-        let Some(values) = values else { continue };
-        let part = &parts[index];
+    let predicted: Vec<Option<Vec<f64>>> = parts.par_iter().map(predict).collect();
+    let mut prediction = vec![f64::NAN; all.problem.response.len()];
+    let parts = parts.into_iter().zip(predicted).map(|(part, values)| judged(part, values, all, &mut prediction)).collect();
+    HeldOutFit { how, prediction, parts }
+}
+
+/// The error of a part, whose rows are put into `prediction`.
+fn judged(part: Part, values: Option<Vec<f64>>, all: AllRows<'_>, prediction: &mut [f64]) -> PartError {
+    let rows = part.rows.iter().map(ExactSizeIterator::len).sum();
+    let squares = values.map(|values| {
         let mut sum = 0.0;
-        let mut count = 0;
         for row in part.rows.iter().cloned().flatten() {
             prediction[row] = values[row];
-            sum += (values[row] - response[row]).powi(2);
-            count += 1;
+            sum += (values[row] - all.problem.response[row]).powi(2);
         }
-        errors.push((part.name.clone(), (sum / f64::from(count.max(1))).sqrt()));
-        squares += sum;
-        rows += count as usize;
-    }
-    HeldOutFit { how, prediction, parts: errors, rmse: (squares / rows.max(1) as f64).sqrt() }
+        sum
+    });
+    PartError { name: part.name, squares, rows }
 }
 
 /// The fit without one part.
@@ -147,4 +177,34 @@ pub fn misfit_removed(before: f64, after: f64, floor: f64, rows: usize) -> Optio
     // the floor's own square is uncertain by floor^2 sqrt(2 / rows it was measured on)
     let uncertain = floor * floor * (2.0 / rows.max(1) as f64).sqrt();
     (there > 4.0 * uncertain).then(|| 1.0 - (after * after - floor * floor) / there)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Parts of ten rows each with these errors; `None` could not be predicted.
+    fn fit(errors: &[Option<f64>]) -> HeldOutFit {
+        let part = |(k, error): (usize, &Option<f64>)| PartError {
+            name: format!("run {}", k + 1),
+            squares: error.map(|e| 10.0 * e * e),
+            rows: 10,
+        };
+        HeldOutFit { how: String::new(), prediction: Vec::new(), parts: errors.iter().enumerate().map(part).collect() }
+    }
+
+    /// Run 1 failed before and run 3 after: only run 2 says how the two compare, and it is told by its own name. By position, run 2 before would stand beside run 1
+    /// after; over all rows that each predicts, after would win by the hard run that it leaves out.
+    #[test]
+    fn before_and_after_are_over_the_same_rows_and_parts_keep_their_names() {
+        let (before, after) = (fit(&[None, Some(2.0), Some(9.0)]), fit(&[Some(1.0), Some(3.0), None]));
+        let found = compared(&before, &after).unwrap();
+        assert_eq!(found.parts, [("run 2".to_owned(), 2.0, 3.0)]);
+        assert_eq!(found.rmse, [2.0, 3.0]);
+    }
+
+    #[test]
+    fn where_no_part_can_be_predicted_there_is_no_error_of_zero() {
+        assert!(compared(&fit(&[None, None]), &fit(&[Some(1.0), Some(1.0)])).is_none());
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::{Plate, recording};
 use std::fmt::Write;
-use truegap_diagnose::{Context, Effect, library};
+use truegap_diagnose::{Context, Effect, Library};
 
 /// Parameters that are listed one by one; an effect with more has one a run.
 const LISTED: usize = 4;
@@ -39,13 +39,12 @@ fitted. Equations take no scale from the recording (a fitted number has to mean 
 ";
 
 /// One section per effect, in the order of the chain, between introduction and instructions.
-pub fn page() -> String {
+pub fn page(library: &Library) -> String {
     let (inputs, plate) = (recording(), Plate::new(Some(true)));
     let context = Context::new(&inputs, &plate, 2.0, 0.004);
     let mut page = String::from(HEAD);
-    let effects = library();
-    table(&mut page, &effects);
-    effects.iter().for_each(|effect| section(&mut page, effect.as_ref(), &context));
+    table(&mut page, library);
+    library.iter().for_each(|effect| section(&mut page, effect, &context));
     page.push_str(TAIL);
     page
 }
@@ -55,9 +54,9 @@ fn name(value: impl serde::Serialize) -> String {
     text.unwrap_or_default().replace('_', " ")
 }
 
-fn table(page: &mut String, effects: &[Box<dyn Effect>]) {
+fn table(page: &mut String, library: &Library) {
     page.push_str("\n## All of them\n\n| effect | stage | family | physics |\n|---|---|---|---|\n");
-    for effect in effects {
+    for effect in library.iter() {
         let row = (effect.id(), name(effect.stage()), name(effect.family()), effect.about().physics);
         let _ = writeln!(page, "| [`{0}`](#{0}) | {1} | {2} | {3} |", row.0, row.1, row.2, row.3);
     }

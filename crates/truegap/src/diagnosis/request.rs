@@ -5,6 +5,7 @@
 use super::DiagnosisError;
 use crate::nearest::nearest;
 use truegap_core::{Inputs, Recording};
+use truegap_diagnose::Library;
 use truegap_diagnose::answer::Hidden;
 use truegap_diagnose::joint::{Free, behind_one_another};
 
@@ -17,6 +18,8 @@ pub struct Request {
     pub base: Option<String>,
     /// leave the warp out of the base model
     pub no_warp: bool,
+    /// the effects that are known, the built-in ones unless somebody gives others
+    pub library: Library,
     /// effects to try; all where empty
     pub effects: Vec<String>,
     /// input columns to hide: role or name in the file
@@ -48,7 +51,7 @@ pub struct Opened {
 /// # Errors
 /// [`DiagnosisError`] where they do not belong together, or `request` names what is not there.
 pub fn open(recordings: Vec<Recording>, request: &Request) -> Result<Opened, DiagnosisError> {
-    check_effects(&request.effects)?;
+    check_effects(&request.effects, &request.library)?;
     let free = free(request, recordings.len())?;
     let mut parts: Vec<Recording> = recordings.into_iter().map(|r| channel(r, request)).collect::<Result<_, _>>()?;
     let mut hidden = Vec::new();
@@ -90,8 +93,8 @@ fn replace_base(recording: &mut Recording, request: &Request) {
     }
 }
 
-fn check_effects(effects: &[String]) -> Result<(), DiagnosisError> {
-    let known: Vec<&'static str> = truegap_diagnose::library().iter().map(|e| e.id().0).collect();
+fn check_effects(effects: &[String], library: &Library) -> Result<(), DiagnosisError> {
+    let known = library.ids();
     match effects.iter().find(|id| !known.contains(&id.as_str())) {
         None => Ok(()),
         Some(id) => {

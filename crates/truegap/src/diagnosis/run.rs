@@ -9,16 +9,13 @@ use super::{DiagnosisError, bank_store, prediction, write};
 use crate::base::Base;
 use crate::report::{Provenance, Subject};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use truegap_core::units::twelve_digits;
 use truegap_core::{Inputs, Recording, Role, SimulationError};
 use truegap_diagnose::answer::OneRecording;
 use truegap_diagnose::joint::{Member, Together};
 use truegap_diagnose::quality::Notice;
-use truegap_diagnose::{DiagnoseError, Options, Outcome, Problem, Progress, RecordingFacts};
-
-/// Said where the search was stopped.
-const STOPPED: &str = "the search was stopped before its end: verdict and probabilities are among what had been tried by then";
+use truegap_diagnose::{DiagnoseError, Known, Library, Options, Outcome, Problem, Progress, RecordingFacts};
 
 /// A recording and what was found in it.
 pub struct Diagnosed {
@@ -32,6 +29,8 @@ pub struct Diagnosed {
     pub outcome: Outcome,
     /// where it comes from
     pub provenance: Provenance,
+    /// the effects that were known
+    pub library: Library,
 }
 
 /// Diagnoses what was opened; `files` are what was read, with their SHA-256.
@@ -51,25 +50,17 @@ pub fn diagnose(
         true => of_one(&opened, &bases, &files, &run),
         false => of_several(&opened, &bases, &files, &run),
     };
-    let mut outcome = outcome.map_err(|error| noticed(error, &notices))?;
-    let mut bases = bases.bases.into_iter();
-    let base = bases.next().ok_or(DiagnosisError::NoRecording)?;
-    let diagnosis = &mut outcome.diagnosis;
-    diagnosis.base.sensor = base.sensor.as_ref().map(|s| s.name.clone());
-    diagnosis.recording_issues.extend(opened.recording.notes.iter().map(ToString::to_string));
-    diagnosis.recording_issues.extend(request.conceal.iter().map(|c| format!("the column for {c} was hidden on request")));
-    if stop.load(Ordering::Relaxed) {
-        diagnosis.recording_issues.insert(0, STOPPED.to_owned());
-    }
+    let outcome = outcome.map_err(|error| noticed(error, &notices))?;
+    let base = bases.bases.into_iter().next().ok_or(DiagnosisError::NoRecording)?;
     let provenance = Provenance {
         command: request.command.clone(),
         made_at: write::utc_now(),
         files,
-        interrupted: stop.load(Ordering::Relaxed),
+        interrupted: outcome.interrupted,
         has_model: true,
     };
-    outcome.diagnosis.notices = notices;
-    Ok(Diagnosed { recording: opened.recording, parts: opened.parts, base, outcome, provenance })
+    let library = request.library.clone();
+    Ok(Diagnosed { recording: opened.recording, parts: opened.parts, base, outcome, provenance, library })
 }
 
 /// Where the model has no answer and something is known to be wrong with the recording, that is the reason to be told.
@@ -93,15 +84,28 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
-    fn diagnose(&self, opened: &Opened, problem: &Problem<'_>, facts: RecordingFacts) -> Result<Outcome, DiagnoseError> {
+    fn diagnose(&self, opened: &Opened, problem: &Problem<'_>, known: Known) -> Result<Outcome, DiagnoseError> {
         let options = Options {
+            library: self.request.library.clone(),
             effects: self.request.effects.clone(),
             hidden: opened.hidden.clone(),
             bank: self.request.bank.map(bank_store::options),
             ..Options::default()
         };
         let options = reserve(self.notices, options);
-        truegap_diagnose::diagnose(problem, facts, &options, self.progress, self.stop)
+        truegap_diagnose::diagnose(problem, known, &options, self.progress, self.stop)
+    }
+
+    /// What is known before, `base` the base model of the only or first recording.
+    fn known(&self, opened: &Opened, base: &Base, recording: RecordingFacts) -> Known {
+        let notes = opened.recording.notes.iter().map(ToString::to_string);
+        let hidden = self.request.conceal.iter().map(|c| format!("the column for {c} was hidden on request"));
+        Known {
+            recording,
+            sensor: base.sensor.as_ref().map(|s| s.name.clone()),
+            notices: self.notices.to_vec(),
+            remarks: notes.chain(hidden).collect(),
+        }
     }
 }
 
@@ -109,7 +113,8 @@ fn of_one(opened: &Opened, bases: &Bases, files: &[(String, String)], run: &Run<
     let recording = &opened.recording;
     let base = &bases.bases[0];
     let problem = Problem { inputs: &recording.inputs, response: &recording.response, simulator: base.simulator.as_ref() };
-    run.diagnose(opened, &problem, facts(recording, files)).map_err(|source| refused(source, recording, base))
+    let known = run.known(opened, base, facts(recording, files));
+    run.diagnose(opened, &problem, known).map_err(|source| refused(source, recording, base))
 }
 
 fn of_several(opened: &Opened, bases: &Bases, files: &[(String, String)], run: &Run<'_>) -> Result<Outcome, DiagnosisError> {
@@ -119,7 +124,8 @@ fn of_several(opened: &Opened, bases: &Bases, files: &[(String, String)], run: &
     let mut facts = facts(&opened.recording, files);
     facts.recordings = each(opened, bases, files, &joint.inputs);
     facts.sharing = Some(joint.sharing.clone());
-    run.diagnose(opened, &problem, facts).map_err(|source| {
+    let known = run.known(opened, &bases.bases[0], facts);
+    run.diagnose(opened, &problem, known).map_err(|source| {
         let row = match &source {
             DiagnoseError::Simulation(SimulationError::GapCloses { row, .. }) => *row,
             _ => return DiagnosisError::Diagnose { recording: named(&opened.recording), source },
@@ -217,6 +223,7 @@ impl Diagnosed {
             inputs: &self.recording.inputs,
             response: &self.recording.response,
             provenance: &self.provenance,
+            library: &self.library,
         }
     }
 

@@ -8,8 +8,8 @@ use super::request::{Opened, together};
 use truegap_core::{Recording, Simulator};
 use truegap_diagnose::quality::FEWEST_ROWS;
 use truegap_diagnose::quality::{Notice, NoticeKind};
-use truegap_diagnose::quality::{OF_CLIPPED, Rows, outliers, troubles};
-use truegap_diagnose::{Options, Problem};
+use truegap_diagnose::quality::{Rows, outliers, troubles};
+use truegap_diagnose::{Options, Problem, Restriction};
 
 /// Recordings without their outliers, with their base models and what is wrong with them.
 pub(super) struct Screened {
@@ -82,6 +82,9 @@ fn without(opened: Opened, kept: &[Vec<usize>]) -> Result<Opened, DiagnosisError
 pub(super) fn reserve(notices: &[Notice], options: Options) -> Options {
     let withheld = notices.iter().find(|n| n.withholds).map(|n| format!("no physics is named: {}", n.says));
     let clipped = notices.iter().any(|n| n.kind == NoticeKind::Clipped);
-    let restricted = clipped.then(|| (OF_CLIPPED.to_vec(), "readings are clipped, so nothing but saturation is looked for"));
+    let restricted = clipped.then_some(Restriction {
+        only: |effect| effect.clips(),
+        why: "readings are clipped, so nothing but saturation is looked for",
+    });
     Options { withheld, restricted, ..options }
 }

@@ -53,14 +53,14 @@ fn table(subject: &Subject<'_>, column: &ConcealedColumn) -> Table {
     let opened = format!("{} opened", column.column);
     let head = ["run", "rows", "correlation", "without the column", "with the recovered course", &opened];
     let cells = |name: String, rows: usize, correlation: Option<f64>, errors: &CourseErrors| {
-        let error = |value: f64| wording::error(subject.diagnosis, value);
+        let error = |value| wording::error_if_any(subject.diagnosis, value);
         [
             name,
             rows.to_string(),
             correlation.map_or("–".into(), |c| significant(c, 3)),
             error(errors.rmse_before),
             error(errors.rmse_after),
-            errors.rmse_opened.map_or("–".into(), error),
+            error(errors.rmse_opened),
         ]
     };
     let rows = column.runs.iter().map(|r| cells(r.run.to_string(), r.rows, r.correlation, &r.errors));

@@ -5,7 +5,7 @@
 use super::text::{capitalised, listed, measured, spoken};
 use super::{subject::Subject, wording};
 use truegap_diagnose::answer::{Finding, ParameterFacts, Verdict};
-use truegap_diagnose::{About, library};
+use truegap_diagnose::{About, Effect};
 use truegap_scene::page::{Page, Table};
 
 /// Sets larger than this are folded.
@@ -16,7 +16,7 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     let diagnosis = subject.diagnosis;
     let page = if diagnosis.findings.is_empty() { page } else { page.section(heading(diagnosis.verdict)) };
     let page = diagnosis.findings.iter().fold(page, |page, finding| one(page, subject, finding));
-    ambiguity(page, &diagnosis.ambiguity)
+    ambiguity(page, subject, &diagnosis.ambiguity)
 }
 
 fn heading(verdict: Verdict) -> &'static str {
@@ -28,17 +28,17 @@ fn heading(verdict: Verdict) -> &'static str {
 }
 
 /// What the library says of an effect.
-pub(super) fn about(id: &str) -> Option<About> {
-    library().iter().find(|effect| effect.id().0 == id).map(|effect| effect.about())
+pub(super) fn about(subject: &Subject<'_>, id: &str) -> Option<About> {
+    subject.library.find(id).map(Effect::about)
 }
 
 fn one(page: Page, subject: &Subject<'_>, finding: &Finding) -> Page {
     let mut page = page.subsection(&spoken(&finding.effect)).text(&format!("{}.", wording::how_sure(finding)));
-    if let Some(about) = about(&finding.effect) {
+    if let Some(about) = about(subject, &finding.effect) {
         page = page.text(&format!("The physics: {}.", about.physics)).code(about.equation);
     }
     page = page.table(&parameters(&finding.parameters));
-    let error = |value: f64| wording::error(subject.diagnosis, value);
+    let error = |value| wording::error_if_any(subject.diagnosis, value);
     let held = &finding.held_out;
     page = page.text(&format!(
         "Error on rows left out, without and with this effect: {} → {}.",
@@ -48,7 +48,7 @@ fn one(page: Page, subject: &Subject<'_>, finding: &Finding) -> Page {
     if !finding.rivals.is_empty() {
         page = page.text(&format!("Not quite excluded in its place: {}.", wording::one_of(&finding.rivals)));
     }
-    match about(&finding.effect) {
+    match about(subject, &finding.effect) {
         None => page,
         Some(about) => {
             let impostors: Vec<String> = about.impostors.iter().map(|i| spoken(i)).collect();
@@ -67,14 +67,15 @@ fn parameters(parameters: &[ParameterFacts]) -> Table {
     })
 }
 
-fn ambiguity(page: Page, sets: &[Vec<String>]) -> Page {
+fn ambiguity(page: Page, subject: &Subject<'_>, sets: &[Vec<String>]) -> Page {
     if sets.is_empty() {
         return page;
     }
     let page = page.section("What this recording cannot tell apart");
     sets.iter().fold(page, |page, set| {
         let names: Vec<String> = set.iter().map(|m| spoken(m)).collect();
-        let lines: Vec<String> = set.iter().filter_map(|m| about(m).map(|a| format!("{}: {}", spoken(m), a.separates))).collect();
+        let lines: Vec<String> =
+            set.iter().filter_map(|m| about(subject, m).map(|a| format!("{}: {}", spoken(m), a.separates))).collect();
         let page = page.text(&format!("{}.", capitalised(&listed(&names, "or"))));
         if lines.len() > LISTED {
             page.details("What would tell them apart").list(&lines).end_details()

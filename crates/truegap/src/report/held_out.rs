@@ -35,12 +35,12 @@ pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
 
 fn sentence(subject: &Subject<'_>) -> String {
     let held = &subject.diagnosis.fit.held_out;
-    let error = |value| wording::error(subject.diagnosis, value);
+    let error = |value| wording::error_if_any(subject.diagnosis, value);
     let mut text = format!("Left out: {}. The calibrated model predicts the rest to {}", held.how, error(held.rmse_before));
     if subject.is_augmented() {
         text += &format!(", with the missing physics to {}", error(held.rmse_after));
     }
-    text += &format!("; the noise of one reading is {}.", error(subject.diagnosis.fit.noise_floor));
+    text += &format!("; the noise of one reading is {}.", error(Some(subject.diagnosis.fit.noise_floor)));
     if let Some(share) = wording::misfit_removed(subject.diagnosis) {
         text += &format!(" Share of the reproducible misfit removed: {share}.");
     }

@@ -43,7 +43,7 @@ fn cells(subject: &Subject<'_>, one: &OneRecording, error: Option<&RecordingErro
         one.rows.to_string(),
         runs,
         told(error.map(|e| e.noise_floor)),
-        told(error.map(|e| e.rmse_before)),
-        told(error.map(|e| e.rmse_after)),
+        told(error.and_then(|e| e.rmse_before)),
+        told(error.and_then(|e| e.rmse_after)),
     ]
 }

@@ -4,6 +4,7 @@
 
 use super::text::Scale;
 use truegap_core::Inputs;
+use truegap_diagnose::Library;
 use truegap_diagnose::answer::{Diagnosis, Traces};
 
 /// Everything that a report draws and tells.
@@ -19,6 +20,8 @@ pub struct Subject<'a> {
     pub response: &'a [f64],
     /// how the report came to be
     pub provenance: &'a Provenance,
+    /// the effects that were known
+    pub library: &'a Library,
 }
 
 /// Where a diagnosis comes from.

@@ -51,7 +51,8 @@ fn tiles(diagnosis: &Diagnosis) -> Vec<(String, String)> {
     let mut tiles = vec![(error(fit.in_sample.rmse_before), "misfit of the calibrated model (RMSE)".to_owned())];
     if !diagnosis.findings.is_empty() {
         tiles.push((error(fit.in_sample.rmse_after), "with what was missing added".to_owned()));
-        let held = format!("{} → {}", error(fit.held_out.rmse_before), error(fit.held_out.rmse_after));
+        let if_any = |value| wording::error_if_any(diagnosis, value);
+        let held = format!("{} → {}", if_any(fit.held_out.rmse_before), if_any(fit.held_out.rmse_after));
         tiles.push((held, "on data the fit did not see".to_owned()));
     }
     if let Some(term) = &diagnosis.prediction_only {

@@ -45,16 +45,21 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
 fn errors(diagnosis: &Diagnosis) -> Vec<String> {
     let fit = &diagnosis.fit;
     let error = |value: f64| wording::error(diagnosis, value);
+    let if_any = |value| wording::error_if_any(diagnosis, value);
     let held = &fit.held_out;
     if diagnosis.findings.is_empty() {
         let inside = error(fit.in_sample.rmse_before);
-        return vec![format!("RMSE {inside} in sample, {} held out; noise {}", error(held.rmse_before), error(fit.noise_floor))];
+        return vec![format!("RMSE {inside} in sample, {} held out; noise {}", if_any(held.rmse_before), error(fit.noise_floor))];
     }
-    let pair = |before: f64, after: f64| format!("{} -> {}", error(before), error(after));
+    let pair = |before, after| format!("{} -> {}", if_any(before), if_any(after));
     let removed =
         wording::misfit_removed(diagnosis).map_or(String::new(), |share| format!("; reproducible misfit removed: {share}"));
     vec![
-        format!("RMSE in sample {}; noise {}", pair(fit.in_sample.rmse_before, fit.in_sample.rmse_after), error(fit.noise_floor)),
+        format!(
+            "RMSE in sample {}; noise {}",
+            pair(Some(fit.in_sample.rmse_before), Some(fit.in_sample.rmse_after)),
+            error(fit.noise_floor)
+        ),
         format!("RMSE held out  {} ({}){removed}", pair(held.rmse_before, held.rmse_after), held.how),
     ]
 }

@@ -85,6 +85,11 @@ pub(super) fn error(diagnosis: &Diagnosis, value: f64) -> String {
     error_scale(diagnosis).text(value)
 }
 
+/// The same of an error that there may be none of: no row was predicted.
+pub(super) fn error_if_any(diagnosis: &Diagnosis, value: Option<f64>) -> String {
+    value.map_or_else(|| "–".to_owned(), |value| error(diagnosis, value))
+}
+
 /// How sure a finding is, in words with the two numbers.
 pub fn how_sure(finding: &Finding) -> String {
     let strength = match finding.detectability {
@@ -128,7 +133,11 @@ mod tests {
             says: String::new(),
             detectability,
             parameters: Vec::new(),
-            held_out: truegap_diagnose::answer::BeforeAfterUnit { rmse_before: 1.0, rmse_after: 0.1, unit: "pF".into() },
+            held_out: truegap_diagnose::answer::BeforeAfterUnit {
+                rmse_before: Some(1.0),
+                rmse_after: Some(0.1),
+                unit: "pF".into(),
+            },
             rivals: Vec::new(),
         }
     }

@@ -2,6 +2,7 @@
 
 use truegap::report::{Provenance, Subject};
 use truegap_core::Inputs;
+use truegap_diagnose::Library;
 use truegap_diagnose::answer::*;
 
 const ROWS: usize = 900;
@@ -13,6 +14,7 @@ pub struct Fixture {
     pub inputs: Inputs,
     pub response: Vec<f64>,
     pub provenance: Provenance,
+    pub library: Library,
 }
 
 impl Fixture {
@@ -23,6 +25,7 @@ impl Fixture {
             inputs: &self.inputs,
             response: &self.response,
             provenance: &self.provenance,
+            library: &self.library,
         }
     }
 }
@@ -66,7 +69,14 @@ pub fn thermal_lag() -> Fixture {
         flexible: Vec::new(),
         held_out_flexible: Vec::new(),
     };
-    Fixture { diagnosis: diagnosis(before, after), traces, inputs, response, provenance: provenance() }
+    Fixture {
+        diagnosis: diagnosis(before, after),
+        traces,
+        inputs,
+        response,
+        provenance: provenance(),
+        library: Library::default(),
+    }
 }
 
 fn provenance() -> Provenance {
@@ -153,7 +163,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             says: "the sensor follows the thermometer with a time constant of 120 s (sd 6)".into(),
             detectability: 31.0,
             parameters: vec![parameter("tau", "s", [0.0, 120.0], 120.0, 6.0)],
-            held_out: BeforeAfterUnit { rmse_before: before, rmse_after: after, unit: "pF".into() },
+            held_out: BeforeAfterUnit { rmse_before: Some(before), rmse_after: Some(after), unit: "pF".into() },
             rivals: vec!["readout_lag".into()],
         }],
         candidates: vec![
@@ -167,8 +177,8 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             in_sample: BeforeAfter { rmse_before: before, rmse_after: after },
             held_out: HeldOut {
                 how: "each run in turn".into(),
-                rmse_before: before * 1.1,
-                rmse_after: after * 1.1,
+                rmse_before: Some(before * 1.1),
+                rmse_after: Some(after * 1.1),
                 misfit_removed: Some(0.97),
                 shuffled_control: Some(0.01),
                 recordings: Vec::new(),

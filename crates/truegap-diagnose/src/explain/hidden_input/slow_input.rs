@@ -13,6 +13,7 @@ use crate::{
         candidates::{Search, Tried},
         posterior::Selection,
     },
+    stats::rmse,
     text::{Scale, significant},
 };
 use serde::Serialize;
@@ -68,10 +69,10 @@ pub struct ConcealedColumn {
 /// Root-mean-square errors, in the unit of the response.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct CourseErrors {
-    /// calibrated base model without the column
-    pub rmse_before: f64,
-    /// with the recovered course
-    pub rmse_after: f64,
+    /// calibrated base model without the column; absent where it has no answer
+    pub rmse_before: Option<f64>,
+    /// with the recovered course; absent where the model has no answer with it
+    pub rmse_after: Option<f64>,
     /// base model calibrated with the column opened; absent where it has no answer
     pub rmse_opened: Option<f64>,
 }
@@ -140,13 +141,13 @@ impl SlowInput {
         let seen: Vec<f64> = course.iter().zip(&known).map(|(c, known)| if *known { *c } else { f64::NAN }).collect();
         let share = known.iter().filter(|k| **k).count() as f64 / known.len().max(1) as f64;
         let line = crate::explain::hidden_input::opened::line(&hidden.values, &seen, &runs);
-        let before = Model::new(all, search.context, Vec::new()).respond(&base.fit.z).unwrap_or_default();
-        let after = respond(search, all.inputs, &self.course.z, self.course.through, course.clone()).unwrap_or_default();
+        let before = Model::new(all, search.context, Vec::new()).respond(&base.fit.z).ok();
+        let after = respond(search, all.inputs, &self.course.z, self.course.through, course.clone()).ok();
         let with_column = with_column(search, all, hidden);
         let errors = |rows: Range<usize>| CourseErrors {
-            rmse_before: rmse(&before, all.response, rows.clone()),
-            rmse_after: rmse(&after, all.response, rows.clone()),
-            rmse_opened: with_column.as_ref().map(|w| rmse(w, all.response, rows)),
+            rmse_before: before.as_ref().and_then(|p| rmse(p, all.response, rows.clone())),
+            rmse_after: after.as_ref().and_then(|p| rmse(p, all.response, rows.clone())),
+            rmse_opened: with_column.as_ref().and_then(|p| rmse(p, all.response, rows)),
         };
         let of_run = |rows: &Range<usize>| CourseRun {
             run: all.inputs.run[rows.start],
@@ -274,14 +275,6 @@ fn means(all: &Inputs, fewer: &Inputs, column: &[f64]) -> Vec<f64> {
         }
     }
     values
-}
-
-fn rmse(predicted: &[f64], response: &[f64], rows: Range<usize>) -> f64 {
-    let n = rows.len().max(1) as f64;
-    if predicted.len() != response.len() {
-        return f64::NAN;
-    }
-    (rows.map(|row| (predicted[row] - response[row]).powi(2)).sum::<f64>() / n).sqrt()
 }
 
 /// A course that was recovered, a value a row.

@@ -1,0 +1,119 @@
+//! Errors in sample and on rows left out, before and after what is named was added.
+//!
+//! Limits: an error stands for the rows that both models predict; where there is none, it is absent.
+
+use crate::{
+    answer::{
+        fit_facts::{BeforeAfter, FitFacts, HeldOut, RecordingError},
+        found::Found,
+    },
+    explain::conflicts::Conflict,
+    fit::model::Model,
+    selection::{
+        candidates::{Tried, zero_size},
+        verdict::Verdict,
+    },
+    stats::{rmse, rmse_of_both},
+    validation::{
+        cross_validation::{HeldOutFit, compared, held_out, misfit_removed},
+        permutation::shuffled,
+    },
+};
+use truegap_core::SimulationError;
+
+/// Share of the raw effect in the base parameters from which calibration is said to have concealed it.
+const MOSTLY_ABSORBED: f64 = 0.9;
+
+/// Noise floors below which the error in sample looks like noise.
+const LIKE_NOISE: f64 = 2.0;
+
+/// Response of every row, as `tried` has it.
+///
+/// # Errors
+/// Those of the simulator: block averages may have an answer where a single row has none.
+pub(crate) fn respond(found: &Found<'_>, tried: &Tried) -> Result<Vec<f64>, SimulationError> {
+    let effects = tried.effects.iter().map(|e| found.search.library[*e]).collect();
+    Model::new(found.all.problem, found.search.context, effects).respond(&tried.fit.z)
+}
+
+/// Predictions of rows left out, as `tried` makes them.
+pub(crate) fn unseen(found: &Found<'_>, tried: &Tried) -> HeldOutFit {
+    held_out(found.search, found.searched_noise, tried, found.all)
+}
+
+/// What an added term of equal freedom removes when its history is shuffled.
+pub(crate) fn permutation_control(found: &Found<'_>, tried: &Tried) -> Option<f64> {
+    let problem = found.search.problem;
+    shuffled(&found.selection.base().fit, &tried.fit, &problem.runs(), &problem.inputs.run)
+}
+
+/// Root-mean-square errors of two predictions of every row.
+pub(crate) fn in_sample(found: &Found<'_>, before: &[f64], after: &[f64]) -> Option<BeforeAfter> {
+    let response = found.all.problem.response;
+    let error = |prediction: &[f64]| rmse(prediction, response, 0..response.len());
+    Some(BeforeAfter { rmse_before: error(before)?, rmse_after: error(after)? })
+}
+
+/// Errors of the calibrated base model and of the model stood behind; `before` and `after` are their predictions of rows left out.
+pub(crate) fn fit_facts(found: &Found<'_>, in_sample: BeforeAfter, before: &HeldOutFit, after: &HeldOutFit) -> FitFacts {
+    let floor = found.noise.floor();
+    let both = compared(before, after);
+    let named = !found.chosen().effects.is_empty();
+    let removed = both.as_ref().and_then(|c| misfit_removed(c.rmse[0], c.rmse[1], floor, found.noise.rows));
+    FitFacts {
+        in_sample,
+        held_out: HeldOut {
+            how: before.how.clone(),
+            rmse_before: both.as_ref().map(|c| c.rmse[0]),
+            rmse_after: both.as_ref().map(|c| c.rmse[1]),
+            misfit_removed: removed.filter(|_| named),
+            shuffled_control: if named { permutation_control(found, found.chosen()) } else { None },
+            parts: both.map(|c| c.parts).unwrap_or_default(),
+            recordings: by_recording(found, before, after),
+        },
+        noise_floor: floor,
+        unit: found.search.problem.simulator.unit().to_owned(),
+    }
+}
+
+/// Errors on rows left out, of each of several recordings.
+fn by_recording(found: &Found<'_>, before: &HeldOutFit, after: &HeldOutFit) -> Vec<RecordingError> {
+    let problem = found.all.problem;
+    let Some(joined) = problem.simulator.joined() else { return Vec::new() };
+    let error = |k: usize| {
+        let rows = joined.rows(k, problem.inputs);
+        let both = rmse_of_both([&before.prediction, &after.prediction], problem.response, rows.clone());
+        RecordingError {
+            recording: k + 1,
+            rmse_before: both.map(|b| b[0]),
+            rmse_after: both.map(|b| b[1]),
+            noise_floor: found.noise.floor_of(rows),
+        }
+    };
+    (0..joined.count()).map(error).collect()
+}
+
+/// Calibration hid the effect: most of its raw size is gone from the residual, or parameters are pushed away.
+pub(crate) fn concealed(found: &Found<'_>, conflicts: &[Conflict], fit: &FitFacts) -> bool {
+    if found.reserved.as_ref().is_some_and(|r| r.withheld) {
+        return false;
+    }
+    let clean = fit.in_sample.rmse_before < LIKE_NOISE * fit.noise_floor;
+    let mismatch = found.decision.verdict != Verdict::Agrees;
+    clean && (!conflicts.is_empty() || (mismatch && absorbed_share(found) > MOSTLY_ABSORBED))
+}
+
+/// Share of the raw effect that the base parameters absorb.
+fn absorbed_share(found: &Found<'_>) -> f64 {
+    let chosen = found.chosen();
+    if chosen.effects.is_empty() {
+        return 0.0;
+    }
+    let model = found.search.model(&chosen.effects);
+    let mut without = chosen.fit.z.clone();
+    (0..chosen.effects.len()).for_each(|i| without[model.first_of(i)] = zero_size(&model, i));
+    let Ok(there) = model.residual(&without, found.search.whitener) else { return 0.0 };
+    let raw: f64 = there.iter().zip(&chosen.fit.residual).map(|(a, b)| (a - b).powi(2)).sum();
+    let left = (found.selection.base().fit.chi2 - chosen.fit.chi2).max(0.0);
+    if raw > 0.0 { 1.0 - (left / raw).sqrt().min(1.0) } else { 0.0 }
+}

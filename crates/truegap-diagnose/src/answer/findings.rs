@@ -1,0 +1,57 @@
+//! What the tool stands behind, effect by effect.
+//!
+//! Limits: decides nothing; what is named here was decided in [`crate::selection::verdict`].
+
+use crate::{
+    answer::{
+        diagnosis::{BeforeAfterUnit, Finding},
+        errors::unseen,
+        found::Found,
+        numbers::{fitted, parameters},
+    },
+    selection::detectability::detectability,
+    validation::cross_validation::{HeldOutFit, compared},
+};
+
+/// Detectability below which a finding is said to be most consistent, and no more.
+const PLAIN: f64 = 10.0;
+
+/// The effects of the model stood behind; `before` and `after` are the predictions of rows left out by the base model and by that model.
+pub(crate) fn findings(found: &Found<'_>, before: &HeldOutFit, after: &HeldOutFit) -> Vec<Finding> {
+    (0..found.chosen().effects.len()).map(|index| finding(found, index, before, after)).collect()
+}
+
+fn finding(found: &Found<'_>, index: usize, before: &HeldOutFit, after: &HeldOutFit) -> Finding {
+    let chosen = found.chosen();
+    let effect = chosen.effects[index];
+    let own = found.search.model(&chosen.effects).range_of(index);
+    let detectability = detectability(found.search, chosen, index);
+    let sentence = found.search.library[effect].says(&fitted(found, chosen, own.clone()));
+    let without = without(found, index);
+    let both = compared(without.as_ref().unwrap_or(before), after);
+    let rivals = found.decision.sets.get(index).map(|set| set.iter().filter(|e| **e != effect).map(|e| found.id(*e)).collect());
+    Finding {
+        effect: found.id(effect),
+        probability: found.selection.effect_probability[effect],
+        says: match detectability < PLAIN {
+            true => format!("most consistent with: {sentence} (detectability {detectability:.1})"),
+            false => sentence,
+        },
+        detectability,
+        parameters: parameters(found, chosen, own),
+        held_out: BeforeAfterUnit {
+            rmse_before: both.as_ref().map(|c| c.rmse[0]),
+            rmse_after: both.as_ref().map(|c| c.rmse[1]),
+            unit: found.search.problem.simulator.unit().into(),
+        },
+        rivals: rivals.unwrap_or_default(),
+    }
+}
+
+/// Rows left out as all findings but one predict them; `None` where it was the only one.
+fn without(found: &Found<'_>, index: usize) -> Option<HeldOutFit> {
+    let chosen = found.chosen();
+    let others: Vec<usize> = chosen.effects.iter().enumerate().filter(|(i, _)| *i != index).map(|(_, e)| *e).collect();
+    let tried = found.selection.with(&others).filter(|t| !t.effects.is_empty())?;
+    Some(unseen(found, tried))
+}

@@ -1,0 +1,82 @@
+//! All that the stages before this one found, as an answer is put together from it.
+//!
+//! Limits: plain data.
+
+use crate::{
+    adequacy::{
+        directions::Direction,
+        interference::heard::Heard,
+        lack_of_fit::{Adequacy, Gate},
+    },
+    explain::hidden_input::slow_input::{Hidden, SlowInput},
+    selection::{
+        candidates::{Search, Tried},
+        posterior::Selection,
+        verdict::{Decision, Verdict},
+    },
+    validation::{cross_validation::AllRows, recovery::confusion::Bank},
+    whitening::noise_model::NoiseModel,
+};
+
+/// All that was found.
+pub struct Found<'a> {
+    /// problem, context, library, noise filter
+    pub search: &'a Search<'a>,
+    /// noise of every row
+    pub noise: &'a NoiseModel,
+    /// noise of the rows that are searched
+    pub searched_noise: &'a NoiseModel,
+    /// every row
+    pub all: AllRows<'a>,
+    /// models and probabilities
+    pub selection: &'a Selection,
+    /// verdict
+    pub decision: &'a Decision,
+    /// recovery bank, where it was run
+    pub bank: Option<&'a Bank>,
+    /// adequacy of the base model
+    pub before: Adequacy,
+    /// adequacy of the likeliest model
+    pub after: Adequacy,
+    /// bursts and a tone in what the model stood behind leaves
+    pub heard: Heard,
+    /// directions, whitened
+    pub gate: &'a Gate,
+    /// directions
+    pub directions: &'a [Direction],
+    /// why no physics is named whatever the models say; absent where the models decide
+    pub reserved: Option<Reserved>,
+    /// the slow course in place of a column that was hidden on purpose, and that column
+    pub slow: Option<(&'a SlowInput, &'a Hidden)>,
+    /// whether the search was stopped before its end
+    pub interrupted: bool,
+}
+
+/// Why no physics is named whatever the models say.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reserved {
+    /// the reason, for a reader
+    pub says: String,
+    /// whether the recording may not be trusted
+    pub withheld: bool,
+    /// whether an input is missing that was hidden on purpose
+    pub input_missing: bool,
+}
+
+impl Found<'_> {
+    /// The model stood behind.
+    pub fn chosen(&self) -> &Tried {
+        &self.selection.models[self.decision.model]
+    }
+
+    /// Name of an effect of the library searched.
+    pub fn id(&self, effect: usize) -> String {
+        self.search.library[effect].id().to_string()
+    }
+
+    /// Whether a tone or bursts are what there is to say, and nothing that is missing.
+    pub fn is_about_what_is_heard(&self) -> bool {
+        let nothing_missing = self.decision.verdict == Verdict::Unexplained && self.decision.outside.is_none();
+        self.reserved.is_none() && nothing_missing && self.heard.is_the_matter(&self.before)
+    }
+}

@@ -1,0 +1,95 @@
+//! Numbers as they stand in `diagnosis.json` and in the model file: parameters, noise.
+//!
+//! Limits: copies and converts; computes nothing but a parameter's value from its coordinate.
+
+use crate::{
+    answer::{
+        augmented::{AddedEffect, Augmented, NamedValue, Scales},
+        diagnosis::{NoiseFacts, ParameterFacts, RecordingNoiseFacts},
+        found::Found,
+    },
+    effects::effect::FittedParameter,
+    selection::candidates::Tried,
+    whitening::noise_model::RecordingNoise,
+};
+use std::ops::Range;
+
+/// Parameters of a fitted model.
+pub(crate) fn fitted(found: &Found<'_>, tried: &Tried, range: Range<usize>) -> Vec<FittedParameter> {
+    let model = found.search.model(&tried.effects);
+    range
+        .map(|i| {
+            let parameter = model.parameters[i].clone();
+            let (z, sd) = (tried.fit.z[i], tried.fit.sd[i]);
+            FittedParameter {
+                value: parameter.prior.at(z),
+                sd: parameter.prior.slope(z) * sd,
+                at_limit: tried.fit.at_limit[i],
+                parameter,
+            }
+        })
+        .collect()
+}
+
+/// The same for the record.
+pub(crate) fn parameters(found: &Found<'_>, tried: &Tried, range: Range<usize>) -> Vec<ParameterFacts> {
+    let facts = |f: FittedParameter| ParameterFacts {
+        name: f.parameter.name.clone(),
+        unit: f.parameter.unit.clone(),
+        prior: [f.parameter.centre(), f.parameter.sd()],
+        value: f.value,
+        sd: f.sd,
+        at_limit: f.at_limit,
+    };
+    fitted(found, tried, range).into_iter().map(facts).collect()
+}
+
+/// The model that the diagnosis ends with.
+pub(crate) fn augmented(found: &Found<'_>) -> Augmented {
+    let chosen = found.chosen();
+    let named = |f: FittedParameter| NamedValue { name: f.parameter.name, unit: f.parameter.unit, value: f.value, sd: f.sd };
+    let model = found.search.model(&chosen.effects);
+    let effect = |(index, effect): (usize, &usize)| AddedEffect {
+        id: found.id(*effect),
+        parameters: fitted(found, chosen, model.range_of(index)).into_iter().map(named).collect(),
+    };
+    let context = found.search.context;
+    let base = fitted(found, chosen, 0..model.base_count());
+    // of several recordings, the model of the first one's sensor
+    let joined = found.search.problem.simulator.joined();
+    let own: Vec<usize> = joined.map_or_else(|| (0..base.len()).collect(), |joined| joined.places(0).to_vec());
+    Augmented {
+        parameters: own.into_iter().map(|i| named(base[i].clone())).collect(),
+        effects: chosen.effects.iter().enumerate().map(effect).collect(),
+        scales: Scales {
+            longest_run_s: context.longest_run_s,
+            shortest_step_s: context.shortest_step_s.unwrap_or(0.0),
+            duration_s: context.duration_s,
+            response_span: context.response_span,
+            noise_sd: context.noise_sd,
+            runs: Some(context.runs),
+        },
+    }
+}
+
+/// The noise, for the record.
+pub(crate) fn noise(found: &Found<'_>) -> NoiseFacts {
+    let n = found.noise;
+    let of_recording = |(k, r): (usize, &RecordingNoise)| RecordingNoiseFacts {
+        recording: k + 1,
+        says: r.says.clone(),
+        white_sd: r.response.white_sd,
+        ar_sd: r.response.ar_sd,
+        ar_correlation: r.response.ar_correlation,
+    };
+    NoiseFacts {
+        says: n.says.clone(),
+        white_sd: n.response.white_sd,
+        ar_sd: n.response.ar_sd,
+        ar_correlation: n.response.ar_correlation,
+        load_sd: n.inputs.load * found.search.problem.simulator.full_load().unwrap_or(0.0),
+        temperature_sd: n.inputs.temperature,
+        measured: n.measured,
+        recordings: n.recordings.iter().enumerate().map(of_recording).collect(),
+    }
+}

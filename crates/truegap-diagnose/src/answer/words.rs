@@ -1,0 +1,137 @@
+//! The verdict as a sentence, and what to do next.
+//!
+//! Limits: decides nothing.
+
+use crate::{
+    answer::{
+        alternatives::{ambiguity, says_of},
+        diagnosis::Finding,
+        found::Found,
+    },
+    effects::memory::elapsed_s,
+    explain::next_experiment::{NextExperiment, next_experiment},
+    selection::{
+        candidates::Tried,
+        verdict::{Decision, Verdict},
+    },
+    text::share_left,
+};
+
+/// Log evidence from which an unmodelled cause is worth mentioning where nothing is named.
+const NEARLY: f64 = 10.0;
+
+/// Probability below which a line in the spectrum is worth mentioning: far below the level of the test, because it is one clause of a sentence on something else.
+const CLEAR_LINE: f64 = 1e-6;
+
+/// Rivals of the likeliest model that the next experiment is to tell it from.
+const MOST_RIVALS: usize = 3;
+
+/// What to do where a tone or bursts are in the reading.
+const LISTEN: &str = "record again at another sampling rate, with leads shielded and what switches nearby turned off: \
+    interference moves to another frequency or goes, what the sensor makes stays";
+
+/// What to do where the recording may not be trusted.
+const REPAIR_IT: &str = "repair what the notices name, and diagnose the recording again";
+
+/// What to do where an input is missing.
+const RECORD_IT: &str =
+    "record what moves slowly beside the sensor: temperature, humidity, supply voltage, the state of the fixture";
+
+/// What to do where all agrees.
+const WIDEN_IT: &str =
+    "nothing is missing that this recording could show; widen the range of load, temperature and time to see more";
+
+/// Said first among the doubts where the search was stopped.
+pub(crate) const STOPPED: &str =
+    "the search was stopped before its end: verdict and probabilities are among what had been tried by then";
+
+/// The verdict as a sentence with its reasons.
+pub(crate) fn says(found: &Found<'_>, findings: &[Finding]) -> String {
+    if let Some(reserved) = &found.reserved {
+        return reserved.says.clone();
+    }
+    let decision = found.decision;
+    let names = findings.iter().map(|f| f.effect.as_str()).collect::<Vec<_>>().join(" and ");
+    match decision.verdict {
+        Verdict::Agrees => "no mismatch found between recording and calibrated model".into(),
+        Verdict::Explained => format!("missing from the model: {names}"),
+        Verdict::Ambiguous => {
+            let sets = ambiguity(found).iter().map(|s| s.join(" or ")).collect::<Vec<_>>().join("; and one of ");
+            format!("missing from the model: one of {sets}; this recording cannot tell them apart")
+        }
+        Verdict::WrongForm => format!(
+            "missing from the model: {names}; the family is clear, but its equation leaves {} of the misfit",
+            share_left(decision.removed)
+        ),
+        Verdict::Unexplained => unexplained(found, decision),
+        Verdict::Undecided if found.interrupted => "stopped before the search was finished: causes are not decided".into(),
+        Verdict::Undecided => "there is a mismatch, but its cause cannot be decided from this recording".into(),
+    }
+}
+
+fn unexplained(found: &Found<'_>, decision: &Decision) -> String {
+    if let Some(cause) = &decision.outside {
+        return format!("something real is missing that is not in the library: {}", says_of(found, cause));
+    }
+    if found.is_about_what_is_heard() {
+        return format!("something is in the reading that is not in the library: {}", heard(found).unwrap_or_default());
+    }
+    if !found.before.fires() {
+        return "something real is missing that nothing in the library explains".into();
+    }
+    format!(
+        "something real is missing that nothing in the library explains (the likeliest effect removes {:.0} % of the misfit){}{}",
+        100.0 * decision.removed,
+        line(found),
+        nearest_outside(found)
+    )
+}
+
+/// The strongest line in the spectrum of what the likeliest model leaves, where it is clear.
+fn line(found: &Found<'_>) -> String {
+    let after = &found.after;
+    if after.line_p_value >= CLEAR_LINE {
+        return String::new();
+    }
+    format!("; run {} holds a line at {:.4} cycles a row", after.line_at.0 + 1, after.line_at.1)
+}
+
+/// The tone, or else the loudest burst, of what the model stood behind leaves, in words; `None` where there is neither.
+fn heard(found: &Found<'_>) -> Option<String> {
+    let (tone, burst, inputs) = (found.heard.tone, found.heard.burst, found.all.problem.inputs);
+    if tone.is_heard() {
+        let at = tone.frequency_hz.map_or_else(|| format!("{:.4} cycles a row", tone.per_row), |hz| format!("{hz:.4} Hz"));
+        return Some(format!(
+            "a tone at {at} (as sampled; it may be a faster one), {:.2} times as large as the noise",
+            tone.amplitude
+        ));
+    }
+    burst.is_heard().then(|| {
+        let (run, time) = (inputs.run[burst.row], elapsed_s(inputs, burst.row));
+        let loudness = burst.loudness;
+        format!("short bursts, the loudest in run {run} near {time:.0} s with {loudness:.1} times the scatter of the noise")
+    })
+}
+
+/// The unmodelled cause that comes nearest, where the library explains too little and no such cause is likelier.
+fn nearest_outside(found: &Found<'_>) -> String {
+    let nearest = found.selection.unlisted.first().filter(|(u, _)| u.gain > NEARLY);
+    nearest.map_or_else(String::new, |(u, _)| format!("; of what lies outside it, nearest is that {}", says_of(found, u)))
+}
+
+/// What to measure next.
+pub(crate) fn next(found: &Found<'_>) -> NextExperiment {
+    let only = |says: &str| NextExperiment { says: says.into(), ..NextExperiment::default() };
+    match &found.reserved {
+        Some(reserved) if reserved.input_missing => return only(RECORD_IT),
+        Some(_) => return only(REPAIR_IT),
+        None if found.is_about_what_is_heard() => return only(LISTEN),
+        None => {}
+    }
+    let models = &found.selection.models;
+    let best = models.iter().find(|m| !m.effects.is_empty()).filter(|_| found.decision.verdict != Verdict::Agrees);
+    let Some(best) = best else { return only(WIDEN_IT) };
+    let is_rival = |m: &&Tried| m.key() != best.key() && m.effects.len() <= best.effects.len();
+    let rivals: Vec<&Tried> = models.iter().filter(is_rival).take(MOST_RIVALS).collect();
+    next_experiment(found.search, best, &rivals)
+}

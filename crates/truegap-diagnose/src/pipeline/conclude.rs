@@ -1,0 +1,133 @@
+//! From what was examined to the answer: recovery bank, hidden column, interference, and what takes the verdict back.
+//!
+//! Limits: the last stage of the pipeline; nothing is changed after it.
+
+use crate::{
+    adequacy::interference::heard::Heard,
+    answer::{Found, Known, Outcome, Reserved, outcome},
+    data::error::DiagnoseError,
+    explain::hidden_input::slow_input::SlowInput,
+    fit::model::Model,
+    pipeline::{options::Options, prepare::Prepared},
+    selection::{
+        candidates::{Progress, Search},
+        examine::{Examined, judge},
+        posterior::Selection,
+        verdict::{Decision, Verdict, interrupted},
+    },
+    validation::{
+        cross_validation::AllRows,
+        recovery::{
+            confusion::Bank,
+            fill::{Whole, fill},
+        },
+    },
+};
+use std::{
+    sync::atomic::{AtomicBool, Ordering},
+    time::Instant,
+};
+
+/// What the caller tells a diagnosis, and is told by it.
+pub(crate) struct Told<'a> {
+    /// what the caller chose
+    pub options: &'a Options,
+    /// told what is tried
+    pub progress: &'a (dyn Fn(Progress) + Sync),
+    /// set by the caller to end early
+    pub asked: &'a AtomicBool,
+    /// the same for the search, which is not begun where nothing may be named
+    pub stop: &'a AtomicBool,
+}
+
+/// The answer.
+///
+/// # Errors
+/// Those of the simulator.
+pub(crate) fn conclude(
+    prepared: &Prepared<'_>,
+    examined: Examined,
+    told: &Told<'_>,
+    known: Known,
+    started: Instant,
+) -> Result<Outcome, DiagnoseError> {
+    let searched = prepared.searched();
+    let search = &prepared.search(&searched, told.progress, told.stop);
+    let bank = bank(prepared, search, &examined, told.options)?;
+    let examined = match &bank {
+        Some(bank) => judge(search, &prepared.gate, examined.selection.sharpened(bank.power)),
+        None => examined,
+    };
+    let selection = &examined.selection;
+    let hidden = told.options.hidden.first();
+    let slow = hidden.and_then(|hidden| Some((SlowInput::of(search, selection)?, hidden)));
+    let (heard, decision) = with_what_is_heard(prepared, search, &examined)?;
+    let (decision, reserved) = reserved(decision, selection, slow.as_ref().map(|(slow, _)| slow), told.options);
+    let found = Found {
+        search,
+        noise: &prepared.noise,
+        searched_noise: &prepared.searched_noise,
+        all: AllRows { problem: prepared.problem, first: prepared.thinned.as_ref().map(|t| t.first.as_slice()) },
+        selection,
+        decision: &decision,
+        bank: bank.as_ref(),
+        before: examined.before,
+        after: examined.after,
+        heard,
+        gate: &prepared.gate,
+        directions: &prepared.directions,
+        reserved,
+        slow: slow.as_ref().map(|(slow, hidden)| (slow, *hidden)),
+        interrupted: told.asked.load(Ordering::Relaxed),
+    };
+    outcome(&found, known, prepared.not_testable.clone(), started)
+}
+
+/// The recovery bank, where it is wanted; where nothing may be named, there is nothing to be right or wrong about.
+fn bank(
+    prepared: &Prepared<'_>,
+    search: &Search<'_>,
+    examined: &Examined,
+    options: &Options,
+) -> Result<Option<Bank>, DiagnoseError> {
+    let Some(wanted) = options.bank.as_ref().filter(|_| options.withheld.is_none()) else { return Ok(None) };
+    let whole = Whole { problem: prepared.problem, noise: &prepared.noise };
+    Ok(Some(fill(search, whole, examined, wanted)?))
+}
+
+/// Bursts and a tone in what the model stood behind leaves of every row, and the decision with them counted.
+fn with_what_is_heard(
+    prepared: &Prepared<'_>,
+    search: &Search<'_>,
+    examined: &Examined,
+) -> Result<(Heard, Decision), DiagnoseError> {
+    let Examined { selection, decision, .. } = examined;
+    let stood_behind = &selection.models[decision.model];
+    let effects = stood_behind.effects.iter().map(|e| search.library[*e]).collect();
+    let model = Model::new(prepared.problem, search.context, effects);
+    let heard = Heard::in_what_is_left(&model, &stood_behind.fit.z, &prepared.noise, prepared.gate.slack())?;
+    let explained = 2.0 * (selection.base().fit.objective() - stood_behind.fit.objective());
+    let decision = match heard.is_anything() {
+        true => decision.clone().with_what_is_heard(selection.base, explained, heard.excess()),
+        false => decision.clone(),
+    };
+    Ok((heard, decision))
+}
+
+/// The decision, taken back where the recording may not be trusted or an input is missing that was hidden on purpose; with the reason.
+fn reserved(
+    decision: Decision,
+    selection: &Selection,
+    slow: Option<&SlowInput>,
+    options: &Options,
+) -> (Decision, Option<Reserved>) {
+    let missing = slow.filter(|slow| slow.is_missing());
+    let reserved = |says: String| Reserved { says, withheld: options.withheld.is_some(), input_missing: missing.is_some() };
+    if let Some(why) = &options.withheld {
+        return (interrupted(selection), Some(reserved(why.clone())));
+    }
+    match missing {
+        Some(slow) => (Decision { verdict: Verdict::Unexplained, ..interrupted(selection) }, Some(reserved(slow.says()))),
+        None => (decision, None),
+    }
+}

@@ -1,0 +1,63 @@
+//! The pipeline: noise, calibration, location, search, selection, verdict, held-out proof, next experiment.
+//!
+//! Limits: one recording (or several joined into one simulator) at a time.
+
+mod conclude;
+mod options;
+mod prepare;
+
+pub use options::{Options, Restriction};
+
+use crate::{
+    answer::{Known, Outcome},
+    data::{error::DiagnoseError, problem::Problem},
+    noise::several::measured,
+    quality::preconditions::check,
+    selection::{
+        candidates::Progress,
+        examine::{Examined, examine},
+    },
+};
+use conclude::{Told, conclude};
+use prepare::Prepared;
+use std::{
+    sync::atomic::{AtomicBool, Ordering},
+    time::Instant,
+};
+
+/// Diagnoses a recording; `known` is what was known of it before, for the record.
+///
+/// # Errors
+/// [`DiagnoseError`] where the recording cannot tell anything or the base model has no answer.
+pub fn diagnose(
+    problem: &Problem<'_>,
+    known: impl Into<Known>,
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+    stop: &AtomicBool,
+) -> Result<Outcome, DiagnoseError> {
+    let started = Instant::now();
+    check(problem)?;
+    let (quiet, noise) = measured(problem)?;
+    let problem = &Problem { inputs: &quiet, response: problem.response, simulator: problem.simulator };
+    // where nothing may be named, the base model is calibrated and nothing is searched
+    let halted = AtomicBool::new(true);
+    let told = Told { options, progress, asked: stop, stop: if options.withheld.is_some() { &halted } else { stop } };
+
+    let mut prepared = Prepared::new(problem, noise, options)?;
+    let mut examined = examined(&prepared, &told)?;
+    // no noise is louder than what a model leaves: where it was, everything is done once more with less
+    if !told.stop.load(Ordering::Relaxed)
+        && let Some(quieter) = prepared.quieter(&examined.selection)?
+    {
+        prepared = Prepared::new(problem, quieter, options)?;
+        examined = self::examined(&prepared, &told)?;
+    }
+    conclude(&prepared, examined, &told, known.into(), started)
+}
+
+/// Fits, weighs and decides.
+fn examined(prepared: &Prepared<'_>, told: &Told<'_>) -> Result<Examined, DiagnoseError> {
+    let searched = prepared.searched();
+    Ok(examine(&prepared.search(&searched, told.progress, told.stop), &prepared.gate)?)
+}

@@ -1,0 +1,36 @@
+//! What a caller may choose of a diagnosis.
+//!
+//! Limits: plain data.
+
+use crate::{
+    effects::{collection::Library, effect::Effect},
+    explain::hidden_input::slow_input::Hidden,
+    validation::recovery::fill::BankOptions,
+};
+use std::sync::Arc;
+
+/// What a caller may choose.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// the effects that are known, the built-in ones unless somebody gives others
+    pub library: Library,
+    /// ids of the effects to try; all where empty
+    pub effects: Vec<String>,
+    /// columns that were hidden on purpose: the first is set beside the slow course that the recording asks for without it
+    pub hidden: Vec<Hidden>,
+    /// the only effects that may be named, where something is wrong with the recording
+    pub restricted: Option<Restriction>,
+    /// why no physics may be named, where something is wrong with the recording
+    pub withheld: Option<String>,
+    /// recovery bank; none where absent
+    pub bank: Option<Arc<BankOptions>>,
+}
+
+/// The only effects that may be named, and why.
+#[derive(Clone, Copy, Debug)]
+pub struct Restriction {
+    /// whether an effect may be named
+    pub only: fn(&dyn Effect) -> bool,
+    /// why no other may
+    pub why: &'static str,
+}

@@ -1,0 +1,146 @@
+//! What is made of a recording before anything is fitted: block averages, whitened noise, directions of the tests.
+//!
+//! Limits: one noise model at a time.
+
+use crate::{
+    adequacy::{
+        directions::{Direction, directions},
+        lack_of_fit::Gate,
+    },
+    answer::NotTestable,
+    data::{context::Context, error::DiagnoseError, problem::Problem},
+    effects::effect::Effect,
+    fit::model::Model,
+    noise::{
+        block_average::{Thinned, thin},
+        rescale::{quieter_than, too_loud},
+    },
+    pipeline::options::Options,
+    selection::{
+        candidates::{LOOSE, Progress, Search},
+        posterior::Selection,
+    },
+    whitening::{noise_model::NoiseModel, whitener::Whitener},
+};
+use std::sync::atomic::AtomicBool;
+
+/// Rows that are searched; longer recordings are searched on means of their quiet rows (see [`crate::noise::block_average`]) and predicted row by row.
+const SEARCHED_ROWS: usize = 2500;
+
+/// A longer recording is searched on more rows, so that its features stay apart, but never on more than these.
+const MOST_SEARCHED_ROWS: usize = 8000;
+
+/// Rows of a recording for each row that is searched, between the two numbers above.
+const ROWS_FOR_ONE: usize = 50;
+
+/// A recording made ready under one noise model.
+pub(crate) struct Prepared<'a> {
+    /// every row
+    pub problem: &'a Problem<'a>,
+    /// noise of every row
+    pub noise: NoiseModel,
+    /// facts for the effects
+    pub context: Context<'a>,
+    /// effects that the recording could show
+    pub testable: Vec<&'a dyn Effect>,
+    /// effects that it could not show or that may not be tried
+    pub not_testable: Vec<NotTestable>,
+    /// fewer rows with the same information; absent where every row is searched
+    pub thinned: Option<Thinned>,
+    /// noise of the rows that are searched
+    pub searched_noise: NoiseModel,
+    /// filter of that noise
+    pub whitener: Whitener,
+    /// filter of the same noise, many times larger
+    pub loose: Whitener,
+    /// directions along which a mismatch may lie
+    pub directions: Vec<Direction>,
+    /// the tests along them
+    pub gate: Gate,
+}
+
+impl<'a> Prepared<'a> {
+    /// Makes a recording ready under `noise`.
+    ///
+    /// # Errors
+    /// Those of the simulator at the centre of its prior.
+    pub fn new(problem: &'a Problem<'a>, noise: NoiseModel, options: &'a Options) -> Result<Self, DiagnoseError> {
+        let context = problem.context(problem.span(), noise.floor());
+        let (testable, not_testable) = part(&context, options);
+        let thinned = thin(problem, &noise, searched_rows(problem.response.len()))?;
+        let inputs = thinned.as_ref().map_or(problem.inputs, |t| &t.inputs);
+        let runs = inputs.runs();
+        let searched_noise = thinned.as_ref().map_or_else(|| noise.clone(), |t| t.noise(&noise));
+        let whitener = searched_noise.whitener(&runs, None);
+        let loose = searched_noise.scaled(LOOSE).whitener(&runs, None);
+        let directions = directions(inputs, problem.simulator);
+        let gate = Gate::new(&directions, &whitener, runs, searched_noise.uncertainty);
+        Ok(Self { problem, context, testable, not_testable, thinned, searched_noise, whitener, loose, directions, gate, noise })
+    }
+
+    /// The rows that are searched.
+    pub fn searched(&self) -> Problem<'_> {
+        let (inputs, response) =
+            self.thinned.as_ref().map_or((self.problem.inputs, self.problem.response), |t| (&t.inputs, t.response.as_slice()));
+        Problem { inputs, response, simulator: self.problem.simulator }
+    }
+
+    /// The search through models of these rows.
+    pub fn search<'s>(
+        &'s self,
+        searched: &'s Problem<'s>,
+        progress: &'s (dyn Fn(Progress) + Sync),
+        stop: &'s AtomicBool,
+    ) -> Search<'s> {
+        Search {
+            problem: searched,
+            context: &self.context,
+            library: self.testable.clone(),
+            whitener: &self.whitener,
+            loose: &self.loose,
+            progress,
+            stop,
+        }
+    }
+
+    /// The noise as the model that leaves least has it, where that leaves less than noise.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn quieter(&self, selection: &Selection) -> Result<Option<NoiseModel>, DiagnoseError> {
+        let Some(best) = selection.least() else { return Ok(None) };
+        let rows = self.whitener.rows.max(1) as f64;
+        if self.problem.simulator.joined().is_some() || best.fit.chi2 / rows > too_loud(&self.noise) {
+            return Ok(None);
+        }
+        let model = Model::new(self.problem, &self.context, best.effects.iter().map(|e| self.testable[*e]).collect());
+        Ok(quieter_than(self.problem, &model.misfit(&best.fit.z)?, &self.noise))
+    }
+}
+
+fn searched_rows(rows: usize) -> usize {
+    (rows / ROWS_FOR_ONE).clamp(SEARCHED_ROWS, MOST_SEARCHED_ROWS)
+}
+
+/// Effects that the recording could show, and those that it could not, with the reason.
+fn part<'a>(context: &Context<'_>, options: &'a Options) -> (Vec<&'a dyn Effect>, Vec<NotTestable>) {
+    let (mut testable, mut not) = (Vec::new(), Vec::new());
+    for effect in options.library.iter() {
+        match allowed(effect, context, options) {
+            Ok(()) => testable.push(effect),
+            Err(says) => not.push(NotTestable { effect: effect.id().to_string(), says }),
+        }
+    }
+    (testable, not)
+}
+
+/// Whether an effect may be tried, or why not.
+fn allowed(effect: &dyn Effect, context: &Context<'_>, options: &Options) -> Result<(), String> {
+    if !options.effects.is_empty() && !options.effects.iter().any(|id| id == effect.id().0) {
+        return Err("left out on request".into());
+    }
+    match options.restricted.filter(|restriction| !(restriction.only)(effect)) {
+        Some(restriction) => Err(restriction.why.into()),
+        None => effect.testable(context),
+    }
+}

@@ -55,7 +55,7 @@ fn named(diagnosis: &Diagnosis) -> Vec<&str> {
 /// calibrated.
 #[test]
 fn a_simulated_thermometer_is_found_to_lag() {
-    let (mut noise, mut inside) = (noise(), 18.0);
+    let (mut noise, mut inside) = (noise(), 20.0);
     let row = |i: usize| {
         let room = 18.0 + 4.0 * (i as f64 / 60.0).sin() + 2.0 * (i as f64 / 23.0).cos();
         inside += (room - inside) / 9.0;
@@ -66,7 +66,11 @@ fn a_simulated_thermometer_is_found_to_lag() {
     assert_eq!(diagnosis.base.parameters.iter().map(|p| p.name.as_str()).collect::<Vec<_>>(), ["offset"]);
     let offset = diagnosis.base.parameters[0].value;
     assert!((offset - 2.6).abs() < 0.05, "{offset}");
-    assert_eq!(named(&diagnosis), ["thermal_lag"], "{}", diagnosis.says);
+    // where the simulation is the room's temperature itself, a late temperature and a late reading are one and the same
+    let lags = ["thermal_lag", "readout_lag"];
+    assert!(!named(&diagnosis).is_empty() && named(&diagnosis).iter().all(|effect| lags.contains(effect)), "{}", diagnosis.says);
+    let told = diagnosis.ambiguity.iter().flatten().map(String::as_str).chain(named(&diagnosis));
+    assert!(told.into_iter().any(|effect| effect == "thermal_lag"), "{}", diagnosis.says);
     assert!(diagnosis.fit.in_sample.rmse_after < 0.025, "{}", diagnosis.fit.in_sample.rmse_after);
 }
 

@@ -31,7 +31,7 @@ impl GainAndOffset {
     /// Priors scaled by the response; `what` is adjusted.
     pub(crate) fn new(scale: &ResponseScale, options: ExternalOptions, what: &str) -> Self {
         let gain = options.gain_sd.map(|sd| Parameter::normal("gain", "", 1.0, sd, &format!("factor on {what}")));
-        let offset = || Parameter::normal("offset", &scale.unit, 0.0, 10.0 * scale.range, &format!("added to {what}"));
+        let offset = || Parameter::normal("offset", &scale.unit, 0.0, 10.0 * scale.range, &format!("zero beside {what}"));
         Self { parameters: gain.into_iter().chain(options.offset.then(offset)).collect(), options }
     }
 

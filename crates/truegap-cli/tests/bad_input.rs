@@ -136,8 +136,9 @@ fn refuse_diagnosis(name: &str, parts: &[&str], files: &[(&str, &str)]) {
     files.iter().for_each(|(file, text)| {
         bench.file(file, text);
     });
-    // notes are not errors: -q keeps them apart
-    bench.refuses(&["-q", "diagnose", name, "-o", "out"], parts);
+    // notes are not errors: -q keeps them apart; a CSV by itself does not say which sensor it is of
+    let sensor: &[&str] = if name.ends_with(".csv") { &["--sensor", "singletact-s15-4.5n"] } else { &[] };
+    bench.refuses(&[&["-q", "diagnose", name, "-o", "out"], sensor].concat(), parts);
 }
 
 #[test]
@@ -172,6 +173,52 @@ fn ramp(last_n: f64) -> String {
 
 fn manifest(base: &str) -> String {
     format!("schema = \"truegap.recording/1\"\nfile = \"r.csv\"\n{base}")
+}
+
+#[test]
+fn a_load_without_a_sensor_or_a_base_is_asked_what_it_acted_on() {
+    let bench = Bench::new();
+    bench.file("r.csv", &ramp(4.5));
+    let parts = [
+        "r.csv",
+        "force = `force_n`",
+        "--sensor NAME",
+        "singletact-s15-4.5n",
+        "--base parallel-plate",
+        "--base linear",
+        "[base]",
+    ];
+    bench.refuses(&["-q", "diagnose", "r.csv", "-o", "out"], &parts);
+    bench.file("p.csv", &ramp(4.5).replace("force_n,capacitance_pf", "pressure_kpa,response_counts"));
+    bench.refuses(&["-q", "diagnose", "p.csv", "-o", "out"], &["p.csv", "pressure = `pressure_kpa`", "--base parallel-plate"]);
+}
+
+#[test]
+fn a_column_called_after_a_role_in_another_unit_is_not_dropped() {
+    for (header, unit) in [("force_pa", "pa"), ("force_xyz", "xyz"), ("Temperature [bar]", "bar")] {
+        let text = ramp(4.5).replace("force_n", header);
+        refuse_diagnosis(
+            "r.csv",
+            &["r.csv", header, &format!("`{unit}` is no unit"), "rename", "[columns]"],
+            &[("r.csv", &text)],
+        );
+    }
+}
+
+#[test]
+fn the_place_of_the_answer_is_checked_before_the_work_begins() {
+    let bench = Bench::new();
+    bench.file("out", "mine");
+    std::fs::create_dir(bench.path("full")).unwrap();
+    bench.file("full/thesis.tex", "mine");
+    // the recording is not even there: the folder is looked at first
+    for (folder, parts) in [
+        ("out", ["out", "there is a file"]),
+        ("out/deeper", ["out", "there is a file"]),
+        ("full", ["thesis.tex", "would be lost"]),
+    ] {
+        bench.refuses(&["-q", "diagnose", "nowhere.csv", "-o", folder], &parts);
+    }
 }
 
 #[test]

@@ -33,8 +33,10 @@ fn long_recording() -> String {
 fn ctrl_c_leaves_a_report_of_what_is_known() {
     let bench = Bench::new();
     bench.file("long.csv", &long_recording());
+    // a note is printed when the recording has been read
+    bench.file("long.toml", "");
     let mut program = Command::new(env!("CARGO_BIN_EXE_truegap"))
-        .args(["diagnose", "long.csv", "-o", "out"])
+        .args(["diagnose", "long.csv", "--sensor", "singletact-s15-4.5n", "-o", "out"])
         .current_dir(bench.path("."))
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())

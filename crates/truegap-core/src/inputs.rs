@@ -31,6 +31,24 @@ pub enum Role {
     Sensor,
 }
 
+impl Role {
+    /// Name in a recording's TOML.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Time => "time",
+            Self::Force => "force",
+            Self::Pressure => "pressure",
+            Self::Gap => "gap",
+            Self::Temperature => "temperature",
+            Self::Humidity => "humidity",
+            Self::Response => "response",
+            Self::Simulated => "simulated",
+            Self::Run => "run",
+            Self::Sensor => "sensor",
+        }
+    }
+}
+
 /// Columns of equal length; a column that was not recorded is absent.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inputs {

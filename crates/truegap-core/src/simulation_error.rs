@@ -28,6 +28,20 @@ pub enum SimulationError {
         /// the column's role
         role: Role,
     },
+    /// A row that a table does not hold.
+    #[error("row {row}: {} is {value} (SI), outside the table, which goes from {low} to {high}; extend the table, or leave the row out", .role.key())]
+    OutsideTable {
+        /// row of the inputs
+        row: usize,
+        /// the column
+        role: Role,
+        /// its value, SI
+        value: f64,
+        /// least value of the table
+        low: f64,
+        /// greatest value of the table
+        high: f64,
+    },
     /// A number that is not finite came out.
     #[error("row {row}: the response is {value}; the parameters {parameters:?} lie outside what the model can describe")]
     NotFinite {

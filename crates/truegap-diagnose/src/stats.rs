@@ -2,6 +2,7 @@
 //!
 //! Limits: plain columns of numbers; knows no recording.
 
+use nalgebra::{DMatrix, DVector, Dyn, SymmetricEigen};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 use statrs::function::erf::erfc;
 use std::ops::Range;
@@ -50,6 +51,14 @@ pub fn upper_tail(statistic: f64, freedom: usize) -> f64 {
 /// Squared amplitude, in units of the noise variance, of a periodic part that has this p-value: `-2 ln p`.
 pub fn excess_of(p_value: f64) -> f64 {
     -2.0 * p_value.max(f64::MIN_POSITIVE).ln()
+}
+
+/// Eigenvalues and eigenvectors of a symmetric matrix; none of a matrix without rows, as a model without parameters or a test without directions has it.
+pub fn symmetric_eigen(matrix: DMatrix<f64>) -> SymmetricEigen<f64, Dyn> {
+    if matrix.is_empty() {
+        return SymmetricEigen { eigenvectors: matrix, eigenvalues: DVector::zeros(0) };
+    }
+    SymmetricEigen::new(matrix)
 }
 
 /// Log of the sum of exponentials.

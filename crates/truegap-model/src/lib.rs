@@ -84,6 +84,9 @@ mod errata;
 pub mod stack;
 mod wedge;
 
-pub use base::{BASE_MODELS, BaseError, BaseModel, External, ExternalOptions, Load, Recorded, ResponseScale, base_model};
+pub use base::{
+    Axis, BASE_MODELS, BaseError, BaseModel, BaseOptions, DRIVERS, Driver, External, ExternalOptions, GAIN_SD, Grid, GridError,
+    HIGHEST_ORDER, Load, Recorded, ResponseScale, Surface, base_model,
+};
 pub use errata::errata_table;
 pub use stack::{CoefficientOptions, Coefficients, Point, SeriesOrder, Stack, StackOptions, State, coefficients, states};

@@ -1,11 +1,19 @@
 //! From what a recording says of its base model to the model itself.
 //!
-//! Limits: the further keys under `[base]` are `series` and nothing else.
+//! Limits: a key that the model does not need is read and not used; one that no model needs is an error.
 
-use crate::sensors::{FindSensorError, find_sensor};
+use crate::sensors::{FindSensorError, find_sensor, sensor_names};
+use std::path::{Path, PathBuf};
 use truegap_audit::corrections::curves;
-use truegap_core::{Corrections, Recording, Sensor, Simulator};
-use truegap_model::{BaseError, BaseModel, Recorded, SeriesOrder, StackOptions};
+use truegap_core::{Corrections, Recording, RecordingError, Sensor, Simulator};
+use truegap_model::{
+    BaseError, BaseModel, BaseOptions, DRIVERS, ExternalOptions, GAIN_SD, Grid, GridError, Recorded, SeriesOrder, StackOptions,
+};
+
+/// Keys that may stand under `[base]` beside model, sensor and warp.
+const KEYS: [&str; 7] = ["series", "driver", "order", "table", "free", "gain", "offset"];
+/// Words for a driver.
+const DRIVER_WORDS: &str = "\"force\", \"pressure\", \"gap\", \"temperature\", \"humidity\" or \"time\"";
 
 /// Why there is no base model.
 #[derive(Debug, thiserror::Error)]
@@ -19,11 +27,23 @@ pub enum BaseModelError {
     #[error("{recording}: {source}")]
     Model { recording: String, source: BaseError },
     /// A key that means nothing.
-    #[error("{recording}: under [base], `{key}` is not known; use model, sensor, warp, series")]
+    #[error("{recording}: under [base], `{key}` is not known; use {}", ["model", "sensor", "warp"].iter().chain(&KEYS).copied().collect::<Vec<_>>().join(", "))]
     UnknownKey { recording: String, key: String },
+    /// A recording that does not say what it is to be compared with.
+    #[error(
+        "{recording}: neither a sensor nor a base model is named, and the columns found ({columns}) do not say what the load acted on; add {choices}, or write \
+         model = \"...\" under [base] of the TOML beside it (docs/recordings.md)"
+    )]
+    Unstated { recording: String, columns: String, choices: String },
     /// A word that means nothing.
-    #[error("{recording}: under [base], series = {found} is not known; use \"printed\" or \"exact\"")]
-    Series { recording: String, found: String },
+    #[error("{recording}: under [base], {key} = {found} is not known; use {use_}")]
+    Word { recording: String, key: &'static str, found: String, use_: &'static str },
+    /// The table cannot be read.
+    #[error("{recording}: its table: {source}")]
+    TableFile { recording: String, source: RecordingError },
+    /// What was read is no table.
+    #[error("{file}: {source}")]
+    Table { file: PathBuf, source: GridError },
 }
 
 /// The model that a recording is compared with, how it is described, and its sensor where it has one.
@@ -42,6 +62,9 @@ pub struct Base {
 /// [`BaseModelError`] where the model or its sensor is not known, or a column is missing.
 pub fn base_model(recording: &Recording) -> Result<Base, BaseModelError> {
     let named = |source| BaseModelError::Model { recording: recording.path.display().to_string(), source };
+    if !recording.base.is_stated() {
+        return Err(unstated(recording));
+    }
     let options = base_options(recording)?;
     let asked = &recording.base;
     let recorded = Recorded { inputs: &recording.inputs, response: &recording.response, unit: &recording.response_unit };
@@ -52,29 +75,99 @@ pub fn base_model(recording: &Recording) -> Result<Base, BaseModelError> {
     Ok(Base { spec, sensor, simulator })
 }
 
+/// What a recording lacks that names no base model, and what may be written.
+fn unstated(recording: &Recording) -> BaseModelError {
+    let columns: Vec<String> = recording.columns.iter().map(|(role, name)| format!("{} = `{name}`", role.key())).collect();
+    let mut choices = Vec::new();
+    if recording.inputs.force_n.is_some() && recording.response_unit == "pF" {
+        choices.push(format!("--sensor NAME for a sensor ({}, or its TOML)", sensor_names().join(", ")));
+    }
+    choices.push("--base parallel-plate for plates on foam or rubber of unknown size".to_owned());
+    choices.push("--base linear for a straight line in the load".to_owned());
+    BaseModelError::Unstated {
+        recording: recording.path.display().to_string(),
+        columns: columns.join(", "),
+        choices: choices.join(", "),
+    }
+}
+
 /// What finite elements say of a sensor; `None` where their tables do not reach.
 pub fn foreseen(sensor: &Sensor) -> Option<Corrections> {
     curves(sensor).ok()
 }
 
-/// Options of the stack that stand under `[base]`.
+/// Options that stand under `[base]`.
 ///
 /// # Errors
-/// [`BaseModelError`] for keys and words that mean nothing.
-pub fn base_options(recording: &Recording) -> Result<StackOptions, BaseModelError> {
+/// [`BaseModelError`] for keys and words that mean nothing, and for a table that cannot be read.
+pub fn base_options(recording: &Recording) -> Result<BaseOptions, BaseModelError> {
     let name = || recording.path.display().to_string();
-    let further = &recording.base.further;
-    if let Some(key) = further.keys().find(|key| *key != "series") {
+    let base = &recording.base;
+    let further = &base.further;
+    if let Some(key) = further.keys().find(|key| !KEYS.contains(&key.as_str())) {
         return Err(BaseModelError::UnknownKey { recording: name(), key: key.clone() });
     }
+    let wrong = |key: &'static str, use_: &'static str| {
+        let found = further.get(key).map(ToString::to_string).unwrap_or_default();
+        BaseModelError::Word { recording: name(), key, found, use_ }
+    };
     let series = match further.get("series") {
         None => SeriesOrder::default(),
-        Some(value) => value
-            .as_str()
-            .and_then(series_order)
-            .ok_or_else(|| BaseModelError::Series { recording: name(), found: value.to_string() })?,
+        Some(value) => value.as_str().and_then(series_order).ok_or_else(|| wrong("series", "\"printed\" or \"exact\""))?,
     };
-    Ok(StackOptions { warp: recording.base.warp.unwrap_or(true), series })
+    let word = |value: &toml::Value| value.as_str().and_then(|word| DRIVERS.into_iter().find(|role| role.key() == word));
+    let driver = further.get("driver").map(|value| word(value).ok_or_else(|| wrong("driver", DRIVER_WORDS))).transpose()?;
+    let whole = |value: &toml::Value| value.as_integer().and_then(|order| usize::try_from(order).ok());
+    let order =
+        further.get("order").map(|value| whole(value).ok_or_else(|| wrong("order", "a whole number from 1 to 6"))).transpose()?;
+    Ok(BaseOptions {
+        stack: StackOptions { warp: base.warp.unwrap_or(true), series },
+        adjusted: adjusted(recording, &wrong)?,
+        driver,
+        order,
+        table: further.get("table").map(|value| table(recording, value)).transpose()?,
+    })
+}
+
+/// What of a simulation or a table may be adjusted: an offset where nothing is said, since readings have a zero of their own.
+fn adjusted(
+    recording: &Recording,
+    wrong: &dyn Fn(&'static str, &'static str) -> BaseModelError,
+) -> Result<ExternalOptions, BaseModelError> {
+    let further = &recording.base.further;
+    let mut options = ExternalOptions { gain_sd: None, offset: true };
+    if let Some(value) = further.get("free") {
+        let words: Option<Vec<&str>> = value.as_array().and_then(|list| list.iter().map(toml::Value::as_str).collect());
+        let words = words.filter(|words| words.iter().all(|word| matches!(*word, "gain" | "offset")));
+        let words = words.ok_or_else(|| wrong("free", "[], [\"gain\"], [\"offset\"] or [\"gain\", \"offset\"]"))?;
+        options = ExternalOptions { gain_sd: words.contains(&"gain").then_some(GAIN_SD), offset: words.contains(&"offset") };
+    }
+    if let Some(value) = further.get("gain") {
+        let sd = value.as_float().or_else(|| value.as_integer().map(|sd| sd as f64)).filter(|sd| *sd > 0.0 && sd.is_finite());
+        options.gain_sd = match (value.as_bool(), sd) {
+            (Some(free), _) => free.then_some(GAIN_SD),
+            (None, Some(sd)) => Some(sd),
+            (None, None) => return Err(wrong("gain", "true, false, or its standard deviation about 1, as in gain = 0.05")),
+        };
+    }
+    if let Some(value) = further.get("offset") {
+        options.offset = value.as_bool().ok_or_else(|| wrong("offset", "true or false"))?;
+    }
+    Ok(options)
+}
+
+/// The table that a recording's `[base]` names: a CSV as a recording is one, its file relative to the TOML.
+fn table(recording: &Recording, value: &toml::Value) -> Result<Grid, BaseModelError> {
+    let name = || recording.path.display().to_string();
+    let file = value.as_str().ok_or_else(|| BaseModelError::Word {
+        recording: name(),
+        key: "table",
+        found: value.to_string(),
+        use_: "the name of a CSV in quotes",
+    })?;
+    let path = recording.path.parent().unwrap_or(Path::new("")).join(file);
+    let read = Recording::open(&path).map_err(|source| BaseModelError::TableFile { recording: name(), source })?;
+    Grid::of(&read.inputs, &read.response, &read.response_unit).map_err(|source| BaseModelError::Table { file: path, source })
 }
 
 /// The order of (19) and (21) that a word means: `printed` or `exact`.

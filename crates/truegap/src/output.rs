@@ -50,6 +50,33 @@ impl OutputFolder {
         Ok(made)
     }
 
+    /// Whether `target` could be written now and hold `files` at its top, without leaving anything behind: asked before the work begins.
+    ///
+    /// # Errors
+    /// As [`OutputFolder::begin`] and [`OutputFolder::publish`].
+    pub fn check(target: impl AsRef<Path>, files: &[&str]) -> Result<(), OutputError> {
+        let target = target.as_ref();
+        let failed = |path: &Path, source| OutputError::Write { path: path.to_owned(), source };
+        if target.exists() && !target.is_dir() {
+            return Err(OutputError::NotAFolder { folder: target.to_owned() });
+        }
+        if target.is_dir() {
+            let there = entries(target).map_err(|source| failed(target, source))?;
+            if let Some(entry) = there.into_iter().find(|entry| files.iter().all(|file| entry != file)) {
+                return Err(OutputError::Foreign { folder: target.to_owned(), entry: entry.to_string_lossy().into_owned() });
+            }
+        }
+        // the part folder is made beside the target, in the nearest parent that is there
+        let parents =
+            target.ancestors().skip(1).map(|parent| if parent.as_os_str().is_empty() { Path::new(".") } else { parent });
+        let Some(parent) = parents.into_iter().find(|parent| parent.exists()) else { return Ok(()) };
+        if !parent.is_dir() {
+            return Err(OutputError::NotAFolder { folder: parent.to_owned() });
+        }
+        let trial = beside(&parent.join("out"), "trial.part");
+        fs::create_dir(&trial).and_then(|()| fs::remove_dir(&trial)).map_err(|source| failed(target, source))
+    }
+
     /// Where files are to be written meanwhile.
     pub fn path(&self) -> &Path {
         &self.part
@@ -174,6 +201,25 @@ mod tests {
         assert!(matches!(folder.publish(), Err(OutputError::Foreign { entry, .. }) if entry == "thesis.tex"));
         assert_eq!(fs::read_to_string(target.join("a")).unwrap(), "2");
         assert_eq!(entries(&place).unwrap(), ["out"]);
+        remove(&place).unwrap();
+    }
+
+    #[test]
+    fn a_place_is_checked_without_a_trace() {
+        let place = place("checked");
+        let files = ["a.json"];
+        OutputFolder::check(place.join("new/deep"), &files).unwrap();
+        assert!(entries(&place).unwrap().is_empty());
+        fs::write(place.join("file"), "x").unwrap();
+        assert!(matches!(OutputFolder::check(place.join("file"), &files), Err(OutputError::NotAFolder { .. })));
+        assert!(matches!(OutputFolder::check(place.join("file/out"), &files), Err(OutputError::NotAFolder { .. })));
+        fs::create_dir(place.join("old")).unwrap();
+        fs::write(place.join("old/a.json"), "x").unwrap();
+        OutputFolder::check(place.join("old"), &files).unwrap();
+        fs::write(place.join("old/thesis.tex"), "x").unwrap();
+        assert!(
+            matches!(OutputFolder::check(place.join("old"), &files), Err(OutputError::Foreign { entry, .. }) if entry == "thesis.tex")
+        );
         remove(&place).unwrap();
     }
 

@@ -43,6 +43,11 @@ pub fn find_sensor(name: &str, folder: Option<&Path>) -> Result<Sensor, FindSens
     Ok(Sensor::from_toml(&text, &file.display().to_string())?)
 }
 
+/// Names of the sensors that are built in.
+pub fn sensor_names() -> Vec<&'static str> {
+    builtin_sensors().iter().map(|sensor| sensor.name).collect()
+}
+
 fn is_path(name: &str) -> bool {
     name.ends_with(".toml") || name.contains(['/', std::path::MAIN_SEPARATOR])
 }

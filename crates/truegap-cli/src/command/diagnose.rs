@@ -9,7 +9,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use truegap::diagnose::{Library, Progress, Verdict};
-use truegap::diagnosis::{Diagnosed, Request, diagnose, open};
+use truegap::diagnosis::{Diagnosed, FILES, Request, diagnose, open};
+use truegap::output::OutputFolder;
 use truegap::report::terminal;
 
 /// Say what physics a simulation leaves out of a recording, and show it
@@ -27,7 +28,7 @@ pub struct Diagnose {
     /// Sensor in place of the recording's: built-in name or path of a sensor's TOML
     #[arg(long)]
     sensor: Option<String>,
-    /// Base model in place of the recording's: stack, parallel-plate, gap-plate, constant, external
+    /// Base model in place of the recording's: stack, linear, parallel-plate, gap-plate, table, constant, external
     #[arg(long, value_name = "MODEL")]
     base: Option<String>,
     /// Leave the warp of the electrode out of the base model
@@ -58,6 +59,7 @@ impl Run for Diagnose {
         if self.batch {
             return self.each(console);
         }
+        OutputFolder::check(&self.output, &FILES)?;
         let diagnosed = self.one(&self.recordings, console)?;
         let folder = diagnosed.write(&self.output)?;
         if console.json {
@@ -90,11 +92,12 @@ impl Diagnose {
     /// Every recording by itself; one that cannot be diagnosed is named and does not keep the others waiting.
     fn each(&self, console: &Console) -> anyhow::Result<Outcome> {
         let (mut found, mut failed) = (false, 0);
-        for path in &self.recordings {
+        let names = case_names(&self.recordings);
+        names.iter().try_for_each(|name| OutputFolder::check(self.output.join(name), &FILES))?;
+        for (path, name) in self.recordings.iter().zip(names) {
             if STOP.load(Ordering::Relaxed) {
                 break;
             }
-            let name = case_name(path);
             let done = self.one(std::slice::from_ref(path), console).and_then(|diagnosed| {
                 diagnosed.write(&self.output.join(&name))?;
                 Ok(diagnosed)
@@ -162,6 +165,24 @@ fn case_name(path: &Path) -> String {
     }
 }
 
+/// A folder's name for each recording, no two alike: `run.csv` of folders `a` and `b` are `a-run` and `b-run`, the same file twice `run` and `run-2`.
+fn case_names(paths: &[PathBuf]) -> Vec<String> {
+    let short: Vec<String> = paths.iter().map(|path| case_name(path)).collect();
+    let alone = |name: &String| short.iter().filter(|other| *other == name).count() == 1;
+    let mut names: Vec<String> = Vec::new();
+    for (path, name) in paths.iter().zip(&short) {
+        let parent = path.parent().and_then(Path::file_name).map(|p| p.to_string_lossy().into_owned());
+        let longer = match parent {
+            Some(parent) if !alone(name) && parent != *name => format!("{parent}-{name}"),
+            _ => name.clone(),
+        };
+        let numbered = (2..).map(|number| format!("{longer}-{number}"));
+        let free = std::iter::once(longer.clone()).chain(numbered).find(|name| !names.contains(name));
+        names.extend(free);
+    }
+    names
+}
+
 fn bar(console: &Console) -> ProgressBar {
     if console.quiet {
         return ProgressBar::hidden();
@@ -191,5 +212,14 @@ mod tests {
         assert_eq!(case_name(Path::new("open/case-01/recording.toml")), "case-01");
         assert_eq!(case_name(Path::new("open/case-01")), "case-01");
         assert_eq!(case_name(Path::new("insole/hold.toml")), "hold");
+    }
+
+    #[test]
+    fn no_recording_of_a_batch_takes_the_folder_of_another() {
+        let names = |paths: &[&str]| case_names(&paths.iter().map(PathBuf::from).collect::<Vec<_>>());
+        assert_eq!(names(&["a/run.csv", "b/run.csv", "b/hold.csv"]), ["a-run", "b-run", "hold"]);
+        assert_eq!(names(&["run.csv", "run.toml", "run-2.csv"]), ["run", "run-2", "run-2-2"]);
+        assert_eq!(names(&["x/a/run.csv", "y/a/run.csv"]), ["a-run", "a-run-2"]);
+        assert_eq!(names(&["s/case-1", "t/case-1/recording.toml"]), ["s-case-1", "case-1"]);
     }
 }

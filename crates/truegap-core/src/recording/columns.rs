@@ -6,7 +6,7 @@ use super::{
     error::RecordingError,
     manifest::{Manifest, Named},
     note::Note,
-    roles::{ROLES, key},
+    roles::ROLES,
 };
 use crate::inputs::Role;
 use crate::units::{Dimension, UnitError};
@@ -47,7 +47,7 @@ fn default_name(role: Role) -> &'static str {
         Role::Temperature => "temperature_c",
         Role::Humidity => "humidity_pct",
         Role::Response => "capacitance_pf",
-        Role::Simulated | Role::Run | Role::Sensor => key(role),
+        Role::Simulated | Role::Run | Role::Sensor => role.key(),
     }
 }
 
@@ -87,21 +87,40 @@ impl Binder<'_> {
         };
         match (found.as_slice(), named) {
             ([(index, name)], _) => Ok(Some((*index, (*name).clone()))),
-            ([], None) if role != Role::Response => Ok(None),
+            ([], None) if role != Role::Response => match self.almost(role) {
+                Some(refused) => Err(refused),
+                None => Ok(None),
+            },
             ([], _) => Err(self.missing(role, named)),
             ([(_, first), ..], _) => Err(RecordingError::AmbiguousColumn {
                 file: self.file.to_owned(),
-                role: key(role).to_owned(),
+                role: role.key().to_owned(),
                 found: quoted(found.iter().map(|(_, name)| name.as_str())),
                 first: (*first).clone(),
             }),
         }
     }
 
+    /// Why a role has no column although the header holds one that is called after it: what stands behind the word is no unit of it. To leave the column out
+    /// without a word would be to diagnose another recording.
+    fn almost(&self, role: Role) -> Option<RecordingError> {
+        let dimension = dimension(role)?;
+        let elsewhere = |name: &String| self.manifest.columns.values().any(|named| named.text == **name);
+        let name = self.header.iter().find(|name| called_after(role, name) && !elsewhere(name))?;
+        let unit = unit_end(name).unwrap_or_default();
+        Some(RecordingError::NotItsUnit {
+            file: self.file.to_owned(),
+            column: name.clone(),
+            role: role.key().to_owned(),
+            unit: unit.to_owned(),
+            known: dimension.unit_names().join(", "),
+        })
+    }
+
     fn missing(&self, role: Role, named: Option<&Named>) -> RecordingError {
         RecordingError::MissingColumn {
             file: self.file.to_owned(),
-            role: key(role).to_owned(),
+            role: role.key().to_owned(),
             wanted: named.map_or_else(|| format!("`{}`", default_name(role)), |n| format!("`{}`", n.text)),
             found: quoted(self.header.iter().map(String::as_str).filter(|name| !name.is_empty())),
         }
@@ -200,14 +219,14 @@ impl Binder<'_> {
     }
 
     fn wrong_unit(&self, role: Role, line: usize, source: UnitError) -> RecordingError {
-        RecordingError::WrongUnit { file: self.toml.to_owned(), line, role: key(role).to_owned(), source }
+        RecordingError::WrongUnit { file: self.toml.to_owned(), line, role: role.key().to_owned(), source }
     }
 
     fn missing_unit(&self, role: Role, dimension: Dimension, name: &str) -> RecordingError {
         RecordingError::MissingUnit {
             file: self.file.to_owned(),
             column: name.to_owned(),
-            role: key(role).to_owned(),
+            role: role.key().to_owned(),
             example: dimension.si_unit().to_owned(),
             known: dimension.unit_names().join(", "),
         }
@@ -216,7 +235,7 @@ impl Binder<'_> {
 
 /// Whether a column's name is one that a role has by default: the role's word, alone or with a unit behind it.
 fn is_default(role: Role, name: &str) -> bool {
-    let words: &[&str] = if role == Role::Response { &["capacitance", "response"] } else { &[key(role)] };
+    let words: &[&str] = if role == Role::Response { &["capacitance", "response"] } else { &[role.key()] };
     let lower = name.to_ascii_lowercase();
     let rest = words.iter().find_map(|word| lower.strip_prefix(word));
     match (rest, role) {
@@ -230,6 +249,15 @@ fn is_default(role: Role, name: &str) -> bool {
             unit_end(rest).is_some_and(|end| whole(rest, end) && dimension.unit_like(end).is_some())
         }
     }
+}
+
+/// Whether a column's name is a role's word with one more behind it, in brackets or after an underscore, where a unit stands: `force_xyz`, `Force [pF]`.
+fn called_after(role: Role, name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    let rest = lower.strip_prefix(role.key()).map(str::trim);
+    rest.is_some_and(|rest| {
+        rest.starts_with(['_', '(', '[']) && unit_end(rest).is_some_and(|end| whole(rest, end) && !end.is_empty())
+    })
 }
 
 /// Whether `rest` is the unit and nothing but punctuation.
@@ -264,6 +292,16 @@ mod tests {
         assert_eq!(unit_end("Force [N]"), Some("N"));
         assert_eq!(unit_end("Time(s)"), Some("s"));
         assert_eq!(unit_end("counts"), None);
+    }
+
+    #[test]
+    fn a_column_called_after_a_role_has_one_word_behind_it() {
+        assert!(called_after(Role::Force, "force_pa") && called_after(Role::Force, "Force [xyz]"));
+        assert!(
+            !called_after(Role::Force, "force_setpoint_n")
+                && !called_after(Role::Force, "force")
+                && !called_after(Role::Time, "timer_s")
+        );
     }
 
     #[test]

@@ -47,6 +47,12 @@ pub enum RecordingError {
         "{file}: column `{column}` ({role}) has no unit in its name; write {role} = \"{example}\" under [units] of the TOML beside it, or one of {known}"
     )]
     MissingUnit { file: PathBuf, column: String, role: String, example: String, known: String },
+    /// A column called after a role, with what is no unit of it.
+    #[error(
+        "{file}: column `{column}` is called after {role}, and `{unit}` is no unit of {role} ({known}); rename the column, or name the one that is meant under \
+         [columns] of the TOML beside it: {role} = \"...\""
+    )]
+    NotItsUnit { file: PathBuf, column: String, role: String, unit: String, known: String },
     /// A unit of something else.
     #[error("{file}, line {line}: unit of {role}: {source}")]
     WrongUnit { file: PathBuf, line: usize, role: String, source: UnitError },

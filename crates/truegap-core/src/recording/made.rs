@@ -2,7 +2,7 @@
 //!
 //! Limits: what the columns mean is for the caller to know; only their lengths are checked.
 
-use super::{data::Recording, error::RecordingError, manifest::BaseSpec, roles::key, write};
+use super::{data::Recording, error::RecordingError, manifest::BaseSpec, write};
 use crate::inputs::Inputs;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -33,7 +33,7 @@ impl Recording {
     fn check_lengths(&self) -> Result<(), RecordingError> {
         let expected = self.inputs.len();
         match self.quantities().into_iter().find(|(_, column)| column.len() != expected) {
-            Some((role, column)) => Err(RecordingError::Lengths { column: key(role).to_owned(), found: column.len(), expected }),
+            Some((role, column)) => Err(RecordingError::Lengths { column: role.key().to_owned(), found: column.len(), expected }),
             None => Ok(()),
         }
     }

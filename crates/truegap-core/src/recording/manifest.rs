@@ -15,7 +15,7 @@ pub(super) const SCHEMA: &str = "truegap.recording/1";
 /// The base model that the recording is to be compared with.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct BaseSpec {
-    /// `stack`, `parallel-plate`, `gap-plate`, `constant` or `external`
+    /// `stack`, `linear`, `table`, `parallel-plate`, `gap-plate`, `constant` or `external`; empty where the recording does not say
     pub model: String,
     /// built-in sensor or path of a sensor's TOML
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -54,6 +54,13 @@ struct Raw {
     #[serde(default)]
     units: BTreeMap<Role, Spanned<String>>,
     base: Option<BaseSpec>,
+}
+
+impl BaseSpec {
+    /// Whether a base model is named, or follows from the columns.
+    pub fn is_stated(&self) -> bool {
+        !self.model.is_empty()
+    }
 }
 
 impl Manifest {

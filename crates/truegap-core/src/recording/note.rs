@@ -2,7 +2,6 @@
 //!
 //! Limits: only what reading itself did or assumed; judgement of the data belongs to the diagnosis.
 
-use super::roles::key;
 use crate::inputs::Role;
 use serde::Serialize;
 use std::fmt;
@@ -61,7 +60,7 @@ impl fmt::Display for Note {
                 write!(f, "{file} stands beside this CSV and was not read; give its name to use it")
             }
             Self::Constant { role, value } => {
-                write!(f, "the column for {} never changes from {value} (SI)", key(*role))
+                write!(f, "the column for {} never changes from {value} (SI)", role.key())
             }
         }
     }

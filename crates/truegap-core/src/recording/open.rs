@@ -18,9 +18,6 @@ use std::fs::File;
 use std::io::{Cursor, ErrorKind, Read, Seek};
 use std::path::{Path, PathBuf};
 
-/// The sensor that is assumed where none is named.
-const DEFAULT_SENSOR: &str = "singletact-s15-4.5n";
-
 /// Where a recording's words come from, for messages.
 struct Origin<'a> {
     csv: &'a Path,
@@ -147,7 +144,7 @@ fn assemble(
         notes.push(Note::RunsRenumbered { runs: inputs.run.last().copied().unwrap_or(0) });
     }
     let response_unit = columns.iter().find(|c| c.role == Role::Response).map(|c| c.unit.clone()).unwrap_or_default();
-    let base = base.unwrap_or_else(|| assumed_base(columns, &response_unit, &mut notes));
+    let base = base.unwrap_or_else(|| assumed_base(columns, &mut notes));
     let path = origin.toml.unwrap_or(origin.csv).to_owned();
     let sensors = renumbered.then_some(Sensors { of_row, names });
     let columns: BTreeMap<Role, String> = columns.iter().map(|c| (c.role, c.name.clone())).collect();
@@ -156,24 +153,18 @@ fn assemble(
     Ok(recording)
 }
 
-/// The base model that the columns ask for.
-fn assumed_base(columns: &[Column], response_unit: &str, notes: &mut Vec<Note>) -> BaseSpec {
+/// The base model that the columns ask for; none, where a load was recorded: what it acted on cannot be seen in the columns.
+fn assumed_base(columns: &[Column], notes: &mut Vec<Note>) -> BaseSpec {
     let has = |role| columns.iter().any(|c| c.role == role);
     let (model, because) = if has(Role::Simulated) {
         ("external", "there is a column with a simulation")
     } else if has(Role::Gap) {
         ("gap-plate", "the gap was recorded")
-    } else if has(Role::Pressure) {
-        ("parallel-plate", "pressure was recorded")
-    } else if has(Role::Force) && response_unit == "pF" {
-        ("stack", "force and a capacitance were recorded")
-    } else if has(Role::Force) {
-        ("parallel-plate", "force was recorded and the response is no capacitance")
+    } else if has(Role::Pressure) || has(Role::Force) {
+        return BaseSpec::default();
     } else {
         ("constant", "no load was recorded")
     };
-    let sensor = (model == "stack").then(|| DEFAULT_SENSOR.to_owned());
-    let because = sensor.as_ref().map_or_else(|| because.to_owned(), |s| format!("{because}; the sensor is taken to be `{s}`"));
-    notes.push(Note::BaseAssumed { model: model.to_owned(), because });
-    BaseSpec { model: model.to_owned(), sensor, ..BaseSpec::default() }
+    notes.push(Note::BaseAssumed { model: model.to_owned(), because: because.to_owned() });
+    BaseSpec { model: model.to_owned(), ..BaseSpec::default() }
 }

@@ -1,4 +1,4 @@
-//! The roles that a column may play, and their names in a TOML.
+//! The roles that a column may play.
 //!
 //! Limits: one column a role.
 
@@ -17,19 +17,3 @@ pub(super) const ROLES: [Role; 10] = [
     Role::Simulated,
     Role::Response,
 ];
-
-/// Name of a role in a TOML.
-pub(super) fn key(role: Role) -> &'static str {
-    match role {
-        Role::Time => "time",
-        Role::Force => "force",
-        Role::Pressure => "pressure",
-        Role::Gap => "gap",
-        Role::Temperature => "temperature",
-        Role::Humidity => "humidity",
-        Role::Response => "response",
-        Role::Simulated => "simulated",
-        Role::Run => "run",
-        Role::Sensor => "sensor",
-    }
-}

@@ -6,7 +6,7 @@ use super::{
     data::Recording,
     error::RecordingError,
     manifest::{BaseSpec, SCHEMA},
-    roles::{ROLES, key},
+    roles::ROLES,
     table::hexadecimal,
 };
 use crate::inputs::Role;
@@ -33,10 +33,16 @@ impl Recording {
     }
 
     fn manifest_text(&self) -> Result<String, String> {
-        let named = names(self).into_iter().map(|(role, name)| (key(role), name)).collect();
+        let named = names(self).into_iter().map(|(role, name)| (role.key(), name)).collect();
         let units = [(Role::Response, &self.response_unit)].into_iter().filter(|(_, unit)| *unit != "pF");
-        let units = units.map(|(role, unit)| (key(role), unit.clone())).collect();
-        let manifest = Written { schema: SCHEMA, file: "recording.csv", columns: named, units, base: &self.base };
+        let units = units.map(|(role, unit)| (role.key(), unit.clone())).collect();
+        let manifest = Written {
+            schema: SCHEMA,
+            file: "recording.csv",
+            columns: named,
+            units,
+            base: Some(&self.base).filter(|base| base.is_stated()),
+        };
         toml::to_string(&manifest).map_err(|error| error.to_string())
     }
 }
@@ -48,7 +54,8 @@ struct Written<'a> {
     columns: BTreeMap<&'a str, String>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     units: BTreeMap<&'a str, String>,
-    base: &'a BaseSpec,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    base: Option<&'a BaseSpec>,
 }
 
 /// Name of each column as it is written.
@@ -71,7 +78,7 @@ fn name(role: Role, recording: &Recording) -> &'static str {
         Role::Temperature => "temperature_c",
         Role::Humidity => "humidity_pct",
         Role::Response if recording.response_unit == "pF" => "capacitance_pf",
-        other => key(other),
+        other => other.key(),
     }
 }
 

@@ -22,7 +22,7 @@ pub use crate::{
         interference::{burst::Burst, tone::Tone},
         lack_of_fit::Adequacy,
     },
-    data::joint::share::Sharing,
+    data::{context::NO_CLOCK, joint::share::Sharing},
     explain::{
         conflicts::Conflict,
         hidden_input::{

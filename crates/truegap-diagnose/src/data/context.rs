@@ -5,6 +5,9 @@
 use std::sync::Arc;
 use truegap_core::{Corrections, Inputs, Joined, Simulator, simulator::StageName};
 
+/// Why nothing that takes time can be looked for.
+pub const NO_CLOCK: &str = "no time column";
+
 /// Facts that priors, starting values and testability rest on.
 pub struct Context<'a> {
     /// what was done
@@ -23,7 +26,7 @@ pub struct Context<'a> {
     pub temperature_range: Option<(f64, f64)>,
     /// smallest and greatest relative humidity, per cent
     pub humidity_range: Option<(f64, f64)>,
-    /// shortest time step, s; `None` without a clock
+    /// shortest time step inside a run, s; `None` without a clock, or where every run is one row
     pub shortest_step_s: Option<f64>,
     /// longest run, s
     pub longest_run_s: f64,
@@ -63,7 +66,7 @@ impl<'a> Context<'a> {
             load_range: load.as_deref().map_or((0.0, 0.0), range),
             temperature_range: inputs.temperature_c.as_deref().map(range),
             humidity_range: inputs.humidity_pct.as_deref().map(range),
-            shortest_step_s: clock.map(|_| steps.iter().copied().filter(|s| *s > 0.0).fold(f64::INFINITY, f64::min)),
+            shortest_step_s: clock.and_then(|_| steps.iter().copied().filter(|s| *s > 0.0).min_by(f64::total_cmp)),
             longest_run_s: longest,
             duration_s: clock.map_or(0.0, |t| duration(t, inputs, simulator)),
             runs: runs.len(),
@@ -125,12 +128,28 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// `Ok` where there is a clock.
+    /// `Ok` where a clock runs inside the runs.
     ///
     /// # Errors
     /// What is missing.
     pub fn needs_clock(&self) -> Result<(), String> {
-        self.shortest_step_s.map_or(Err("no time column".into()), |_| Ok(()))
+        match (self.shortest_step_s, &self.inputs.time_s) {
+            (Some(_), _) => Ok(()),
+            (None, Some(_)) => Err("every run is one row, so no time passes inside of any".into()),
+            (None, None) => Err(NO_CLOCK.into()),
+        }
+    }
+
+    /// `Ok` where time passes from the first row to the last, within runs or between them.
+    ///
+    /// # Errors
+    /// What is missing.
+    pub fn needs_duration(&self) -> Result<(), String> {
+        match &self.inputs.time_s {
+            None => Err(NO_CLOCK.into()),
+            Some(_) if self.duration_s > 0.0 => Ok(()),
+            Some(_) => Err("the time column stands still".into()),
+        }
     }
 }
 

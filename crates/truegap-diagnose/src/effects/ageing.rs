@@ -86,7 +86,7 @@ impl Effect for Ageing {
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Beads)?;
-        context.needs_clock()?;
+        context.needs_duration()?;
         context.needs_load()
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {

@@ -104,7 +104,7 @@ impl Effect for OffsetDrift {
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
-        context.needs_clock()
+        context.needs_duration()
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
         Box::new(drift(values))

@@ -7,10 +7,10 @@
 
 use crate::{
     fit::{model::Model, optimum::Fit},
-    stats::{log_sum_exp, normal_between},
+    stats::{log_sum_exp, normal_between, symmetric_eigen},
     whitening::whitener::Whitener,
 };
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{ChiSquared, Distribution, StandardNormal};
@@ -82,7 +82,7 @@ struct Valley<'a, 'm> {
 
 impl<'a, 'm> Valley<'a, 'm> {
     fn of(model: &'a Model<'m>, whitener: &'a Whitener, fit: &'a Fit) -> Self {
-        let eigen = SymmetricEigen::new(fit.hessian.clone());
+        let eigen = symmetric_eigen(fit.hessian.clone());
         let n = fit.z.len();
         let soft: Vec<usize> = (0..n).filter(|i| eigen.eigenvalues[*i] < STIFF).collect();
         let mut settle = DMatrix::zeros(n, n);

@@ -5,8 +5,11 @@
 //!
 //! Limits: linear about the fit.
 
-use crate::{fit::optimum::Settled, stats::upper_tail};
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use crate::{
+    fit::optimum::Settled,
+    stats::{symmetric_eigen, upper_tail},
+};
+use nalgebra::{DMatrix, DVector};
 
 /// Scores of a set of columns.
 pub struct Scores {
@@ -64,7 +67,7 @@ impl Scores {
         let scale: Vec<f64> = columns.iter().map(|c| self.covariance[(*c, *c)].max(1e-300).sqrt().recip()).collect();
         let covariance = DMatrix::from_fn(n, n, |i, j| self.covariance[(columns[i], columns[j])] * scale[i] * scale[j]);
         let scores = DVector::from_fn(n, |i, _| self.scores[columns[i]] * scale[i]);
-        let eigen = SymmetricEigen::new(covariance);
+        let eigen = symmetric_eigen(covariance);
         let greatest = eigen.eigenvalues.iter().copied().fold(0.0, f64::max);
         let (mut statistic, mut freedom) = (0.0, 0);
         for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {

@@ -13,3 +13,4 @@ pub(crate) mod rescale;
 pub(crate) mod response;
 pub(crate) mod rest;
 pub(crate) mod several;
+pub(crate) mod switching;

@@ -28,8 +28,8 @@ pub struct Quiet {
     pub load_shapes: Vec<Vec<f64>>,
 }
 
-/// Takes the noise out of load and temperature.
-pub fn quiet(inputs: &Inputs, simulator: &dyn Simulator) -> Quiet {
+/// Takes the noise out of load and temperature; a load that is `switching` has none that could be told from it.
+pub fn quiet(inputs: &Inputs, simulator: &dyn Simulator, switching: bool) -> Quiet {
     let (runs, time) = (between_pauses(inputs), inputs.time_s.as_deref());
     let none = || vec![0.0; inputs.len()];
     let mut quiet = Quiet {
@@ -41,7 +41,7 @@ pub fn quiet(inputs: &Inputs, simulator: &dyn Simulator) -> Quiet {
     };
     let full = simulator.full_load().unwrap_or(1.0);
     // of the loads, the one that the simulator sees says how noisy it is
-    let sd = simulator.load(inputs).map_or(0.0, |load| scatter(&load, time, &runs)) * full;
+    let sd = simulator.load(inputs).filter(|_| !switching).map_or(0.0, |load| scatter(&load, time, &runs)) * full;
     for column in [&mut quiet.inputs.force_n, &mut quiet.inputs.pressure_pa].into_iter().flatten() {
         let Quieter { sd, found, bends } = quieter(column, time, &runs, sd);
         quiet.noise.load = sd / full;

@@ -9,6 +9,7 @@ use crate::{
         quiet::{Quiet, quiet},
         rescale::not_above,
         response::{from_misfit, noise_model},
+        switching::load_switches,
     },
     whitening::noise_model::{NoiseModel, RecordingNoise},
 };
@@ -27,7 +28,8 @@ pub fn measured(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseE
 }
 
 fn of_one(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseError> {
-    let Quiet { inputs, noise, load_left, temperature_left, load_shapes } = quiet(problem.inputs, problem.simulator);
+    let Quiet { inputs, noise, load_left, temperature_left, load_shapes } =
+        quiet(problem.inputs, problem.simulator, load_switches(problem));
     let still = Problem { inputs: &inputs, response: problem.response, simulator: problem.simulator };
     let noise = noise_model(&still, &still.simulator.centre(), noise, (&load_left, &temperature_left), &load_shapes)?;
     let noise = without_rest(&still, noise)?;

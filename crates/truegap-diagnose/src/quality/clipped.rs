@@ -6,7 +6,7 @@ use crate::{
     data::problem::Problem,
     quality::{
         notice::{Notice, NoticeKind},
-        rows::{Rows, drivers, ends, equal_stretches, standing_still},
+        rows::{Rows, drivers, ends, equal_stretches, moved, standing_still},
     },
     stats::spread,
 };
@@ -36,7 +36,8 @@ fn at(problem: &Problem<'_>, rows: &Rows<'_>, stretches: &[Range<usize>], rail: 
     let count: usize = on_rail.iter().map(|s| s.len()).sum();
     let long = on_rail.iter().map(|s| s.len()).max().unwrap_or(0);
     let enough = count >= FEWEST && count as f64 >= SHARE * problem.response.len() as f64 && long >= 4;
-    if !enough || standing_still(stretches, 4) > COARSE || !a_driver_goes_on(problem, &on_rail) {
+    let met = || a_driver_goes_on(problem, &on_rail) || runs_into_it(problem, &on_rail);
+    if !enough || standing_still(stretches, 4) > COARSE || !met() {
         return None;
     }
     let first = on_rail.iter().max_by_key(|s| s.len())?;
@@ -48,6 +49,27 @@ fn at(problem: &Problem<'_>, rows: &Rows<'_>, stretches: &[Range<usize>], rail: 
     );
     Some(Notice { kind: NoticeKind::Clipped, says, rows: rows.numbers(on_rail.into_iter()), withholds: false })
 }
+
+/// Whether the reading runs into the rail and off it without a jump, while a driver moves: a channel that hangs jumps when it comes back, wherever the reading
+/// has gone meanwhile. The reading may lag behind what drives it, so that the same input is met on the rail and elsewhere.
+fn runs_into_it(problem: &Problem<'_>, on_rail: &[&Range<usize>]) -> bool {
+    let response = problem.response;
+    let runs = problem.inputs.runs();
+    let inside = |row: usize| on_rail.iter().any(|s| s.contains(&row));
+    let step = |row: usize| (response[row] - response[row - 1]).abs();
+    let pairs = || runs.iter().flat_map(|run| run.start + 1..run.end);
+    let mut steps: Vec<f64> = pairs().filter(|row| !inside(*row) && !inside(row - 1)).map(step).collect();
+    steps.sort_by(f64::total_cmp);
+    let Some(ordinary) = steps.get(ORDINARY * steps.len() / 100).copied() else { return false };
+    let drivers = drivers(problem);
+    let mut edges = pairs().filter(|row| inside(*row) != inside(row - 1)).map(step).peekable();
+    edges.peek().is_some()
+        && edges.all(|edge| edge <= ordinary)
+        && on_rail.iter().any(|s| s.len() >= 4 && moved(&drivers, s) > CROSSED)
+}
+
+/// Percentile of the steps from row to row below which one is no jump.
+const ORDINARY: usize = 99;
 
 /// Whether a driver crosses part of its range on the rail, and hardly any other row lies in that part: the rail is what is read there.
 fn a_driver_goes_on(problem: &Problem<'_>, on_rail: &[&Range<usize>]) -> bool {

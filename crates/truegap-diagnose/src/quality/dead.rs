@@ -1,6 +1,6 @@
 //! Channels that stop following: one value for many rows, while what they should follow moves.
 //!
-//! Limits: exactly one value; a channel that follows nothing but its own noise is found as a misfit, not here.
+//! Limits: an input is called dead only where it is nearly certain: it was measured, not commanded, and nothing else that was recorded moved the reading; exactly one value; a channel that follows nothing but its own noise is found as a misfit, not here.
 
 use crate::{
     data::problem::Problem,
@@ -68,16 +68,79 @@ pub fn dead_inputs(problem: &Problem<'_>, rows: &Rows<'_>) -> Vec<Notice> {
     let notice = |(name, unit, column): (&str, &str, &[f64])| {
         let found = stuck(column, &runs, reading_moves);
         let longest = found.iter().max_by_key(|s| s.len())?;
+        if !is_measured(column, &runs, &found) {
+            return None; // a command stands still because it was given so
+        }
+        let certain = found.iter().any(|s| hangs(problem, column, s, &found));
         let value = column[longest.start];
+        let judged = if certain {
+            "the column is dead or hangs. Check its logger, and record again or leave these rows out"
+        } else {
+            "if it was held there, or is cut off at this value, nothing is wrong; if its logger hung, leave these rows out"
+        };
         let says = format!(
-            "the {name} stays at exactly {} in {}, {} rows, while the reading moves by {:.0} % of its range: the column is dead or hangs. Check \
-             its logger, and record again or leave these rows out",
+            "the {name} stays at exactly {} in {}, {} rows, while the reading moves by {:.0} % of its range: {judged}",
             Scale::of(unit, value.abs()).text(value),
             rows.places(longest),
             longest.len(),
             100.0 * reading_moves(longest)
         );
-        Some(Notice { kind: NoticeKind::DeadInput, says, rows: rows.numbers(found.iter()), withholds: true })
+        Some(Notice { kind: NoticeKind::DeadInput, says, rows: rows.numbers(found.iter()), withholds: certain })
     };
     inputs_of(problem.inputs).into_iter().filter_map(notice).collect()
+}
+
+/// Share of neighbouring curvatures of opposite sign above which a column jitters: 0.73 for white noise, 0 for a smooth course, 0.5 at the corners of one.
+const JITTERS: f64 = 0.6;
+/// Share of all curvatures that are not zero, at least, in a column that was measured.
+const BENDS: f64 = 0.5;
+
+/// Whether a column jitters outside of its long stretches, as what was measured does and what was commanded does not.
+fn is_measured(column: &[f64], runs: &[Range<usize>], stuck: &[Range<usize>]) -> bool {
+    let inside = |row: usize| stuck.iter().any(|s| s.contains(&row));
+    let (mut all, mut bent, mut pairs, mut opposite) = (0, 0, 0, 0);
+    for run in runs {
+        let mut before = 0.0;
+        for row in run.start + 2..run.end {
+            let second = column[row] - 2.0 * column[row - 1] + column[row - 2];
+            if (row - 2..=row).any(inside) {
+                before = 0.0;
+                continue;
+            }
+            all += 1;
+            bent += usize::from(second != 0.0);
+            pairs += usize::from(second * before != 0.0);
+            opposite += usize::from(second * before < 0.0);
+            before = second;
+        }
+    }
+    all > 0 && bent as f64 > BENDS * all as f64 && opposite as f64 > JITTERS * pairs.max(1) as f64
+}
+
+/// Share of the reading's range that it must rise, and fall, in a stretch to have been driven there.
+const DRIVEN: f64 = 0.15;
+/// Share of its change that a reading makes in the first third of a stretch in which it relaxes.
+const AT_FIRST: f64 = 0.6;
+
+/// Whether a measured input hangs in a stretch: it is held at that value nowhere else, and the reading is driven there, by nothing else that was recorded, where
+/// a reading that relaxes goes one way, and most of it at first.
+fn hangs(problem: &Problem<'_>, column: &[f64], stretch: &Range<usize>, stuck: &[Range<usize>]) -> bool {
+    let held_again = stuck.iter().any(|other| other != stretch && column[other.start] == column[stretch.start]);
+    let others = inputs_of(problem.inputs).into_iter().map(|(_, _, other)| other).filter(|other| !std::ptr::eq(*other, column));
+    let driven_otherwise =
+        others.filter(|o| spread(o) > 0.0).any(|other| spread(&other[stretch.clone()]) / spread(other) > CROSSED);
+    !held_again && !driven_otherwise && !relaxes(&problem.response[stretch.clone()], spread(problem.response))
+}
+
+/// Whether a reading goes one way only, and most of it at first.
+fn relaxes(reading: &[f64], range: f64) -> bool {
+    let (mut highest, mut lowest, mut fall, mut rise) = (f64::NEG_INFINITY, f64::INFINITY, 0.0f64, 0.0f64);
+    for value in reading {
+        highest = highest.max(*value);
+        lowest = lowest.min(*value);
+        fall = fall.max(highest - value);
+        rise = rise.max(value - lowest);
+    }
+    let third = &reading[..reading.len().div_ceil(3)];
+    fall.min(rise) < DRIVEN * range && spread(third) > AT_FIRST * spread(reading)
 }

@@ -8,7 +8,7 @@ use crate::{
         error::{DiagnoseError, FEWEST_ROWS},
         problem::Problem,
     },
-    noise::input::scatter,
+    noise::switching::{followed, looks_like_noise},
     stats::spread,
     text::Scale,
 };
@@ -32,8 +32,6 @@ pub fn check(problem: &Problem<'_>) -> Result<(), DiagnoseError> {
     }
 }
 
-/// Spread of a column that is noise and nothing else, in its standard deviations.
-const ONLY_NOISE: f64 = 10.0;
 /// Temperature change that counts as one, K.
 const WARMS: f64 = 0.3;
 
@@ -42,7 +40,7 @@ fn constant(problem: &Problem<'_>) -> Option<(&'static str, String)> {
     let inputs = problem.inputs;
     let runs = inputs.runs();
     let stands = |column: &[f64], least: f64| {
-        spread(column) <= least.max(ONLY_NOISE * scatter(column, problem.inputs.time_s.as_deref(), &runs))
+        spread(column) <= least || looks_like_noise(column, problem.inputs, &runs) && !followed(column, problem.response, &runs)
     };
     if inputs.temperature_c.as_ref().is_some_and(|t| !stands(t, WARMS)) {
         return None;

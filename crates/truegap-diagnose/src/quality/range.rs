@@ -1,6 +1,6 @@
 //! Inputs beyond what the sensor is made for, where its model is no longer known to hold.
 //!
-//! Limits: full scale is the sensor file's; temperatures are those that silicone, polyimide and solder bear with straight material laws.
+//! Limits: base models with plates; full scale is the sensor file's; temperatures are those that silicone, polyimide and solder bear with straight material laws.
 
 use crate::{
     data::problem::Problem,
@@ -10,7 +10,7 @@ use crate::{
     },
     text::Scale,
 };
-use truegap_core::Role;
+use truegap_core::{Role, simulator::StageName};
 
 /// Share of the full scale up to which a load is in range; a load cell's zero and gain are good to some per cent.
 const HIGHEST: f64 = 1.1;
@@ -22,6 +22,10 @@ const TEMPERATURES_C: (f64, f64) = (-40.0, 125.0);
 /// Notices for loads and temperatures out of range.
 pub fn out_of_range(problem: &Problem<'_>, rows: &Rows<'_>) -> Vec<Notice> {
     let mut list = Vec::new();
+    if problem.simulator.lacks(StageName::Geometry).is_some() {
+        // a curve, a column or a constant has neither a full scale nor materials
+        return list;
+    }
     list.extend(loads(problem, rows));
     list.extend(temperatures(problem, rows));
     list

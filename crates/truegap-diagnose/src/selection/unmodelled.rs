@@ -18,10 +18,10 @@ use crate::{
         score_test::{Scores, scores_with},
     },
     selection::{candidates::Tried, prior::one_more, tempering::RIGHT_FAMILY},
-    stats::log_sum_exp,
+    stats::{log_sum_exp, symmetric_eigen},
     whitening::whitener::Whitener,
 };
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::DMatrix;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -235,7 +235,7 @@ const ABSORBED: f64 = 1e-7;
 
 /// Scores along directions that do not correlate: variance and score of each that calibration leaves.
 fn apart(found: &Scores) -> Vec<(f64, f64)> {
-    let eigen = SymmetricEigen::new((&found.covariance + found.covariance.transpose()) * 0.5);
+    let eigen = symmetric_eigen((&found.covariance + found.covariance.transpose()) * 0.5);
     let greatest = eigen.eigenvalues.iter().copied().fold(0.0, f64::max);
     let directions = eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter());
     directions.filter(|(v, _)| **v > ABSORBED * greatest).map(|(v, d)| (*v, d.dot(&found.scores))).collect()

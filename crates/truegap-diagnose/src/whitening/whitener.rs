@@ -232,7 +232,7 @@ impl Whitener {
 
     /// Columns of equal length, whitened, side by side.
     pub fn matrix(&self, columns: Vec<Vec<f64>>) -> DMatrix<f64> {
-        let mut matrix = DMatrix::zeros(columns.first().map_or(0, Vec::len), columns.len());
+        let mut matrix = DMatrix::zeros(self.inverse_sd.len(), columns.len());
         for (mut column, mut place) in columns.into_iter().zip(matrix.column_iter_mut()) {
             self.apply(&mut column);
             place.copy_from_slice(&column);

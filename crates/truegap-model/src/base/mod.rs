@@ -3,13 +3,24 @@
 //! Limits: one response a row; what is calibrated beyond the stack's tolerances has weak priors scaled from the recording.
 
 mod constant;
+mod driver;
 mod external;
 mod gap_plate;
+mod grid;
+mod linear;
+mod options;
 mod parallel_plate;
 mod scale;
 mod spec;
+mod surface;
+mod table;
 
-pub use external::{External, ExternalOptions};
+pub use driver::{DRIVERS, Driver};
+pub use external::{External, ExternalOptions, GAIN_SD};
+pub use grid::{Axis, Grid, GridError};
+pub use linear::HIGHEST_ORDER;
+pub use options::BaseOptions;
 pub use parallel_plate::Load;
 pub use scale::{Recorded, ResponseScale};
 pub use spec::{BASE_MODELS, BaseError, BaseModel, base_model};
+pub use surface::Surface;

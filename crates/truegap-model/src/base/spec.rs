@@ -4,20 +4,26 @@
 
 use super::{
     constant::Constant,
+    driver::{DRIVERS, Driver},
     external::{External, ExternalOptions},
     gap_plate::GapPlate,
+    grid::Grid,
+    linear::{HIGHEST_ORDER, Linear},
+    options::BaseOptions,
     parallel_plate::{Load, ParallelPlate},
     scale::{Recorded, ResponseScale, greatest},
+    surface::Surface,
+    table::Table,
 };
 use crate::stack::{SeriesOrder, Stack, StackOptions};
 use serde::{Deserialize, Serialize};
-use truegap_core::{Corrections, Inputs, Sensor, Simulator};
+use truegap_core::{Corrections, Inputs, Role, Sensor, SimulationError, Simulator};
 
 /// Temperature at which a model without a sensor file is described, degrees Celsius.
 const REFERENCE_C: f64 = 20.0;
 
 /// Names of the base models.
-pub const BASE_MODELS: [&str; 5] = ["stack", "parallel-plate", "gap-plate", "constant", "external"];
+pub const BASE_MODELS: [&str; 7] = ["stack", "parallel-plate", "gap-plate", "linear", "table", "constant", "external"];
 
 /// A base model with its options.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -67,6 +73,32 @@ pub enum BaseModel {
         /// what may be adjusted
         #[serde(default)]
         options: ExternalOptions,
+        /// how it follows load and temperature, where it does
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        surface: Option<Surface>,
+    },
+    /// a polynomial in one column
+    Linear {
+        /// scale of the priors
+        scale: ResponseScale,
+        /// reference temperature, degrees Celsius
+        reference_c: f64,
+        /// what drives it
+        driver: Driver,
+        /// order of the polynomial
+        order: usize,
+    },
+    /// a curve or a field of values
+    Table {
+        /// scale of the priors
+        scale: ResponseScale,
+        /// reference temperature, degrees Celsius
+        reference_c: f64,
+        /// what may be adjusted
+        #[serde(default)]
+        options: ExternalOptions,
+        /// the values
+        grid: Grid,
     },
 }
 
@@ -93,6 +125,38 @@ pub enum BaseError {
         /// what is missing
         role: &'static str,
     },
+    /// A line without anything that drives it.
+    #[error(
+        "the base model `linear` needs {}; name it under [columns], or another one as driver = \"...\" under [base]",
+        .driver.map_or("a recorded column that moves (force, pressure, gap, temperature, humidity, time)".to_owned(), |role| format!("a column for {} that moves", role.key()))
+    )]
+    NoDriver {
+        /// the driver asked for
+        driver: Option<Role>,
+    },
+    /// A polynomial of an order that is none.
+    #[error("the base model `linear` has an order from 1 to {HIGHEST_ORDER}, not {order}; for a richer curve give a table")]
+    Order {
+        /// the order asked for
+        order: usize,
+    },
+    /// A table base without a table.
+    #[error("the base model `table` needs a CSV; name it as table = \"curve.csv\" under [base] of the recording's TOML")]
+    NoTable,
+    /// A table in another unit.
+    #[error("the table is in {table}, the response in {response}; convert one")]
+    TableUnit {
+        /// unit of the table
+        table: String,
+        /// unit of the response
+        response: String,
+    },
+    /// A recorded row that the table does not hold.
+    #[error("{}", outside(.source))]
+    Outside {
+        /// which row, and what of it
+        source: SimulationError,
+    },
     /// No rows.
     #[error("the recording has no rows, so the base model `{model}` cannot be scaled; give at least two rows")]
     Empty {
@@ -106,7 +170,13 @@ impl BaseModel {
     ///
     /// # Errors
     /// [`BaseError`] where the model is unknown or the recording lacks what it needs.
-    pub fn of(model: &str, sensor: Option<&str>, options: StackOptions, recorded: Recorded<'_>) -> Result<Self, BaseError> {
+    pub fn of(
+        model: &str,
+        sensor: Option<&str>,
+        options: impl Into<BaseOptions>,
+        recorded: Recorded<'_>,
+    ) -> Result<Self, BaseError> {
+        let options = options.into();
         let reference_c = REFERENCE_C;
         if model != "stack" && recorded.response.is_empty() {
             return Err(BaseError::Empty { model: model.to_owned() });
@@ -114,7 +184,7 @@ impl BaseModel {
         match model {
             "stack" => {
                 let sensor = sensor.ok_or(BaseError::NoSensor)?.to_owned();
-                Ok(Self::Stack { sensor, warp: options.warp, series: options.series })
+                Ok(Self::Stack { sensor, warp: options.stack.warp, series: options.stack.series })
             }
             "parallel-plate" => {
                 let (load, full_load) = loading(recorded.inputs)?;
@@ -130,8 +200,15 @@ impl BaseModel {
             "external" => {
                 let missing = BaseError::NoColumn { model: "external", role: "simulated" };
                 recorded.inputs.simulated.as_ref().ok_or(missing)?;
-                Ok(Self::External { scale: ResponseScale::of(recorded, None), reference_c, options: ExternalOptions::default() })
+                Ok(Self::External {
+                    scale: ResponseScale::of(recorded, None),
+                    reference_c,
+                    options: options.adjusted,
+                    surface: Surface::of(recorded.inputs),
+                })
             }
+            "linear" => linear(&options, recorded, reference_c),
+            "table" => table(options, recorded, reference_c),
             other => Err(BaseError::Unknown { name: other.to_owned() }),
         }
     }
@@ -167,7 +244,13 @@ impl BaseModel {
             }
             Self::GapPlate { scale, reference_c } => Box::new(GapPlate::new(scale, *reference_c)),
             Self::Constant { scale, reference_c } => Box::new(Constant::new(scale, *reference_c)),
-            Self::External { scale, reference_c, options } => Box::new(External::new(scale, *reference_c, *options)),
+            Self::External { scale, reference_c, options, surface } => {
+                Box::new(External::new(scale, *reference_c, *options).following(surface.clone()))
+            }
+            Self::Linear { scale, reference_c, driver, order } => Box::new(Linear::new(*driver, *order, scale, *reference_c)),
+            Self::Table { scale, reference_c, options, grid } => {
+                Box::new(Table::new(grid.clone(), scale, *reference_c, *options))
+            }
         })
     }
 }
@@ -179,10 +262,43 @@ impl BaseModel {
 pub fn base_model(
     model: &str,
     sensor: Option<&Sensor>,
-    options: StackOptions,
+    options: impl Into<BaseOptions>,
     recorded: Recorded<'_>,
 ) -> Result<Box<dyn Simulator>, BaseError> {
     BaseModel::of(model, sensor.map(|s| s.name.as_str()), options, recorded)?.build(sensor)
+}
+
+fn linear(options: &BaseOptions, recorded: Recorded<'_>, reference_c: f64) -> Result<BaseModel, BaseError> {
+    let order = options.order.unwrap_or(1);
+    if !(1..=HIGHEST_ORDER).contains(&order) {
+        return Err(BaseError::Order { order });
+    }
+    let missing = || BaseError::NoDriver { driver: options.driver };
+    let wanted = options.driver.map_or_else(|| DRIVERS.to_vec(), |role| vec![role]);
+    let driver = wanted.into_iter().find_map(|role| Driver::of(recorded.inputs, role)).ok_or_else(missing)?;
+    let column = driver.recorded(recorded.inputs, "linear").map_err(|_| missing())?;
+    Ok(BaseModel::Linear { scale: ResponseScale::of(recorded, Some((&column, 1.0))), reference_c, driver, order })
+}
+
+fn table(options: BaseOptions, recorded: Recorded<'_>, reference_c: f64) -> Result<BaseModel, BaseError> {
+    let grid = options.table.ok_or(BaseError::NoTable)?;
+    if grid.unit != recorded.unit {
+        return Err(BaseError::TableUnit { table: grid.unit, response: recorded.unit.to_owned() });
+    }
+    grid.holds(recorded.inputs).map_err(|source| BaseError::Outside { source })?;
+    Ok(BaseModel::Table { scale: ResponseScale::of(recorded, None), reference_c, options: options.adjusted, grid })
+}
+
+/// The sentence of a row outside a table, rows counted from 1.
+fn outside(source: &SimulationError) -> String {
+    match source {
+        SimulationError::OutsideTable { row, role, value, low, high } => format!(
+            "row {}: {} is {value:.6e} (SI), outside the table, which goes from {low:.6e} to {high:.6e}; extend the table, or leave the row out",
+            row + 1,
+            role.key()
+        ),
+        other => other.to_string(),
+    }
 }
 
 /// Column of the load, pressure before force, and its greatest value.

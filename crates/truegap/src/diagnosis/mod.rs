@@ -14,3 +14,4 @@ mod write;
 pub use error::DiagnosisError;
 pub use request::{Opened, Request, open};
 pub use run::{Diagnosed, diagnose};
+pub use write::FILES;

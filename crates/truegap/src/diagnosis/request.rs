@@ -4,7 +4,7 @@
 
 use super::DiagnosisError;
 use crate::nearest::nearest;
-use truegap_core::{Inputs, Recording};
+use truegap_core::{Inputs, Note, Recording};
 use truegap_diagnose::Library;
 use truegap_diagnose::answer::Hidden;
 use truegap_diagnose::joint::{Free, behind_one_another};
@@ -78,6 +78,10 @@ fn free(request: &Request, recordings: usize) -> Result<Free, DiagnosisError> {
 }
 
 fn replace_base(recording: &mut Recording, request: &Request) {
+    if request.base.is_some() || request.sensor.is_some() {
+        // what was taken for want of a word no longer is
+        recording.notes.retain(|note| !matches!(note, Note::BaseAssumed { .. }));
+    }
     let base = &mut recording.base;
     if let Some(model) = &request.base {
         base.model.clone_from(model);

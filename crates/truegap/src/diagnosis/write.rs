@@ -9,6 +9,9 @@ use crate::report;
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
+/// Names of the files that a diagnosis writes.
+pub const FILES: [&str; 4] = ["diagnosis.json", "augmented.toml", "prediction.csv", "report.html"];
+
 /// Writes all four files.
 pub(super) fn folder(diagnosed: &Diagnosed, folder: &Path) -> Result<PathBuf, DiagnosisError> {
     let out = OutputFolder::begin(folder)?;

@@ -4,7 +4,8 @@
 
 use super::text::{capitalised, spoken};
 use super::wording;
-use truegap_diagnose::{Verdict, answer::Diagnosis};
+use truegap_diagnose::Verdict;
+use truegap_diagnose::answer::{Diagnosis, NO_CLOCK};
 
 /// Verdict, findings with sizes, errors, what next.
 pub fn summary(diagnosis: &Diagnosis) -> String {
@@ -36,10 +37,17 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
         lines.push("Doubts:".into());
         lines.extend(diagnosis.recording_issues.iter().map(|issue| format!("  {issue}")));
     }
+    lines.extend(without_clock(diagnosis));
     if !diagnosis.next_experiment.says.is_empty() {
         lines.push(format!("Next: {}", diagnosis.next_experiment.says));
     }
     lines.join("\n")
+}
+
+/// What could not be looked for because no time was recorded.
+fn without_clock(diagnosis: &Diagnosis) -> Option<String> {
+    let names = diagnosis.not_testable.iter().filter(|n| n.says == NO_CLOCK).map(|n| spoken(&n.effect)).collect::<Vec<_>>();
+    (!names.is_empty()).then(|| format!("Not looked for, since there is no time column: {}", names.join(", ")))
 }
 
 fn errors(diagnosis: &Diagnosis) -> Vec<String> {

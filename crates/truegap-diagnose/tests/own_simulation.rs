@@ -1,0 +1,126 @@
+//! A base model without any free number, and recordings with hardly anything beside the response: every step of a diagnosis has an answer.
+
+#![allow(clippy::unwrap_used)]
+
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+use std::sync::atomic::AtomicBool;
+use truegap_core::{Drive, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName};
+use truegap_diagnose::{Diagnosis, Options, Problem, RecordingFacts, Verdict, diagnose};
+
+/// A reading that is given row by row, or 3 where none is, with a level to calibrate or without.
+struct Given {
+    parameters: Vec<Parameter>,
+}
+
+impl Given {
+    fn fixed() -> Self {
+        Self { parameters: Vec::new() }
+    }
+
+    fn with_level() -> Self {
+        Self { parameters: vec![Parameter::normal("level", "V", 3.0, 5.0, "level")] }
+    }
+}
+
+impl Simulator for Given {
+    fn name(&self) -> &str {
+        "given"
+    }
+    fn unit(&self) -> &str {
+        "V"
+    }
+    fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+    fn needs(&self) -> &[Role] {
+        &[]
+    }
+    fn lacks(&self, stage: StageName) -> Option<&'static str> {
+        (!matches!(stage, StageName::ThermalPath | StageName::Readout)).then_some("nothing is known of it")
+    }
+    fn full_load(&self) -> Option<f64> {
+        None
+    }
+    fn load(&self, _: &Inputs) -> Option<Vec<f64>> {
+        None
+    }
+    fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
+        let level = values.first().copied().unwrap_or(3.0);
+        let mut value = inputs.simulated.clone().unwrap_or_else(|| vec![level; inputs.len()]);
+        let load = vec![0.0; inputs.len()];
+        let mut temperature = inputs.temperature_c.clone().unwrap_or_else(|| vec![20.0; inputs.len()]);
+        stages.iter().for_each(|stage| stage.thermal(inputs, &mut temperature));
+        let drive = Drive { inputs, load: &load, temperature_c: &temperature, reference_c: 20.0, full_load: 1.0 };
+        stages.iter().for_each(|stage| stage.readout(&drive, &Readout { zero: 3.0, span: 1.0 }, &mut value));
+        Ok(value)
+    }
+}
+
+fn noisy(seed: u64, truth: impl Fn(usize) -> f64, rows: usize) -> Vec<f64> {
+    let random = &mut ChaCha8Rng::seed_from_u64(seed);
+    (0..rows).map(|row| truth(row) + 0.01 * Distribution::<f64>::sample(&StandardNormal, random)).collect()
+}
+
+fn said(model: &Given, inputs: &Inputs, response: &[f64]) -> Diagnosis {
+    let problem = Problem { inputs, response, simulator: model };
+    let facts = RecordingFacts { rows: response.len(), runs: inputs.runs().len(), ..RecordingFacts::default() };
+    diagnose(&problem, facts, &Options::default(), &|_| (), &AtomicBool::new(false)).unwrap().diagnosis
+}
+
+/// Half an hour at 1 s of a simulation that goes up and down.
+fn simulated() -> Inputs {
+    let rows = 1800;
+    Inputs {
+        time_s: Some((0..rows).map(f64::from).collect()),
+        run: vec![1; rows as usize],
+        simulated: Some((0..rows).map(|row| 3.0 + (f64::from(row) / 90.0).sin()).collect()),
+        ..Inputs::default()
+    }
+}
+
+#[test]
+fn a_simulation_without_a_free_number_that_is_right_agrees() {
+    let inputs = simulated();
+    let truth = inputs.simulated.clone().unwrap();
+    let said = said(&Given::fixed(), &inputs, &noisy(1, |row| truth[row], truth.len()));
+    assert_eq!((said.verdict, said.findings.len()), (Verdict::Agrees, 0), "{}", said.says);
+}
+
+/// 0.3 V in half an hour: 30 times the noise of a row.
+#[test]
+fn a_drift_is_found_beside_a_simulation_without_a_free_number() {
+    let inputs = simulated();
+    let truth = inputs.simulated.clone().unwrap();
+    let said = said(&Given::fixed(), &inputs, &noisy(2, |row| truth[row] + 0.3 * row as f64 / 1800.0, truth.len()));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert!(named.contains(&"offset_drift") || said.ambiguity.iter().flatten().any(|id| id == "offset_drift"), "{}", said.says);
+    assert!(said.fit.in_sample.rmse_after < 0.012, "{}", said.fit.in_sample.rmse_after);
+}
+
+/// One row a run, an hour apart: no time passes inside a run, and a drift is told from run to run.
+#[test]
+fn one_row_a_run_with_a_clock_is_diagnosed() {
+    let rows = 120;
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(|row| 3600.0 * f64::from(row)).collect()),
+        run: (1..=rows).collect(),
+        temperature_c: Some((0..rows).map(|row| 22.0 + 5.0 * (f64::from(row) / 9.0).sin()).collect()),
+        ..Inputs::default()
+    };
+    let warm = inputs.temperature_c.clone().unwrap();
+    let said = said(&Given::with_level(), &inputs, &noisy(3, |row| 3.0 + 0.05 * (warm[row] - 20.0), rows as usize));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["temperature_coefficient"], "{}", said.says);
+    let lag = said.not_testable.iter().find(|n| n.effect == "thermal_lag").unwrap();
+    assert!(lag.says.contains("every run is one row"), "{}", lag.says);
+}
+
+/// Nothing but the reading, no clock, and it drifts: there is no input along which it could be located, and the answer says that it is wrong.
+#[test]
+fn a_response_alone_is_diagnosed() {
+    let inputs = Inputs { run: vec![1; 400], ..Inputs::default() };
+    let said = said(&Given::with_level(), &inputs, &noisy(4, |row| 3.0 + 0.002 * row as f64, 400));
+    assert!(said.verdict != Verdict::Agrees && said.findings.is_empty() && said.mismatch.is_empty(), "{}", said.says);
+}

@@ -1,0 +1,122 @@
+//! What is wrong with a recording is told, and what only looks so is not: commands that are held, rest at exactly 0, ceilings, inputs that switch fast.
+
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use common::Plate;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal, Uniform};
+use std::sync::atomic::AtomicBool;
+use truegap_core::{Inputs, Simulator};
+use truegap_diagnose::quality::{Notice, NoticeKind, Rows, troubles};
+use truegap_diagnose::{Options, Problem, RecordingFacts, Verdict, diagnose};
+
+fn gaussian(seed: u64) -> impl FnMut() -> f64 {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    move || StandardNormal.sample(&mut random)
+}
+
+fn inputs(force: Vec<f64>) -> Inputs {
+    let rows = force.len();
+    let time = (0..rows).map(|row| 0.1 * row as f64).collect();
+    Inputs { time_s: Some(time), run: vec![1; rows], force_n: Some(force), ..Inputs::default() }
+}
+
+/// Notices of a kind on a recording of the plate.
+fn told(force: Vec<f64>, response: &[f64], kind: NoticeKind) -> Vec<Notice> {
+    let (plate, inputs) = (Plate::new(None), inputs(force));
+    let problem = Problem { inputs: &inputs, response, simulator: &plate };
+    let rows = Rows { inputs: &inputs, given: None, unit: "pF" };
+    troubles(&problem, &rows).into_iter().filter(|notice| notice.kind == kind).collect()
+}
+
+/// 0 to 1 and back in ramps of 50 rows, with holds of 200 rows.
+fn cycle(row: usize) -> f64 {
+    match row % 500 {
+        r @ 0..50 => r as f64 / 50.0,
+        50..250 => 1.0,
+        r @ 250..300 => 1.0 - (r - 250) as f64 / 50.0,
+        _ => 0.0,
+    }
+}
+
+/// A reading that gives way by 40 % of its range while the load is held, and comes back at rest, with noise.
+fn relaxing(rows: usize) -> Vec<f64> {
+    let (mut late, mut noise) = (0.0, gaussian(1));
+    let mut one = |row: usize| {
+        late += (cycle(row) - late) / 40.0;
+        210.0 + cycle(row) - 0.6 * late + 0.002 * noise()
+    };
+    (0..rows).map(&mut one).collect()
+}
+
+#[test]
+fn a_command_that_is_held_is_not_dead() {
+    let commanded: Vec<f64> = (0..2000).map(|row| 3.0 * cycle(row)).collect();
+    assert_eq!(told(commanded, &relaxing(2000), NoticeKind::DeadInput), []);
+}
+
+#[test]
+fn a_load_that_is_cut_off_at_rest_is_no_more_than_a_doubt() {
+    let mut noise = gaussian(2);
+    let measured = |row| if cycle(row) == 0.0 { 0.0 } else { 3.0 * cycle(row) + 0.004 * noise() };
+    let notices = told((0..2000).map(measured).collect(), &relaxing(2000), NoticeKind::DeadInput);
+    assert!(notices.iter().all(|notice| !notice.withholds), "{notices:?}");
+}
+
+#[test]
+fn a_measured_load_that_hangs_while_the_reading_goes_on_is_dead() {
+    let mut noise = gaussian(3);
+    let mut force: Vec<f64> = (0..2000).map(|row| 3.0 * cycle(row) + 0.004 * noise()).collect();
+    let last = force[900];
+    force[900..1400].fill(last);
+    let notices = told(force, &relaxing(2000), NoticeKind::DeadInput);
+    assert!(notices.len() == 1 && notices[0].withholds && notices[0].says.contains("rows 901 to 1400"), "{notices:?}");
+}
+
+/// A level that comes late after what drives it and stays at the converter's 211 pF while that goes on: the same load is met on the ceiling and below it.
+#[test]
+fn a_reading_at_its_ceiling_is_clipped_and_not_dead() {
+    let mut noise = gaussian(4);
+    let load = |row: usize| 2.0 + (row as f64 / 47.0).sin() + 0.9 * (row as f64 / 71.0).cos();
+    let force: Vec<f64> = (0..1500).map(load).collect();
+    let mut level = 0.0;
+    let mut late = |force: &f64| {
+        level += (force - level) / 30.0;
+        (208.4 + level + 0.01 * noise()).min(211.0)
+    };
+    let response: Vec<f64> = force.iter().map(&mut late).collect();
+    assert!(response.iter().filter(|r| **r == 211.0).count() > 60);
+    let clipped = told(force.clone(), &response, NoticeKind::Clipped);
+    assert!(clipped.len() == 1 && clipped[0].says.contains("never goes above 211 pF"), "{clipped:?}");
+    assert_eq!(told(force, &response, NoticeKind::DeadChannel), []);
+}
+
+#[test]
+fn a_reading_that_hangs_and_jumps_back_is_dead_and_not_clipped() {
+    let (mut noise, mut response) = (gaussian(5), Vec::new());
+    let force: Vec<f64> = (0..1500).map(|row| 2.0 + 2.0 * (row as f64 / 60.0).sin()).collect();
+    response.extend(force.iter().map(|f| 210.0 + 0.5 * f + 0.005 * noise()));
+    // broken off: far below anything else, with a jump at both ends
+    response[700..900].fill(0.0);
+    assert_eq!(told(force.clone(), &response, NoticeKind::Clipped), []);
+    assert!(told(force, &response, NoticeKind::DeadChannel).len() == 1);
+}
+
+/// 0 to 600 mN at random in every row: by itself it looks like noise of 170 mN about 300 mN.
+#[test]
+fn an_input_that_switches_from_row_to_row_is_no_constant() {
+    let (plate, mut noise) = (Plate::new(None), gaussian(6));
+    let (random, jumps) = (&mut ChaCha8Rng::seed_from_u64(7), Uniform::new(0.0, 0.6).unwrap());
+    let inputs = inputs((0..1200).map(|_| jumps.sample(random)).collect());
+    let mut response = plate.respond(&[10.0, 6.0], &inputs, &[]).unwrap();
+    response.iter_mut().for_each(|value| *value += 0.004 * noise());
+    let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
+    let options = Options { effects: vec!["offset_drift".into(), "readout_lag".into()], ..Options::default() };
+    let facts = RecordingFacts { rows: 1200, runs: 1, ..RecordingFacts::default() };
+    let said = diagnose(&problem, facts, &options, &|_| (), &AtomicBool::new(false)).unwrap().diagnosis;
+    assert_eq!(said.verdict, Verdict::Agrees, "{}", said.says);
+    assert!(said.noise.load_sd < 0.01, "{} N of noise on the load", said.noise.load_sd);
+}

@@ -12,6 +12,7 @@ use crate::{
         next_experiment::NextExperiment,
     },
     fit::model::Model,
+    fit::several_starts::LOOSE,
     noise::{
         block_average::thin,
         rescale::{quieter_than, too_loud},
@@ -19,7 +20,7 @@ use crate::{
     },
     quality::preconditions::check,
     selection::{
-        candidates::{LOOSE, Progress, Search},
+        candidates::{Progress, Search},
         examine::{Examined, examine, judge},
         posterior::Selection,
         verdict::{Decision, Verdict, interrupted},

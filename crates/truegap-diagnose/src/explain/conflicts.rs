@@ -161,18 +161,23 @@ fn both(fit: &Fit, in_second: &[bool]) -> Option<(Parted, Parted)> {
     if count < 30 || in_second.len() - count < 30 {
         return None;
     }
-    let whole = &fit.hessian - DMatrix::identity(n, n);
+    let whole = &fit.hessian - known(fit);
     let whole_gradient = fit.jacobian.tr_mul(&DVector::from_column_slice(&fit.residual));
     let second = part(fit, &gram, &gradient)?;
     let first = part(fit, &(whole - gram), &(whole_gradient - gradient))?;
     Some((first, second))
 }
 
+/// Curvature of what is known beforehand.
+fn known(fit: &Fit) -> DMatrix<f64> {
+    DMatrix::from_diagonal(&DVector::from_iterator(fit.z.len(), fit.prior.curvature()))
+}
+
 fn part(fit: &Fit, gram: &DMatrix<f64>, gradient: &DVector<f64>) -> Option<Parted> {
     let n = fit.z.len();
-    let factor = Cholesky::new(gram + DMatrix::identity(n, n))?;
+    let factor = Cholesky::new(gram + known(fit))?;
     let z = DVector::from_column_slice(&fit.z);
-    let there = &z + factor.solve(&(gradient - &z));
+    let there = &z + factor.solve(&(gradient - DVector::from_iterator(n, fit.prior.gradient())));
     let covariance = factor.inverse();
     Some((there.iter().copied().collect(), covariance.diagonal().iter().copied().collect()))
 }

@@ -96,7 +96,7 @@ impl<'a, 'm> Valley<'a, 'm> {
         Self { model, whitener, fit, soft: eigen.eigenvectors.select_columns(&soft), curvature, settle, across }
     }
 
-    /// Half of chi2 + |z|^2 at a place along the soft directions, the stiff ones settled; `None` outside the bounds or where there is no answer.
+    /// Half of chi2 and the prior's penalty at a place along the soft directions, the stiff ones settled; `None` outside the bounds or where there is no answer.
     fn height(&self, along: &DVector<f64>, bounds: &[(f64, f64)]) -> Option<f64> {
         let mut z = DVector::from_column_slice(&self.fit.z) + &self.soft * along;
         let mut best = f64::INFINITY;
@@ -106,8 +106,9 @@ impl<'a, 'm> Valley<'a, 'm> {
             }
             let Ok(residual) = self.model.residual(z.as_slice(), self.whitener) else { break };
             let residual = DVector::from_vec(residual);
-            best = best.min(0.5 * (residual.norm_squared() + z.norm_squared()));
-            let gradient = self.fit.jacobian.tr_mul(&residual) - &z;
+            let prior = self.model.prior(z.as_slice());
+            best = best.min(0.5 * (residual.norm_squared() + prior.penalty()));
+            let gradient = self.fit.jacobian.tr_mul(&residual) - DVector::from_iterator(z.len(), prior.gradient());
             let step = &self.settle * &gradient;
             if 0.5 * step.dot(&gradient) < SETTLED.1 {
                 break;

@@ -6,16 +6,15 @@ use crate::stats::{log_sum_exp, normal_between};
 use nalgebra::{Cholesky, DMatrix, Dyn};
 use statrs::function::erf::erfc;
 
-/// Log evidence up to the constant of the likelihood: `-chi2/2 - |z|^2/2 - log det(H)/2`, with corrections at bounds.
+/// Log evidence up to the constant of the likelihood: `-chi2/2 - penalty/2 - log det(H)/2`, with corrections at bounds.
 ///
-/// `gradient` is that of the objective at `z`; `bounds` in z.
-pub fn laplace(chi2: f64, z: &[f64], hessian: &DMatrix<f64>, gradient: &[f64], bounds: &[(f64, f64)]) -> f64 {
+/// `penalty` is the prior's, |z|^2 for Gaussians. /// `gradient` is that of the objective at `z`; `bounds` in z.
+pub fn laplace(chi2: f64, z: &[f64], penalty: f64, hessian: &DMatrix<f64>, gradient: &[f64], bounds: &[(f64, f64)]) -> f64 {
     let Some(factor) = Cholesky::new(hessian.clone()) else {
         return f64::NEG_INFINITY;
     };
     let log_det = log_determinant(&factor);
     let covariance = factor.inverse();
-    let penalty: f64 = z.iter().map(|z| z * z).sum();
     let bounded: f64 = (0..z.len()).map(|i| one_sided(z[i], covariance[(i, i)], gradient[i], bounds[i])).sum();
     -0.5 * (chi2 + penalty + log_det) + bounded
 }
@@ -110,7 +109,8 @@ mod tests {
         let (a, y) = (3.0, 2.0);
         let z = a * y / (1.0 + a * a);
         let chi2 = (y - a * z) * (y - a * z);
-        let found = laplace(chi2, &[z], &DMatrix::from_element(1, 1, 1.0 + a * a), &[0.0], &[(f64::NEG_INFINITY, f64::INFINITY)]);
+        let found =
+            laplace(chi2, &[z], z * z, &DMatrix::from_element(1, 1, 1.0 + a * a), &[0.0], &[(f64::NEG_INFINITY, f64::INFINITY)]);
         let exact = -0.5 * y * y / (1.0 + a * a) - 0.5 * f64::ln(1.0 + a * a);
         approx::assert_relative_eq!(found, exact, max_relative = 1e-12);
     }
@@ -126,6 +126,7 @@ mod tests {
             let found = laplace(
                 (y - a * z).powi(2),
                 &[z],
+                z * z,
                 &DMatrix::from_element(1, 1, 1.0 + a * a),
                 &[gradient],
                 &[(0.0, f64::INFINITY)],

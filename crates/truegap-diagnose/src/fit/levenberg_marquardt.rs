@@ -121,7 +121,7 @@ impl<'a, 'm> Descent<'a, 'm> {
     /// **Source:** steps that climb are let through as in Transtrum & Sethna, Improvements to the Levenberg-Marquardt algorithm (2012), section 5.
     fn leap(&mut self, reach: f64) -> Result<bool, SimulationError> {
         let (z, residual, jacobian) = (self.z.clone(), self.residual.clone(), self.jacobian.clone());
-        let start = objective(&residual, &z);
+        let start = objective(self.model, &residual, &z);
         let back = std::iter::repeat_n((PINNED, f64::INFINITY), STEPS_BACK);
         for (pinned, reach) in std::iter::once((0.0, reach)).chain(back) {
             let Some(next) = self.undamped(pinned, reach) else { break };
@@ -130,7 +130,7 @@ impl<'a, 'm> Descent<'a, 'm> {
             if self.refresh(0).is_err() {
                 break;
             }
-            if objective(&self.residual, &self.z) < start {
+            if objective(self.model, &self.residual, &self.z) < start {
                 return Ok(true);
             }
         }
@@ -142,7 +142,7 @@ impl<'a, 'm> Descent<'a, 'm> {
     fn undamped(&self, pinned: f64, reach: f64) -> Option<Vec<f64>> {
         let (mut gram, gradient) = self.normal_equations();
         (0..self.z.len()).for_each(|i| gram[(i, i)] += pinned);
-        let next = bounded_step(&gram, &gradient, &self.z, self.bounds, 0.0)?;
+        let next = bounded_step(&gram, &gradient, &self.z, self.bounds, &self.known(), 0.0)?;
         let longest = next.iter().zip(&self.z).map(|(to, from)| (to - from).abs()).fold(0.0, f64::max);
         let share = if longest > reach { reach / longest } else { 1.0 };
         Some(next.iter().zip(&self.z).map(|(to, from)| from + share * (to - from)).collect())
@@ -151,15 +151,22 @@ impl<'a, 'm> Descent<'a, 'm> {
     /// What a straight step to the optimum promises to lower the objective by.
     fn promised(&self) -> f64 {
         let (gram, gradient) = self.normal_equations();
-        let Some(next) = bounded_step(&gram, &gradient, &self.z, self.bounds, 0.0) else { return 0.0 };
+        let known = self.known();
+        let Some(next) = bounded_step(&gram, &gradient, &self.z, self.bounds, &known, 0.0) else { return 0.0 };
         let step = DVector::from_fn(self.z.len(), |i, _| next[i] - self.z[i]);
-        step.dot(&gradient) - 0.5 * (step.dot(&(&gram * &step)) + step.norm_squared())
+        let own: f64 = step.iter().zip(&known).map(|(step, curvature)| step * step * curvature).sum();
+        step.dot(&gradient) - 0.5 * (step.dot(&(&gram * &step)) + own)
     }
 
     /// `J^T J`, and the gradient of the objective, downhill.
     fn normal_equations(&self) -> (DMatrix<f64>, DVector<f64>) {
-        let downhill = self.jacobian.tr_mul(&DVector::from_column_slice(&self.residual)) - DVector::from_column_slice(&self.z);
+        let downhill = downhill(self.model, &self.jacobian, &self.residual, &self.z);
         (self.jacobian.tr_mul(&self.jacobian), downhill)
+    }
+
+    /// Curvature of the prior.
+    fn known(&self) -> Vec<f64> {
+        self.model.prior(&self.z).curvature().collect()
     }
 
     pub(crate) fn finish(self) -> Fit {
@@ -182,16 +189,17 @@ fn best_step(
     damping: &mut f64,
 ) -> Option<(Vec<f64>, Vec<f64>, f64)> {
     let gram = jacobian.tr_mul(jacobian);
-    let here = objective(residual, z);
+    let here = objective(model, residual, z);
+    let known: Vec<f64> = model.prior(z).curvature().collect();
     for _ in 0..10 {
         let mut best: Option<(Vec<f64>, Vec<f64>, f64)> = None;
         let (mut at, mut there) = (z.to_vec(), residual.to_vec());
         for _ in 0..CHORDS {
-            let gradient = jacobian.tr_mul(&DVector::from_column_slice(&there)) - DVector::from_column_slice(&at);
-            at = bounded_step(&gram, &gradient, &at, bounds, *damping)?;
+            let gradient = downhill(model, jacobian, &there, &at);
+            at = bounded_step(&gram, &gradient, &at, bounds, &known, *damping)?;
             let Ok(next) = model.residual(&at, whitener) else { break };
             there = next;
-            let gain = here - objective(&there, &at);
+            let gain = here - objective(model, &there, &at);
             let before = best.as_ref().map_or(0.0, |b| b.2);
             if gain > before && gain.is_finite() {
                 best = Some((at.clone(), there.clone(), gain));
@@ -220,8 +228,13 @@ const PINNED: f64 = 100.0;
 /// Most corrections of a step with one Jacobian.
 const CHORDS: usize = 5;
 
-fn objective(residual: &[f64], z: &[f64]) -> f64 {
-    0.5 * (residual.iter().map(|r| r * r).sum::<f64>() + z.iter().map(|z| z * z).sum::<f64>())
+fn objective(model: &Model<'_>, residual: &[f64], z: &[f64]) -> f64 {
+    0.5 * (residual.iter().map(|r| r * r).sum::<f64>() + model.prior(z).penalty())
+}
+
+/// Gradient of the objective, downhill.
+fn downhill(model: &Model<'_>, jacobian: &DMatrix<f64>, residual: &[f64], z: &[f64]) -> DVector<f64> {
+    jacobian.tr_mul(&DVector::from_column_slice(residual)) - DVector::from_iterator(z.len(), model.prior(z).gradient())
 }
 
 /// Damped Gauss-Newton step; coordinates that would leave their range stop at it and the others are solved again.
@@ -230,6 +243,7 @@ fn bounded_step(
     gradient: &DVector<f64>,
     z: &[f64],
     bounds: &[(f64, f64)],
+    known: &[f64],
     damping: f64,
 ) -> Option<Vec<f64>> {
     let n = z.len();
@@ -238,7 +252,7 @@ fn bounded_step(
         let mut hessian = gram.clone();
         let mut rhs = gradient.clone();
         for i in 0..n {
-            hessian[(i, i)] += 1.0 + damping * (gram[(i, i)] + 1.0);
+            hessian[(i, i)] += known[i] + damping * (gram[(i, i)] + known[i]);
         }
         for i in 0..n {
             if let Some(step) = fixed[i] {

@@ -8,4 +8,6 @@ pub(crate) mod levenberg_marquardt;
 pub(crate) mod maximum_a_posteriori;
 pub(crate) mod model;
 pub(crate) mod optimum;
+pub(crate) mod prior;
 pub(crate) mod score_test;
+pub(crate) mod several_starts;

@@ -5,6 +5,7 @@
 use crate::{
     data::{context::Context, problem::Problem},
     effects::effect::Effect,
+    fit::prior::Prior,
     whitening::whitener::Whitener,
 };
 use nalgebra::DMatrix;
@@ -59,8 +60,14 @@ impl<'a> Model<'a> {
         let effects = || 0..self.effects.len();
         Kinds {
             open_sizes: effects().filter(|i| !self.effects[*i].foreseen()).map(|i| self.first_of(i)).collect(),
+            known: self.base,
             free_form: effects().filter(|i| self.effects[*i].free_form()).flat_map(|i| self.range_of(i)).collect(),
         }
+    }
+
+    /// What is known of the parameters beforehand, at `z`.
+    pub(crate) fn prior(&self, z: &[f64]) -> Prior {
+        Prior::at(z, self.base)
     }
 
     /// Values in the parameters' units.
@@ -168,6 +175,8 @@ pub(crate) struct Kinds {
     pub(crate) open_sizes: Vec<usize>,
     /// parameters of effects without an equation
     pub(crate) free_form: Vec<usize>,
+    /// number of parameters of the base model, the first ones
+    pub(crate) known: usize,
 }
 
 /// Step of the difference quotients, in prior standard deviations.

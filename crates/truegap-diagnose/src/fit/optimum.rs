@@ -2,7 +2,7 @@
 //!
 //! Limits: one mode; the caller gives the starting point.
 
-use crate::fit::{laplace, model::Kinds};
+use crate::fit::{laplace, model::Kinds, prior::Prior};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// Promise, in units of the objective, below which a fit counts as settled.
@@ -38,7 +38,9 @@ pub struct Fit {
     pub residual: Vec<f64>,
     /// whitened Jacobian at the optimum
     pub jacobian: DMatrix<f64>,
-    /// J^T J + 1
+    /// what is known of the parameters, there
+    pub(crate) prior: Prior,
+    /// J^T J and the curvature of the prior
     pub hessian: DMatrix<f64>,
     /// which parameters lie on a bound
     pub at_limit: Vec<bool>,
@@ -55,9 +57,9 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Objective: half of chi2 + |z|^2.
+    /// Objective: half of chi2 and of the prior's penalty.
     pub fn objective(&self) -> f64 {
-        0.5 * (self.chi2 + self.z.iter().map(|z| z * z).sum::<f64>())
+        0.5 * (self.chi2 + self.prior.penalty())
     }
 
     /// Log evidence where differences count for `temper` times less, because equations may be off.
@@ -66,8 +68,8 @@ impl Fit {
     /// `temper` times the variance.
     pub fn tempered(&self, temper: f64) -> f64 {
         let freedom = |temper: f64| {
-            let louder = (&self.hessian - DMatrix::identity(self.z.len(), self.z.len())) / temper;
-            let hessian = louder + DMatrix::identity(self.z.len(), self.z.len());
+            let known = DMatrix::from_diagonal(&DVector::from_iterator(self.z.len(), self.prior.curvature()));
+            let hessian = (&self.hessian - &known) / temper + known;
             let fixed: Vec<usize> = (0..self.z.len()).filter(|i| !self.free_form.contains(i)).collect();
             let others = hessian.select_rows(&fixed).select_columns(&fixed);
             [hessian, others].map(|h| Cholesky::new(h).map_or(0.0, |f| laplace::log_determinant(&f)))
@@ -93,9 +95,10 @@ impl Fit {
         let (rows, count) = (self.residual.len(), free.len());
         let stacked = DMatrix::from_fn(rows + count, count, |row, k| match row.checked_sub(rows) {
             None => self.jacobian[(row, free[k])],
-            Some(own) => f64::from(u8::from(own == k)),
+            Some(own) if own == k => self.prior.slope[free[k]],
+            Some(_) => 0.0,
         });
-        let known = free.iter().map(|i| -self.z[*i]);
+        let known = free.iter().map(|i| -self.prior.residual[*i]);
         let here = DVector::from_iterator(rows + count, self.residual.iter().copied().chain(known));
         let basis = stacked.qr().q();
         let along = basis.tr_mul(&here);
@@ -110,12 +113,14 @@ pub(crate) fn finish(
     residual: Vec<f64>,
     jacobian: DMatrix<f64>,
     bounds: &[(f64, f64)],
-    Kinds { open_sizes, free_form }: Kinds,
+    Kinds { open_sizes, free_form, known }: Kinds,
     (iterations, converged): (usize, bool),
 ) -> Fit {
-    let hessian = jacobian.tr_mul(&jacobian) + DMatrix::identity(z.len(), z.len());
+    let prior = Prior::at(&z, known);
+    let mut hessian = jacobian.tr_mul(&jacobian);
+    prior.curvature().enumerate().for_each(|(i, curvature)| hessian[(i, i)] += curvature);
     let chi2 = residual.iter().map(|r| r * r).sum();
-    let gradient = DVector::from_column_slice(&z) - jacobian.tr_mul(&DVector::from_column_slice(&residual));
+    let gradient = DVector::from_iterator(z.len(), prior.gradient()) - jacobian.tr_mul(&DVector::from_column_slice(&residual));
     let at_limit: Vec<bool> =
         z.iter().zip(bounds).map(|(z, b)| laplace::on_bound(*z, b.0) || laplace::on_bound(*z, b.1)).collect();
     let sd: Vec<f64> = Cholesky::new(hessian.clone())
@@ -123,8 +128,8 @@ pub(crate) fn finish(
         .unwrap_or_else(|| vec![f64::NAN; z.len()]);
     let gain = |i: &usize| laplace::any_scale(z[*i], sd[*i] * sd[*i], gradient[*i], bounds[*i]);
     let scale_gain: f64 = open_sizes.iter().map(gain).filter(|gain| gain.is_finite()).sum();
-    let log_evidence = laplace::laplace(chi2, &z, &hessian, gradient.as_slice(), bounds) + scale_gain;
-    Fit { z, sd, chi2, residual, jacobian, hessian, at_limit, free_form, log_evidence, scale_gain, iterations, converged }
+    let log_evidence = laplace::laplace(chi2, &z, prior.penalty(), &hessian, gradient.as_slice(), bounds) + scale_gain;
+    Fit { z, sd, chi2, residual, jacobian, prior, hessian, at_limit, free_form, log_evidence, scale_gain, iterations, converged }
 }
 
 #[cfg(test)]

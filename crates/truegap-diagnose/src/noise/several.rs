@@ -4,7 +4,10 @@
 
 use crate::{
     data::{error::DiagnoseError, problem::Problem},
-    fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model},
+    fit::{
+        model::Model,
+        several_starts::{LOOSE, lowest},
+    },
     noise::{
         quiet::{Quiet, quiet},
         rescale::not_above,
@@ -95,14 +98,12 @@ fn without_rest(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, 
     }
     let context = problem.context(problem.span(), noise.floor());
     let model = Model::new(problem, &context, Vec::new());
-    let mut start = vec![0.0; model.parameters.len()];
+    let runs = problem.runs();
+    let calibrated =
+        |noise: &NoiseModel| lowest(&model, &noise.whitener(&runs, None), &noise.scaled(LOOSE).whitener(&runs, None));
     let mut known = noise;
     for _ in 0..2 {
-        let whitener = known.whitener(&problem.runs(), None);
-        start = fit(&model, &whitener, &start, &FitOptions::default())?.z;
-        known = from_misfit(problem, &model.misfit(&start)?, &known);
+        known = from_misfit(problem, &model.misfit(&calibrated(&known)?.z)?, &known);
     }
-    let whitener = known.whitener(&problem.runs(), None);
-    let start = fit(&model, &whitener, &start, &FitOptions::default())?.z;
-    Ok(not_above(problem, &model.misfit(&start)?, known))
+    Ok(not_above(problem, &model.misfit(&calibrated(&known)?.z)?, known))
 }

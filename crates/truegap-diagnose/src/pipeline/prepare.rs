@@ -11,13 +11,14 @@ use crate::{
     data::{context::Context, error::DiagnoseError, problem::Problem},
     effects::effect::Effect,
     fit::model::Model,
+    fit::several_starts::LOOSE,
     noise::{
         block_average::{Thinned, thin},
         rescale::{quieter_than, too_loud},
     },
     pipeline::options::Options,
     selection::{
-        candidates::{LOOSE, Progress, Search},
+        candidates::{Progress, Search},
         posterior::Selection,
     },
     whitening::{noise_model::NoiseModel, whitener::Whitener},

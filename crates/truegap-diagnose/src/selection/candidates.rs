@@ -5,6 +5,7 @@
 use crate::{
     data::{context::Context, problem::Problem},
     effects::effect::Effect,
+    fit::several_starts::lowest,
     fit::{
         levenberg_marquardt::FitOptions,
         maximum_a_posteriori::{approach, fit, fit_onwards},
@@ -73,8 +74,7 @@ impl<'a> Search<'a> {
     /// Those of the simulator.
     pub fn base(&self) -> Result<Tried, SimulationError> {
         let model = self.model(&[]);
-        let start = vec![0.0; model.parameters.len()];
-        Ok(Tried { effects: Vec::new(), fit: fit(&model, self.whitener, &start, &FitOptions::default())? })
+        Ok(Tried { effects: Vec::new(), fit: lowest(&model, self.whitener, self.loose)? })
     }
 
     /// The base model with these effects.
@@ -260,8 +260,6 @@ const HOPELESS: f64 = 1.5;
 
 /// Prior standard deviations beyond which a parameter counts as driven far.
 const DRIVEN_FAR: f64 = 4.0;
-/// Factor on the noise of a loose fit.
-pub const LOOSE: f64 = 30.0;
 
 /// A fitted model to start from, and the noise under which it was fitted.
 #[derive(Clone, Copy)]

@@ -19,6 +19,8 @@ use std::{
 
 /// Partners that are fitted at each step, those that promise most.
 const PARTNERS: usize = 6;
+/// Models of one size from which larger ones are tried.
+const ABREAST: usize = 3;
 /// Gain in log evidence from which a larger model is worth looking for still larger ones.
 const CLEAR: f64 = 3.0;
 /// Difference in log weight beyond which a model is not looked at more closely.
@@ -83,8 +85,10 @@ impl<'s, 'a> Tries<'s, 'a> {
         }
     }
 
-    /// The best single with every other effect, then the best partner with every other (a swap), then all pairs of the best; no more than the first where the
+    /// Each of the best singles with every other effect, then the best partner with every other (a swap), then all pairs of the best; no more than the first where the
     /// best single leaves nothing and no partner gains anything.
+    ///
+    /// An effect may show beside one alone that is not the best: a lag of a coefficient, where something else follows the recording more closely at first.
     fn pairs(&mut self, best: &[&Tried], all: &[usize]) {
         let Some(first) = best.first() else { return };
         let forward = self.search.add_each(first, all, PARTNERS, "two effects");
@@ -92,6 +96,9 @@ impl<'s, 'a> Tries<'s, 'a> {
         self.keep(forward);
         if second.fit.log_evidence < first.fit.log_evidence + CLEAR && !self.gate.adequacy(&first.fit).fires() {
             return;
+        }
+        for other in best.iter().skip(1).take(ABREAST - 1) {
+            self.keep(self.search.add_each(other, all, PARTNERS, "two effects"));
         }
         if let Some(alone) = second.effects.get(1).and_then(|partner| self.models.get(&vec![*partner]).cloned()) {
             self.keep(self.search.add_each(&alone, all, PARTNERS, "two effects, swapped"));
@@ -103,10 +110,13 @@ impl<'s, 'a> Tries<'s, 'a> {
         }
     }
 
-    /// The best pair with every other effect, where the pair is worth it; where the triple is, too, each of its other pairs with every other effect (a swap).
+    /// The best pairs with every other effect, where the best is worth it; where the triple is, too, each of its other pairs with every other effect (a swap).
     fn triples(&mut self, all: &[usize]) {
         let Some(pair) = self.worth_more(2) else { return };
-        self.keep(self.search.add_each(&pair, all, PARTNERS, "three effects"));
+        let abreast = self.best_of(2, ABREAST);
+        for from in &abreast {
+            self.keep(self.search.add_each(from, all, PARTNERS, "three effects"));
+        }
         let Some(triple) = self.worth_more(3) else { return };
         let without = |left_out: &usize| triple.effects.iter().copied().filter(|e| e != left_out).collect::<Vec<_>>();
         for other in pair.effects.iter().map(without) {
@@ -119,6 +129,14 @@ impl<'s, 'a> Tries<'s, 'a> {
             self.keep(self.search.add_each(&from, all, PARTNERS, "three effects, swapped"));
             self.keep([from]);
         }
+    }
+
+    /// The likeliest models of `count` effects, at most `most`, none far behind the first.
+    fn best_of(&self, count: usize, most: usize) -> Vec<Tried> {
+        let mut those: Vec<&Tried> = self.models.values().filter(|t| t.effects.len() == count).collect();
+        those.sort_by(|a, b| b.fit.log_evidence.total_cmp(&a.fit.log_evidence));
+        let least = those.first().map_or(0.0, |t| t.fit.log_evidence) - CLOSE * self.temper();
+        those.into_iter().take(most).filter(|t| t.fit.log_evidence > least).cloned().collect()
     }
 
     /// The best model of `count` effects, where it is clearly better than the best of one less.

@@ -8,9 +8,10 @@
 use crate::{
     adequacy::{directions::directions, lack_of_fit::Gate},
     data::problem::Problem,
+    fit::several_starts::LOOSE,
     noise::block_average::thin,
     selection::{
-        candidates::{LOOSE, Progress, Search},
+        candidates::{Progress, Search},
         examine::{Examined, examine},
     },
     stats::log_sum_exp,

@@ -75,6 +75,7 @@ impl Lag {
     }
 
     /// Output `step_s` seconds later, where the input is `x`.
+    #[inline]
     pub fn next(&mut self, x: f64, step_s: f64) -> f64 {
         if step_s != self.step_s {
             self.step_s = step_s;

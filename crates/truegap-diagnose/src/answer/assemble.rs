@@ -6,7 +6,7 @@ use crate::{
     answer::{
         alternatives::{ambiguity, bank_facts, candidates, smallest_visible, unlisted},
         diagnosis::{AdequacyFacts, BaseFacts, Diagnosis, NotTestable, SCHEMA},
-        errors::{concealed, fit_facts, in_sample, respond, unseen},
+        errors::{concealed, fit_facts, in_sample, respond},
         findings::findings,
         found::Found,
         known::Known,
@@ -35,15 +35,13 @@ pub(crate) fn outcome(
 ) -> Result<Outcome, DiagnoseError> {
     let (base, chosen) = (found.selection.base(), found.chosen());
     let (before, after) = (respond(found, base)?, respond(found, chosen)?);
-    let unseen_before = unseen(found, base);
-    let unseen_with = (!chosen.effects.is_empty()).then(|| unseen(found, chosen));
-    let unseen_after = unseen_with.as_ref().unwrap_or(&unseen_before);
+    let (unseen_before, unseen_after) = (&found.unseen.base, found.unseen.stood_behind());
     let in_sample =
         in_sample(found, &before, &after).ok_or_else(|| DiagnoseError::TooFewRows { rows: before.len(), needed: FEWEST_ROWS })?;
-    let fit = fit_facts(found, in_sample, &unseen_before, unseen_after);
-    let findings = findings(found, &unseen_before, unseen_after);
+    let fit = fit_facts(found, in_sample, unseen_before, unseen_after);
+    let findings = findings(found, unseen_before, unseen_after);
     let conflicts = conflicts(found.search, base);
-    let (term, flexible_rows, flexible_unseen) = match flexible(found, &before, &unseen_before) {
+    let (term, flexible_rows, flexible_unseen) = match flexible(found, &before, unseen_before) {
         Some(term) => (Some(term.facts), term.prediction, term.held_out),
         None => (None, Vec::new(), Vec::new()),
     };

@@ -14,7 +14,7 @@ use crate::{
         posterior::Selection,
         verdict::{Decision, Verdict},
     },
-    validation::{cross_validation::AllRows, recovery::confusion::Bank},
+    validation::{cross_validation::AllRows, recovery::confusion::Bank, veto::Unseen},
     whitening::noise_model::NoiseModel,
 };
 
@@ -44,6 +44,8 @@ pub struct Found<'a> {
     pub gate: &'a Gate,
     /// directions
     pub directions: &'a [Direction],
+    /// predictions of rows left out
+    pub(crate) unseen: Unseen,
     /// why no physics is named whatever the models say; absent where the models decide
     pub reserved: Option<Reserved>,
     /// the slow course in place of a column that was hidden on purpose, and that column

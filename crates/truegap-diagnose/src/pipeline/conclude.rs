@@ -2,6 +2,7 @@
 //!
 //! Limits: the last stage of the pipeline; nothing is changed after it.
 
+use crate::text::significant;
 use crate::{
     adequacy::interference::heard::Heard,
     answer::{Found, Known, Outcome, Reserved, outcome},
@@ -16,11 +17,12 @@ use crate::{
         verdict::{Decision, Verdict, interrupted},
     },
     validation::{
-        cross_validation::AllRows,
+        cross_validation::{AllRows, held_out},
         recovery::{
             confusion::Bank,
             fill::{Whole, fill},
         },
+        veto::Unseen,
     },
 };
 use std::{
@@ -62,25 +64,54 @@ pub(crate) fn conclude(
     let hidden = told.options.hidden.first();
     let slow = hidden.and_then(|hidden| Some((SlowInput::of(search, selection)?, hidden)));
     let (heard, decision) = with_what_is_heard(prepared, search, &examined)?;
-    let (decision, reserved) = reserved(decision, selection, slow.as_ref().map(|(slow, _)| slow), told.options);
+    let (decision, kept_back) = reserved(decision, selection, slow.as_ref().map(|(slow, _)| slow), told.options);
+    let all = AllRows { problem: prepared.problem, first: prepared.thinned.as_ref().map(|t| t.first.as_slice()) };
+    let (unseen, decision, vetoed) = predicted(prepared, search, all, selection, decision);
     let found = Found {
         search,
         noise: &prepared.noise,
         searched_noise: &prepared.searched_noise,
-        all: AllRows { problem: prepared.problem, first: prepared.thinned.as_ref().map(|t| t.first.as_slice()) },
+        all,
         selection,
         decision: &decision,
         bank: bank.as_ref(),
         before: examined.before,
         after: examined.after,
         heard,
+        unseen,
         gate: &prepared.gate,
         directions: &prepared.directions,
-        reserved,
+        reserved: kept_back.or(vetoed),
         slow: slow.as_ref().map(|(slow, hidden)| (slow, *hidden)),
         interrupted: told.asked.load(Ordering::Relaxed),
     };
     outcome(&found, known, prepared.not_testable.clone(), started)
+}
+
+/// Predictions of rows left out, and the decision with them counted: what predicts worse than the base model is not claimed.
+fn predicted(
+    prepared: &Prepared<'_>,
+    search: &Search<'_>,
+    all: AllRows<'_>,
+    selection: &Selection,
+    decision: Decision,
+) -> (Unseen, Decision, Option<Reserved>) {
+    let of = |tried| held_out(search, &prepared.searched_noise, tried, all);
+    let chosen = &selection.models[decision.model];
+    let named = (!chosen.effects.is_empty()).then(|| of(chosen));
+    let unseen = Unseen { base: of(selection.base()), named };
+    let foretells = chosen.effects.iter().all(|e| !search.library[*e].free_form());
+    let Some([base, named]) = unseen.worse().filter(|_| foretells) else { return (unseen, decision, None) };
+    let ids = chosen.effects.iter().map(|e| search.library[*e].id().to_string()).collect::<Vec<_>>().join(" and ");
+    let says = format!(
+        "there is a mismatch, but its cause is not decided: {ids} would fit it, and predicts rows left out worse than the calibrated model does \
+         ({} against {} {})",
+        significant(named, 3),
+        significant(base, 3),
+        search.problem.simulator.unit()
+    );
+    let reserved = Reserved { says, withheld: false, input_missing: false };
+    (Unseen { named: None, ..unseen }, Decision::nothing(Verdict::Undecided, selection.base), Some(reserved))
 }
 
 /// The recovery bank, where it is wanted; where nothing may be named, there is nothing to be right or wrong about.

@@ -66,7 +66,7 @@ impl Decision {
     }
 
     /// A verdict that names nothing, where model `base` is the base model.
-    fn nothing(verdict: Verdict, base: usize) -> Self {
+    pub(crate) fn nothing(verdict: Verdict, base: usize) -> Self {
         Self { verdict, model: base, sets: Vec::new(), removed: 0.0, outside: None, outside_rivals: false }
     }
 }

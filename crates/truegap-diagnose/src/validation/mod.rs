@@ -5,3 +5,4 @@
 pub(crate) mod cross_validation;
 pub(crate) mod permutation;
 pub mod recovery;
+pub(crate) mod veto;

@@ -1,0 +1,45 @@
+//! Rows left out have the last word: what predicts them worse than the calibrated base model is not claimed.
+//!
+//! Limits: a number for each run, or for whatever happens, foretells nothing of a run left out and is not judged by it.
+
+use crate::validation::cross_validation::{HeldOutFit, compared};
+
+/// Predictions of rows left out, by the base model and by the model stood behind.
+pub(crate) struct Unseen {
+    /// calibrated base model
+    pub base: HeldOutFit,
+    /// the model stood behind; absent where it is the base model
+    pub named: Option<HeldOutFit>,
+}
+
+impl Unseen {
+    /// Predictions of the model stood behind.
+    pub fn stood_behind(&self) -> &HeldOutFit {
+        self.named.as_ref().unwrap_or(&self.base)
+    }
+
+    /// Errors of base and model on the rows that both predict, where the model's is the larger.
+    pub fn worse(&self) -> Option<[f64; 2]> {
+        let [base, named] = compared(&self.base, self.named.as_ref()?)?.rmse;
+        (named > base).then_some([base, named])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::validation::cross_validation::PartError;
+
+    fn predicted(errors: &[f64]) -> HeldOutFit {
+        let part = |squares: &f64| PartError { name: "run 1".into(), squares: Some(*squares), rows: 4 };
+        HeldOutFit { how: String::new(), prediction: Vec::new(), parts: errors.iter().map(part).collect() }
+    }
+
+    #[test]
+    fn a_model_that_predicts_worse_is_told_from_one_that_predicts_better() {
+        let worse = Unseen { base: predicted(&[4.0, 4.0]), named: Some(predicted(&[1.0, 31.0])) };
+        assert_eq!(worse.worse(), Some([1.0, 2.0]));
+        assert_eq!(Unseen { base: predicted(&[4.0]), named: Some(predicted(&[1.0])) }.worse(), None);
+        assert_eq!(Unseen { base: predicted(&[4.0]), named: None }.worse(), None);
+    }
+}

@@ -103,6 +103,11 @@ pub fn significant(value: f64, digits: usize) -> String {
     format!("{value:.decimals$}")
 }
 
+/// `4.20 min`: three significant digits in the unit that fits.
+pub fn rounded(value: f64, unit: &str) -> String {
+    Scale::of(unit, value.abs()).text(value)
+}
+
 /// `value ± sd unit`, with two digits of the error; the unit fits the value.
 pub fn measured(value: f64, sd: f64, unit: &str) -> String {
     let scale = Scale::of(unit, value.abs().max(sd));

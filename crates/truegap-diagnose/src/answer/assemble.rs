@@ -179,7 +179,7 @@ impl Answer<'_> {
         for (index, effect) in chosen.effects.iter().enumerate() {
             let d = detectability(self.search, chosen, index);
             let fitted = self.fitted(chosen, model.range_of(index));
-            let sentence = self.search.library[*effect].says(&fitted);
+            let sentence = self.search.library[*effect].told(&fitted, self.search.context);
             let rivals = self
                 .decision
                 .sets

@@ -93,4 +93,8 @@ pub trait Effect: Send + Sync {
     }
     /// What a reader should be told, with the fitted numbers in it.
     fn says(&self, fitted: &[FittedParameter]) -> String;
+    /// The same for this recording: with the names of its drivers, and in neutral words where the base model is no stack of a sensor.
+    fn told(&self, fitted: &[FittedParameter], _context: &Context<'_>) -> String {
+        self.says(fitted)
+    }
 }

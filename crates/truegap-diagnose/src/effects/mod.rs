@@ -11,10 +11,14 @@ mod ageing;
 mod bonded_layers;
 mod clock_rate;
 mod contact_toe_in;
+mod course;
 mod dead_gap;
+mod delay;
+mod driver_coefficient;
 mod eccentric_load;
 mod electrode_warp;
 mod foreseen;
+mod friction;
 mod fringing_field;
 mod gain_drift;
 mod held_warp;
@@ -28,10 +32,13 @@ mod permittivity_temperature;
 mod plate_bending;
 mod rate_independent_hysteresis;
 mod readout_lag;
+mod regime_change;
 mod rim_field;
 mod saturation;
 mod scale;
+mod slow_response;
 mod strain_stiffening;
+mod stress_relaxation;
 mod temperature_coefficient;
 mod thermal_hysteresis;
 mod thermal_lag;
@@ -67,6 +74,13 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(parasitic_capacitance::ParasiticCapacitance),
         Box::new(gain_drift::GainDrift),
         Box::new(temperature_coefficient::TemperatureCoefficient),
+        Box::new(driver_coefficient::DriverCoefficient(0)),
+        Box::new(driver_coefficient::DriverCoefficient(1)),
+        Box::new(friction::Friction(0)),
+        Box::new(friction::Friction(1)),
+        Box::new(stress_relaxation::StressRelaxation),
+        Box::new(slow_response::SlowResponse),
+        Box::new(regime_change::RegimeChange),
         Box::new(saturation::Saturation),
         Box::new(readout_lag::ReadoutLag),
         Box::new(offset_drift::OffsetDrift),

@@ -82,8 +82,12 @@ struct Valley<'a, 'm> {
 
 impl<'a, 'm> Valley<'a, 'm> {
     fn of(model: &'a Model<'m>, whitener: &'a Whitener, fit: &'a Fit) -> Self {
-        let eigen = SymmetricEigen::new(fit.hessian.clone());
         let n = fit.z.len();
+        // eigenvalues of an empty matrix panic: a base without parameters has one point
+        let eigen = match n {
+            0 => SymmetricEigen { eigenvectors: DMatrix::zeros(0, 0), eigenvalues: DVector::zeros(0) },
+            _ => SymmetricEigen::new(fit.hessian.clone()),
+        };
         let soft: Vec<usize> = (0..n).filter(|i| eigen.eigenvalues[*i] < STIFF).collect();
         let mut settle = DMatrix::zeros(n, n);
         let mut across = 0.0;

@@ -1,0 +1,271 @@
+//! Something is switched inside the recording: a coefficient of the reading is another one after an unknown time.
+
+use crate::{
+    data::context::Context,
+    effects::{
+        course::Course,
+        effect::{About, Effect, Family, FittedParameter},
+        memory::elapsed_s,
+    },
+    text::{measured, rounded},
+};
+use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
+
+/// A temperature coefficient (or that of a driver, or the gain) and a zero that change at one time.
+pub struct RegimeChange;
+
+/// What the coefficient is of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Of {
+    Temperature,
+    Driver(Course),
+    /// the reading itself: a gain
+    Reading,
+    /// nothing moves: only the zero changes
+    Nothing,
+}
+
+/// Temperature range from which on a coefficient can be told, K.
+const WARMS: f64 = 2.0;
+
+impl Of {
+    fn of(context: &Context<'_>) -> Self {
+        if context.temperature_span() >= WARMS {
+            return Self::Temperature;
+        }
+        match Course::of(context, 0) {
+            Some(Course::Driver(index)) => Self::Driver(Course::Driver(index)),
+            Some(_) => Self::Reading,
+            None => Self::Nothing,
+        }
+    }
+
+    /// Range of what the coefficient is of, in its unit.
+    fn span(self, context: &Context<'_>) -> f64 {
+        match self {
+            Self::Temperature => context.temperature_span(),
+            Self::Driver(course) => course.span(context),
+            Self::Reading | Self::Nothing => context.response_span.abs(),
+        }
+    }
+
+    /// Unit of the coefficient.
+    fn unit(self, context: &Context<'_>) -> String {
+        let reading = context.simulator.unit();
+        match self {
+            Self::Temperature => format!("{reading}/K"),
+            Self::Driver(course) => format!("{reading}/{}", course.unit(context)),
+            Self::Reading => "1".into(),
+            Self::Nothing => reading.into(),
+        }
+    }
+
+    /// Middle of the column over the recording, from where the coefficient counts to begin with.
+    fn middle(self, context: &Context<'_>) -> f64 {
+        let half = |column: &[f64]| column.iter().sum::<f64>() / column.len().max(1) as f64;
+        match self {
+            Self::Temperature => context.inputs.temperature_c.as_deref().map_or(0.0, half) - context.reference_c,
+            Self::Driver(Course::Driver(index)) => context.inputs.drivers.get(index).map_or(0.0, |d| half(&d.values)),
+            _ => 0.0,
+        }
+    }
+}
+
+struct Switch {
+    of: Of,
+    /// coefficient after less before
+    change: f64,
+    /// seconds after the first row of the middle of the change
+    when_s: f64,
+    /// seconds that it takes
+    takes_s: f64,
+    /// coefficient before over `change`
+    before: f64,
+    /// zero after less before, over `change`
+    jump: f64,
+}
+
+impl Switch {
+    fn apply(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64], after: impl Fn(f64) -> f64) {
+        if self.change == 0.0 {
+            return;
+        }
+        for (row, value) in value.iter_mut().enumerate() {
+            let x = match self.of {
+                Of::Temperature => drive.temperature_c[row] - drive.reference_c,
+                Of::Driver(course) => course.column(drive).map_or(0.0, |column| column[row]),
+                Of::Reading => *value - readout.zero,
+                Of::Nothing => 0.0,
+            };
+            let share = after((elapsed_s(drive.inputs, row) - self.when_s) / self.takes_s);
+            *value += self.change * (self.before * x + share * (x + self.jump));
+        }
+    }
+}
+
+impl Stage for Switch {
+    fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
+        self.apply(drive, readout, value, |x| (x + 0.5).clamp(0.0, 1.0));
+    }
+}
+
+/// Sibling: a change that settles exponentially.
+struct Settling(Switch);
+
+impl Stage for Settling {
+    fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
+        self.0.apply(drive, readout, value, |x| if x < 0.0 { 0.0 } else { -(-2.0 * x).exp_m1() });
+    }
+}
+
+/// Length over which a change can be looked for: seconds, or rows without a clock.
+fn length(context: &Context<'_>) -> f64 {
+    if context.shortest_step_s.is_some() { context.duration_s } else { context.inputs.len() as f64 }
+}
+
+fn switch(values: &[f64], context: &Context<'_>) -> Switch {
+    let of = Of::of(context);
+    let jump = if of == Of::Nothing { 1.0 } else { values[3] };
+    let before = if matches!(of, Of::Temperature | Of::Driver(_)) { values[4] } else { 0.0 };
+    Switch { of, change: values[0], when_s: values[1], takes_s: values[2], before, jump }
+}
+
+/// Times at which a change is looked for to begin with.
+const LOOKED_AT: usize = 14;
+
+impl Effect for RegimeChange {
+    fn id(&self) -> EffectId {
+        EffectId("regime_change")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Readout
+    }
+    fn family(&self) -> Family {
+        Family::Readout
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "something is switched inside the recording (a compensation, a repair, a new firmware): zero and coefficient are others afterwards",
+            equation: "value = true + q [b x + h(t) (x + z)], h from 0 to 1 at t_c, straight over w; x is T_s - T0, else a driver, else the reading: b q is the coefficient before, (b + 1) q that after",
+            excitation: "temperature (or a driver) that moves before and after the change",
+            impostors: &["temperature_coefficient", "driver_coefficient", "offset_drift", "offset_steps", "gain_drift"],
+            separates: "one law before and one law after a time, each the same throughout",
+            source: "Basseville & Nikiforov, Detection of Abrupt Changes, ch. 2; Quandt, J. Am. Stat. Assoc. 53 (1958) 873 (switching regressions)",
+        }
+    }
+    fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
+        let of = Of::of(context);
+        let (span, length) = (of.span(context).max(f64::MIN_POSITIVE), length(context).max(1.0));
+        let size = if of == Of::Nothing { context.response_span.abs() } else { context.response_span.abs() / span };
+        let step = context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0).min(0.01 * length);
+        let unit = if context.shortest_step_s.is_some() { "s" } else { "rows" };
+        let mut list = vec![
+            Parameter::normal("change", &of.unit(context), 0.0, size, "coefficient after the change less that before"),
+            Parameter::normal("when", unit, 0.5 * length, 0.4 * length, "time of the change after the first row")
+                .within(0.01 * length, 0.99 * length),
+            Parameter::log_normal("takes", unit, (0.02 * length).max(step), 1.5, "time that the change takes")
+                .within(step, (0.3 * length).max(2.0 * step)),
+        ];
+        if of != Of::Nothing {
+            let x = if of == Of::Reading { "reading" } else { "change of the reading" };
+            let meaning = format!("zero after less before, over the {x} that a changed coefficient of 1 makes");
+            list.push(Parameter::normal("jump", "1", -of.middle(context), span, &meaning));
+        }
+        if matches!(of, Of::Temperature | Of::Driver(_)) {
+            list.push(Parameter::normal("before", "changes", 0.0, 1.5, "coefficient before over its change").within(-30.0, 30.0));
+        }
+        list
+    }
+    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
+        let (of, length) = (Of::of(context), length(context).max(1.0));
+        let times = (0..LOOKED_AT).map(|k| length * (k as f64 + 0.5) / LOOKED_AT as f64);
+        let shape = |before: f64, t: f64| match of {
+            Of::Nothing => vec![t, 0.04 * length],
+            Of::Reading => vec![t, 0.04 * length, 0.0],
+            _ => vec![t, 0.04 * length, -of.middle(context), before],
+        };
+        match of {
+            Of::Temperature | Of::Driver(_) => times.flat_map(|t| [-1.0, 0.0].map(|before| shape(before, t))).collect(),
+            _ => times.map(|t| shape(0.0, t)).collect(),
+        }
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Readout)?;
+        if context.has(StageName::Dielectric).is_ok() && !matches!(Of::of(context), Of::Driver(_)) {
+            return Err(
+                "the base model has places for temperature and history of its own; jumps between runs are offset_steps".into()
+            );
+        }
+        let rows = context.inputs.len();
+        if rows < FEWEST { Err(format!("{rows} rows only, too few for two laws")) } else { Ok(()) }
+    }
+    fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(switch(values, context))
+    }
+    fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Settling(switch(values, context))))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        told(fitted, "its input")
+    }
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>) -> String {
+        match Of::of(context) {
+            Of::Temperature => told(fitted, "temperature"),
+            Of::Driver(course) => told(fitted, course.name(context)),
+            Of::Reading | Of::Nothing => told(fitted, "its input"),
+        }
+    }
+}
+
+/// Fewest rows in which two laws are looked for.
+const FEWEST: usize = 60;
+
+fn told(fitted: &[FittedParameter], of: &str) -> String {
+    let (change, when, takes) = (&fitted[0], &fitted[1], &fitted[2]);
+    let unit = when.parameter.unit.as_str();
+    let after_the_first = if unit == "s" {
+        format!("{} after the first row", measured(when.value, when.sd.max(0.5 * takes.value / 12f64.sqrt()), "s"))
+    } else {
+        format!("at row {:.0} (sd {:.0})", when.value, when.sd)
+    };
+    let what = &change.parameter.unit;
+    match (fitted.get(3), fitted.get(4)) {
+        (Some(_), Some(before)) => {
+            let (old, new) = (change.value * before.value, change.value * (before.value + 1.0));
+            let none = |value: f64, sd: f64| value.abs() < 2.0 * sd.max(0.01 * change.value.abs());
+            let told = |value: f64| {
+                if none(value, change.sd) { format!("about none ({})", rounded(value, what)) } else { rounded(value, what) }
+            };
+            format!(
+                "something is switched {after_the_first}: the coefficient of {of} is {} before and {} after it (change {})",
+                told(old),
+                told(new),
+                measured(change.value, change.sd, what)
+            )
+        }
+        (Some(_), None) => format!(
+            "something is switched {after_the_first}: the gain changes by {} %",
+            measured(100.0 * change.value, 100.0 * change.sd, "1")
+        ),
+        _ => format!("something is switched {after_the_first}: the zero changes by {}", measured(change.value, change.sd, what)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use truegap_core::Inputs;
+
+    #[test]
+    fn a_coefficient_is_the_one_before_and_the_one_after() {
+        let inputs = Inputs { time_s: Some(vec![0.0, 10.0, 90.0, 100.0]), run: vec![1; 4], ..Inputs::default() };
+        let temperature_c = [21.0, 25.0, 21.0, 25.0];
+        let drive = Drive { inputs: &inputs, load: &[0.0; 4], temperature_c: &temperature_c, reference_c: 20.0, full_load: 1.0 };
+        let mut value = vec![5.0; 4];
+        // -0.2 before and 0.1 after: change 0.3, before -2/3 of it; the zero falls by 0.3 x 4
+        let switch = Switch { of: Of::Temperature, change: 0.3, when_s: 50.0, takes_s: 4.0, before: -2.0 / 3.0, jump: -4.0 };
+        switch.readout(&drive, &Readout { zero: 0.0, span: 1.0 }, &mut value);
+        let wanted = [5.0 - 0.2, 5.0 - 1.0, 5.0 + 0.1 - 1.2, 5.0 + 0.5 - 1.2];
+        value.iter().zip(wanted).for_each(|(v, w)| approx::assert_abs_diff_eq!(*v, w, epsilon = 1e-12));
+    }
+}

@@ -176,10 +176,13 @@ impl Answer<'_> {
         let model = self.search.model(&chosen.effects);
         let unit = self.search.problem.simulator.unit();
         let mut found: Vec<Finding> = Vec::new();
+        let of =
+            |(index, effect): (usize, &usize)| (self.search.library[*effect].id(), self.fitted(chosen, model.range_of(index)));
+        let beside: Vec<_> = chosen.effects.iter().enumerate().map(of).collect();
         for (index, effect) in chosen.effects.iter().enumerate() {
             let d = detectability(self.search, chosen, index);
             let fitted = self.fitted(chosen, model.range_of(index));
-            let sentence = self.search.library[*effect].told(&fitted, self.search.context);
+            let sentence = self.search.library[*effect].told(&fitted, self.search.context, &beside);
             let rivals = self
                 .decision
                 .sets

@@ -85,7 +85,7 @@ impl Answer<'_> {
         let model = self.search.model(&tried.effects);
         let term = |(index, effect): (usize, &usize)| FlexibleTerm {
             shaped_like: self.id(*effect),
-            says: self.search.library[*effect].told(&self.fitted(tried, model.range_of(index)), self.search.context),
+            says: self.search.library[*effect].told(&self.fitted(tried, model.range_of(index)), self.search.context, &[]),
             parameters: self.parameters(tried, model.range_of(index)),
         };
         tried.effects.iter().enumerate().map(term).collect()

@@ -2,7 +2,7 @@
 //!
 //! Limits: one column; a second driver is followed by a second effect of the kind.
 
-use crate::{data::context::Context, stats::spread};
+use crate::{data::context::Context, effects::memory::walk, stats::spread};
 use truegap_core::Drive;
 
 /// A column that moves a reading.
@@ -58,6 +58,26 @@ impl Course {
             Self::Simulated => inputs.simulated.as_deref().map(spread),
         };
         range.filter(|range| *range > 0.0).unwrap_or(1.0)
+    }
+
+    /// Mean speed of the column, in its unit a second (a row without a clock).
+    pub fn usual_speed(self, context: &Context<'_>) -> f64 {
+        let inputs = context.inputs;
+        let column = match self {
+            Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice()),
+            Self::Load => None,
+            Self::Gap => inputs.gap_m.as_deref(),
+            Self::Simulated => inputs.simulated.as_deref(),
+        };
+        let Some(column) = column else { return 0.0 };
+        let (mut way, mut time) = (0.0, 0.0);
+        walk(inputs, |row, step| {
+            if let Some(step) = step {
+                way += (column[row] - column[row - 1]).abs();
+                time += step;
+            }
+        });
+        if time > 0.0 { way / time } else { 0.0 }
     }
 
     /// Unit of the column.

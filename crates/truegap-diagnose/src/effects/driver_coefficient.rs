@@ -108,7 +108,7 @@ impl Effect for DriverCoefficient {
     fn says(&self, fitted: &[FittedParameter]) -> String {
         told(fitted, "the driver")
     }
-    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>) -> String {
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
         told(fitted, Course::of(context, self.0).map_or("the driver", |course| course.name(context)))
     }
 }

@@ -101,7 +101,7 @@ impl Effect for Friction {
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let course = self.course(context);
         let (span, unit) = (course.span(context), course.unit(context));
-        let speed = span / context.longest_run_s.max(1.0);
+        let speed = course.usual_speed(context).max(span / context.longest_run_s.max(1.0));
         vec![
             Parameter::normal(
                 "force",
@@ -118,7 +118,7 @@ impl Effect for Friction {
                 "travel after a turn in which half of the force has changed sign",
             )
             .within(1e-4 * span, span),
-            Parameter::normal("viscous", &format!("s/({unit})"), 0.0, 0.03 / speed, "speed-proportional part over the force"),
+            Parameter::normal("viscous", &format!("s/({unit})"), 0.0, 0.3 / speed, "speed-proportional part over the force"),
         ]
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
@@ -143,31 +143,40 @@ impl Effect for Friction {
         Some(Box::new(Dahl(self.against(values, context))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        told(fitted, "the driver")
+        told(fitted, "the driver", 0.0)
     }
-    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>) -> String {
-        told(fitted, self.course(context).name(context))
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
+        let course = self.course(context);
+        told(fitted, course.name(context), course.usual_speed(context))
     }
 }
 
 /// Viscous part below which it is not spoken of, in standard deviations.
 const SPOKEN_OF: f64 = 3.0;
 
-fn told(fitted: &[FittedParameter], name: &str) -> String {
+/// `usual` is the driver's usual speed, in its unit a second.
+fn told(fitted: &[FittedParameter], name: &str, usual: f64) -> String {
     let (force, width, viscous) = (&fitted[0], &fitted[1], &fitted[2]);
-    let way = if force.value < 0.0 { "lower" } else { "higher" };
-    let size = measured(force.value.abs(), force.sd, &force.parameter.unit);
     let turn = rounded(2.0 * width.value, &width.parameter.unit);
-    let speed = if viscous.value.abs() > SPOKEN_OF * viscous.sd {
-        let unit = width.parameter.unit.as_str();
-        let per = format!("{} per {unit}/s", force.parameter.unit);
-        format!("; {} of speed on top", rounded(force.value * viscous.value, &per))
+    let grows = usual > 0.0 && viscous.value.abs() > SPOKEN_OF * viscous.sd;
+    let factor = if grows { 1.0 + viscous.value * usual } else { 1.0 };
+    let (whole, unit) = (force.value * factor, force.parameter.unit.as_str());
+    // rising and falling lie as far from the middle, by size and its relative error
+    let size = measured(whole.abs(), force.sd * factor.abs(), unit);
+    let way = if whole < 0.0 { "lower" } else { "higher" };
+    let speed = if grows {
+        let per = &width.parameter.unit;
+        format!(
+            ", at the usual {}; {} of it without speed",
+            rounded(usual, &format!("{per}/s")),
+            rounded(force.value.abs(), unit)
+        )
     } else {
         String::new()
     };
     format!(
-        "friction against the motion of {name}: the reading is {size} {way} while {name} rises than midway, as much the other way while it falls, \
-         and changes over within {turn} after a turn{speed}"
+        "friction against the motion of {name}: the reading is {size} {way} than midway while {name} rises, as much the other way while it \
+         falls{speed}; it changes over within {turn} after a turn"
     )
 }
 

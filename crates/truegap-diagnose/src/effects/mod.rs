@@ -15,6 +15,7 @@ mod course;
 mod dead_gap;
 mod delay;
 mod driver_coefficient;
+mod each_recording;
 mod eccentric_load;
 mod electrode_warp;
 mod foreseen;
@@ -49,8 +50,8 @@ mod viscoelastic_creep;
 /// Every effect that a diagnosis tries, in the order of the chain, in which their stages are to be plugged in.
 pub fn library() -> Vec<Box<dyn Effect>> {
     vec![
-        Box::new(time_offset::TimeOffset),
-        Box::new(clock_rate::ClockRate),
+        Box::new(time_offset::of_each_recording()),
+        Box::new(clock_rate::of_each_recording()),
         Box::new(load_cell_error::LoadCellError),
         Box::new(contact_toe_in::ContactToeIn),
         Box::new(eccentric_load::EccentricLoad),

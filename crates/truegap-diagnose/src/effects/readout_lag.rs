@@ -6,6 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::first_order_lag,
     },
+    text::measured,
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -80,6 +81,6 @@ impl Effect for ReadoutLag {
         Some(Box::new(TwoPoles(LowPass { tau_s: values[0] })))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!("the electronics follow with a time constant of {:.2} ms (sd {:.2})", 1e3 * fitted[0].value, 1e3 * fitted[0].sd)
+        format!("the electronics follow with a time constant of {}", measured(fitted[0].value, fitted[0].sd, "s"))
     }
 }

@@ -79,8 +79,6 @@ struct Switch {
     when_s: f64,
     /// seconds that it takes
     takes_s: f64,
-    /// coefficient before over `change`
-    before: f64,
     /// zero after less before, over `change`
     jump: f64,
 }
@@ -98,7 +96,7 @@ impl Switch {
                 Of::Nothing => 0.0,
             };
             let share = after((elapsed_s(drive.inputs, row) - self.when_s) / self.takes_s);
-            *value += self.change * (self.before * x + share * (x + self.jump));
+            *value += self.change * share * (x + self.jump);
         }
     }
 }
@@ -126,8 +124,7 @@ fn length(context: &Context<'_>) -> f64 {
 fn switch(values: &[f64], context: &Context<'_>) -> Switch {
     let of = Of::of(context);
     let jump = if of == Of::Nothing { 1.0 } else { values[3] };
-    let before = if matches!(of, Of::Temperature | Of::Driver(_)) { values[4] } else { 0.0 };
-    Switch { of, change: values[0], when_s: values[1], takes_s: values[2], before, jump }
+    Switch { of, change: values[0], when_s: values[1], takes_s: values[2], jump }
 }
 
 /// Times at which a change is looked for to begin with.
@@ -146,7 +143,7 @@ impl Effect for RegimeChange {
     fn about(&self) -> About {
         About {
             physics: "something is switched inside the recording (a compensation, a repair, a new firmware): zero and coefficient are others afterwards",
-            equation: "value = true + q [b x + h(t) (x + z)], h from 0 to 1 at t_c, straight over w; x is T_s - T0, else a driver, else the reading: b q is the coefficient before, (b + 1) q that after",
+            equation: "value = true + q h(t) (x + z), h from 0 to 1 at t_c, straight over w; x is T_s - T0, else a driver, else the reading; the coefficient before is that of `temperature_coefficient` (or `driver_coefficient`) beside it",
             excitation: "temperature (or a driver) that moves before and after the change",
             impostors: &["temperature_coefficient", "driver_coefficient", "offset_drift", "offset_steps", "gain_drift"],
             separates: "one law before and one law after a time, each the same throughout",
@@ -171,23 +168,16 @@ impl Effect for RegimeChange {
             let meaning = format!("zero after less before, over the {x} that a changed coefficient of 1 makes");
             list.push(Parameter::normal("jump", "1", -of.middle(context), span, &meaning));
         }
-        if matches!(of, Of::Temperature | Of::Driver(_)) {
-            list.push(Parameter::normal("before", "changes", 0.0, 1.5, "coefficient before over its change").within(-30.0, 30.0));
-        }
         list
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let (of, length) = (Of::of(context), length(context).max(1.0));
         let times = (0..LOOKED_AT).map(|k| length * (k as f64 + 0.5) / LOOKED_AT as f64);
-        let shape = |before: f64, t: f64| match of {
+        let shape = |t: f64| match of {
             Of::Nothing => vec![t, 0.04 * length],
-            Of::Reading => vec![t, 0.04 * length, 0.0],
-            _ => vec![t, 0.04 * length, -of.middle(context), before],
+            _ => vec![t, 0.04 * length, -of.middle(context)],
         };
-        match of {
-            Of::Temperature | Of::Driver(_) => times.flat_map(|t| [-1.0, 0.0].map(|before| shape(before, t))).collect(),
-            _ => times.map(|t| shape(0.0, t)).collect(),
-        }
+        times.map(shape).collect()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
@@ -206,13 +196,14 @@ impl Effect for RegimeChange {
         Some(Box::new(Settling(switch(values, context))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        told(fitted, "its input")
+        said(fitted, "its input", None)
     }
-    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>) -> String {
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, beside: &[(EffectId, Vec<FittedParameter>)]) -> String {
+        let before = |id: &str| beside.iter().find(|(effect, _)| effect.0 == id).and_then(|(_, f)| f.first());
         match Of::of(context) {
-            Of::Temperature => told(fitted, "temperature"),
-            Of::Driver(course) => told(fitted, course.name(context)),
-            Of::Reading | Of::Nothing => told(fitted, "its input"),
+            Of::Temperature => said(fitted, "temperature", before("temperature_coefficient")),
+            Of::Driver(course) => said(fitted, course.name(context), before("driver_coefficient")),
+            Of::Reading | Of::Nothing => said(fitted, "its input", None),
         }
     }
 }
@@ -220,35 +211,40 @@ impl Effect for RegimeChange {
 /// Fewest rows in which two laws are looked for.
 const FEWEST: usize = 60;
 
-fn told(fitted: &[FittedParameter], of: &str) -> String {
+/// Share of the change below which a coefficient counts as none.
+const NONE: f64 = 0.05;
+
+/// `before` is the coefficient that a finding beside it gives to the whole recording.
+fn said(fitted: &[FittedParameter], of: &str, before: Option<&FittedParameter>) -> String {
     let (change, when, takes) = (&fitted[0], &fitted[1], &fitted[2]);
-    let unit = when.parameter.unit.as_str();
-    let after_the_first = if unit == "s" {
-        format!("{} after the first row", measured(when.value, when.sd.max(0.5 * takes.value / 12f64.sqrt()), "s"))
+    let at = if when.parameter.unit == "s" {
+        // a change that takes long is not known better than to its own length
+        format!("{} after the first row", measured(when.value, when.sd.max(0.3 * takes.value), "s"))
     } else {
         format!("at row {:.0} (sd {:.0})", when.value, when.sd)
     };
-    let what = &change.parameter.unit;
-    match (fitted.get(3), fitted.get(4)) {
-        (Some(_), Some(before)) => {
-            let (old, new) = (change.value * before.value, change.value * (before.value + 1.0));
-            let none = |value: f64, sd: f64| value.abs() < 2.0 * sd.max(0.01 * change.value.abs());
-            let told = |value: f64| {
-                if none(value, change.sd) { format!("about none ({})", rounded(value, what)) } else { rounded(value, what) }
-            };
-            format!(
-                "something is switched {after_the_first}: the coefficient of {of} is {} before and {} after it (change {})",
-                told(old),
-                told(new),
-                measured(change.value, change.sd, what)
-            )
-        }
-        (Some(_), None) => format!(
-            "something is switched {after_the_first}: the gain changes by {} %",
-            measured(100.0 * change.value, 100.0 * change.sd, "1")
-        ),
-        _ => format!("something is switched {after_the_first}: the zero changes by {}", measured(change.value, change.sd, what)),
+    let unit = change.parameter.unit.as_str();
+    let by = measured(change.value, change.sd, unit);
+    if fitted.len() < 4 {
+        return format!("something is switched {at}: the zero changes by {by}");
     }
+    if unit == "1" {
+        let by = measured(100.0 * change.value, 100.0 * change.sd, "%");
+        return format!("something is switched {at}: the gain changes by {by}");
+    }
+    let old = before.map_or(0.0, |before| before.value);
+    let told = |value: f64| {
+        if value.abs() < NONE * change.value.abs() {
+            format!("about none ({})", rounded(value, unit))
+        } else {
+            rounded(value, unit)
+        }
+    };
+    format!(
+        "something is switched {at}: the coefficient of {of} is {} before and {} after it (change {by})",
+        told(old),
+        told(old + change.value)
+    )
 }
 
 #[cfg(test)]
@@ -257,15 +253,15 @@ mod tests {
     use truegap_core::Inputs;
 
     #[test]
-    fn a_coefficient_is_the_one_before_and_the_one_after() {
+    fn a_coefficient_and_a_zero_change_at_one_time() {
         let inputs = Inputs { time_s: Some(vec![0.0, 10.0, 90.0, 100.0]), run: vec![1; 4], ..Inputs::default() };
         let temperature_c = [21.0, 25.0, 21.0, 25.0];
         let drive = Drive { inputs: &inputs, load: &[0.0; 4], temperature_c: &temperature_c, reference_c: 20.0, full_load: 1.0 };
         let mut value = vec![5.0; 4];
-        // -0.2 before and 0.1 after: change 0.3, before -2/3 of it; the zero falls by 0.3 x 4
-        let switch = Switch { of: Of::Temperature, change: 0.3, when_s: 50.0, takes_s: 4.0, before: -2.0 / 3.0, jump: -4.0 };
+        // none before and 0.3 after; the zero falls by 0.3 x 4
+        let switch = Switch { of: Of::Temperature, change: 0.3, when_s: 50.0, takes_s: 4.0, jump: -4.0 };
         switch.readout(&drive, &Readout { zero: 0.0, span: 1.0 }, &mut value);
-        let wanted = [5.0 - 0.2, 5.0 - 1.0, 5.0 + 0.1 - 1.2, 5.0 + 0.5 - 1.2];
+        let wanted = [5.0, 5.0, 5.0 + 0.3 - 1.2, 5.0 + 1.5 - 1.2];
         value.iter().zip(wanted).for_each(|(v, w)| approx::assert_abs_diff_eq!(*v, w, epsilon = 1e-12));
     }
 }

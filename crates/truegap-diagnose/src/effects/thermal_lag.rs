@@ -117,7 +117,7 @@ impl Effect for ThermalLag {
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!("the sensor follows the thermometer with {}", slow_response::time_constants(fitted))
     }
-    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>) -> String {
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
         if reads_temperature(context) {
             return format!("the thermometer follows the temperature with {}", slow_response::time_constants(fitted));
         }

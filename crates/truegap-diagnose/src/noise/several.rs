@@ -6,6 +6,7 @@ use crate::{
     data::{error::DiagnoseError, problem::Problem},
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model},
     noise::{
+        follows_drivers::without_what_follows_drivers,
         quiet::{Quiet, quiet},
         rescale::not_above,
         response::{from_misfit, noise_model},
@@ -98,7 +99,8 @@ fn without_rest(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, 
     for _ in 0..2 {
         let whitener = known.whitener(&problem.runs(), None);
         start = fit(&model, &whitener, &start, &FitOptions::default())?.z;
-        known = from_misfit(problem, &model.misfit(&start)?, &known);
+        let misfit = without_what_follows_drivers(problem.inputs, model.misfit(&start)?);
+        known = from_misfit(problem, &misfit, &known);
     }
     let whitener = known.whitener(&problem.runs(), None);
     let start = fit(&model, &whitener, &start, &FitOptions::default())?.z;

@@ -11,7 +11,11 @@ use truegap_diagnose::{Context, Effect, library};
 /// Base model that an effect is tried on: without warp where the effect is the warp, without a dielectric where it stands in for one.
 fn plate_for(effect: &dyn Effect) -> Plate {
     let plate = Plate::new(Some(effect.id().0 != "electrode_warp"));
-    if effect.id().0 == "temperature_coefficient" { plate.without_dielectric() } else { plate }
+    match effect.id().0 {
+        "temperature_coefficient" | "regime_change" => plate.without_dielectric(),
+        "slow_response" | "stress_relaxation" => plate.without_beads(),
+        _ => plate,
+    }
 }
 
 /// Parameters with the size at `deviations` of its prior, one list per starting point.
@@ -38,11 +42,11 @@ fn for_each(check: impl Fn(&dyn Effect, &Context<'_>, &Plate)) {
 fn the_library_holds_every_id_of_the_contract_once() {
     let mut ids: Vec<&str> = library().iter().map(|effect| effect.id().0).collect();
     // 24 of the contract, `temperature_coefficient` for base models that have no place for temperature, `clock_rate`, and three that finite elements have
-    // computed
-    assert_eq!(ids.len(), 29);
+    // computed; then coefficient and friction of two drivers, relaxation and lag of a reading, and a change of regime
+    assert_eq!(ids.len(), 36);
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 29);
+    assert_eq!(ids.len(), 36);
     let foreseen: Vec<&str> = library().iter().filter(|e| e.foreseen()).map(|e| e.id().0).collect();
     assert_eq!(foreseen, ["bonded_layers", "held_warp", "rim_field"]);
     assert!(ids.contains(&"temperature_coefficient"));
@@ -222,6 +226,7 @@ fn divided(inputs: &Inputs) -> (Inputs, Vec<usize>) {
         force_n: mix(&inputs.force_n),
         temperature_c: mix(&inputs.temperature_c),
         humidity_pct: mix(&inputs.humidity_pct),
+        drivers: inputs.drivers_as(|c| mix(&Some(c.to_vec())).unwrap_or_default()),
         ..Inputs::default()
     };
     (finer, kept)

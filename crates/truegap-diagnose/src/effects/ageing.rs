@@ -6,7 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::elapsed_s,
     },
-    text::measured,
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
 
@@ -99,7 +99,7 @@ impl Effect for Ageing {
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(
             "the modulus drifts with the clock, by {} in the first hour",
-            measured(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%")
+            with_sd(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%")
         )
     }
 }

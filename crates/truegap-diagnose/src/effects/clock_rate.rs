@@ -7,7 +7,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::at_time,
     },
-    text::{measured, rounded},
+    text::{rounded, with_sd},
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
@@ -114,7 +114,7 @@ impl Effect for ClockRate {
         let way = if rate < 0.0 { "gains" } else { "loses" };
         format!(
             "the clock of the load {way} {} a second on that of the response; they agree {} after the first row",
-            measured(rate.abs(), fitted[0].sd, "s"),
+            with_sd(rate.abs(), fitted[0].sd, "s"),
             rounded(agree, "s")
         )
     }

@@ -6,7 +6,7 @@ use crate::{
         course::Course,
         effect::{About, Effect, Family, FittedParameter},
     },
-    text::measured,
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -33,13 +33,12 @@ impl Stage for Parabola {
     }
 }
 
-/// Sibling: an exponential with the same slope and bend at a driver of 0.
-struct Exponential(Parabola);
+/// Sibling: a law that bends off either way, a fifth of it at the far end of the driver's range.
+struct Flattening(Parabola, f64);
 
-impl Stage for Exponential {
+impl Stage for Flattening {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
-        let bend = self.0.bend;
-        self.0.apply(drive, value, |x| if bend.abs() * x.abs() < 1e-6 { x } else { (bend * x).exp_m1() / bend });
+        self.0.apply(drive, value, |x| self.1 * (x / self.1).asinh());
     }
 }
 
@@ -103,7 +102,8 @@ impl Effect for DriverCoefficient {
         Box::new(self.parabola(values, context))
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Exponential(self.parabola(values, context))))
+        let course = Course::of(context, self.0)?;
+        Some(Box::new(Flattening(self.parabola(values, context), 0.8 * course.span(context))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         told(fitted, "the driver")
@@ -115,5 +115,5 @@ impl Effect for DriverCoefficient {
 
 fn told(fitted: &[FittedParameter], name: &str) -> String {
     let slope = &fitted[0];
-    format!("the reading moves with {name} by {}", measured(slope.value, slope.sd, &slope.parameter.unit))
+    format!("the reading moves with {name} by {}", with_sd(slope.value, slope.sd, &slope.parameter.unit))
 }

@@ -7,7 +7,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::{play_set, rates, walk},
     },
-    text::{measured, rounded},
+    text::{rounded, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -162,7 +162,7 @@ fn told(fitted: &[FittedParameter], name: &str, usual: f64) -> String {
     let factor = if grows { 1.0 + viscous.value * usual } else { 1.0 };
     let (whole, unit) = (force.value * factor, force.parameter.unit.as_str());
     // rising and falling lie as far from the middle, by size and its relative error
-    let size = measured(whole.abs(), force.sd * factor.abs(), unit);
+    let size = with_sd(whole.abs(), force.sd * factor.abs(), unit);
     let way = if whole < 0.0 { "lower" } else { "higher" };
     let speed = if grows {
         let per = &width.parameter.unit;

@@ -6,7 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::elapsed_s,
     },
-    text::{measured, rounded},
+    text::{rounded, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -112,7 +112,7 @@ impl Effect for OffsetDrift {
             }
             _ => String::new(),
         };
-        format!("the zero drifts by {}{course}", measured(fitted[0].value, fitted[0].sd, unit))
+        format!("the zero drifts by {}{course}", with_sd(fitted[0].value, fitted[0].sd, unit))
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter},
-    text::{measured, rounded},
+    text::{rounded, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -132,6 +132,6 @@ impl Effect for OffsetSteps {
                 f.parameter.name.trim_start_matches("jump_")
             )
         });
-        format!("the zero jumps between runs, by about {}{at}", measured(size.abs(), fitted[0].sd, unit))
+        format!("the zero jumps between runs, by about {}{at}", with_sd(size.abs(), fitted[0].sd, unit))
     }
 }

@@ -3,7 +3,7 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter},
-    text::measured,
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, FieldView, Parameter, Stage, simulator::StageName};
 
@@ -82,7 +82,7 @@ impl Effect for ParasiticCapacitance {
         let unit = &fitted[0].parameter.unit;
         format!(
             "a part of {} of the reading lies beside the sensor and does not change with the gap",
-            measured(fitted[0].value, fitted[0].sd, unit)
+            with_sd(fitted[0].value, fitted[0].sd, unit)
         )
     }
 }

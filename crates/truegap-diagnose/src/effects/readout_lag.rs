@@ -6,7 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::first_order_lag,
     },
-    text::measured,
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -81,6 +81,6 @@ impl Effect for ReadoutLag {
         Some(Box::new(TwoPoles(LowPass { tau_s: values[0] })))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!("the electronics follow with a time constant of {}", measured(fitted[0].value, fitted[0].sd, "s"))
+        format!("the electronics follow with a time constant of {}", with_sd(fitted[0].value, fitted[0].sd, "s"))
     }
 }

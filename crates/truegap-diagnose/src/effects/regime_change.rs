@@ -7,7 +7,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::elapsed_s,
     },
-    text::{measured, rounded},
+    text::{rounded, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -128,7 +128,9 @@ fn switch(values: &[f64], context: &Context<'_>) -> Switch {
 }
 
 /// Times at which a change is looked for to begin with.
-const LOOKED_AT: usize = 14;
+const LOOKED_AT: usize = 6;
+/// Length of the change to begin with, as a share of that of the recording: long, so that its time is found from afar.
+const AT_FIRST: f64 = 0.15;
 
 impl Effect for RegimeChange {
     fn id(&self) -> EffectId {
@@ -174,8 +176,8 @@ impl Effect for RegimeChange {
         let (of, length) = (Of::of(context), length(context).max(1.0));
         let times = (0..LOOKED_AT).map(|k| length * (k as f64 + 0.5) / LOOKED_AT as f64);
         let shape = |t: f64| match of {
-            Of::Nothing => vec![t, 0.04 * length],
-            _ => vec![t, 0.04 * length, -of.middle(context)],
+            Of::Nothing => vec![t, AT_FIRST * length],
+            _ => vec![t, AT_FIRST * length, -of.middle(context)],
         };
         times.map(shape).collect()
     }
@@ -219,17 +221,17 @@ fn said(fitted: &[FittedParameter], of: &str, before: Option<&FittedParameter>) 
     let (change, when, takes) = (&fitted[0], &fitted[1], &fitted[2]);
     let at = if when.parameter.unit == "s" {
         // a change that takes long is not known better than to its own length
-        format!("{} after the first row", measured(when.value, when.sd.max(0.3 * takes.value), "s"))
+        format!("{} after the first row", with_sd(when.value, when.sd.max(0.3 * takes.value), "s"))
     } else {
         format!("at row {:.0} (sd {:.0})", when.value, when.sd)
     };
     let unit = change.parameter.unit.as_str();
-    let by = measured(change.value, change.sd, unit);
+    let by = with_sd(change.value, change.sd, unit);
     if fitted.len() < 4 {
         return format!("something is switched {at}: the zero changes by {by}");
     }
     if unit == "1" {
-        let by = measured(100.0 * change.value, 100.0 * change.sd, "%");
+        let by = with_sd(100.0 * change.value, 100.0 * change.sd, "%");
         return format!("something is switched {at}: the gain changes by {by}");
     }
     let old = before.map_or(0.0, |before| before.value);

@@ -4,7 +4,7 @@ use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter},
     stats::spread,
-    text::measured,
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -121,6 +121,6 @@ impl Effect for Saturation {
         let low = simulated.iter().copied().fold(f64::INFINITY, f64::min);
         let ceiling = low + fitted[1].value * spread(simulated);
         let unit = context.simulator.unit();
-        format!("the reading has a ceiling: it stops at {}", measured(ceiling, fitted[1].sd * spread(simulated), unit))
+        format!("the reading has a ceiling: it stops at {}", with_sd(ceiling, fitted[1].sd * spread(simulated), unit))
     }
 }

@@ -8,7 +8,7 @@ use crate::{
         memory::first_order_lag,
         thermal_lag::reads_temperature,
     },
-    text::measured,
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -68,7 +68,7 @@ pub(crate) fn time_constants(fitted: &[FittedParameter]) -> String {
     } else {
         String::new()
     };
-    format!("a time constant of {}{apart}", measured(tau, fitted[0].sd, "s"))
+    format!("a time constant of {}{apart}", with_sd(tau, fitted[0].sd, "s"))
 }
 
 impl Effect for SlowResponse {
@@ -106,7 +106,7 @@ impl Effect for SlowResponse {
         if reads_temperature(context) {
             return Err("the reading is a temperature: what delays it is a thermal lag".into());
         }
-        if context.simulator.name() == "constant" {
+        if !context.simulator.moves() {
             return Err("a value that does not move is not late".into());
         }
         context.needs_course()

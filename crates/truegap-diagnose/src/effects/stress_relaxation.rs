@@ -6,7 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::{Lag, walk},
     },
-    text::{measured, rounded},
+    text::{rounded, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -100,8 +100,8 @@ impl Effect for StressRelaxation {
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let shortest = context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0);
         let decades = (context.longest_run_s / shortest).max(10.0).log10();
-        let tau = |k: i32| shortest * 10f64.powf(decades * f64::from(k) / 5.0);
-        (1..=4).flat_map(|k| [vec![tau(k), 0.1], vec![tau(k), 2.0]]).collect()
+        let tau = |k: i32| shortest * 10f64.powf(decades * f64::from(k) / 4.0);
+        (1..=3).flat_map(|k| [vec![tau(k), 0.1], vec![tau(k), 2.0]]).collect()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
@@ -109,7 +109,7 @@ impl Effect for StressRelaxation {
         if context.has(StageName::LoadPath).is_ok() && context.has(StageName::Beads).is_ok() {
             return Err("the base model is driven by a load: what goes on there is creep".into());
         }
-        if context.simulator.name() == "constant" {
+        if !context.simulator.moves() {
             return Err("a value that does not move does not relax".into());
         }
         context.needs_course()
@@ -126,11 +126,11 @@ impl Effect for StressRelaxation {
             let wide = 10f64.powf(0.5 * spread.value);
             format!("time constants from {} to {}", rounded(tau / wide, "s"), rounded(tau * wide, "s"))
         } else {
-            format!("a time constant of {}", measured(tau, fitted[1].sd, "s"))
+            format!("a time constant of {}", with_sd(tau, fitted[1].sd, "s"))
         };
         format!(
             "the reading relaxes: a sudden change overshoots by {} % and fades with {over}",
-            measured(100.0 * share.value, 100.0 * share.sd, "1")
+            with_sd(100.0 * share.value, 100.0 * share.sd, "1")
         )
     }
 }

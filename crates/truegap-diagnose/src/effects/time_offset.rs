@@ -7,7 +7,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::rates,
     },
-    text::measured,
+    text::with_sd,
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
@@ -77,6 +77,6 @@ impl Effect for TimeOffset {
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let late = fitted[0].value;
         let way = if late < 0.0 { "early" } else { "late" };
-        format!("the clock of the load is {} {way}", measured(late.abs(), fitted[0].sd, "s"))
+        format!("the clock of the load is {} {way}", with_sd(late.abs(), fitted[0].sd, "s"))
     }
 }

@@ -6,7 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::{Lag, walk},
     },
-    text::measured,
+    text::with_sd,
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
@@ -99,9 +99,9 @@ impl Effect for TrappedAirStiffness {
 }
 
 fn share(fitted: &[FittedParameter]) -> String {
-    measured(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%")
+    with_sd(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%")
 }
 
 fn time_constant(fitted: &[FittedParameter]) -> String {
-    format!("a time constant of {}", measured(fitted[1].value, fitted[1].sd, "s"))
+    format!("a time constant of {}", with_sd(fitted[1].value, fitted[1].sd, "s"))
 }

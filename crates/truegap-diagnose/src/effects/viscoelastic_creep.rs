@@ -6,7 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::{Lag, walk},
     },
-    text::measured,
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
 
@@ -92,7 +92,7 @@ impl Effect for ViscoelasticCreep {
         let middle = (shortest * longest).sqrt();
         let spread = [[0.15, 1.0], [0.3, 0.3], [0.5, 3.0]].map(|[exponent, onset]| vec![exponent, onset, 0.0, middle]);
         let decades = (longest / shortest).log10();
-        let single = (1..=4).map(|k| vec![0.25, 1.0, 1.0, shortest * 10f64.powf(decades * f64::from(k) / 5.0)]);
+        let single = (1..=3).map(|k| vec![0.25, 1.0, 1.0, shortest * 10f64.powf(decades * f64::from(k) / 4.0)]);
         spread.into_iter().chain(single).collect()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
@@ -108,6 +108,12 @@ impl Effect for ViscoelasticCreep {
         Box::new(spectrum)
     }
     fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        if let (Some(single), Some(tau)) = (values.get(3), values.get(4))
+            && *single > MOSTLY
+        {
+            let weights = [0.6, 1.7].map(|factor| (factor * tau, 0.5 * values[0])).to_vec();
+            return Some(Box::new(Spectrum { weights }));
+        }
         // two Kelvin-Voigt elements a decade apart, of which the slower is the softer for a larger exponent
         let times = [10.0 * values[2].max(0.3), 100.0 * values[2].max(0.3)];
         let raw = [1.0, 10f64.powf(values[1])];
@@ -130,10 +136,10 @@ impl Effect for ViscoelasticCreep {
 const MOSTLY: f64 = 0.5;
 
 fn growth(fitted: &[FittedParameter], of: &str) -> String {
-    let size = measured(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%");
+    let size = with_sd(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%");
     match (fitted.get(3), fitted.get(4)) {
         (Some(single), Some(tau)) if single.value > MOSTLY => {
-            format!("by {size} {of}, with a time constant of {}", measured(tau.value, tau.sd, "s"))
+            format!("by {size} {of}, with a time constant of {}", with_sd(tau.value, tau.sd, "s"))
         }
         _ => format!("by {size} {of} in the first minute of a hold, as t^{:.2}", fitted[1].value),
     }

@@ -7,6 +7,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::elapsed_s,
     },
+    stats::spread,
     text::{rounded, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
@@ -127,6 +128,35 @@ fn switch(values: &[f64], context: &Context<'_>) -> Switch {
     Switch { of, change: values[0], when_s: values[1], takes_s: values[2], jump }
 }
 
+/// Part of its range that the input must cross before a change and after it, so that there are two laws to be told.
+const CROSSED: f64 = 0.35;
+
+/// Earliest and latest time of a change (as [`elapsed_s`]) at which the input has moved before and moves after it; `None` where there is no such time.
+///
+/// A change at the edge of what moved would be another name for one coefficient throughout.
+fn told_apart(context: &Context<'_>, of: Of) -> Option<(f64, f64)> {
+    let inputs = context.inputs;
+    let length = length(context).max(1.0);
+    let column = match of {
+        Of::Temperature => inputs.temperature_c.as_deref(),
+        Of::Driver(Course::Driver(index)) => inputs.drivers.get(index).map(|driver| driver.values.as_slice()),
+        Of::Reading => inputs.gap_m.as_deref().or(inputs.simulated.as_deref()),
+        Of::Driver(_) | Of::Nothing => None,
+    };
+    let Some(column) = column else { return Some((0.05 * length, 0.95 * length)) };
+    let least = CROSSED * spread(column);
+    let moved = |mut rows: Box<dyn Iterator<Item = usize>>| {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        rows.find(|row| {
+            (low, high) = (low.min(column[*row]), high.max(column[*row]));
+            high - low >= least
+        })
+    };
+    let earliest = elapsed_s(inputs, moved(Box::new(0..column.len()))?);
+    let latest = elapsed_s(inputs, moved(Box::new((0..column.len()).rev()))?);
+    (earliest < latest).then_some((earliest, latest))
+}
+
 /// Times at which a change is looked for to begin with.
 const LOOKED_AT: usize = 6;
 /// Length of the change to begin with, as a share of that of the recording: long, so that its time is found from afar.
@@ -157,11 +187,12 @@ impl Effect for RegimeChange {
         let (span, length) = (of.span(context).max(f64::MIN_POSITIVE), length(context).max(1.0));
         let size = if of == Of::Nothing { context.response_span.abs() } else { context.response_span.abs() / span };
         let step = context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0).min(0.01 * length);
+        let (earliest, latest) = told_apart(context, of).unwrap_or((0.01 * length, 0.99 * length));
         let unit = if context.shortest_step_s.is_some() { "s" } else { "rows" };
         let mut list = vec![
             Parameter::normal("change", &of.unit(context), 0.0, size, "coefficient after the change less that before"),
             Parameter::normal("when", unit, 0.5 * length, 0.4 * length, "time of the change after the first row")
-                .within(0.01 * length, 0.99 * length),
+                .within(earliest, latest),
             Parameter::log_normal("takes", unit, (0.02 * length).max(step), 1.5, "time that the change takes")
                 .within(step, (0.3 * length).max(2.0 * step)),
         ];
@@ -174,7 +205,8 @@ impl Effect for RegimeChange {
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let (of, length) = (Of::of(context), length(context).max(1.0));
-        let times = (0..LOOKED_AT).map(|k| length * (k as f64 + 0.5) / LOOKED_AT as f64);
+        let (earliest, latest) = told_apart(context, of).unwrap_or((0.0, length));
+        let times = (0..LOOKED_AT).map(|k| earliest + (latest - earliest) * (k as f64 + 0.5) / LOOKED_AT as f64);
         let shape = |t: f64| match of {
             Of::Nothing => vec![t, AT_FIRST * length],
             _ => vec![t, AT_FIRST * length, -of.middle(context)],
@@ -188,8 +220,17 @@ impl Effect for RegimeChange {
                 "the base model has places for temperature and history of its own; jumps between runs are offset_steps".into()
             );
         }
+        if context.simulator.joined().is_some_and(|joined| joined.count() > 1) {
+            return Err("a change at one time belongs to one recording; diagnose it by itself".into());
+        }
         let rows = context.inputs.len();
-        if rows < FEWEST { Err(format!("{rows} rows only, too few for two laws")) } else { Ok(()) }
+        if rows < FEWEST {
+            return Err(format!("{rows} rows only, too few for two laws"));
+        }
+        match told_apart(context, Of::of(context)) {
+            None => Err("what the coefficient is of does not move both before and after any time".into()),
+            Some(_) => Ok(()),
+        }
     }
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
         Box::new(switch(values, context))

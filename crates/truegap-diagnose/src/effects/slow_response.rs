@@ -37,10 +37,11 @@ impl Stage for OneAfterTheOther {
 /// Parameters of a lag of the reading: `tau`, `slow_share`, `slower`, `before`.
 pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
     let run = context.longest_run_s.max(1.0);
+    // somewhere between a step and a run, in the logarithm
+    let middle = (context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0) * run).sqrt();
     let rate = 5.0 * context.response_span.abs() / run;
     vec![
-        Parameter::normal("tau", "s", 0.0, (0.1 * run).max(1.0), "time constant of the reading, mean of both ways")
-            .within(0.0, run),
+        Parameter::normal("tau", "s", 0.0, middle, "time constant of the reading, mean of both ways").within(0.0, run),
         Parameter::normal("slow_share", "1", 0.0, 0.4, "part that follows by the slower way").within(0.0, 0.95),
         Parameter::log_normal("slower", "1", 10.0, 0.7, "its time constant over that of the quick way").within(2.0, 200.0),
         Parameter::normal("before", &format!("{}/s", context.simulator.unit()), 0.0, rate, "change before the first row"),

@@ -49,6 +49,17 @@ impl Role {
     }
 }
 
+/// A recorded column that physics may follow although no base model asks for it: the position of a piston, the voltage of a pump.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Driver {
+    /// name under `[drivers]`
+    pub name: String,
+    /// unit as recorded; drivers are not converted
+    pub unit: String,
+    /// one value a row, in `unit`
+    pub values: Vec<f64>,
+}
+
 /// Columns of equal length; a column that was not recorded is absent.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inputs {
@@ -68,6 +79,8 @@ pub struct Inputs {
     pub humidity_pct: Option<Vec<f64>>,
     /// somebody else's simulation of the response, in the response's unit
     pub simulated: Option<Vec<f64>>,
+    /// what else was recorded, in the order of names
+    pub drivers: Vec<Driver>,
 }
 
 impl Inputs {
@@ -121,6 +134,12 @@ impl Inputs {
         steps
     }
 
+    /// The drivers with each column replaced by what `change` makes of it.
+    pub fn drivers_as(&self, change: impl Fn(&[f64]) -> Vec<f64>) -> Vec<Driver> {
+        let changed = |d: &Driver| Driver { values: change(&d.values), ..d.clone() };
+        self.drivers.iter().map(changed).collect()
+    }
+
     /// The rows that `keep` names, in that order.
     #[must_use]
     pub fn select(&self, keep: &[usize]) -> Self {
@@ -134,6 +153,7 @@ impl Inputs {
             temperature_c: pick(&self.temperature_c),
             humidity_pct: pick(&self.humidity_pct),
             simulated: pick(&self.simulated),
+            drivers: self.drivers_as(|column| keep.iter().map(|&row| column[row]).collect()),
         }
     }
 }

@@ -63,7 +63,7 @@ pub use chain::{Dielectric, Drive, FieldView, Geometry, Readout, Stage, StageNam
 pub use corrections::Corrections;
 pub use curve::{Curve, CurveError};
 pub use effect::EffectId;
-pub use inputs::{Inputs, Role};
+pub use inputs::{Driver, Inputs, Role};
 pub use parameter::{Parameter, Prior};
 pub use recording::{BaseSpec, Note, Recording, RecordingError};
 pub use sensor::{Material, Sensor};

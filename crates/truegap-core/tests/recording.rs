@@ -6,7 +6,7 @@ use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
 use truegap_core::recording::BaseSpec;
-use truegap_core::{Inputs, Note, Recording, RecordingError, Role};
+use truegap_core::{Driver, Inputs, Note, Recording, RecordingError, Role};
 
 /// A folder of its own that goes away with the test.
 struct Folder(PathBuf);
@@ -186,6 +186,10 @@ fn writing_and_reading_are_inverse() {
         humidity_pct: wave(40.0),
         simulated: wave(75.0),
         time_s: Some(time.clone()),
+        drivers: vec![
+            Driver { name: "position".into(), unit: "mm".into(), values: wave(0.7).unwrap() },
+            Driver { name: "temperature_of_room".into(), unit: "degF".into(), values: wave(70.0).unwrap() },
+        ],
     };
     let further = [("gain".to_owned(), toml::Value::Float(0.1))].into_iter().collect();
     let base = BaseSpec { model: "stack".into(), sensor: Some("s".into()), warp: Some(true), further };
@@ -196,6 +200,37 @@ fn writing_and_reading_are_inverse() {
         let read = Recording::open(&folder.0).unwrap();
         assert_eq!((&read.inputs, &read.response, &read.base), (&made.inputs, &made.response, &made.base));
         assert_eq!((&read.response_unit, &read.sha256, &read.columns), (&made.response_unit, &made.sha256, &made.columns));
+    }
+}
+
+const TWO_DRIVERS: &str = "schema = \"truegap.recording/1\"\nfile = \"a.csv\"\n[columns]\nresponse = \"pull_n\"\n[units]\nresponse = \"N\"\n\
+    [drivers]\nposition = { column = \"x_mm\" }\npump = { column = \"speed\", unit = \"rpm\" }\n";
+
+#[test]
+fn drivers_are_read_with_their_own_units_and_follow_the_rows() {
+    let r = Recording::from_text("a", TWO_DRIVERS, "time_s,x_mm,speed,pull_n\n0,1.5,300,7\n1,2.5,310,8\n2,3.5,320,9\n").unwrap();
+    let told: Vec<_> = r.inputs.drivers.iter().map(|d| (d.name.as_str(), d.unit.as_str(), d.values.clone())).collect();
+    assert_eq!(told, [("position", "mm", vec![1.5, 2.5, 3.5]), ("pump", "rpm", vec![300.0, 310.0, 320.0])]);
+    assert_eq!(r.select(&[2, 0]).inputs.drivers[0].values, [3.5, 1.5]);
+}
+
+#[test]
+fn a_driver_that_cannot_be_taken_is_refused_with_its_line_and_what_to_do() {
+    let csv = "time_s,x_mm,speed,pull_n\n0,1.5,300,7\n";
+    let refused = |from: &str, to: &str, csv: &str| {
+        let toml = TWO_DRIVERS.replace(from, to);
+        assert!(toml != TWO_DRIVERS || from.is_empty());
+        Recording::from_text("a", &toml, csv).unwrap_err().to_string()
+    };
+    let cases = [
+        (refused("\"x_mm\"", "\"y_mm\"", csv), ["a.toml, line 8", "`y_mm` is not in the header", "`x_mm`"]),
+        (refused("position =", "gap =", csv), ["a.toml, line 8", "`gap` is a role", "under [columns]"]),
+        (refused("\"x_mm\"", "\"time_s\"", csv), ["a.toml, line 8", "is the time already", "leave it out of [drivers]"]),
+        (refused(", unit = \"rpm\"", "", csv), ["a.toml, line 9", "`speed` has no unit in its name", "unit = \"1\""]),
+        (refused("", "", "time_s,x_mm,speed,pull_n\n0,,300,7\n"), ["line 2", "`x_mm` has no finite value", "leave the row out"]),
+    ];
+    for (message, parts) in cases {
+        parts.iter().for_each(|part| assert!(message.contains(part), "`{part}` is not in: {message}"));
     }
 }
 

@@ -103,6 +103,25 @@ pub fn significant(value: f64, digits: usize) -> String {
     format!("{value:.decimals$}")
 }
 
+/// `4.20 min (sd 0.10)`: as [`measured`], with the error named.
+pub fn with_sd(value: f64, sd: f64, unit: &str) -> String {
+    let scale = Scale::of(unit, value.abs().max(if sd.is_finite() { sd } else { 0.0 }));
+    let (value, sd) = (value * scale.factor, sd * scale.factor);
+    let digits = |error: f64| (1 - error.log10().floor() as i32).clamp(0, 7) as usize;
+    if !(sd.is_finite() && sd > 0.0) || value.abs() >= 1e7 {
+        return format!("{} (sd {})", join(&significant(value, 3), &scale.unit), significant(sd, 2));
+    }
+    // no more than four digits of the value, however small its error
+    let most = if value == 0.0 { 7 } else { (3 - value.abs().log10().floor() as i32).clamp(0, 7) as usize };
+    let decimals = digits(sd).min(most);
+    format!("{} (sd {})", join(&format!("{value:.decimals$}"), &scale.unit), significant(sd, 2))
+}
+
+/// `4.20 min`: three significant digits in the unit that fits.
+pub fn rounded(value: f64, unit: &str) -> String {
+    Scale::of(unit, value.abs()).text(value)
+}
+
 /// `value ± sd unit`, with two digits of the error; the unit fits the value.
 pub fn measured(value: f64, sd: f64, unit: &str) -> String {
     let scale = Scale::of(unit, value.abs().max(sd));
@@ -226,6 +245,16 @@ mod tests {
         for (value, sd, unit, text) in cases {
             assert_eq!(measured(value, sd, unit), text);
         }
+    }
+
+    #[test]
+    fn a_value_with_its_error_has_at_most_four_digits() {
+        assert_eq!(with_sd(252.0, 6.0, "s"), "252.0 s (sd 6.0)");
+        assert_eq!(with_sd(445.817_71, 0.012, "s"), "445.8 s (sd 0.012)");
+        assert_eq!(with_sd(0.0, 0.0, "s"), "0 s (sd 0)");
+        assert_eq!(with_sd(2.341, 0.052, "%"), "2.341 % (sd 0.052)");
+        assert_eq!(with_sd(7.353, 0.012, "N"), "7.353 N (sd 0.012)");
+        assert_eq!(with_sd(94_319.0, 20.0, "s"), "26.20 h (sd 0.0056)");
     }
 
     #[test]

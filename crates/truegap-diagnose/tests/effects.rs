@@ -10,7 +10,12 @@ use truegap_diagnose::{Context, Effect, Library, library};
 
 /// Base model that an effect can be tried on: the whole plate; without warp for what is the warp, without a dielectric for what stands in for one.
 fn plate_for(effect: &dyn Effect) -> Plate {
-    let plates = [Plate::new(Some(true)), Plate::new(Some(false)), Plate::new(Some(true)).without_dielectric()];
+    let plates = [
+        Plate::new(Some(true)),
+        Plate::new(Some(false)),
+        Plate::new(Some(true)).without_dielectric(),
+        Plate::new(Some(true)).without_beads(),
+    ];
     let inputs = recording();
     let found = plates.into_iter().find(|plate| effect.testable(&Context::new(&inputs, plate, 2.0, 0.004)).is_ok());
     found.unwrap_or_else(|| panic!("{} is testable on no plate", effect.id()))
@@ -40,11 +45,11 @@ fn for_each(check: impl Fn(&dyn Effect, &Context<'_>, &Plate)) {
 fn the_library_holds_every_id_of_the_contract_once() {
     let mut ids: Vec<&str> = library().iter().map(|effect| effect.id().0).collect();
     // 24 of the contract, `temperature_coefficient` for base models that have no place for temperature, `clock_rate`, and three that finite elements have
-    // computed
-    assert_eq!(ids.len(), 29);
+    // computed; then coefficient and friction of two drivers, relaxation and lag of a reading, and a change of regime
+    assert_eq!(ids.len(), 36);
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 29);
+    assert_eq!(ids.len(), 36);
     let foreseen: Vec<&str> = library().iter().filter(|e| e.foreseen()).map(|e| e.id().0).collect();
     assert_eq!(foreseen, ["bonded_layers", "held_warp", "rim_field"]);
     assert!(ids.contains(&"temperature_coefficient"));
@@ -214,6 +219,7 @@ fn divided(inputs: &Inputs) -> (Inputs, Vec<usize>) {
         force_n: mix(&inputs.force_n),
         temperature_c: mix(&inputs.temperature_c),
         humidity_pct: mix(&inputs.humidity_pct),
+        drivers: inputs.drivers_as(|c| mix(&Some(c.to_vec())).unwrap_or_default()),
         ..Inputs::default()
     };
     (finer, kept)

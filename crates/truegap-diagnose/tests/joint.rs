@@ -43,7 +43,12 @@ fn each_recording_is_simulated_as_if_it_were_alone_with_every_effect() {
         let stage = effect.with(&sizes(effect.as_ref(), &context), &context);
         let stages: [&dyn Stage; 1] = [stage.as_ref()];
         let together = joint.model.respond(&plate.centre(), &joint.inputs, &stages).unwrap();
-        let alone: Vec<f64> = parts.iter().flat_map(|p| plate.respond(&plate.centre(), p, &stages).unwrap()).collect();
+        let alone = |(k, part): (usize, &Inputs)| {
+            // what belongs to a recording has numbers of its own for each: the second part begins after four runs
+            let own = stage.after_runs(4 * k);
+            plate.respond(&plate.centre(), part, &[own.as_deref().unwrap_or(stage.as_ref())]).unwrap()
+        };
+        let alone: Vec<f64> = parts.iter().enumerate().flat_map(alone).collect();
         assert_eq!(together, alone, "{}", effect.id());
         moved += usize::from(together != joint.model.respond(&plate.centre(), &joint.inputs, &[]).unwrap());
     }
@@ -107,4 +112,27 @@ fn another_specimen_has_its_own_geometry_and_the_same_material() {
         approx::assert_relative_eq!(*read, zero + 1.1 * (base - zero) + 0.25, max_relative = 1e-12);
     }
     assert_eq!(together[..first.len()], plate.respond(&[10.0, 6.0], &first, &[]).unwrap());
+}
+
+/// Two recordings of which only the second has a late clock: the size that is fitted is of that recording alone.
+#[test]
+fn a_late_clock_belongs_to_its_recording() {
+    let plate = Plate::new(Some(false));
+    let parts = halves();
+    let none = parts.each_ref().map(|p| vec![0.0; p.len()]);
+    let members = [member(&plate, 0, &parts[0], &none[0]), member(&plate, 0, &parts[1], &none[1])];
+    let joint = Together::new(&members, &[], Free::default()).unwrap();
+    let context = Context::new(&joint.inputs, &joint.model, 3.0, 0.01);
+    let effects = library();
+    let of = |id: &str| effects.iter().find(|e| e.id().0 == id).unwrap();
+    let names: Vec<String> = of("time_offset").parameters(&context).into_iter().map(|p| p.name).collect();
+    assert_eq!(names, ["late", "late_1", "late_2"]);
+    assert_eq!(of("clock_rate").parameters(&context).len(), 5);
+    let stage = of("time_offset").with(&[0.4, 0.0, 1.5], &context);
+    let together = joint.model.respond(&plate.centre(), &joint.inputs, &[stage.as_ref()]).unwrap();
+    let alone = Context::new(&parts[1], &plate, 3.0, 0.01);
+    let late = of("time_offset").with(&[0.6], &alone);
+    let first = plate.respond(&plate.centre(), &parts[0], &[]).unwrap();
+    let second = plate.respond(&plate.centre(), &parts[1], &[late.as_ref()]).unwrap();
+    assert_eq!(together, [first, second].concat());
 }

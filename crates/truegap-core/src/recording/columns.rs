@@ -4,7 +4,7 @@
 
 use super::{
     error::RecordingError,
-    manifest::{Manifest, Named},
+    manifest::{Manifest, Named, NamedDriver},
     note::Note,
     roles::ROLES,
 };
@@ -22,6 +22,18 @@ pub(super) struct Column {
     pub unit: String,
     /// value = cell x factor + offset
     pub scale: (f64, f64),
+}
+
+/// A column that is none of the roles, and that physics may follow all the same.
+#[derive(Clone, Debug)]
+pub(super) struct DriverColumn {
+    pub index: usize,
+    /// name under `[drivers]`
+    pub driver: String,
+    /// name in the header
+    pub name: String,
+    /// as recorded; not converted
+    pub unit: String,
 }
 
 /// What a role measures; `None` for names, and for readings in any unit.
@@ -68,6 +80,45 @@ pub(super) fn bind(
     let mut columns = columns.collect::<Result<Vec<_>, _>>()?;
     binder.match_simulated(&mut columns)?;
     Ok((columns, notes))
+}
+
+/// The columns that `[drivers]` names; `roles` are those that play a role already.
+pub(super) fn bind_drivers(
+    file: &Path,
+    toml: Option<&Path>,
+    header: &[String],
+    manifest: &Manifest,
+    roles: &[Column],
+) -> Result<Vec<DriverColumn>, RecordingError> {
+    let refused = |wanted: &NamedDriver, why: String| RecordingError::Driver {
+        file: toml.unwrap_or(file).to_owned(),
+        line: wanted.line,
+        driver: wanted.name.clone(),
+        why,
+    };
+    let bound = |wanted: &NamedDriver| {
+        if let Some(role) = ROLES.into_iter().find(|role| key(*role) == wanted.name) {
+            return Err(refused(wanted, format!("`{0}` is a role; name its column under [columns]: {0} = \"...\"", key(role))));
+        }
+        if wanted.name.trim().is_empty() {
+            return Err(refused(wanted, "it has no name; write position = { column = \"...\", unit = \"...\" }".into()));
+        }
+        let Some(index) = header.iter().position(|name| *name == wanted.column) else {
+            let found = quoted(header.iter().map(String::as_str).filter(|name| !name.is_empty()));
+            return Err(refused(wanted, format!("`{}` is not in the header; found: {found}", wanted.column)));
+        };
+        if let Some(column) = roles.iter().find(|c| c.index == index) {
+            let role = key(column.role);
+            return Err(refused(wanted, format!("column `{}` is the {role} already; leave it out of [drivers]", column.name)));
+        }
+        let unit = wanted.unit.clone().or_else(|| unit_end(&wanted.column).map(str::to_owned));
+        let unit = unit.ok_or_else(|| {
+            let example = format!("{} = {{ column = \"{}\", unit = \"mm\" }}", wanted.name, wanted.column);
+            refused(wanted, format!("column `{}` has no unit in its name; write {example}, or unit = \"1\"", wanted.column))
+        })?;
+        Ok(DriverColumn { index, driver: wanted.name.clone(), name: wanted.column.clone(), unit })
+    };
+    manifest.drivers.iter().map(bound).collect()
 }
 
 struct Binder<'a> {

@@ -42,6 +42,9 @@ pub enum RecordingError {
     /// Two columns would do.
     #[error("{file}: columns {found} could all be {role}; say which under [columns], e.g. {role} = \"{first}\"")]
     AmbiguousColumn { file: PathBuf, role: String, found: String, first: String },
+    /// A column under `[drivers]` that cannot be taken.
+    #[error("{file}, line {line}: driver `{driver}`: {why}")]
+    Driver { file: PathBuf, line: usize, driver: String, why: String },
     /// A number without a unit.
     #[error(
         "{file}: column `{column}` ({role}) has no unit in its name; write {role} = \"{example}\" under [units] of the TOML beside it, or one of {known}"

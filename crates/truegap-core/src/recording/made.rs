@@ -32,6 +32,9 @@ impl Recording {
 
     fn check_lengths(&self) -> Result<(), RecordingError> {
         let expected = self.inputs.len();
+        if let Some(driver) = self.inputs.drivers.iter().find(|driver| driver.values.len() != expected) {
+            return Err(RecordingError::Lengths { column: driver.name.clone(), found: driver.values.len(), expected });
+        }
         match self.quantities().into_iter().find(|(_, column)| column.len() != expected) {
             Some((role, column)) => Err(RecordingError::Lengths { column: role.key().to_owned(), found: column.len(), expected }),
             None => Ok(()),

@@ -35,12 +35,22 @@ pub(super) struct Named {
     pub line: usize,
 }
 
+/// A column under `[drivers]`.
+#[derive(Clone, Debug)]
+pub(super) struct NamedDriver {
+    pub name: String,
+    pub column: String,
+    pub unit: Option<String>,
+    pub line: usize,
+}
+
 /// The TOML, checked.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Manifest {
     pub file: String,
     pub columns: BTreeMap<Role, Named>,
     pub units: BTreeMap<Role, Named>,
+    pub drivers: Vec<NamedDriver>,
     pub base: Option<BaseSpec>,
 }
 
@@ -53,6 +63,8 @@ struct Raw {
     columns: BTreeMap<Role, Spanned<String>>,
     #[serde(default)]
     units: BTreeMap<Role, Spanned<String>>,
+    #[serde(default)]
+    drivers: BTreeMap<String, Spanned<RawDriver>>,
     base: Option<BaseSpec>,
 }
 
@@ -61,6 +73,13 @@ impl BaseSpec {
     pub fn is_stated(&self) -> bool {
         !self.model.is_empty()
     }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawDriver {
+    column: String,
+    unit: Option<String>,
 }
 
 impl Manifest {
@@ -82,6 +101,12 @@ impl Manifest {
                 .map(|(role, text)| (role, Named { line: line(text.span().start), text: text.into_inner() }))
                 .collect()
         };
-        Ok(Self { file: raw.file, columns: named(raw.columns), units: named(raw.units), base: raw.base })
+        let driver = |(name, driver): (String, Spanned<RawDriver>)| {
+            let line = line(driver.span().start);
+            let RawDriver { column, unit } = driver.into_inner();
+            NamedDriver { name, column, unit, line }
+        };
+        let drivers = raw.drivers.into_iter().map(driver).collect();
+        Ok(Self { file: raw.file, columns: named(raw.columns), units: named(raw.units), drivers, base: raw.base })
     }
 }

@@ -84,7 +84,8 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
         let (columns, assumed) = columns::bind(origin.csv, origin.toml, &table.header, &with_response(&manifest, sensor))?;
         rows.clock.lenient = table.singletact;
         rows.clock.renumber = several || columns.iter().any(|c| c.role == Role::Sensor);
-        rows.take(&mut table, &columns, sensor.filter(|_| several).map(String::as_str))?;
+        let drivers = columns::bind_drivers(origin.csv, origin.toml, &table.header, &manifest, &columns)?;
+        rows.take(&mut table, &columns, &drivers, sensor.filter(|_| several).map(String::as_str))?;
         if pass == 0 {
             (bound, notes) = (columns, assumed);
             notes.extend(table.decimal_comma.then_some(Note::DecimalCommas));

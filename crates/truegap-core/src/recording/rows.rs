@@ -4,14 +4,14 @@
 
 use super::{
     clock::{Clock, Tick},
-    columns::Column,
+    columns::{Column, DriverColumn},
     error::RecordingError,
     note::Note,
     number::{Fault, number},
     singletact,
     table::Table,
 };
-use crate::inputs::{Inputs, Role};
+use crate::inputs::{Driver, Inputs, Role};
 use std::io::{Read, Seek};
 
 /// Lowest temperature there is, degrees Celsius.
@@ -25,6 +25,7 @@ pub(super) struct Rows {
     pub sensors: Vec<u32>,
     pub names: Vec<String>,
     values: Vec<(Role, Vec<f64>)>,
+    drivers: Vec<Driver>,
     runs: Vec<u32>,
     missing: Option<Note>,
     repeated: Option<Note>,
@@ -36,16 +37,19 @@ impl Rows {
         &mut self,
         table: &mut Table<R>,
         columns: &[Column],
+        drivers: &[DriverColumn],
         sensor: Option<&str>,
     ) -> Result<(), RecordingError> {
         if self.values.is_empty() {
             let numbers = columns.iter().filter(|c| !matches!(c.role, Role::Run | Role::Sensor));
             self.values = numbers.map(|c| (c.role, Vec::new())).collect();
+            let driver = |d: &DriverColumn| Driver { name: d.driver.clone(), unit: d.unit.clone(), values: Vec::new() };
+            self.drivers = drivers.iter().map(driver).collect();
         }
         let (first_note, mut row) = (self.clock.notes.len(), Vec::with_capacity(columns.len()));
         while table.advance()? {
             self.check_width(table)?;
-            if self.parse(table, columns, &mut row)? {
+            if self.parse(table, columns, drivers, &mut row)? {
                 self.push(table, columns, sensor, &row)?;
             }
         }
@@ -70,33 +74,44 @@ impl Rows {
         &mut self,
         table: &mut Table<R>,
         columns: &[Column],
+        drivers: &[DriverColumn],
         row: &mut Vec<f64>,
     ) -> Result<bool, RecordingError> {
         row.clear();
         for column in columns.iter().filter(|c| !matches!(c.role, Role::Run | Role::Sensor)) {
             let cell = table.row().get(column.index).unwrap_or_default();
             if table.singletact && singletact::is_null(cell) {
-                return self.leave_out(table, column).map(|()| false);
+                return self.leave_out(table, &column.name).map(|()| false);
             }
             match number(cell, table.decimal_comma) {
                 Ok(value) => row.push(value * column.scale.0 + column.scale.1),
-                Err(fault) => return Err(refuse(table, column, fault)),
+                Err(fault) => return Err(refuse(table, column.index, &column.name, fault)),
             }
             let value = row[row.len() - 1];
             if column.role == Role::Temperature && value < ABSOLUTE_ZERO_C {
                 return Err(below_absolute_zero(table, column, value));
             }
         }
+        for driver in drivers {
+            let cell = table.row().get(driver.index).unwrap_or_default();
+            if table.singletact && singletact::is_null(cell) {
+                return self.leave_out(table, &driver.name).map(|()| false);
+            }
+            match number(cell, table.decimal_comma) {
+                Ok(value) => row.push(value),
+                Err(fault) => return Err(refuse(table, driver.index, &driver.name, fault)),
+            }
+        }
         Ok(true)
     }
 
-    fn leave_out<R: Read + Seek>(&mut self, table: &mut Table<R>, column: &Column) -> Result<(), RecordingError> {
+    fn leave_out<R: Read + Seek>(&mut self, table: &mut Table<R>, column: &str) -> Result<(), RecordingError> {
         match &mut self.missing {
             Some(Note::RowsWithoutValue { rows, .. }) => *rows += 1,
             _ => {
                 let byte = table.byte();
                 let first_line = table.line(byte)?;
-                self.missing = Some(Note::RowsWithoutValue { column: column.name.clone(), rows: 1, first_line });
+                self.missing = Some(Note::RowsWithoutValue { column: column.to_owned(), rows: 1, first_line });
             }
         }
         Ok(())
@@ -118,7 +133,13 @@ impl Rows {
             Err(disorder) => return Err(disorder.at(table.file(), table.line(byte)?)),
             Ok(Tick::Repeat) => return self.repeat(table),
             Ok(Tick::Row { run, time_s }) => {
-                self.values.iter_mut().zip(row).for_each(|((_, column), value)| column.push(*value));
+                let drivers = self.drivers.iter_mut().map(|driver| &mut driver.values);
+                self.values
+                    .iter_mut()
+                    .map(|(_, column)| column)
+                    .chain(drivers)
+                    .zip(row)
+                    .for_each(|(column, value)| column.push(*value));
                 if let Some(time) = clock.and_then(|at| self.values[at].1.last_mut()) {
                     *time = time_s;
                 }
@@ -165,7 +186,7 @@ impl Rows {
 
     /// The columns read, the response, and what was noted.
     pub fn finish(self) -> (Inputs, Vec<f64>, Vec<Note>) {
-        let mut inputs = Inputs { run: self.runs, ..Inputs::default() };
+        let mut inputs = Inputs { run: self.runs, drivers: self.drivers, ..Inputs::default() };
         let mut response = Vec::new();
         for (role, column) in self.values {
             match role {
@@ -195,9 +216,9 @@ fn run<R: Read + Seek>(table: &mut Table<R>, column: &Column) -> Result<u32, Rec
     Err(RecordingError::NotARun { file: table.file(), line: table.line(byte)?, column: column.name.clone(), text })
 }
 
-fn refuse<R: Read + Seek>(table: &mut Table<R>, column: &Column, fault: Fault) -> RecordingError {
-    let text = String::from_utf8_lossy(table.row().get(column.index).unwrap_or_default()).into_owned();
-    let (file, name, byte) = (table.file(), column.name.clone(), table.byte());
+fn refuse<R: Read + Seek>(table: &mut Table<R>, index: usize, column: &str, fault: Fault) -> RecordingError {
+    let text = String::from_utf8_lossy(table.row().get(index).unwrap_or_default()).into_owned();
+    let (file, name, byte) = (table.file(), column.to_owned(), table.byte());
     match (table.line(byte), fault) {
         (Err(error), _) => error,
         (Ok(line), Fault::NoValue) => RecordingError::NoValue { file, line, column: name, text },

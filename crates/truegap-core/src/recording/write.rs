@@ -9,7 +9,7 @@ use super::{
     roles::ROLES,
     table::hexadecimal,
 };
-use crate::inputs::Role;
+use crate::inputs::{Driver, Role};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -36,11 +36,13 @@ impl Recording {
         let named = names(self).into_iter().map(|(role, name)| (role.key(), name)).collect();
         let units = [(Role::Response, &self.response_unit)].into_iter().filter(|(_, unit)| *unit != "pF");
         let units = units.map(|(role, unit)| (role.key(), unit.clone())).collect();
+        let driver = |d: &Driver| (d.name.clone(), WrittenDriver { column: heading(d), unit: d.unit.clone() });
         let manifest = Written {
             schema: SCHEMA,
             file: "recording.csv",
             columns: named,
             units,
+            drivers: self.inputs.drivers.iter().map(driver).collect(),
             base: Some(&self.base).filter(|base| base.is_stated()),
         };
         toml::to_string(&manifest).map_err(|error| error.to_string())
@@ -54,8 +56,21 @@ struct Written<'a> {
     columns: BTreeMap<&'a str, String>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     units: BTreeMap<&'a str, String>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    drivers: BTreeMap<String, WrittenDriver>,
     #[serde(skip_serializing_if = "Option::is_none")]
     base: Option<&'a BaseSpec>,
+}
+
+#[derive(Serialize)]
+struct WrittenDriver {
+    column: String,
+    unit: String,
+}
+
+/// Name of a driver's column as it is written, which is no role's.
+fn heading(driver: &Driver) -> String {
+    format!("driver_{}", driver.name)
 }
 
 /// Name of each column as it is written.
@@ -108,10 +123,14 @@ fn write_csv(recording: &Recording, sink: impl Write) -> io::Result<()> {
     let quantities: BTreeMap<Role, &[f64]> = recording.quantities().into_iter().collect();
     let roles: Vec<Role> = ROLES.into_iter().filter(|role| names.contains_key(role)).collect();
     let mut csv = csv::Writer::from_writer(sink);
-    csv.write_record(roles.iter().filter_map(|role| names.get(role)))?;
+    let drivers = &recording.inputs.drivers;
+    csv.write_record(roles.iter().filter_map(|role| names.get(role)).cloned().chain(drivers.iter().map(heading)))?;
     for row in 0..recording.len() {
         for role in &roles {
             csv.write_field(cell(recording, &quantities, *role, row))?;
+        }
+        for driver in drivers {
+            csv.write_field(driver.values[row].to_string())?;
         }
         csv.write_record(None::<&[u8]>)?;
     }

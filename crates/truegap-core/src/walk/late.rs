@@ -17,11 +17,12 @@ pub(super) fn on_one_clock<'a>(inputs: &'a Inputs, stages: &[&dyn Stage]) -> Cow
     if late.iter().all(|late| *late == 0.0) { Cow::Borrowed(inputs) } else { Cow::Owned(caught_up(inputs, &clock, &late)) }
 }
 
-/// The inputs with the columns of the load (force, pressure, gap, simulation) read `late[row]` seconds further on: what stands there happened now.
+/// The inputs with the columns of the load (force, pressure, gap, simulation) and the drivers read `late[row]` seconds further on: what stands there happened now.
 fn caught_up(inputs: &Inputs, clock: &[f64], late: &[f64]) -> Inputs {
     let mut shifted = inputs.clone();
     let columns = [&mut shifted.force_n, &mut shifted.pressure_pa, &mut shifted.gap_m, &mut shifted.simulated];
-    for column in columns.into_iter().flatten() {
+    let drivers = shifted.drivers.iter_mut().map(|driver| &mut driver.values);
+    for column in columns.into_iter().flatten().chain(drivers) {
         for run in inputs.runs() {
             let moved = interpolated(&clock[run.clone()], &column[run.clone()], &late[run.clone()]);
             column[run].copy_from_slice(&moved);

@@ -7,6 +7,7 @@ use crate::{
     effects::memory::{first_order_lag, play, running_maximum},
     stats::spread,
 };
+use std::borrow::Cow;
 use truegap_core::{Inputs, Simulator};
 
 /// What a direction depends on; wording and grouping follow it.
@@ -36,12 +37,41 @@ pub enum Driver {
     Run,
     /// relative humidity
     Humidity,
+    /// size of somebody else's simulation, and its way
+    Simulated(Aspect),
+    /// column of this number among the recorded drivers
+    Recorded(usize, Aspect),
+}
+
+/// What of a recorded column a direction depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Aspect {
+    /// its value
+    Size,
+    /// rising or falling
+    Direction,
+    /// how fast it changes
+    Rate,
+    /// how long it has been there
+    History,
+}
+
+impl Aspect {
+    /// What a reader would call it, for a column of this name.
+    fn says(self, name: &str) -> String {
+        match self {
+            Self::Size => format!("with {name}"),
+            Self::Direction => format!("between rising and falling {name}"),
+            Self::Rate => format!("with the speed of {name}"),
+            Self::History => format!("with the time since {name} changed"),
+        }
+    }
 }
 
 impl Driver {
     /// Name of the column that orders it.
-    pub fn column(self) -> &'static str {
-        match self {
+    pub fn column(self, inputs: &Inputs) -> Cow<'_, str> {
+        Cow::Borrowed(match self {
             Self::Load
             | Self::LoadAndTemperature
             | Self::LoadDirection
@@ -52,12 +82,14 @@ impl Driver {
             Self::Clock => "time_s",
             Self::Run => "run",
             Self::Humidity => "humidity_pct",
-        }
+            Self::Simulated(_) => "simulated",
+            Self::Recorded(index, _) => return inputs.drivers.get(index).map_or("driver".into(), |d| d.name.as_str().into()),
+        })
     }
 
     /// What a reader would call it.
-    pub fn says(self) -> &'static str {
-        match self {
+    pub fn says(self, inputs: &Inputs) -> String {
+        let words = match self {
             Self::Load => "with the size of the load",
             Self::Temperature => "with temperature, also without load",
             Self::LoadAndTemperature => "with load and temperature together",
@@ -70,7 +102,10 @@ impl Driver {
             Self::Clock => "with the clock",
             Self::Run => "from run to run",
             Self::Humidity => "with humidity",
-        }
+            Self::Simulated(aspect) => return aspect.says("the simulated value"),
+            Self::Recorded(_, aspect) => return aspect.says(&self.column(inputs)),
+        };
+        words.to_owned()
     }
 }
 
@@ -117,6 +152,12 @@ fn of_one(inputs: &Inputs, simulator: &dyn Simulator) -> Vec<Direction> {
             push(&mut list, Driver::LoadAndTemperature, zip(&load, warm, |l, w| l.powi(i) * legendre(j, w)));
         }
     }
+    for (index, driver) in inputs.drivers.iter().enumerate() {
+        followed(inputs, &driver.values, |aspect| Driver::Recorded(index, aspect), &mut list);
+    }
+    if let (None, Some(simulated)) = (&load, &inputs.simulated) {
+        followed(inputs, simulated, Driver::Simulated, &mut list);
+    }
     surroundings(inputs, &mut list);
     list
 }
@@ -157,6 +198,30 @@ fn thermal(inputs: &Inputs, warm: &[f64], list: &mut Vec<Direction>) {
             first_order_lag(inputs, tau, &mut late, |first| first);
             push(list, Driver::TemperatureHistory, zip(warm, &late, |w, m| w - m));
         }
+    }
+}
+
+/// Size, way, speed and history of a recorded column that physics may follow.
+fn followed(inputs: &Inputs, column: &[f64], driver: impl Fn(Aspect) -> Driver, list: &mut Vec<Direction>) {
+    if spread(column) <= 0.0 {
+        return;
+    }
+    let x = unit(column);
+    for order in 1..=4 {
+        push(list, driver(Aspect::Size), map(&x, |x| legendre(order, 2.0 * x - 1.0)));
+    }
+    let held = play(inputs, 0.04, &x, |first| first);
+    let way = zip(&x, &held, |x, h| (x - h) / 0.04);
+    for order in 0..=1 {
+        push(list, driver(Aspect::Direction), zip(&way, &x, |w, x| w * x.powi(order)));
+    }
+    if let Some(times) = time_scales(inputs) {
+        for tau in times {
+            let mut late = x.clone();
+            first_order_lag(inputs, tau, &mut late, |first| first);
+            push(list, driver(Aspect::History), zip(&x, &late, |x, l| x - l));
+        }
+        push(list, driver(Aspect::Rate), rate(inputs, &x));
     }
 }
 

@@ -26,7 +26,11 @@ fn finding(found: &Found<'_>, index: usize, before: &HeldOutFit, after: &HeldOut
     let effect = chosen.effects[index];
     let own = found.search.model(&chosen.effects).range_of(index);
     let detectability = detectability(found.search, chosen, index);
-    let sentence = found.search.library[effect].says(&fitted(found, chosen, own.clone()));
+    let model = found.search.model(&chosen.effects);
+    let of =
+        |(place, effect): (usize, &usize)| (found.search.library[*effect].id(), fitted(found, chosen, model.range_of(place)));
+    let beside: Vec<_> = chosen.effects.iter().enumerate().map(of).collect();
+    let sentence = found.search.library[effect].told(&fitted(found, chosen, own.clone()), found.search.context, &beside);
     let without = without(found, index);
     let both = compared(without.as_ref().unwrap_or(before), after);
     let rivals = found.decision.sets.get(index).map(|set| set.iter().filter(|e| **e != effect).map(|e| found.id(*e)).collect());

@@ -74,7 +74,7 @@ fn terms(found: &Found<'_>, tried: &Tried) -> Vec<FlexibleTerm> {
     let model = found.search.model(&tried.effects);
     let term = |(index, effect): (usize, &usize)| FlexibleTerm {
         shaped_like: found.id(*effect),
-        says: found.search.library[*effect].says(&fitted(found, tried, model.range_of(index))),
+        says: found.search.library[*effect].told(&fitted(found, tried, model.range_of(index)), found.search.context, &[]),
         parameters: parameters(found, tried, model.range_of(index)),
     };
     tried.effects.iter().enumerate().map(term).collect()

@@ -6,6 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::elapsed_s,
     },
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
 
@@ -97,9 +98,8 @@ impl Effect for Ageing {
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(
-            "the modulus drifts with the clock, by {:.3} % in the first hour (sd {:.3})",
-            100.0 * fitted[0].value,
-            100.0 * fitted[0].sd
+            "the modulus drifts with the clock, by {} in the first hour",
+            with_sd(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%")
         )
     }
 }

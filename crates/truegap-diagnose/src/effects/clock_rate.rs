@@ -3,9 +3,11 @@
 use crate::{
     data::context::Context,
     effects::{
+        each_recording::EachRecording,
         effect::{About, Effect, Family, FittedParameter},
         memory::at_time,
     },
+    text::{rounded, with_sd},
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
@@ -56,6 +58,11 @@ impl Stage for Lost {
 
 fn clocks(values: &[f64]) -> Clocks {
     Clocks { rate: values[0], agree_s: values[1] }
+}
+
+/// The same, of each recording where there are several: clocks belong to a recording, not to the sensor.
+pub fn of_each_recording() -> EachRecording<ClockRate> {
+    EachRecording { inner: ClockRate, make: |values| Box::new(clocks(values)) }
 }
 
 impl Effect for ClockRate {
@@ -109,9 +116,9 @@ impl Effect for ClockRate {
         let (rate, agree) = (fitted[0].value, fitted[1].value);
         let way = if rate < 0.0 { "gains" } else { "loses" };
         format!(
-            "the clock of the load {way} {:.2} ms a second on that of the response (sd {:.2}); they agree {agree:.0} s after the first row",
-            1e3 * rate.abs(),
-            1e3 * fitted[0].sd
+            "the clock of the load {way} {} a second on that of the response; they agree {} after the first row",
+            with_sd(rate.abs(), fitted[0].sd, "s"),
+            rounded(agree, "s")
         )
     }
 }

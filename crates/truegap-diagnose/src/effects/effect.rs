@@ -129,4 +129,9 @@ pub trait Effect: Send + Sync {
     }
     /// What a reader should be told, with the fitted numbers in it.
     fn says(&self, fitted: &[FittedParameter]) -> String;
+    /// The same for this recording: with the names of its drivers, in neutral words where the base model is no stack of a sensor, and with what the effects
+    /// `beside` it are fitted to.
+    fn told(&self, fitted: &[FittedParameter], _context: &Context<'_>, _beside: &[(EffectId, Vec<FittedParameter>)]) -> String {
+        self.says(fitted)
+    }
 }

@@ -3,6 +3,7 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter, Separation},
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -82,6 +83,6 @@ impl Effect for GainDrift {
         Some(Box::new(Divider(Gain { per_k: values[0] })))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!("the gain moves by {:.4} %/K (sd {:.4})", 100.0 * fitted[0].value, 100.0 * fitted[0].sd)
+        format!("the gain moves by {}", with_sd(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%/K"))
     }
 }

@@ -8,6 +8,7 @@ use crate::{
         permittivity_temperature::has_insulator,
         scale,
     },
+    text::rounded,
 };
 use truegap_core::{Dielectric, Drive, EffectId, Parameter, Stage, simulator::StageName};
 
@@ -112,7 +113,8 @@ impl Effect for HumidityUptake {
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let (size, tau) = (&fitted[0], &fitted[1]);
-        let delay = if tau.value > 2.0 * tau.sd { format!(", with a delay of {:.0} s", tau.value) } else { String::new() };
+        let delay =
+            if tau.value > 2.0 * tau.sd { format!(", with a delay of {}", rounded(tau.value, "s")) } else { String::new() };
         format!(
             "the dielectric takes up water: its permittivity grows by {:.2} ppm per per cent of relative humidity (sd {:.2}){delay}",
             1e6 * size.value,

@@ -12,10 +12,15 @@ mod ageing;
 mod bonded_layers;
 mod clock_rate;
 mod contact_toe_in;
+mod course;
 mod dead_gap;
+mod delay;
+mod driver_coefficient;
+mod each_recording;
 mod eccentric_load;
 mod electrode_warp;
 mod foreseen;
+mod friction;
 mod fringing_field;
 mod gain_drift;
 mod held_warp;
@@ -29,10 +34,13 @@ mod permittivity_temperature;
 mod plate_bending;
 mod rate_independent_hysteresis;
 mod readout_lag;
+mod regime_change;
 mod rim_field;
 mod saturation;
 mod scale;
+mod slow_response;
 mod strain_stiffening;
+mod stress_relaxation;
 mod temperature_coefficient;
 mod thermal_hysteresis;
 mod thermal_lag;
@@ -43,8 +51,8 @@ mod viscoelastic_creep;
 /// Every effect that a diagnosis tries, in the order of the chain, in which their stages are to be plugged in.
 pub fn library() -> Vec<Box<dyn Effect>> {
     vec![
-        Box::new(time_offset::TimeOffset),
-        Box::new(clock_rate::ClockRate),
+        Box::new(time_offset::of_each_recording()),
+        Box::new(clock_rate::of_each_recording()),
         Box::new(load_cell_error::LoadCellError),
         Box::new(contact_toe_in::ContactToeIn),
         Box::new(eccentric_load::EccentricLoad),
@@ -68,6 +76,13 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(parasitic_capacitance::ParasiticCapacitance),
         Box::new(gain_drift::GainDrift),
         Box::new(temperature_coefficient::TemperatureCoefficient),
+        Box::new(driver_coefficient::DriverCoefficient(0)),
+        Box::new(driver_coefficient::DriverCoefficient(1)),
+        Box::new(friction::Friction(0)),
+        Box::new(friction::Friction(1)),
+        Box::new(stress_relaxation::StressRelaxation),
+        Box::new(slow_response::SlowResponse),
+        Box::new(regime_change::RegimeChange),
         Box::new(saturation::Saturation),
         Box::new(readout_lag::ReadoutLag),
         Box::new(offset_drift::OffsetDrift),

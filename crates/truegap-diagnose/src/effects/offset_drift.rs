@@ -6,6 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter, Separation, ZeroCourse},
         memory::elapsed_s,
     },
+    text::{rounded, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -116,11 +117,11 @@ impl Effect for OffsetDrift {
         let unit = &fitted[0].parameter.unit;
         let course = match fitted.get(1) {
             Some(fading) if fading.value.abs() > 2.0 * fading.sd && fading.value > 0.0 => {
-                format!(", settling with a time constant of {:.2} h", 1.0 / fading.value)
+                format!(", settling with a time constant of {}", rounded(3600.0 / fading.value, "s"))
             }
             _ => String::new(),
         };
-        format!("the zero drifts by {:.5} {unit} (sd {:.5}){course}", fitted[0].value, fitted[0].sd)
+        format!("the zero drifts by {}{course}", with_sd(fitted[0].value, fitted[0].sd, unit))
     }
 }
 

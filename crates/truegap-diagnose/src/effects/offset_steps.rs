@@ -3,6 +3,7 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter, ZeroCourse},
+    text::{rounded, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -128,8 +129,12 @@ impl Effect for OffsetSteps {
         let certain = |f: &&FittedParameter| f.value.abs() > 3.0 * f.sd;
         let largest = fitted[1..].iter().filter(certain).max_by(|a, b| a.value.abs().total_cmp(&b.value.abs()));
         let at = largest.map_or(String::new(), |f| {
-            format!("; the largest, {:+.5} {unit}, before run {}", size * f.value, f.parameter.name.trim_start_matches("jump_"))
+            format!(
+                "; the largest, {}, before run {}",
+                rounded(size * f.value, unit),
+                f.parameter.name.trim_start_matches("jump_")
+            )
         });
-        format!("the zero jumps between runs, by about {:.5} {unit} (sd {:.5}){at}", size.abs(), fitted[0].sd)
+        format!("the zero jumps between runs, by about {}{at}", with_sd(size.abs(), fitted[0].sd, unit))
     }
 }

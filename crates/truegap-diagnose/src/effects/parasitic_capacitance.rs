@@ -3,6 +3,7 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter},
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, FieldView, Parameter, Stage, simulator::StageName};
 
@@ -80,8 +81,8 @@ impl Effect for ParasiticCapacitance {
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let unit = &fitted[0].parameter.unit;
         format!(
-            "a part of {:.4} {unit} of the reading (sd {:.4}) lies beside the sensor and does not change with the gap",
-            fitted[0].value, fitted[0].sd
+            "a part of {} of the reading lies beside the sensor and does not change with the gap",
+            with_sd(fitted[0].value, fitted[0].sd, unit)
         )
     }
 }

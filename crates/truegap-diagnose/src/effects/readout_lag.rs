@@ -6,6 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter, Separation},
         memory::first_order_lag,
     },
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -83,6 +84,6 @@ impl Effect for ReadoutLag {
         Some(Box::new(TwoPoles(LowPass { tau_s: values[0] })))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!("the electronics follow with a time constant of {:.2} ms (sd {:.2})", 1e3 * fitted[0].value, 1e3 * fitted[0].sd)
+        format!("the electronics follow with a time constant of {}", with_sd(fitted[0].value, fitted[0].sd, "s"))
     }
 }

@@ -3,6 +3,8 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter},
+    stats::spread,
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -40,6 +42,9 @@ impl Stage for Clip {
         self.apply(readout, value, |share| above(share - self.knee, ROUNDING));
     }
 }
+
+/// Share of the slope that is lost from which on it is a ceiling.
+const HARD: f64 = 0.8;
 
 /// Sibling: slope that is lost little by little above the knee.
 struct Gradual(Clip);
@@ -110,5 +115,15 @@ impl Effect for Saturation {
             100.0 * fitted[0].value,
             100.0 * fitted[0].sd
         )
+    }
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
+        let Some(simulated) = context.inputs.simulated.as_deref().filter(|_| fitted[0].value > HARD) else {
+            return self.says(fitted);
+        };
+        // the readout of a simulation that is given counts from its least value, over its range
+        let low = simulated.iter().copied().fold(f64::INFINITY, f64::min);
+        let ceiling = low + fitted[1].value * spread(simulated);
+        let unit = context.simulator.unit();
+        format!("the reading has a ceiling: it stops at {}", with_sd(ceiling, fitted[1].sd * spread(simulated), unit))
     }
 }

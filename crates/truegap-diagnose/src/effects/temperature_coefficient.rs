@@ -3,6 +3,7 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter},
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -90,10 +91,10 @@ impl Effect for TemperatureCoefficient {
         let (slope, bend) = (&fitted[0], &fitted[1]);
         let bent = if bend.value.abs() > SPOKEN_OF * bend.sd {
             let way = if bend.value > 0.0 { "more" } else { "less" };
-            format!(", {:.1} % {way} with every kelvin (sd {:.1})", 100.0 * bend.value.abs(), 100.0 * bend.sd)
+            format!(", {} {way} with every kelvin", with_sd(100.0 * bend.value.abs(), 100.0 * bend.sd, "%"))
         } else {
             String::new()
         };
-        format!("the reading moves by {:.4} {} (sd {:.4}) with temperature{bent}", slope.value, slope.parameter.unit, slope.sd)
+        format!("the reading moves by {} with temperature{bent}", with_sd(slope.value, slope.sd, &slope.parameter.unit))
     }
 }

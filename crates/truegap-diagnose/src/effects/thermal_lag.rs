@@ -5,8 +5,8 @@ use crate::{
     effects::{
         effect::{About, Effect, Family, FittedParameter},
         memory::first_order_lag,
+        slow_response::{self, OneAfterTheOther},
     },
-    text::Scale,
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
@@ -49,8 +49,12 @@ fn slab(tau_s: f64) -> Lag {
     Lag { parts: MODES.iter().map(|n| (1.1 * tau_s / (n * n), (n * n * all).recip())).collect() }
 }
 
-/// Share of the slow part below which it is not spoken of, in standard deviations.
-const SPOKEN_OF: f64 = 3.0;
+/// Whether the reading itself is a temperature that somebody has simulated: then the reading is late, and not an input of it.
+pub(crate) fn reads_temperature(context: &Context<'_>) -> bool {
+    let unit = context.simulator.unit().to_lowercase();
+    let is_temperature = matches!(unit.as_str(), "degc" | "°c" | "celsius" | "deg c" | "k" | "kelvin" | "degf" | "°f");
+    is_temperature && context.inputs.simulated.is_some()
+}
 
 impl Effect for ThermalLag {
     fn id(&self) -> EffectId {
@@ -73,6 +77,9 @@ impl Effect for ThermalLag {
         }
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
+        if reads_temperature(context) {
+            return slow_response::parameters(context);
+        }
         let scale = (0.2 * context.longest_run_s).max(1.0);
         vec![
             Parameter::normal("tau", "s", 0.0, scale, "time constant of the thermal path, mean of both parts")
@@ -81,32 +88,40 @@ impl Effect for ThermalLag {
             Parameter::log_normal("slower", "1", 10.0, 0.7, "its time constant over that of the quick part").within(2.0, 200.0),
         ]
     }
-    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
+    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
+        if reads_temperature(context) {
+            return slow_response::starts();
+        }
         vec![vec![0.02, 10.0], vec![0.5, 15.0]]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
-        context.has(StageName::ThermalPath)?;
         context.needs_clock()?;
+        if reads_temperature(context) {
+            return context.has(StageName::Readout);
+        }
+        context.has(StageName::ThermalPath)?;
         context.needs_temperature(1.0)
     }
-    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+    fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
+        if reads_temperature(context) {
+            return slow_response::late(values);
+        }
         Box::new(Lag::of_two(values[0], values[1], values[2]))
     }
-    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+    fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        if reads_temperature(context) {
+            return Some(Box::new(OneAfterTheOther(values[0])));
+        }
         Some(Box::new(slab(values[0])))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        let [tau, share, slower] = [0, 1, 2].map(|i| fitted[i].value);
-        let quick = tau / (1.0 - share + share * slower);
-        let of = |s: f64| Scale::of("s", s).text(s);
-        let apart = if share > SPOKEN_OF * fitted[1].sd {
-            format!(": {:.0} % of it with {}, the rest with {}", 100.0 * (1.0 - share), of(quick), of(slower * quick))
-        } else {
-            String::new()
-        };
-        let Scale { factor, unit } = Scale::of("s", tau);
-        let sd = factor * fitted[0].sd;
-        format!("the sensor follows the thermometer with a time constant of {:.2} {unit} (sd {sd:.2}){apart}", factor * tau)
+        format!("the sensor follows the thermometer with {}", slow_response::time_constants(fitted))
+    }
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
+        if reads_temperature(context) {
+            return format!("the thermometer follows the temperature with {}", slow_response::time_constants(fitted));
+        }
+        self.says(fitted)
     }
 }
 

@@ -3,9 +3,11 @@
 use crate::{
     data::context::Context,
     effects::{
+        each_recording::EachRecording,
         effect::{About, Effect, Family, FittedParameter, Separation},
         memory::rates,
     },
+    text::with_sd,
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
@@ -29,6 +31,11 @@ impl Stage for Slope {
         let rates = rates(Some(time), load, &inputs.runs());
         load.iter_mut().zip(rates).for_each(|(load, rate)| *load += self.0 * rate);
     }
+}
+
+/// The same, of each recording where there are several: clocks belong to a recording, not to the sensor.
+pub fn of_each_recording() -> EachRecording<TimeOffset> {
+    EachRecording { inner: TimeOffset, make: |values| Box::new(Shift(values[0])) }
 }
 
 impl Effect for TimeOffset {
@@ -82,6 +89,6 @@ impl Effect for TimeOffset {
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let late = fitted[0].value;
         let way = if late < 0.0 { "early" } else { "late" };
-        format!("the clock of the load is {:.2} ms {way} (sd {:.2})", 1e3 * late.abs(), 1e3 * fitted[0].sd)
+        format!("the clock of the load is {} {way}", with_sd(late.abs(), fitted[0].sd, "s"))
     }
 }

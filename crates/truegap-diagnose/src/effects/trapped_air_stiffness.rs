@@ -6,6 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::{Lag, walk},
     },
+    text::with_sd,
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
@@ -86,11 +87,24 @@ impl Effect for TrappedAirStiffness {
         Some(Box::new(Air { share: values[0], leaks: vec![(0.75, 1.15 * values[1]), (0.25, 0.22 * values[1])] }))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
+        format!("air shut in takes {} of a sudden load and leaks out with {}", share(fitted), time_constant(fitted))
+    }
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
+        if context.simulator.corrections().is_some() || context.simulator.warps().is_some() {
+            return self.says(fitted);
+        }
         format!(
-            "air shut in takes {:.2} % (sd {:.2}) of a sudden load and leaks out with a time constant of {:.2} s",
-            100.0 * fitted[0].value,
-            100.0 * fitted[0].sd,
-            fitted[1].value
+            "{} of a sudden change comes late, with {}, as where something shut in leaks out",
+            share(fitted),
+            time_constant(fitted)
         )
     }
+}
+
+fn share(fitted: &[FittedParameter]) -> String {
+    with_sd(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%")
+}
+
+fn time_constant(fitted: &[FittedParameter]) -> String {
+    format!("a time constant of {}", with_sd(fitted[1].value, fitted[1].sd, "s"))
 }

@@ -114,6 +114,9 @@ fn regimes(search: &Search<'_>) -> Vec<Regime> {
         let rising: Vec<f64> = (0..n).map(|i| if i > 0 && load[i] > load[i - 1] { 1.0 } else { 0.0 }).collect();
         halves("while unloading or at rest", "while loading", &rising);
     }
+    for driver in inputs.drivers.iter().filter(|driver| crate::stats::spread(&driver.values) > 0.0) {
+        halves(&format!("at low {}", driver.name), &format!("at high {}", driver.name), &driver.values);
+    }
     if let Some(temperature) = &inputs.temperature_c {
         halves("when cool", "when warm", temperature);
     }

@@ -73,21 +73,21 @@ fn mismatch(problem: &Problem<'_>, fit: &Fit, driver: Driver, share: f64, p_valu
     let interval = interval(&quantity.column, &fit.residual);
     let runs = runs(problem, fit);
     let where_ = if interval[0] < interval[1] { format!(", most of it {}", quantity.between(interval)) } else { String::new() };
-    let says = format!("recording and calibrated model differ {}{where_}", driver.says());
-    Mismatch { says, driver: driver.column().into(), interval, runs, share: share.clamp(0.0, 1.0), p_value }
+    let says = format!("recording and calibrated model differ {}{where_}", driver.says(problem.inputs));
+    Mismatch { says, driver: driver.column(problem.inputs).into_owned(), interval, runs, share: share.clamp(0.0, 1.0), p_value }
 }
 
 /// A column that orders a mismatch, with the words before its interval and its unit.
 struct Quantity {
-    at: &'static str,
-    unit: &'static str,
+    at: String,
+    unit: String,
     column: Vec<f64>,
 }
 
 impl Quantity {
     /// Where it lies, in words: `at forces from 1.20 to 3.40 N`, `in runs 2 to 5`.
     fn between(&self, [low, high]: [f64; 2]) -> String {
-        match self.unit {
+        match self.unit.as_str() {
             "" => format!("{} {low:.0} to {high:.0}", self.at),
             unit => format!("{} {}", self.at, crate::text::interval(low, high, unit)),
         }
@@ -97,8 +97,16 @@ impl Quantity {
 /// The column in SI that a reader knows.
 fn quantity(problem: &Problem<'_>, driver: Driver) -> Quantity {
     let inputs = problem.inputs;
-    let recorded = |column: &Option<Vec<f64>>, at, unit| column.clone().map(|column| Quantity { at, unit, column });
-    let found = match driver.column() {
+    let recorded = |column: &Option<Vec<f64>>, at: &str, unit: &str| {
+        column.clone().map(|column| Quantity { at: at.into(), unit: unit.into(), column })
+    };
+    if let Driver::Recorded(index, _) = driver
+        && let Some(d) = inputs.drivers.get(index)
+    {
+        return Quantity { at: format!("at {} from", d.name), unit: d.unit.clone(), column: d.values.clone() };
+    }
+    let found = match driver.column(inputs).as_ref() {
+        "simulated" => recorded(&inputs.simulated, "at simulated values from", problem.simulator.unit()),
         "load" => recorded(&inputs.force_n, "at forces from", "N")
             .or_else(|| recorded(&inputs.pressure_pa, "at pressures from", "Pa"))
             .or_else(|| recorded(&inputs.gap_m, "at gaps from", "m"))
@@ -109,7 +117,7 @@ fn quantity(problem: &Problem<'_>, driver: Driver) -> Quantity {
         _ => None,
     };
     let runs = || inputs.run.iter().map(|r| f64::from(*r)).collect();
-    found.unwrap_or_else(|| Quantity { at: "in runs", unit: "", column: runs() })
+    found.unwrap_or_else(|| Quantity { at: "in runs".into(), unit: String::new(), column: runs() })
 }
 
 /// Shortest stretch of ten equally filled bins that holds 60 % of the squared bin means.
@@ -158,7 +166,8 @@ pub fn map(problem: &Problem<'_>, residual: &[f64]) -> Option<Map> {
     };
     let load = axis("force", "N", &inputs.force_n)
         .or_else(|| axis("pressure", "Pa", &inputs.pressure_pa))
-        .or_else(|| axis("gap", "m", &inputs.gap_m));
+        .or_else(|| axis("gap", "m", &inputs.gap_m))
+        .or_else(|| inputs.drivers.iter().find_map(|d| axis(&d.name, &d.unit, &Some(d.values.clone()))));
     let temperature = axis("temperature", "°C", &inputs.temperature_c);
     let runs = Some(inputs.run.iter().map(|r| f64::from(*r)).collect());
     let clock = axis("time", "s", &inputs.time_s).or_else(|| axis("run", "", &runs));
@@ -191,7 +200,8 @@ mod tests {
 
     #[test]
     fn a_place_is_told_in_the_units_of_a_bench() {
-        let at = |at, unit, interval| Quantity { at, unit, column: Vec::new() }.between(interval);
+        let at =
+            |at: &str, unit: &str, interval| Quantity { at: at.into(), unit: unit.into(), column: Vec::new() }.between(interval);
         assert_eq!(at("at gaps from", "m", [0.0005, 0.00725]), "at gaps from 0.50 to 7.25 mm");
         assert_eq!(at("at times from", "s", [60.0, 5400.0]), "at times from 1.0 to 90.0 min");
         assert_eq!(at("at pressures from", "Pa", [5562.0, 121_000.0]), "at pressures from 6 to 121 kPa");

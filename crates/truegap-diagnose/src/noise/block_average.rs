@@ -75,6 +75,7 @@ pub fn thin(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> Result<
         temperature_c: option(&from.temperature_c),
         humidity_pct: option(&from.humidity_pct),
         simulated: option(&from.simulated),
+        drivers: from.drivers_as(mean),
     };
     let mut response = mean(problem.response);
     if moved {
@@ -108,6 +109,9 @@ fn bounded(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> (Vec<Ran
     }
     found
 }
+
+/// Share of its range within which a driver counts as still: its noise is not known.
+const DRIVER_STILL: f64 = 2e-3;
 
 /// An input within a group: how far it may move, and how far back without that being a turn.
 struct Course<'a> {
@@ -152,6 +156,9 @@ fn groups(problem: &Problem<'_>, noise: &NoiseModel, most: usize, moves: f64) ->
         };
         let mut courses: Vec<Course<'_>> = Vec::new();
         courses.extend(load.map(|load| course(load, (4.0 * here.load).max(2e-3))));
+        for driver in &inputs.drivers {
+            courses.push(course((&driver.values, spread(&driver.values)), DRIVER_STILL * spread(&driver.values)));
+        }
         courses.extend(warm.map(|warm| course(warm, (5.0 * here.temperature).max(0.3))));
         courses.iter_mut().for_each(|c| c.start(run.start));
         let mut first = run.start;

@@ -5,6 +5,7 @@
 pub(crate) mod block_average;
 pub(crate) mod denoise;
 pub(crate) mod errors_in_load;
+pub(crate) mod follows_drivers;
 pub(crate) mod input;
 pub(crate) mod input_error;
 pub(crate) mod quiet;

@@ -2,7 +2,7 @@
 //!
 //! Limits: rest means that load and temperature stay within their own noise.
 
-use crate::{noise::reml::Block, whitening::noise_model::InputNoise};
+use crate::{noise::reml::Block, stats::spread, whitening::noise_model::InputNoise};
 use std::ops::Range;
 use truegap_core::Inputs;
 
@@ -10,6 +10,9 @@ use truegap_core::Inputs;
 const SHORTEST: usize = 40;
 /// Rows of a short stretch, where there is no rest.
 const SHORT: usize = 24;
+
+/// Share of its range within which a driver counts as at rest: its noise is not known.
+const DRIVER_RESTS: f64 = 0.01;
 
 /// Stretches with constant inputs.
 pub fn at_rest(inputs: &Inputs, load: Option<&[f64]>, noise: &InputNoise) -> Vec<Block> {
@@ -19,6 +22,10 @@ pub fn at_rest(inputs: &Inputs, load: Option<&[f64]>, noise: &InputNoise) -> Vec
     }
     if let Some(temperature) = &inputs.temperature_c {
         columns.push((temperature, (5.0 * noise.temperature).max(0.05)));
+    }
+    for column in inputs.drivers.iter().map(|driver| driver.values.as_slice()) {
+        let range = spread(column);
+        columns.extend((range > 0.0).then_some((column, DRIVER_RESTS * range)));
     }
     if columns.is_empty() {
         return Vec::new();

@@ -9,6 +9,7 @@ use crate::{
         several_starts::{LOOSE, lowest},
     },
     noise::{
+        follows_drivers::without_what_follows_drivers,
         quiet::{Quiet, quiet},
         rescale::not_above,
         response::{from_misfit, noise_model},
@@ -103,7 +104,8 @@ fn without_rest(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, 
         |noise: &NoiseModel| lowest(&model, &noise.whitener(&runs, None), &noise.scaled(LOOSE).whitener(&runs, None));
     let mut known = noise;
     for _ in 0..2 {
-        known = from_misfit(problem, &model.misfit(&calibrated(&known)?.z)?, &known);
+        let misfit = without_what_follows_drivers(problem.inputs, model.misfit(&calibrated(&known)?.z)?);
+        known = from_misfit(problem, &misfit, &known);
     }
     Ok(not_above(problem, &model.misfit(&calibrated(&known)?.z)?, known))
 }

@@ -30,6 +30,8 @@ pub fn outliers(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<u
     let sd = white_sd(response, &runs).max(resolution(response));
     let load = load_column(problem.inputs, problem.simulator);
     let still: Vec<&[f64]> = [load.as_deref(), problem.inputs.temperature_c.as_deref()].into_iter().flatten().collect();
+    let drivers = problem.inputs.drivers.iter().map(|driver| driver.values.as_slice());
+    let still: Vec<&[f64]> = still.into_iter().chain(drivers).collect();
     let mut found: Vec<Range<usize>> = Vec::new();
     for run in &runs {
         let mut row = run.start + 2;

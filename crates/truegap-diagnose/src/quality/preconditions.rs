@@ -45,6 +45,9 @@ fn constant(problem: &Problem<'_>) -> Option<(&'static str, String)> {
     if inputs.temperature_c.as_ref().is_some_and(|t| !stands(t, WARMS)) {
         return None;
     }
+    if inputs.drivers.iter().any(|driver| !stands(&driver.values, 0.0)) {
+        return None;
+    }
     let driving = |role: Role| match role {
         Role::Force => inputs.force_n.as_ref().map(|c| ("force", "N", c)),
         Role::Pressure => inputs.pressure_pa.as_ref().map(|c| ("pressure", "Pa", c)),
@@ -94,5 +97,6 @@ fn stuck(response: &[f64]) -> Option<String> {
 fn constant_inputs(inputs: &Inputs, problem: &Problem<'_>) -> Option<String> {
     let load = load_column(inputs, problem.simulator).is_some_and(|l| spread(&l) > 1e-3);
     let temperature = inputs.temperature_c.as_ref().is_some_and(|t| spread(t) > 0.3);
-    (!load && !temperature).then(|| "no input changes: only noise, drift and steps can show".to_owned())
+    let driver = inputs.drivers.iter().any(|driver| spread(&driver.values) > 0.0);
+    (!load && !temperature && !driver).then(|| "no input changes: only noise, drift and steps can show".to_owned())
 }

@@ -98,7 +98,8 @@ pub(crate) fn ends(column: &[f64], rows: impl Iterator<Item = usize>) -> (f64, f
 pub(crate) fn drivers(problem: &Problem<'_>) -> Vec<Vec<f64>> {
     let load = crate::data::context::load_column(problem.inputs, problem.simulator);
     let columns = [load, problem.inputs.temperature_c.clone(), problem.inputs.simulated.clone()];
-    columns.into_iter().flatten().filter(|c| crate::stats::spread(c) > 0.0).collect()
+    let recorded = problem.inputs.drivers.iter().map(|driver| driver.values.clone());
+    columns.into_iter().flatten().chain(recorded).filter(|c| crate::stats::spread(c) > 0.0).collect()
 }
 
 /// Greatest change of any driver over some rows, as a share of its range; temperature counts where it moves by a kelvin or more.

@@ -7,14 +7,15 @@ pub mod page;
 
 use std::sync::Arc;
 use truegap_core::{
-    Corrections, Curve, Dielectric, Drive, FieldView, Geometry, Inputs, Parameter, Readout, Role, SimulationError, Simulator,
-    Stage, simulator::StageName,
+    Corrections, Curve, Dielectric, Drive, Driver, FieldView, Geometry, Inputs, Parameter, Readout, Role, SimulationError,
+    Simulator, Stage, simulator::StageName,
 };
 
 /// Plates on a nonlinear dielectric, with a shield on an insulator and a bimetal electrode.
 pub struct Plate {
     warps: Option<bool>,
     no_dielectric: bool,
+    no_beads: bool,
     parameters: Vec<Parameter>,
     corrections: Arc<Corrections>,
 }
@@ -54,13 +55,19 @@ impl Plate {
             Parameter::normal("gain", "pF", 10.0, 1.0, "capacitance of the unloaded plates"),
             Parameter::log_normal("modulus", "full loads", 6.0, 0.3, "load that would close the gap"),
         ];
-        Self { warps, no_dielectric: false, parameters, corrections: Arc::new(corrections()) }
+        Self { warps, no_dielectric: false, no_beads: false, parameters, corrections: Arc::new(corrections()) }
     }
 
     /// The same plate as a base model that has no place for permittivity.
     #[allow(dead_code)]
     pub fn without_dielectric(self) -> Self {
         Self { no_dielectric: true, ..self }
+    }
+
+    /// The same plate as a base model that has no place for memory of its own.
+    #[allow(dead_code)]
+    pub fn without_beads(self) -> Self {
+        Self { no_beads: true, ..self }
     }
 
     pub fn centre(&self) -> Vec<f64> {
@@ -105,7 +112,11 @@ impl Simulator for Plate {
         &[Role::Force]
     }
     fn lacks(&self, stage: StageName) -> Option<&'static str> {
-        (self.no_dielectric && stage == StageName::Dielectric).then_some("this plate has no dielectric of its own")
+        match stage {
+            StageName::Dielectric => self.no_dielectric.then_some("this plate has no dielectric of its own"),
+            StageName::Beads => self.no_beads.then_some("this plate has no beads"),
+            _ => None,
+        }
     }
     fn full_load(&self) -> Option<f64> {
         Some(4.5)
@@ -194,6 +205,9 @@ pub fn recording() -> Inputs {
         force_n: Some(vec![]),
         temperature_c: Some(vec![]),
         humidity_pct: Some(vec![]),
+        drivers: [("position", "mm"), ("pump", "V")]
+            .map(|(name, unit)| Driver { name: name.into(), unit: unit.into(), values: vec![] })
+            .to_vec(),
         ..Inputs::default()
     };
     let mut start = 0.0;
@@ -206,6 +220,8 @@ pub fn recording() -> Inputs {
             inputs.force_n.iter_mut().for_each(|c| c.push(force));
             inputs.temperature_c.iter_mut().for_each(|c| c.push(temperature));
             inputs.humidity_pct.iter_mut().for_each(|c| c.push(50.0 + 15.0 * ((start + t) / 700.0).sin()));
+            inputs.drivers[0].values.push(zigzag(t, 40.0, 0.0, 30.0));
+            inputs.drivers[1].values.push(zigzag(t, 170.0, 2.0, 6.0));
         }
         start += f64::from(rows) * step + 900.0;
     };

@@ -46,6 +46,8 @@ fn columns<'a>(recording: &'a Recording, traces: &'a Traces) -> Vec<(String, &'a
     let suffix = suffix(&recording.response_unit);
     let inputs = recording.quantities().into_iter().filter(|(role, _)| *role != Role::Response);
     let inputs = inputs.map(|(role, column)| (input_name(role, &suffix), column));
+    let drivers = recording.inputs.drivers.iter().map(|driver| (format!("driver_{}", driver.name), driver.values.as_slice()));
+    let inputs = inputs.chain(drivers);
     let predictions: [(&str, &[f64]); 8] = [
         ("recorded", recording.response.as_slice()),
         ("base", &traces.before),

@@ -148,9 +148,20 @@ fn conceal(parts: &mut [Recording], column: &str) -> Result<Hidden, DiagnosisErr
     let in_file = first.columns.iter().find(|(_, name)| *name == column).map(|(role, _)| format!("{role:?}").to_lowercase());
     let wanted = in_file.as_deref().unwrap_or(column);
     let found = CONCEALABLE.iter().find(|(role, _, get)| *role == wanted && get(&mut first.inputs).is_some());
+    let driver = |part: &Recording| part.inputs.drivers.iter().position(|driver| driver.name == column);
+    if let (None, Some(index)) = (found, driver(first)) {
+        let unit = first.inputs.drivers[index].unit.clone();
+        let take = |part: &mut Recording| match driver(part) {
+            Some(index) => part.inputs.drivers.remove(index).values,
+            None => vec![f64::NAN; part.len()],
+        };
+        return Ok(Hidden { column: column.into(), unit, values: parts.iter_mut().flat_map(take).collect() });
+    }
     let Some((role, unit, get)) = found else {
         let there = CONCEALABLE.iter().filter(|(_, _, get)| get(&mut first.inputs).is_some());
-        let names = there.map(|(role, ..)| *role).collect::<Vec<_>>().join(", ");
+        let mut names: Vec<String> = there.map(|(role, ..)| (*role).to_owned()).collect();
+        names.extend(first.inputs.drivers.iter().map(|driver| driver.name.clone()));
+        let names = names.join(", ");
         return Err(DiagnosisError::NothingToConceal { recording: named(first), column: column.into(), names });
     };
     let take = |part: &mut Recording| get(&mut part.inputs).take().unwrap_or_else(|| vec![f64::NAN; part.len()]);

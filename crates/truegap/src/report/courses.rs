@@ -26,7 +26,7 @@ pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
 
 /// One recorded input in its display unit.
 struct Driver {
-    label: &'static str,
+    label: String,
     unit: String,
     values: Vec<f64>,
 }
@@ -40,24 +40,26 @@ fn drivers(subject: &Subject<'_>) -> Vec<Driver> {
         ("temperature", "°C", &inputs.temperature_c),
         ("humidity", "%", &inputs.humidity_pct),
     ];
+    let recorded = inputs.drivers.iter().map(|d| driver(&d.name, &d.unit, &d.values));
     columns
         .into_iter()
         .filter_map(|(label, unit, column)| column.as_ref().map(|values| driver(label, unit, values)))
+        .chain(recorded)
         .filter(|driver| driver.values.iter().any(|v| *v != driver.values[0]))
         .collect()
 }
 
-fn driver(label: &'static str, unit: &str, values: &[f64]) -> Driver {
+fn driver(label: &str, unit: &str, values: &[f64]) -> Driver {
     let largest = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
     let scale = Scale::of(unit, largest);
-    Driver { label, values: scale.column(values), unit: scale.unit }
+    Driver { label: label.to_owned(), values: scale.column(values), unit: scale.unit }
 }
 
 fn courses(subject: &Subject<'_>, axis: &Axis) -> Result<String, FigureError> {
     let mut stack = Stack::new("");
     let mut first = true;
     for driver in drivers(subject) {
-        let panel = axis.on(Figure::new("").y(driver.label, &driver.unit).height(84.0), first);
+        let panel = axis.on(Figure::new("").y(&driver.label, &driver.unit).height(84.0), first);
         stack = stack.panel(panel.line("", axis.x(), &axis.lift(&driver.values)).colour(RECORDED));
         first = false;
     }
@@ -83,7 +85,7 @@ fn over(subject: &Subject<'_>, driver: &Driver) -> Result<String, FigureError> {
     let largest = shown.iter().flat_map(|(_, r, _)| r).filter(|r| r.is_finite()).fold(0.0, |m: f64, r| m.max(r.abs()));
     let mut stack = Stack::new("");
     for (label, residual, colour) in shown {
-        let figure = Figure::new("").x(driver.label, &driver.unit).y("residual", &scale.unit).height(120.0).mark_y(0.0, "");
+        let figure = Figure::new("").x(&driver.label, &driver.unit).y("residual", &scale.unit).height(120.0).mark_y(0.0, "");
         let figure = figure.points(label, &driver.values, residual).colour(*colour);
         stack = stack.panel(if largest > 0.0 { figure.y_range(-1.08 * largest, 1.08 * largest) } else { figure });
     }

@@ -3,7 +3,7 @@
 //! Limits: a column that a recording lacks stands as a constant among the joint columns and is taken out again before that recording is simulated.
 
 use std::ops::Range;
-use truegap_core::{Inputs, Role};
+use truegap_core::{Driver, Inputs, Role};
 
 /// A column of the inputs, to be read.
 type Get = fn(&Inputs) -> &Option<Vec<f64>>;
@@ -44,7 +44,26 @@ pub fn behind_one_another(members: &[(&Inputs, f64)]) -> (Inputs, Vec<u32>) {
             *get_mut(&mut all) = Some(members.iter().flat_map(own).collect());
         }
     }
+    all.drivers = drivers(members);
     (all, first_runs)
+}
+
+/// The drivers of all recordings, by name and unit; a recording that lacks one has its zero there.
+fn drivers(members: &[(&Inputs, f64)]) -> Vec<Driver> {
+    let mut all: Vec<Driver> = Vec::new();
+    for driver in members.iter().flat_map(|(inputs, _)| &inputs.drivers) {
+        if all.iter().any(|d| same(d, driver)) {
+            continue;
+        }
+        let own = |inputs: &Inputs| inputs.drivers.iter().find(|d| same(d, driver)).map(|d| d.values.clone());
+        let values = members.iter().flat_map(|(inputs, _)| own(inputs).unwrap_or_else(|| vec![0.0; inputs.len()])).collect();
+        all.push(Driver { values, ..driver.clone() });
+    }
+    all
+}
+
+fn same(a: &Driver, b: &Driver) -> bool {
+    a.name == b.name && a.unit == b.unit
 }
 
 /// What stands for a column that was not recorded.
@@ -58,7 +77,8 @@ fn stand_in(role: Role, rows: usize, temperature_c: f64) -> Vec<f64> {
 
 /// Some rows, with the columns of `has` only.
 pub(crate) fn block(inputs: &Inputs, rows: Range<usize>, has: &[Role]) -> Inputs {
-    let mut own = Inputs { run: inputs.run[rows.clone()].to_vec(), ..Inputs::default() };
+    let drivers = inputs.drivers_as(|column| column[rows.clone()].to_vec());
+    let mut own = Inputs { run: inputs.run[rows.clone()].to_vec(), drivers, ..Inputs::default() };
     for (_, get, get_mut) in COLUMNS.iter().filter(|(role, ..)| has.contains(role)) {
         *get_mut(&mut own) = get(inputs).as_ref().map(|column| column[rows.clone()].to_vec());
     }

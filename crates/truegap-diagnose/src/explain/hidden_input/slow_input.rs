@@ -18,7 +18,7 @@ use crate::{
 };
 use serde::Serialize;
 use std::ops::Range;
-use truegap_core::Inputs;
+use truegap_core::{Driver, Inputs};
 
 /// A column that was hidden on purpose.
 #[derive(Clone, Debug, PartialEq)]
@@ -249,7 +249,8 @@ fn with_column(search: &Search<'_>, all: &Problem<'_>, hidden: &Hidden) -> Optio
             "force" => inputs.force_n = Some(values),
             "pressure" => inputs.pressure_pa = Some(values),
             "gap" => inputs.gap_m = Some(values),
-            _ => {}
+            // what is no role was a driver
+            name => inputs.drivers.push(Driver { name: name.into(), unit: hidden.unit.clone(), values }),
         }
         inputs
     };

@@ -153,6 +153,9 @@ fn key(search: &Search<'_>, inputs: &truegap_core::Inputs, noise: &NoiseModel, l
     column("temperature", inputs.temperature_c.as_deref());
     column("humidity", inputs.humidity_pct.as_deref());
     column("simulated", inputs.simulated.as_deref());
+    for driver in &inputs.drivers {
+        column(&driver.name, Some(&driver.values));
+    }
     column("noise", Some(&[noise.response.white_sd, noise.response.ar_sd, noise.response.ar_correlation]));
     for each in &noise.recordings {
         column("its noise", Some(&[each.response.white_sd, each.response.ar_sd, each.response.ar_correlation]));

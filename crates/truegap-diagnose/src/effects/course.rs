@@ -1,0 +1,102 @@
+//! What drives a reading, as a column that friction and the like follow: a recorded driver, the load, the gap, a simulation.
+//!
+//! Limits: one column; a second driver is followed by a second effect of the kind.
+
+use crate::{data::context::Context, effects::memory::walk, stats::spread};
+use truegap_core::Drive;
+
+/// A column that moves a reading.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Course {
+    /// the recorded driver of this number
+    Driver(usize),
+    /// load on the dielectric, in full loads
+    Load,
+    /// plate separation
+    Gap,
+    /// somebody else's simulation
+    Simulated,
+}
+
+impl Course {
+    /// The recorded driver of this number where one was recorded and moves; where there is none at all, number 0 stands for load, gap or simulation.
+    pub fn of(context: &Context<'_>, number: usize) -> Option<Self> {
+        let inputs = context.inputs;
+        let moves = |column: &[f64]| spread(column) > 0.0;
+        let mut moving = (0..inputs.drivers.len()).filter(|i| moves(&inputs.drivers[*i].values));
+        if let Some(index) = moving.nth(number) {
+            return Some(Self::Driver(index));
+        }
+        if number > 0 || inputs.drivers.iter().any(|driver| moves(&driver.values)) {
+            return None;
+        }
+        if context.load_span() > 0.05 {
+            return Some(Self::Load);
+        }
+        let other = [(&inputs.gap_m, Self::Gap), (&inputs.simulated, Self::Simulated)];
+        other.into_iter().find(|(column, _)| column.as_deref().is_some_and(moves)).map(|(_, course)| course)
+    }
+
+    /// The column as the stages see it; `None` where it was not recorded.
+    pub fn column<'a>(self, drive: &Drive<'a>) -> Option<&'a [f64]> {
+        let inputs = drive.inputs;
+        match self {
+            Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice()),
+            Self::Load => Some(drive.load),
+            Self::Gap => inputs.gap_m.as_deref(),
+            Self::Simulated => inputs.simulated.as_deref(),
+        }
+    }
+
+    /// Range of the column, in its unit; 1 where it does not move.
+    pub fn span(self, context: &Context<'_>) -> f64 {
+        let inputs = context.inputs;
+        let range = match self {
+            Self::Driver(index) => inputs.drivers.get(index).map(|driver| spread(&driver.values)),
+            Self::Load => Some(context.load_span()),
+            Self::Gap => inputs.gap_m.as_deref().map(spread),
+            Self::Simulated => inputs.simulated.as_deref().map(spread),
+        };
+        range.filter(|range| *range > 0.0).unwrap_or(1.0)
+    }
+
+    /// Mean speed of the column, in its unit a second (a row without a clock).
+    pub fn usual_speed(self, context: &Context<'_>) -> f64 {
+        let inputs = context.inputs;
+        let column = match self {
+            Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice()),
+            Self::Load => None,
+            Self::Gap => inputs.gap_m.as_deref(),
+            Self::Simulated => inputs.simulated.as_deref(),
+        };
+        let Some(column) = column else { return 0.0 };
+        let (mut way, mut time) = (0.0, 0.0);
+        walk(inputs, |row, step| {
+            if let Some(step) = step {
+                way += (column[row] - column[row - 1]).abs();
+                time += step;
+            }
+        });
+        if time > 0.0 { way / time } else { 0.0 }
+    }
+
+    /// Unit of the column.
+    pub fn unit(self, context: &Context<'_>) -> String {
+        match self {
+            Self::Driver(index) => context.inputs.drivers.get(index).map_or_else(|| "1".into(), |driver| driver.unit.clone()),
+            Self::Load => "full loads".into(),
+            Self::Gap => "m".into(),
+            Self::Simulated => context.simulator.unit().into(),
+        }
+    }
+
+    /// What a reader would call it.
+    pub fn name<'a>(self, context: &Context<'a>) -> &'a str {
+        match self {
+            Self::Driver(index) => context.inputs.drivers.get(index).map_or("the driver", |driver| driver.name.as_str()),
+            Self::Load => "the load",
+            Self::Gap => "the gap",
+            Self::Simulated => "the simulated value",
+        }
+    }
+}

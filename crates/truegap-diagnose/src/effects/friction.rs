@@ -1,0 +1,212 @@
+//! The reading depends on which way something moves: dry friction against the motion of a driver.
+
+use crate::{
+    data::context::Context,
+    effects::{
+        course::Course,
+        effect::{About, Effect, Family, FittedParameter},
+        memory::{play_set, rates, walk},
+    },
+    text::{rounded, with_sd},
+};
+use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
+
+/// Dry and viscous friction against the motion of the moving driver of this number, as it adds to the reading.
+pub struct Friction(pub usize);
+
+struct Against {
+    force: f64,
+    /// travel, in the driver's unit
+    width: f64,
+    /// force per speed, over `force`
+    viscous: f64,
+    course: Course,
+}
+
+impl Against {
+    /// Adds `force (way + viscous speed)`; `way` is -1 to 1.
+    fn apply(&self, drive: &Drive<'_>, value: &mut [f64], way: impl Fn(&[f64]) -> Vec<f64>) {
+        let Some(x) = self.course.column(drive).filter(|_| self.force != 0.0) else { return };
+        let speed = rates(drive.inputs.time_s.as_deref(), x, &drive.inputs.runs());
+        let way = way(x);
+        for (row, value) in value.iter_mut().enumerate() {
+            *value += self.force * (way[row] + self.viscous * speed[row]);
+        }
+    }
+}
+
+impl Stage for Against {
+    fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
+        self.apply(drive, value, |x| {
+            let mut way = vec![0.0; x.len()];
+            play_set(drive.inputs, self.width, |row| x[row], |first| first, |row, slip| way[row] = -slip);
+            way
+        });
+    }
+}
+
+/// Sibling: Dahl's law, which approaches the full force exponentially with the travel.
+struct Dahl(Against);
+
+impl Stage for Dahl {
+    fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
+        self.0.apply(drive, value, |x| {
+            let (mut way, mut state) = (vec![0.0; x.len()], 0.0);
+            walk(drive.inputs, |row, step| {
+                if step.is_none() {
+                    state = 0.0;
+                } else {
+                    let travel: f64 = x[row] - x[row - 1];
+                    state = travel.signum() + (state - travel.signum()) * (-travel.abs() / self.0.width).exp();
+                }
+                way[row] = state;
+            });
+            way
+        });
+    }
+}
+
+const IDS: [&str; 2] = ["friction", "friction_of_second_driver"];
+
+impl Friction {
+    fn course(&self, context: &Context<'_>) -> Course {
+        Course::of(context, self.0).unwrap_or(Course::Load)
+    }
+
+    fn against(&self, values: &[f64], context: &Context<'_>) -> Against {
+        Against { force: values[0], width: values[1], viscous: values[2], course: self.course(context) }
+    }
+}
+
+impl Effect for Friction {
+    fn id(&self) -> EffectId {
+        EffectId(IDS[self.0.min(1)])
+    }
+    fn stage(&self) -> StageName {
+        StageName::Readout
+    }
+    fn family(&self) -> Family {
+        Family::MechanicalMemory
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "friction acts on the reading, against the motion of a driver (a piston, a slide, a gap), whether the base model follows it or not",
+            equation: "value = true + F [s(x) + c dx/dt], s from -1 to 1 by three plays on the driver x with half widths (0.4, 0.8, 1.8) w, at rest when a run starts",
+            excitation: "a driver that turns around",
+            impostors: &["driver_coefficient", "readout_lag", "slow_response", "time_offset"],
+            separates: "the reading jumps where the driver turns and stays there, at any speed; a lag grows with the speed",
+            source: "Armstrong-Helouvry, Dupont & Canudas de Wit, Automatica 30 (1994) 1083; Dahl, AIAA J. 14 (1976) 1675",
+        }
+    }
+    fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
+        let course = self.course(context);
+        let (span, unit) = (course.span(context), course.unit(context));
+        let speed = course.usual_speed(context).max(span / context.longest_run_s.max(1.0));
+        vec![
+            Parameter::normal(
+                "force",
+                context.simulator.unit(),
+                0.0,
+                0.2 * context.response_span.abs(),
+                "half the difference between rising and falling driver",
+            ),
+            Parameter::log_normal(
+                "width",
+                &unit,
+                0.03 * span,
+                1.2,
+                "travel after a turn in which half of the force has changed sign",
+            )
+            .within(1e-4 * span, span),
+            Parameter::normal("viscous", &format!("s/({unit})"), 0.0, 0.3 / speed, "speed-proportional part over the force"),
+        ]
+    }
+    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
+        let span = self.course(context).span(context);
+        [0.003, 0.01, 0.03, 0.1].map(|share| vec![share * span, 0.0]).to_vec()
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Readout)?;
+        match Course::of(context, self.0) {
+            None => Err("no driver that moves was recorded; name one under [drivers]".into()),
+            Some(Course::Driver(_)) => Ok(()),
+            Some(_) if context.has(StageName::Beads).is_ok() => {
+                Err("the base model has a place for friction of its own (hysteresis of the strain)".into())
+            }
+            Some(_) => Ok(()),
+        }
+    }
+    fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(self.against(values, context))
+    }
+    fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Dahl(self.against(values, context))))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        told(fitted, "the driver", 0.0)
+    }
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
+        let course = self.course(context);
+        told(fitted, course.name(context), course.usual_speed(context))
+    }
+}
+
+/// Viscous part below which it is not spoken of, in standard deviations.
+const SPOKEN_OF: f64 = 3.0;
+
+/// `usual` is the driver's usual speed, in its unit a second.
+fn told(fitted: &[FittedParameter], name: &str, usual: f64) -> String {
+    let (force, width, viscous) = (&fitted[0], &fitted[1], &fitted[2]);
+    let turn = rounded(2.0 * width.value, &width.parameter.unit);
+    let grows = usual > 0.0 && viscous.value.abs() > SPOKEN_OF * viscous.sd;
+    let factor = if grows { 1.0 + viscous.value * usual } else { 1.0 };
+    let (whole, unit) = (force.value * factor, force.parameter.unit.as_str());
+    // rising and falling lie as far from the middle, by size and its relative error
+    let size = with_sd(whole.abs(), force.sd * factor.abs(), unit);
+    let way = if whole < 0.0 { "lower" } else { "higher" };
+    let speed = if grows {
+        let per = &width.parameter.unit;
+        format!(
+            ", at the usual {}; {} of it without speed",
+            rounded(usual, &format!("{per}/s")),
+            rounded(force.value.abs(), unit)
+        )
+    } else {
+        String::new()
+    };
+    format!(
+        "friction against the motion of {name}: the reading is {size} {way} than midway while {name} rises, as much the other way while it \
+         falls{speed}; it changes over within {turn} after a turn"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use truegap_core::{Driver, Inputs};
+
+    fn zigzag() -> Inputs {
+        let x: Vec<f64> = (0..400).map(|i| 10.0 * (f64::from(i) / 40.0).sin()).collect();
+        let drivers = vec![Driver { name: "position".into(), unit: "mm".into(), values: x }];
+        Inputs { time_s: Some((0..400).map(f64::from).collect()), run: vec![1; 400], drivers, ..Inputs::default() }
+    }
+
+    #[test]
+    fn a_long_way_either_way_shows_the_whole_force() {
+        let inputs = zigzag();
+        let friction = |viscous| Against { force: 7.0, width: 0.5, viscous, course: Course::Driver(0) };
+        let drive = Drive { inputs: &inputs, load: &[0.0; 400], temperature_c: &[20.0; 400], reference_c: 20.0, full_load: 1.0 };
+        for stage in [Box::new(friction(0.0)) as Box<dyn Stage>, Box::new(Dahl(friction(0.0)))] {
+            let mut value = vec![150.0; 400];
+            stage.readout(&drive, &Readout { zero: 150.0, span: 1.0 }, &mut value);
+            // at the zero crossings the driver has come 10 mm: 20 widths, 5.5 times the widest play; e^-20 of Dahl's approach is left
+            let crossing = |k: f64| value[(40.0 * k * std::f64::consts::PI) as usize];
+            approx::assert_abs_diff_eq!(crossing(1.0), 143.0, epsilon = 1e-3);
+            approx::assert_abs_diff_eq!(crossing(2.0), 157.0, epsilon = 1e-3);
+        }
+        let mut value = vec![0.0; 400];
+        friction(0.1).readout(&drive, &Readout { zero: 0.0, span: 1.0 }, &mut value);
+        // a quarter of a millimetre a second at the crossing adds 0.1 of it
+        approx::assert_abs_diff_eq!(value[251], 7.0 * 1.025, epsilon = 1e-3);
+    }
+}

@@ -1,0 +1,124 @@
+//! The reading follows what it measures with a time constant, or two.
+
+use crate::{
+    data::context::Context,
+    effects::{
+        delay::Delay,
+        effect::{About, Effect, Family, FittedParameter},
+        memory::first_order_lag,
+        thermal_lag::reads_temperature,
+    },
+    text::with_sd,
+};
+use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
+
+/// Lag of the reading by two ways, a quick and a slow one, of any length up to that of a run.
+pub struct SlowResponse;
+
+pub(crate) struct Late(pub Delay);
+
+impl Stage for Late {
+    fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
+        self.0.apply(drive.inputs, value);
+    }
+}
+
+/// Sibling: two equal lags one after the other, with the same delay of a ramp.
+pub(crate) struct OneAfterTheOther(pub f64);
+
+impl Stage for OneAfterTheOther {
+    fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
+        for _ in 0..2 {
+            first_order_lag(drive.inputs, 0.5 * self.0, value, |first| first);
+        }
+    }
+}
+
+/// Parameters of a lag of the reading: `tau`, `slow_share`, `slower`, `before`.
+pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
+    let run = context.longest_run_s.max(1.0);
+    // somewhere between a step and a run, in the logarithm
+    let middle = (context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0) * run).sqrt();
+    let rate = 5.0 * context.response_span.abs() / run;
+    vec![
+        Parameter::normal("tau", "s", 0.0, middle, "time constant of the reading, mean of both ways").within(0.0, run),
+        Parameter::normal("slow_share", "1", 0.0, 0.4, "part that follows by the slower way").within(0.0, 0.95),
+        Parameter::log_normal("slower", "1", 10.0, 0.7, "its time constant over that of the quick way").within(2.0, 200.0),
+        Parameter::normal("before", &format!("{}/s", context.simulator.unit()), 0.0, rate, "change before the first row"),
+    ]
+}
+
+pub(crate) fn starts() -> Vec<Vec<f64>> {
+    vec![vec![0.02, 10.0, 0.0], vec![0.5, 15.0, 0.0]]
+}
+
+pub(crate) fn late(values: &[f64]) -> Box<dyn Stage> {
+    Box::new(Late(Delay::of_two(values[0], values[1], values[2], values[3])))
+}
+
+/// Share of the slow way below which it is not spoken of, in standard deviations.
+const SPOKEN_OF: f64 = 3.0;
+
+/// `a time constant of 4.20 ± 0.10 min`, with both ways where there are two.
+pub(crate) fn time_constants(fitted: &[FittedParameter]) -> String {
+    let [tau, share, slower] = [0, 1, 2].map(|i| fitted[i].value);
+    let quick = tau / (1.0 - share + share * slower);
+    let apart = if share > SPOKEN_OF * fitted[1].sd {
+        let [fast, slow] = [quick, slower * quick].map(|s| crate::text::rounded(s, "s"));
+        format!(": {:.0} % of a change with {fast}, the rest with {slow}", 100.0 * (1.0 - share))
+    } else {
+        String::new()
+    };
+    format!("a time constant of {}{apart}", with_sd(tau, fitted[0].sd, "s"))
+}
+
+impl Effect for SlowResponse {
+    fn id(&self) -> EffectId {
+        EffectId("slow_response")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Readout
+    }
+    fn family(&self) -> Family {
+        Family::Readout
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "the reading follows what it measures with a time constant, by a quick way (a vent, a surface) and a slow one (a housing, a core)",
+            equation: "value = (1 - s) lag(true; q) + s lag(true; r q), tau = (1 - s) q + s r q; `before` is the rate of the true value before the first row",
+            excitation: "a simulated value or gap that changes faster than the reading can follow, with a clock",
+            impostors: &["readout_lag", "time_offset", "offset_drift", "friction", "stress_relaxation"],
+            separates: "behind on the way up and on the way down, by more the faster it goes, and there in the end",
+            source: "Incropera, Fundamentals of Heat and Mass Transfer, ch. 5; Oppenheim & Willsky, Signals and Systems, sec. 6.5",
+        }
+    }
+    fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
+        parameters(context)
+    }
+    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
+        starts()
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Readout)?;
+        context.needs_clock()?;
+        if context.has(StageName::Beads).is_ok() {
+            return Err("the base model has places for memory of its own (creep, air, electronics)".into());
+        }
+        if reads_temperature(context) {
+            return Err("the reading is a temperature: what delays it is a thermal lag".into());
+        }
+        if !context.simulator.moves() {
+            return Err("a value that does not move is not late".into());
+        }
+        context.needs_course()
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        late(values)
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(OneAfterTheOther(values[0])))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        format!("the reading follows late, with {}", time_constants(fitted))
+    }
+}

@@ -18,7 +18,7 @@ pub enum Logger {
     White,
     /// Time stamps wrong by up to a tenth of a step.
     JitteredStamps,
-    /// Time stamps rounded to 0.1 s.
+    /// Time stamps rounded to the power of ten below the shortest step.
     RoundedStamps,
     /// Converter of 12 bits over 10 pF.
     ConverterFine,
@@ -126,10 +126,10 @@ impl Logger {
     fn stamps(self, time_s: &mut [f64], draws: &mut Draws) {
         match self {
             Self::JitteredStamps => {
-                let step = time_s.windows(2).map(|t| t[1] - t[0]).fold(f64::INFINITY, f64::min);
+                let step = shortest(time_s);
                 time_s.iter_mut().for_each(|t| *t += step * draws.between(0.0, 0.1));
             }
-            Self::RoundedStamps => time_s.iter_mut().for_each(|t| *t = (*t * 10.0).round() / 10.0),
+            Self::RoundedStamps => in_steps(time_s, 10f64.powf(shortest(time_s).log10().floor())),
             _ => {}
         }
     }
@@ -162,6 +162,11 @@ impl Logger {
             _ => {}
         }
     }
+}
+
+/// Shortest step of a clock.
+fn shortest(time_s: &[f64]) -> f64 {
+    time_s.windows(2).map(|t| t[1] - t[0]).fold(f64::INFINITY, f64::min)
 }
 
 /// Rounds to multiples of `step`, where there is one.

@@ -22,7 +22,7 @@ pub struct Prove {
     /// Folder for the study, the diagnoses, score.json and score.md
     #[arg(long, short, value_name = "DIR", default_value = "study")]
     output: PathBuf,
-    /// Conceal one sort of thing only, to count it well: nulls, singles, pairs, strangers
+    /// Conceal one sort of thing only, to count it well: nulls, singles, pairs, strangers, loggers (nothing concealed, the troubles of measuring chains in turn)
     #[arg(long, value_name = "SORT", value_parser = named::<Sort>, conflicts_with = "resume")]
     only: Option<Sort>,
     /// Protocols to draw from: full, thermal, mechanical, short, bench, uneven, worn; all where not given

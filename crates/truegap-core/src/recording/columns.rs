@@ -97,8 +97,8 @@ pub(super) fn bind_drivers(
         why,
     };
     let bound = |wanted: &NamedDriver| {
-        if let Some(role) = ROLES.into_iter().find(|role| key(*role) == wanted.name) {
-            return Err(refused(wanted, format!("`{0}` is a role; name its column under [columns]: {0} = \"...\"", key(role))));
+        if let Some(role) = ROLES.into_iter().find(|role| role.key() == wanted.name) {
+            return Err(refused(wanted, format!("`{0}` is a role; name its column under [columns]: {0} = \"...\"", role.key())));
         }
         if wanted.name.trim().is_empty() {
             return Err(refused(wanted, "it has no name; write position = { column = \"...\", unit = \"...\" }".into()));
@@ -108,7 +108,7 @@ pub(super) fn bind_drivers(
             return Err(refused(wanted, format!("`{}` is not in the header; found: {found}", wanted.column)));
         };
         if let Some(column) = roles.iter().find(|c| c.index == index) {
-            let role = key(column.role);
+            let role = column.role.key();
             return Err(refused(wanted, format!("column `{}` is the {role} already; leave it out of [drivers]", column.name)));
         }
         let unit = wanted.unit.clone().or_else(|| unit_end(&wanted.column).map(str::to_owned));

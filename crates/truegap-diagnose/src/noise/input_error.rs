@@ -4,12 +4,29 @@
 
 use crate::{
     data::problem::Problem,
-    whitening::{noise_model::InputNoise, whitener::InputError},
+    noise::rounding::Rounded,
+    whitening::{
+        noise_model::InputNoise,
+        whitener::{InputError, Lasting},
+    },
 };
 use truegap_core::{Inputs, SimulationError, Stage};
 
-/// Error that noise of the inputs adds to each row, at parameter values `base`; `left` are the shares of it that quietening left in a row,
-/// `shapes` courses of the error of the load, in full loads, whose weights are not known.
+/// What quietening left of the noise of load and temperature.
+pub struct Left<'a> {
+    /// share of the variance of the load's noise, row by row
+    pub load: &'a [f64],
+    /// the same of the temperature
+    pub temperature: &'a [f64],
+    /// courses that the error of the load follows with weights that are not known, in full loads
+    pub shapes: &'a [Vec<f64>],
+    /// error of a load that is written in steps, in full loads
+    pub load_steps: Option<&'a Rounded>,
+    /// the same of the temperature, K
+    pub temperature_steps: Option<&'a Rounded>,
+}
+
+/// Error that noise of the inputs adds to each row, at parameter values `base`.
 ///
 /// # Errors
 /// Those of the simulator.
@@ -17,36 +34,41 @@ pub fn input_error(
     problem: &Problem<'_>,
     base: &[f64],
     noise: &InputNoise,
-    left: (&[f64], &[f64]),
-    shapes: &[Vec<f64>],
+    left: &Left<'_>,
 ) -> Result<InputError, SimulationError> {
     let mut error = InputError::white(vec![0.0; problem.inputs.len()]);
     let here = problem.simulator.respond(base, problem.inputs, &[])?;
-    let add = |error: &mut InputError, there: Vec<f64>, ratio: f64, left: &[f64]| {
-        for (row, (a, b)) in there.iter().zip(&here).enumerate() {
-            let recorded = ((a - b) * ratio).powi(2);
-            error.variance[row] += recorded * left[row];
-            error.level[row] += recorded;
-        }
-    };
     if noise.load > 0.0 && problem.simulator.full_load().is_some() {
         let step = 1e-3;
         let there = problem.simulator.respond(base, problem.inputs, &[&Nudge { load: step, kelvin: 0.0 }])?;
         let slope: Vec<f64> = there.iter().zip(&here).map(|(a, b)| (a - b) / step).collect();
         let carried = |shape: &Vec<f64>| shape.iter().zip(&slope).map(|(s, slope)| s * slope).collect();
-        error.shapes = shapes.iter().map(carried).collect();
-        add(&mut error, there, noise.load / step, left.0);
+        error.shapes = left.shapes.iter().map(carried).collect();
+        add(&mut error, (&there, &here), step, noise.load, (left.load, left.load_steps));
     }
     if noise.temperature > 0.0 && problem.inputs.temperature_c.is_some() {
         let step = 0.1;
-        add(
-            &mut error,
-            problem.simulator.respond(base, problem.inputs, &[&Nudge { load: 0.0, kelvin: step }])?,
-            noise.temperature / step,
-            left.1,
-        );
+        let there = problem.simulator.respond(base, problem.inputs, &[&Nudge { load: 0.0, kelvin: step }])?;
+        add(&mut error, (&there, &here), step, noise.temperature, (left.temperature, left.temperature_steps));
     }
     Ok(error)
+}
+
+/// Adds the error of one input, which a nudge of `step` takes from the second of the responses to the first.
+fn add(error: &mut InputError, (there, here): (&[f64], &[f64]), step: f64, sd: f64, (left, steps): (&[f64], Option<&Rounded>)) {
+    let ratio = sd / step;
+    for (row, (a, b)) in there.iter().zip(here).enumerate() {
+        let recorded = ((a - b) * ratio).powi(2);
+        // where a column stands still in its steps, most of its error does too
+        let alone = steps.filter(|steps| steps.held[row] > 0.0).map_or(1.0, |steps| (steps.white / (sd * sd)).min(1.0));
+        error.variance[row] += recorded * alone * left[row];
+        error.level[row] += recorded * alone;
+    }
+    if let Some(steps) = steps {
+        let slopes = there.iter().zip(here).map(|(a, b)| ((a - b) / step).powi(2));
+        let variance = slopes.zip(&steps.held).map(|(slope, held)| slope * held).collect();
+        error.lasting.push(Lasting { variance, memory: steps.memory.clone(), of_reading: false });
+    }
 }
 
 /// Adds a constant to an input; for derivatives.

@@ -3,15 +3,18 @@
 //! Limits: one noise for a whole recording.
 
 pub(crate) mod block_average;
+pub(crate) mod crossings;
 pub(crate) mod denoise;
 pub(crate) mod errors_in_load;
 pub(crate) mod follows_drivers;
 pub(crate) mod input;
 pub(crate) mod input_error;
+pub(crate) mod louder;
 pub(crate) mod quiet;
 pub(crate) mod reml;
 pub(crate) mod rescale;
 pub(crate) mod response;
 pub(crate) mod rest;
+pub(crate) mod rounding;
 pub(crate) mod several;
 pub(crate) mod switching;

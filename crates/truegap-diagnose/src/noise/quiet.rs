@@ -5,9 +5,11 @@
 use crate::{
     data::pauses::after_pauses,
     noise::{
+        crossings,
         denoise::{self, Denoised},
         errors_in_load,
         input::{self, scatter},
+        rounding::{self, Rounded},
     },
     whitening::noise_model::InputNoise,
 };
@@ -26,10 +28,14 @@ pub struct Quiet {
     pub temperature_left: Vec<f64>,
     /// courses that the error of the load follows with a weight not known beforehand, in full loads at one standard deviation of it
     pub load_shapes: Vec<Vec<f64>>,
+    /// error of a load that is written in steps, in full loads
+    pub load_steps: Option<Rounded>,
+    /// the same of the temperature, K
+    pub temperature_steps: Option<Rounded>,
 }
 
-/// Takes the noise out of load and temperature; a load that is `switching` has none that could be told from it.
-pub fn quiet(inputs: &Inputs, simulator: &dyn Simulator, switching: bool) -> Quiet {
+/// Takes the noise out of load and temperature; `response` is what follows them. A load that is `switching` has none that could be told from it.
+pub fn quiet(inputs: &Inputs, response: &[f64], simulator: &dyn Simulator, switching: bool) -> Quiet {
     let (runs, time) = (between_pauses(inputs), inputs.time_s.as_deref());
     let none = || vec![0.0; inputs.len()];
     let mut quiet = Quiet {
@@ -38,13 +44,17 @@ pub fn quiet(inputs: &Inputs, simulator: &dyn Simulator, switching: bool) -> Qui
         load_left: none(),
         temperature_left: none(),
         load_shapes: Vec::new(),
+        load_steps: None,
+        temperature_steps: None,
     };
     let full = simulator.full_load().unwrap_or(1.0);
     // of the loads, the one that the simulator sees says how noisy it is
     let sd = simulator.load(inputs).filter(|_| !switching).map_or(0.0, |load| scatter(&load, time, &runs)) * full;
     for column in [&mut quiet.inputs.force_n, &mut quiet.inputs.pressure_pa].into_iter().flatten() {
-        let Quieter { sd, found, bends } = quieter(column, time, &runs, sd);
+        let steps = rounding::rounded(column, &runs, Some(response), 0.0).filter(|_| !switching);
+        let Quieter { sd, found, bends } = quieter(column, time, &runs, sd, steps.as_ref());
         quiet.noise.load = sd / full;
+        quiet.load_steps = steps.map(|steps| steps.over(full));
         if bends {
             quiet.load_shapes = errors_in_load::bends(column, &runs, sd);
             quiet.load_shapes.iter_mut().flatten().for_each(|v| *v /= full);
@@ -52,12 +62,21 @@ pub fn quiet(inputs: &Inputs, simulator: &dyn Simulator, switching: bool) -> Qui
         (*column, quiet.load_left) = (found.column, found.left);
     }
     if let Some(column) = &mut quiet.inputs.temperature_c {
-        let Quieter { sd, found, .. } = quieter(column, time, &runs, scatter(column, time, &runs));
+        let steps = rounding::rounded(column, &runs, None, FINE_K);
+        let sd = scatter(column, time, &runs);
+        if let Some(steps) = &steps {
+            *column = crossings::course(column, &runs, steps.step);
+        }
+        let Quieter { sd, found, .. } = quieter(column, time, &runs, sd, steps.as_ref());
         quiet.noise.temperature = sd;
+        quiet.temperature_steps = steps;
         (*column, quiet.temperature_left) = (found.column, found.left);
     }
     quiet
 }
+
+/// Steps of a thermometer, K, that nobody commands.
+const FINE_K: f64 = 1.0;
 
 /// Runs, parted where time jumps: no line of an input goes on through a pause.
 fn between_pauses(inputs: &Inputs) -> Vec<Range<usize>> {
@@ -83,9 +102,11 @@ struct Quieter {
     bends: bool,
 }
 
-/// A column on straight lines; as it is, where hardly any hold.
-fn quieter(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>], sd: f64) -> Quieter {
+/// A column on straight lines; as it is, where hardly any hold. The noise of one that is written in steps is not below that of the steps.
+fn quieter(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>], sd: f64, steps: Option<&Rounded>) -> Quieter {
+    let least = steps.map_or(0.0, |steps| steps.step / 12f64.sqrt());
     let (most, unbent) = input::bent(column, runs);
+    let (sd, most, unbent) = (sd.max(least), most.max(least), unbent.max(least));
     if sd > 0.0 && denoise::crookedness(column, time, runs, sd.min(most)) > CROOKED {
         let sd = sd.min(unbent);
         return Quieter { sd, found: Denoised { column: column.to_vec(), left: vec![1.0; column.len()] }, bends: true };

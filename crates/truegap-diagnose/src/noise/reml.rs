@@ -2,7 +2,7 @@
 //!
 //! Limits: a grid over correlation and share, which is finer than the data can tell.
 
-use crate::whitening::whitener::{InputError, Noise, Whitener};
+use crate::whitening::whitener::{InputError, Lasting, Noise, Whitener};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 
@@ -67,7 +67,7 @@ impl Sums {
 /// Blocks whose scatter is not far above that of the others: a jump or a burst inside a stretch at rest is no noise.
 pub fn without_outliers(response: &[f64], blocks: Vec<Block>) -> Vec<Block> {
     let scatter = |block: &Block| {
-        let sums = sums(response, std::slice::from_ref(block), 0.0, 0.0);
+        let sums = sums(response, std::slice::from_ref(block), &WHITE, 0.0);
         sums.squares / sums.freedom.max(1.0)
     };
     let all: Vec<f64> = blocks.iter().map(scatter).collect();
@@ -86,13 +86,13 @@ const OUTLYING: f64 = 1.9;
 /// allow differ there.
 pub fn estimate(response: &[f64], blocks: &[Block]) -> (Noise, f64) {
     let ordered = blocks.iter().any(|b| b.ordered);
-    let white = sums(response, blocks, 0.0, 0.0);
+    let white = sums(response, blocks, &WHITE, 0.0);
     let mut best = (white.log_likelihood() + WORTH, 0.0, 0.0, white.squares / white.freedom.max(1.0));
     let mut allowed = vec![(white.log_likelihood(), best.3)];
     if ordered {
         for correlation in [0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.88, 0.94, 0.97] {
             for share in [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0] {
-                let sums = sums(response, blocks, correlation, share);
+                let sums = sums(response, blocks, &mixed(correlation, share), 0.0);
                 let level = 1.0 - share + share * (1.0 + correlation) / (1.0 - correlation);
                 allowed.push((sums.log_likelihood(), level * sums.squares / sums.freedom));
                 if sums.log_likelihood() > best.0 {
@@ -124,12 +124,49 @@ fn spread(allowed: &[(f64, f64)], chosen: f64) -> f64 {
 /// Log likelihood that two more parameters must gain (BIC at a few hundred rows is about 6; AIC is 2).
 const WORTH: f64 = 3.0;
 
-fn sums(response: &[f64], blocks: &[Block], correlation: f64, share: f64) -> Sums {
-    let noise = Noise { white_sd: (1.0 - share).sqrt(), ar_sd: share.sqrt(), ar_correlation: correlation };
+/// White noise of unit variance.
+const WHITE: Noise = Noise { white_sd: 1.0, ar_sd: 0.0, ar_correlation: 0.0 };
+
+/// White and autoregressive noise of unit variance together.
+fn mixed(correlation: f64, share: f64) -> Noise {
+    Noise { white_sd: (1.0 - share).sqrt(), ar_sd: share.sqrt(), ar_correlation: correlation }
+}
+
+/// Slow noise beside white: standard deviations of the white part and of each of the [`slow_parts`], where they are clearly likelier than `chosen`, the best noise
+/// with one memory.
+pub fn slow(response: &[f64], blocks: &[Block], chosen: &Noise) -> Option<(f64, f64)> {
+    let total = chosen.white_sd.hypot(chosen.ar_sd);
+    let share = if total > 0.0 { (chosen.ar_sd / total).powi(2) } else { return None };
+    let one = sums(response, blocks, &mixed(chosen.ar_correlation, share), 0.0).log_likelihood();
+    let tried = [0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0].map(|part| {
+        let sums = sums(response, blocks, &WHITE, part);
+        (sums.log_likelihood(), part, sums.squares / sums.freedom.max(1.0))
+    });
+    let (log, part, variance) = tried.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (log > one + CLEARLY).then(|| (variance.sqrt(), (variance * part).sqrt()))
+}
+
+/// Log likelihood by which slow noise must be likelier.
+const CLEARLY: f64 = 1.0;
+
+/// Memories of the parts of slow noise, in rows: autoregressive parts of one size, a factor of eight apart, have a spectrum like 1/f.
+const MEMORIES: [f64; 4] = [1.5, 12.0, 96.0, 768.0];
+
+/// Slow noise with this variance in each part, of `rows` rows.
+pub fn slow_parts(rows: usize, variance: f64) -> Vec<Lasting> {
+    let part =
+        |memory: &f64| Lasting { variance: vec![variance; rows], memory: vec![(-1.0 / memory).exp(); rows], of_reading: true };
+    MEMORIES.iter().map(part).collect()
+}
+
+/// Sums with `slow` as the variance of each part of slow noise.
+fn sums(response: &[f64], blocks: &[Block], noise: &Noise, slow: f64) -> Sums {
     let mut total = Sums::default();
     for block in blocks {
         let n = block.rows.len();
-        let filter = Whitener::new(&noise, &InputError::white(vec![0.0; n]), None, std::slice::from_ref(&(0..n)), None);
+        let lasting = if slow > 0.0 { slow_parts(n, slow) } else { Vec::new() };
+        let input = InputError { lasting, ..InputError::white(vec![0.0; n]) };
+        let filter = Whitener::new(noise, &input, None, std::slice::from_ref(&(0..n)), None);
         let white = |column: Vec<f64>| {
             let mut column = column;
             filter.apply(&mut column);
@@ -178,6 +215,27 @@ mod tests {
         approx::assert_relative_eq!(found.white_sd.hypot(found.ar_sd), 0.5, max_relative = 0.06);
         approx::assert_relative_eq!(found.ar_sd, 0.3, max_relative = 0.35);
         assert!((0.4..=0.9).contains(&found.ar_correlation), "{found:?}");
+    }
+
+    /// Parts of one size with memories a factor of four apart, each drawn for itself: not the model's own parts.
+    #[test]
+    fn slow_noise_is_told_from_noise_of_one_memory() {
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(11);
+        let unit = rand_distr::Normal::new(0.0, 1.0).unwrap();
+        let memory: Vec<f64> = (0..7).map(|k| (-(0.25f64).powi(k)).exp()).collect();
+        let mut state: Vec<f64> = memory.iter().map(|_| unit.sample(&mut rng)).collect();
+        let flicker: Vec<f64> = (0..3000)
+            .map(|_| {
+                state.iter_mut().zip(&memory).for_each(|(s, m)| *s = m * *s + (1.0 - m * m).sqrt() * unit.sample(&mut rng));
+                state.iter().sum::<f64>() + 2.0 * unit.sample(&mut rng)
+            })
+            .collect();
+        let blocks = [Block::at_rest(0..1500), Block::at_rest(1500..3000)];
+        let (chosen, _) = estimate(&flicker, &blocks);
+        assert!(slow(&flicker, &blocks, &chosen).is_some(), "{chosen:?}");
+        let one = simulated(0.4, 0.3, 0.7, 3000);
+        let (chosen, _) = estimate(&one, &blocks);
+        assert!(slow(&one, &blocks, &chosen).is_none());
     }
 
     #[test]

@@ -25,7 +25,9 @@ const CLEARLY: f64 = 20.0;
 /// A model with a handful of numbers can take physics out of thousands of rows, but not their noise.
 pub fn quieter_than(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Option<NoiseModel> {
     (share_left(problem, misfit, noise) < too_loud(noise)).then(|| {
-        let again = if noise.measured {
+        let again = if noise.lasts() {
+            noise.clone()
+        } else if noise.measured {
             let load = load_column(problem.inputs, problem.simulator);
             let (blocks, _, says) = blocks(problem, load.as_deref(), &noise.inputs, noise.bends());
             let (response, uncertainty) = estimate(misfit, &blocks);

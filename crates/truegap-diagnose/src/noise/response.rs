@@ -5,14 +5,16 @@
 use crate::{
     data::{context::load_column, problem::Problem},
     noise::{
-        input_error::input_error,
-        reml::{Block, estimate, without_outliers},
+        input_error::{Left, input_error},
+        louder::Louder,
+        reml::{Block, estimate, slow, slow_parts, without_outliers},
         rest,
+        rounding::rounded,
     },
     stats::resolution,
     whitening::{
         noise_model::{InputNoise, NoiseModel},
-        whitener::Noise,
+        whitener::{InputError, Lasting, Noise},
     },
 };
 use truegap_core::SimulationError;
@@ -22,8 +24,8 @@ const ENOUGH: usize = 120;
 /// Most rows at rest that are used; more would not change the figures.
 const PLENTY: usize = 6000;
 
-/// Noise of a problem whose inputs were quietened: `inputs` as recorded, `left` the shares of variance left in load and temperature,
-/// `shapes` courses that the error of the load may follow, `base` the parameter values at which all that is carried through.
+/// Noise of a problem whose inputs were quietened: `inputs` as recorded, `left` what quietening left of it, `base` the parameter values at which all that is carried
+/// through.
 ///
 /// # Errors
 /// Those of the simulator.
@@ -31,16 +33,24 @@ pub fn noise_model(
     problem: &Problem<'_>,
     base: &[f64],
     inputs: InputNoise,
-    left: (&[f64], &[f64]),
-    shapes: &[Vec<f64>],
+    left: &Left<'_>,
 ) -> Result<NoiseModel, SimulationError> {
     let load = load_column(problem.inputs, problem.simulator);
-    let input_error = input_error(problem, base, &inputs, left, shapes)?;
-    let (blocks, measured, says) = blocks(problem, load.as_deref(), &inputs, !shapes.is_empty());
+    let input_error = input_error(problem, base, &inputs, left)?;
+    let (blocks, measured, says) = blocks(problem, load.as_deref(), &inputs, !left.shapes.is_empty());
     let rows = blocks.iter().map(|b| b.rows.len()).sum();
     let (response, uncertainty) = estimate(problem.response, &blocks);
     let response = no_finer_than_read(response, problem);
     let recordings = Vec::new();
+    let (response, input_error) = read_in_steps(problem, response, input_error);
+    let (response, input_error, says) = match slow(problem.response, &blocks, &response).filter(|_| measured) {
+        Some((white_sd, part)) => {
+            let mut error = input_error;
+            error.lasting.extend(slow_parts(problem.response.len(), part * part));
+            (Noise { white_sd, ar_sd: 0.0, ar_correlation: 0.0 }, error, says + "; slow like 1/f")
+        }
+        None => (response, input_error, says),
+    };
     Ok(NoiseModel { response, inputs, recordings, input_error, uncertainty, weights: None, measured, rows, says })
 }
 
@@ -56,6 +66,34 @@ pub fn from_misfit(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) ->
         "no rest record: from what the calibrated model leaves over in {rows} rows of short stretches; slow noise would go unseen"
     );
     NoiseModel { response, rows, uncertainty: uncertainty.max(UNSEEN), says, ..noise.clone() }
+}
+
+/// The noise of a reading that is written in steps: what they make of it lasts as long as it stays on one value.
+fn read_in_steps(problem: &Problem<'_>, noise: Noise, mut error: InputError) -> (Noise, InputError) {
+    let Some(steps) = rounded(problem.response, &problem.runs(), None, 0.0) else { return (noise, error) };
+    let alone = steps.step * steps.step / 12.0;
+    // rows on the way have the error of the step each by itself
+    error.louder = steps.held.iter().map(|held| if *held > 0.0 { 0.0 } else { (alone - steps.white).max(0.0) }).collect();
+    error.lasting.push(Lasting { variance: steps.held, memory: steps.memory, of_reading: true });
+    let white_sd = steps.white.sqrt().max(0.3 * alone.sqrt());
+    (Noise { white_sd, ar_sd: 0.0, ar_correlation: 0.0 }, error)
+}
+
+/// The noise beside rows that are louder: estimated again from the others.
+pub fn beside_louder_rows(problem: &Problem<'_>, noise: &NoiseModel, found: Louder) -> NoiseModel {
+    let load = load_column(problem.inputs, problem.simulator);
+    let (blocks, ..) = blocks(problem, load.as_deref(), &noise.inputs, noise.bends());
+    let (response, uncertainty) = estimate(&found.clean, &blocks);
+    let mut input_error = noise.input_error.clone();
+    input_error.louder.resize(found.variance.len(), 0.0);
+    input_error.louder.iter_mut().zip(&found.variance).for_each(|(a, b)| *a += b);
+    NoiseModel {
+        response: no_finer_than_read(response, problem),
+        uncertainty: if noise.measured { uncertainty } else { uncertainty.max(UNSEEN) },
+        says: format!("{}; {}", noise.says, found.says),
+        input_error,
+        ..noise.clone()
+    }
 }
 
 /// A response is read to steps, which are noise too.

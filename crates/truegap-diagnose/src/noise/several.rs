@@ -3,19 +3,24 @@
 //! Limits: as [`crate::noise::response`]; recordings share no noise.
 
 use crate::{
-    data::{error::DiagnoseError, problem::Problem},
+    data::{context::load_column, error::DiagnoseError, problem::Problem},
     fit::{
         model::Model,
         several_starts::{LOOSE, lowest},
     },
     noise::{
         follows_drivers::without_what_follows_drivers,
+        input_error::Left,
+        louder::louder,
         quiet::{Quiet, quiet},
         rescale::not_above,
-        response::{from_misfit, noise_model},
+        response::{beside_louder_rows, from_misfit, noise_model},
         switching::load_switches,
     },
-    whitening::noise_model::{NoiseModel, RecordingNoise},
+    whitening::{
+        noise_model::{NoiseModel, RecordingNoise},
+        whitener::Lasting,
+    },
 };
 use std::ops::Range;
 use truegap_core::{Inputs, Joined};
@@ -32,11 +37,19 @@ pub fn measured(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseE
 }
 
 fn of_one(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseError> {
-    let Quiet { inputs, noise, load_left, temperature_left, load_shapes } =
-        quiet(problem.inputs, problem.simulator, load_switches(problem));
+    let Quiet { inputs, noise, load_left, temperature_left, load_shapes, load_steps, temperature_steps } =
+        quiet(problem.inputs, problem.response, problem.simulator, load_switches(problem));
     let still = Problem { inputs: &inputs, response: problem.response, simulator: problem.simulator };
-    let noise = noise_model(&still, &still.simulator.centre(), noise, (&load_left, &temperature_left), &load_shapes)?;
+    let left = Left {
+        load: &load_left,
+        temperature: &temperature_left,
+        shapes: &load_shapes,
+        load_steps: load_steps.as_ref(),
+        temperature_steps: temperature_steps.as_ref(),
+    };
+    let noise = noise_model(&still, &still.simulator.centre(), noise, &left)?;
     let noise = without_rest(&still, noise)?;
+    let noise = with_louder_rows(&still, noise)?;
     Ok((inputs, noise))
 }
 
@@ -44,6 +57,7 @@ fn of_several(problem: &Problem<'_>, joined: &dyn Joined) -> Result<(Inputs, Noi
     let mut quiet = problem.inputs.clone();
     let mut all: Option<NoiseModel> = None;
     let mut shapes: Vec<Vec<f64>> = Vec::new();
+    let (mut lasting, mut louder): (Vec<Lasting>, Vec<f64>) = (Vec::new(), Vec::new());
     for index in 0..joined.count() {
         let rows = joined.rows(index, problem.inputs);
         if rows.is_empty() {
@@ -67,14 +81,51 @@ fn of_several(problem: &Problem<'_>, joined: &dyn Joined) -> Result<(Inputs, Noi
             whole[rows.clone()].copy_from_slice(own);
             whole
         }));
+        for own in &noise.input_error.lasting {
+            let mut whole = Lasting {
+                variance: vec![0.0; problem.response.len()],
+                memory: vec![0.0; problem.response.len()],
+                of_reading: own.of_reading,
+            };
+            whole.variance[rows.clone()].copy_from_slice(&own.variance);
+            whole.memory[rows.clone()].copy_from_slice(&own.memory);
+            lasting.push(whole);
+        }
+        louder.extend(own_or_none(&noise.input_error.louder, rows.len()));
         joint.rows += noise.rows;
         joint.says += &format!("recording {}: {}", index + 1, noise.says);
         joint.recordings.push(RecordingNoise { rows, response: noise.response, inputs: noise.inputs, says: noise.says });
     }
     if let Some(noise) = &mut all {
         noise.input_error.shapes = shapes;
+        noise.input_error.lasting = together(lasting);
+        noise.input_error.louder = louder;
     }
     all.map(|noise| (quiet, noise)).ok_or(DiagnoseError::TooFewRows { rows: 0, needed: crate::data::error::FEWEST_ROWS })
+}
+
+/// A column, or as many zeros.
+fn own_or_none(column: &[f64], rows: usize) -> Vec<f64> {
+    if column.is_empty() { vec![0.0; rows] } else { column.to_vec() }
+}
+
+/// Errors that last, those that have no row in common put into one.
+fn together(all: Vec<Lasting>) -> Vec<Lasting> {
+    let mut found: Vec<Lasting> = Vec::new();
+    for one in all {
+        let apart = |other: &&mut Lasting| {
+            let rows = other.variance.iter().zip(&one.variance);
+            other.of_reading == one.of_reading && rows.into_iter().all(|(a, b)| *a == 0.0 || *b == 0.0)
+        };
+        match found.iter_mut().find(apart) {
+            None => found.push(one),
+            Some(other) => {
+                other.variance.iter_mut().zip(&one.variance).for_each(|(a, b)| *a += b);
+                other.memory.iter_mut().zip(&one.memory).for_each(|(a, b)| *a += b);
+            }
+        }
+    }
+    found
 }
 
 /// Writes the columns of one recording back to its rows.
@@ -89,6 +140,21 @@ fn put(all: &mut Inputs, rows: &Range<usize>, own: &Inputs) {
             to[rows.clone()].copy_from_slice(from);
         }
     }
+}
+
+/// The noise with rows that are louder than others, seen beside the calibrated base model.
+fn with_louder_rows(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, DiagnoseError> {
+    if noise.lasts() {
+        return Ok(noise);
+    }
+    let context = problem.context(problem.span(), noise.floor());
+    let model = Model::new(problem, &context, Vec::new());
+    let runs = problem.runs();
+    let calibrated = lowest(&model, &noise.whitener(&runs, None), &noise.scaled(LOOSE).whitener(&runs, None))?;
+    let misfit = model.misfit(&calibrated.z)?;
+    let load = load_column(problem.inputs, problem.simulator);
+    let found = louder(&misfit, &problem.runs(), load.as_deref(), problem.response);
+    Ok(found.map_or_else(|| noise.clone(), |found| beside_louder_rows(problem, &noise, found)))
 }
 
 /// Where noise could not be measured at rest, it is taken from what the calibrated base model leaves over inside short stretches; never more than what it

@@ -11,6 +11,8 @@ use serde::Serialize;
 pub enum NoticeKind {
     /// single readings far from their neighbours, left out
     Outliers,
+    /// rows that repeat the one before, left out
+    RepeatedRows,
     /// readings that end at exactly one value
     Clipped,
     /// a channel that stops following

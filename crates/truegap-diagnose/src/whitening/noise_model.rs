@@ -2,7 +2,7 @@
 //!
 //! Limits: says what the noise is, not where it comes from (`crate::noise`).
 
-use crate::whitening::whitener::{InputError, Noise, Whitener};
+use crate::whitening::whitener::{InputError, Lasting, Noise, Whitener};
 use std::ops::Range;
 
 /// Standard deviations of the recorded inputs.
@@ -62,6 +62,11 @@ impl NoiseModel {
         !self.input_error.shapes.is_empty()
     }
 
+    /// Whether part of the reading's own noise lasts: slow noise, or steps of its converter.
+    pub fn lasts(&self) -> bool {
+        self.input_error.lasting.iter().any(|lasting| lasting.of_reading)
+    }
+
     /// The recording that a row belongs to, where there are several.
     fn recording_at(&self, row: usize) -> Option<&RecordingNoise> {
         self.recordings.iter().find(|r| r.rows.contains(&row))
@@ -90,10 +95,16 @@ impl NoiseModel {
         let recordings = self.recordings.iter().map(|r| RecordingNoise { response: scaled(r.response), ..r.clone() }).collect();
         let scale = |column: &[f64]| column.iter().map(|v| v * inputs * inputs).collect();
         let shape = |shape: &Vec<f64>| shape.iter().map(|v| v * inputs).collect();
+        let lasting = |lasting: &Lasting| {
+            let factor = if lasting.of_reading { response } else { inputs };
+            Lasting { variance: lasting.variance.iter().map(|v| v * factor * factor).collect(), ..lasting.clone() }
+        };
         let input_error = InputError {
             variance: scale(&self.input_error.variance),
             level: scale(&self.input_error.level),
             shapes: self.input_error.shapes.iter().map(shape).collect(),
+            lasting: self.input_error.lasting.iter().map(lasting).collect(),
+            louder: self.input_error.louder.iter().map(|v| v * response * response).collect(),
         };
         Self { response: scaled(self.response), recordings, input_error, ..self.clone() }
     }
@@ -101,7 +112,7 @@ impl NoiseModel {
     /// Variance of one row.
     fn row_variance(&self, row: usize) -> f64 {
         let noise = self.response_at(row);
-        noise.white_sd.powi(2) + noise.ar_sd.powi(2) + self.input_error.variance[row]
+        noise.white_sd.powi(2) + noise.ar_sd.powi(2) + self.input_error.row_variance(row)
     }
 
     /// Standard deviation of one row.

@@ -1,4 +1,5 @@
-//! Noise of a row: white, first-order autoregressive, and the error of quietened inputs, taken out exactly by a Kalman filter with two states.
+//! Noise of a row: white, first-order autoregressive, the error of quietened inputs, and that of rounded columns, taken out exactly by a Kalman filter with a
+//! state for each.
 //!
 //! Inputs that were replaced by straight lines err little, but alike over the whole line: per row that error is small, in the mean of many rows it is that of
 //! the noise as recorded. It is taken as autoregressive with the memory that gives both.
@@ -55,12 +56,64 @@ pub struct InputError {
     pub level: Vec<f64>,
     /// courses that the error follows with a weight not known beforehand, each as large as one standard deviation of that weight makes it
     pub shapes: Vec<Vec<f64>>,
+    /// errors that last over many rows, each a state of the filter
+    pub lasting: Vec<Lasting>,
+    /// variance of the reading's own noise above its usual one, in rows that are louder; empty where none is
+    pub louder: Vec<f64>,
+}
+
+/// An error that lasts: that of a column written down in steps as long as it stays on one value, or a part of slow noise.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Lasting {
+    /// variance in one row
+    pub variance: Vec<f64>,
+    /// correlation with the row before; 0 where a column has jumped
+    pub memory: Vec<f64>,
+    /// whether it is the reading's own, not that of an input
+    pub of_reading: bool,
+}
+
+impl Lasting {
+    /// The error in means of rows: `first` are the first rows of each.
+    #[must_use]
+    pub fn of_means(&self, first: &[usize]) -> Self {
+        let end = |i: usize| first.get(i + 1).copied().unwrap_or(self.variance.len());
+        let mean = |i: usize| {
+            let (rows, memory) = (first[i]..end(i), self.within(first[i] + 1..end(i)));
+            let variance = self.variance[rows.clone()].iter().sum::<f64>() / rows.len() as f64;
+            let one = Noise { white_sd: 0.0, ar_sd: variance.sqrt(), ar_correlation: memory.min(0.999_999) };
+            one.ar_variance_of_mean(rows.len() as f64)
+        };
+        // from middle to middle
+        let memory = |i: usize| match i {
+            0 => 0.0,
+            _ => {
+                let (here, before) = ((end(i) - first[i]) as f64, (first[i] - first[i - 1]) as f64);
+                let within = self.within(first[i - 1] + 1..first[i]).powf(0.5 * (before - 1.0));
+                self.memory[first[i]] * within * self.within(first[i] + 1..end(i)).powf(0.5 * (here - 1.0))
+            }
+        };
+        let (variance, memory) = ((0..first.len()).map(mean).collect(), (0..first.len()).map(memory).collect());
+        Self { variance, memory, of_reading: self.of_reading }
+    }
+
+    /// Geometric mean of the memory over some rows; 1 of none.
+    fn within(&self, rows: Range<usize>) -> f64 {
+        let n = rows.len().max(1) as f64;
+        self.memory[rows].iter().map(|m| m.max(1e-12).ln() / n).sum::<f64>().exp()
+    }
 }
 
 impl InputError {
     /// Independent from row to row.
     pub fn white(variance: Vec<f64>) -> Self {
-        Self { level: variance.clone(), variance, shapes: Vec::new() }
+        Self { level: variance.clone(), variance, ..Self::default() }
+    }
+
+    /// Variance of one row, all parts but those that a stationary noise of the reading has.
+    pub fn row_variance(&self, row: usize) -> f64 {
+        let lasting = self.lasting.iter().map(|l| l.variance[row]).sum::<f64>();
+        self.variance[row] + lasting + self.louder.get(row).copied().unwrap_or(0.0)
     }
 
     /// Error in the mean of `rows` rows: its variance, and its correlation with the next mean as memory and length have it.
@@ -78,11 +131,13 @@ impl InputError {
 /// A linear filter that turns noise of a known kind into unit white noise; rows that are left out come out as 0.
 #[derive(Clone, Debug)]
 pub struct Whitener {
-    /// gains of the two states
-    gain: Vec<[f64; 2]>,
+    /// states of a row
+    states: usize,
+    /// gains of the states, row by row
+    gain: Vec<f64>,
     inverse_sd: Vec<f64>,
     /// factors from a row's states to those of the row after
-    carry: Vec<[f64; 2]>,
+    carry: Vec<f64>,
     runs: Vec<Range<usize>>,
     /// shapes of the error, whitened by all that comes before them
     shapes: Vec<Shape>,
@@ -124,12 +179,73 @@ fn squared(column: &[f64]) -> f64 {
     column.iter().map(|v| v * v).sum()
 }
 
-/// Covariance of the two states.
+/// Most states of a row.
+const MOST: usize = 10;
+
+/// How one part of the noise goes on into the next row.
 #[derive(Clone, Copy)]
-struct States {
-    response: f64,
-    cross: f64,
-    input: f64,
+struct Part {
+    /// factor from here to there
+    carry: f64,
+    /// variance that is new there
+    fresh: f64,
+}
+
+/// The parts of the noise: of the response, of quietened inputs, and those that last.
+struct Parts<'a> {
+    input: &'a InputError,
+    weights: Option<&'a [f64]>,
+}
+
+impl Parts<'_> {
+    fn count(&self) -> usize {
+        (2 + self.input.lasting.len()).min(MOST)
+    }
+
+    fn weight(&self, row: usize) -> f64 {
+        self.weights.map_or(1.0, |w| w[row])
+    }
+
+    /// Part `k` in a row that is followed by another.
+    fn part(&self, noise: &Noise, k: usize, row: usize) -> Part {
+        let (weight, next) = (self.weight(row), self.weight(row + 1));
+        match k {
+            0 => self.of_response(noise, weight, next),
+            1 => self.of_inputs(row, weight, next),
+            _ => {
+                let Lasting { variance, memory, .. } = &self.input.lasting[k - 2];
+                let (here, there, memory) = (variance[row], variance[row + 1], memory[row + 1]);
+                let carried = if here > 0.0 { memory } else { 0.0 };
+                let ratio = if here > 0.0 { there / here } else { 0.0 };
+                Part { carry: carried * ratio.sqrt(), fresh: (1.0 - carried * carried) * there }
+            }
+        }
+    }
+
+    /// Variance of part `k` in the first row of a run.
+    fn first(&self, noise: &Noise, k: usize, row: usize) -> f64 {
+        match k {
+            0 => noise.ar_variance_of_mean(self.weight(row)),
+            1 => self.input.of_mean(row, self.weight(row)).ar_sd.powi(2),
+            _ => self.input.lasting[k - 2].variance[row],
+        }
+    }
+
+    fn of_response(&self, noise: &Noise, weight: f64, next: f64) -> Part {
+        let (here, there) = (noise.ar_variance_of_mean(weight), noise.ar_variance_of_mean(next));
+        let phi = noise.ar_correlation_of_means(weight, next);
+        let ratio = if here > 0.0 { there / here } else { 0.0 };
+        Part { carry: phi * ratio.sqrt(), fresh: (1.0 - phi * phi) * there }
+    }
+
+    fn of_inputs(&self, row: usize, weight: f64, next: f64) -> Part {
+        let (now, then) = (self.input.of_mean(row, weight), self.input.of_mean(row + 1, next));
+        // a line ends where the next row has less memory
+        let memory = now.ar_correlation.min(then.ar_correlation);
+        let ratio = if now.ar_sd > 0.0 { then.ar_sd / now.ar_sd } else { 0.0 };
+        let fresh = if now.ar_sd > 0.0 { (1.0 - memory * memory) * then.ar_sd.powi(2) } else { then.ar_sd.powi(2) };
+        Part { carry: memory * ratio, fresh }
+    }
 }
 
 impl Whitener {
@@ -149,29 +265,29 @@ impl Whitener {
         keep: Option<&[bool]>,
     ) -> Self {
         let n = input.variance.len();
-        let weight = |row: usize| weights.map_or(1.0, |w| w[row]);
+        let parts = Parts { input, weights };
+        let states = parts.count();
         let mut filter = Self {
-            gain: vec![[0.0; 2]; n],
+            states,
+            gain: vec![0.0; n * states],
             inverse_sd: vec![0.0; n],
-            carry: vec![[0.0; 2]; n],
+            carry: vec![0.0; n * states],
             runs: runs.to_vec(),
             shapes: Vec::new(),
             log_determinant: 0.0,
             rows: 0,
         };
         for run in runs {
-            let (noise, first) = (&of_run(run), weight(run.start));
-            let mut predicted = States {
-                response: noise.ar_variance_of_mean(first),
-                cross: 0.0,
-                input: input.of_mean(run.start, first).ar_sd.powi(2),
-            };
+            let noise = &of_run(run);
+            let mut predicted = [[0.0; MOST]; MOST];
+            (0..states).for_each(|k| predicted[k][k] = parts.first(noise, k, run.start));
             for row in run.clone() {
                 if keep.is_none_or(|k| k[row]) {
-                    predicted = filter.observe(row, predicted, noise.white_sd * noise.white_sd / weight(row));
+                    let white = noise.white_sd * noise.white_sd + input.louder.get(row).copied().unwrap_or(0.0);
+                    filter.observe(row, &mut predicted, white / parts.weight(row));
                 }
                 if row + 1 < run.end {
-                    predicted = filter.step(noise, input, row, predicted, (weight(row), weight(row + 1)));
+                    filter.step(row, &mut predicted, |k| parts.part(noise, k, row));
                 }
             }
         }
@@ -185,49 +301,67 @@ impl Whitener {
         filter
     }
 
-    /// Gains of a row that is seen, and the covariance after it.
-    fn observe(&mut self, row: usize, p: States, white: f64) -> States {
-        let (response, input) = (p.response + p.cross, p.cross + p.input);
-        let variance = response + input + white;
-        self.gain[row] = [response / variance, input / variance];
+    /// Gains of a row that is seen; `p`, the covariance predicted for it, becomes that after it.
+    fn observe(&mut self, row: usize, p: &mut [[f64; MOST]; MOST], white: f64) {
+        let states = self.states;
+        let mut sums = [0.0; MOST];
+        (0..states).for_each(|k| sums[k] = p[k][..states].iter().sum());
+        let variance = sums[..states].iter().sum::<f64>() + white;
         self.inverse_sd[row] = variance.sqrt().recip();
         self.log_determinant += variance.ln();
         self.rows += 1;
-        let [a, b] = self.gain[row];
-        States { response: p.response - a * response, cross: p.cross - a * input, input: p.input - b * input }
+        let gain = &mut self.gain[row * states..(row + 1) * states];
+        gain.iter_mut().zip(&sums).for_each(|(g, s)| *g = s / variance);
+        for i in 0..states {
+            for j in i..states {
+                p[i][j] -= gain[i] * sums[j];
+                p[j][i] = p[i][j];
+            }
+        }
     }
 
-    /// Covariance predicted for the row after, and the factors that lead there.
-    fn step(&mut self, noise: &Noise, input: &InputError, row: usize, p: States, (weight, next): (f64, f64)) -> States {
-        let (here, there) = (noise.ar_variance_of_mean(weight), noise.ar_variance_of_mean(next));
-        let phi = noise.ar_correlation_of_means(weight, next);
-        let (now, then) = (input.of_mean(row, weight), input.of_mean(row + 1, next));
-        // a line ends where the next row has less memory
-        let memory = now.ar_correlation.min(then.ar_correlation);
-        let ratio = |from: f64, to: f64| if from > 0.0 { to / from } else { 0.0 };
-        let [a, b] = [phi * ratio(here, there).sqrt(), memory * ratio(now.ar_sd, then.ar_sd)];
-        self.carry[row] = [a, b];
-        let fresh = if now.ar_sd > 0.0 { (1.0 - memory * memory) * then.ar_sd.powi(2) } else { then.ar_sd.powi(2) };
-        States {
-            response: a * a * p.response + (1.0 - phi * phi) * there,
-            cross: a * b * p.cross,
-            input: b * b * p.input + fresh,
+    /// Takes the covariance `p` and the factors that lead there on to the row after.
+    fn step(&mut self, row: usize, p: &mut [[f64; MOST]; MOST], part: impl Fn(usize) -> Part) {
+        let states = self.states;
+        let mut fresh = [0.0; MOST];
+        let carry = &mut self.carry[row * states..(row + 1) * states];
+        for (k, c) in carry.iter_mut().enumerate() {
+            Part { carry: *c, fresh: fresh[k] } = part(k);
+        }
+        for i in 0..states {
+            (0..states).for_each(|j| p[i][j] *= carry[i] * carry[j]);
+            p[i][i] += fresh[i];
         }
     }
 
     /// Whitens a column in place.
     pub fn apply(&self, column: &mut [f64]) {
-        for run in &self.runs {
-            let (mut response, mut input) = (0.0, 0.0);
-            for row in run.clone() {
-                let innovation = column[row] - (response + input);
-                column[row] = innovation * self.inverse_sd[row];
-                let ([a, b], [c, d]) = (self.gain[row], self.carry[row]);
-                response = c * (response + a * innovation);
-                input = d * (input + b * innovation);
-            }
+        match self.states {
+            2 => self.apply_with::<2>(column),
+            3 => self.apply_with::<3>(column),
+            4 => self.apply_with::<4>(column),
+            _ => self.apply_with::<MOST>(column),
         }
         self.shapes.iter().for_each(|shape| shape.take_out(column));
+    }
+
+    /// The same with at most `S` states, which is faster where that is known beforehand.
+    fn apply_with<const S: usize>(&self, column: &mut [f64]) {
+        for run in &self.runs {
+            let mut state = [0.0; S];
+            for row in run.clone() {
+                let innovation = column[row] - state.iter().sum::<f64>();
+                column[row] = innovation * self.inverse_sd[row];
+                self.go_on(row, innovation, &mut state);
+            }
+        }
+    }
+
+    /// The states after an innovation, carried into the next row.
+    fn go_on<const S: usize>(&self, row: usize, innovation: f64, state: &mut [f64; S]) {
+        let here = row * self.states..(row + 1) * self.states;
+        let factors = self.gain[here.clone()].iter().zip(&self.carry[here]);
+        state.iter_mut().zip(factors).for_each(|(s, (gain, carry))| *s = carry * (*s + gain * innovation));
     }
 
     /// Columns of equal length, whitened, side by side.
@@ -244,14 +378,12 @@ impl Whitener {
     pub fn colour(&self, column: &mut [f64]) {
         self.shapes.iter().rev().for_each(|shape| shape.put_in(column));
         for run in &self.runs {
-            let (mut response, mut input) = (0.0, 0.0);
+            let mut state = [0.0; MOST];
             for row in run.clone() {
                 let seen = self.inverse_sd[row] > 0.0;
                 let innovation = if seen { column[row] / self.inverse_sd[row] } else { 0.0 };
-                column[row] = if seen { innovation + response + input } else { 0.0 };
-                let ([a, b], [c, d]) = (self.gain[row], self.carry[row]);
-                response = c * (response + a * innovation);
-                input = d * (input + b * innovation);
+                column[row] = if seen { innovation + state.iter().sum::<f64>() } else { 0.0 };
+                self.go_on(row, innovation, &mut state);
             }
         }
     }
@@ -301,7 +433,7 @@ mod tests {
         });
         let ones = DVector::from_element(n, 1.0);
         let dense = ones.dot(&covariance.cholesky().unwrap().solve(&ones));
-        let smoothed = InputError { variance: vec![1.0 / window as f64; n], level: vec![1.0; n], shapes: Vec::new() };
+        let smoothed = InputError { variance: vec![1.0 / window as f64; n], level: vec![1.0; n], ..InputError::default() };
         let information = |input: &InputError| {
             let mut one = vec![1.0; n];
             Whitener::new(&noise, input, None, &[0..n], None).apply(&mut one);
@@ -334,6 +466,37 @@ mod tests {
         filter.apply(&mut b);
         assert_eq!(a, b);
         assert_eq!(a[2], 0.0);
+    }
+
+    /// Two columns in steps: each error is one number a value, whatever the row.
+    #[test]
+    fn errors_that_last_equal_the_dense_covariance() {
+        let n = 9;
+        let noise = Noise { white_sd: 0.6, ar_sd: 0.9, ar_correlation: 0.5 };
+        let held = |starts: &[usize], variance: f64| Lasting {
+            variance: vec![variance; n],
+            memory: (0..n).map(|i| if starts.contains(&i) { 0.0 } else { 1.0 }).collect(),
+            of_reading: false,
+        };
+        let lasting = vec![held(&[0, 4], 0.7), held(&[0, 2, 6], 0.2)];
+        let louder: Vec<f64> = (0..n).map(|i| if i == 5 { 3.0 } else { 0.0 }).collect();
+        let input = InputError { lasting, louder: louder.clone(), ..InputError::white(vec![0.1; n]) };
+        let filter = Whitener::new(&noise, &input, None, &[0..n], None);
+        let alike = |i: usize, j: usize, starts: &[usize]| starts.iter().all(|s| (i < *s) == (j < *s));
+        let covariance = DMatrix::from_fn(n, n, |i, j| {
+            let own = if i == j { noise.white_sd.powi(2) + 0.1 + louder[i] } else { 0.0 };
+            let held = if alike(i, j, &[4]) { 0.7 } else { 0.0 } + if alike(i, j, &[2, 6]) { 0.2 } else { 0.0 };
+            own + held + noise.ar_sd.powi(2) * noise.ar_correlation.powi(i.abs_diff(j) as i32)
+        });
+        let x: Vec<f64> = (0..n).map(|i| (1.3 * i as f64).sin()).collect();
+        let mut white = x.clone();
+        filter.apply(&mut white);
+        let dense = covariance.clone().cholesky().unwrap();
+        let column = DVector::from_column_slice(&x);
+        approx::assert_relative_eq!(squared(&white), column.dot(&dense.solve(&column)), max_relative = 1e-10);
+        approx::assert_relative_eq!(filter.log_determinant, covariance.determinant().ln(), max_relative = 1e-10);
+        filter.colour(&mut white);
+        approx::assert_relative_eq!(white.as_slice(), x.as_slice(), epsilon = 1e-12, max_relative = 1e-10);
     }
 
     #[test]

@@ -8,7 +8,7 @@ use super::request::{Opened, together};
 use truegap_core::{Recording, Simulator};
 use truegap_diagnose::quality::FEWEST_ROWS;
 use truegap_diagnose::quality::{Notice, NoticeKind};
-use truegap_diagnose::quality::{Rows, outliers, troubles};
+use truegap_diagnose::quality::{Rows, outliers, repeated, troubles};
 use truegap_diagnose::{Options, Problem, Restriction};
 
 /// Recordings without their outliers, with their base models and what is wrong with them.
@@ -26,9 +26,11 @@ pub(super) fn screen(mut opened: Opened) -> Result<Screened, DiagnosisError> {
     let mut kept: Vec<Vec<usize>> = Vec::new();
     for (index, part) in parts(&opened).iter().enumerate() {
         let mut keep: Vec<usize> = (0..part.len()).collect();
-        if let Some((notice, out)) = with(part, first.simulator(index), None, outliers).flatten() {
-            keep.retain(|row| out.binary_search(row).is_err());
-            notices.push(of(notice, index, several));
+        for look in [repeated, outliers] {
+            if let Some((notice, out)) = with(part, first.simulator(index), None, look).flatten() {
+                keep.retain(|row| out.binary_search(row).is_err());
+                notices.push(of(notice, index, several));
+            }
         }
         kept.push(keep);
     }

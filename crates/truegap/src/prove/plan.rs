@@ -21,6 +21,7 @@ pub enum Sort {
     Singles,
     Pairs,
     Strangers,
+    Loggers,
 }
 
 /// A study before it is made.
@@ -51,6 +52,7 @@ impl Plan {
             Sort::Singles => Only::Singles,
             Sort::Pairs => Only::Pairs,
             Sort::Strangers => Only::Strangers,
+            Sort::Loggers => Only::Loggers,
         };
         Ok(Study::new(self.seed, self.cases, Options { only, protocols: self.protocols.clone(), ..Options::default() })?)
     }

@@ -2,6 +2,7 @@
 //!
 //! Limits: holds everything that was drawn, so that a case can be understood once opened; nothing of it is published before.
 
+use crate::logger::Logger;
 use crate::mechanism::Numbers;
 use crate::noise::Noise;
 use crate::protocol::Kind;
@@ -38,6 +39,9 @@ pub struct Answer {
     pub protocol: Kind,
     /// Noise.
     pub noise: Noise,
+    /// The logger, in studies of loggers.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub logger: Option<Logger>,
     /// The sensor, SI units.
     pub sensor: Sensor,
     /// Whether the declared base model has the warp.

@@ -8,13 +8,14 @@ use crate::chain::{Act, PlatesTouch, Scene, simulate};
 use crate::detectability::input_error;
 use crate::draws::Draws;
 use crate::history::History;
+use crate::logger::Logger;
 use crate::mechanism::{Mechanism, Needs};
 use crate::noise::Noise;
 use crate::protocol::Kind;
 use crate::recording::{Declared, Recording};
 use crate::score::family::family;
 use crate::sensor::Sensor;
-use crate::study::{Shares, Study};
+use crate::study::{Only, Shares, Study};
 use serde_json::Value;
 
 /// Draws of causes before less is asked of them.
@@ -73,6 +74,7 @@ struct Setting {
     kind: Kind,
     history: History,
     noise: Noise,
+    logger: Option<Logger>,
 }
 
 /// Causes with the base model they are posed in.
@@ -86,7 +88,8 @@ impl BlindCase {
         let case = format!("case-{:03}", index + 1);
         let stream = |purpose: &str| Draws::of(study.seed(), &format!("{case}/{purpose}"));
         let shares = study.shares();
-        let setting = Setting::drawn(case.clone(), shares, stream);
+        let logger = (study.options().only == Only::Loggers).then(|| Logger::ALL[index % Logger::ALL.len()]);
+        let setting = Setting::drawn(case.clone(), shares, stream).with_logger(logger);
         let draws = &mut stream("causes");
         let makeup = match draws.weighted(&shares.makeup) {
             4 => Makeup::Stranger,
@@ -114,7 +117,12 @@ impl Setting {
             kind,
             history: kind.history(vary, &mut stream("protocol")),
             noise,
+            logger: None,
         }
+    }
+
+    fn with_logger(self, logger: Option<Logger>) -> Self {
+        Self { noise: logger.map_or(self.noise, Logger::noise), logger, ..self }
     }
 
     fn scene(&self) -> Scene<'_> {
@@ -183,12 +191,17 @@ impl Setting {
             rms_after_calibration_over_noise: left.after,
             protocol: self.kind,
             noise: self.noise,
+            logger: self.logger,
             warp_declared: declared.warp,
             humidity_column: declared.humidity,
             parameters: acts.iter().map(numbers).collect(),
             sensor: self.sensor,
         };
         let recording = Recording::noisy(&self.history, &truth_pf, &self.noise, declared, noise);
+        let recording = match self.logger {
+            Some(logger) => logger.written(recording, &truth_pf, noise),
+            None => recording,
+        };
         Ok(BlindCase { recording, answer, acts, truth_pf, base_pf, seed })
     }
 }

@@ -13,6 +13,7 @@ pub mod detectability;
 pub mod draws;
 pub mod fresh;
 pub mod history;
+pub mod logger;
 pub mod mechanism;
 pub mod noise;
 pub mod physics;

@@ -60,6 +60,7 @@ enum Sort {
     Singles,
     Pairs,
     Strangers,
+    Loggers,
 }
 
 impl From<Sort> for Only {
@@ -70,6 +71,7 @@ impl From<Sort> for Only {
             Sort::Singles => Self::Singles,
             Sort::Pairs => Self::Pairs,
             Sort::Strangers => Self::Strangers,
+            Sort::Loggers => Self::Loggers,
         }
     }
 }

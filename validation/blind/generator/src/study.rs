@@ -37,6 +37,8 @@ pub enum Only {
     Pairs,
     /// A stranger each.
     Strangers,
+    /// Nothing is concealed, and the measuring chain is at fault: the loggers of [`crate::logger`] in turn.
+    Loggers,
 }
 
 impl Default for Options {
@@ -78,7 +80,7 @@ impl Shares {
         Self {
             makeup: match options.only {
                 Only::Everything => [nothing, 1.0 - nothing - stranger - two - three, two, three, stranger],
-                Only::Nulls => [1.0, 0.0, 0.0, 0.0, 0.0],
+                Only::Nulls | Only::Loggers => [1.0, 0.0, 0.0, 0.0, 0.0],
                 Only::Singles => [0.0, 1.0, 0.0, 0.0, 0.0],
                 Only::Pairs => [0.0, 0.0, 1.0, 0.0, 0.0],
                 Only::Strangers => [0.0, 0.0, 0.0, 0.0, 1.0],

@@ -163,6 +163,11 @@ fn key(search: &Search<'_>, inputs: &truegap_core::Inputs, noise: &NoiseModel, l
     column("input", Some(&noise.input_error.variance));
     column("level", Some(&noise.input_error.level));
     noise.input_error.shapes.iter().for_each(|shape| column("shape", Some(shape)));
+    noise.input_error.lasting.iter().for_each(|lasting| {
+        column("lasting", Some(&lasting.variance));
+        column("memory", Some(&lasting.memory));
+    });
+    column("louder", Some(&noise.input_error.louder));
     inputs.run.iter().for_each(|run| hash.update(run.to_le_bytes()));
     hash.update(format!("{:?}", search.problem.simulator.parameters()));
     for effect in &search.library {

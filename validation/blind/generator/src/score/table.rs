@@ -21,6 +21,7 @@ pub fn table(cases: &[Scored]) -> String {
     }
     text.push('\n');
     text += &by_cause(cases);
+    text += &by_logger(cases);
     text += &wrong_claims(cases);
     text
 }
@@ -44,6 +45,31 @@ fn by_cause(cases: &[Scored]) -> String {
     let head = format!("{:<52} right  set  part  unnamed  wrong  missed\n", "concealed");
     counts.into_iter().fold(head, |mut text, (cause, [right, set, partial, unnamed, wrong, missed])| {
         let _ = writeln!(text, "{cause:<52} {right:>5} {set:>4} {partial:>5} {unnamed:>8} {wrong:>6} {missed:>7}");
+        text
+    })
+}
+
+/// What a recording in which nothing is missing was taken for, by the logger that wrote it; empty where no case has one.
+fn by_logger(cases: &[Scored]) -> String {
+    let mut counts: BTreeMap<_, [usize; 4]> = BTreeMap::new();
+    for case in cases {
+        let Some(logger) = case.truth.logger else { continue };
+        let place = match (case.claim.named().is_empty() && case.claim.ambiguity.is_empty(), case.claim.verdict.as_str()) {
+            (false, _) => 0,
+            (true, "agrees") => 1,
+            (true, "undecided") => 3,
+            (true, _) => 2,
+        };
+        counts.entry(logger).or_default()[place] += 1;
+    }
+    if counts.is_empty() {
+        return String::new();
+    }
+    let all = counts.values().fold([0; 4], |sum, one| std::array::from_fn(|k| sum[k] + one[k]));
+    let rows = counts.iter().map(|(logger, count)| (logger.name(), *count)).chain(std::iter::once(("all".to_owned(), all)));
+    let head = format!("\n{:<52} named agrees unexplained undecided\n", "nothing missing, written down by");
+    rows.fold(head, |mut text, (logger, [named, agrees, unexplained, undecided])| {
+        let _ = writeln!(text, "{logger:<52} {named:>5} {agrees:>6} {unexplained:>11} {undecided:>9}");
         text
     })
 }

@@ -3,6 +3,7 @@
 //! Limits: an open `truth.json` does not say whether the noise was coloured; such cases count in neither column of false alarms.
 
 use crate::answer::Answer;
+use crate::logger::Logger;
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -25,6 +26,8 @@ pub struct Truth {
     pub weakest_apart: f64,
     /// Coloured noise, where known.
     pub coloured: Option<bool>,
+    /// The logger, in studies of loggers.
+    pub logger: Option<Logger>,
     /// Kind of protocol.
     pub protocol: String,
 }
@@ -49,6 +52,7 @@ impl Truth {
             weakest: detectability,
             weakest_apart: detectability,
             coloured: None,
+            logger: None,
             protocol: truth["protocol"].as_str()?.to_owned(),
         })
     }
@@ -65,6 +69,7 @@ impl From<&Answer> for Truth {
             weakest: answer.each.iter().copied().reduce(f64::min).unwrap_or(0.0),
             weakest_apart: answer.apart.iter().chain(&answer.each).copied().reduce(f64::min).unwrap_or(0.0),
             coloured: Some(answer.noise.is_coloured()),
+            logger: answer.logger,
             protocol: format!("{:?}", answer.protocol).to_lowercase(),
         }
     }

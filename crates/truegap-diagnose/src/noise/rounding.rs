@@ -1,0 +1,239 @@
+//! Columns written down in steps: the step is seen in the column itself, and what it makes of every row is an error that stays as long as the column does.
+//!
+//! A load of 1.012 N that is written as 1.00 N errs by 12 mN in every row of the hold: the mean of many rows knows it no better than one. A staircase somebody commanded
+//! looks the same, but its reading jumps with it; a rounded ramp's does not.
+//!
+//! Limits: one step for a whole column; errors of the same level in two holds count as independent.
+//!
+//! **Source:** Widrow and Kollar, Quantization Noise (2008), sections 4.1 (variance of a step, `q^2 / 12`) and 5.4 (noise before rounding makes its error independent).
+
+use crate::stats::median;
+use std::ops::Range;
+
+/// Error of a rounded column, row by row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rounded {
+    /// step of the column
+    pub step: f64,
+    /// variance of the error that is independent from row to row where the column stands still, in its unit squared
+    pub white: f64,
+    /// variance of the error that stays, row by row
+    pub held: Vec<f64>,
+    /// correlation of the held error with the row before
+    pub memory: Vec<f64>,
+}
+
+impl Rounded {
+    /// The same in units of `unit`.
+    #[must_use]
+    pub fn over(mut self, unit: f64) -> Self {
+        self.step /= unit;
+        self.white /= unit * unit;
+        self.held.iter_mut().for_each(|v| *v /= unit * unit);
+        self
+    }
+}
+
+/// Share of neighbouring rows with one value below which the noise of a column dithers its steps away.
+const COARSE: f64 = 0.3;
+/// Distinct values from which on a grid is one.
+const LEVELS: usize = 8;
+/// Distance of spacings from whole steps, in steps.
+const OFF_GRID: f64 = 0.12;
+/// Share of the reading's change that falls on the rows at which a column changes, above which the change was real.
+const REAL: f64 = 0.6;
+/// Mean over root mean square of those changes, above which all are alike.
+const ALL_ALIKE: f64 = 0.7;
+/// Share of moving rows on exact lines above which a column was commanded.
+const COMMANDED: f64 = 0.85;
+/// Memories of the error in which a plateau passes: in a hold, and on a slow course.
+const STAYS: f64 = 0.05;
+const RUNS: f64 = 4.0;
+/// Times as long as its neighbours, from which on a plateau is a hold.
+const LONGER: usize = 4;
+
+/// What the steps of a column make of it, where it is written in steps; `answer` is what follows it, `small` a step that nobody commands.
+pub fn rounded(column: &[f64], runs: &[Range<usize>], answer: Option<&[f64]>, small: f64) -> Option<Rounded> {
+    let step = grid(column, small)?;
+    let same = |a: f64, b: f64| (a - b).abs() < 0.5 * step;
+    let pairs: Vec<usize> = runs.iter().flat_map(|r| r.start + 1..r.end).collect();
+    let still = pairs.iter().filter(|row| same(column[**row], column[**row - 1])).count();
+    if (still as f64) < COARSE * pairs.len() as f64 || on_exact_lines(column, runs, step) {
+        return None;
+    }
+    if answer.is_some_and(|answer| jumps_with(column, runs, step, answer)) {
+        return None;
+    }
+    let white = flicker(column, runs, step) / pairs.len().max(1) as f64;
+    // noise of a step's size makes the whole error independent from row to row
+    let stays = step * step / 12.0 * (1.0 - 6.0 * white / (step * step)).max(0.0);
+    let (mut held, mut memory) = (vec![0.0; column.len()], vec![0.0; column.len()]);
+    for run in runs {
+        let all = plateaus(column, run, step);
+        for (k, plateau) in all.iter().enumerate() {
+            let jumps = |row: usize| row == run.start || row == run.end || (column[row] - column[row - 1]).abs() > 2.5 * step;
+            let came = jumps(plateau.start);
+            let beside =
+                [k.checked_sub(1), Some(k + 1)].into_iter().flatten().filter_map(|k| all.get(k)).map(ExactSizeIterator::len);
+            let longer = plateau.len() > LONGER * beside.max().unwrap_or(0);
+            let held_still = longer || (came && jumps(plateau.end));
+            held[plateau.clone()].fill(if plateau.len() > 2 { stays } else { 0.0 });
+            // on a slow course the error runs from one end of a step to the other while the column stands; in a hold it stays
+            let changes = if held_still { STAYS } else { RUNS };
+            memory[plateau.clone()].fill((-changes / plateau.len() as f64).exp());
+            if came || longer {
+                memory[plateau.start] = 0.0;
+            }
+        }
+    }
+    Some(Rounded { step, white, held, memory })
+}
+
+/// Half the squares of changes to and fro: what noise makes of a column that stands between two values.
+fn flicker(column: &[f64], runs: &[Range<usize>], step: f64) -> f64 {
+    let mut squares = 0.0;
+    for run in runs {
+        let changes: Vec<f64> = column[run.clone()].windows(2).map(|w| w[1] - w[0]).filter(|c| c.abs() > 0.5 * step).collect();
+        let single = |c: f64| c.abs() < 1.5 * step;
+        squares +=
+            changes.windows(2).filter(|w| w[0] * w[1] < 0.0 && single(w[0]) && single(w[1])).map(|w| w[1] * w[1]).sum::<f64>();
+    }
+    0.5 * squares
+}
+
+/// Stretches of a run within two neighbouring values.
+fn plateaus(column: &[f64], run: &Range<usize>, step: f64) -> Vec<Range<usize>> {
+    let mut found = Vec::new();
+    let (mut first, mut low, mut high) = (run.start, f64::INFINITY, f64::NEG_INFINITY);
+    for row in run.clone() {
+        let (lower, higher) = (low.min(column[row]), high.max(column[row]));
+        if higher - lower > 1.5 * step {
+            found.push(first..row);
+            (first, low, high) = (row, column[row], column[row]);
+        } else {
+            (low, high) = (lower, higher);
+        }
+    }
+    found.push(first..run.end);
+    found
+}
+
+/// The spacing of the values of a column, where all lie on a grid of it and the column visits many of them, or it is too `small` to have been commanded.
+fn grid(column: &[f64], small: f64) -> Option<f64> {
+    let mut values = column.to_vec();
+    values.sort_by(f64::total_cmp);
+    let greatest = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    values.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * greatest);
+    let gaps: Vec<f64> = values.windows(2).map(|w| w[1] - w[0]).collect();
+    let least = gaps.iter().copied().fold(f64::INFINITY, f64::min);
+    // a step written with few digits has spacings that differ in the last of them
+    let alike: Vec<f64> = gaps.iter().copied().filter(|g| *g < 1.3 * least).collect();
+    let step = median(&alike);
+    let whole = |gap: &&f64| (**gap / step - (**gap / step).round()).abs() < OFF_GRID;
+    let many = values.len() >= LEVELS || (values.len() >= 2 && step <= small);
+    (many && step > 0.0 && alike.len() * 4 >= gaps.len() && gaps.iter().filter(whole).count() * 100 >= 98 * gaps.len())
+        .then_some(step)
+}
+
+/// Whether moving rows lie on exact lines: nobody's hand or thermometer does that, a program does.
+fn on_exact_lines(column: &[f64], runs: &[Range<usize>], step: f64) -> bool {
+    let (mut moving, mut exact) = (0usize, 0usize);
+    for run in runs {
+        for w in column[run.clone()].windows(4) {
+            let changes = [w[1] - w[0], w[2] - w[1], w[3] - w[2]];
+            if (w[3] - w[0]).abs() > 1.5 * step {
+                moving += 1;
+                exact += usize::from(changes.iter().all(|c| (c - changes[0]).abs() < 0.5 * step));
+            }
+        }
+    }
+    moving >= 20 && exact as f64 > COMMANDED * moving as f64
+}
+
+/// Whether what follows a column changes where the column does, by one step between longer stretches, and not on the way there.
+fn jumps_with(column: &[f64], runs: &[Range<usize>], step: f64, answer: &[f64]) -> bool {
+    let (mut at_once, mut squares, mut in_all, mut found) = (0.0, 0.0f64, 0.0, 0usize);
+    for run in runs {
+        let changes: Vec<usize> =
+            (run.start + 1..run.end).filter(|row| (column[*row] - column[*row - 1]).abs() > 0.5 * step).collect();
+        for (k, row) in changes.iter().enumerate() {
+            let before = row - if k > 0 { changes[k - 1] } else { run.start };
+            let after = changes.get(k + 1).copied().unwrap_or(run.end) - row;
+            let reach = before.min(after) / 2;
+            let change = column[*row] - column[*row - 1];
+            if reach >= 4 && change.abs() < 1.5 * step {
+                // means on either side, near and far: a jump has the difference of the far ones between the near ones
+                let mean = |rows: Range<usize>| answer[rows.clone()].iter().sum::<f64>() / rows.len() as f64;
+                let near = reach.div_ceil(4);
+                let jump = change.signum() * (mean(*row..row + near) - mean(row - near..*row));
+                (at_once, squares) = (at_once + jump, squares + jump * jump);
+                in_all += change.signum() * (mean(row + reach - near..row + reach) - mean(row - reach..row - reach + near));
+                found += 1;
+            }
+        }
+    }
+    // where the column flickers between two values, what follows it does one thing and another
+    found >= 4 && in_all != 0.0 && at_once / in_all > REAL && at_once > ALL_ALIKE * (found as f64 * squares).sqrt()
+}
+
+#[cfg(test)]
+#[allow(clippy::single_range_in_vec_init)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+    use rand_distr::{Distribution, Normal};
+
+    fn written(truth: &[f64], step: f64, noise: f64, seed: u64) -> Vec<f64> {
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
+        let normal = Normal::new(0.0, noise).unwrap();
+        truth.iter().map(|t| ((t + normal.sample(&mut rng)) / step).round() * step).collect()
+    }
+
+    /// Holds at loads that no step hits, and ramps between them.
+    fn holds() -> Vec<f64> {
+        (0..1200)
+            .map(|i| {
+                let (k, within) = (i / 100, f64::from(i % 100));
+                let level = |k: i32| 0.313 * f64::from(if k < 7 { k } else { 13 - k });
+                level(k) + (level(k + 1) - level(k)) * (within / 20.0).min(1.0)
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_hold_in_steps_errs_alike_in_all_its_rows() {
+        let truth = holds();
+        let column = written(&truth, 0.05, 0.005, 1);
+        let found = rounded(&column, &[0..1200], Some(&truth), 0.0).unwrap();
+        approx::assert_relative_eq!(found.step, 0.05, max_relative = 1e-6);
+        // noise of a tenth of a step leaves two thirds of the error as it is (section 5.4: exp(-0.39))
+        let held = found.held[90] / (0.05f64.powi(2) / 12.0);
+        assert!((0.5..1.0).contains(&held), "{held}");
+        assert!((40..100).all(|row| found.memory[row] > 0.99));
+    }
+
+    #[test]
+    fn what_somebody_commanded_in_steps_is_no_rounding() {
+        let stairs: Vec<f64> = (0..1200).map(|i| 0.1 * f64::from(i / 50)).collect();
+        assert_eq!(rounded(&stairs, &[0..1200], Some(&stairs), 0.0), None);
+        let ramp: Vec<f64> = (0..1200).map(|i| 0.125 * f64::from((i % 100).min(30))).collect();
+        assert_eq!(rounded(&ramp, &[0..1200], Some(&ramp), 0.0), None);
+        // set points alone say nothing of a step
+        let points: Vec<f64> = (0..1200).map(|i| f64::from(i / 100 % 5)).collect();
+        assert_eq!(rounded(&points, &[0..1200], Some(&points), 0.0), None);
+    }
+
+    #[test]
+    fn a_slow_ramp_in_steps_is_rounding_and_noise_of_a_step_is_none() {
+        let truth: Vec<f64> = (0..1200).map(|i| 20.0 + 0.02 * f64::from(i)).collect();
+        let coarse = written(&truth, 0.5, 0.03, 2);
+        let found = rounded(&coarse, &[0..1200], Some(&truth), 1.0).unwrap();
+        approx::assert_relative_eq!(found.step, 0.5, max_relative = 1e-6);
+        // text with three decimals
+        let text: Vec<f64> = written(&truth, 0.0625, 0.02, 3).iter().map(|v| (v * 1e3).round() / 1e3).collect();
+        let found = rounded(&text, &[0..1200], Some(&truth), 1.0).unwrap();
+        approx::assert_relative_eq!(found.step, 0.0625, max_relative = 0.02);
+        let dithered = written(&truth, 0.05, 0.1, 4);
+        assert_eq!(rounded(&dithered, &[0..1200], Some(&truth), 1.0), None);
+    }
+}

@@ -1,0 +1,63 @@
+//! Rows that repeat the one before them: a logger that was not ready wrote the last reading again.
+//!
+//! Such rows hold no new measurement, and their noise is that of the row before: they are left out.
+//!
+//! Limits: readings fine enough that noise hardly ever gives the same value twice; short repeats only, longer ones are a dead channel, and at the ends of the range a
+//! clipped one.
+
+use crate::{
+    data::problem::Problem,
+    quality::{
+        notice::{Notice, NoticeKind},
+        rows::{Rows, ends, equal_stretches},
+    },
+    stats::{median, resolution},
+};
+
+/// Longest stretch of one value that is a repeat.
+const LONGEST: usize = 12;
+/// Steps of the reading by which rows usually differ, at least.
+const FINE: f64 = 2.5;
+/// Factor on the number of neighbours that differ by one step above which equal ones are no chance, and a few more.
+const MORE_THAN_CHANCE: usize = 3;
+const FEW: usize = 5;
+/// Share of rows above which a reading simply does not change.
+const MOST: f64 = 0.3;
+
+/// A notice, and the rows that are to be left out.
+pub fn repeated(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<usize>)> {
+    let (response, runs) = (problem.response, problem.inputs.runs());
+    let step = resolution(response);
+    let pairs: Vec<usize> = runs.iter().flat_map(|run| run.start + 1..run.end).collect();
+    let change = |row: &usize| (response[*row] - response[*row - 1]).abs();
+    let changes: Vec<f64> = pairs.iter().map(change).filter(|d| *d > 0.5 * step).collect();
+    if step <= 0.0 || median(&changes) < FINE * step {
+        return None;
+    }
+    let inputs = problem.inputs;
+    let columns = [&inputs.force_n, &inputs.pressure_pa, &inputs.gap_m, &inputs.temperature_c];
+    let whole = |row: usize| columns.iter().all(|c| c.as_ref().is_none_or(|c| c[row] == c[row - 1]));
+    let (lowest, highest) = ends(response, 0..response.len());
+    let stretches: Vec<_> = equal_stretches(response, &runs)
+        .into_iter()
+        .filter(|s| s.len() > 1 && s.len() <= LONGEST && response[s.start] != lowest && response[s.start] != highest)
+        .map(|s| s.start + 1..s.end)
+        .collect();
+    // rows that repeat in every column are hardly ever chance; a reading alone may repeat while the inputs go on
+    let by_one =
+        |counts: &dyn Fn(usize) -> bool| pairs.iter().filter(|r| counts(**r) && (change(r) / step).round() == 1.0).count();
+    let again = |counts: &dyn Fn(usize) -> bool| {
+        let rows: Vec<usize> = stretches.iter().flat_map(Clone::clone).filter(|row| counts(*row)).collect();
+        let by_chance = MORE_THAN_CHANCE * by_one(counts) + FEW;
+        (rows.len() > by_chance && rows.len() as f64 <= MOST * response.len() as f64).then_some(rows)
+    };
+    let again = again(&|_| true).or_else(|| again(&whole))?;
+    let says = format!(
+        "{} rows repeat the reading of the row before, the first is {}: the logger wrote old values again. They were left out; look whether it polls faster than the \
+         converter converts",
+        again.len(),
+        rows.place(again[0])
+    );
+    let notice = Notice { kind: NoticeKind::RepeatedRows, says, rows: rows.numbers_of(&again), withholds: false };
+    Some((notice, again))
+}

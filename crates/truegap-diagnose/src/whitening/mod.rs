@@ -2,5 +2,8 @@
 //!
 //! Limits: Gaussian noise.
 
+mod kinds;
 pub(crate) mod noise_model;
+mod parts;
+mod shape;
 pub(crate) mod whitener;

@@ -2,7 +2,10 @@
 //!
 //! Limits: linear in the reading; only the first run may start out of equilibrium.
 
-use crate::effects::memory::{Lag, walk};
+use crate::{
+    data::context::Context,
+    effects::memory::{Lag, walk},
+};
 use truegap_core::Inputs;
 
 /// First-order lags side by side, and how the reading stood before its first row.
@@ -41,6 +44,13 @@ impl Delay {
             });
         }
     }
+}
+
+/// Whether the reading itself is a temperature that somebody has simulated: then the reading is late, and not an input of it.
+pub(crate) fn reads_temperature(context: &Context<'_>) -> bool {
+    let unit = context.simulator.unit().to_lowercase();
+    let is_temperature = matches!(unit.as_str(), "degc" | "°c" | "celsius" | "deg c" | "k" | "kelvin" | "degf" | "°f");
+    is_temperature && context.inputs.simulated.is_some()
 }
 
 #[cfg(test)]

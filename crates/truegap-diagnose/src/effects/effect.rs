@@ -112,6 +112,10 @@ pub trait Effect: Send + Sync {
     fn free_form(&self) -> bool {
         false
     }
+    /// Id of the effect that it changes, beside which alone it means something: a changed coefficient needs the coefficient.
+    fn beside(&self, _context: &Context<'_>) -> Option<&'static str> {
+        None
+    }
     /// Values of the parameters behind the size from which a search starts; one empty list where the size is all there is.
     fn starts(&self, _context: &Context<'_>) -> Vec<Vec<f64>> {
         vec![Vec::new()]

@@ -30,7 +30,7 @@ enum Of {
 const WARMS: f64 = 2.0;
 
 impl Of {
-    fn of(context: &Context<'_>) -> Self {
+    fn what_moves(context: &Context<'_>) -> Self {
         if context.temperature_span() >= WARMS {
             return Self::Temperature;
         }
@@ -123,7 +123,7 @@ fn length(context: &Context<'_>) -> f64 {
 }
 
 fn switch(values: &[f64], context: &Context<'_>) -> Switch {
-    let of = Of::of(context);
+    let of = Of::what_moves(context);
     let jump = if of == Of::Nothing { 1.0 } else { values[3] };
     Switch { of, change: values[0], when_s: values[1], takes_s: values[2], jump }
 }
@@ -182,8 +182,15 @@ impl Effect for RegimeChange {
             source: "Basseville & Nikiforov, Detection of Abrupt Changes, ch. 2; Quandt, J. Am. Stat. Assoc. 53 (1958) 873 (switching regressions)",
         }
     }
+    fn beside(&self, context: &Context<'_>) -> Option<&'static str> {
+        match Of::what_moves(context) {
+            Of::Temperature => Some("temperature_coefficient"),
+            Of::Driver(_) => Some("driver_coefficient"),
+            Of::Reading | Of::Nothing => None,
+        }
+    }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let of = Of::of(context);
+        let of = Of::what_moves(context);
         let (span, length) = (of.span(context).max(f64::MIN_POSITIVE), length(context).max(1.0));
         let size = if of == Of::Nothing { context.response_span.abs() } else { context.response_span.abs() / span };
         let step = context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0).min(0.01 * length);
@@ -204,7 +211,7 @@ impl Effect for RegimeChange {
         list
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        let (of, length) = (Of::of(context), length(context).max(1.0));
+        let (of, length) = (Of::what_moves(context), length(context).max(1.0));
         let (earliest, latest) = told_apart(context, of).unwrap_or((0.0, length));
         let times = (0..LOOKED_AT).map(|k| earliest + (latest - earliest) * (k as f64 + 0.5) / LOOKED_AT as f64);
         let shape = |t: f64| match of {
@@ -215,7 +222,7 @@ impl Effect for RegimeChange {
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
-        if context.has(StageName::Dielectric).is_ok() && !matches!(Of::of(context), Of::Driver(_)) {
+        if context.has(StageName::Dielectric).is_ok() && !matches!(Of::what_moves(context), Of::Driver(_)) {
             return Err(
                 "the base model has places for temperature and history of its own; jumps between runs are offset_steps".into()
             );
@@ -227,7 +234,7 @@ impl Effect for RegimeChange {
         if rows < FEWEST {
             return Err(format!("{rows} rows only, too few for two laws"));
         }
-        match told_apart(context, Of::of(context)) {
+        match told_apart(context, Of::what_moves(context)) {
             None => Err("what the coefficient is of does not move both before and after any time".into()),
             Some(_) => Ok(()),
         }
@@ -243,7 +250,7 @@ impl Effect for RegimeChange {
     }
     fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, beside: &[(EffectId, Vec<FittedParameter>)]) -> String {
         let before = |id: &str| beside.iter().find(|(effect, _)| effect.0 == id).and_then(|(_, f)| f.first());
-        match Of::of(context) {
+        match Of::what_moves(context) {
             Of::Temperature => said(fitted, "temperature", before("temperature_coefficient")),
             Of::Driver(course) => said(fitted, course.name(context), before("driver_coefficient")),
             Of::Reading | Of::Nothing => said(fitted, "its input", None),

@@ -3,10 +3,9 @@
 use crate::{
     data::context::Context,
     effects::{
-        delay::Delay,
+        delay::{Delay, reads_temperature},
         effect::{About, Effect, Family, FittedParameter},
         memory::first_order_lag,
-        thermal_lag::reads_temperature,
     },
     text::with_sd,
 };
@@ -38,7 +37,7 @@ impl Stage for OneAfterTheOther {
 pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
     let run = context.longest_run_s.max(1.0);
     // somewhere between a step and a run, in the logarithm
-    let middle = (context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0) * run).sqrt();
+    let middle = 0.3 * (context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0) * run).sqrt();
     let rate = 5.0 * context.response_span.abs() / run;
     vec![
         Parameter::normal("tau", "s", 0.0, middle, "time constant of the reading, mean of both ways").within(0.0, run),

@@ -3,6 +3,7 @@
 use crate::{
     data::context::Context,
     effects::{
+        delay::reads_temperature,
         effect::{About, Effect, Family, FittedParameter},
         memory::first_order_lag,
         slow_response::{self, OneAfterTheOther},
@@ -47,13 +48,6 @@ fn slab(tau_s: f64) -> Lag {
     const MODES: [f64; 4] = [1.0, 3.0, 5.0, 7.0];
     let all: f64 = MODES.iter().map(|n| (n * n).recip()).sum();
     Lag { parts: MODES.iter().map(|n| (1.1 * tau_s / (n * n), (n * n * all).recip())).collect() }
-}
-
-/// Whether the reading itself is a temperature that somebody has simulated: then the reading is late, and not an input of it.
-pub(crate) fn reads_temperature(context: &Context<'_>) -> bool {
-    let unit = context.simulator.unit().to_lowercase();
-    let is_temperature = matches!(unit.as_str(), "degc" | "°c" | "celsius" | "deg c" | "k" | "kelvin" | "degf" | "°f");
-    is_temperature && context.inputs.simulated.is_some()
 }
 
 impl Effect for ThermalLag {

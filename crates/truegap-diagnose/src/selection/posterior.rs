@@ -179,7 +179,16 @@ impl Selection {
 pub fn select(search: &Search<'_>, gate: &Gate, base: Tried) -> Selection {
     let mut tries = Tries::all(search, gate, base);
     let check = tries.check();
-    Selection { check, ..weigh(tries.into_models(), &search.library, gate) }
+    let mut models = tries.into_models();
+    models.retain(|m| is_whole(search, m));
+    Selection { check, ..weigh(models, &search.library, gate) }
+}
+
+/// Whether every effect that changes another one has that beside it, where the library holds it.
+fn is_whole(search: &Search<'_>, model: &Tried) -> bool {
+    let is = |e: &usize, id: &str| search.library[*e].id().0 == id;
+    let held = |id: &str| !(0..search.library.len()).any(|e| is(&e, id)) || model.effects.iter().any(|e| is(e, id));
+    model.effects.iter().filter_map(|e| search.library[*e].beside(search.context)).all(held)
 }
 
 fn weigh(mut models: Vec<Tried>, library: &[&dyn Effect], gate: &Gate) -> Selection {

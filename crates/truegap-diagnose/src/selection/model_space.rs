@@ -101,7 +101,8 @@ impl<'s, 'a> Tries<'s, 'a> {
         for other in best.iter().skip(1).take(ABREAST - 1) {
             self.keep(self.search.add_each(other, all, PARTNERS, "two effects"));
         }
-        if let Some(alone) = second.effects.get(1).and_then(|partner| self.models.get(&EffectSet::from(&[*partner][..])).cloned()) {
+        if let Some(alone) = second.effects.get(1).and_then(|partner| self.models.get(&EffectSet::from(&[*partner][..])).cloned())
+        {
             self.keep(self.search.add_each(&alone, all, PARTNERS, "two effects, swapped"));
         }
         for (index, one) in best.iter().enumerate().skip(1) {

@@ -39,7 +39,7 @@ pub(crate) fn outcome(
     let unseen_with = (!chosen.effects.is_empty()).then(|| unseen(found, chosen));
     let unseen_after = unseen_with.as_ref().unwrap_or(&unseen_before);
     let in_sample =
-        in_sample(found, &before, &after).ok_or_else(|| DiagnoseError::TooFewRows { rows: before.len(), needed: FEWEST_ROWS })?;
+        in_sample(found, &before, &after).ok_or(DiagnoseError::TooFewRows { rows: before.len(), needed: FEWEST_ROWS })?;
     let fit = fit_facts(found, in_sample, &unseen_before, unseen_after);
     let findings = findings(found, &unseen_before, unseen_after);
     let conflicts = conflicts(found.search, base);

@@ -17,6 +17,10 @@ const NOISE: f64 = 0.004;
 
 /// The diagnosis of the plate's own reading with noise and with what `added` puts on each row.
 fn said_of(added: impl Fn(&Inputs, usize) -> f64) -> Diagnosis {
+    said_with(&Options::default(), added)
+}
+
+fn said_with(options: &Options, added: impl Fn(&Inputs, usize) -> f64) -> Diagnosis {
     let (plate, inputs) = (Plate::new(Some(true)), recording());
     let random = &mut ChaCha8Rng::seed_from_u64(11);
     let mut response = plate.respond(&[10.4, 6.6], &inputs, &[]).unwrap();
@@ -26,7 +30,7 @@ fn said_of(added: impl Fn(&Inputs, usize) -> f64) -> Diagnosis {
     }
     let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
     let facts = RecordingFacts { rows: response.len(), runs: inputs.runs().len(), ..RecordingFacts::default() };
-    diagnose(&problem, facts, &Options::default(), &|_| (), &AtomicBool::new(false)).unwrap().diagnosis
+    diagnose(&problem, facts, options, &|_| (), &AtomicBool::new(false)).unwrap().diagnosis
 }
 
 /// A zero that wanders over minutes, by some ten times the noise: slower than the noise, faster than a drift, and with no input of the recording.
@@ -79,4 +83,14 @@ fn a_faint_tone_is_said_to_be_one() {
 fn nothing_outside_is_claimed_where_nothing_is_missing() {
     let said = said_of(|_, _| 0.0);
     assert_eq!(said.verdict, Verdict::Agrees, "{}", said.says);
+}
+
+/// A zero that wanders, and a library of one effect that cannot follow it: within the library nothing is the likeliest by far, beside what lies outside it is not.
+#[test]
+fn all_probabilities_are_on_one_scale() {
+    let options = Options { effects: vec!["thermal_lag".into()], ..Options::default() };
+    let said = said_with(&options, wandering);
+    let outside: f64 = said.unlisted.iter().map(|cause| cause.probability).sum();
+    assert!(outside > 0.9, "{outside}");
+    assert!(said.probability_agrees + outside < 1.0 + 1e-9, "{} and {outside}", said.probability_agrees);
 }

@@ -4,6 +4,7 @@
 
 use crate::{
     adequacy::directions::Direction,
+    adequacy::tuning::{LACK_OF_FIT_LEVEL, MOST_UNCERTAIN, STRETCHES},
     fit::{
         optimum::{Fit, Settled},
         score_test::{JointTest, Scores, scores},
@@ -13,12 +14,6 @@ use crate::{
 };
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
-
-/// Probability below which a test fires.
-pub const LEVEL: f64 = 1e-4;
-
-/// Relative uncertainty of the noise beyond which the tests are not blunted further.
-const MOST_UNCERTAIN: f64 = 0.5;
 
 /// Whitened directions, ready for scoring any fit of the same noise model.
 pub struct Gate {
@@ -50,13 +45,13 @@ impl Adequacy {
 
     /// What the test that finds most finds above expectation, in units of the noise variance; of a line, what its p-value is worth.
     pub fn left(&self) -> f64 {
-        let line = if self.line_p_value < LEVEL { excess_of(self.line_p_value) } else { 0.0 };
+        let line = if self.line_p_value < LACK_OF_FIT_LEVEL { excess_of(self.line_p_value) } else { 0.0 };
         self.smooth.excess().max(self.stretches.excess()).max(line)
     }
 
     /// Whether something is left that noise does not make.
     pub fn fires(&self) -> bool {
-        self.p_value() < LEVEL
+        self.p_value() < LACK_OF_FIT_LEVEL
     }
 }
 
@@ -101,9 +96,6 @@ impl Gate {
 fn none() -> JointTest {
     JointTest { statistic: 0.0, freedom: 0, p_value: 1.0 }
 }
-
-/// Most stretches.
-const STRETCHES: usize = 240;
 
 /// Joint test of the means of the whitened residual over short stretches.
 fn stretches(settled: &Settled, runs: &[Range<usize>]) -> JointTest {

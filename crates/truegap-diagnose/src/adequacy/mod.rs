@@ -5,3 +5,4 @@
 pub(crate) mod directions;
 pub(crate) mod interference;
 pub(crate) mod lack_of_fit;
+pub(crate) mod tuning;

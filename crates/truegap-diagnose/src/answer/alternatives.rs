@@ -4,6 +4,7 @@
 //! Limits: decides nothing.
 
 use crate::{
+    answer::tuning::{NOT_NEGLIGIBLE, SEEN},
     answer::{
         diagnosis::{Candidate, SmallestVisible, UnlistedCause},
         found::Found,
@@ -15,12 +16,6 @@ use crate::{
 
 /// Id that stands for what no effect of the library explains.
 const UNEXPLAINED: &str = "unexplained";
-
-/// Detectability at which an effect would have been seen.
-const SEEN: f64 = 6.0;
-
-/// Probability from which an unmodelled cause is told.
-const NOT_NEGLIGIBLE: f64 = 0.01;
 
 /// The bank with the rows that matter for what is named, and for its rivals.
 pub(crate) fn bank_facts(found: &Found<'_>, bank: &Bank) -> serde_json::Value {

@@ -37,7 +37,7 @@ pub(crate) fn outcome(
     let (before, after) = (respond(found, base)?, respond(found, chosen)?);
     let (unseen_before, unseen_after) = (&found.unseen.base, found.unseen.stood_behind());
     let in_sample =
-        in_sample(found, &before, &after).ok_or_else(|| DiagnoseError::TooFewRows { rows: before.len(), needed: FEWEST_ROWS })?;
+        in_sample(found, &before, &after).ok_or(DiagnoseError::TooFewRows { rows: before.len(), needed: FEWEST_ROWS })?;
     let fit = fit_facts(found, in_sample, unseen_before, unseen_after);
     let findings = findings(found, unseen_before, unseen_after);
     let conflicts = conflicts(found.search, base);

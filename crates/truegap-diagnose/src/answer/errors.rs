@@ -3,6 +3,7 @@
 //! Limits: an error stands for the rows that both models predict; where there is none, it is absent.
 
 use crate::{
+    answer::tuning::{LIKE_NOISE, MOSTLY_ABSORBED},
     answer::{
         fit_facts::{BeforeAfter, FitFacts, HeldOut, RecordingError},
         found::Found,
@@ -20,12 +21,6 @@ use crate::{
     },
 };
 use truegap_core::SimulationError;
-
-/// Share of the raw effect in the base parameters from which calibration is said to have concealed it.
-const MOSTLY_ABSORBED: f64 = 0.9;
-
-/// Noise floors below which the error in sample looks like noise.
-const LIKE_NOISE: f64 = 2.0;
 
 /// Response of every row, as `tried` has it.
 ///

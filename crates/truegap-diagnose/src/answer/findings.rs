@@ -3,6 +3,7 @@
 //! Limits: decides nothing; what is named here was decided in [`crate::selection::verdict`].
 
 use crate::{
+    answer::tuning::PLAINLY_SEEN,
     answer::{
         diagnosis::{BeforeAfterUnit, Finding},
         errors::unseen,
@@ -12,9 +13,6 @@ use crate::{
     selection::detectability::detectability,
     validation::cross_validation::{HeldOutFit, compared},
 };
-
-/// Detectability below which a finding is said to be most consistent, and no more.
-const PLAIN: f64 = 10.0;
 
 /// The effects of the model stood behind; `before` and `after` are the predictions of rows left out by the base model and by that model.
 pub(crate) fn findings(found: &Found<'_>, before: &HeldOutFit, after: &HeldOutFit) -> Vec<Finding> {
@@ -37,7 +35,7 @@ fn finding(found: &Found<'_>, index: usize, before: &HeldOutFit, after: &HeldOut
     Finding {
         effect: found.id(effect),
         probability: found.selection.effect_probability[effect],
-        says: match detectability < PLAIN {
+        says: match detectability < PLAINLY_SEEN {
             true => format!("most consistent with: {sentence} (detectability {detectability:.1})"),
             false => sentence,
         },

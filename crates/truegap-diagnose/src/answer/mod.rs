@@ -15,6 +15,7 @@ pub(crate) mod numbers;
 pub(crate) mod outcome;
 pub(crate) mod prediction;
 pub(crate) mod traces;
+pub(crate) mod tuning;
 pub(crate) mod words;
 
 pub use crate::{

@@ -3,6 +3,7 @@
 //! Limits: decides nothing.
 
 use crate::{
+    answer::tuning::{CLEAR_LINE, MOST_RIVALS, NEARLY},
     answer::{
         alternatives::{ambiguity, says_of},
         diagnosis::Finding,
@@ -16,15 +17,6 @@ use crate::{
     },
     text::share_left,
 };
-
-/// Log evidence from which an unmodelled cause is worth mentioning where nothing is named.
-const NEARLY: f64 = 10.0;
-
-/// Probability below which a line in the spectrum is worth mentioning: far below the level of the test, because it is one clause of a sentence on something else.
-const CLEAR_LINE: f64 = 1e-6;
-
-/// Rivals of the likeliest model that the next experiment is to tell it from.
-const MOST_RIVALS: usize = 3;
 
 /// What to do where a tone or bursts are in the reading.
 const LISTEN: &str = "record again at another sampling rate, with leads shielded and what switches nearby turned off: \

@@ -85,9 +85,6 @@ impl Effect for ClockRate {
             source: "Mills, Computer Network Time Synchronization (offset and frequency of a clock)",
         }
     }
-    fn touches(&self) -> Vec<StageName> {
-        vec![StageName::Inputs, StageName::LoadPath]
-    }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let length = context.duration_s.max(1.0);
         vec![

@@ -81,6 +81,9 @@ impl Effect for LoadCellError {
             source: "VDI/VDE/DKD 2638 (load cells: linearity and hysteresis); class 0.1 to 0.5 of full scale",
         }
     }
+    fn touches(&self) -> Vec<StageName> {
+        vec![StageName::LoadPath] // a wrong reference is a wrong load
+    }
     fn separations(&self) -> &'static [Separation] {
         &[Separation { rival: "rate_independent_hysteresis", says: "exchange the load cell, or load with weights" }]
     }

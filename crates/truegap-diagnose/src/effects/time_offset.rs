@@ -67,9 +67,6 @@ impl Effect for TimeOffset {
             },
         ]
     }
-    fn touches(&self) -> Vec<StageName> {
-        vec![StageName::Inputs, StageName::LoadPath]
-    }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let scale = context.shortest_step_s.unwrap_or(1.0).max(0.05);
         let most = (0.2 * context.longest_run_s).max(scale);

@@ -46,8 +46,8 @@ pub struct Map {
     pub values: Vec<Vec<f64>>,
 }
 
-/// Level below which a direction is reported.
-const LEVEL: f64 = 1e-3;
+/// Probability below which a direction is reported: the joint test has already found a mismatch, this only says where it lies.
+const PLACE_LEVEL: f64 = 1e-3;
 
 /// Directions along which the fit is wrong, largest share first.
 pub fn locate(problem: &Problem<'_>, fit: &Fit, gate: &Gate, directions: &[Direction]) -> Vec<Mismatch> {
@@ -60,7 +60,7 @@ pub fn locate(problem: &Problem<'_>, fit: &Fit, gate: &Gate, directions: &[Direc
     for (driver, columns) in &groups {
         let test = scores.subset(columns);
         let p_value = (test.p_value * tests).min(1.0);
-        if p_value < LEVEL {
+        if p_value < PLACE_LEVEL {
             found.push(mismatch(problem, fit, *driver, test.excess() / total, p_value));
         }
     }

@@ -8,7 +8,7 @@ use crate::{
         error::{DiagnoseError, FEWEST_ROWS},
         problem::Problem,
     },
-    noise::switching::{followed, looks_like_noise},
+    quality::rows,
     stats::spread,
     text::Scale,
 };
@@ -38,10 +38,7 @@ const WARMS: f64 = 0.3;
 /// The column that drives the model and its value, where neither it nor temperature changes.
 fn constant(problem: &Problem<'_>) -> Option<(&'static str, String)> {
     let inputs = problem.inputs;
-    let runs = inputs.runs();
-    let stands = |column: &[f64], least: f64| {
-        spread(column) <= least || looks_like_noise(column, problem.inputs, &runs) && !followed(column, problem.response, &runs)
-    };
+    let stands = |column: &[f64], least: f64| rows::stands(column, least, problem);
     if inputs.temperature_c.as_ref().is_some_and(|t| !stands(t, WARMS)) {
         return None;
     }

@@ -2,7 +2,12 @@
 //!
 //! Limits: looks at one recording at a time; what is told here is certain or nearly so, doubts are told by [`crate::quality::preconditions`].
 
-use crate::{data::problem::Problem, text::Scale};
+use crate::{
+    data::{context::load_column, problem::Problem},
+    noise::switching::{followed, looks_like_noise},
+    stats::spread,
+    text::Scale,
+};
 use std::ops::Range;
 use truegap_core::Inputs;
 
@@ -94,19 +99,65 @@ pub(crate) fn ends(column: &[f64], rows: impl Iterator<Item = usize>) -> (f64, f
     rows.map(|row| column[row]).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
 }
 
-/// Inputs that drive a reading, each with its range over the recording: load or gap, temperature, simulation.
-pub(crate) fn drivers(problem: &Problem<'_>) -> Vec<Vec<f64>> {
-    let load = crate::data::context::load_column(problem.inputs, problem.simulator);
-    let columns = [load, problem.inputs.temperature_c.clone(), problem.inputs.simulated.clone()];
-    let recorded = problem.inputs.drivers.iter().map(|driver| driver.values.clone());
-    columns.into_iter().flatten().chain(recorded).filter(|c| crate::stats::spread(c) > 0.0).collect()
+/// Kelvins that a temperature has to move to drive a reading: rooms and thermometers wander by less.
+const DRIVES: f64 = 1.0;
+
+/// Whether a column moves by no more than `least`, or shows nothing but its own noise, which the reading does not follow.
+pub(crate) fn stands(column: &[f64], least: f64, problem: &Problem<'_>) -> bool {
+    let runs = problem.inputs.runs();
+    spread(column) <= least || looks_like_noise(column, problem.inputs, &runs) && !followed(column, problem.response, &runs)
 }
 
-/// Greatest change of any driver over some rows, as a share of its range; temperature counts where it moves by a kelvin or more.
+/// Inputs that drive a reading: load or gap, temperature where it moves by more than a kelvin, simulation; none of them where it shows only its own noise.
+pub(crate) fn drivers(problem: &Problem<'_>) -> Vec<Vec<f64>> {
+    let inputs = problem.inputs;
+    let load = load_column(inputs, problem.simulator).filter(|load| !stands(load, 0.0, problem));
+    let warm = inputs.temperature_c.clone().filter(|warm| !stands(warm, DRIVES, problem));
+    let columns = [load, warm, inputs.simulated.clone().filter(|s| !stands(s, 0.0, problem))];
+    let recorded = inputs.drivers.iter().map(|driver| driver.values.clone()).filter(|d| !stands(d, 0.0, problem));
+    columns.into_iter().flatten().chain(recorded).collect()
+}
+
+/// Greatest change of any driver over some rows, as a share of its range over the recording.
 pub(crate) fn moved(drivers: &[Vec<f64>], rows: &Range<usize>) -> f64 {
     let share = |column: &Vec<f64>| {
         let (low, high) = ends(column, rows.clone());
-        (high - low) / crate::stats::spread(column)
+        (high - low) / spread(column)
     };
     drivers.iter().map(share).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{common::Plate, quality::dead::dead_channel};
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    /// A reading of noise that hangs for 60 of 400 rows, under a load that stands still and this temperature.
+    fn hangs(temperature_c: impl Fn(usize, f64) -> f64) -> bool {
+        let random = &mut ChaCha8Rng::seed_from_u64(4);
+        let mut noise = || -> f64 { StandardNormal.sample(random) };
+        let response: Vec<f64> =
+            (0..400).map(|row| if (200..260).contains(&row) { 210.0 } else { 210.0 + 0.004 * noise() }).collect();
+        let inputs = Inputs {
+            time_s: Some((0..400).map(f64::from).collect()),
+            run: vec![1; 400],
+            force_n: Some(vec![0.0; 400]),
+            temperature_c: Some((0..400).map(|row| temperature_c(row, noise())).collect()),
+            ..Inputs::default()
+        };
+        let problem = Problem { inputs: &inputs, response: &response, simulator: &Plate::new(Some(true)) };
+        dead_channel(&problem, &Rows { inputs: &inputs, given: None, unit: "pF" }).is_some()
+    }
+
+    /// "while the inputs move by 80 % of their range" was said of a thermometer that showed 0.1 K of noise, and no physics was named.
+    #[test]
+    fn a_thermometer_that_shows_only_noise_does_not_move() {
+        assert!(!hangs(|_, noise| 22.0 + 0.1 * noise));
+        assert!(!hangs(|_, noise| 22.0 + 0.5 * noise), "noise that spans 3 K is noise");
+        assert!(!hangs(|row, noise| 22.0 + 0.6 * (row as f64 / 60.0).sin().max(0.0) + 0.01 * noise), "less than a kelvin");
+        assert!(hangs(|row, noise| 22.0 + 8.0 * (row as f64 / 60.0).sin() + 0.1 * noise));
+    }
 }

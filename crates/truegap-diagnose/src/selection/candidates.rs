@@ -13,6 +13,7 @@ use crate::{
         optimum::{Fit, Settled},
         score_test::scores,
     },
+    selection::effect_set::EffectSet,
     whitening::whitener::Whitener,
 };
 use nalgebra::DMatrix;
@@ -31,10 +32,8 @@ pub struct Tried {
 
 impl Tried {
     /// The same effects whatever their order.
-    pub fn key(&self) -> Vec<usize> {
-        let mut key = self.effects.clone();
-        key.sort_unstable();
-        key
+    pub fn key(&self) -> EffectSet {
+        EffectSet::from(self.effects.as_slice())
     }
 }
 
@@ -87,8 +86,8 @@ impl<'a> Search<'a> {
         let open = |c: &&usize| !from.effects.contains(c) && !self.stop.load(Ordering::Relaxed);
         let settled = from.fit.settled();
         let loosened = self.loosened(from).map(|l| (l.fit.settled(), l));
-        let mut launches = vec![Launch { from, settled: &settled, whitener: self.whitener }];
-        launches.extend(loosened.as_ref().map(|(settled, from)| Launch { from, settled, whitener: self.loose }));
+        let mut launches = vec![Launch { from, settled: &settled, noise: LaunchNoise::Measured }];
+        launches.extend(loosened.as_ref().map(|(settled, from)| Launch { from, settled, noise: LaunchNoise::Loose }));
         let starts = |candidate: usize| launches.iter().map(|l| self.promising(*l, candidate)).collect::<Vec<_>>();
         let mut promising: Vec<(usize, Vec<Vec<Start>>)> = candidates.par_iter().filter(open).map(|c| (*c, starts(*c))).collect();
         let gain =
@@ -120,11 +119,19 @@ impl<'a> Search<'a> {
         let fits = starts.iter().filter_map(|s| self.refine(&model, s, launch));
         let fit = fits.max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence))?;
         // a larger model cannot fit worse than the one that it holds: start again from there
-        let lost = std::ptr::eq(launch.whitener, self.whitener)
+        let lost = launch.noise == LaunchNoise::Measured
             && !self.library[candidate].foreseen()
             && fit.objective() > launch.from.fit.objective() + 0.5;
         let again = if lost { self.with_nothing_added(&model, launch, best) } else { None };
         Some(Tried { effects, fit: again.unwrap_or(fit) })
+    }
+
+    /// The noise under which `launch` was fitted.
+    fn whitener_of(&self, launch: Launch<'_>) -> &'a Whitener {
+        match launch.noise {
+            LaunchNoise::Measured => self.whitener,
+            LaunchNoise::Loose => self.loose,
+        }
     }
 
     /// A fit that starts where the new effect is absent, with the shape of `start`.
@@ -181,13 +188,13 @@ impl<'a> Search<'a> {
         let held = FitOptions { iterations: 3, tolerance: 1.0 };
         let mut z = start.z.clone();
         if z.len() > before + 1 {
-            z = approach(model, launch.whitener, &z, &bounds, &launch.from.fit.jacobian, &held).ok()?;
+            z = approach(model, self.whitener_of(launch), &z, &bounds, &launch.from.fit.jacobian, &held).ok()?;
         }
         let options = FitOptions { iterations: if start.gain > HOPELESS { 6 } else { 3 }, tolerance: 0.5 };
-        if std::ptr::eq(launch.whitener, self.whitener) {
+        if launch.noise == LaunchNoise::Measured {
             return fit_onwards(model, self.whitener, &z, &launch.from.fit.jacobian, &options).ok();
         }
-        z = fit(model, launch.whitener, &z, &FitOptions { iterations: 8, tolerance: 0.5 }).ok()?.z;
+        z = fit(model, self.whitener_of(launch), &z, &FitOptions { iterations: 8, tolerance: 0.5 }).ok()?.z;
         fit(model, self.whitener, &z, &FitOptions { iterations: 20, tolerance: 0.5 }).ok()
     }
 
@@ -229,7 +236,7 @@ impl<'a> Search<'a> {
         let mut z = from.fit.z.clone();
         z.push(size);
         z.extend_from_slice(shape);
-        let there = model.residual(&z, launch.whitener).ok()?;
+        let there = model.residual(&z, self.whitener_of(launch)).ok()?;
         let column: Vec<f64> = from.fit.residual.iter().zip(&there).map(|(a, b)| (a - b) / (size - zero)).collect();
         let found = scores(launch.settled, &DMatrix::from_column_slice(column.len(), 1, &column));
         let (score, variance) = (found.scores[0], found.covariance[(0, 0)]);
@@ -261,12 +268,21 @@ const HOPELESS: f64 = 1.5;
 /// Prior standard deviations beyond which a parameter counts as driven far.
 const DRIVEN_FAR: f64 = 4.0;
 
-/// A fitted model to start from, and the noise under which it was fitted.
+/// Under which noise a model to start from was fitted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum LaunchNoise {
+    /// that of the recording
+    Measured,
+    /// many times more: the model stays near what is known beforehand
+    Loose,
+}
+
+/// A fitted model to start from.
 #[derive(Clone, Copy)]
 struct Launch<'a> {
     from: &'a Tried,
     settled: &'a Settled,
-    whitener: &'a Whitener,
+    noise: LaunchNoise,
 }
 
 /// A starting point and what a straight step promises of it.

@@ -64,8 +64,7 @@ fn hidden(search: &Search<'_>, models: &[Tried], tried: &Tried, nothing: f64) ->
     let deviance = |objective: f64| (2.0 * (objective - tried.fit.objective())).max(0.0).sqrt();
     let needed = if tried.effects.len() > 1 { VISIBLE.max(VISIBLE_SHARE * deviance(nothing)) } else { VISIBLE };
     let without = |effect: usize| {
-        let mut key: Vec<usize> = tried.key();
-        key.retain(|e| *e != effect);
+        let key = tried.key().without(effect);
         models.iter().find(|m| m.key() == key).map(|m| m.fit.objective())
     };
     let seen = (0..tried.effects.len()).map(|index| {

@@ -4,6 +4,7 @@
 
 pub(crate) mod candidates;
 pub(crate) mod detectability;
+pub(crate) mod effect_set;
 pub(crate) mod examine;
 pub(crate) mod model_space;
 pub(crate) mod posterior;

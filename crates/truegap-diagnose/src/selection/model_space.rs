@@ -7,6 +7,7 @@ use crate::{
     fit::importance::{Sampled, sampled},
     selection::{
         candidates::{Progress, Search, Tried},
+        effect_set::EffectSet,
         prior::weight,
         tempering::temper_of,
     },
@@ -38,7 +39,7 @@ const BETTER: f64 = 0.5;
 pub(crate) struct Tries<'s, 'a> {
     search: &'s Search<'a>,
     gate: &'s Gate,
-    models: BTreeMap<Vec<usize>, Tried>,
+    models: BTreeMap<EffectSet, Tried>,
 }
 
 impl<'s, 'a> Tries<'s, 'a> {
@@ -100,12 +101,14 @@ impl<'s, 'a> Tries<'s, 'a> {
         for other in best.iter().skip(1).take(ABREAST - 1) {
             self.keep(self.search.add_each(other, all, PARTNERS, "two effects"));
         }
-        if let Some(alone) = second.effects.get(1).and_then(|partner| self.models.get(&vec![*partner]).cloned()) {
+        if let Some(alone) = second.effects.get(1).and_then(|partner| self.models.get(&EffectSet::from(&[*partner][..])).cloned())
+        {
             self.keep(self.search.add_each(&alone, all, PARTNERS, "two effects, swapped"));
         }
         for (index, one) in best.iter().enumerate().skip(1) {
             let others = best[index + 1..].iter().map(|o| o.effects[0]);
-            let others: Vec<usize> = others.filter(|o| !self.models.contains_key(&sorted(&[one.effects[0], *o]))).collect();
+            let others: Vec<usize> =
+                others.filter(|o| !self.models.contains_key(&EffectSet::from(&[one.effects[0], *o][..]))).collect();
             self.keep(self.search.add_each(one, &others, PARTNERS, "pairs of the best"));
         }
     }
@@ -120,9 +123,9 @@ impl<'s, 'a> Tries<'s, 'a> {
         let Some(triple) = self.worth_more(3) else { return };
         let without = |left_out: &usize| triple.effects.iter().copied().filter(|e| e != left_out).collect::<Vec<_>>();
         for other in pair.effects.iter().map(without) {
-            let known = self.models.get(&sorted(&other)).cloned();
+            let known = self.models.get(&EffectSet::from(other.as_slice())).cloned();
             let from = known.or_else(|| {
-                let alone = self.models.get(&vec![other[0]])?;
+                let alone = self.models.get(&EffectSet::from(&other[..1]))?;
                 self.search.add_each(alone, &other[1..], 1, "three effects, swapped").pop()
             });
             let Some(from) = from else { continue };
@@ -152,11 +155,11 @@ impl<'s, 'a> Tries<'s, 'a> {
 
     /// Fits to the end what could still matter; the search itself is content with rough fits.
     fn polish(&mut self) {
-        let mut done: BTreeSet<Vec<usize>> = BTreeSet::from([Vec::new()]);
+        let mut done: BTreeSet<EffectSet> = BTreeSet::from([EffectSet::default()]);
         loop {
             let weight = weight(self.temper(), self.search.library.len());
             let best = self.models.values().map(weight).fold(f64::NEG_INFINITY, f64::max);
-            let near = |(key, m): &(&Vec<usize>, &Tried)| !done.contains(*key) && weight(m) > best - CLOSE;
+            let near = |(key, m): &(&EffectSet, &Tried)| !done.contains(*key) && weight(m) > best - CLOSE;
             let rough: Vec<&Tried> = self.models.iter().filter(near).map(|(_, m)| m).collect();
             if rough.is_empty() || self.stopped() {
                 return;
@@ -198,12 +201,12 @@ impl<'s, 'a> Tries<'s, 'a> {
     /// Replaces Laplace's evidence by a sampled one for the models with the most weight, and for the base model.
     pub fn check(&mut self) -> EvidenceCheck {
         let weight = weight(self.temper(), self.search.library.len());
-        let mut order: Vec<(&Vec<usize>, f64)> = self.models.iter().map(|(key, m)| (key, weight(m))).collect();
+        let mut order: Vec<(&EffectSet, f64)> = self.models.iter().map(|(key, m)| (key, weight(m))).collect();
         order.sort_by(|a, b| b.1.total_cmp(&a.1));
         let best = order.first().map_or(0.0, |o| o.1);
-        let near = |(place, (key, w)): &(usize, (&Vec<usize>, f64))| key.is_empty() || (*place < SAMPLED.0 && *w > best - CLOSE);
-        let keys: Vec<Vec<usize>> = order.into_iter().enumerate().filter(near).map(|(_, (key, _))| key.clone()).collect();
-        let found: Vec<(Vec<usize>, Sampled)> =
+        let near = |(place, (key, w)): &(usize, (&EffectSet, f64))| key.is_empty() || (*place < SAMPLED.0 && *w > best - CLOSE);
+        let keys: Vec<EffectSet> = order.into_iter().enumerate().filter(near).map(|(_, (key, _))| key.clone()).collect();
+        let found: Vec<(EffectSet, Sampled)> =
             keys.par_iter().filter_map(|key| Some((key.clone(), self.sampled(key)?))).collect();
         let mut report = EvidenceCheck { models: found.len(), ..EvidenceCheck::default() };
         let shares = found.iter().map(|(_, s)| s.effective_share);
@@ -218,7 +221,7 @@ impl<'s, 'a> Tries<'s, 'a> {
         report
     }
 
-    fn sampled(&self, key: &[usize]) -> Option<Sampled> {
+    fn sampled(&self, key: &EffectSet) -> Option<Sampled> {
         let m = self.models.get(key).filter(|_| !self.stopped())?;
         let seed = key.iter().fold(0x7a11_u64, |seed, e| seed.wrapping_mul(31).wrapping_add(*e as u64 + 1));
         sampled(&self.search.model(&m.effects), self.search.whitener, &m.fit, SAMPLED.1, seed)
@@ -229,12 +232,6 @@ fn ranked(models: &[Tried]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..models.len()).collect();
     order.sort_by(|a, b| models[*b].fit.log_evidence.total_cmp(&models[*a].fit.log_evidence));
     order
-}
-
-fn sorted(effects: &[usize]) -> Vec<usize> {
-    let mut key = effects.to_vec();
-    key.sort_unstable();
-    key
 }
 
 /// Laplace's approximation against importance sampling.

@@ -7,6 +7,7 @@ use crate::{
     effects::effect::Effect,
     selection::{
         candidates::{Search, Tried},
+        effect_set::EffectSet,
         model_space::{EvidenceCheck, Tries},
         prior::{log_prior, weight},
         tempering::{least, temper_of},
@@ -116,15 +117,15 @@ impl Selection {
     /// for one another are each hidden by the other, and together they are not nothing.
     #[must_use]
     pub fn merged(mut self, hidden: impl Fn(&[Tried], &Tried) -> Option<usize>) -> Self {
-        let keys: Vec<Vec<usize>> = self.models.iter().map(Tried::key).collect();
-        let largest = keys.iter().map(Vec::len).max().unwrap_or(0);
+        let keys: Vec<EffectSet> = self.models.iter().map(Tried::key).collect();
+        let largest = keys.iter().map(|key| key.len()).max().unwrap_or(0);
         for size in (1..=largest).rev() {
             for index in 0..self.models.len() {
                 if keys[index].len() != size || self.probability[index] < NEGLIGIBLE {
                     continue;
                 }
                 let Some(dropped) = hidden(&self.models, &self.models[index]) else { continue };
-                let key: Vec<usize> = keys[index].iter().copied().filter(|e| *e != dropped).collect();
+                let key = keys[index].without(dropped);
                 // where the smaller model was not tried, nothing is known of it
                 let Some(target) = keys.iter().position(|k| *k == key) else { continue };
                 self.probability[target] += self.probability[index];
@@ -158,8 +159,8 @@ impl Selection {
     /// Probability of each effect to belong to the model, causes outside the library beside it or not.
     fn of_effects(&self) -> Vec<f64> {
         let mut sums = vec![0.0; self.effect_probability.len()];
-        let inside = self.models.iter().map(|m| &m.effects).zip(&self.probability);
-        let outside = self.unlisted.iter().map(|(u, odds)| (&u.effects, odds));
+        let inside = self.models.iter().map(|m| m.effects.as_slice()).zip(&self.probability);
+        let outside = self.unlisted.iter().map(|(u, odds)| (&*u.effects, odds));
         inside.chain(outside).for_each(|(effects, p)| effects.iter().for_each(|e| sums[*e] += p));
         let whole = self.whole();
         // rounding of many small terms
@@ -169,8 +170,7 @@ impl Selection {
 
     /// The model with exactly these effects.
     pub fn with(&self, effects: &[usize]) -> Option<&Tried> {
-        let mut key = effects.to_vec();
-        key.sort_unstable();
+        let key = EffectSet::from(effects);
         self.models.iter().find(|m| m.key() == key)
     }
 }

@@ -17,7 +17,7 @@ use crate::{
         optimum::Settled,
         score_test::{Scores, scores_with},
     },
-    selection::{candidates::Tried, prior::one_more, tempering::RIGHT_FAMILY},
+    selection::{candidates::Tried, effect_set::EffectSet, prior::one_more, tempering::RIGHT_FAMILY},
     stats::{log_sum_exp, symmetric_eigen},
     whitening::whitener::Whitener,
 };
@@ -97,7 +97,7 @@ pub struct Unlisted {
     /// the cause
     pub cause: Cause,
     /// effects of the model that it stands beside, ascending
-    pub effects: Vec<usize>,
+    pub effects: EffectSet,
     /// log weight, on the scale of the models'
     pub weight: f64,
     /// log evidence that it adds to the model

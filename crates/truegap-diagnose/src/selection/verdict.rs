@@ -4,7 +4,7 @@
 
 use crate::{
     adequacy::lack_of_fit::Adequacy,
-    selection::{posterior::Selection, tempering::RIGHT_FAMILY, unmodelled::Unlisted},
+    selection::{effect_set::EffectSet, posterior::Selection, tempering::RIGHT_FAMILY, unmodelled::Unlisted},
 };
 use serde::Serialize;
 
@@ -80,8 +80,7 @@ pub fn stated(selection: &Selection) -> Option<usize> {
     if effects.iter().all(sure) || rival_sets(selection, best).iter().any(|s| s.len() > 1) {
         return Some(best);
     }
-    let mut key: Vec<usize> = effects.iter().copied().filter(sure).collect();
-    key.sort_unstable();
+    let key: EffectSet = effects.iter().copied().filter(sure).collect();
     let smaller = selection.models.iter().position(|m| !key.is_empty() && m.key() == key);
     Some(smaller.unwrap_or(best))
 }

@@ -2,6 +2,7 @@
 //!
 //! Limits: bursts of about ten to thirty rows; judged on every row, since means of rows silence them.
 
+use crate::adequacy::tuning::{BURST_LEVEL, BURST_WINDOWS};
 use crate::stats::upper_tail;
 use std::ops::Range;
 
@@ -18,28 +19,23 @@ pub struct Burst {
     pub p_value: f64,
 }
 
-/// Probability below which a burst is one: noise is rarely quite Gaussian.
-const LEVEL: f64 = 1e-6;
-/// Rows over which bursts are looked for.
-const WINDOWS: [usize; 2] = [8, 24];
-
 impl Burst {
     /// The loudest of overlapping windows of a whitened residual, by its chi-squared; `slack` is the factor by which the noise may be larger than taken.
     pub fn loudest(residual: &[f64], runs: &[Range<usize>], slack: f64) -> Self {
         let starts = |rows: usize| runs.iter().flat_map(move |r| r.clone().step_by(rows / 2).filter(move |s| s + rows <= r.end));
-        let windows: usize = WINDOWS.iter().map(|rows| starts(*rows).count()).sum();
+        let windows: usize = BURST_WINDOWS.iter().map(|rows| starts(*rows).count()).sum();
         let of = |rows: usize, row: usize| {
             let squares = residual[row..row + rows].iter().map(|r| r * r).sum::<f64>();
             let p_value = (upper_tail(squares / slack, rows) * windows as f64).min(1.0);
             Self { row, rows, loudness: (squares / rows as f64).sqrt(), p_value }
         };
-        let all = WINDOWS.iter().flat_map(|rows| starts(*rows).map(|row| of(*rows, row)));
+        let all = BURST_WINDOWS.iter().flat_map(|rows| starts(*rows).map(|row| of(*rows, row)));
         all.min_by(|a, b| a.p_value.total_cmp(&b.p_value)).unwrap_or(Self { row: 0, rows: 0, loudness: 1.0, p_value: 1.0 })
     }
 
     /// Whether it is there.
     pub fn is_heard(&self) -> bool {
-        self.p_value < LEVEL
+        self.p_value < BURST_LEVEL
     }
 }
 

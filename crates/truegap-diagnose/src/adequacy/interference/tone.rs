@@ -2,6 +2,7 @@
 //!
 //! Limits: runs sampled evenly and at the same pace as the longest; the lowest frequencies belong to the smooth tests.
 
+use crate::adequacy::tuning::{AROUND, EVEN, LOWEST_CYCLES, SHORTEST_RUN, TONE_LEVEL};
 use rustfft::{FftPlanner, num_complex::Complex};
 use statrs::distribution::{ContinuousCDF, Gamma};
 use std::ops::Range;
@@ -19,24 +20,13 @@ pub struct Tone {
     pub p_value: f64,
 }
 
-/// Probability below which a tone is one: what calibration leaves of a slow mismatch is periodic, too, where the load is.
-const LEVEL: f64 = 1e-8;
-/// Fewest rows of a run that is listened to.
-const SHORTEST: usize = 64;
-/// Spread of the steps in time, over their median, up to which a run counts as evenly sampled; and of the pace of runs that are added up.
-const EVEN: f64 = 0.02;
-/// Lowest frequency, in cycles of the longest run.
-const LOWEST: usize = 8;
-/// Half width of the stretch of spectrum that a line is compared with, and of the gap about the line, in cycles of the longest run.
-const AROUND: (usize, usize) = (40, 4);
-
 impl Tone {
     /// No tone.
     const NONE: Self = Self { per_row: 0.0, frequency_hz: None, amplitude: 0.0, p_value: 1.0 };
 
     /// The strongest tone in a whitened residual; `time` in s.
     pub fn strongest(residual: &[f64], time: Option<&[f64]>, runs: &[Range<usize>]) -> Self {
-        let long = runs.iter().filter(|r| r.len() >= SHORTEST);
+        let long = runs.iter().filter(|r| r.len() >= SHORTEST_RUN);
         let paced: Vec<(&Range<usize>, f64)> = long.filter_map(|r| pace(time, r).map(|pace| (r, pace))).collect();
         let Some((longest, step)) = paced.iter().max_by_key(|(r, _)| r.len()).copied() else { return Self::NONE };
         let alike: Vec<&Range<usize>> = paced.iter().filter(|(_, s)| (s / step - 1.0).abs() < EVEN).map(|(r, _)| *r).collect();
@@ -44,7 +34,7 @@ impl Tone {
         let size = (2 * longest.len()).next_power_of_two();
         let power = added_up(residual, &alike, size);
         let cycle = size / longest.len();
-        let first = LOWEST * cycle;
+        let first = LOWEST_CYCLES * cycle;
         let count = (power.len().saturating_sub(first) / cycle).max(1) as f64 * 2.0;
         let Ok(noise) = Gamma::new(alike.len() as f64, 1.0) else { return Self::NONE };
         let surrounding = surroundings(&power, cycle);
@@ -64,7 +54,7 @@ impl Tone {
 
     /// Whether it is there.
     pub fn is_heard(&self) -> bool {
-        self.p_value < LEVEL
+        self.p_value < TONE_LEVEL
     }
 }
 

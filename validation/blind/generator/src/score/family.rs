@@ -4,6 +4,8 @@
 //! damage, leaking air) is met by dwell and cycling; static mechanics by geometry of loading; everything that follows temperature by a
 //! thermal sweep; field and gap by guarding and by a second gap; drift by waiting; timing by the clocks; range and reference by the
 //! instruments. Limits: an effect is in one family only; `gain_drift` is thermal because gain is made to follow temperature here.
+//!
+//! Cases with several causes are drawn from these groups. Answers are scored by the families that a reader is told ([`super::told`]).
 
 /// Families.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -11,6 +11,7 @@ pub mod judge;
 pub mod misfit;
 pub mod table;
 pub mod targets;
+pub mod told;
 pub mod truth;
 
 use claim::{Claim, ClaimError};

@@ -4,9 +4,9 @@
 
 use super::Scored;
 use super::calibration::{by_chance, expected_calibration_error, interval};
-use super::family::family;
 use super::interval::{median, wilson};
 use super::judge::Outcome;
+use super::told::told_family;
 use serde::Serialize;
 use std::collections::BTreeSet;
 
@@ -145,10 +145,10 @@ fn claims(cases: &[Scored]) -> Vec<Row> {
     ]
 }
 
-/// The families named are those of the causes.
+/// The families named, as a reader is told them, are those of the causes.
 fn same_family(case: &Scored) -> bool {
-    let named: BTreeSet<_> = case.claim.named().into_iter().map(family).collect();
-    let causes: BTreeSet<_> = case.truth.causes.iter().map(|cause| family(cause)).collect();
+    let named: BTreeSet<_> = case.claim.named().into_iter().map(told_family).collect();
+    let causes: BTreeSet<_> = case.truth.causes.iter().map(|cause| told_family(cause)).collect();
     named == causes
 }
 

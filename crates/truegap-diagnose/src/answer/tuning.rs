@@ -1,0 +1,27 @@
+//! Thresholds of what is told, with where each comes from.
+//!
+//! Limits: none of them decides a verdict; they say what is worth a reader's time.
+
+/// Detectability at which an effect would have been seen: twice the 3 below which none is claimed.
+pub(crate) const SEEN: f64 = 6.0;
+
+/// Probability from which an unmodelled cause is told; those below one per cent are counted, not listed.
+pub(crate) const NOT_NEGLIGIBLE: f64 = 0.01;
+
+/// Share of the raw effect in the base parameters from which calibration is said to have concealed it.
+pub(crate) const MOSTLY_ABSORBED: f64 = 0.9;
+
+/// Noise floors below which the error in sample looks like noise.
+pub(crate) const LIKE_NOISE: f64 = 2.0;
+
+/// Detectability from which a finding is stated plainly; below it is "most consistent with". The targets of the blind studies start at 10.
+pub(crate) const PLAINLY_SEEN: f64 = 10.0;
+
+/// Log evidence from which an unmodelled cause is worth mentioning where nothing is named: odds of 20 000 before its prior.
+pub(crate) const NEARLY: f64 = 10.0;
+
+/// Probability below which a line in the spectrum is worth mentioning: far below the level of the test, because it is one clause of a sentence on something else.
+pub(crate) const CLEAR_LINE: f64 = 1e-6;
+
+/// Rivals of the likeliest model that the next experiment is to tell it from.
+pub(crate) const MOST_RIVALS: usize = 3;

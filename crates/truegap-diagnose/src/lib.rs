@@ -30,7 +30,7 @@ pub use effects::{
 pub use pipeline::{Options, Restriction, diagnose};
 pub use selection::candidates::Progress;
 
-pub use validation::{cross_validation::parts, recovery};
+pub use validation::{confirmation, cross_validation::parts, recovery};
 
 /// Calibration of a model to a recording, noise and all: what a diagnosis does first.
 pub mod calibration {

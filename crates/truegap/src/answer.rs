@@ -97,11 +97,7 @@ pub fn at_points(model: &RunningModel, loads: &[f64], temperatures_c: &[f64]) ->
 /// # Errors
 /// [`AnswerError`] for the first row that has no answer, or a column that is not there.
 pub fn along(model: &RunningModel, recording: &Recording) -> Result<Vec<Answer>, AnswerError> {
-    let name = recording.path.display().to_string();
-    let place = |row: Option<usize>| match row {
-        Some(row) => format!("{name}, row {}", row + 1),
-        None => name.clone(),
-    };
+    let place = of_recording(recording.path.display().to_string());
     let responses = model.respond(&recording.inputs).map_err(|error| refused(error, place))?;
     Ok(responses.into_iter().enumerate().map(|(row, response)| answer(&recording.inputs, row, response, model)).collect())
 }
@@ -120,7 +116,13 @@ fn answer(inputs: &Inputs, row: usize, response: f64, model: &RunningModel) -> A
     }
 }
 
-fn refused(error: ModelFileError, place: impl Fn(Option<usize>) -> String) -> AnswerError {
+/// A place in a recording, rows counted from 1.
+pub(crate) fn of_recording(name: String) -> impl Fn(Option<usize>) -> String {
+    move |row| row.map_or_else(|| name.clone(), |row| format!("{name}, row {}", row + 1))
+}
+
+/// The error with its place, given the row where one is known.
+pub(crate) fn refused(error: ModelFileError, place: impl Fn(Option<usize>) -> String) -> AnswerError {
     match error {
         ModelFileError::Simulation(SimulationError::GapCloses { row, strain, .. }) => {
             AnswerError::GapCloses { place: place(Some(row)), strain }

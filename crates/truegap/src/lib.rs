@@ -8,6 +8,7 @@ pub mod audit_run;
 pub mod axis;
 pub mod base;
 pub mod case_file;
+pub mod confirm;
 pub mod diagnosis;
 pub mod example;
 pub mod export;

@@ -41,6 +41,9 @@ pub struct ModelFile {
     /// calibrated parameters of the base model
     #[serde(rename = "parameter")]
     pub parameters: Vec<NamedValue>,
+    /// the same parameters where the base model was calibrated alone; absent in files of earlier versions
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub base_alone: Vec<NamedValue>,
     /// added physics
     #[serde(rename = "effect", default, skip_serializing_if = "Vec::is_empty")]
     pub effects: Vec<AddedEffect>,
@@ -111,6 +114,7 @@ impl ModelFile {
             base: diagnosed.base.spec.clone(),
             scales: augmented.scales,
             parameters: augmented.parameters.clone(),
+            base_alone: augmented.base_alone.clone(),
             effects: augmented.effects.clone(),
         })
     }
@@ -160,28 +164,37 @@ impl ModelFile {
     pub fn build(&self) -> Result<RunningModel, ModelFileError> {
         let sensor = self.sensor.as_ref().map(|text| Sensor::from_toml(text, "sensor of the model file")).transpose()?;
         let simulator = self.base.informed(sensor.as_ref(), sensor.as_ref().and_then(foreseen))?;
-        let values = self.values(simulator.as_ref())?;
-        let model = RunningModel { simulator, values, augmented: self.augmented() };
+        let values = values(&self.parameters, simulator.as_ref())?;
+        // a base without parameters is the same alone
+        let is_known = !self.base_alone.is_empty() || values.is_empty();
+        let alone = is_known.then(|| self::values(&self.base_alone, simulator.as_ref())).transpose()?;
+        let model = RunningModel { simulator, values, alone, augmented: self.augmented() };
         model.check()?;
         Ok(model)
     }
 
     fn augmented(&self) -> Augmented {
-        Augmented { parameters: self.parameters.clone(), effects: self.effects.clone(), scales: self.scales }
-    }
-
-    fn values(&self, simulator: &dyn Simulator) -> Result<Vec<f64>, ModelFileError> {
-        let model = || simulator.name().to_owned();
-        let needed = simulator.parameters();
-        if let Some(surplus) = self.parameters.iter().find(|p| needed.iter().all(|n| n.name != p.name)) {
-            return Err(ModelFileError::SurplusParameter { name: surplus.name.clone(), model: model() });
+        Augmented {
+            parameters: self.parameters.clone(),
+            base_alone: self.base_alone.clone(),
+            effects: self.effects.clone(),
+            scales: self.scales,
         }
-        let value = |name: &str| self.parameters.iter().find(|p| p.name == name).map(|p| p.value);
-        needed
-            .iter()
-            .map(|n| value(&n.name).ok_or_else(|| ModelFileError::MissingParameter { name: n.name.clone(), model: model() }))
-            .collect()
     }
+}
+
+/// The values of a base model's parameters, in its order, from those of a file.
+fn values(listed: &[NamedValue], simulator: &dyn Simulator) -> Result<Vec<f64>, ModelFileError> {
+    let model = || simulator.name().to_owned();
+    let needed = simulator.parameters();
+    if let Some(surplus) = listed.iter().find(|p| needed.iter().all(|n| n.name != p.name)) {
+        return Err(ModelFileError::SurplusParameter { name: surplus.name.clone(), model: model() });
+    }
+    let value = |name: &str| listed.iter().find(|p| p.name == name).map(|p| p.value);
+    needed
+        .iter()
+        .map(|n| value(&n.name).ok_or_else(|| ModelFileError::MissingParameter { name: n.name.clone(), model: model() }))
+        .collect()
 }
 
 fn sensor_text(name: &str, folder: Option<&Path>) -> Result<String, ModelFileError> {
@@ -197,6 +210,8 @@ fn sensor_text(name: &str, folder: Option<&Path>) -> Result<String, ModelFileErr
 pub struct RunningModel {
     simulator: Box<dyn Simulator>,
     values: Vec<f64>,
+    /// values where the base model was calibrated alone
+    alone: Option<Vec<f64>>,
     augmented: Augmented,
 }
 
@@ -216,6 +231,41 @@ impl RunningModel {
         let stages = self.augmented.stages(&Library::default(), &context)?;
         let stages: Vec<_> = stages.iter().map(AsRef::as_ref).collect();
         Ok(self.simulator.respond(&self.values, inputs, &stages)?)
+    }
+
+    /// Whether the values are known that the base model had where it was calibrated alone.
+    pub fn base_is_known(&self) -> bool {
+        self.alone.is_some()
+    }
+
+    /// Response of each row without the added physics: at the values of the base model alone, or at those of the augmented model where the file has no others.
+    ///
+    /// # Errors
+    /// As [`RunningModel::respond`].
+    pub fn respond_alone(&self, inputs: &Inputs) -> Result<Vec<f64>, ModelFileError> {
+        Ok(self.simulator.respond(self.alone.as_ref().unwrap_or(&self.values), inputs, &[])?)
+    }
+
+    /// The added effects that have a number for each run: these mean nothing in the runs of another recording.
+    pub fn bound_to_runs(&self, library: &Library) -> Vec<String> {
+        let inputs = Inputs { run: vec![1], ..Inputs::default() };
+        let context = |runs: usize| Context { runs, ..Context::new(&inputs, self.simulator.as_ref(), 0.0, 0.0) };
+        let (one, three) = (context(1), context(3));
+        let effects = self.augmented.effects.iter().filter_map(|added| library.find(&added.id));
+        let bound = effects.filter(|effect| effect.parameters(&one).len() != effect.parameters(&three).len());
+        bound.map(|effect| effect.id().to_string()).collect()
+    }
+
+    /// The added effects that `inputs` could not show, each with the reason; `span` is the range of the response.
+    pub fn not_shown_by(&self, inputs: &Inputs, span: f64, library: &Library) -> Vec<(String, String)> {
+        let context = Context::new(inputs, self.simulator.as_ref(), span, self.augmented.scales.noise_sd);
+        let effects = self.augmented.effects.iter().filter_map(|added| library.find(&added.id));
+        effects.filter_map(|effect| effect.testable(&context).err().map(|why| (effect.id().to_string(), why))).collect()
+    }
+
+    /// Ids of the added effects.
+    pub fn effects(&self) -> Vec<String> {
+        self.augmented.effects.iter().map(|added| added.id.clone()).collect()
     }
 
     /// Every effect is known and has its numbers.

@@ -72,6 +72,7 @@ fn file() -> ModelFile {
             noise_sd: 0.001,
         },
         parameters: base.parameters().iter().zip(values()).map(|(p, v)| named(&p.name, &p.unit, v)).collect(),
+        base_alone: Vec::new(),
         effects: EFFECTS.iter().map(added).collect(),
     }
 }

@@ -4,6 +4,7 @@
 
 mod audit;
 mod coefficients;
+mod confirm;
 mod diagnose;
 mod export;
 mod merge;
@@ -72,6 +73,7 @@ commands! {
     Export(export::Export),
     Merge(merge::Merge),
     Diagnose(diagnose::Diagnose),
+    Confirm(confirm::Confirm),
     Mesh(mesh::Mesh),
     Solve(solve::Solve),
     Prove(prove::Prove),

@@ -11,6 +11,9 @@ use truegap_core::Stage;
 pub struct Augmented {
     /// base parameters
     pub parameters: Vec<NamedValue>,
+    /// the same parameters where the base model alone was calibrated; empty where that is not known
+    #[serde(default)]
+    pub base_alone: Vec<NamedValue>,
     /// added effects
     pub effects: Vec<AddedEffect>,
     /// facts that the effects scale by

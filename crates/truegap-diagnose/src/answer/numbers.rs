@@ -54,12 +54,17 @@ pub(crate) fn augmented(found: &Found<'_>) -> Augmented {
         parameters: fitted(found, chosen, model.range_of(index)).into_iter().map(named).collect(),
     };
     let context = found.search.context;
-    let base = fitted(found, chosen, 0..model.base_count());
+    let count = model.base_count();
     // of several recordings, the model of the first one's sensor
     let joined = found.search.problem.simulator.joined();
-    let own: Vec<usize> = joined.map_or_else(|| (0..base.len()).collect(), |joined| joined.places(0).to_vec());
+    let own: Vec<usize> = joined.map_or_else(|| (0..count).collect(), |joined| joined.places(0).to_vec());
+    let base_of = |tried: &Tried| {
+        let all = fitted(found, tried, 0..count);
+        own.iter().map(|i| named(all[*i].clone())).collect()
+    };
     Augmented {
-        parameters: own.into_iter().map(|i| named(base[i].clone())).collect(),
+        parameters: base_of(chosen),
+        base_alone: base_of(found.selection.base()),
         effects: chosen.effects.iter().enumerate().map(effect).collect(),
         scales: Scales {
             longest_run_s: context.longest_run_s,

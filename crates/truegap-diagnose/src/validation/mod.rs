@@ -1,7 +1,8 @@
-//! How far an answer can be trusted: rows left out, permuted histories, recordings whose cause is known.
+//! How far an answer can be trusted: rows left out, permuted histories, recordings whose cause is known, another recording.
 //!
 //! Limits: decides nothing.
 
+pub mod confirmation;
 pub(crate) mod cross_validation;
 pub(crate) mod permutation;
 pub mod recovery;

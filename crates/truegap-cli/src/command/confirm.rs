@@ -1,0 +1,72 @@
+//! `truegap confirm`: whether a recording that took no part bears out what a diagnosis has added.
+//!
+//! Limits: reads, calls, prints.
+
+use super::{Outcome, Run, recorded};
+use crate::console::Console;
+use crate::table::{digits, table};
+use std::path::PathBuf;
+use truegap::confirm::{Confirmation, FILES, Free, confirm, words};
+use truegap::diagnose::confirmation::Judgement;
+use truegap::output::OutputFolder;
+
+/// Judge the augmented model of a diagnosis on a recording that took no part in it
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Exit codes: 0 confirmed, 1 refuted or cannot tell, 2 it could not run.")]
+pub struct Confirm {
+    /// Model file: the augmented.toml of a diagnosis
+    #[arg(value_name = "AUGMENTED")]
+    model: PathBuf,
+    /// TOML or CSV of the other recording, or a folder with a recording.toml
+    #[arg(value_name = "OTHER")]
+    recording: PathBuf,
+    /// What may be fitted to the other recording: gain, offset, or gain,offset of its reading; nothing else is
+    #[arg(long, value_delimiter = ',', value_name = "WHAT")]
+    free: Vec<String>,
+    /// Sensor column of a recording that holds several
+    #[arg(long, value_name = "NAME")]
+    channel: Option<String>,
+    /// Folder for confirmation.json and confirmation.csv
+    #[arg(long, short, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+impl Run for Confirm {
+    fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
+        let free = Free::of(&self.free)?;
+        if let Some(folder) = &self.output {
+            OutputFolder::check(folder, &FILES)?;
+        }
+        let recording = recorded(&self.recording)?;
+        recording.notes.iter().for_each(|note| console.note(note));
+        let confirmed = confirm(&self.model, recording, self.channel.as_deref(), free)?;
+        let document = &confirmed.document;
+        if let Some(folder) = &self.output {
+            confirmed.write(folder)?;
+        }
+        if console.json {
+            console.print_json(document)?
+        } else {
+            print(console, document)?
+        }
+        Ok(if document.verdict == Judgement::Confirmed { Outcome::Fine } else { Outcome::LookAt })
+    }
+}
+
+fn print(console: &Console, document: &Confirmation) -> anyhow::Result<()> {
+    let unit = &document.unit;
+    let header = ["".to_owned(), format!("error (RMS)\n{unit}"), "gain".to_owned(), format!("offset\n{unit}")];
+    let is_free = |word: &str| document.free.contains(&word);
+    let cell = |word: &str, value: f64| if is_free(word) { digits(value, 4) } else { "-".to_owned() };
+    let models = [("base model alone", &document.base), ("augmented model", &document.augmented)];
+    let rows = models.map(|(name, model)| {
+        let (gain, offset) = (cell("gain", model.reading.gain), cell("offset", model.reading.offset));
+        vec![name.to_owned(), digits(model.rmse, 4), gain, offset]
+    });
+    let noise = vec!["noise".to_owned(), digits(document.noise.rmse, 4), "-".to_owned(), "-".to_owned()];
+    console.print(format!("Verdict: {}. {}\n", words(document.verdict), document.says))?;
+    console.print(table(&header, rows.into_iter().chain([noise])))?;
+    console.print(format!("Noise: {}.", document.noise.says))?;
+    document.notes.iter().for_each(|note| console.note(note));
+    Ok(())
+}

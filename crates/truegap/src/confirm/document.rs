@@ -1,0 +1,156 @@
+//! The answer: `confirmation.json`, its sentence, and the columns of `confirmation.csv`.
+//!
+//! Limits: decides nothing.
+
+use super::ConfirmError;
+use crate::output::OutputFolder;
+use serde::Serialize;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use truegap_core::Recording;
+use truegap_diagnose::confirmation::{Compared, Judgement, LEVEL, NoiseFloor, Reading};
+use truegap_diagnose::text::{capitalised, listed, p_value, significant, spoken};
+
+/// Identifier of the document.
+pub const SCHEMA: &str = "truegap.confirmation/1";
+/// Names of the files that are written.
+pub const FILES: [&str; 2] = ["confirmation.json", "confirmation.csv"];
+
+/// The model that was judged.
+#[derive(Clone, Debug, Serialize)]
+pub struct ModelFacts {
+    /// its file
+    pub file: String,
+    /// recording that it was fitted to
+    pub recording: String,
+    /// SHA-256 of that recording
+    pub sha256: String,
+    /// verdict of that diagnosis
+    pub verdict: String,
+    /// ids of the added effects
+    pub effects: Vec<String>,
+    /// whether the file has the values of the base model calibrated alone
+    pub base_is_known: bool,
+}
+
+/// The recording that took no part.
+#[derive(Clone, Debug, Serialize)]
+pub struct OtherFacts {
+    /// its file
+    pub source: String,
+    /// SHA-256
+    pub sha256: String,
+    /// rows
+    pub rows: usize,
+    /// runs
+    pub runs: usize,
+}
+
+/// One model on the other recording.
+#[derive(Clone, Debug, Serialize)]
+pub struct Errors {
+    /// root-mean-square error, response unit
+    pub rmse: f64,
+    /// gain and offset that were fitted, as far as they were free
+    #[serde(flatten)]
+    pub reading: Reading,
+}
+
+/// The answer, as `confirmation.json` holds it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Confirmation {
+    /// always [`SCHEMA`]
+    pub schema: &'static str,
+    /// program and version
+    pub made_by: String,
+    /// the model
+    pub model: ModelFacts,
+    /// the recording that took no part
+    pub recording: OtherFacts,
+    /// unit of the response
+    pub unit: String,
+    /// what was fitted to this recording
+    pub free: Vec<&'static str>,
+    /// base model alone
+    pub base: Errors,
+    /// augmented model
+    pub augmented: Errors,
+    /// noise
+    pub noise: NoiseFloor,
+    /// level of the verdict
+    pub level: f64,
+    /// verdict
+    pub verdict: Judgement,
+    /// what it rests on
+    pub test: Compared,
+    /// verdict where gain and offset are free, whatever was asked
+    pub verdict_if_gain_and_offset_are_free: Judgement,
+    /// the answer in a sentence
+    pub says: String,
+    /// what a reader should know beside it
+    pub notes: Vec<String>,
+}
+
+/// The answer and its columns.
+pub struct Confirmed {
+    /// the answer
+    pub document: Confirmation,
+    pub(super) recording: Recording,
+    pub(super) base: Vec<f64>,
+    pub(super) augmented: Vec<f64>,
+}
+
+/// `confirmed`, `refuted` or `cannot tell`.
+pub fn words(judgement: Judgement) -> &'static str {
+    match judgement {
+        Judgement::Confirmed => "confirmed",
+        Judgement::Refuted => "refuted",
+        Judgement::CannotTell => "cannot tell",
+    }
+}
+
+pub(super) fn says(test: &Compared, errors: [&Errors; 2], noise: &NoiseFloor, unit: &str, effects: &[String]) -> String {
+    let added = listed(&effects.iter().map(|id| spoken(id)).collect::<Vec<_>>(), "and");
+    let [before, after, floor] = [errors[0].rmse, errors[1].rmse, noise.rmse].map(|error| significant(error, 3));
+    let test_says = format!(
+        "in {} of {} blocks with it the error is smaller, p = {}, level {:.0} %",
+        test.better_in,
+        test.blocks,
+        p_value(test.p_value),
+        100.0 * LEVEL
+    );
+    let errors = format!("error {before} {unit} without and {after} {unit} with it, noise {floor} {unit}");
+    match test.judgement {
+        Judgement::Confirmed => format!("{} predicts this recording better ({errors}; {test_says}).", capitalised(&added)),
+        Judgement::Refuted => format!("{} predicts this recording worse ({errors}; {test_says}).", capitalised(&added)),
+        Judgement::CannotTell => {
+            format!("Whether {added} predicts this recording better cannot be told ({errors}; {test_says}).")
+        }
+    }
+}
+
+impl Confirmed {
+    /// Every row with both predictions, in the response's unit; gain and offset as fitted.
+    pub fn csv(&self) -> String {
+        let time = self.recording.inputs.time_s.as_ref();
+        let mut text =
+            String::from(if time.is_some() { "run,time_s,recorded,base,augmented\n" } else { "run,recorded,base,augmented\n" });
+        for (row, run) in self.recording.inputs.run.iter().enumerate() {
+            let clock = time.map_or_else(String::new, |t| format!("{},", t[row]));
+            let (read, base, augmented) = (self.recording.response[row], self.base[row], self.augmented[row]);
+            let _ = writeln!(text, "{run},{clock}{read},{base},{augmented}"); // writing to a String cannot fail
+        }
+        text
+    }
+
+    /// Writes confirmation.json and confirmation.csv, both or none.
+    ///
+    /// # Errors
+    /// [`ConfirmError`] where the disk refuses.
+    pub fn write(&self, folder: &Path) -> Result<PathBuf, ConfirmError> {
+        let out = OutputFolder::begin(folder)?;
+        out.write(FILES[0], serde_json::to_string_pretty(&self.document)? + "\n")?;
+        out.write(FILES[1], self.csv())?;
+        Ok(out.publish()?)
+    }
+}

@@ -1,0 +1,57 @@
+//! Why nothing can be judged.
+
+use crate::answer::AnswerError;
+use crate::diagnosis::DiagnosisError;
+use crate::model_file::ModelFileError;
+use crate::output::OutputError;
+use truegap_diagnose::DiagnoseError;
+
+/// Why nothing can be judged.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+#[allow(missing_docs)] // the fields are named by the messages
+pub enum ConfirmError {
+    /// Not a model file.
+    #[error(transparent)]
+    Model(#[from] ModelFileError),
+    /// The recording cannot be taken as it is.
+    #[error(transparent)]
+    Recording(#[from] DiagnosisError),
+    /// Nothing to be judged.
+    #[error(
+        "{model}: no physics is added to its base model, so there is nothing to confirm; give the augmented.toml of a diagnosis that found a cause"
+    )]
+    NothingAdded { model: String },
+    /// The recording took part.
+    #[error("{recording}: the model was fitted to this recording; give one that took no part")]
+    TookPart { recording: String },
+    /// Another kind of reading.
+    #[error(
+        "{recording}: its response is in {found}, the model's in {wanted}; name the unit under [units], or give a recording of the same kind"
+    )]
+    Unit { recording: String, found: String, wanted: String },
+    /// Numbers that belong to the runs of one recording.
+    #[error(
+        "{model}: {effects} has a number for each run of the recording that it was fitted to, which means nothing in the runs of another; diagnose without it \
+         (--effects), or join the recordings in one diagnosis"
+    )]
+    BoundToRuns { model: String, effects: String },
+    /// The recording could not show what was added.
+    #[error("{recording}: could not show {reasons}; give a recording that drives what was added")]
+    NotShown { recording: String, reasons: String },
+    /// The model has no answer there.
+    #[error(transparent)]
+    NoAnswer(#[from] AnswerError),
+    /// The noise has no answer.
+    #[error("{recording}: its noise: {source}")]
+    Noise { recording: String, source: DiagnoseError },
+    /// A word that means nothing.
+    #[error("--free {word}: only `gain` and `offset` can be free")]
+    Free { word: String },
+    /// The answer cannot be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// The answer cannot be written as JSON.
+    #[error("the confirmation cannot be written as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}

@@ -1,0 +1,179 @@
+//! A model file judged on a recording that took no part in it: is what was added borne out there?
+//!
+//! Limits: nothing is refitted but a gain and an offset of the reading, where that is said; readings that a diagnosis would leave out count as they are.
+
+mod document;
+mod error;
+
+pub use document::{Confirmation, Confirmed, Errors, FILES, ModelFacts, OtherFacts, SCHEMA, words};
+pub use error::ConfirmError;
+
+use crate::answer::{of_recording, refused};
+use crate::diagnosis::{Request, open};
+use crate::model_file::{ModelFile, RunningModel};
+use document::says;
+use std::path::Path;
+use truegap_core::Recording;
+use truegap_diagnose::confirmation::{Compared, Judgement, LEVEL, NoiseFloor, Reading, compared, noise_floor};
+use truegap_diagnose::text::{listed, spoken};
+use truegap_diagnose::{Library, Problem};
+
+/// What is fitted to the other recording: the same for base and augmented model, each by itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Free {
+    /// gain of the reading
+    pub gain: bool,
+    /// offset of the reading
+    pub offset: bool,
+}
+
+impl Free {
+    /// From words of the command line.
+    ///
+    /// # Errors
+    /// [`ConfirmError::Free`] for any word but `gain` and `offset`.
+    pub fn of(words: &[String]) -> Result<Self, ConfirmError> {
+        if let Some(word) = words.iter().find(|word| !matches!(word.as_str(), "gain" | "offset")) {
+            return Err(ConfirmError::Free { word: word.clone() });
+        }
+        let has = |word: &str| words.iter().any(|w| w == word);
+        Ok(Self { gain: has("gain"), offset: has("offset") })
+    }
+
+    fn words(self) -> Vec<&'static str> {
+        [("gain", self.gain), ("offset", self.offset)].into_iter().filter_map(|(word, is)| is.then_some(word)).collect()
+    }
+}
+
+/// Judges the model file `file` on `recording`; `channel` is its sensor column where it holds several.
+///
+/// # Errors
+/// [`ConfirmError`] where the two do not belong together or a model has no answer.
+pub fn confirm(file: &Path, recording: Recording, channel: Option<&str>, free: Free) -> Result<Confirmed, ConfirmError> {
+    let name = if recording.path.as_os_str().is_empty() { "recording".to_owned() } else { recording.path.display().to_string() };
+    let request = Request { channel: channel.map(str::to_owned), ..Request::default() };
+    let recording = open(vec![recording], &request)?.recording;
+    let written = ModelFile::open(file)?;
+    let model = written.build()?;
+    let mut notes = belong_together(&model, &written, file, &recording, &name)?;
+    let no_answer = |error| refused(error, of_recording(name.clone()));
+    let predicted =
+        [model.respond_alone(&recording.inputs).map_err(no_answer)?, model.respond(&recording.inputs).map_err(no_answer)?];
+    let judged = Judged::new(&predicted, &recording, free);
+    let freed = Judged::new(&predicted, &recording, Free { gain: true, offset: true }).test.judgement;
+    let problem = Problem { inputs: &recording.inputs, response: &recording.response, simulator: model.simulator() };
+    let noise = noise_floor(&problem).map_err(|source| ConfirmError::Noise { recording: name.clone(), source })?;
+    if freed != judged.test.judgement {
+        notes.push(format!(
+            "with a gain and an offset of the reading free (--free gain,offset) the verdict would be `{}`: what decides is level or scale, not the course",
+            words(freed)
+        ));
+    }
+    let recorded =
+        OtherFacts { source: name, sha256: recording.sha256.clone(), rows: recording.len(), runs: recording.inputs.runs().len() };
+    let facts = model_facts(&model, &written, file);
+    let [base, augmented] = judged.columns.clone();
+    let document = Confirmation { free: free.words(), notes, ..judged.document(facts, recorded, noise, written.unit, freed) };
+    Ok(Confirmed { document, recording, base, augmented })
+}
+
+/// Whether this recording can say anything of this model; notes where it can with a reserve.
+fn belong_together(
+    model: &RunningModel,
+    written: &ModelFile,
+    file: &Path,
+    recording: &Recording,
+    name: &str,
+) -> Result<Vec<String>, ConfirmError> {
+    let (library, effects) = (Library::default(), model.effects());
+    let (file, name) = (file.display().to_string(), name.to_owned());
+    if effects.is_empty() {
+        return Err(ConfirmError::NothingAdded { model: file });
+    }
+    if !recording.sha256.is_empty() && written.sha256.split_whitespace().any(|hash| hash == recording.sha256) {
+        return Err(ConfirmError::TookPart { recording: name });
+    }
+    if recording.response_unit != written.unit {
+        return Err(ConfirmError::Unit { recording: name, found: recording.response_unit.clone(), wanted: written.unit.clone() });
+    }
+    let bound = model.bound_to_runs(&library);
+    if !bound.is_empty() {
+        return Err(ConfirmError::BoundToRuns { model: file, effects: bound.join(", ") });
+    }
+    let (low, high) = recording.response.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+    let hidden = model.not_shown_by(&recording.inputs, high - low, &library);
+    let reasons: Vec<String> = hidden.iter().map(|(id, why)| format!("{} ({why})", spoken(id))).collect();
+    if hidden.len() == effects.len() {
+        return Err(ConfirmError::NotShown { recording: name, reasons: listed(&reasons, "and") });
+    }
+    let mut notes: Vec<String> = reasons.iter().map(|reason| format!("the recording could not show {reason}")).collect();
+    if !model.base_is_known() {
+        notes.push(
+            "the model file has no [[base_alone]]: the base model is taken at the values of the augmented fit, without the added physics; diagnose again for the \
+             base model as it was calibrated alone"
+                .into(),
+        );
+    }
+    Ok(notes)
+}
+
+fn model_facts(model: &RunningModel, written: &ModelFile, file: &Path) -> ModelFacts {
+    ModelFacts {
+        file: file.display().to_string(),
+        recording: written.recording.clone(),
+        sha256: written.sha256.clone(),
+        verdict: written.verdict.clone(),
+        effects: model.effects(),
+        base_is_known: model.base_is_known(),
+    }
+}
+
+/// Base and augmented model, in this order, with what is free fitted, and their comparison.
+struct Judged {
+    columns: [Vec<f64>; 2],
+    errors: [Errors; 2],
+    test: Compared,
+}
+
+impl Judged {
+    fn new(predicted: &[Vec<f64>; 2], recording: &Recording, free: Free) -> Self {
+        let response = &recording.response;
+        let readings = predicted.each_ref().map(|p| Reading::fitted(p, response, free.gain, free.offset));
+        let columns = [0, 1].map(|k: usize| readings[k].of(&predicted[k]));
+        let rmse = |column: &[f64]| {
+            let squares: f64 = column.iter().zip(response).map(|(p, r)| (p - r).powi(2)).sum();
+            (squares / response.len().max(1) as f64).sqrt()
+        };
+        let errors = [0, 1].map(|k: usize| Errors { rmse: rmse(&columns[k]), reading: readings[k] });
+        let test = compared(&columns[0], &columns[1], response, &recording.inputs.runs());
+        Self { columns, errors, test }
+    }
+
+    fn document(
+        self,
+        model: ModelFacts,
+        recording: OtherFacts,
+        noise: NoiseFloor,
+        unit: String,
+        freed: Judgement,
+    ) -> Confirmation {
+        let [base, augmented] = self.errors;
+        Confirmation {
+            schema: SCHEMA,
+            made_by: format!("truegap {}", env!("CARGO_PKG_VERSION")),
+            says: says(&self.test, [&base, &augmented], &noise, &unit, &model.effects),
+            model,
+            recording,
+            unit,
+            free: Vec::new(),
+            base,
+            augmented,
+            noise,
+            level: LEVEL,
+            verdict: self.test.judgement,
+            test: self.test,
+            verdict_if_gain_and_offset_are_free: freed,
+            notes: Vec::new(),
+        }
+    }
+}

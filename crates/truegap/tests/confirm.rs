@@ -1,0 +1,158 @@
+//! What a diagnosis found on one recording, judged on another: the same physics is confirmed, its absence refutes it, and what cannot be judged is refused.
+
+#![allow(clippy::unwrap_used)]
+
+use std::path::{Path, PathBuf};
+use std::sync::{OnceLock, atomic::AtomicBool};
+use truegap::confirm::{ConfirmError, Confirmation, Free, SCHEMA, confirm};
+use truegap::core::{Inputs, Recording};
+use truegap::diagnose::answer::{AddedEffect, NamedValue};
+use truegap::diagnose::confirmation::Judgement;
+use truegap::diagnose::{Context, library};
+use truegap::diagnosis::{Request, diagnose, open};
+use truegap::example_recording;
+use truegap::model_file::ModelFile;
+
+const FIXED: Free = Free { gain: false, offset: false };
+const BOTH: Free = Free { gain: true, offset: true };
+
+/// What the built-in recording is diagnosed with: a thermal lag.
+fn found() -> &'static ModelFile {
+    static FOUND: OnceLock<ModelFile> = OnceLock::new();
+    FOUND.get_or_init(|| {
+        let (recording, request) = (example_recording().unwrap(), Request::default());
+        let files = vec![("example".to_owned(), recording.sha256.clone())];
+        let diagnosed = diagnose(open(vec![recording], &request).unwrap(), files, &request, &|_| (), &AtomicBool::new(false));
+        ModelFile::of(&diagnosed.unwrap()).unwrap()
+    })
+}
+
+fn written(folder: &Path, file: &ModelFile) -> PathBuf {
+    let path = folder.join("augmented.toml");
+    std::fs::write(&path, file.to_toml().unwrap()).unwrap();
+    path
+}
+
+/// Unit Gaussian numbers, always the same for a seed.
+fn gaussian(seed: u64) -> impl FnMut() -> f64 {
+    let mut state = seed;
+    let mut uniform = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((state >> 11) as f64 + 0.5) / (1u64 << 53) as f64
+    };
+    move || (-2.0 * uniform().ln()).sqrt() * (std::f64::consts::TAU * uniform()).cos()
+}
+
+/// Another history: a slow swing of the temperature and steps of load, one run, with rest at its begin.
+fn history(rows: usize) -> Inputs {
+    let time: Vec<f64> = (0..rows).map(|row| 10.0 * row as f64).collect();
+    let moving = |t: &f64| (t - 1500.0).max(0.0);
+    Inputs {
+        run: vec![1; rows],
+        force_n: Some(time.iter().map(|t| f64::from((moving(t) / 700.0) as u32 % 4)).collect()),
+        temperature_c: Some(time.iter().map(|t| 25.0 + 8.0 * (moving(t) / 100.0).sin()).collect()),
+        time_s: Some(time),
+        ..Inputs::default()
+    }
+}
+
+/// A recording of the sensor of [`found`] on this history, with or without the lag; the lag by the equations that no fit uses.
+fn other(has_lag: bool, gain: f64, offset: f64) -> Recording {
+    let (file, inputs) = (found(), history(1200));
+    let sensor = truegap::Sensor::from_toml(file.sensor.as_ref().unwrap(), "sensor").unwrap();
+    let base = file.base.build(Some(&sensor)).unwrap();
+    let values: Vec<f64> = file.parameters.iter().map(|p| p.value).collect();
+    let effects = library();
+    let lag = effects.iter().find(|e| e.id().0 == "thermal_lag").unwrap();
+    let context = Context::new(&inputs, base.as_ref(), 1.0, file.scales.noise_sd);
+    let numbers: Vec<f64> = file.effects[0].parameters.iter().map(|p| p.value).collect();
+    let stage = lag.sibling(&numbers, &context).unwrap();
+    let stages = if has_lag { vec![stage.as_ref()] } else { Vec::new() };
+    let mut noise = gaussian(11);
+    let mut response = base.respond(&values, &inputs, &stages).unwrap();
+    response.iter_mut().for_each(|r| *r = gain * *r + offset + file.scales.noise_sd * noise());
+    Recording::new(inputs, response, &file.unit, example_recording().unwrap().base).unwrap()
+}
+
+fn judged(recording: Recording, free: Free) -> Confirmation {
+    let folder = tempfile::tempdir().unwrap();
+    let confirmed = confirm(&written(folder.path(), found()), recording, None, free).unwrap();
+    let out = confirmed.write(&folder.path().join("out")).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(out.join("confirmation.json")).unwrap()).unwrap();
+    assert_eq!((json["schema"].as_str(), json["level"].as_f64()), (Some(SCHEMA), Some(0.05)));
+    assert_eq!(std::fs::read_to_string(out.join("confirmation.csv")).unwrap().lines().count(), 1201);
+    confirmed.document
+}
+
+#[test]
+fn the_same_physics_on_another_history_is_confirmed() {
+    assert_eq!(found().effects.iter().map(|e| e.id.as_str()).collect::<Vec<_>>(), ["thermal_lag"]);
+    let alone = |name: &str| found().base_alone.iter().find(|p| p.name == name).unwrap().value;
+    assert_eq!(found().base_alone.len(), found().parameters.len());
+    assert!(found().parameters.iter().any(|p| alone(&p.name) != p.value), "these are the values of the augmented fit");
+    let answer = judged(other(true, 1.0, 0.0), FIXED);
+    assert_eq!(answer.verdict, Judgement::Confirmed, "{}", answer.says);
+    assert!(answer.model.base_is_known && answer.notes.is_empty(), "{:?}", answer.notes);
+    // white noise of this size is all that is left but the difference of the two forms of the lag
+    let sd = found().scales.noise_sd;
+    assert!((0.95..1.5).contains(&(answer.augmented.rmse / sd)), "{} of {sd}", answer.augmented.rmse);
+    assert!((0.8..1.25).contains(&(answer.noise.rmse / sd)), "{} of {sd}: {}", answer.noise.rmse, answer.noise.says);
+    // the lag that calibration alone cannot take up is as large as the noise: sqrt(2) or more
+    assert!(answer.base.rmse > 1.41 * answer.augmented.rmse, "{}", answer.says);
+}
+
+#[test]
+fn a_recording_without_the_physics_refutes_it() {
+    let answer = judged(other(false, 1.0, 0.0), FIXED);
+    assert_eq!(answer.verdict, Judgement::Refuted, "{}", answer.says);
+    assert!(answer.augmented.rmse > answer.base.rmse && answer.test.difference < 0.0, "{}", answer.says);
+}
+
+#[test]
+fn a_reading_with_a_gain_and_zero_of_its_own_is_judged_where_they_are_free() {
+    let answer = judged(other(true, 0.9, 40.0), BOTH);
+    assert_eq!(answer.verdict, Judgement::Confirmed, "{}", answer.says);
+    let reading = answer.augmented.reading;
+    assert!((reading.gain - 0.9).abs() < 0.01 && answer.free == ["gain", "offset"], "{reading:?}");
+    // not free: both models are off by the level, which says nothing of the lag; a verdict that hangs on that is told
+    let fixed = judged(other(true, 0.9, 40.0), FIXED);
+    assert!(fixed.augmented.rmse > 10.0 * answer.augmented.rmse, "{}", fixed.says);
+    let told = fixed.notes.iter().any(|note| note.contains("--free gain,offset"));
+    assert_eq!(told, fixed.verdict != Judgement::Confirmed, "{:?} {:?}", fixed.verdict, fixed.notes);
+}
+
+#[test]
+fn a_file_without_the_values_of_the_base_alone_is_read_and_that_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let old = ModelFile { base_alone: Vec::new(), ..found().clone() };
+    let answer = confirm(&written(folder.path(), &old), other(true, 1.0, 0.0), None, FIXED).unwrap().document;
+    assert_eq!((answer.verdict, answer.model.base_is_known), (Judgement::Confirmed, false));
+    assert!(answer.notes[0].contains("[[base_alone]]"), "{:?}", answer.notes);
+}
+
+#[test]
+fn what_cannot_be_judged_is_refused_with_its_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    let refused = |file: &ModelFile, recording: Recording| -> ConfirmError {
+        confirm(&written(folder.path(), file), recording, None, FIXED).err().unwrap()
+    };
+    let same = other(true, 1.0, 0.0);
+    let counts = Recording { response_unit: "counts".into(), ..same.clone() };
+    assert!(matches!(refused(found(), counts), ConfirmError::Unit { .. }));
+    assert!(matches!(refused(found(), example_recording().unwrap()), ConfirmError::TookPart { .. }));
+    let bare = ModelFile { effects: Vec::new(), ..found().clone() };
+    assert!(matches!(refused(&bare, same.clone()), ConfirmError::NothingAdded { .. }));
+    let mut loadless = same.clone();
+    loadless.inputs.force_n = None;
+    assert!(matches!(refused(found(), loadless), ConfirmError::NoAnswer(_)));
+    let mut cold = same.clone();
+    cold.inputs.temperature_c = None;
+    assert!(matches!(refused(found(), cold), ConfirmError::NotShown { .. }));
+    let number = |name: &str| NamedValue { name: name.into(), unit: String::new(), value: 0.1, sd: 0.01 };
+    let steps = AddedEffect { id: "offset_steps".into(), parameters: vec![number("size"), number("jump_2")] };
+    let mut jumps = ModelFile { effects: vec![steps], ..found().clone() };
+    jumps.scales.runs = Some(2);
+    let error = refused(&jumps, same);
+    assert!(matches!(error, ConfirmError::BoundToRuns { .. }) && error.to_string().contains("offset_steps"), "{error}");
+    assert!(matches!(Free::of(&["slope".into()]), Err(ConfirmError::Free { .. })));
+}

@@ -77,7 +77,7 @@ pub(crate) fn outcome(
         concealed: concealed(found, &conflicts, &fit),
         conflicts,
         mismatch: if found.decision.verdict == Verdict::Agrees { Vec::new() } else { located(found, base) },
-        remains: if found.decision.verdict == Verdict::WrongForm { remains(found, chosen) } else { Vec::new() },
+        remains: if found.leaves_something() { remains(found, chosen) } else { Vec::new() },
         findings,
         candidates: candidates(found),
         unlisted: unlisted(found),

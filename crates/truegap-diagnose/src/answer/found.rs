@@ -76,6 +76,15 @@ impl Found<'_> {
         self.search.library[effect].id().to_string()
     }
 
+    /// Whether something is left beside what is named, to be said where.
+    pub fn leaves_something(&self) -> bool {
+        match self.decision.verdict {
+            Verdict::WrongForm => true,
+            Verdict::Explained => self.after.fires(),
+            _ => false,
+        }
+    }
+
     /// Whether a tone or bursts are what there is to say, and nothing that is missing.
     pub fn is_about_what_is_heard(&self) -> bool {
         let nothing_missing = self.decision.verdict == Verdict::Unexplained && self.decision.outside.is_none();

@@ -46,6 +46,9 @@ pub(crate) fn says(found: &Found<'_>, findings: &[Finding]) -> String {
     let names = findings.iter().map(|f| f.effect.as_str()).collect::<Vec<_>>().join(" and ");
     match decision.verdict {
         Verdict::Agrees => "no mismatch found between recording and calibrated model".into(),
+        Verdict::Explained if found.leaves_something() => {
+            format!("missing from the model: {names}; {} of the misfit is left beside it", share_left(decision.removed))
+        }
         Verdict::Explained => format!("missing from the model: {names}"),
         Verdict::Ambiguous => {
             let sets = ambiguity(found).iter().map(|s| s.join(" or ")).collect::<Vec<_>>().join("; and one of ");

@@ -143,8 +143,10 @@ fn put(all: &mut Inputs, rows: &Range<usize>, own: &Inputs) {
 }
 
 /// The noise with rows that are louder than others, seen beside the calibrated base model.
+///
+/// A row is told from its neighbours in time: without a clock, rows that follow one another are no neighbours.
 fn with_louder_rows(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, DiagnoseError> {
-    if noise.lasts() {
+    if noise.lasts() || problem.inputs.time_s.is_none() {
         return Ok(noise);
     }
     let context = problem.context(problem.span(), noise.floor());

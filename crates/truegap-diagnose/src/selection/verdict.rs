@@ -35,6 +35,10 @@ pub enum Verdict {
     Undecided,
 }
 
+/// Share of the misfit that an adequate equation removes: what is left has a tenth of its size, half of what a right equation in another form may leave
+/// (`FORM_ERROR`). Instruments and equations are rarely better, and the tests of lack of fit see a thousandth of a large misfit; the rest is described beside the answer.
+const ADEQUATE: f64 = 0.99;
+
 /// What was decided.
 #[derive(Clone, Debug)]
 pub struct Decision {
@@ -115,6 +119,7 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_f
     let outside_rivals = !sure && selection.probability_unlisted() > 1.0 - SURE;
     let verdict = match (sure && !rivals, after.fires()) {
         (true, false) => Verdict::Explained,
+        (true, true) if removed >= ADEQUATE => Verdict::Explained,
         (true, true) => Verdict::WrongForm,
         (false, _) if rivals || outside_rivals => Verdict::Ambiguous,
         (false, _) => Verdict::Undecided,

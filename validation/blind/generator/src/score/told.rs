@@ -7,9 +7,14 @@
 pub fn told_family(id: &str) -> Option<&'static str> {
     Some(match id {
         "load_cell_error" | "contact_toe_in" | "eccentric_load" | "strain_stiffening" | "bonded_layers" => "static_mechanics",
-        "viscoelastic_creep" | "rate_independent_hysteresis" | "mullins_softening" | "trapped_air_stiffness" | "ageing" => {
-            "mechanical_memory"
-        }
+        "viscoelastic_creep"
+        | "rate_independent_hysteresis"
+        | "mullins_softening"
+        | "trapped_air_stiffness"
+        | "ageing"
+        | "friction"
+        | "friction_of_second_driver"
+        | "stress_relaxation" => "mechanical_memory",
         "thermal_lag"
         | "thermal_hysteresis"
         | "electrode_warp"
@@ -17,8 +22,9 @@ pub fn told_family(id: &str) -> Option<&'static str> {
         | "permittivity_temperature"
         | "temperature_coefficient" => "thermal",
         "fringing_field" | "parasitic_capacitance" | "dead_gap" | "plate_bending" | "rim_field" => "field",
-        "gain_drift" | "saturation" | "readout_lag" | "time_offset" | "clock_rate" | "offset_drift" | "offset_steps" => "readout",
-        "humidity_uptake" => "environment",
+        "gain_drift" | "saturation" | "readout_lag" | "time_offset" | "clock_rate" | "offset_drift" | "offset_steps"
+        | "slow_response" | "regime_change" => "readout",
+        "humidity_uptake" | "driver_coefficient" | "second_driver_coefficient" => "environment",
         _ => return None,
     })
 }

@@ -222,6 +222,8 @@ impl Effect for RegimeChange {
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
+        // it is said when something was switched, which rows without a clock cannot say
+        context.needs_clock()?;
         if context.has(StageName::Dielectric).is_ok() && !matches!(Of::what_moves(context), Of::Driver(_)) {
             return Err(
                 "the base model has places for temperature and history of its own; jumps between runs are offset_steps".into()

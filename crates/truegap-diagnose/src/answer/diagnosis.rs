@@ -44,7 +44,7 @@ pub struct Diagnosis {
     pub conflicts: Vec<Conflict>,
     /// where recording and calibrated base model differ
     pub mismatch: Vec<Mismatch>,
-    /// where recording and the model with the findings still differ, for `wrong_form`
+    /// where recording and the model with the findings still differ: for `wrong_form`, and for `explained` where something is left
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub remains: Vec<Mismatch>,
     /// effects that the tool stands behind

@@ -88,7 +88,7 @@ pub(crate) fn conclude(
     outcome(&found, known, prepared.not_testable.clone(), started)
 }
 
-/// Predictions of rows left out, and the decision with them counted: what predicts worse than the base model is not claimed.
+/// Predictions of rows left out, and the decision with them counted: what predicts much worse than the base model is not claimed.
 fn predicted(
     prepared: &Prepared<'_>,
     search: &Search<'_>,

@@ -1,4 +1,4 @@
-//! Rows left out have the last word: what predicts them worse than the calibrated base model is not claimed.
+//! Rows left out have the last word: what predicts them with more than twice the error of the calibrated base model is not claimed.
 //!
 //! Limits: a number for each run, or for whatever happens, foretells nothing of a run left out and is not judged by it.
 

@@ -8,6 +8,7 @@ extern crate self as truegap_diagnose;
 mod adequacy;
 pub mod answer;
 mod data;
+mod discovery;
 pub mod effects;
 mod explain;
 mod fit;

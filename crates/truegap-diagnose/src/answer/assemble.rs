@@ -6,7 +6,8 @@ use crate::{
     answer::{
         alternatives::{ambiguity, bank_facts, candidates, smallest_visible, unlisted},
         diagnosis::{AdequacyFacts, BaseFacts, Diagnosis, NotTestable, SCHEMA},
-        errors::{concealed, fit_facts, in_sample, respond},
+        discovered::{discovered, model_of},
+        errors::{concealed, fit_facts, in_sample, respond, unseen},
         findings::findings,
         found::Found,
         known::Known,
@@ -40,6 +41,11 @@ pub(crate) fn outcome(
         in_sample(found, &before, &after).ok_or(DiagnoseError::TooFewRows { rows: before.len(), needed: FEWEST_ROWS })?;
     let fit = fit_facts(found, in_sample, unseen_before, unseen_after);
     let findings = findings(found, unseen_before, unseen_after);
+    let with_mechanisms = model_of(found).map(|tried| match found.chosen().key() == tried.key() {
+        true => unseen_after.clone(),
+        false => unseen(found, tried),
+    });
+    let mechanisms = discovered(found, unseen_before, with_mechanisms.as_ref());
     let conflicts = conflicts(found.search, base);
     let (term, flexible_rows, flexible_unseen) = match flexible(found, &before, unseen_before) {
         Some(term) => (Some(term.facts), term.prediction, term.held_out),
@@ -79,6 +85,7 @@ pub(crate) fn outcome(
         mismatch: if found.decision.verdict == Verdict::Agrees { Vec::new() } else { located(found, base) },
         remains: if found.leaves_something() { remains(found, chosen) } else { Vec::new() },
         findings,
+        discovered: mechanisms,
         candidates: candidates(found),
         unlisted: unlisted(found),
         ambiguity: ambiguity(found),

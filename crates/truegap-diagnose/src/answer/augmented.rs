@@ -2,7 +2,10 @@
 //!
 //! Limits: names and numbers only; whoever knows the base models rebuilds a simulator from it.
 
-use crate::{data::context::Context, effects::collection::Library};
+use crate::{
+    data::context::Context,
+    effects::{collection::Library, composed::mechanism::Mechanism},
+};
 use serde::{Deserialize, Serialize};
 use truegap_core::Stage;
 
@@ -40,6 +43,9 @@ pub struct AddedEffect {
     pub id: String,
     /// parameters in the order of the library
     pub parameters: Vec<NamedValue>,
+    /// words and fixed numbers of a mechanism that no library holds
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mechanism: Option<Mechanism>,
 }
 
 /// What an effect's equations take from the recording on which it was fitted.
@@ -77,6 +83,10 @@ impl Augmented {
     /// [`UnknownEffect`] for an id that the library does not have.
     pub fn stages(&self, library: &Library, context: &Context<'_>) -> Result<Vec<Box<dyn Stage>>, UnknownEffect> {
         let stage = |added: &AddedEffect| {
+            if let Some(mechanism) = &added.mechanism {
+                let values = added.parameters.iter().map(|p| (p.name.as_str(), p.value));
+                return Ok(mechanism.stage(values, context.reference_c));
+            }
             let unknown = || UnknownEffect { id: added.id.clone(), known: library.ids().join(", ") };
             let effect = library.find(&added.id).ok_or_else(unknown)?;
             Ok(effect.with(&added.parameters.iter().map(|p| p.value).collect::<Vec<_>>(), context))

@@ -7,7 +7,10 @@ use crate::{
         interference::{burst::Burst, tone::Tone},
         lack_of_fit::Adequacy,
     },
-    answer::fit_facts::{FitFacts, PredictionOnly},
+    answer::{
+        discovered::DiscoveredFacts,
+        fit_facts::{FitFacts, PredictionOnly},
+    },
     explain::{
         conflicts::Conflict, hidden_input::slow_input::ConcealedColumn, locate::Mismatch, next_experiment::NextExperiment,
     },
@@ -49,6 +52,9 @@ pub struct Diagnosis {
     pub remains: Vec<Mismatch>,
     /// effects that the tool stands behind
     pub findings: Vec<Finding>,
+    /// mechanisms composed of words where the library left something, named or not
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub discovered: Vec<DiscoveredFacts>,
     /// every effect tried alone, likeliest first
     pub candidates: Vec<Candidate>,
     /// causes outside the library that are not negligible, likeliest first

@@ -8,6 +8,7 @@ use crate::{
         interference::heard::Heard,
         lack_of_fit::{Adequacy, Gate},
     },
+    discovery::discover::Discovery,
     explain::hidden_input::slow_input::{Hidden, SlowInput},
     selection::{
         candidates::{Search, Tried},
@@ -50,6 +51,8 @@ pub struct Found<'a> {
     pub reserved: Option<Reserved>,
     /// the slow course in place of a column that was hidden on purpose, and that column
     pub slow: Option<(&'a SlowInput, &'a Hidden)>,
+    /// mechanisms from outside the library, whether they are named or not
+    pub mechanisms: &'a [Discovery],
     /// whether the search was stopped before its end
     pub interrupted: bool,
 }

@@ -6,6 +6,7 @@ pub(crate) mod alternatives;
 pub(crate) mod assemble;
 pub(crate) mod augmented;
 pub(crate) mod diagnosis;
+pub(crate) mod discovered;
 pub(crate) mod errors;
 pub(crate) mod findings;
 pub(crate) mod fit_facts;
@@ -40,6 +41,7 @@ pub use crate::{
 pub(crate) use assemble::outcome;
 pub use augmented::{AddedEffect, Augmented, NamedValue, Scales, UnknownEffect};
 pub use diagnosis::*;
+pub use discovered::DiscoveredFacts;
 pub use fit_facts::{BeforeAfter, FitFacts, FlexibleTerm, HeldOut, PredictionOnly, RecordingError};
 pub(crate) use found::{Found, Reserved};
 pub use known::Known;

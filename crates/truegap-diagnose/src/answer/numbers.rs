@@ -52,6 +52,7 @@ pub(crate) fn augmented(found: &Found<'_>) -> Augmented {
     let effect = |(index, effect): (usize, &usize)| AddedEffect {
         id: found.id(*effect),
         parameters: fitted(found, chosen, model.range_of(index)).into_iter().map(named).collect(),
+        mechanism: found.search.library[*effect].words(),
     };
     let context = found.search.context;
     let count = model.base_count();

@@ -43,6 +43,9 @@ pub(crate) fn says(found: &Found<'_>, findings: &[Finding]) -> String {
         return reserved.says.clone();
     }
     let decision = found.decision;
+    if let Some(says) = composed(found, findings) {
+        return says;
+    }
     let names = findings.iter().map(|f| f.effect.as_str()).collect::<Vec<_>>().join(" and ");
     match decision.verdict {
         Verdict::Agrees => "no mismatch found between recording and calibrated model".into(),
@@ -62,6 +65,24 @@ pub(crate) fn says(found: &Found<'_>, findings: &[Finding]) -> String {
         Verdict::Undecided if found.interrupted => "stopped before the search was finished: causes are not decided".into(),
         Verdict::Undecided => "there is a mismatch, but its cause cannot be decided from this recording".into(),
     }
+}
+
+/// What is said where mechanisms from outside the library are named: what they do, and how sure each word is.
+fn composed(found: &Found<'_>, findings: &[Finding]) -> Option<String> {
+    let first = found.search.library.len() - found.mechanisms.len();
+    let chosen = &found.chosen().effects;
+    let named = |effect: &usize| effect.checked_sub(first).and_then(|k| found.mechanisms.get(k));
+    let sentence = |(effect, finding): (&usize, &Finding)| {
+        named(effect).map_or_else(|| finding.effect.clone(), |m| format!("{} [{}]", finding.says, m.words.says()))
+    };
+    chosen.iter().any(|e| named(e).is_some()).then(|| {
+        let each = chosen.iter().zip(findings).map(sentence).collect::<Vec<_>>().join("; and ");
+        let left = match found.leaves_something() {
+            true => format!("; {} of the misfit is left beside it", share_left(found.decision.removed)),
+            false => String::new(),
+        };
+        format!("missing from the model, and in no library: {each}{left}")
+    })
 }
 
 fn unexplained(found: &Found<'_>, decision: &Decision) -> String {

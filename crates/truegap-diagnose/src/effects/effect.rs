@@ -2,7 +2,7 @@
 //!
 //! Limits: an effect knows the inputs and the chain, never the recorded response.
 
-use crate::data::context::Context;
+use crate::{data::context::Context, effects::composed::mechanism::Mechanism};
 use truegap_core::{EffectId, Parameter, Stage, simulator::StageName};
 
 /// Groups of effects that a reader would call the same kind of thing; a claim may be right about the family and wrong about the member.
@@ -114,6 +114,10 @@ pub trait Effect: Send + Sync {
     }
     /// Id of the effect that it changes, beside which alone it means something: a changed coefficient needs the coefficient.
     fn beside(&self, _context: &Context<'_>) -> Option<&'static str> {
+        None
+    }
+    /// Its words, where it is composed of words: a model file then holds all of it.
+    fn words(&self) -> Option<Mechanism> {
         None
     }
     /// Values of the parameters behind the size from which a search starts; one empty list where the size is all there is.

@@ -5,6 +5,7 @@
 use effect::Effect;
 
 pub(crate) mod collection;
+pub(crate) mod composed;
 pub(crate) mod effect;
 pub(crate) mod memory;
 

@@ -4,9 +4,13 @@
 
 use crate::text::significant;
 use crate::{
-    adequacy::interference::heard::Heard,
+    adequacy::{interference::heard::Heard, lack_of_fit::Gate},
     answer::{Found, Known, Outcome, Reserved, outcome},
     data::error::DiagnoseError,
+    discovery::{
+        compose::{Composition, compose},
+        discover::with_mechanisms,
+    },
     explain::hidden_input::slow_input::SlowInput,
     fit::model::Model,
     pipeline::{options::Options, prepare::Prepared},
@@ -60,6 +64,13 @@ pub(crate) fn conclude(
         Some(bank) => judge(search, &prepared.gate, examined.selection.sharpened(bank.power)),
         None => examined,
     };
+    let composition = composed(search, &examined, &prepared.gate, told.options);
+    let mechanisms = composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
+    let search = &with_mechanisms(search, mechanisms);
+    let examined = match &composition {
+        Some(composition) => counted(composition, examined, &prepared.gate),
+        None => examined,
+    };
     let selection = &examined.selection;
     let hidden = told.options.hidden.first();
     let slow = hidden.and_then(|hidden| Some((SlowInput::of(search, selection)?, hidden)));
@@ -83,9 +94,27 @@ pub(crate) fn conclude(
         directions: &prepared.directions,
         reserved: kept_back.or(vetoed),
         slow: slow.as_ref().map(|(slow, hidden)| (slow, *hidden)),
+        mechanisms,
         interrupted: told.asked.load(Ordering::Relaxed),
     };
     outcome(&found, known, prepared.not_testable.clone(), started)
+}
+
+/// Mechanisms from outside the library, where anything may be named at all.
+fn composed(search: &Search<'_>, examined: &Examined, gate: &Gate, options: &Options) -> Option<Composition> {
+    let free = options.compose && options.withheld.is_none() && options.restricted.is_none();
+    free.then(|| compose(search, &examined.selection, &examined.decision, &examined.after, gate)).flatten()
+}
+
+/// What was examined, with the mechanisms among its models and in its decision.
+fn counted(composition: &Composition, examined: Examined, gate: &Gate) -> Examined {
+    let key = examined.selection.models[examined.decision.model].key();
+    let selection = composition.counted_in(examined.selection);
+    // the order of the models has changed
+    let stood_behind = selection.models.iter().position(|m| m.key() == key);
+    let decision = Decision { model: stood_behind.unwrap_or(selection.base), ..examined.decision };
+    let (decision, after) = composition.decide(&selection, decision, gate);
+    Examined { selection, decision, after: after.unwrap_or(examined.after), ..examined }
 }
 
 /// Predictions of rows left out, and the decision with them counted: what predicts much worse than the base model is not claimed.

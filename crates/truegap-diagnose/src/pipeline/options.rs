@@ -10,12 +10,14 @@ use crate::{
 use std::sync::Arc;
 
 /// What a caller may choose.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Options {
     /// the effects that are known, the built-in ones unless somebody gives others
     pub library: Library,
     /// ids of the effects to try; all where empty
     pub effects: Vec<String>,
+    /// whether mechanisms are composed of words where the library leaves something
+    pub compose: bool,
     /// columns that were hidden on purpose: the first is set beside the slow course that the recording asks for without it
     pub hidden: Vec<Hidden>,
     /// the only effects that may be named, where something is wrong with the recording
@@ -24,6 +26,21 @@ pub struct Options {
     pub withheld: Option<String>,
     /// recovery bank; none where absent
     pub bank: Option<Arc<BankOptions>>,
+}
+
+impl Default for Options {
+    /// The built-in effects, all of them; what they leave is composed.
+    fn default() -> Self {
+        Self {
+            library: Library::default(),
+            effects: Vec::new(),
+            compose: true,
+            hidden: Vec::new(),
+            restricted: None,
+            withheld: None,
+            bank: None,
+        }
+    }
 }
 
 /// The only effects that may be named, and why.

@@ -9,9 +9,9 @@ use crate::{
         candidates::{Search, Tried},
         effect_set::EffectSet,
         model_space::{EvidenceCheck, Tries},
-        prior::{log_prior, weight},
+        prior::{log_prior, one_more, weight},
         tempering::{least, temper_of},
-        unmodelled::{Causes, Unlisted},
+        unmodelled::{Causes, OUTSIDE, Unlisted},
     },
     stats::log_sum_exp,
 };
@@ -87,6 +87,38 @@ impl Selection {
                 (u, odds)
             })
             .collect();
+        self.sorted()
+    }
+
+    /// Odds of one thing more beside model `beside` against all of `models` together, where it adds `gain` to the log evidence, that divided as the models' own;
+    /// such a thing from outside the library is as likely beforehand as any of [`crate::selection::unmodelled`]. Models that are not a `rival` do not count.
+    pub fn odds_beside(&self, beside: &Tried, gain: f64, slack: f64, rival: impl Fn(&Tried) -> bool) -> f64 {
+        let temper = self.temper * slack;
+        let library_size = self.effect_probability.len();
+        let weight = |m: &Tried| m.fit.tempered(temper) + log_prior(m.effects.len(), library_size);
+        let total = log_sum_exp(&self.models.iter().filter(|m| rival(m)).map(weight).collect::<Vec<_>>());
+        let own = weight(beside) + one_more(beside.effects.len()) + OUTSIDE.ln() + gain;
+        (own - total).clamp(-LARGEST, LARGEST).exp()
+    }
+
+    /// The same with all probability on the base model.
+    #[must_use]
+    pub fn base_alone(mut self) -> Self {
+        let base = self.base;
+        self.probability.iter_mut().enumerate().for_each(|(i, p)| *p = if i == base { 1.0 } else { 0.0 });
+        self.unlisted.clear();
+        self.sorted()
+    }
+
+    /// The same with one more model, `odds` against all the others together, that holds `more` effects from behind the library.
+    #[must_use]
+    pub fn with_model(mut self, tried: Tried, odds: f64, more: usize) -> Self {
+        let whole = 1.0 + odds;
+        self.probability.iter_mut().for_each(|p| *p /= whole);
+        self.unlisted.iter_mut().for_each(|(_, o)| *o /= whole);
+        self.models.push(tried);
+        self.probability.push(odds / whole);
+        self.effect_probability.extend(std::iter::repeat_n(0.0, more));
         self.sorted()
     }
 

@@ -26,7 +26,7 @@ use rayon::prelude::*;
 use std::ops::Range;
 
 /// Prior probability that something outside the library acts, over that of something inside, shared evenly by the causes.
-const OUTSIDE: f64 = 0.1;
+pub(crate) const OUTSIDE: f64 = 0.1;
 /// Rows at which a wandering course may turn, and at which a jump may lie.
 const KNOTS: usize = 64;
 /// Sizes over which the evidence of a cause is averaged: lengths that its columns may have, in units of the noise.

@@ -69,6 +69,11 @@ impl Decision {
         }
     }
 
+    /// Whether what is left beside a model that removes this share of the misfit is no reason to doubt it.
+    pub(crate) fn adequate(removed: f64, after: &Adequacy) -> bool {
+        !after.fires() || removed >= ADEQUATE
+    }
+
     /// A verdict that names nothing, where model `base` is the base model.
     pub(crate) fn nothing(verdict: Verdict, base: usize) -> Self {
         Self { verdict, model: base, sets: Vec::new(), removed: 0.0, outside: None, outside_rivals: false }
@@ -106,7 +111,7 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_f
         return outside(selection, unlisted);
     }
     let Some(best) = stated(selection) else { return nothing(Verdict::Undecided) };
-    let removed = removed(2.0 * (selection.base().fit.objective() - selection.models[best].fit.objective()), after);
+    let removed = removed_by(2.0 * (selection.base().fit.objective() - selection.models[best].fit.objective()), after);
     let likeliest = selection.likeliest_named() == Some(best);
     // a smaller model than the likeliest is stated because its effects are sure: the larger ones that hold them are no rivals
     let alone = || selection.models[best].effects.iter().map(|e| vec![*e]).collect();
@@ -144,7 +149,7 @@ pub fn interrupted(selection: &Selection) -> Decision {
 /// Share of the misfit that the best model removes: what it explains, in units of the noise variance, over that and what the tests still find.
 ///
 /// Parameters pushed away from what is known of them are misfit too, which is why the fall of the whole objective counts and not that of the residual.
-fn removed(explained: f64, after: &Adequacy) -> f64 {
+pub(crate) fn removed_by(explained: f64, after: &Adequacy) -> f64 {
     share(explained, after.left())
 }
 
@@ -162,7 +167,7 @@ fn removed_by_equations(selection: &Selection, best: usize, after: &Adequacy, fr
         return 1.0;
     }
     let without = selection.with(&free).unwrap_or(selection.base());
-    removed(2.0 * (without.fit.objective() - model.fit.objective()), after)
+    removed_by(2.0 * (without.fit.objective() - model.fit.objective()), after)
 }
 
 /// For each effect of model `best`, the effects that could stand in its place.

@@ -26,6 +26,7 @@ pub struct Part {
 }
 
 /// Predictions of rows left out.
+#[derive(Clone)]
 pub struct HeldOutFit {
     /// how rows were left out
     pub how: String,
@@ -36,6 +37,7 @@ pub struct HeldOutFit {
 }
 
 /// One part left out.
+#[derive(Clone)]
 pub struct PartError {
     /// name for a reader
     pub name: String,

@@ -1,0 +1,145 @@
+//! When mechanisms are composed, beside which model, and whether one takes the place of what the library says.
+//!
+//! A mechanism has to be likelier than all of the library and than every unmodelled course together. An equation of the library whose shape has run to the limit of
+//! what it means is no rival: the fit says that its law does not hold.
+//!
+//! Limits: one recording; two mechanisms at most.
+
+use crate::{
+    adequacy::lack_of_fit::{Adequacy, Gate},
+    discovery::discover::{Discovery, IDS, discover, fitted, widened},
+    effects::composed::{
+        effect::Composed,
+        words::{Driver, Kinetics},
+    },
+    selection::{
+        candidates::{Search, Tried},
+        posterior::Selection,
+        verdict::{Decision, Verdict, removed_by},
+    },
+};
+
+/// Share of the misfit left over from which a named effect is not all.
+const A_TENTH: f64 = 0.9;
+/// Gain in log evidence, divided as the selection's, that a second mechanism must bring.
+const CLEAR: f64 = 3.0;
+/// Gain that a word-settled answer needs, as a probability.
+const SURE: f64 = 0.9;
+
+/// Mechanisms beside a model.
+pub struct Composition {
+    /// the mechanisms; their indices follow those of the library
+    pub mechanisms: Vec<Discovery>,
+    /// the model with them
+    pub tried: Tried,
+    /// odds against all models of the library together
+    pub odds: f64,
+    /// whether the library's own answer has run to the limits of its equations
+    pub library_strained: bool,
+}
+
+/// Mechanisms where the library leaves something; `None` where it does not, or where freedom alone does as well.
+pub fn compose(
+    search: &Search<'_>,
+    selection: &Selection,
+    decision: &Decision,
+    after: &Adequacy,
+    gate: &Gate,
+) -> Option<Composition> {
+    let chosen = &selection.models[decision.model];
+    let strained = is_strained(search, chosen);
+    if search.problem.simulator.joined().is_some() || !leaves_something(decision, after, strained) {
+        return None;
+    }
+    let mut launches = vec![selection.base()];
+    launches.extend(selection.likeliest_named().map(|index| &selection.models[index]).filter(|m| !is_strained(search, m)));
+    let mut best: Option<Composition> = None;
+    for from in launches {
+        let found = beside(search, selection, from, gate, strained);
+        let better = |f: &Composition| best.as_ref().is_none_or(|b| f.odds > b.odds);
+        best = found.filter(better).or(best);
+        if best.as_ref().is_some_and(|b| !gate.adequacy(&b.tried.fit).fires()) {
+            break;
+        }
+    }
+    best
+}
+
+/// Whether there is anything to compose for.
+fn leaves_something(decision: &Decision, after: &Adequacy, strained: bool) -> bool {
+    match decision.verdict {
+        Verdict::Unexplained | Verdict::WrongForm => true,
+        Verdict::Explained | Verdict::Ambiguous => strained || (after.fires() && decision.removed < A_TENTH),
+        Verdict::Agrees | Verdict::Undecided => false,
+    }
+}
+
+/// One mechanism beside `from`, and a second one where the first leaves something.
+fn beside(search: &Search<'_>, selection: &Selection, from: &Tried, gate: &Gate, strained: bool) -> Option<Composition> {
+    let scale = selection.temper * gate.slack();
+    let first = discover(search, from, scale, IDS[0])?;
+    let tried = fitted(search, from, &first.effect)?;
+    let odds = selection.odds_beside(from, first.gain, gate.slack(), |m| !strained || m.effects.is_empty());
+    let second = if gate.adequacy(&tried.fit).fires() { second(search, &tried, &first, scale) } else { None };
+    let (mut mechanisms, mut whole, mut odds) = (vec![first], tried, odds);
+    if let Some((more, larger)) = second {
+        odds *= more.gain.exp();
+        mechanisms.push(more);
+        whole = larger;
+    }
+    Some(Composition { mechanisms, tried: whole, odds, library_strained: strained })
+}
+
+fn second(search: &Search<'_>, tried: &Tried, first: &Discovery, scale: f64) -> Option<(Discovery, Tried)> {
+    let wider = widened(search, &first.effect);
+    let more = discover(&wider, tried, scale, IDS[1]).filter(|more| more.gain > CLEAR)?;
+    let larger = fitted(&wider, tried, &more.effect)?;
+    Some((more, larger))
+}
+
+/// Whether it says no more than that something happened once: that is a place in the recording and no physics that another recording could confirm.
+fn is_a_moment(effect: &Composed) -> bool {
+    effect.sentence.driver == Driver::Time && effect.sentence.kinetics == Kinetics::Event
+}
+
+/// Whether a shape of one of the effects lies on a limit that is not a plain special case (nothing or all of a part): the fit says that the law does not hold.
+pub fn is_strained(search: &Search<'_>, tried: &Tried) -> bool {
+    let model = search.model(&tried.effects);
+    let values = model.values(&tried.fit.z);
+    let shape = |index: usize| model.range_of(index).skip(1);
+    let special = |value: f64| value == 0.0 || (value - 1.0).abs() < 1e-9;
+    (0..tried.effects.len()).flat_map(shape).any(|i| tried.fit.at_limit[i] && !special(values[i]))
+}
+
+impl Composition {
+    /// The selection with the mechanisms' model in it. A library whose best equation has run to its limits, and what mimics that, is set aside.
+    pub fn counted_in(&self, selection: Selection) -> Selection {
+        let selection = if self.library_strained { selection.base_alone() } else { selection };
+        selection.with_model(self.tried.clone(), self.odds, self.mechanisms.len())
+    }
+
+    /// The decision with the mechanisms counted; `selection` holds their model already.
+    pub fn decide(&self, selection: &Selection, decision: Decision, gate: &Gate) -> (Decision, Option<Adequacy>) {
+        let Some(model) = selection.models.iter().position(|m| m.key() == self.tried.key()) else { return (decision, None) };
+        let after = gate.adequacy(&self.tried.fit);
+        let explained = 2.0 * (selection.base().fit.objective() - self.tried.fit.objective());
+        let removed = removed_by(explained, &after);
+        let own = selection.probability[model];
+        let likelier = own > 0.5 && selection.unlisted.first().is_none_or(|(_, odds)| own > *odds);
+        let says_something = self.mechanisms.iter().all(|m| !is_a_moment(&m.effect));
+        let Some(verdict) = self.verdict(removed, &after).filter(|_| likelier && says_something) else { return (decision, None) };
+        let sets = self.tried.effects.iter().map(|e| vec![*e]).collect();
+        (Decision { verdict, model, sets, removed, outside: None, outside_rivals: false }, Some(after))
+    }
+
+    /// The verdict where the mechanisms stand; `None` where they leave too much.
+    fn verdict(&self, removed: f64, after: &Adequacy) -> Option<Verdict> {
+        let settled = self.mechanisms.iter().all(|m| m.words.settled(SURE));
+        match Decision::adequate(removed, after) {
+            true if settled => Some(Verdict::Explained),
+            true => Some(Verdict::Ambiguous),
+            false if removed >= A_TENTH => Some(Verdict::WrongForm),
+            false => None,
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! The mechanism that describes what the library leaves: screened, fitted, weighed, one or two.
+//!
+//! Limits: entered only where something reproducible is left; it never decides whether something is missing.
+
+use crate::{
+    discovery::{
+        marginals::{WordProbabilities, marginals},
+        screen::{Screen, Screened, screen},
+    },
+    effects::{
+        composed::{effect::Composed, words::Kinetics},
+        effect::Effect,
+    },
+    selection::candidates::{Search, Tried},
+    stats::log_sum_exp,
+};
+use std::sync::atomic::Ordering;
+use truegap_core::EffectId;
+
+/// Names of discovered mechanisms in answers, the clearest first.
+pub const IDS: [EffectId; 2] = [EffectId("discovered"), EffectId("discovered_second")];
+
+/// Sentences that are fitted after a screen.
+const FITTED: usize = 6;
+/// Log weight by which a sentence that acts at once may be less likely than one that is hardly late, and still say the same.
+const CLOSE: f64 = 3.0;
+/// Share of turned histories that may do as well, at most.
+const BY_CHANCE: f64 = 0.05;
+/// Relative error that a composed law has beside the physics it stands for, and the number of shapes over which it spreads: as for equations of the library.
+const FORM_ERROR: f64 = 0.2;
+const FORM_SHAPES: f64 = 10.0;
+
+/// A mechanism found.
+pub struct Discovery {
+    /// as an effect
+    pub effect: Composed,
+    /// how sure its words are
+    pub words: WordProbabilities,
+    /// log evidence that some sentence adds to the model it stands beside, its prior counted, on the scale of a selection's weights
+    pub gain: f64,
+    /// share of turned histories in which freedom alone does as well
+    pub control_p_value: f64,
+    /// columns that were weighed
+    pub weighed: usize,
+}
+
+/// The mechanism beside `from` that explains most; `None` where none stands above the control. `scale` divides log evidence as in the selection.
+pub fn discover(search: &Search<'_>, from: &Tried, scale: f64, id: EffectId) -> Option<Discovery> {
+    if search.stop.load(Ordering::Relaxed) {
+        return None;
+    }
+    let model = search.model(&from.effects);
+    let mut found = screen(&model, &from.fit.z, &from.fit.settled(), search.whitener)?;
+    let clearest = found.sentences.iter().map(|s| s.deviance).fold(0.0, f64::max);
+    let control_p_value = found.control_p_value(clearest);
+    if control_p_value > BY_CHANCE {
+        return None;
+    }
+    let temper = temper(clearest);
+    let effect = best_fit(search, from, &mut found, temper, id)?;
+    let gain = log_sum_exp(&found.sentences.iter().map(|s| s.weight(scale)).collect::<Vec<_>>());
+    let words = marginals(&found.sentences, temper);
+    Some(Discovery { effect, words, gain, control_p_value, weighed: found.columns })
+}
+
+/// Divisor of log evidence: words are told apart by no less than the error of their laws.
+fn temper(deviance: f64) -> f64 {
+    1.0 + FORM_ERROR * FORM_ERROR * deviance / FORM_SHAPES
+}
+
+/// Indices of the sentences that are fitted: those with most weight, one of each quantity, driver and kinetics.
+fn promising(found: &Screen, temper: f64) -> Vec<usize> {
+    let mut order: Vec<(usize, f64)> = found.sentences.iter().map(|s| s.weight(temper)).enumerate().collect();
+    order.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let kind = |s: &Screened| (s.sentence.quantity, s.sentence.driver.clone(), s.sentence.kinetics);
+    let mut kinds = Vec::new();
+    let mut chosen = Vec::new();
+    for (index, _) in order {
+        let own = kind(&found.sentences[index]);
+        if !kinds.contains(&own) {
+            kinds.push(own);
+            chosen.push(index);
+        }
+        if chosen.len() == FITTED {
+            break;
+        }
+    }
+    chosen
+}
+
+/// Fits the most promising sentences beside `from`, corrects what the screen promised of them, and gives the one with the most weight.
+fn best_fit(search: &Search<'_>, from: &Tried, found: &mut Screen, temper: f64, id: EffectId) -> Option<Composed> {
+    let mut best: Option<(f64, Composed)> = None;
+    let at_once = 2.0 * search.context.shortest_step_s.unwrap_or(0.0);
+    for index in promising(found, temper) {
+        let s = &mut found.sentences[index];
+        let effect = Composed::found(id, s.sentence.clone(), s.numbers, s.swing, search.context);
+        if effect.testable(search.context).is_err() {
+            continue;
+        }
+        let Some(tried) = fitted(search, from, &effect) else { continue };
+        let fallen = 2.0 * (from.fit.objective() - tried.fit.objective());
+        s.beyond = fallen - s.deviance;
+        let (late, weight) = (s.sentence.kinetics == Kinetics::FirstOrder, s.weight(temper));
+        let tau_s = start_of(&wider_values(search, &tried, &effect), &effect);
+        if late && tau_s < at_once && found.has_twin(index, weight - CLOSE, temper) {
+            // late by less than two rows: that is at once, and another sentence says so
+            found.sentences[index].beyond = f64::NEG_INFINITY;
+            continue;
+        }
+        if best.as_ref().is_none_or(|(most, _)| weight > *most) {
+            best = Some((weight, effect));
+        }
+    }
+    best.map(|(_, effect)| effect)
+}
+
+/// Values of the parameters of `effect`, the last of the model.
+fn wider_values(search: &Search<'_>, tried: &Tried, effect: &Composed) -> Vec<f64> {
+    let model = widened(search, effect).model(&tried.effects);
+    let values = model.values(&tried.fit.z);
+    values[model.range_of(tried.effects.len() - 1)].to_vec()
+}
+
+/// Its time constant, s.
+fn start_of(values: &[f64], effect: &Composed) -> f64 {
+    let names = effect.parameters.iter().map(|p| p.name.as_str());
+    effect.start.with(names.zip(values.iter().copied())).0.tau_s
+}
+
+/// `from` with one more effect from outside the library, which gets the index behind those of the library.
+pub fn fitted(search: &Search<'_>, from: &Tried, effect: &dyn Effect) -> Option<Tried> {
+    let wider = widened(search, effect);
+    let index = search.library.len();
+    let tried = wider.add_each(from, &[index], 1, "composing").into_iter().next()?;
+    wider.polished(&tried).or(Some(tried))
+}
+
+/// The same search with one more effect behind the library.
+pub fn widened<'s>(search: &Search<'s>, effect: &'s dyn Effect) -> Search<'s> {
+    let mut library = search.library.clone();
+    library.push(effect);
+    Search { library, ..*search }
+}
+
+/// The same search with these mechanisms behind the library.
+pub fn with_mechanisms<'s>(search: &Search<'s>, mechanisms: &'s [Discovery]) -> Search<'s> {
+    let mut library = search.library.clone();
+    library.extend(mechanisms.iter().map(|m| &m.effect as &dyn Effect));
+    Search { library, ..*search }
+}

@@ -1,0 +1,71 @@
+//! How sure each word is: probabilities of sentences, added up word by word.
+//!
+//! Limits: sentences that no recording could tell apart keep equal shares; a word is as sure as the sentences that hold it together.
+
+use crate::{discovery::screen::Screened, stats::log_sum_exp};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Probability of every value of every word, those above a thousandth.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct WordProbabilities {
+    /// where
+    pub place: BTreeMap<String, f64>,
+    /// what it follows
+    pub driver: BTreeMap<String, f64>,
+    /// how in time
+    pub kinetics: BTreeMap<String, f64>,
+    /// the law
+    pub form: BTreeMap<String, f64>,
+    /// how it acts
+    pub action: BTreeMap<String, f64>,
+}
+
+/// Probability below which a word's value is not listed.
+const LISTED: f64 = 1e-3;
+
+/// Probability from which a word's value is told.
+const TOLD: f64 = 0.05;
+
+/// Probabilities of the words, log evidence of sentences divided by `temper`.
+pub fn marginals(sentences: &[Screened], temper: f64) -> WordProbabilities {
+    let weights: Vec<f64> = sentences.iter().map(|s| s.weight(temper)).collect();
+    let total = log_sum_exp(&weights);
+    let mut words = WordProbabilities::default();
+    for (s, weight) in sentences.iter().zip(&weights) {
+        let p = (weight - total).exp();
+        let add = |word: &mut BTreeMap<String, f64>, value: String| *word.entry(value).or_insert(0.0) += p;
+        add(&mut words.place, s.sentence.quantity.place().word().into());
+        add(&mut words.driver, s.sentence.driver.word());
+        add(&mut words.kinetics, s.sentence.kinetics.word().into());
+        add(&mut words.form, s.sentence.form.word().into());
+        add(&mut words.action, s.sentence.action.word().into());
+    }
+    for word in [&mut words.place, &mut words.driver, &mut words.kinetics, &mut words.form, &mut words.action] {
+        word.retain(|_, p| *p >= LISTED);
+    }
+    words
+}
+
+impl WordProbabilities {
+    /// Place, driver and kinetics with their probabilities, for a reader.
+    pub fn says(&self) -> String {
+        let of = |name: &str, word: &BTreeMap<String, f64>| {
+            let values = Self::values(word, TOLD).into_iter().map(|(value, p)| format!("{value} {p:.2}"));
+            format!("{name}: {}", values.collect::<Vec<_>>().join(" or "))
+        };
+        [of("place", &self.place), of("driver", &self.driver), of("kinetics", &self.kinetics)].join("; ")
+    }
+
+    /// The values of a word that are at least this probable, likeliest first.
+    pub fn values(word: &BTreeMap<String, f64>, least: f64) -> Vec<(&str, f64)> {
+        let mut values: Vec<(&str, f64)> = word.iter().map(|(v, p)| (v.as_str(), *p)).filter(|(_, p)| *p >= least).collect();
+        values.sort_by(|a, b| b.1.total_cmp(&a.1));
+        values
+    }
+
+    /// Whether place, driver and kinetics are each at least this probable.
+    pub fn settled(&self, sure: f64) -> bool {
+        [&self.place, &self.driver, &self.kinetics].iter().all(|word| !Self::values(word, sure).is_empty())
+    }
+}

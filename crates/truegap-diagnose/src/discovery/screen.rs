@@ -1,0 +1,292 @@
+//! Thousands of mechanisms weighed at once about a fit: the column of each, off what calibration can take up, against what is left.
+//!
+//! Limits: linear in the size about the fit; the numbers inside a mechanism lie on a grid.
+
+use crate::{
+    data::problem::Problem,
+    discovery::{
+        grammar::{Law, Range, Times, laws},
+        levers::{Lever, Seen, levers},
+    },
+    effects::composed::{
+        mechanism::{Numbers, Sentence},
+        signal::{Courses, course, of_course, recorded},
+        words::{Driver, Kinetics, Place, Quantity},
+    },
+    fit::{model::Model, optimum::Settled},
+    stats::{log_sum_exp, spread},
+    whitening::whitener::Whitener,
+};
+use nalgebra::{DMatrix, DVector};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+
+/// Lengths that the column of a mechanism may have, in units of the noise; its evidence is the mean over them.
+const LENGTHS: [f64; 7] = [3.0, 8.0, 20.0, 50.0, 130.0, 350.0, 1000.0];
+/// Share of a column's own length below which calibration is taken to absorb it.
+const ABSORBED: f64 = 1e-6;
+/// Turns of what is left against the histories, for the control.
+const SHUFFLES: usize = 99;
+/// Cycles in a run from which something is called periodic.
+const CYCLES: usize = 8;
+/// Factor on the prior of electronics that follow the load itself: they are fed by the reading, and know of the load through it.
+const BY_HEARSAY: f64 = 0.05;
+/// Moments at which something may happen.
+const MOMENTS: usize = 64;
+
+/// One sentence with the best of its numbers.
+#[derive(Clone, Debug)]
+pub struct Screened {
+    /// words
+    pub sentence: Sentence,
+    /// numbers of the grid that fit best
+    pub numbers: Numbers,
+    /// change of the reading, root mean square, per unit of the size
+    pub swing: f64,
+    /// fall of chi-squared that a straight step promises
+    pub deviance: f64,
+    /// what a fit made of it beyond that; 0 where none was made
+    pub beyond: f64,
+    /// log prior probability of the sentence
+    pub log_prior: f64,
+    /// (score, variance) of every point of the grid
+    pub grid: Vec<(f64, f64)>,
+}
+
+impl Screened {
+    /// Log evidence of the sentence, its size and its numbers unknown, where the noise has `temper` times the variance.
+    pub fn evidence(&self, temper: f64) -> f64 {
+        let of = |(score, variance): &(f64, f64)| {
+            let z2 = score * score / variance / temper;
+            let at = |length: &f64| {
+                // the prior variance of the size makes the column `length` long in units of the noise
+                let grown = 1.0 + length * length / temper;
+                0.5 * z2 * (grown - 1.0) / grown - 0.5 * grown.ln()
+            };
+            log_sum_exp(&LENGTHS.iter().map(at).collect::<Vec<_>>()) - (LENGTHS.len() as f64).ln()
+        };
+        let each: Vec<f64> = self.grid.iter().map(of).collect();
+        log_sum_exp(&each) - (each.len() as f64).ln()
+    }
+
+    /// The same with what the sentence is worth beforehand.
+    pub fn weight(&self, temper: f64) -> f64 {
+        self.evidence(temper) + 0.5 * self.beyond / temper + self.log_prior
+    }
+}
+
+/// What came of a screen.
+pub struct Screen {
+    /// every sentence
+    pub sentences: Vec<Screened>,
+    /// greatest deviance of any sentence for each turn of the residual against the histories
+    pub control: Vec<f64>,
+    /// columns weighed
+    pub columns: usize,
+}
+
+impl Screen {
+    /// Whether a sentence with this weight says the same as sentence `index`, but at once.
+    pub fn has_twin(&self, index: usize, weight: f64, temper: f64) -> bool {
+        let late = &self.sentences[index].sentence;
+        let same = |s: &Sentence| {
+            (s.quantity, s.action, s.form, s.even, s.below) == (late.quantity, late.action, late.form, late.even, late.below)
+        };
+        let twin =
+            |s: &&Screened| s.sentence.kinetics == Kinetics::Static && s.sentence.driver == late.driver && same(&s.sentence);
+        self.sentences.iter().filter(twin).any(|s| s.weight(temper) > weight)
+    }
+
+    /// Probability that freedom alone does as well as `deviance`: the share of turns that reach it, the recording itself counted.
+    pub fn control_p_value(&self, deviance: f64) -> f64 {
+        let reached = self.control.iter().filter(|d| **d >= deviance).count();
+        (reached + 1) as f64 / (self.control.len() + 1) as f64
+    }
+}
+
+/// Screens every sentence about the fit `z` of `model`, whose linearised optimum is `settled`.
+pub fn screen(model: &Model<'_>, z: &[f64], settled: &Settled, whitener: &Whitener) -> Option<Screen> {
+    let problem = model.problem;
+    let (levers, seen) = levers(model, z)?;
+    let at = Courses {
+        inputs: problem.inputs,
+        load: seen_load(problem, &seen),
+        temperature: problem.inputs.temperature_c.as_ref().map(|_| seen.temperature.as_slice()),
+        reading: problem.simulator.moves().then_some(seen.reading.as_slice()),
+    };
+    let ranges = ranges(&at);
+    let laws = laws(&ranges, &times(problem, settled));
+    let turned = turned(&settled.residual);
+    let places = places(&levers);
+    let of_law = |law: &Law| {
+        let Some(mut x) = course(&law.sentence.driver, &at) else { return Vec::new() };
+        if law.sentence.even {
+            x.iter_mut().for_each(|x| *x = x.abs());
+        }
+        let followed: Vec<Vec<f64>> =
+            law.grid.iter().map(|numbers| of_course(&law.sentence, numbers, problem.inputs, x.clone())).collect();
+        let fits = levers.iter().filter(|lever| suits(lever, &law.sentence));
+        fits.filter_map(|lever| weighed(law, &followed, lever, &places, settled, whitener, &turned)).collect::<Vec<_>>()
+    };
+    let each: Vec<(Screened, Vec<f64>)> = laws.par_iter().flat_map_iter(of_law).collect();
+    let mut control = vec![0.0; SHUFFLES];
+    for (_, most) in &each {
+        control.iter_mut().zip(most).for_each(|(c, m)| *c = f64::max(*c, *m));
+    }
+    let columns = each.iter().map(|(s, _)| s.grid.len()).sum();
+    Some(Screen { sentences: each.into_iter().map(|(s, _)| s).collect(), control, columns })
+}
+
+fn seen_load<'s>(problem: &Problem<'_>, seen: &'s Seen) -> Option<&'s [f64]> {
+    problem.simulator.load(problem.inputs).map(|_| seen.load.as_slice())
+}
+
+/// Drivers that move.
+fn ranges(at: &Courses<'_>) -> Vec<Range> {
+    let mut drivers = vec![
+        Driver::Load,
+        Driver::LoadHistory,
+        Driver::LoadRate,
+        Driver::Temperature,
+        Driver::TemperatureRate,
+        Driver::Time,
+        Driver::Reading,
+    ];
+    for (name, _, _) in recorded(at.inputs) {
+        drivers.push(Driver::Recorded(name.clone()));
+        drivers.push(Driver::RateOf(name));
+    }
+    let of = |driver: Driver| {
+        let mut x = course(&driver, at)?;
+        let moves = spread(&x) > 0.0;
+        let (low, high) = x.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
+        x.iter_mut().for_each(|x| *x = x.abs());
+        let tenth = x.len().saturating_sub(1) * 9 / 10;
+        let usual = *x.select_nth_unstable_by(tenth, f64::total_cmp).1;
+        let usual = if usual > 0.0 { usual } else { high.abs().max(low.abs()) };
+        moves.then_some(Range { driver, low, high, usual })
+    };
+    drivers.into_iter().filter_map(of).collect()
+}
+
+/// The clock, with moments at even numbers of rows and the periods that stand out in what is left.
+fn times(problem: &Problem<'_>, settled: &Settled) -> Times {
+    let Some(clock) = problem.inputs.time_s.as_deref() else { return Times::default() };
+    let rows = clock.len();
+    let steps = problem.inputs.steps_s();
+    let step_s = steps.iter().copied().filter(|s| *s > 0.0).fold(f64::INFINITY, f64::min);
+    let moments_s = (1..MOMENTS).map(|k| clock[k * rows / MOMENTS] - clock[0]).collect();
+    let periods_s = tones(problem, settled);
+    let duration_s = clock[rows - 1] - clock[0];
+    Times { step_s: if step_s.is_finite() { step_s } else { 0.0 }, duration_s, moments_s, periods_s }
+}
+
+/// Periods of the strongest line in the spectrum of each of the longest runs, s.
+fn tones(problem: &Problem<'_>, settled: &Settled) -> Vec<f64> {
+    let Some(clock) = problem.inputs.time_s.as_deref() else { return Vec::new() };
+    let mut runs = problem.runs();
+    runs.sort_by_key(|r| std::cmp::Reverse(r.len()));
+    let mut planner = rustfft::FftPlanner::<f64>::new();
+    let mut periods = Vec::new();
+    for run in runs.into_iter().take(3).filter(|r| r.len() >= 64) {
+        let part = settled.residual.rows(run.start, run.len());
+        let mut values: Vec<rustfft::num_complex::Complex<f64>> = part.iter().map(|v| (*v).into()).collect();
+        planner.plan_fft_forward(run.len()).process(&mut values);
+        let power = |line: &usize| values[*line].norm_sqr();
+        let strongest = (CYCLES..run.len() / 2).max_by(|a, b| power(a).total_cmp(&power(b)));
+        let length_s = clock[run.end - 1] - clock[run.start];
+        periods.extend(strongest.map(|line| length_s / line as f64).filter(|p| *p > 0.0));
+    }
+    periods
+}
+
+/// Quantities with a lever, and how many each place has.
+fn places(levers: &[Lever]) -> Vec<(Place, usize)> {
+    let mut places: Vec<(Place, usize)> = Vec::new();
+    for lever in levers {
+        let place = lever.quantity.place();
+        match places.iter_mut().find(|(p, _)| *p == place) {
+            Some((_, count)) => *count += 1,
+            None => places.push((place, 1)),
+        }
+    }
+    places
+}
+
+/// Whether a mechanism of this driver may act there: the reading is known at the end of the chain only.
+fn suits(lever: &Lever, sentence: &Sentence) -> bool {
+    match (lever.quantity, &sentence.driver) {
+        // a sensor that is late behind its thermometer or ahead of it, which the library has
+        (Quantity::Temperature, Driver::Temperature | Driver::TemperatureRate) => false,
+        (Quantity::Temperature, Driver::Load | Driver::LoadRate | Driver::LoadHistory) => false,
+        (quantity, Driver::Reading) => quantity == Quantity::Reading,
+        _ => true,
+    }
+}
+
+fn weighed(
+    law: &Law,
+    followed: &[Vec<f64>],
+    lever: &Lever,
+    places: &[(Place, usize)],
+    settled: &Settled,
+    whitener: &Whitener,
+    turned: &DMatrix<f64>,
+) -> Option<(Screened, Vec<f64>)> {
+    let (mut grid, mut swings) = (Vec::with_capacity(followed.len()), Vec::with_capacity(followed.len()));
+    let mut control = vec![0.0; turned.ncols()];
+    for u in followed {
+        let mut b: Vec<f64> = u.iter().zip(&lever.of_row).map(|(u, s)| u * s).collect();
+        swings.push(deviation(&b));
+        if b.iter().any(|b| !b.is_finite()) {
+            grid.push((0.0, 1.0));
+            continue;
+        }
+        whitener.apply(&mut b);
+        let b = DVector::from_vec(b);
+        let length = b.norm_squared();
+        let taken = settled.taken.tr_mul(&b);
+        let variance = length - taken.norm_squared();
+        if variance <= ABSORBED * length || length == 0.0 {
+            grid.push((0.0, 1.0));
+            continue;
+        }
+        grid.push((b.dot(&settled.residual), variance));
+        let off = &b - &settled.taken * taken;
+        let scores = turned.tr_mul(&off);
+        control.iter_mut().zip(scores.iter()).for_each(|(c, s)| *c = f64::max(*c, s * s / variance));
+    }
+    let deviance = |(score, variance): &(f64, f64)| score * score / variance;
+    let best = (0..grid.len()).max_by(|a, b| deviance(&grid[*a]).total_cmp(&deviance(&grid[*b])))?;
+    let place = lever.quantity.place();
+    let beside = places.iter().find(|(p, _)| *p == place).map_or(1, |(_, count)| *count);
+    let sentence = Sentence { quantity: lever.quantity, action: lever.action, ..law.sentence.clone() };
+    let mechanics = places.iter().any(|(p, _)| *p == Place::Mechanics);
+    let hearsay = mechanics && place == Place::Readout && matches!(sentence.driver, Driver::Load | Driver::LoadHistory);
+    let log_prior = law.log_prior - ((places.len() * beside) as f64).ln() + if hearsay { BY_HEARSAY.ln() } else { 0.0 };
+    let (numbers, swing, deviance) = (law.grid[best], swings[best], deviance(&grid[best]));
+    Some((Screened { sentence, numbers, swing, deviance, beyond: 0.0, log_prior, grid }, control))
+}
+
+/// Root-mean-square distance from the mean.
+fn deviation(x: &[f64]) -> f64 {
+    let mean = x.iter().sum::<f64>() / x.len().max(1) as f64;
+    (x.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / x.len().max(1) as f64).sqrt()
+}
+
+/// What is left, turned about by chance against the histories: columns of a control of equal freedom.
+fn turned(residual: &DVector<f64>) -> DMatrix<f64> {
+    let rows = residual.len();
+    let mut random = ChaCha8Rng::seed_from_u64(17);
+    let mut turned = DMatrix::zeros(rows, SHUFFLES);
+    for mut column in turned.column_iter_mut() {
+        let by = (rows as f64 * random.random_range(0.05..0.95)) as usize;
+        let back: bool = random.random();
+        for row in 0..rows {
+            let from = (row + by) % rows;
+            column[row] = residual[if back { rows - 1 - from } else { from }];
+        }
+    }
+    turned
+}

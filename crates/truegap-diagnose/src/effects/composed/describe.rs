@@ -1,0 +1,117 @@
+//! A mechanism in a sentence: what is changed, what it follows, how, and how much.
+//!
+//! Limits: English.
+
+use crate::{
+    data::context::Context,
+    effects::composed::{
+        mechanism::{Numbers, Sentence, Sum},
+        signal::{Courses, column},
+        units::quantity_unit,
+        words::{Action, Driver, Form, Kinetics, Quantity},
+    },
+    effects::effect::FittedParameter,
+    text::with_sd,
+};
+
+/// The sentence with its fitted numbers; with a recording, how much it makes there.
+pub fn describe(sentence: &Sentence, start: &Numbers, fitted: &[FittedParameter], context: Option<&Context<'_>>) -> String {
+    let words = words(sentence);
+    let inner: Vec<String> = fitted.iter().skip(1).map(number).collect();
+    let numbers = if inner.is_empty() { String::new() } else { format!(" ({})", inner.join(", ")) };
+    let most =
+        context.and_then(|context| most(sentence, start, fitted, context)).map_or(String::new(), |most| format!(": {most}"));
+    format!("{words}{numbers}{most}")
+}
+
+fn number(p: &FittedParameter) -> String {
+    format!("{} {}", p.parameter.meaning, with_sd(p.value, p.sd, &p.parameter.unit))
+}
+
+/// The words as a clause.
+pub fn words(s: &Sentence) -> String {
+    format!("{} {} {}{}", subject(s), verb(s), followed(s), form(s))
+}
+
+fn subject(s: &Sentence) -> &'static str {
+    match s.quantity {
+        Quantity::Load => "the load that arrives",
+        Quantity::Temperature => "the temperature of the sensor",
+        Quantity::Modulus => "the stiffness",
+        Quantity::Strain => "the compression",
+        Quantity::Gap => "the gap",
+        Quantity::Warp => "the bend of the electrode",
+        Quantity::Permittivity => "the permittivity",
+        Quantity::Reading if s.action == Action::Scales => "the gain",
+        Quantity::Reading => "the reading",
+    }
+}
+
+fn verb(s: &Sentence) -> &'static str {
+    match s.kinetics {
+        Kinetics::Static => "changes with",
+        Kinetics::FirstOrder => "changes, late, with",
+        Kinetics::RateIndependent => "depends on the way of",
+        Kinetics::Accumulating => "changes for good with",
+        Kinetics::Event => "jumps",
+        Kinetics::Periodic => "goes up and down with",
+    }
+}
+
+fn followed(s: &Sentence) -> String {
+    let driver = match &s.driver {
+        Driver::Load | Driver::LoadHistory => "the load".to_owned(),
+        Driver::LoadRate => "how fast the load changes".into(),
+        Driver::Temperature => "the temperature".into(),
+        Driver::TemperatureRate => "how fast the temperature changes".into(),
+        Driver::Time => "the time".into(),
+        Driver::Reading => "the reading itself".into(),
+        Driver::Recorded(name) => format!("`{name}`"),
+        Driver::RateOf(name) => format!("how fast `{name}` changes"),
+    };
+    let alike = if s.even { ", up and down alike" } else { "" };
+    match (s.kinetics, s.sum) {
+        (Kinetics::Accumulating, Some(Sum::Greatest)) => format!("the greatest value so far of {driver}"),
+        (Kinetics::Accumulating, Some(Sum::Path)) => format!("the way that {driver} has come, up and down added"),
+        (Kinetics::Accumulating, _) => format!("{driver} added up over time"),
+        (Kinetics::Event, _) if s.driver == Driver::Time => "at one moment".into(),
+        (Kinetics::Event, _) => format!("each time that {driver} passes a level upwards"),
+        _ => format!("{driver}{alike}"),
+    }
+}
+
+fn form(s: &Sentence) -> &'static str {
+    match s.form {
+        _ if matches!(s.kinetics, Kinetics::Event | Kinetics::Periodic | Kinetics::RateIndependent) => "",
+        Form::Linear => "",
+        Form::Power => ", by a power",
+        Form::Threshold if s.below => ", below a threshold",
+        Form::Threshold => ", above a threshold",
+        Form::Saturating => ", levelling off",
+    }
+}
+
+/// How much it changes the quantity over the recording, at most.
+fn most(sentence: &Sentence, start: &Numbers, fitted: &[FittedParameter], context: &Context<'_>) -> Option<String> {
+    let (numbers, _) = start.with(fitted.iter().map(|p| (p.parameter.name.as_str(), p.value)));
+    let load = context.simulator.load(context.inputs);
+    let above = |t: &Vec<f64>| t.iter().map(|t| t - context.reference_c).collect::<Vec<f64>>();
+    let temperature = context.inputs.temperature_c.as_ref().map(above);
+    let at = Courses {
+        inputs: context.inputs,
+        load: load.as_deref(),
+        temperature: temperature.as_deref(),
+        reading: context.inputs.simulated.as_deref(),
+    };
+    let u = column(sentence, &numbers, &at)?;
+    let (low, high) = u.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), u| (l.min(*u), h.max(*u)));
+    let span = high - low;
+    let (unit, factor) = match quantity_unit(sentence, context).as_str() {
+        "1" => ("%".to_owned(), 100.0),
+        "unloaded gap" => ("% of the unloaded gap".to_owned(), 100.0),
+        "full load" => ("% of the full load".to_owned(), 100.0),
+        unit => (unit.to_owned(), 1.0),
+    };
+    let size = with_sd(fitted[0].value * span * factor, fitted[0].sd * span * factor, &unit);
+    span.is_finite().then(|| format!("{size} from its least to its most in this recording"))
+}

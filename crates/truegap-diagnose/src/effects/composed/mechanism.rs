@@ -1,0 +1,106 @@
+//! A mechanism: one sentence of words with its numbers.
+//!
+//! Limits: one driver, one kinetics, one form; two mechanisms stand side by side.
+
+use crate::effects::composed::words::{Action, Driver, Form, Kinetics, Quantity};
+use serde::{Deserialize, Serialize};
+
+/// What adds up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Sum {
+    /// the greatest value so far
+    Greatest,
+    /// the driver over time
+    Dose,
+    /// the way that the driver has come, up and down alike
+    Path,
+}
+
+/// The words of a mechanism, and which variety of a word it is.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct Sentence {
+    /// what is changed, and so the place
+    pub quantity: Quantity,
+    /// how
+    pub action: Action,
+    /// what it follows
+    pub driver: Driver,
+    /// how in time
+    pub kinetics: Kinetics,
+    /// the law
+    pub form: Form,
+    /// up and down alike: the driver counts by its size, not its sign
+    #[serde(default)]
+    pub even: bool,
+    /// below the threshold instead of above it
+    #[serde(default)]
+    pub below: bool,
+    /// what is late less what is now: it comes and goes
+    #[serde(default)]
+    pub passing: bool,
+    /// what adds up, where something does
+    #[serde(default)]
+    pub sum: Option<Sum>,
+}
+
+/// The numbers inside a mechanism, in the units of driver and clock; those that its words do not use play no part.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Numbers {
+    /// time constant, s
+    #[serde(default)]
+    pub tau_s: f64,
+    /// half width of the play, driver's unit
+    #[serde(default)]
+    pub width: f64,
+    /// threshold, driver's unit; of an event in time, its moment, s
+    #[serde(default)]
+    pub threshold: f64,
+    /// exponent
+    #[serde(default)]
+    pub exponent: f64,
+    /// scale at which it levels off, driver's unit
+    #[serde(default)]
+    pub scale: f64,
+    /// period, driver's unit
+    #[serde(default)]
+    pub period: f64,
+    /// phase, rad
+    #[serde(default)]
+    pub phase: f64,
+}
+
+impl Numbers {
+    /// The numbers with these values, by the names of parameters; and the value that is none of them, the size.
+    pub fn with<'v>(mut self, values: impl Iterator<Item = (&'v str, f64)>) -> (Self, f64) {
+        let mut size = 0.0;
+        for (name, value) in values {
+            *self.by_name(name).unwrap_or(&mut size) = value;
+        }
+        (self, size)
+    }
+
+    fn by_name(&mut self, name: &str) -> Option<&mut f64> {
+        Some(match name {
+            "tau" => &mut self.tau_s,
+            "width" => &mut self.width,
+            "threshold" => &mut self.threshold,
+            "exponent" => &mut self.exponent,
+            "scale" => &mut self.scale,
+            "period" => &mut self.period,
+            "phase" => &mut self.phase,
+            _ => return None,
+        })
+    }
+}
+
+/// A mechanism as a file holds it, beside its free parameters.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Mechanism {
+    /// words
+    #[serde(flatten)]
+    pub sentence: Sentence,
+    /// numbers that are not free
+    #[serde(default)]
+    pub numbers: Numbers,
+}

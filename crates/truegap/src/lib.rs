@@ -5,6 +5,7 @@
 pub mod answer;
 pub mod audit_report;
 pub mod audit_run;
+pub mod audited;
 pub mod axis;
 pub mod base;
 pub mod case_file;

@@ -7,7 +7,7 @@ mod console;
 mod table;
 
 use clap::Parser;
-use command::{Command, Outcome};
+use command::{Command, run::Outcome};
 use console::Console;
 use std::process::ExitCode;
 

@@ -1,6 +1,66 @@
 //! Locate, name and model the physics that a simulation leaves out of a recording.
 //!
 //! Limits: sees a model only through [`truegap_core::Simulator`]; one scalar response.
+//!
+//! # What is where
+//!
+//! | what | items |
+//! |---|---|
+//! | a recording and the model of it | [`Problem`], [`joint`] for several recordings as one |
+//! | run a diagnosis | [`diagnose`], [`Options`], [`Progress`] |
+//! | the answer | [`Outcome`]: [`Diagnosis`], [`Traces`], [`Augmented`]; all of `diagnosis.json` is in [`answer`] |
+//! | the omitted physics that is known, and how to add some | [`effects`], [`Effect`], [`Library`], [`Context`] |
+//! | what is wrong with the recording itself | [`quality`] |
+//! | how far to trust an answer | [`confirmation`] by another recording, [`recovery`] of known causes |
+//! | calibration alone | [`calibration`] |
+//!
+//! `examples/diagnose_csv.rs` goes from a CSV to a verdict; how the stages work is in `docs/diagnosis.md`.
+//!
+//! # A simulator of your own
+//!
+//! A level that should not move, and a recording in which it follows the temperature:
+//!
+//! ```
+//! use std::sync::atomic::AtomicBool;
+//! use truegap_core::{Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, StageName, named_values, walk_without_plates};
+//! use truegap_diagnose::{Known, Options, Problem, Verdict, diagnose};
+//!
+//! struct Level([Parameter; 1]);
+//!
+//! impl Simulator for Level {
+//!     fn name(&self) -> &str { "level" }
+//!     fn unit(&self) -> &str { "mV" }
+//!     fn parameters(&self) -> &[Parameter] { &self.0 }
+//!     fn needs(&self) -> &[Role] { &[] }
+//!     fn lacks(&self, stage: StageName) -> Option<&'static str> {
+//!         (!matches!(stage, StageName::ThermalPath | StageName::Readout)).then_some("a level has neither load nor plates")
+//!     }
+//!     fn full_load(&self) -> Option<f64> { None }
+//!     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
+//!         let [zero] = named_values(self, values)?;
+//!         walk_without_plates(self, values, inputs, stages, |_| Ok((vec![zero; inputs.len()], Readout { zero, span: 1.0 })))
+//!     }
+//! }
+//!
+//! let rows = 600;
+//! let temperature: Vec<f64> = (0..rows).map(|row| 20.0 + 10.0 * (row as f64 / 60.0).sin()).collect();
+//! let noise = |row: usize| 0.01 * ((row * row * 7919 % 1009) as f64 / 1009.0 - 0.5);
+//! let response: Vec<f64> = (0..rows).map(|row| 3.0 + 0.004 * (temperature[row] - 20.0) + noise(row)).collect();
+//! let inputs = Inputs {
+//!     time_s: Some((0..rows).map(|row| row as f64).collect()),
+//!     run: vec![1; rows],
+//!     temperature_c: Some(temperature),
+//!     ..Inputs::default()
+//! };
+//!
+//! let level = Level([Parameter::normal("zero", "mV", 3.0, 1.0, "value that should not move")]);
+//! let problem = Problem { inputs: &inputs, response: &response, simulator: &level };
+//! let found = diagnose(&problem, Known::default(), &Options::default(), &|_| (), &AtomicBool::new(false))?.diagnosis;
+//! assert_eq!(found.verdict, Verdict::Explained);
+//! assert_eq!(found.findings[0].effect, "temperature_coefficient");
+//! println!("{}", found.findings[0].says);
+//! # Ok::<(), truegap_diagnose::DiagnoseError>(())
+//! ```
 
 #[cfg(test)]
 extern crate self as truegap_diagnose;

@@ -2,7 +2,7 @@
 //!
 //! Limits: tells what the audit says; decides nothing.
 
-use crate::audit_run::{Audited, Body};
+use crate::audited::{Audited, Body};
 use truegap_audit::{Audit, EffectOn, Figure, Finding, Verdict};
 use truegap_scene::Viewer;
 use truegap_scene::figure::{Bars, Figure as Plot, FigureError};

@@ -1,13 +1,14 @@
-//! An audit with everything that its report needs, and the folder it is written to.
+//! Runs an audit and writes the folder of its files.
 //!
 //! Limits: the physics is in `truegap-audit`; here are names, files and the place of the cache.
 
 use crate::audit_report;
+use crate::audited::{Audited, Body};
 use crate::export;
 use crate::output::{OutputError, OutputFolder};
 use std::path::{Path, PathBuf};
 use truegap_audit::disc::CoupledOptions;
-use truegap_audit::{Audit, AuditError, Cache, Options, Watch, chosen, run};
+use truegap_audit::{AuditError, Cache, Options, Watch, chosen, run};
 use truegap_core::Sensor;
 
 /// Why there is no audit.
@@ -38,32 +39,6 @@ pub struct AuditRequest {
     pub cache: Cache,
     /// the command, for the report
     pub command: String,
-}
-
-/// An audit and where it comes from.
-#[derive(Clone, Debug)]
-pub struct Audited {
-    /// what was found
-    pub audit: Audit,
-    /// range and accuracy
-    pub options: Options,
-    /// full load, N
-    pub full_n: f64,
-    /// the command that made it
-    pub command: String,
-}
-
-/// A body to look at beside the table.
-#[derive(Clone, Debug)]
-pub struct Body {
-    /// name of its files, without ending
-    pub name: String,
-    /// what it shows, a sentence
-    pub says: String,
-    /// for 3D viewers
-    pub glb: Vec<u8>,
-    /// its section, for ParaView
-    pub vtu: String,
 }
 
 /// The stack of a sensor, heated and under full load.

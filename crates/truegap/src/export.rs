@@ -2,8 +2,11 @@
 //!
 //! Limits: the physics is [`truegap_audit::disc`]'s: beads as rings, one temperature, no field outside of the plates.
 
+mod colour;
 mod layers;
 mod section;
+
+pub use colour::Colour;
 
 use std::fs;
 use std::io;
@@ -39,27 +42,6 @@ pub enum ExportError {
     /// The disk says no.
     #[error("{file}: cannot be written: {source}; check that its folder is there and may be written to")]
     Write { file: PathBuf, source: io::Error },
-}
-
-/// What colours the stack.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Colour {
-    /// temperature
-    Temperature,
-    /// how far a point has moved
-    #[default]
-    Displacement,
-    /// von Mises stress
-    VonMises,
-    /// electric potential
-    Potential,
-    /// electric field strength
-    Field,
-}
-
-impl Colour {
-    /// All of them, in the order in which a viewer offers those that do not colour the file.
-    pub const ALL: [Self; 5] = [Self::Displacement, Self::VonMises, Self::Potential, Self::Field, Self::Temperature];
 }
 
 /// How the beads behave.

@@ -3,13 +3,12 @@
 //! Limits: values and standard deviations, no correlations between them; an effect is known by its id, so a program must have it in its library.
 
 use crate::base::foreseen;
-use crate::diagnosis::Diagnosed;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use truegap_core::sensor::{SensorError, builtin_sensors};
 use truegap_core::{Inputs, Sensor, SimulationError, Simulator};
 use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales, UnknownEffect};
-use truegap_diagnose::{Augmented, Context, Library};
+use truegap_diagnose::{Augmented, Context, Library, Outcome};
 use truegap_model::{BaseError, BaseModel};
 
 /// Identifier of the file format.
@@ -95,14 +94,13 @@ pub enum ModelFileError {
 }
 
 impl ModelFile {
-    /// The model that a diagnosis ends with.
+    /// The model that a diagnosis ends with: `base` as its base model is built, `folder` that of the recording, where its sensor's file may lie.
     ///
     /// # Errors
     /// [`ModelFileError::SensorFile`] where the sensor's own file has gone.
-    pub fn of(diagnosed: &Diagnosed) -> Result<Self, ModelFileError> {
-        let (diagnosis, augmented) = (&diagnosed.outcome.diagnosis, &diagnosed.outcome.augmented);
+    pub fn of(outcome: &Outcome, base: &BaseModel, folder: Option<&Path>) -> Result<Self, ModelFileError> {
+        let (diagnosis, augmented) = (&outcome.diagnosis, &outcome.augmented);
         let verdict = serde_json::to_value(diagnosis.verdict).ok().and_then(|v| v.as_str().map(str::to_owned));
-        let folder = diagnosed.recording.path.parent();
         Ok(Self {
             schema: SCHEMA.into(),
             made_by: format!("truegap {}", diagnosis.version),
@@ -110,8 +108,8 @@ impl ModelFile {
             sha256: diagnosis.recording.sha256.clone(),
             verdict: verdict.unwrap_or_default(),
             unit: diagnosis.fit.unit.clone(),
-            sensor: diagnosed.base.spec.sensor().map(|name| sensor_text(name, folder)).transpose()?,
-            base: diagnosed.base.spec.clone(),
+            sensor: base.sensor().map(|name| sensor_text(name, folder)).transpose()?,
+            base: base.clone(),
             scales: augmented.scales,
             parameters: augmented.parameters.clone(),
             base_alone: augmented.base_alone.clone(),

@@ -18,12 +18,14 @@ mod error;
 mod fresh;
 mod plan;
 mod process;
+mod result;
 mod score;
 mod sparse;
 
 pub use answers::{Answered, Told, answer, cases};
 pub use error::ProveError;
 pub use plan::{Plan, Sort, begin, entropy, resume};
-pub use score::{CaseScore, Control, Score, score};
+pub use result::{CaseScore, Control, Score};
+pub use score::score;
 pub use truegap_generator::protocol::Kind;
 pub use truegap_generator::score::targets::Row;

@@ -23,7 +23,7 @@ fn found() -> &'static ModelFile {
         let (recording, request) = (example_recording().unwrap(), Request::default());
         let files = vec![("example".to_owned(), recording.sha256.clone())];
         let diagnosed = diagnose(open(vec![recording], &request).unwrap(), files, &request, &|_| (), &AtomicBool::new(false));
-        ModelFile::of(&diagnosed.unwrap()).unwrap()
+        diagnosed.unwrap().model_file().unwrap()
     })
 }
 

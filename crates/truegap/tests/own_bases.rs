@@ -42,7 +42,7 @@ fn diagnosed(recording: Recording) -> Diagnosed {
     let diagnosed = diagnose(opened, files, &request, &|_| (), &AtomicBool::new(false)).unwrap();
     // page and model file have words for every base
     assert!(truegap::report::html(&diagnosed.subject()).contains("Base model"));
-    let model = truegap::model_file::ModelFile::of(&diagnosed).unwrap().to_toml().unwrap();
+    let model = diagnosed.model_file().unwrap().to_toml().unwrap();
     assert!(model.contains("[base]"), "{model}");
     diagnosed
 }

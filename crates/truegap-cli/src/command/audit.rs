@@ -4,8 +4,8 @@
 
 use super::diagnose::{STOP, stop_on_interrupt};
 use super::optimise::axis;
+use super::run::{Outcome, Run};
 use super::study::Where;
-use super::{Outcome, Run};
 use crate::console::Console;
 use crate::table::{digits, table};
 use anyhow::anyhow;
@@ -13,11 +13,13 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use truegap::audit::{Cache, Options, Progress, Verdict, Watch};
 use truegap::audit_report::{count, summary_lines};
-use truegap::audit_run::{AuditRequest, Audited, Body, audit, default_cache, loaded_stack};
+use truegap::audit_run::{AuditRequest, audit, default_cache, loaded_stack};
+use truegap::audited::{Audited, Body};
 use truegap::design::optimise::Space;
 use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
 use truegap::study::SensorText;
-use truegap::study::audit::{SpaceAuditAnswer, SpaceAuditRequest, SpaceFile};
+use truegap::study::answer::audit::SpaceAuditAnswer;
+use truegap::study::audit::{SpaceAuditRequest, SpaceFile};
 use truegap::sweep::Shard;
 
 /// Say which assumptions of the analytic model hold for a sensor, by how much the others are off, and what that does

@@ -1,7 +1,7 @@
 //! `truegap coefficients`: what a data sheet would say.
 
+use super::run::{Outcome, Run};
 use super::simulate::Series;
-use super::{Outcome, Run};
 use crate::console::Console;
 use crate::table::{digits, table};
 use serde::Serialize;

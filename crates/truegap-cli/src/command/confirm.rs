@@ -2,7 +2,8 @@
 //!
 //! Limits: reads, calls, prints.
 
-use super::{Outcome, Run, recorded};
+use super::recorded::recorded;
+use super::run::{Outcome, Run};
 use crate::console::Console;
 use crate::table::{digits, table};
 use std::path::PathBuf;

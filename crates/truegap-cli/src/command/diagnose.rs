@@ -2,7 +2,8 @@
 //!
 //! Limits: reads, calls, prints; a first Ctrl-C ends the search with what is known, a second one ends the program.
 
-use super::{Outcome, Run, recorded};
+use super::recorded::recorded;
+use super::run::{Outcome, Run};
 use crate::console::Console;
 use anyhow::Context;
 use indicatif::{ProgressBar, ProgressStyle};

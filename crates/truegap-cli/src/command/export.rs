@@ -2,7 +2,7 @@
 //!
 //! Limits: reads, calls, prints.
 
-use super::{Outcome, Run};
+use super::run::{Outcome, Run};
 use crate::console::Console;
 use crate::table::digits;
 use anyhow::bail;

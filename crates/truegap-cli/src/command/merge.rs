@@ -2,7 +2,8 @@
 //!
 //! Limits: reads, calls, prints.
 
-use super::{Outcome, Run, audit, optimise, tolerance};
+use super::run::{Outcome, Run};
+use super::{audit, optimise, tolerance};
 use crate::console::Console;
 use std::path::PathBuf;
 use truegap::study::{Study, merge};

@@ -2,7 +2,8 @@
 //!
 //! Limits: reads, calls, prints.
 
-use super::{Outcome, Run, solve};
+use super::run::{Outcome, Run};
+use super::solve;
 use crate::console::Console;
 use crate::table::digits;
 use serde::Serialize;

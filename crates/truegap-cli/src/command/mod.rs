@@ -11,6 +11,8 @@ mod merge;
 mod mesh;
 mod optimise;
 mod prove;
+mod recorded;
+pub mod run;
 mod sensitivity;
 mod sensors;
 mod simulate;
@@ -19,28 +21,7 @@ mod study;
 mod tolerance;
 
 use crate::console::Console;
-use std::path::Path;
-use truegap::{EXAMPLE, Recording, RecordingError, example_recording};
-
-/// How a command ended that could run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
-    /// nothing to look at: exit code 0
-    Fine,
-    /// the tool found something to look at: exit code 1
-    LookAt,
-}
-
-/// A subcommand: its arguments have been read, now do it.
-pub trait Run {
-    /// Prints the answer; an error is one paragraph that names file, value and remedy.
-    fn run(&self, console: &Console) -> anyhow::Result<Outcome>;
-}
-
-/// The built-in recording where its name is given and nothing on disk has that name.
-fn recorded(path: &Path) -> Result<Recording, RecordingError> {
-    if path == Path::new(EXAMPLE) && !path.exists() { example_recording() } else { Recording::open(path) }
-}
+use run::{Outcome, Run};
 
 /// The enum that clap reads, and who runs it.
 macro_rules! commands {

@@ -2,8 +2,8 @@
 //!
 //! Limits: reads, calls, prints.
 
+use super::run::{Outcome, Run};
 use super::study::{Where, outcome};
-use super::{Outcome, Run};
 use crate::console::Console;
 use crate::table::{digits, table};
 use anyhow::{Context, anyhow, ensure};
@@ -13,7 +13,8 @@ use truegap::design::optimise::{Axis, Choice, OBJECTIVES, SearchOptions, Space, 
 use truegap::design::{METRICS, QUANTITIES, Quantity};
 use truegap::sensors::DEFAULT_SENSOR;
 use truegap::study::SensorText;
-use truegap::study::optimise::{OptimiseAnswer, OptimiseRequest};
+use truegap::study::answer::optimise::OptimiseAnswer;
+use truegap::study::optimise::OptimiseRequest;
 
 /// Designs with smaller temperature coefficients: three two-metric fronts, the three-metric front, the minimisation vector
 #[derive(Debug, clap::Args)]

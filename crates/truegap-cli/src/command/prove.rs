@@ -3,7 +3,7 @@
 //! Limits: reads, calls, prints; a first Ctrl-C keeps what is done for `--resume`, a second one ends the program.
 
 use super::diagnose::{STOP, stop_on_interrupt};
-use super::{Outcome, Run};
+use super::run::{Outcome, Run};
 use crate::console::Console;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::PathBuf;

@@ -3,7 +3,8 @@
 //! Limits: reads, calls, prints.
 
 use super::diagnose::{STOP, stop_on_interrupt};
-use super::{Outcome, Run, study};
+use super::run::{Outcome, Run};
+use super::study;
 use crate::console::Console;
 use crate::table::{digits, table};
 use std::path::PathBuf;
@@ -12,7 +13,8 @@ use truegap::design::METRICS;
 use truegap::design::sensitivity::QuantityIndices;
 use truegap::sensors::DEFAULT_SENSOR;
 use truegap::study::SensorText;
-use truegap::study::sensitivity::{SensitivityRequest, SensorSensitivity};
+use truegap::study::answer::sensitivity::SensorSensitivity;
+use truegap::study::sensitivity::SensitivityRequest;
 
 /// Which quantity moves which number: one at a time, derivatives, Sobol indices over the tolerances
 #[derive(Debug, clap::Args)]

@@ -1,6 +1,6 @@
 //! `truegap sensors`: what is built in.
 
-use super::{Outcome, Run};
+use super::run::{Outcome, Run};
 use crate::console::Console;
 use crate::table::{digits, table};
 use serde::Serialize;

@@ -1,6 +1,7 @@
 //! `truegap simulate`: the analytic model, or an augmented one, at points or along a recorded history.
 
-use super::{Outcome, Run, recorded};
+use super::recorded::recorded;
+use super::run::{Outcome, Run};
 use crate::console::Console;
 use crate::table::{digits, table};
 use anyhow::bail;

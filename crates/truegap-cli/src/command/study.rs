@@ -2,8 +2,8 @@
 //!
 //! Limits: the first Ctrl-C keeps the cases that are done, a second one ends the program.
 
-use super::Outcome;
 use super::diagnose::{STOP, stop_on_interrupt};
+use super::run::Outcome;
 use crate::console::Console;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::PathBuf;

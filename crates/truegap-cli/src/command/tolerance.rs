@@ -2,8 +2,8 @@
 //!
 //! Limits: reads, calls, prints.
 
+use super::run::{Outcome, Run};
 use super::study::{Where, outcome};
-use super::{Outcome, Run};
 use crate::console::Console;
 use crate::table::{digits, table};
 use anyhow::Context;
@@ -11,7 +11,8 @@ use std::time::Instant;
 use truegap::design::{METRICS, Metric};
 use truegap::sensors::DEFAULT_SENSOR;
 use truegap::study::SensorText;
-use truegap::study::tolerance::{BatchAnswer, Between, ToleranceAnswer, ToleranceRequest};
+use truegap::study::answer::tolerance::{BatchAnswer, ToleranceAnswer};
+use truegap::study::tolerance::{Between, ToleranceRequest};
 
 /// Scatter and yield of a batch of sensors within their tolerances, and which tolerance to tighten first
 #[derive(Debug, clap::Args)]

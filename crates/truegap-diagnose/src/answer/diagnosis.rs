@@ -10,6 +10,7 @@ use crate::{
     answer::{
         discovered::DiscoveredFacts,
         fit_facts::{FitFacts, PredictionOnly},
+        parameter_facts::ParameterFacts,
     },
     explain::{
         conflicts::Conflict, hidden_input::slow_input::ConcealedColumn, locate::Mismatch, next_experiment::NextExperiment,
@@ -158,23 +159,6 @@ pub struct BaseFacts {
     pub parameters: Vec<ParameterFacts>,
     /// the same parameters with the findings added
     pub parameters_after: Vec<ParameterFacts>,
-}
-
-/// One parameter after calibration.
-#[derive(Clone, Debug, Serialize)]
-pub struct ParameterFacts {
-    /// name
-    pub name: String,
-    /// unit
-    pub unit: String,
-    /// prior: centre and standard deviation
-    pub prior: [f64; 2],
-    /// most probable value
-    pub value: f64,
-    /// standard deviation
-    pub sd: f64,
-    /// on a bound
-    pub at_limit: bool,
 }
 
 /// The noise model.

@@ -4,9 +4,10 @@
 
 use crate::{
     answer::{
-        diagnosis::{BeforeAfterUnit, ParameterFacts},
+        diagnosis::BeforeAfterUnit,
         found::Found,
         numbers::{fitted, parameters},
+        parameter_facts::ParameterFacts,
     },
     discovery::{discover::Discovery, marginals::WordProbabilities, phrase_book::could_be},
     effects::{composed::mechanism::Sentence, effect::Effect},

@@ -2,7 +2,7 @@
 //!
 //! Limits: plain data.
 
-use crate::{answer::diagnosis::ParameterFacts, explain::locate::Mismatch};
+use crate::{answer::parameter_facts::ParameterFacts, explain::locate::Mismatch};
 use serde::Serialize;
 
 /// Errors before and after.

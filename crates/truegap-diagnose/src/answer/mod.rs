@@ -14,6 +14,7 @@ pub(crate) mod found;
 pub(crate) mod known;
 pub(crate) mod numbers;
 pub(crate) mod outcome;
+pub(crate) mod parameter_facts;
 pub(crate) mod prediction;
 pub(crate) mod traces;
 pub(crate) mod tuning;
@@ -46,4 +47,5 @@ pub use fit_facts::{BeforeAfter, FitFacts, FlexibleTerm, HeldOut, PredictionOnly
 pub(crate) use found::{Found, Reserved};
 pub use known::Known;
 pub use outcome::Outcome;
+pub use parameter_facts::ParameterFacts;
 pub use traces::Traces;

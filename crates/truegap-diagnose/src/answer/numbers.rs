@@ -5,8 +5,9 @@
 use crate::{
     answer::{
         augmented::{AddedEffect, Augmented, NamedValue, Scales},
-        diagnosis::{NoiseFacts, ParameterFacts, RecordingNoiseFacts},
+        diagnosis::{NoiseFacts, RecordingNoiseFacts},
         found::Found,
+        parameter_facts::ParameterFacts,
     },
     effects::effect::FittedParameter,
     selection::candidates::Tried,

@@ -4,14 +4,15 @@
 
 mod bank_store;
 mod bases;
+mod clock;
+mod diagnosed;
 mod error;
 mod prediction;
 mod request;
 mod run;
 mod screen;
-mod write;
 
+pub use diagnosed::{Diagnosed, FILES};
 pub use error::DiagnosisError;
 pub use request::{Opened, Request, open};
-pub use run::{Diagnosed, diagnose};
-pub use write::FILES;
+pub use run::diagnose;

@@ -1,37 +1,22 @@
-//! A diagnosis with everything that its report needs.
+//! From recordings that were opened to a diagnosis with everything that its report needs.
 //!
 //! Limits: the base model is the recording's (or the request's); nothing is kept on disk here.
 
 use super::bases::{Bases, MATERIALS};
+use super::clock::utc_now;
+use super::diagnosed::Diagnosed;
 use super::request::{Opened, Request, named};
 use super::screen::{Screened, reserve, screen};
-use super::{DiagnosisError, bank_store, prediction, write};
+use super::{DiagnosisError, bank_store};
 use crate::base::Base;
-use crate::report::{Provenance, Subject};
-use std::path::{Path, PathBuf};
+use crate::report::Provenance;
 use std::sync::atomic::AtomicBool;
 use truegap_core::units::twelve_digits;
 use truegap_core::{Inputs, Recording, Role, SimulationError};
 use truegap_diagnose::answer::OneRecording;
 use truegap_diagnose::joint::{Member, Together};
 use truegap_diagnose::quality::Notice;
-use truegap_diagnose::{DiagnoseError, Known, Library, Options, Outcome, Problem, Progress, RecordingFacts};
-
-/// A recording and what was found in it.
-pub struct Diagnosed {
-    /// the recording as it was diagnosed; of several, all rows behind one another
-    pub recording: Recording,
-    /// each of several by itself
-    pub parts: Vec<Recording>,
-    /// its base model; of several recordings, the first one's
-    pub base: Base,
-    /// what was found
-    pub outcome: Outcome,
-    /// where it comes from
-    pub provenance: Provenance,
-    /// the effects that were known
-    pub library: Library,
-}
+use truegap_diagnose::{DiagnoseError, Known, Options, Outcome, Problem, Progress, RecordingFacts};
 
 /// Diagnoses what was opened; `files` are what was read, with their SHA-256.
 ///
@@ -54,7 +39,7 @@ pub fn diagnose(
     let base = bases.bases.into_iter().next().ok_or(DiagnosisError::NoRecording)?;
     let provenance = Provenance {
         command: request.command.clone(),
-        made_at: write::utc_now(),
+        made_at: utc_now(),
         files,
         interrupted: outcome.interrupted,
         has_model: true,
@@ -211,32 +196,5 @@ fn facts(recording: &Recording, files: &[(String, String)]) -> RecordingFacts {
         sha256: hashes.join(" "),
         source: if names.is_empty() { named(recording) } else { names.join(", ") },
         ..RecordingFacts::default()
-    }
-}
-
-impl Diagnosed {
-    /// What the report is about.
-    pub fn subject(&self) -> Subject<'_> {
-        Subject {
-            diagnosis: &self.outcome.diagnosis,
-            traces: &self.outcome.traces,
-            inputs: &self.recording.inputs,
-            response: &self.recording.response,
-            provenance: &self.provenance,
-            library: &self.library,
-        }
-    }
-
-    /// Every row with all predictions, as CSV.
-    pub fn prediction_csv(&self) -> String {
-        prediction::csv(&self.recording, &self.parts, &self.outcome.traces)
-    }
-
-    /// Writes diagnosis.json, report.html, augmented.toml and prediction.csv, all or none.
-    ///
-    /// # Errors
-    /// [`DiagnosisError`] where the disk refuses or the model cannot be written.
-    pub fn write(&self, folder: &Path) -> Result<PathBuf, DiagnosisError> {
-        write::folder(self, folder)
     }
 }

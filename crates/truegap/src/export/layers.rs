@@ -2,7 +2,7 @@
 //!
 //! Limits: corners of the mesh; air is no layer, so that the beads can be seen.
 
-use super::Colour;
+use super::colour::Colour;
 use std::collections::BTreeMap;
 use truegap_audit::disc::{Coupled, von_mises};
 use truegap_core::Sensor;

@@ -5,7 +5,6 @@
 use super::error::{ProveError, read};
 use super::{process, sparse};
 use crate::diagnosis::{Diagnosed, Request, diagnose, open};
-use crate::model_file::ModelFile;
 use crate::output::OutputFolder;
 use std::path::Path;
 use std::sync::Mutex;
@@ -112,7 +111,7 @@ fn one(folder: &Path, case: &str, stop: &AtomicBool) -> Result<Option<String>, P
     let out = OutputFolder::begin(&target)?;
     let text = serde_json::to_string_pretty(&diagnosed.outcome.diagnosis);
     let text = text.map_err(|source| ProveError::Json { path: target.join("diagnosis.json"), source })?;
-    if let Some(model) = ModelFile::of(&diagnosed).ok().and_then(|model| model.to_toml().ok()) {
+    if let Some(model) = diagnosed.model_file().ok().and_then(|model| model.to_toml().ok()) {
         out.write("augmented.toml", model)?; // without it the case has no figure on fresh histories, which is said there
     }
     out.write("controls.json", controls(&diagnosed).to_string() + "\n")?;

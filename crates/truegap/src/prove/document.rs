@@ -2,11 +2,17 @@
 //!
 //! Limits: says what was counted; what a figure means for a sensor is told in the manual.
 
-use super::score::{Control, Score};
+use super::result::{Control, Score};
 use std::fmt::Write;
 
-/// Targets, outcomes by cause, wrong claims, controls, refusals.
-pub(super) fn text(score: &Score) -> String {
+impl Score {
+    /// Everything that is measured, as a person reads it: targets, outcomes by cause, wrong claims, controls, refusals.
+    pub fn text(&self) -> String {
+        text(self)
+    }
+}
+
+fn text(score: &Score) -> String {
     let mut text = score.table.clone();
     score.controls.iter().for_each(|control| text += &rule(control));
     if let Some((share, cases)) = score.process_misfit_removed {

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::Path;
 use truegap_generator::protocol::Kind;
-use truegap_generator::study::Only;
+use truegap_generator::settings::Only;
 use truegap_generator::{Options, Study};
 
 /// Restriction of a study, to count one thing well; the diagnosis is not told of it.

@@ -6,78 +6,18 @@ use super::answers::{Answered, place};
 use super::controls::RULES;
 use super::error::{ProveError, json, read, write};
 use super::plan::Plan;
+use super::result::{CaseScore, Control, Score};
 use super::{document, fresh};
-use serde::Serialize;
 use serde_json::Value;
 use std::path::Path;
 use truegap_generator::commitment::sha256;
 use truegap_generator::score::folder::score_folder;
 use truegap_generator::score::judge::Outcome;
-use truegap_generator::score::targets::{Row, by_detectability, rows};
+use truegap_generator::score::targets::{by_detectability, rows};
 use truegap_generator::score::{Scored, score as judged, table};
 
 /// Detectability from which a model is tried on a fresh history, as the target has it.
 const STRONG: f64 = 16.0;
-
-/// What a study comes to.
-#[derive(Clone, Debug, Serialize)]
-pub struct Score {
-    /// what was asked for, seed included
-    pub plan: Plan,
-    /// version of the program
-    pub version: &'static str,
-    /// SHA-256 of `commitments.txt`
-    pub commitments_sha256: String,
-    /// the targets of `diagnosis.md`, with counts and intervals
-    pub targets: Vec<Row>,
-    /// single causes in bands of detectability
-    pub by_detectability: Vec<Row>,
-    /// simpler rules on the same fits
-    pub controls: Vec<Control>,
-    /// median share of the held-out misfit that a Gaussian process without physics removes, and the cases it rests on: singles and pairs at d >= 16
-    pub process_misfit_removed: Option<(f64, usize)>,
-    /// one by one
-    pub cases: Vec<CaseScore>,
-    /// recordings that the diagnosis refused, with its reason; they are in no share
-    pub refused: Vec<(String, String)>,
-    /// cases whose model could not be tried on a fresh history, with the reason
-    pub not_tried_afresh: Vec<(String, String)>,
-    /// targets, outcomes by cause and wrong claims, as a person reads them
-    #[serde(skip)]
-    pub table: String,
-}
-
-/// One rule of the controls.
-#[derive(Clone, Debug, Serialize)]
-pub struct Control {
-    /// the rule
-    pub says: String,
-    /// the targets, counted for it
-    pub targets: Vec<Row>,
-}
-
-/// One case.
-#[derive(Clone, Debug, Serialize)]
-pub struct CaseScore {
-    /// its name
-    pub case: String,
-    /// kind of protocol
-    pub protocol: String,
-    /// what was concealed; a stranger as `stranger:NAME`
-    pub concealed: Vec<String>,
-    /// detectability of all causes together
-    pub detectability: f64,
-    /// verdict
-    pub verdict: String,
-    /// effects named, with the probability stated
-    pub named: Vec<(String, Option<f64>)>,
-    /// how good that was
-    pub outcome: String,
-    /// share of the misfit removed on a fresh history
-    pub fresh_misfit_removed: Option<f64>,
-    /// wall-clock time of the diagnosis, s
-    pub seconds: Option<f64>,
-}
 
 /// Scores the study in `folder` and writes `score.json` and `score.md`; `command` is for the record.
 ///
@@ -120,18 +60,6 @@ pub fn score(folder: &Path, answered: &Answered, command: &str) -> Result<Score,
     write(&path, &(text + "\n"))?;
     write(&folder.join("score.md"), &document::markdown(&score, command))?;
     Ok(score)
-}
-
-impl Score {
-    /// Everything that is measured, as a person reads it.
-    pub fn text(&self) -> String {
-        document::text(self)
-    }
-
-    /// Whether every target that has cases is met.
-    pub fn is_met(&self) -> bool {
-        self.targets.iter().all(|row| row.met != Some(false)) && self.refused.is_empty()
-    }
 }
 
 /// The controls that claim a share; medians and probabilities are not theirs.

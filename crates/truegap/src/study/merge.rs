@@ -2,9 +2,12 @@
 //!
 //! Limits: the folder says which study it is; the cases are listed anew from its request.
 
-use super::audit::{SpaceAuditAnswer, SpaceAuditRequest};
-use super::optimise::{OptimiseAnswer, OptimiseRequest};
-use super::tolerance::{ToleranceAnswer, ToleranceRequest};
+use super::answer::audit::SpaceAuditAnswer;
+use super::answer::optimise::OptimiseAnswer;
+use super::answer::tolerance::ToleranceAnswer;
+use super::audit::SpaceAuditRequest;
+use super::optimise::OptimiseRequest;
+use super::tolerance::ToleranceRequest;
 use super::{StudyError, audit, optimise, tolerance};
 use serde::de::DeserializeOwned;
 use serde_json::Value;

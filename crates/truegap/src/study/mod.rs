@@ -2,6 +2,7 @@
 //!
 //! Limits: the numbers are `truegap-design`'s, the cases `truegap-sweep`'s; here they meet files.
 
+pub mod answer;
 pub mod audit;
 mod error;
 mod merge;

@@ -2,23 +2,19 @@
 //!
 //! Limits: several searches a front, each with its own seed, united; at most about 400 designs a front are told.
 
+use super::answer::optimise::{FRONTS, FrontAnswer, OptimiseAnswer};
 use super::work::{merged, write};
 use super::{Finished, SensorText, StudyError, Work, page};
 use serde::{Deserialize, Serialize};
-use std::fmt::Write;
 use std::path::Path;
 use truegap_design::optimise::{
-    Axis, Candidate, DesignProblem, Exclusion, OBJECTIVES, SearchOptions, Searched, Space, Useful, hypervolume_2d,
-    hypervolume_3d, search, thin, unite,
+    Axis, DesignProblem, OBJECTIVES, SearchOptions, Searched, Space, Useful, hypervolume_2d, hypervolume_3d, search, thin, unite,
 };
-use truegap_design::{DesignError, MetricOptions, Metrics};
+use truegap_design::{DesignError, MetricOptions};
 use truegap_sweep::Sweep;
 
 /// Name of the study in a sweep's folder.
 pub const STUDY: &str = concat!("truegap.optimise/1 of ", env!("CARGO_PKG_VERSION"));
-
-/// Objectives of each front, as places in [`OBJECTIVES`].
-pub const FRONTS: [&[usize]; 4] = [&[0, 1], &[0, 2], &[1, 2], &[0, 1, 2]];
 
 /// Designs of a front that are told.
 const TOLD: usize = 400;
@@ -43,50 +39,6 @@ pub struct OptimiseRequest {
 struct Case {
     front: usize,
     seed: u64,
-}
-
-/// What is answered.
-#[derive(Clone, Debug, Serialize)]
-pub struct OptimiseAnswer {
-    schema: &'static str,
-    /// starting design
-    pub sensor: String,
-    /// metrics of the starting design
-    pub base: Metrics,
-    /// how each search went about it
-    pub search: SearchOptions,
-    /// whether all searches are in it
-    pub complete: bool,
-    /// what may be chosen
-    pub axes: Vec<Axis>,
-    /// how useful the sensor must stay
-    pub useful: Useful,
-    /// share of the space that meets all constraints
-    pub feasible: f64,
-    /// what each constraint excludes
-    pub exclusions: Vec<Exclusion>,
-    /// the design along the minimisation vector; `None` where the front of three was not searched
-    pub vector: Option<Candidate>,
-    /// fronts in the order of [`FRONTS`]
-    pub fronts: Vec<FrontAnswer>,
-}
-
-/// One front.
-#[derive(Clone, Debug, Serialize)]
-pub struct FrontAnswer {
-    /// names of the objectives
-    pub objectives: Vec<&'static str>,
-    /// their places in [`OBJECTIVES`]
-    #[serde(skip)]
-    pub places: &'static [usize],
-    /// searches
-    pub searches: usize,
-    /// evaluations of all searches
-    pub evaluations: usize,
-    /// area or volume between the front and the starting design, whose ratios are 1: 0 where nothing is gained, 1 where all coefficients can vanish together
-    pub hypervolume: f64,
-    /// some of its designs, sorted by the first objective
-    pub designs: Vec<Candidate>,
 }
 
 struct Checked {
@@ -180,18 +132,5 @@ impl OptimiseAnswer {
         files.extend(page::optimise::figures(self)?);
         files.push(("report.html".to_owned(), page::optimise::html(self)?));
         write(folder, &files)
-    }
-
-    fn csv(&self) -> String {
-        let axes: Vec<String> = self.axes.iter().map(|a| format!("{}_si", a.quantity)).collect();
-        let ratios = OBJECTIVES.map(|o| format!("{o}_ratio")).join(",");
-        let mut text = format!("front,{},{ratios}\n", axes.join(","));
-        for front in &self.fronts {
-            for design in &front.designs {
-                let numbers: Vec<String> = design.values.iter().chain(&design.ratios).map(f64::to_string).collect();
-                let _ = writeln!(text, "{},{}", front.objectives.join("+"), numbers.join(",")); // a String takes everything
-            }
-        }
-        text
     }
 }

@@ -2,15 +2,12 @@
 //!
 //! Limits: a study of seconds, computed in one process; stopped, it keeps the rows it has.
 
+use super::answer::sensitivity::{SensitivityAnswer, SensorSensitivity};
 use super::work::write;
 use super::{SensorText, StudyError, page};
-use serde::Serialize;
-use std::fmt::Write;
 use std::path::Path;
-use truegap_design::sensitivity::{
-    LocalSensitivity, OneAtATime, PAPER_QUANTITIES, SobolOptions, ToleranceIndices, local, one_at_a_time, tolerance_indices,
-};
-use truegap_design::{DesignError, METRICS, Metric, MetricOptions};
+use truegap_design::sensitivity::{PAPER_QUANTITIES, SobolOptions, local, one_at_a_time, tolerance_indices};
+use truegap_design::{DesignError, METRICS, MetricOptions};
 
 /// What is asked.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,31 +20,6 @@ pub struct SensitivityRequest {
     pub rows: usize,
     /// its seed
     pub seed: u64,
-}
-
-/// What is answered.
-#[derive(Clone, Debug, Serialize)]
-pub struct SensitivityAnswer {
-    schema: &'static str,
-    /// by how many per cent each quantity went down and up
-    pub change_pct: f64,
-    /// order of the numbers in every row
-    pub metrics: [Metric; METRICS.len()],
-    /// one entry a sensor
-    pub sensors: Vec<SensorSensitivity>,
-}
-
-/// One sensor.
-#[derive(Clone, Debug, Serialize)]
-pub struct SensorSensitivity {
-    /// name
-    pub sensor: String,
-    /// changes, others at their values
-    pub one_at_a_time: Vec<OneAtATime>,
-    /// derivatives
-    pub local: Vec<LocalSensitivity>,
-    /// Sobol indices; `None` for a sensor without tolerances
-    pub sobol: Option<ToleranceIndices>,
 }
 
 impl SensitivityRequest {
@@ -92,21 +64,5 @@ impl SensitivityAnswer {
         files.extend(page::sensitivity::figures(self)?);
         files.push(("report.html".to_owned(), page::sensitivity::html(self)?));
         write(folder, &files)
-    }
-
-    fn csv(&self) -> String {
-        let mut text = String::from("sensor,quantity,metric,unit,down,up,per_percent,sobol_first,sobol_total\n");
-        for of in &self.sensors {
-            for (row, slope) in of.one_at_a_time.iter().zip(&of.local) {
-                let index = of.sobol.iter().flat_map(|s| &s.quantities).find(|q| q.quantity == row.quantity);
-                for (i, metric) in METRICS.into_iter().enumerate() {
-                    let sobol = index.map_or_else(|| ",".to_owned(), |q| format!("{},{}", q.first[i].value, q.total[i].value));
-                    let numbers = format!("{},{},{}", row.down[i], row.up[i], slope.per_percent[i]);
-                    // a String takes everything
-                    let _ = writeln!(text, "{},{},{metric},{},{numbers},{sobol}", of.sensor, row.quantity, metric.unit());
-                }
-            }
-        }
-        text
     }
 }

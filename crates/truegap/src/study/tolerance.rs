@@ -2,17 +2,16 @@
 //!
 //! Limits: a case is 65 536 sensors; quantiles are means over cases; which tolerance to tighten is decided on one case a tolerance.
 
+use super::answer::tolerance::{BatchAnswer, ToleranceAnswer};
 use super::work::{merged, write};
 use super::{Finished, SensorText, StudyError, Work, page};
 use serde::{Deserialize, Serialize};
-use std::fmt::Write;
 use std::path::Path;
 use truegap_core::Sensor;
 use truegap_design::tolerance::{
-    BATCH, BatchOptions, Limit, PROBABILITIES, Scatter, Specification, Summary, Tightened, Yield, halved, join, part, rank,
-    tolerances,
+    BATCH, BatchOptions, Limit, Specification, Summary, Tightened, halved, join, part, rank, tolerances,
 };
-use truegap_design::{DesignError, METRICS, Metric, MetricOptions, Quantity};
+use truegap_design::{DesignError, Metric, MetricOptions, Quantity};
 use truegap_sweep::Sweep;
 
 /// Name of the study in a sweep's folder.
@@ -52,36 +51,6 @@ struct Case {
     samples: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     halved: Option<Quantity>,
-}
-
-/// What is answered.
-#[derive(Clone, Debug, Serialize)]
-pub struct ToleranceAnswer {
-    schema: &'static str,
-    /// seed
-    pub seed: u64,
-    /// whether all cases are in it
-    pub complete: bool,
-    /// what a good sensor is
-    pub specification: Specification,
-    /// one entry a sensor
-    pub sensors: Vec<BatchAnswer>,
-    /// the first sensor with one tolerance halved, the one to tighten first in front
-    pub tighten: Vec<Tightened>,
-}
-
-/// One batch.
-#[derive(Clone, Debug, Serialize)]
-pub struct BatchAnswer {
-    /// sensor
-    pub sensor: String,
-    /// sensors drawn
-    pub samples: usize,
-    /// scatter of every metric
-    pub scatter: Vec<Scatter>,
-    /// share of good sensors
-    #[serde(rename = "yield")]
-    pub good: Yield,
 }
 
 /// A request that has been checked.
@@ -201,27 +170,5 @@ impl ToleranceAnswer {
         files.extend(page::tolerance::figures(self)?);
         files.push(("report.html".to_owned(), page::tolerance::html(self)?));
         write(folder, &files)
-    }
-
-    fn scatter_csv(&self) -> String {
-        let quantiles = PROBABILITIES.map(|p| format!("q{p}")).join(",");
-        let mut text = format!("sensor,metric,unit,mean,sd,{quantiles}\n");
-        for batch in &self.sensors {
-            for s in &batch.scatter {
-                let quantiles = s.quantiles.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
-                // a String takes everything
-                let _ = writeln!(text, "{},{},{},{},{},{quantiles}", batch.sensor, s.metric, s.metric.unit(), s.mean, s.sd);
-            }
-        }
-        text
-    }
-
-    fn tighten_csv(&self) -> String {
-        let mut text = format!("quantity,yield,yield_gained,{}\n", METRICS.map(|m| format!("{m}_sd_falls_pct")).join(","));
-        for row in &self.tighten {
-            let falls = row.scatter_falls_pct.map(|v| v.to_string()).join(",");
-            let _ = writeln!(text, "{},{},{},{falls}", row.quantity, row.share, row.gain); // a String takes everything
-        }
-        text
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Limits: one quantity at a time, by the order of its values alone.
 
-use super::audit::SpaceAuditAnswer;
+use super::answer::audit::SpaceAuditAnswer;
 use truegap_audit::Verdict;
 use truegap_design::optimise::Axis;
 

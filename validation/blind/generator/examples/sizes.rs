@@ -3,10 +3,10 @@
 //! Run: `cargo run -p truegap-generator --example sizes -- full`
 
 use truegap_generator::causes::{Bench, LIBRARY, STRANGERS};
-use truegap_generator::chain::Scene;
 use truegap_generator::draws::Draws;
 use truegap_generator::protocol::Kind;
 use truegap_generator::sensor::Sensor;
+use truegap_generator::state::Scene;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let name = std::env::args().nth(1).unwrap_or_else(|| "full".to_owned());

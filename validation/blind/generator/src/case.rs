@@ -4,7 +4,7 @@
 
 use crate::answer::Answer;
 use crate::causes::{Bench, LIBRARY, STRANGERS, SizeError};
-use crate::chain::{Act, PlatesTouch, Scene, simulate};
+use crate::chain::{Act, simulate};
 use crate::detectability::input_error;
 use crate::draws::Draws;
 use crate::history::History;
@@ -15,7 +15,8 @@ use crate::protocol::Kind;
 use crate::recording::{Declared, Recording};
 use crate::score::family::family;
 use crate::sensor::Sensor;
-use crate::study::{Only, Shares, Study};
+use crate::settings::{Only, Settings, Shares};
+use crate::state::{PlatesTouch, Scene};
 use serde_json::Value;
 
 /// Draws of causes before less is asked of them.
@@ -84,21 +85,21 @@ struct Posed {
 }
 
 impl BlindCase {
-    pub(crate) fn draw(study: &Study, index: usize) -> Result<Self, CaseError> {
+    pub(crate) fn draw(settings: &Settings, index: usize) -> Result<Self, CaseError> {
         let case = format!("case-{:03}", index + 1);
-        let stream = |purpose: &str| Draws::of(study.seed(), &format!("{case}/{purpose}"));
-        let shares = study.shares();
-        let logger = (study.options().only == Only::Loggers).then(|| Logger::ALL[index % Logger::ALL.len()]);
+        let stream = |purpose: &str| Draws::of(settings.seed, &format!("{case}/{purpose}"));
+        let shares = &settings.shares;
+        let logger = (settings.options.only == Only::Loggers).then(|| Logger::ALL[index % Logger::ALL.len()]);
         let setting = Setting::drawn(case.clone(), shares, stream).with_logger(logger);
         let draws = &mut stream("causes");
         let makeup = match draws.weighted(&shares.makeup) {
             4 => Makeup::Stranger,
             count => Makeup::Library(count),
         };
-        let asked = draws.log_between(study.options().detectability_from, study.options().detectability_to);
-        let posed = setting.pose(makeup, asked, study, draws)?;
+        let asked = draws.log_between(settings.options.detectability_from, settings.options.detectability_to);
+        let posed = setting.pose(makeup, asked, settings, draws)?;
         let salt = format!("{:016x}{:016x}", stream("salt").bits(), stream("more salt").bits());
-        setting.finish(posed, makeup, salt, study.seed(), &mut stream("noise"))
+        setting.finish(posed, makeup, salt, settings.seed, &mut stream("noise"))
     }
 }
 
@@ -134,13 +135,13 @@ impl Setting {
     }
 
     /// Draws causes until they can be seen; asks for less after [`TRIES`] draws.
-    fn pose(&self, makeup: Makeup, asked: f64, study: &Study, draws: &mut Draws) -> Result<Posed, CaseError> {
-        let shares = study.shares();
+    fn pose(&self, makeup: Makeup, asked: f64, settings: &Settings, draws: &mut Draws) -> Result<Posed, CaseError> {
+        let shares = &settings.shares;
         let humidity = draws.chance(shares.humidity);
         let flat = draws.chance(shares.flat);
         let mut benches: [Option<Bench>; 2] = [None, None];
         let mut asked = asked;
-        while asked >= study.options().detectability_from * 0.99 {
+        while asked >= settings.options.detectability_from * 0.99 {
             for _ in 0..TRIES {
                 let causes = drawn_causes(makeup, shares, draws);
                 let Some(needs) = together(&causes) else { continue };

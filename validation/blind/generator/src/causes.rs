@@ -2,10 +2,11 @@
 //!
 //! Limits: a cause that cannot reach what is asked below its `size_limit` is refused; a study then poses another.
 
-use crate::chain::{Act, PlatesTouch, Scene, simulate};
+use crate::chain::{Act, simulate};
 use crate::detectability::{Calibration, Leftover};
 use crate::draws::Draws;
 use crate::mechanism::{self as m, Mechanism};
+use crate::state::{PlatesTouch, Scene};
 use crate::stranger as s;
 
 /// Draws a cause's shape.

@@ -2,19 +2,8 @@
 //!
 //! Limits: a cause acts at one or two stages; causes of the same stage act one after the other in the order given.
 
-use crate::history::History;
 use crate::mechanism::Mechanism;
-use crate::physics::{beads, constants::EXPANSION_RTV, constants::REFERENCE, field, layers, warp};
-use crate::sensor::Sensor;
-
-/// What stays the same during a simulation.
-#[derive(Debug, Clone, Copy)]
-pub struct Scene<'a> {
-    /// The sensor.
-    pub sensor: &'a Sensor,
-    /// What is done to it.
-    pub history: &'a History,
-}
+use crate::state::{PlatesTouch, Scene, State};
 
 /// A cause at a size.
 #[derive(Debug, Clone)]
@@ -23,37 +12,6 @@ pub struct Act {
     pub mechanism: Box<dyn Mechanism>,
     /// Its size, in the mechanism's own unit; 0 is the base model.
     pub size: f64,
-}
-
-/// State of every row on its way through the chain; SI units, temperatures in degC.
-#[derive(Debug, Clone)]
-pub struct State {
-    /// Load that reaches the beads, N.
-    pub force: Vec<f64>,
-    /// Temperature of the sensor, degC.
-    pub temperature: Vec<f64>,
-    /// Factor on the modulus of the beads (or on the area that carries).
-    pub stiffness: Vec<f64>,
-    /// Power of the shape factor in the bead law.
-    pub stiffening: f64,
-    /// Compression of the beads (positive).
-    pub compression: Vec<f64>,
-    /// Shape of the gap.
-    pub gap: Vec<field::Gap>,
-    /// Factor on the permittivity of the silicone.
-    pub silicone: Vec<f64>,
-    /// Factor on the permittivity of the polyimide.
-    pub polyimide: Vec<f64>,
-    /// Capacitance read, pF.
-    pub reading: Vec<f64>,
-}
-
-/// The plates touch: no capacitance.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("row {row}: the plates touch; make the concealed effect smaller")]
-pub struct PlatesTouch {
-    /// First row where they do.
-    pub row: usize,
 }
 
 /// Noise-free readings (pF) of `scene.sensor` with the causes `acts`; `warp`: the electrode bends with temperature.
@@ -75,58 +33,4 @@ pub fn simulate(scene: Scene, warp: bool, acts: &[Act]) -> Result<Vec<f64>, Plat
     each(&mut state, |m, size, scene, state| m.field(size, scene, state));
     each(&mut state, |m, size, scene, state| m.readout(size, scene, state));
     Ok(state.reading)
-}
-
-impl State {
-    fn untouched(history: &History) -> Self {
-        let rows = history.rows();
-        Self {
-            force: history.force.clone(),
-            temperature: history.temperature.clone(),
-            stiffness: vec![1.0; rows],
-            stiffening: 0.0,
-            compression: vec![0.0; rows],
-            gap: vec![field::Gap::default(); rows],
-            silicone: vec![1.0; rows],
-            polyimide: vec![1.0; rows],
-            reading: vec![0.0; rows],
-        }
-    }
-
-    /// Load over area and modulus of the beads at `row`.
-    pub fn bead_load(&self, sensor: &Sensor, row: usize) -> f64 {
-        let temperature = self.temperature[row];
-        self.force[row] / (beads::area(sensor, temperature) * beads::young(sensor, temperature) * self.stiffness[row])
-    }
-
-    fn compress(&mut self, sensor: &Sensor) {
-        for row in 0..self.force.len() {
-            self.compression[row] = beads::compression(self.bead_load(sensor, row), self.stiffening);
-        }
-    }
-
-    fn shape(&mut self, sensor: &Sensor, warp: bool) {
-        for row in 0..self.force.len() {
-            let temperature = self.temperature[row];
-            let height = sensor.height_rtv * (1.0 + EXPANSION_RTV * (temperature - REFERENCE));
-            self.gap[row].mean = height * (1.0 - self.compression[row]);
-            self.gap[row].curvature = if warp { warp::curvature(sensor, temperature) } else { 0.0 };
-        }
-    }
-
-    fn read(&mut self, sensor: &Sensor) -> Result<(), PlatesTouch> {
-        let disc = field::Disc::new();
-        for row in 0..self.force.len() {
-            let moment = layers::Moment {
-                force: self.force[row],
-                temperature: self.temperature[row],
-                compression: self.compression[row],
-                gap: self.gap[row],
-                silicone: self.silicone[row],
-                polyimide: self.polyimide[row],
-            };
-            self.reading[row] = layers::parts(sensor, &moment, &disc).ok_or(PlatesTouch { row })?.total;
-        }
-        Ok(())
-    }
 }

@@ -6,9 +6,10 @@
 //! the parameters had to be pushed for, in one number. That this is the number in the shared open recordings is tested on them.
 //! Limits: linear (finite differences at the true sensor); autocorrelation is ignored, and noise on the inputs unless it is asked for ([`input_error`]).
 
-use crate::chain::{PlatesTouch, Scene, simulate};
+use crate::chain::simulate;
 use crate::noise::Noise;
 use crate::sensor::{Sensor, Toleranced};
+use crate::state::{PlatesTouch, Scene};
 
 const PARAMETERS: usize = Toleranced::ALL.len();
 /// Half-step of the central differences, in standard deviations.

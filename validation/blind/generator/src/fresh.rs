@@ -3,10 +3,11 @@
 //! Limits: the clock and the greatest load ever start again; random strangers go through their own course again.
 
 use crate::case::{BlindCase, CaseError};
-use crate::chain::{Act, Scene, simulate};
+use crate::chain::{Act, simulate};
 use crate::draws::Draws;
 use crate::protocol::Kind;
 use crate::recording::{Declared, Recording};
+use crate::state::Scene;
 
 /// A fresh recording of a known case.
 #[derive(Debug, Clone)]

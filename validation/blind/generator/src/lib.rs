@@ -21,10 +21,13 @@ pub mod protocol;
 pub mod recording;
 pub mod score;
 pub mod sensor;
+pub mod settings;
+pub mod state;
 pub mod stranger;
 pub mod study;
 
 pub use answer::Answer;
 pub use case::{BlindCase, CaseError};
 pub use fresh::Fresh;
-pub use study::{Options, Study, StudyError};
+pub use settings::Options;
+pub use study::{Study, StudyError};

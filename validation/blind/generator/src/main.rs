@@ -6,7 +6,7 @@ use anyhow::Result;
 use clap::{Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 use truegap_generator::score::{folder::score_folder, table, targets};
-use truegap_generator::study::Only;
+use truegap_generator::settings::Only;
 use truegap_generator::{Options, Study};
 
 #[derive(Parser)]

@@ -1,7 +1,7 @@
 //! Every cause is nothing at zero size and shows when it should.
 
 use truegap_generator::causes::{Bench, LIBRARY, STRANGERS, SizeError};
-use truegap_generator::chain::{Act, Scene, simulate};
+use truegap_generator::chain::{Act, simulate};
 use truegap_generator::detectability::input_error;
 use truegap_generator::draws::Draws;
 use truegap_generator::history::History;
@@ -9,6 +9,7 @@ use truegap_generator::noise::Noise;
 use truegap_generator::protocol::Kind;
 use truegap_generator::score::family::{Family, family};
 use truegap_generator::sensor::Sensor;
+use truegap_generator::state::Scene;
 
 fn history() -> History {
     Kind::Uneven.history(false, &mut Draws::of(5, "history"))

@@ -1,11 +1,12 @@
 //! Causes against what their equations say in closed form, or must not do.
 
 use truegap_generator::causes::LIBRARY;
-use truegap_generator::chain::{Act, Scene, simulate};
+use truegap_generator::chain::{Act, simulate};
 use truegap_generator::draws::Draws;
 use truegap_generator::history::History;
 use truegap_generator::mechanism::Mechanism;
 use truegap_generator::sensor::Sensor;
+use truegap_generator::state::Scene;
 
 fn cause(id: &str) -> Box<dyn Mechanism> {
     LIBRARY.iter().find(|(name, _)| *name == id).expect("known").1(&mut Draws::of(1, id))

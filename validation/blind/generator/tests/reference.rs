@@ -2,12 +2,13 @@
 
 use std::path::PathBuf;
 use truegap_generator::causes::Bench;
-use truegap_generator::chain::{Scene, simulate};
+use truegap_generator::chain::simulate;
 use truegap_generator::draws::Draws;
 use truegap_generator::history::History;
 use truegap_generator::physics::{beads, constants, field, layers, warp};
 use truegap_generator::protocol::Kind;
 use truegap_generator::sensor::Sensor;
+use truegap_generator::state::Scene;
 
 /// `model_values.csv` beside the shared recordings, or in `../shared` of the workspace.
 fn reference() -> Option<PathBuf> {

@@ -14,7 +14,6 @@ use crate::{
         candidates::{Progress, Search},
         examine::{Examined, examine},
     },
-    stats::log_sum_exp,
     validation::recovery::{case::BankCase, confusion::Bank},
     whitening::noise_model::NoiseModel,
 };
@@ -176,11 +175,4 @@ fn key(search: &Search<'_>, inputs: &truegap_core::Inputs, noise: &NoiseModel, l
     }
     hash.update(format!("{} {RULES} {likely:?} {}", env!("CARGO_PKG_VERSION"), search.problem.simulator.name()));
     hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-/// Probabilities raised to a power and normalised again.
-pub(crate) fn sharpened(log_probability: &[f64], power: f64) -> Vec<f64> {
-    let raised: Vec<f64> = log_probability.iter().map(|p| p * power).collect();
-    let total = log_sum_exp(&raised);
-    raised.iter().map(|p| (p - total).exp()).collect()
 }

@@ -2,7 +2,8 @@
 //!
 //! Limits: one power for all effects and sizes.
 
-use crate::validation::recovery::{case::BankCase, fill::sharpened};
+use crate::{stats::log_sum_exp, validation::recovery::case::BankCase};
+
 /// Standard deviation of what is known of the logarithm of the power beforehand.
 const LOG_SD: f64 = 0.4;
 /// Range of powers looked at, in logarithms, and the steps.
@@ -21,6 +22,13 @@ fn claims_of(case: &BankCase, power: f64) -> Vec<(f64, bool)> {
         case.models.iter().zip(&probability).filter(|(m, _)| m.0.contains(effect)).map(|(_, p)| p).sum()
     };
     case.named.iter().map(|e| (of(e).clamp(1e-6, 1.0 - 1e-6), case.truth.effects.contains(e))).collect()
+}
+
+/// Probabilities raised to a power and normalised again.
+fn sharpened(log_probability: &[f64], power: f64) -> Vec<f64> {
+    let raised: Vec<f64> = log_probability.iter().map(|p| p * power).collect();
+    let total = log_sum_exp(&raised);
+    raised.iter().map(|p| (p - total).exp()).collect()
 }
 
 /// The power under which the bank's own claims would have been likeliest, with a prior about 1.

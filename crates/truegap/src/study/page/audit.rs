@@ -4,7 +4,7 @@
 
 use super::number;
 use crate::audit_report::{MOVED, short_percent, word};
-use crate::study::audit::{Audited, Row, SpaceAuditAnswer};
+use crate::study::answer::audit::{Audited, Row, SpaceAuditAnswer};
 use crate::study::{
     StudyError,
     where_broken::{Where, wheres},

@@ -4,7 +4,7 @@
 
 use super::{number, spoken, values};
 use crate::study::StudyError;
-use crate::study::optimise::{FrontAnswer, OptimiseAnswer};
+use crate::study::answer::optimise::{FrontAnswer, OptimiseAnswer};
 use truegap_design::METRICS;
 use truegap_design::optimise::{Candidate, Choice, OBJECTIVES};
 use truegap_scene::figure::{Figure, FigureError};

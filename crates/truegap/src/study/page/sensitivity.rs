@@ -4,7 +4,7 @@
 
 use super::{header, row, spoken};
 use crate::study::StudyError;
-use crate::study::sensitivity::{SensitivityAnswer, SensorSensitivity};
+use crate::study::answer::sensitivity::{SensitivityAnswer, SensorSensitivity};
 use truegap_design::sensitivity::{QuantityIndices, ToleranceIndices, ranked};
 use truegap_design::{METRICS, Metric};
 use truegap_scene::figure::{Bars, FigureError};

@@ -4,7 +4,7 @@
 
 use super::{number, spoken};
 use crate::study::StudyError;
-use crate::study::tolerance::{BatchAnswer, ToleranceAnswer};
+use crate::study::answer::tolerance::{BatchAnswer, ToleranceAnswer};
 use truegap_design::tolerance::PROBABILITIES;
 use truegap_design::{METRICS, Metric};
 use truegap_diagnose::text::significant;

@@ -3,8 +3,8 @@
 //! Limits: depends on the clock only; the size is the relative change per decade.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
+use crate::state::{Scene, State};
 
 /// `1 +/- s log10(1 + t / t0)`.
 #[derive(Debug, Clone)]

@@ -3,8 +3,8 @@
 //! Limits: memoryless; the share missing at zero load is the size.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
+use crate::state::{Scene, State};
 
 /// Share in contact `1 - m / (1 + (F/F0)^2)`: the tail of heights is heavier than exponential.
 #[derive(Debug, Clone)]

@@ -3,8 +3,8 @@
 //! Limits: same thickness everywhere and at every load; the size is that thickness in m. Calibration hides most of it.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
+use crate::state::{Scene, State};
 
 /// Constant air gap.
 #[derive(Debug, Clone)]

@@ -3,8 +3,8 @@
 //! Limits: linear bed; the rim on the loaded side must stay open. The wedge is integrated over the plate numerically.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
+use crate::state::{Scene, State};
 
 /// Moment F x on a bed of stiffness k per area: slope F x / (k pi r^4 / 4), so the rim moves by 4 (x/r) of the mean compression.
 #[derive(Debug, Clone)]

@@ -3,9 +3,9 @@
 //! Limits: the size is the share of the free bimetal's curvature that the beads let through; above 1 the layers differ from their data.
 
 use super::{Mechanism, Needs, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::physics::warp::curvature;
+use crate::state::{Scene, State};
 
 /// Curvature as a share of the free one.
 #[derive(Debug, Clone)]

@@ -3,9 +3,9 @@
 //! Limits: thin plates in one medium; the size multiplies Kirchhoff's value (a shield above the plate and thick metal raise it).
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::physics::{constants::EPS0, layers::radius};
+use crate::state::{Scene, State};
 use std::f64::consts::PI;
 
 /// `C_edge = eps0 r (ln(16 pi r / d) - 1)`.

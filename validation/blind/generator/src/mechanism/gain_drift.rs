@@ -3,10 +3,11 @@
 //! Limits: memoryless; the zero is the sensor's own unloaded value at 20 degC. The size is the change per kelvin.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State, simulate};
+use crate::chain::simulate;
 use crate::draws::Draws;
 use crate::history::History;
 use crate::physics::constants::REFERENCE;
+use crate::state::{Scene, State};
 
 /// Sign and bend (1/K) of the gain against temperature.
 #[derive(Debug, Clone)]

@@ -3,9 +3,9 @@
 //! Limits: one mode of diffusion; in equilibrium when a run starts. The size is the relative change of permittivity from dry to wet.
 
 use super::{Mechanism, Needs, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::physics::memory::relax;
+use crate::state::{Scene, State};
 
 /// Reference humidity, share.
 const REFERENCE: f64 = 0.5;

@@ -3,9 +3,9 @@
 //! Limits: memoryless; the recorded load is as the protocol says, the true one differs. The size is the largest error, N.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::physics::constants::RATED_FORCE;
+use crate::state::{Scene, State};
 
 /// True minus recorded load: `s (zero + gain x + bow 4 x (1 - x))`, x = F over the rated load.
 #[derive(Debug, Clone)]

@@ -3,7 +3,7 @@
 //! A mechanism has a *shape*, drawn once, and a *size*, set by how detectable it has to be. Size 0 is the base model exactly.
 //! Limits: a size beyond `size_limit` would not be believed of a real sensor; causes that cannot be seen below it are not posed.
 
-use crate::chain::{Scene, State};
+use crate::state::{Scene, State};
 use serde_json::{Map, Value};
 use std::fmt::Debug;
 

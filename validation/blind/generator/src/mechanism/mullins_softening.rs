@@ -3,8 +3,8 @@
 //! Limits: on first loading nothing is softer; the greatest load is remembered for good, through all runs.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
+use crate::state::{Scene, State};
 
 /// Factor on the modulus `1 - s tanh((Wm - W) / (m + b Wm))`, W the load squared (energy of a linear bead), Wm its greatest value.
 ///

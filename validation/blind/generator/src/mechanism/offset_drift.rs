@@ -3,8 +3,8 @@
 //! Limits: depends on the clock only; the size is the drift after an hour, pF.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
+use crate::state::{Scene, State};
 
 /// `+/- s (t / 1 h)^p`.
 #[derive(Debug, Clone)]

@@ -4,8 +4,8 @@
 //! The size is the jump, pF.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
+use crate::state::{Scene, State};
 
 /// Which pause (share of them), how high (share of the size).
 #[derive(Debug, Clone)]

@@ -3,8 +3,8 @@
 //! Limits: constant, so calibration hides it almost wholly in the stray: little is seen in the residual, most in the conflict with the tolerances.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
+use crate::state::{Scene, State};
 
 /// The size is the capacitance, pF.
 #[derive(Debug, Clone)]

@@ -3,9 +3,9 @@
 //! Limits: one of the two layers; memoryless. The size is the absolute value of B in `exp(B (1/293 K - 1/T))`.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::physics::constants::{REFERENCE, ZERO_CELSIUS};
+use crate::state::{Scene, State};
 
 /// Sign and layer.
 #[derive(Debug, Clone)]

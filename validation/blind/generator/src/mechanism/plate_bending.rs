@@ -3,8 +3,8 @@
 //! Limits: deflection proportional to load; its mean over the plate is already in the compression. The size is the middle's deflection, m/N.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
+use crate::state::{Scene, State};
 
 /// Deflection, toward or away from the other plate.
 #[derive(Debug, Clone)]

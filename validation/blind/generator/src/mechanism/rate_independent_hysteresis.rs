@@ -3,9 +3,9 @@
 //! Limits: rate-independent; the set is at rest when a run starts. The size is the share of the compression that goes through the plays.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::physics::memory::play;
+use crate::state::{Scene, State};
 
 /// Prandtl-Ishlinskii: eight plays of evenly spaced slack, weights falling linearly.
 ///

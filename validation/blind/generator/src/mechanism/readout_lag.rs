@@ -3,9 +3,9 @@
 //! Limits: exact for readings that are linear between samples; settled at the first sample of a run. The size is the mean delay, s.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::physics::memory::relax;
+use crate::state::{Scene, State};
 
 /// Two poles of half the delay each; the ramp between samples is cut in four so that the second pole sees its curved input.
 #[derive(Debug, Clone)]

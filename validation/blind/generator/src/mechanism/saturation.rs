@@ -3,8 +3,8 @@
 //! Limits: memoryless; the ceiling is set by this recording. The size is the share of the recording's span beyond the ceiling.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
+use crate::state::{Scene, State};
 
 /// Ceiling at (1 - s) of the span, rounded off over a tenth of what is cut: `ceiling - w ln(1 + exp((ceiling - c)/w))`.
 #[derive(Debug, Clone)]

@@ -3,8 +3,8 @@
 //! Limits: modulus proportional to a power of the shape factor; the power 2 is the thin-disc limit (Gent and Lindley, 1959).
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
+use crate::state::{Scene, State};
 
 /// The size is the power of S(e)/S(0).
 #[derive(Debug, Clone)]

@@ -3,9 +3,9 @@
 //! Limits: rate-independent; relaxed at the start of a run. The size is the share of the warp that goes through the plays.
 
 use super::{Mechanism, Needs, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::physics::{memory::play, warp::curvature};
+use crate::state::{Scene, State};
 
 /// Three plays of equal weight, slack W/3, 2W/3, W.
 #[derive(Debug, Clone)]

@@ -3,9 +3,9 @@
 //! Limits: 12 eigenmodes; a run starts in equilibrium. The size is the slowest mode's time constant in seconds.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::physics::memory::relax;
+use crate::state::{Scene, State};
 use std::f64::consts::PI;
 
 const MODES: i32 = 12;

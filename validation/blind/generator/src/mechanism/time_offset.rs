@@ -3,8 +3,8 @@
 //! Limits: linear between samples, held at the ends of a run; load and temperature share one clock. The size is the shift, s.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
+use crate::state::{Scene, State};
 use std::ops::Range;
 
 /// Late (+) or early (-).

@@ -3,11 +3,11 @@
 //! Limits: ideal gas, isothermal with the sensor, leak proportional to the pressure difference; at ambient pressure when a run starts.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::physics::beads::{area, resistance, root, young};
 use crate::physics::constants::{ATMOSPHERE, ZERO_CELSIUS};
 use crate::physics::layers::radius;
+use crate::state::{Scene, State};
 use std::f64::consts::PI;
 
 /// Leak time; the size is the share of the plate's free area that is sealed.

@@ -4,9 +4,9 @@
 //! rates that carries the power law (see `kernel`) ends there.
 
 use super::{Mechanism, Numbers, numbers};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::physics::memory::relax;
+use crate::state::{Scene, State};
 
 /// Power-law creep; the size is c.
 #[derive(Debug, Clone)]

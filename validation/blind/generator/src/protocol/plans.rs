@@ -2,7 +2,7 @@
 //!
 //! Limits: the unvaried plans of the first three kinds were read off the columns of the open recordings.
 
-use super::Kind;
+use super::kind::Kind;
 use super::piece::{rest, staircase, sweep, triangles, uneven, worn};
 use crate::draws::Draws;
 use crate::history::History;

@@ -3,9 +3,9 @@
 //! Limits: bursts of 15 to 40 rows with a random tone inside.
 
 use super::{LIMIT_PF, START_PF};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::mechanism::{Mechanism, Numbers, numbers};
+use crate::state::{Scene, State};
 
 /// How many bursts in a thousand rows, and their seed.
 #[derive(Debug, Clone)]

@@ -3,9 +3,9 @@
 //! Limits: even in the rate; nothing to see at constant load.
 
 use super::{LIMIT_PF, START_PF};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::mechanism::{Mechanism, Numbers, numbers};
+use crate::state::{Scene, State};
 
 /// `s (r / r0)^2 / (1 + (r / r0)^2)`, r the rate of the load.
 #[derive(Debug, Clone)]

@@ -3,9 +3,9 @@
 //! Limits: one tone.
 
 use super::{LIMIT_PF, START_PF};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::mechanism::{Mechanism, Numbers, numbers};
+use crate::state::{Scene, State};
 use std::f64::consts::TAU;
 
 /// A tone `s sin(2 pi f t + phase)`.

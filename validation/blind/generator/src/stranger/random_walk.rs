@@ -3,9 +3,9 @@
 //! Limits: steps are equal in rows, not in time; starts at zero with each run.
 
 use super::{LIMIT_PF, START_PF};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::mechanism::{Mechanism, Numbers, numbers};
+use crate::state::{Scene, State};
 
 /// Seed of the walk.
 #[derive(Debug, Clone)]

@@ -3,9 +3,9 @@
 //! Limits: one to six jumps of like size, at rows rather than times, so that every protocol has them.
 
 use super::{LIMIT_PF, START_PF};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::mechanism::{Mechanism, Numbers, numbers};
+use crate::state::{Scene, State};
 
 /// Where (share of the rows), how high (share of the size), how fast (s).
 #[derive(Debug, Clone)]

@@ -3,10 +3,10 @@
 //! Limits: two states; switches at random rows.
 
 use super::{LIMIT_PF, START_PF};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::mechanism::{Mechanism, Numbers, numbers};
 use crate::physics::constants::RATED_FORCE;
+use crate::state::{Scene, State};
 
 /// Mean rows in a state, and the seed.
 #[derive(Debug, Clone)]

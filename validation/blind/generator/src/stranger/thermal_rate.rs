@@ -3,9 +3,9 @@
 //! Limits: even in the rate, so that no lag explains it; nothing to see at constant temperature.
 
 use super::{LIMIT_PF, START_PF};
-use crate::chain::{Scene, State};
 use crate::draws::Draws;
 use crate::mechanism::{Mechanism, Numbers, numbers};
+use crate::state::{Scene, State};
 
 /// `s |dT/dt| / (1 K/min)`, saturating.
 #[derive(Debug, Clone)]

@@ -1,27 +1,8 @@
-//! The folder of a diagnosis.
+//! The date of a report.
 //!
-//! Limits: what is there is replaced as a whole or left as it was.
+//! Limits: UTC, to the minute.
 
-use super::{Diagnosed, DiagnosisError};
-use crate::model_file::ModelFile;
-use crate::output::OutputFolder;
-use crate::report;
-use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
-
-/// Names of the files that a diagnosis writes.
-pub const FILES: [&str; 4] = ["diagnosis.json", "augmented.toml", "prediction.csv", "report.html"];
-
-/// Writes all four files.
-pub(super) fn folder(diagnosed: &Diagnosed, folder: &Path) -> Result<PathBuf, DiagnosisError> {
-    let out = OutputFolder::begin(folder)?;
-    let json = serde_json::to_string_pretty(&diagnosed.outcome.diagnosis)?;
-    out.write("diagnosis.json", json + "\n")?;
-    out.write("augmented.toml", ModelFile::of(diagnosed)?.to_toml()?)?;
-    out.write("prediction.csv", diagnosed.prediction_csv())?;
-    out.write("report.html", report::html(&diagnosed.subject()))?;
-    Ok(out.publish()?)
-}
 
 /// Date and time, UTC, to the minute.
 pub(super) fn utc_now() -> String {

@@ -1,0 +1,22 @@
+//! One parameter, as `diagnosis.json` has it.
+//!
+//! Limits: plain data.
+
+use serde::Serialize;
+
+/// One parameter after calibration.
+#[derive(Clone, Debug, Serialize)]
+pub struct ParameterFacts {
+    /// name
+    pub name: String,
+    /// unit
+    pub unit: String,
+    /// prior: centre and standard deviation
+    pub prior: [f64; 2],
+    /// most probable value
+    pub value: f64,
+    /// standard deviation
+    pub sd: f64,
+    /// on a bound
+    pub at_limit: bool,
+}

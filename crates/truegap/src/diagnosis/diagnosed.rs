@@ -1,0 +1,72 @@
+//! A diagnosis with everything that its report needs, and the folder of files that tells it.
+//!
+//! Limits: what is there is replaced as a whole or left as it was.
+
+use super::{DiagnosisError, prediction};
+use crate::base::Base;
+use crate::model_file::{ModelFile, ModelFileError};
+use crate::output::OutputFolder;
+use crate::report::{self, Provenance, Subject};
+use std::path::{Path, PathBuf};
+use truegap_core::Recording;
+use truegap_diagnose::{Library, Outcome};
+
+/// Names of the files that a diagnosis writes.
+pub const FILES: [&str; 4] = ["diagnosis.json", "augmented.toml", "prediction.csv", "report.html"];
+
+/// A recording and what was found in it.
+pub struct Diagnosed {
+    /// the recording as it was diagnosed; of several, all rows behind one another
+    pub recording: Recording,
+    /// each of several by itself
+    pub parts: Vec<Recording>,
+    /// its base model; of several recordings, the first one's
+    pub base: Base,
+    /// what was found
+    pub outcome: Outcome,
+    /// where it comes from
+    pub provenance: Provenance,
+    /// the effects that were known
+    pub library: Library,
+}
+
+impl Diagnosed {
+    /// What the report is about.
+    pub fn subject(&self) -> Subject<'_> {
+        Subject {
+            diagnosis: &self.outcome.diagnosis,
+            traces: &self.outcome.traces,
+            inputs: &self.recording.inputs,
+            response: &self.recording.response,
+            provenance: &self.provenance,
+            library: &self.library,
+        }
+    }
+
+    /// Every row with all predictions, as CSV.
+    pub fn prediction_csv(&self) -> String {
+        prediction::csv(&self.recording, &self.parts, &self.outcome.traces)
+    }
+
+    /// Writes diagnosis.json, report.html, augmented.toml and prediction.csv, all or none.
+    ///
+    /// # Errors
+    /// [`DiagnosisError`] where the disk refuses or the model cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<PathBuf, DiagnosisError> {
+        let out = OutputFolder::begin(folder)?;
+        let json = serde_json::to_string_pretty(&self.outcome.diagnosis)?;
+        out.write("diagnosis.json", json + "\n")?;
+        out.write("augmented.toml", self.model_file()?.to_toml()?)?;
+        out.write("prediction.csv", self.prediction_csv())?;
+        out.write("report.html", report::html(&self.subject()))?;
+        Ok(out.publish()?)
+    }
+
+    /// The model that the diagnosis ends with.
+    ///
+    /// # Errors
+    /// [`ModelFileError::SensorFile`] where the sensor's own file has gone.
+    pub fn model_file(&self) -> Result<ModelFile, ModelFileError> {
+        ModelFile::of(&self.outcome, &self.base.spec, self.recording.path.parent())
+    }
+}

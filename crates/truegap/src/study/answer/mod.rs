@@ -1,0 +1,8 @@
+//! What the studies answer: plain data, as JSON and CSV have it.
+//!
+//! Limits: nothing here computes or draws.
+
+pub mod audit;
+pub mod optimise;
+pub mod sensitivity;
+pub mod tolerance;

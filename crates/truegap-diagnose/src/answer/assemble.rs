@@ -4,7 +4,7 @@
 
 use crate::{
     answer::{
-        alternatives::{ambiguity, bank_facts, candidates, smallest_visible, unlisted},
+        alternatives::{ambiguity, bank_facts, candidates, smallest_visible, unmodelled},
         diagnosis::{AdequacyFacts, BaseFacts, Diagnosis, NotTestable, SCHEMA},
         discovered::{discovered, model_of},
         errors::{concealed, fit_facts, in_sample, respond, unseen},
@@ -87,7 +87,7 @@ pub(crate) fn outcome(
         findings,
         discovered: mechanisms,
         candidates: candidates(found),
-        unlisted: unlisted(found),
+        unmodelled: unmodelled(found),
         ambiguity: ambiguity(found),
         fit,
         prediction_only: term,
@@ -98,9 +98,9 @@ pub(crate) fn outcome(
         adequacy: AdequacyFacts {
             before: Some(found.before),
             after: Some(found.after),
-            burst: Some(found.heard.burst),
-            tone: Some(found.heard.tone),
-            heard: found.is_about_what_is_heard(),
+            burst: Some(found.interference.burst),
+            tone: Some(found.interference.tone),
+            interference: found.is_about_interference(),
             removed: found.decision.removed,
         },
         evidence_check: found.selection.check,

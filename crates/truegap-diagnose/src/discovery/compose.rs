@@ -6,7 +6,7 @@
 //! Limits: one recording; two mechanisms at most.
 
 use crate::{
-    adequacy::lack_of_fit::{Adequacy, Gate},
+    adequacy::lack_of_fit::{Adequacy, LackOfFitTests},
     discovery::discover::{Discovery, IDS, discover, fitted, widened},
     effects::composed::{
         effect::Composed,
@@ -23,7 +23,7 @@ use crate::{
 const A_TENTH: f64 = 0.9;
 /// Gain in log evidence, divided as the selection's, that a second mechanism must bring.
 const CLEAR: f64 = 3.0;
-/// Gain that a word-settled answer needs, as a probability.
+/// Gain that a word-sure answer needs, as a probability.
 const SURE: f64 = 0.9;
 
 /// Mechanisms beside a model.
@@ -44,7 +44,7 @@ pub fn compose(
     selection: &Selection,
     decision: &Decision,
     after: &Adequacy,
-    gate: &Gate,
+    lack_of_fit: &LackOfFitTests,
 ) -> Option<Composition> {
     let chosen = &selection.models[decision.model];
     let strained = is_strained(search, chosen);
@@ -55,10 +55,10 @@ pub fn compose(
     launches.extend(selection.likeliest_named().map(|index| &selection.models[index]).filter(|m| !is_strained(search, m)));
     let mut best: Option<Composition> = None;
     for from in launches {
-        let found = beside(search, selection, from, gate, strained);
+        let found = beside(search, selection, from, lack_of_fit, strained);
         let better = |f: &Composition| best.as_ref().is_none_or(|b| f.odds > b.odds);
         best = found.filter(better).or(best);
-        if best.as_ref().is_some_and(|b| !gate.adequacy(&b.tried.fit).fires()) {
+        if best.as_ref().is_some_and(|b| !lack_of_fit.adequacy(&b.tried.fit).fires()) {
             break;
         }
     }
@@ -75,12 +75,18 @@ fn leaves_something(decision: &Decision, after: &Adequacy, strained: bool) -> bo
 }
 
 /// One mechanism beside `from`, and a second one where the first leaves something.
-fn beside(search: &Search<'_>, selection: &Selection, from: &Tried, gate: &Gate, strained: bool) -> Option<Composition> {
-    let scale = selection.temper * gate.slack();
+fn beside(
+    search: &Search<'_>,
+    selection: &Selection,
+    from: &Tried,
+    lack_of_fit: &LackOfFitTests,
+    strained: bool,
+) -> Option<Composition> {
+    let scale = selection.temper * lack_of_fit.slack();
     let first = discover(search, from, scale, IDS[0])?;
     let tried = fitted(search, from, &first.effect)?;
-    let odds = selection.odds_beside(from, first.gain, gate.slack(), |m| !strained || m.effects.is_empty());
-    let second = if gate.adequacy(&tried.fit).fires() { second(search, &tried, &first, scale) } else { None };
+    let odds = selection.odds_beside(from, first.gain, lack_of_fit.slack(), |m| !strained || m.effects.is_empty());
+    let second = if lack_of_fit.adequacy(&tried.fit).fires() { second(search, &tried, &first, scale) } else { None };
     let (mut mechanisms, mut whole, mut odds) = (vec![first], tried, odds);
     if let Some((more, larger)) = second {
         odds *= more.gain.exp();
@@ -119,24 +125,29 @@ impl Composition {
     }
 
     /// The decision with the mechanisms counted; `selection` holds their model already.
-    pub fn decide(&self, selection: &Selection, decision: Decision, gate: &Gate) -> (Decision, Option<Adequacy>) {
+    pub fn decide(
+        &self,
+        selection: &Selection,
+        decision: Decision,
+        lack_of_fit: &LackOfFitTests,
+    ) -> (Decision, Option<Adequacy>) {
         let Some(model) = selection.models.iter().position(|m| m.key() == self.tried.key()) else { return (decision, None) };
-        let after = gate.adequacy(&self.tried.fit);
+        let after = lack_of_fit.adequacy(&self.tried.fit);
         let explained = 2.0 * (selection.base().fit.objective() - self.tried.fit.objective());
         let removed = removed_by(explained, &after);
         let own = selection.probability[model];
-        let likelier = own > 0.5 && selection.unlisted.first().is_none_or(|(_, odds)| own > *odds);
+        let likelier = own > 0.5 && selection.unmodelled.first().is_none_or(|(_, odds)| own > *odds);
         let says_something = self.mechanisms.iter().all(|m| !is_a_moment(&m.effect));
         let Some(verdict) = self.verdict(removed, &after).filter(|_| likelier && says_something) else { return (decision, None) };
         let sets = self.tried.effects.iter().map(|e| vec![*e]).collect();
-        (Decision { verdict, model, sets, removed, outside: None, outside_rivals: false }, Some(after))
+        (Decision { verdict, model, sets, removed, unmodelled: None, unmodelled_rivals: false }, Some(after))
     }
 
     /// The verdict where the mechanisms stand; `None` where they leave too much.
     fn verdict(&self, removed: f64, after: &Adequacy) -> Option<Verdict> {
-        let settled = self.mechanisms.iter().all(|m| m.words.settled(SURE));
+        let sure = self.mechanisms.iter().all(|m| m.words.sure(SURE));
         match Decision::adequate(removed, after) {
-            true if settled => Some(Verdict::Explained),
+            true if sure => Some(Verdict::Explained),
             true => Some(Verdict::Ambiguous),
             false if removed >= A_TENTH => Some(Verdict::WrongForm),
             false => None,

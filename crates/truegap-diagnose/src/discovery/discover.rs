@@ -50,7 +50,7 @@ pub fn discover(search: &Search<'_>, from: &Tried, scale: f64, id: EffectId) -> 
         return None;
     }
     let model = search.model(&from.effects);
-    let mut found = screen(&model, &from.fit.z, &from.fit.settled(), search.whitener)?;
+    let mut found = screen(&model, &from.fit.z, &from.fit.linearised(), search.whitener)?;
     let clearest = found.sentences.iter().map(|s| s.deviance).fold(0.0, f64::max);
     let control_p_value = found.control_p_value(clearest);
     if control_p_value > BY_CHANCE {

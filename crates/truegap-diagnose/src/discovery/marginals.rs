@@ -65,7 +65,7 @@ impl WordProbabilities {
     }
 
     /// Whether place, driver and kinetics are each at least this probable.
-    pub fn settled(&self, sure: f64) -> bool {
-        [&self.place, &self.driver, &self.kinetics].iter().all(|word| !Self::values(word, sure).is_empty())
+    pub fn sure(&self, least: f64) -> bool {
+        [&self.place, &self.driver, &self.kinetics].iter().all(|word| !Self::values(word, least).is_empty())
     }
 }

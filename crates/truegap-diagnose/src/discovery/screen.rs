@@ -13,7 +13,7 @@ use crate::{
         signal::{Courses, course, of_course, recorded},
         words::{Driver, Kinetics, Place, Quantity},
     },
-    fit::{model::Model, optimum::Settled},
+    fit::{model::Model, optimum::Linearised},
     stats::{log_sum_exp, spread},
     whitening::whitener::Whitener,
 };
@@ -27,7 +27,7 @@ const LENGTHS: [f64; 7] = [3.0, 8.0, 20.0, 50.0, 130.0, 350.0, 1000.0];
 /// Share of a column's own length below which calibration is taken to absorb it.
 const ABSORBED: f64 = 1e-6;
 /// Turns of what is left against the histories, for the control.
-const SHUFFLES: usize = 99;
+const PERMUTATIONS: usize = 99;
 /// Cycles in a run from which something is called periodic.
 const CYCLES: usize = 8;
 /// Factor on the prior of electronics that follow the load itself: they are fed by the reading, and know of the load through it.
@@ -105,8 +105,8 @@ impl Screen {
     }
 }
 
-/// Screens every sentence about the fit `z` of `model`, whose linearised optimum is `settled`.
-pub fn screen(model: &Model<'_>, z: &[f64], settled: &Settled, whitener: &Whitener) -> Option<Screen> {
+/// Screens every sentence about the fit `z` of `model`, whose linearised optimum is `linearised`.
+pub fn screen(model: &Model<'_>, z: &[f64], linearised: &Linearised, whitener: &Whitener) -> Option<Screen> {
     let problem = model.problem;
     let (levers, seen) = levers(model, z)?;
     let at = Courses {
@@ -116,8 +116,8 @@ pub fn screen(model: &Model<'_>, z: &[f64], settled: &Settled, whitener: &Whiten
         reading: problem.simulator.moves().then_some(seen.reading.as_slice()),
     };
     let ranges = ranges(&at);
-    let laws = laws(&ranges, &times(problem, settled));
-    let turned = turned(&settled.residual);
+    let laws = laws(&ranges, &times(problem, linearised));
+    let turned = turned(&linearised.residual);
     let places = places(&levers);
     let of_law = |law: &Law| {
         let Some(mut x) = course(&law.sentence.driver, &at) else { return Vec::new() };
@@ -127,10 +127,10 @@ pub fn screen(model: &Model<'_>, z: &[f64], settled: &Settled, whitener: &Whiten
         let followed: Vec<Vec<f64>> =
             law.grid.iter().map(|numbers| of_course(&law.sentence, numbers, problem.inputs, x.clone())).collect();
         let fits = levers.iter().filter(|lever| suits(lever, &law.sentence));
-        fits.filter_map(|lever| weighed(law, &followed, lever, &places, settled, whitener, &turned)).collect::<Vec<_>>()
+        fits.filter_map(|lever| weighed(law, &followed, lever, &places, linearised, whitener, &turned)).collect::<Vec<_>>()
     };
     let each: Vec<(Screened, Vec<f64>)> = laws.par_iter().flat_map_iter(of_law).collect();
-    let mut control = vec![0.0; SHUFFLES];
+    let mut control = vec![0.0; PERMUTATIONS];
     for (_, most) in &each {
         control.iter_mut().zip(most).for_each(|(c, m)| *c = f64::max(*c, *m));
     }
@@ -171,26 +171,26 @@ fn ranges(at: &Courses<'_>) -> Vec<Range> {
 }
 
 /// The clock, with moments at even numbers of rows and the periods that stand out in what is left.
-fn times(problem: &Problem<'_>, settled: &Settled) -> Times {
+fn times(problem: &Problem<'_>, linearised: &Linearised) -> Times {
     let Some(clock) = problem.inputs.time_s.as_deref() else { return Times::default() };
     let rows = clock.len();
     let steps = problem.inputs.steps_s();
     let step_s = steps.iter().copied().filter(|s| *s > 0.0).fold(f64::INFINITY, f64::min);
     let moments_s = (1..MOMENTS).map(|k| clock[k * rows / MOMENTS] - clock[0]).collect();
-    let periods_s = tones(problem, settled);
+    let periods_s = tones(problem, linearised);
     let duration_s = clock[rows - 1] - clock[0];
     Times { step_s: if step_s.is_finite() { step_s } else { 0.0 }, duration_s, moments_s, periods_s }
 }
 
 /// Periods of the strongest line in the spectrum of each of the longest runs, s.
-fn tones(problem: &Problem<'_>, settled: &Settled) -> Vec<f64> {
+fn tones(problem: &Problem<'_>, linearised: &Linearised) -> Vec<f64> {
     let Some(clock) = problem.inputs.time_s.as_deref() else { return Vec::new() };
     let mut runs = problem.runs();
     runs.sort_by_key(|r| std::cmp::Reverse(r.len()));
     let mut planner = rustfft::FftPlanner::<f64>::new();
     let mut periods = Vec::new();
     for run in runs.into_iter().take(3).filter(|r| r.len() >= 64) {
-        let part = settled.residual.rows(run.start, run.len());
+        let part = linearised.residual.rows(run.start, run.len());
         let mut values: Vec<rustfft::num_complex::Complex<f64>> = part.iter().map(|v| (*v).into()).collect();
         planner.plan_fft_forward(run.len()).process(&mut values);
         let power = |line: &usize| values[*line].norm_sqr();
@@ -230,7 +230,7 @@ fn weighed(
     followed: &[Vec<f64>],
     lever: &Lever,
     places: &[(Place, usize)],
-    settled: &Settled,
+    linearised: &Linearised,
     whitener: &Whitener,
     turned: &DMatrix<f64>,
 ) -> Option<(Screened, Vec<f64>)> {
@@ -246,14 +246,14 @@ fn weighed(
         whitener.apply(&mut b);
         let b = DVector::from_vec(b);
         let length = b.norm_squared();
-        let taken = settled.taken.tr_mul(&b);
+        let taken = linearised.taken.tr_mul(&b);
         let variance = length - taken.norm_squared();
         if variance <= ABSORBED * length || length == 0.0 {
             grid.push((0.0, 1.0));
             continue;
         }
-        grid.push((b.dot(&settled.residual), variance));
-        let off = &b - &settled.taken * taken;
+        grid.push((b.dot(&linearised.residual), variance));
+        let off = &b - &linearised.taken * taken;
         let scores = turned.tr_mul(&off);
         control.iter_mut().zip(scores.iter()).for_each(|(c, s)| *c = f64::max(*c, s * s / variance));
     }
@@ -279,7 +279,7 @@ fn deviation(x: &[f64]) -> f64 {
 fn turned(residual: &DVector<f64>) -> DMatrix<f64> {
     let rows = residual.len();
     let mut random = ChaCha8Rng::seed_from_u64(17);
-    let mut turned = DMatrix::zeros(rows, SHUFFLES);
+    let mut turned = DMatrix::zeros(rows, PERMUTATIONS);
     for mut column in turned.column_iter_mut() {
         let by = (rows as f64 * random.random_range(0.05..0.95)) as usize;
         let back: bool = random.random();

@@ -63,8 +63,8 @@ fn a_bank_recovers_what_it_conceals_is_stored_and_comes_out_the_same() {
     let first = run(18);
     assert_eq!(first.verdict, Verdict::Explained, "{}", first.says);
     assert_eq!(first.findings[0].effect, "viscoelastic_creep");
-    let control = first.fit.held_out.shuffled_control.unwrap();
-    assert!(control < 0.3, "a shuffled history removes {control}");
+    let control = first.fit.held_out.permutation_control.unwrap();
+    assert!(control < 0.3, "a permuted history removes {control}");
 
     let bank = first.bank.unwrap();
     let counts = |field: &str| -> Vec<u64> { bank[field].as_array().unwrap().iter().map(|v| v.as_u64().unwrap()).collect() };

@@ -1,4 +1,4 @@
-//! Fits reach the bottom of a valley that is curved and narrow.
+//! Fits reach the end of a sloppy direction that is curved.
 
 #![allow(clippy::unwrap_used)]
 
@@ -8,13 +8,13 @@ use truegap_diagnose::{
     calibration::{FitOptions, InputError, Model, Noise, Whitener, fit},
 };
 
-/// Rows that all say `a - b^2 / 3`, with noise a thousandth of what they say per unit: the floor of the valley is a parabola, and only what is known of
+/// Rows that all say `a - b^2 / 3`, with noise a thousandth of what they say per unit: the sloppy direction is a parabola, and only what is known of
 /// `a` and `b` beforehand says where on it.
 struct Parabola(Vec<Parameter>);
 
 impl Parabola {
     fn new() -> Self {
-        let parameter = |name: &str| Parameter::normal(name, "1", 0.0, 1.0, "a coordinate of the valley");
+        let parameter = |name: &str| Parameter::normal(name, "1", 0.0, 1.0, "a coordinate");
         Self(vec![parameter("a"), parameter("b")])
     }
 }
@@ -47,7 +47,7 @@ impl Simulator for Parabola {
 }
 
 #[test]
-fn a_fit_follows_a_curved_valley_to_its_bottom() {
+fn a_fit_follows_a_curved_sloppy_direction_to_its_end() {
     let (parabola, rows) = (Parabola::new(), 100);
     let inputs = Inputs { run: vec![1; rows], ..Inputs::default() };
     let response = vec![0.0; rows];
@@ -56,7 +56,7 @@ fn a_fit_follows_a_curved_valley_to_its_bottom() {
     let model = Model::new(&problem, &context, Vec::new());
     let noise = Noise { white_sd: 1e-3, ar_sd: 0.0, ar_correlation: 0.0 };
     let whitener = Whitener::new(&noise, &InputError::white(vec![0.0; rows]), None, &inputs.runs(), None);
-    // on the floor, four standard deviations up the valley: 1e8 units of curvature across it, 1 along it
+    // on the parabola, four standard deviations along it: 1e8 units of curvature across it, 1 along it
     for b in [4.0, -2.0, 0.7] {
         let found = fit(&model, &whitener, &[b * b / 3.0, b], &FitOptions::default()).unwrap();
         // the lowest point is 0, 0 by the symmetry of the problem

@@ -63,7 +63,7 @@ impl Disc {
             attached = next;
         }
         let what = "the set of rings that push";
-        Err(unsettled(what, at(), ROUNDS, ("the number of rings that change", changing as f64, 0.0)))
+        Err(not_converged(what, at(), ROUNDS, ("the number of rings that change", changing as f64, 0.0)))
     }
 
     /// Equilibrium under a rigid plate that carries `force_n`, to one part in ten thousand.
@@ -96,7 +96,7 @@ impl Disc {
             };
         }
         let told = ("the load plate's distance from its force (N)", left, 1e-4 * force_n);
-        Err(unsettled("the travel of the load plate", format!("{kelvin} K and {force_n} N"), ROUNDS, told))
+        Err(not_converged("the travel of the load plate", format!("{kelvin} K and {force_n} N"), ROUNDS, told))
     }
 
     /// Force (N) of a rigid plate that holds all of the top and has gone down so far (m).
@@ -127,11 +127,11 @@ impl Disc {
         let area = std::f64::consts::PI * self.plate.radius * self.plate.radius;
         let stiffness = area * beads.stiffness();
         let mut last = at(0.0)?;
-        let settled = 1e-4 * force_n.abs().max(last.plate_force.abs());
+        let tolerance_n = 1e-4 * force_n.abs().max(last.plate_force.abs());
         let (mut here, mut slope) = (0.0, stiffness);
         for _ in 0..ROUNDS {
             let off = last.plate_force - force_n;
-            if off.abs() <= settled {
+            if off.abs() <= tolerance_n {
                 return Ok(last);
             }
             let step = -off / slope;
@@ -139,8 +139,8 @@ impl Disc {
             slope = (next.plate_force - last.plate_force) / step;
             (here, last) = (here + step, next);
         }
-        let told = ("the load plate's distance from its force (N)", (last.plate_force - force_n).abs(), settled);
-        Err(unsettled("the travel of a plate that holds the disc flat", format!("{kelvin} K and {force_n} N"), ROUNDS, told))
+        let told = ("the load plate's distance from its force (N)", (last.plate_force - force_n).abs(), tolerance_n);
+        Err(not_converged("the travel of a plate that holds the disc flat", format!("{kelvin} K and {force_n} N"), ROUNDS, told))
     }
 
     /// Equilibrium below a rigid plate at a given travel; `contact` starts from the last one.
@@ -179,7 +179,7 @@ impl Disc {
             (one_by_one, seen) = (false, BTreeSet::new());
         }
         let told = ("the number of nodes that change", changing as f64, 0.0);
-        Err(unsettled("the set of nodes under the load plate", at(), PIVOTS, told))
+        Err(not_converged("the set of nodes under the load plate", at(), PIVOTS, told))
     }
 
     fn forces(&self, solution: &Solution, attached: &[bool]) -> Result<Vec<f64>, AuditError> {
@@ -227,11 +227,11 @@ fn differences(next: &[bool], last: &[bool]) -> usize {
 fn lifted(next: &[bool], at: impl Fn() -> String, step: usize) -> Option<AuditError> {
     let rings = next.len();
     let told = ("the number of rings that let go", rings as f64, rings as f64 - 1.0);
-    (rings > 0 && !next.contains(&true)).then(|| unsettled("the set of rings that push", at(), step, told))
+    (rings > 0 && !next.contains(&true)).then(|| not_converged("the set of rings that push", at(), step, told))
 }
 
 /// `told` is what tells how far it came, its value and its greatest value that would have done.
-fn unsettled(what: &'static str, at: String, steps: usize, told: (&'static str, f64, f64)) -> AuditError {
+fn not_converged(what: &'static str, at: String, steps: usize, told: (&'static str, f64, f64)) -> AuditError {
     let (measure, left, target) = told;
     let remedy = "take an even load, a larger one, or bonded beads";
     AuditError::NotConverged { what, at, steps, measure, left, target, remedy }

@@ -46,8 +46,8 @@ impl RingPlate {
         let system = self.system(&radii, curvature, force_n / area);
         // a set of a similar load lacks a few nodes, and changing many at once leads off
         let warm = start.filter(|set| set.len() == radii.len()).map_or_else(|| self.highest(curvature), <[bool]>::to_vec);
-        let found =
-            settled(&system, warm, force_n, PIVOTS[0]).or_else(|_| settled(&system, vec![true; radii.len()], force_n, PIVOTS[1]));
+        let found = equilibrium(&system, warm, force_n, PIVOTS[0])
+            .or_else(|_| equilibrium(&system, vec![true; radii.len()], force_n, PIVOTS[1]));
         let Rest { touching, values, level, mut forces } = found.map_err(|changing| AuditError::NotConverged {
             what: "the set of nodes that the load plate touches",
             at: format!("{curvature} 1/m and {force_n} N"),
@@ -81,7 +81,7 @@ struct Rest {
 
 /// Changes a set until it agrees with the forces: where all nodes touch, all at once while that leads somewhere new, else one node at a time. Without
 /// agreement, how many nodes the last step would change.
-fn settled(system: &Banded, mut touching: Vec<bool>, force_n: f64, pivots: usize) -> Result<Rest, usize> {
+fn equilibrium(system: &Banded, mut touching: Vec<bool>, force_n: f64, pivots: usize) -> Result<Rest, usize> {
     let (mut seen, mut one) = (BTreeSet::new(), touching.contains(&false));
     let mut changing = touching.len();
     for _ in 0..pivots {

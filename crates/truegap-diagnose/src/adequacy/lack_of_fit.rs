@@ -6,7 +6,7 @@ use crate::{
     adequacy::directions::Direction,
     adequacy::tuning::{LACK_OF_FIT_LEVEL, MOST_UNCERTAIN, STRETCHES},
     fit::{
-        optimum::{Fit, Settled},
+        optimum::{Fit, Linearised},
         score_test::{JointTest, Scores, scores},
     },
     stats::excess_of,
@@ -16,7 +16,7 @@ use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 
 /// Whitened directions, ready for scoring any fit of the same noise model.
-pub struct Gate {
+pub struct LackOfFitTests {
     /// n x k
     columns: DMatrix<f64>,
     runs: Vec<Range<usize>>,
@@ -55,7 +55,7 @@ impl Adequacy {
     }
 }
 
-impl Gate {
+impl LackOfFitTests {
     /// Whitens the directions; `uncertainty` is the relative standard deviation of the noise's variance.
     pub fn new(directions: &[Direction], whitener: &Whitener, runs: Vec<Range<usize>>, uncertainty: f64) -> Self {
         let columns = whitener.matrix(directions.iter().map(|d| d.column.clone()).collect());
@@ -69,7 +69,7 @@ impl Gate {
 
     /// Scores along the directions.
     pub fn scores(&self, fit: &Fit) -> Scores {
-        scores(&fit.settled(), &self.columns)
+        scores(&fit.linearised(), &self.columns)
     }
 
     /// What a fit may leave over, in units of the noise variance: what the tests find above expectation, and two standard deviations of the smooth one.
@@ -87,9 +87,9 @@ impl Gate {
 
     /// The two tests of what calibration leaves.
     fn smooth_and_stretches(&self, fit: &Fit) -> (JointTest, JointTest) {
-        let settled = fit.settled();
-        let smooth = if self.columns.ncols() == 0 { none() } else { scores(&settled, &self.columns).joint() };
-        (smooth.over(self.slack), stretches(&settled, &self.runs).over(self.slack))
+        let linearised = fit.linearised();
+        let smooth = if self.columns.ncols() == 0 { none() } else { scores(&linearised, &self.columns).joint() };
+        (smooth.over(self.slack), stretches(&linearised, &self.runs).over(self.slack))
     }
 }
 
@@ -98,7 +98,7 @@ fn none() -> JointTest {
 }
 
 /// Joint test of the means of the whitened residual over short stretches.
-fn stretches(settled: &Settled, runs: &[Range<usize>]) -> JointTest {
+fn stretches(linearised: &Linearised, runs: &[Range<usize>]) -> JointTest {
     let rows: usize = runs.iter().map(ExactSizeIterator::len).sum();
     let length = (rows / STRETCHES).max(8);
     let cells: Vec<Range<usize>> = runs
@@ -109,10 +109,10 @@ fn stretches(settled: &Settled, runs: &[Range<usize>]) -> JointTest {
     if cells.len() < 4 {
         return none();
     }
-    let sum = |cell: &Range<usize>| settled.residual.rows(cell.start, cell.len()).sum();
+    let sum = |cell: &Range<usize>| linearised.residual.rows(cell.start, cell.len()).sum();
     let scores = DVector::from_fn(cells.len(), |i, _| sum(&cells[i]));
-    let taken = DMatrix::from_fn(settled.taken.ncols(), cells.len(), |p, i| {
-        settled.taken.column(p).rows(cells[i].start, cells[i].len()).sum()
+    let taken = DMatrix::from_fn(linearised.taken.ncols(), cells.len(), |p, i| {
+        linearised.taken.column(p).rows(cells[i].start, cells[i].len()).sum()
     });
     let lengths = DMatrix::from_diagonal(&DVector::from_fn(cells.len(), |i, _| cells[i].len() as f64));
     Scores { scores, covariance: lengths - taken.tr_mul(&taken) }.joint()

@@ -6,11 +6,11 @@
 use crate::{
     answer::tuning::{NOT_NEGLIGIBLE, SEEN},
     answer::{
-        diagnosis::{Candidate, SmallestVisible, UnlistedCause},
+        diagnosis::{Candidate, SmallestVisible, UnmodelledCause},
         found::Found,
     },
     effects::memory::elapsed_s,
-    selection::{detectability::visible_size, unmodelled::Unlisted, verdict::Verdict},
+    selection::{detectability::visible_size, unmodelled::Unmodelled, verdict::Verdict},
     validation::recovery::confusion::Bank,
 };
 
@@ -52,32 +52,32 @@ pub(crate) fn ambiguity(found: &Found<'_>) -> Vec<Vec<String>> {
     if found.decision.verdict != Verdict::Ambiguous {
         return Vec::new();
     }
-    let several = |s: &&Vec<usize>| s.len() > 1 || found.decision.outside_rivals;
+    let several = |s: &&Vec<usize>| s.len() > 1 || found.decision.unmodelled_rivals;
     let names = |s: &Vec<usize>| {
-        let outside = found.decision.outside_rivals.then(|| UNEXPLAINED.to_owned());
+        let outside = found.decision.unmodelled_rivals.then(|| UNEXPLAINED.to_owned());
         s.iter().map(|e| found.id(*e)).chain(outside).collect()
     };
     found.decision.sets.iter().filter(several).map(names).collect()
 }
 
 /// What the reading does, and where, where it does so at one place.
-pub(crate) fn says_of(found: &Found<'_>, unlisted: &Unlisted) -> String {
-    let says = unlisted.cause.says();
+pub(crate) fn says_of(found: &Found<'_>, unmodelled: &Unmodelled) -> String {
+    let says = unmodelled.cause.says();
     let inputs = found.search.problem.inputs;
-    unlisted.row.map_or_else(
+    unmodelled.row.map_or_else(
         || says.to_owned(),
         |row| format!("{says} (clearest in run {}, near {:.0} s)", inputs.run[row], elapsed_s(inputs, row)),
     )
 }
 
 /// Unmodelled causes that are not negligible.
-pub(crate) fn unlisted(found: &Found<'_>) -> Vec<UnlistedCause> {
-    let cause = |(u, probability): (&Unlisted, f64)| UnlistedCause {
+pub(crate) fn unmodelled(found: &Found<'_>) -> Vec<UnmodelledCause> {
+    let cause = |(u, probability): (&Unmodelled, f64)| UnmodelledCause {
         says: says_of(found, u),
         beside: u.effects.iter().map(|e| found.id(*e)).collect(),
         probability,
     };
-    found.selection.unlisted_probabilities().map(cause).filter(|u| u.probability > NOT_NEGLIGIBLE).collect()
+    found.selection.unmodelled_probabilities().map(cause).filter(|u| u.probability > NOT_NEGLIGIBLE).collect()
 }
 
 /// The smallest size of each effect that is not named at which it would have been seen.

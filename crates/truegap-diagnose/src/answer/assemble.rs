@@ -4,7 +4,7 @@
 
 use crate::{
     answer::{
-        alternatives::{ambiguity, bank_facts, candidates, smallest_visible, unlisted},
+        alternatives::{ambiguity, bank_facts, candidates, smallest_visible, unmodelled},
         diagnosis::{AdequacyFacts, BaseFacts, Diagnosis, NotTestable, SCHEMA},
         errors::{concealed, fit_facts, in_sample, respond},
         findings::findings,
@@ -80,7 +80,7 @@ pub(crate) fn outcome(
         remains: if found.leaves_something() { remains(found, chosen) } else { Vec::new() },
         findings,
         candidates: candidates(found),
-        unlisted: unlisted(found),
+        unmodelled: unmodelled(found),
         ambiguity: ambiguity(found),
         fit,
         prediction_only: term,
@@ -91,9 +91,9 @@ pub(crate) fn outcome(
         adequacy: AdequacyFacts {
             before: Some(found.before),
             after: Some(found.after),
-            burst: Some(found.heard.burst),
-            tone: Some(found.heard.tone),
-            heard: found.is_about_what_is_heard(),
+            burst: Some(found.interference.burst),
+            tone: Some(found.interference.tone),
+            interference: found.is_about_interference(),
             removed: found.decision.removed,
         },
         evidence_check: found.selection.check,

@@ -41,7 +41,7 @@ pub struct Diagnosis {
     pub probability_agrees: f64,
     /// the verdict as a sentence with its reasons
     pub says: String,
-    /// whether calibration had hidden an effect
+    /// whether calibration had absorbed an effect
     pub concealed: bool,
     /// parameters pushed away from what is known of them, or different between regimes
     pub conflicts: Vec<Conflict>,
@@ -55,7 +55,8 @@ pub struct Diagnosis {
     /// every effect tried alone, likeliest first
     pub candidates: Vec<Candidate>,
     /// causes outside the library that are not negligible, likeliest first
-    pub unlisted: Vec<UnlistedCause>,
+    #[serde(rename = "unlisted")]
+    pub unmodelled: Vec<UnmodelledCause>,
     /// sets of which the recording cannot tell the members apart
     pub ambiguity: Vec<Vec<String>>,
     /// errors before and after
@@ -99,7 +100,8 @@ pub struct AdequacyFacts {
     /// the strongest tone in the same
     pub tone: Option<Tone>,
     /// whether one of these two is what there is to say, and nothing that is missing
-    pub heard: bool,
+    #[serde(rename = "heard")]
+    pub interference: bool,
     /// share of the misfit that the latter removes
     pub removed: f64,
 }
@@ -241,7 +243,7 @@ pub struct Candidate {
 
 /// A cause outside the library, weighed beside it.
 #[derive(Clone, Debug, Serialize)]
-pub struct UnlistedCause {
+pub struct UnmodelledCause {
     /// what the reading does
     pub says: String,
     /// effects of the library beside it

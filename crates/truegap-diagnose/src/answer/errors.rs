@@ -17,7 +17,7 @@ use crate::{
     stats::{rmse, rmse_of_both},
     validation::{
         cross_validation::{HeldOutFit, compared, held_out, misfit_removed},
-        permutation::shuffled,
+        permutation::permuted,
     },
 };
 use truegap_core::SimulationError;
@@ -36,10 +36,10 @@ pub(crate) fn unseen(found: &Found<'_>, tried: &Tried) -> HeldOutFit {
     held_out(found.search, found.searched_noise, tried, found.all)
 }
 
-/// What an added term of equal freedom removes when its history is shuffled.
+/// What an added term of equal freedom removes when its history is permuted.
 pub(crate) fn permutation_control(found: &Found<'_>, tried: &Tried) -> Option<f64> {
     let problem = found.search.problem;
-    shuffled(&found.selection.base().fit, &tried.fit, &problem.runs(), &problem.inputs.run)
+    permuted(&found.selection.base().fit, &tried.fit, &problem.runs(), &problem.inputs.run)
 }
 
 /// Root-mean-square errors of two predictions of every row.
@@ -62,7 +62,7 @@ pub(crate) fn fit_facts(found: &Found<'_>, in_sample: BeforeAfter, before: &Held
             rmse_before: both.as_ref().map(|c| c.rmse[0]),
             rmse_after: both.as_ref().map(|c| c.rmse[1]),
             misfit_removed: removed.filter(|_| named),
-            shuffled_control: if named { permutation_control(found, found.chosen()) } else { None },
+            permutation_control: if named { permutation_control(found, found.chosen()) } else { None },
             parts: both.map(|c| c.parts).unwrap_or_default(),
             recordings: by_recording(found, before, after),
         },

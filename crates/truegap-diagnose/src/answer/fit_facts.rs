@@ -38,9 +38,9 @@ pub struct HeldOut {
     pub rmse_after: Option<f64>,
     /// share of the reproducible misfit that the findings remove; absent where there is none to remove
     pub misfit_removed: Option<f64>,
-    /// the same share for an added term of equal freedom driven by a shuffled history
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub shuffled_control: Option<f64>,
+    /// the same share for an added term of equal freedom driven by a permuted history
+    #[serde(rename = "shuffled_control", skip_serializing_if = "Option::is_none")]
+    pub permutation_control: Option<f64>,
     /// per part left out that both models predict: name, before, after
     pub parts: Vec<(String, f64, f64)>,
     /// of each of several recordings
@@ -74,9 +74,9 @@ pub struct PredictionOnly {
     pub held_out: BeforeAfter,
     /// share of the reproducible misfit that it removes on rows left out; absent where there is none to remove
     pub misfit_removed: Option<f64>,
-    /// the same share for a term of equal freedom driven by a shuffled history
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub shuffled_control: Option<f64>,
+    /// the same share for a term of equal freedom driven by a permuted history
+    #[serde(rename = "shuffled_control", skip_serializing_if = "Option::is_none")]
+    pub permutation_control: Option<f64>,
     /// where recording and prediction still differ
     pub remains: Vec<Mismatch>,
 }

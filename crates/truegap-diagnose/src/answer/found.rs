@@ -5,8 +5,8 @@
 use crate::{
     adequacy::{
         directions::Direction,
-        interference::heard::Heard,
-        lack_of_fit::{Adequacy, Gate},
+        interference::every_row::Interference,
+        lack_of_fit::{Adequacy, LackOfFitTests},
     },
     explain::hidden_input::slow_input::{Hidden, SlowInput},
     selection::{
@@ -39,9 +39,9 @@ pub struct Found<'a> {
     /// adequacy of the likeliest model
     pub after: Adequacy,
     /// bursts and a tone in what the model stood behind leaves
-    pub heard: Heard,
+    pub interference: Interference,
     /// directions, whitened
-    pub gate: &'a Gate,
+    pub lack_of_fit: &'a LackOfFitTests,
     /// directions
     pub directions: &'a [Direction],
     /// predictions of rows left out
@@ -86,8 +86,8 @@ impl Found<'_> {
     }
 
     /// Whether a tone or bursts are what there is to say, and nothing that is missing.
-    pub fn is_about_what_is_heard(&self) -> bool {
-        let nothing_missing = self.decision.verdict == Verdict::Unexplained && self.decision.outside.is_none();
-        self.reserved.is_none() && nothing_missing && self.heard.is_the_matter(&self.before)
+    pub fn is_about_interference(&self) -> bool {
+        let nothing_missing = self.decision.verdict == Verdict::Unexplained && self.decision.unmodelled.is_none();
+        self.reserved.is_none() && nothing_missing && self.interference.is_the_matter(&self.before)
     }
 }

@@ -51,7 +51,7 @@ pub(crate) fn flexible(found: &Found<'_>, base: &[f64], before: &HeldOutFit) -> 
         in_sample,
         held_out: BeforeAfter { rmse_before, rmse_after },
         misfit_removed: misfit_removed(rmse_before, rmse_after, found.noise.floor(), found.noise.rows),
-        shuffled_control: permutation_control(found, tried),
+        permutation_control: permutation_control(found, tried),
         remains: remains(found, tried),
     };
     Some(Flexible { facts, prediction, held_out: after.prediction })
@@ -59,7 +59,7 @@ pub(crate) fn flexible(found: &Found<'_>, base: &[f64], before: &HeldOutFit) -> 
 
 /// Where recording and `tried` differ.
 pub(crate) fn located(found: &Found<'_>, tried: &Tried) -> Vec<Mismatch> {
-    locate(found.search.problem, &tried.fit, found.gate, found.directions)
+    locate(found.search.problem, &tried.fit, found.lack_of_fit, found.directions)
 }
 
 /// The same of a model that holds more than the calibrated one.

@@ -65,11 +65,11 @@ pub(crate) fn says(found: &Found<'_>, findings: &[Finding]) -> String {
 }
 
 fn unexplained(found: &Found<'_>, decision: &Decision) -> String {
-    if let Some(cause) = &decision.outside {
+    if let Some(cause) = &decision.unmodelled {
         return format!("something real is missing that is not in the library: {}", says_of(found, cause));
     }
-    if found.is_about_what_is_heard() {
-        return format!("something is in the reading that is not in the library: {}", heard(found).unwrap_or_default());
+    if found.is_about_interference() {
+        return format!("something is in the reading that is not in the library: {}", interference(found).unwrap_or_default());
     }
     if !found.before.fires() {
         return "something real is missing that nothing in the library explains".into();
@@ -78,7 +78,7 @@ fn unexplained(found: &Found<'_>, decision: &Decision) -> String {
         "something real is missing that nothing in the library explains (the likeliest effect removes {:.0} % of the misfit){}{}",
         100.0 * decision.removed,
         line(found),
-        nearest_outside(found)
+        nearest_unmodelled(found)
     )
 }
 
@@ -92,16 +92,16 @@ fn line(found: &Found<'_>) -> String {
 }
 
 /// The tone, or else the loudest burst, of what the model stood behind leaves, in words; `None` where there is neither.
-fn heard(found: &Found<'_>) -> Option<String> {
-    let (tone, burst, inputs) = (found.heard.tone, found.heard.burst, found.all.problem.inputs);
-    if tone.is_heard() {
+fn interference(found: &Found<'_>) -> Option<String> {
+    let (tone, burst, inputs) = (found.interference.tone, found.interference.burst, found.all.problem.inputs);
+    if tone.is_significant() {
         let at = tone.frequency_hz.map_or_else(|| format!("{:.4} cycles a row", tone.per_row), |hz| format!("{hz:.4} Hz"));
         return Some(format!(
             "a tone at {at} (as sampled; it may be a faster one), {:.2} times as large as the noise",
             tone.amplitude
         ));
     }
-    burst.is_heard().then(|| {
+    burst.is_significant().then(|| {
         let (run, time) = (inputs.run[burst.row], elapsed_s(inputs, burst.row));
         let loudness = burst.loudness;
         format!("short bursts, the loudest in run {run} near {time:.0} s with {loudness:.1} times the scatter of the noise")
@@ -109,8 +109,8 @@ fn heard(found: &Found<'_>) -> Option<String> {
 }
 
 /// The unmodelled cause that comes nearest, where the library explains too little and no such cause is likelier.
-fn nearest_outside(found: &Found<'_>) -> String {
-    let nearest = found.selection.unlisted.first().filter(|(u, _)| u.gain > NEARLY);
+fn nearest_unmodelled(found: &Found<'_>) -> String {
+    let nearest = found.selection.unmodelled.first().filter(|(u, _)| u.gain > NEARLY);
     nearest.map_or_else(String::new, |(u, _)| format!("; of what lies outside it, nearest is that {}", says_of(found, u)))
 }
 
@@ -120,7 +120,7 @@ pub(crate) fn next(found: &Found<'_>) -> NextExperiment {
     match &found.reserved {
         Some(reserved) if reserved.input_missing => return only(RECORD_IT),
         Some(_) => return only(REPAIR_IT),
-        None if found.is_about_what_is_heard() => return only(LISTEN),
+        None if found.is_about_interference() => return only(LISTEN),
         None => {}
     }
     let models = &found.selection.models;

@@ -45,8 +45,8 @@ impl Stage for Settling {
         for (row, value) in value.iter_mut().enumerate() {
             let hours = elapsed_s(drive.inputs, row) / HOUR;
             let reach = fading_per_hour.abs() + LEAST_FADING;
-            let settled = (reach * hours).ln_1p() / reach;
-            *value += per_hour * if fading_per_hour < 0.0 { 2.0 * hours - settled } else { settled };
+            let fading = (reach * hours).ln_1p() / reach;
+            *value += per_hour * if fading_per_hour < 0.0 { 2.0 * hours - fading } else { fading };
         }
     }
 }

@@ -35,14 +35,14 @@ impl Steps {
         if run == 0 { 0.0 } else { self.size * self.jumps.get(run - 1).copied().unwrap_or(0.0) }
     }
 
-    /// Adds the jumps so far to each row, the last one `settled(share of the run's rows gone by)`.
-    fn apply(&self, drive: &Drive<'_>, value: &mut [f64], settled: impl Fn(f64) -> f64) {
+    /// Adds the jumps so far to each row, the last one `arrived(share of the run's rows gone by)`.
+    fn apply(&self, drive: &Drive<'_>, value: &mut [f64], arrived: impl Fn(f64) -> f64) {
         let mut before: f64 = (0..self.runs_before).map(|run| self.jump(run)).sum();
         for (index, run) in drive.inputs.runs().into_iter().enumerate() {
             let jump = self.jump(self.runs_before + index);
             let rows = run.len() as f64;
             for (gone, row) in run.enumerate() {
-                value[row] += before + jump * settled(gone as f64 / rows);
+                value[row] += before + jump * arrived(gone as f64 / rows);
             }
             before += jump;
         }

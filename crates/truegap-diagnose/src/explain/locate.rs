@@ -5,7 +5,7 @@
 use crate::{
     adequacy::{
         directions::{Direction, Driver},
-        lack_of_fit::Gate,
+        lack_of_fit::LackOfFitTests,
     },
     data::{context::load_column, problem::Problem},
     fit::optimum::Fit,
@@ -50,8 +50,8 @@ pub struct Map {
 const PLACE_LEVEL: f64 = 1e-3;
 
 /// Directions along which the fit is wrong, largest share first.
-pub fn locate(problem: &Problem<'_>, fit: &Fit, gate: &Gate, directions: &[Direction]) -> Vec<Mismatch> {
-    let scores = gate.scores(fit);
+pub fn locate(problem: &Problem<'_>, fit: &Fit, lack_of_fit: &LackOfFitTests, directions: &[Direction]) -> Vec<Mismatch> {
+    let scores = lack_of_fit.scores(fit);
     let total = scores.joint().excess().max(1.0);
     let mut groups: BTreeMap<Driver, Vec<usize>> = BTreeMap::new();
     directions.iter().enumerate().for_each(|(i, d)| groups.entry(d.driver).or_default().push(i));

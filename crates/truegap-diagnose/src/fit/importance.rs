@@ -1,9 +1,9 @@
 //! Evidence by importance sampling: the check of Laplace's approximation for the models near the top.
 //!
-//! Parameters that trade off against one another make a valley that bends; draws from a Gaussian at its lowest point leave it. So only the soft directions are
-//! drawn, and for each draw the stiff ones are settled again, where Laplace's approximation is good.
+//! Parameters that trade off against one another make a sloppy direction that bends; draws from a Gaussian at its lowest point leave it. So only the soft directions are
+//! drawn, and for each draw the stiff ones are fitted again, where Laplace's approximation is good.
 //!
-//! Limits: one valley; the curvature across it is taken as the same all along; where few draws carry the weight, the estimate is refused and Laplace stands.
+//! Limits: one optimum; the curvature of the stiff directions is taken as the same all along; where few draws carry the weight, the estimate is refused and Laplace stands.
 
 use crate::{
     fit::{model::Model, optimum::Fit},
@@ -21,8 +21,8 @@ use std::f64::consts::PI;
 const FREEDOM: f64 = 6.0;
 /// Curvature, in units of the prior's, above which a direction is stiff.
 const STIFF: f64 = 100.0;
-/// Most steps in which the stiff directions are settled, and the promise below which they are.
-const SETTLED: (usize, f64) = (4, 0.1);
+/// Most steps in which the stiff directions are fitted, and the promise below which they are.
+const STIFF_STEPS: (usize, f64) = (4, 0.1);
 
 /// An estimate of the log evidence, on the scale of [`crate::fit::laplace::laplace`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,8 +37,8 @@ pub struct Sampled {
 ///
 /// **Source:** importance sampling as in Robert & Casella, Monte Carlo Statistical Methods, section 3.3, on the profile over the stiff directions.
 pub fn sampled(model: &Model<'_>, whitener: &Whitener, fit: &Fit, draws: usize, seed: u64) -> Option<Sampled> {
-    let valley = Valley::of(model, whitener, fit);
-    let soft = valley.soft.ncols();
+    let sloppy = SloppyDirections::of(model, whitener, fit);
+    let soft = sloppy.soft.ncols();
     let bounds = model.bounds();
     let mass: f64 = bounds.iter().map(|(low, high)| normal_between(*low, *high).max(1e-12).ln()).sum();
     let chi = ChiSquared::new(FREEDOM).ok()?;
@@ -47,10 +47,10 @@ pub fn sampled(model: &Model<'_>, whitener: &Whitener, fit: &Fit, draws: usize, 
     for _ in 0..draws {
         let normal = DVector::from_fn(soft, |_, _| -> f64 { StandardNormal.sample(&mut random) });
         let stretch: f64 = FREEDOM / chi.sample(&mut random);
-        let along = DVector::from_fn(soft, |i, _| normal[i] * (stretch / valley.curvature[i]).sqrt());
-        let proposal = log_t(soft, normal.norm_squared() * stretch) + 0.5 * valley.curvature.iter().map(|c| c.ln()).sum::<f64>();
-        let height = valley.height(&along, &bounds).unwrap_or(f64::INFINITY);
-        weights.push(valley.across - height - 0.5 * soft as f64 * (2.0 * PI).ln() - mass - proposal);
+        let along = DVector::from_fn(soft, |i, _| normal[i] * (stretch / sloppy.curvature[i]).sqrt());
+        let proposal = log_t(soft, normal.norm_squared() * stretch) + 0.5 * sloppy.curvature.iter().map(|c| c.ln()).sum::<f64>();
+        let height = sloppy.height(&along, &bounds).unwrap_or(f64::INFINITY);
+        weights.push(sloppy.across - height - 0.5 * soft as f64 * (2.0 * PI).ln() - mass - proposal);
     }
     let total = log_sum_exp(&weights);
     let squares = log_sum_exp(&weights.iter().map(|w| 2.0 * w).collect::<Vec<_>>());
@@ -66,7 +66,7 @@ fn log_t(n: usize, distance: f64) -> f64 {
 }
 
 /// The posterior about a fit, split into soft and stiff directions.
-struct Valley<'a, 'm> {
+struct SloppyDirections<'a, 'm> {
     model: &'a Model<'m>,
     whitener: &'a Whitener,
     fit: &'a Fit,
@@ -75,32 +75,32 @@ struct Valley<'a, 'm> {
     /// curvature along each of them
     curvature: Vec<f64>,
     /// p x p: from a gradient to the stiff part of a Newton step
-    settle: DMatrix<f64>,
+    stiff_newton: DMatrix<f64>,
     /// minus half the log determinant of the stiff curvatures
     across: f64,
 }
 
-impl<'a, 'm> Valley<'a, 'm> {
+impl<'a, 'm> SloppyDirections<'a, 'm> {
     fn of(model: &'a Model<'m>, whitener: &'a Whitener, fit: &'a Fit) -> Self {
         let eigen = symmetric_eigen(fit.hessian.clone());
         let n = fit.z.len();
         let soft: Vec<usize> = (0..n).filter(|i| eigen.eigenvalues[*i] < STIFF).collect();
-        let mut settle = DMatrix::zeros(n, n);
+        let mut stiff_newton = DMatrix::zeros(n, n);
         let mut across = 0.0;
         for i in (0..n).filter(|i| !soft.contains(i)) {
             let direction = eigen.eigenvectors.column(i);
-            settle += direction * direction.transpose() / eigen.eigenvalues[i];
+            stiff_newton += direction * direction.transpose() / eigen.eigenvalues[i];
             across -= 0.5 * eigen.eigenvalues[i].ln();
         }
         let curvature = soft.iter().map(|i| eigen.eigenvalues[*i].max(1e-3)).collect();
-        Self { model, whitener, fit, soft: eigen.eigenvectors.select_columns(&soft), curvature, settle, across }
+        Self { model, whitener, fit, soft: eigen.eigenvectors.select_columns(&soft), curvature, stiff_newton, across }
     }
 
-    /// Half of chi2 and the prior's penalty at a place along the soft directions, the stiff ones settled; `None` outside the bounds or where there is no answer.
+    /// Half of chi2 and the prior's penalty at a place along the soft directions, the stiff ones fitted; `None` outside the bounds or where there is no answer.
     fn height(&self, along: &DVector<f64>, bounds: &[(f64, f64)]) -> Option<f64> {
         let mut z = DVector::from_column_slice(&self.fit.z) + &self.soft * along;
         let mut best = f64::INFINITY;
-        for _ in 0..=SETTLED.0 {
+        for _ in 0..=STIFF_STEPS.0 {
             if !z.iter().zip(bounds).all(|(z, b)| (b.0..=b.1).contains(z)) {
                 break;
             }
@@ -109,8 +109,8 @@ impl<'a, 'm> Valley<'a, 'm> {
             let prior = self.model.prior(z.as_slice());
             best = best.min(0.5 * (residual.norm_squared() + prior.penalty()));
             let gradient = self.fit.jacobian.tr_mul(&residual) - DVector::from_iterator(z.len(), prior.gradient());
-            let step = &self.settle * &gradient;
-            if 0.5 * step.dot(&gradient) < SETTLED.1 {
+            let step = &self.stiff_newton * &gradient;
+            if 0.5 * step.dot(&gradient) < STIFF_STEPS.1 {
                 break;
             }
             z += step;

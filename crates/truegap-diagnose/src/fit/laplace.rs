@@ -52,7 +52,7 @@ pub(crate) fn on_bound(z: f64, bound: f64) -> bool {
 ///
 /// What is known of an effect is its order of magnitude, if that. One narrow Gaussian makes a size of five deviations all but impossible, one wide makes every
 /// small size dear; either way the wrong neighbour wins. `z` and `variance` are the size's under the single prior, `gradient` that of the objective at `z`, which
-/// counts on a bound only; the likelihood is taken as Gaussian in the size once all else is settled.
+/// counts on a bound only; the likelihood is taken as Gaussian in the size once all else is fitted.
 pub fn any_scale(z: f64, variance: f64, gradient: f64, bounds: (f64, f64)) -> f64 {
     let outwards = if on_bound(z, bounds.0) {
         gradient.max(0.0)

@@ -1,4 +1,4 @@
-//! The way down to an optimum: damped Gauss-Newton steps inside bounds, each corrected until it is back in the valley.
+//! The way down to an optimum: damped Gauss-Newton steps inside bounds, each corrected until it is back where the objective is low.
 //!
 //! Limits: one mode; what an optimum is worth is for [`crate::fit::optimum`] to say.
 
@@ -89,7 +89,7 @@ impl<'a, 'm> Descent<'a, 'm> {
             let gain = self.step();
             if promise > options.tolerance && gain.is_none_or(|g| g < 0.5 * promise) && failed < FAILED {
                 self.refresh(0)?;
-                if self.leap(reach)? {
+                if self.nonmonotone_step(reach)? {
                     (reach, failed) = (3.0 * reach, 0);
                     self.converged = self.promised() < options.tolerance;
                     continue;
@@ -112,14 +112,14 @@ impl<'a, 'm> Descent<'a, 'm> {
         if self.stale { self.refresh(0) } else { Ok(()) }
     }
 
-    /// A stride along a valley that is too narrow and too curved for steps that may never climb: straight along its floor, at most `reach` in any coordinate
-    /// and up its wall, then back down to the floor, each with derivatives of its own.
+    /// A step along a sloppy direction that is too curved for steps that may never climb: straight along it, at most `reach` in any coordinate
+    /// and up, then back down, each with derivatives of its own.
     ///
     /// `true` as soon as the objective is below where they started, with all derivatives known there; `false` where it does not get there, and everything
     /// but the derivatives is as before.
     ///
     /// **Source:** steps that climb are let through as in Transtrum & Sethna, Improvements to the Levenberg-Marquardt algorithm (2012), section 5.
-    fn leap(&mut self, reach: f64) -> Result<bool, SimulationError> {
+    fn nonmonotone_step(&mut self, reach: f64) -> Result<bool, SimulationError> {
         let (z, residual, jacobian) = (self.z.clone(), self.residual.clone(), self.jacobian.clone());
         let start = objective(self.model, &residual, &z);
         let back = std::iter::repeat_n((PINNED, f64::INFINITY), STEPS_BACK);
@@ -177,8 +177,8 @@ impl<'a, 'm> Descent<'a, 'm> {
 
 /// The first damped step that lowers the objective: point, residual there, gain.
 ///
-/// Parameters that trade off against one another make a valley that is curved and narrow. A straight step along it leaves it, so each step is
-/// corrected with the same Jacobian until it is back in the valley (chord iterations), and only then judged.
+/// Parameters that trade off against one another make a sloppy direction that is curved. A straight step along it climbs, so each step is
+/// corrected with the same Jacobian until it is down again (chord iterations), and only then judged.
 fn best_step(
     model: &Model<'_>,
     whitener: &Whitener,
@@ -217,13 +217,13 @@ fn best_step(
     None
 }
 
-/// How far the first leap strides, in prior standard deviations; after one that succeeds further, after one that fails less far.
+/// How far the first nonmonotone step goes, in prior standard deviations; after one that succeeds further, after one that fails less far.
 const REACH: f64 = 3.0;
-/// Leaps that may fail in a row.
+/// Nonmonotone steps that may fail in a row.
 const FAILED: usize = 3;
-/// Steps back to the floor.
+/// Steps back down.
 const STEPS_BACK: usize = 3;
-/// Curvature added in every direction on the way back to the floor: much for directions along the valley, nothing for those across it.
+/// Curvature added in every direction on the way back down: much for sloppy directions, nothing for stiff ones.
 const PINNED: f64 = 100.0;
 /// Most corrections of a step with one Jacobian.
 const CHORDS: usize = 5;

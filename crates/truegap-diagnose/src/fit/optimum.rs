@@ -5,11 +5,11 @@
 use crate::fit::{laplace, model::Kinds, prior::Prior};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-/// Promise, in units of the objective, below which a fit counts as settled.
+/// Promise, in units of the objective, below which a fit counts as converged.
 const REACHED: f64 = 1.0;
 
 /// A fit at the optimum of its linearised objective.
-pub struct Settled {
+pub struct Linearised {
     /// whitened residual there; that of the fit itself where it has converged
     pub residual: DVector<f64>,
     /// what calibration can take up of a whitened column b: the squared length of `taken^T b`; n x (free parameters)
@@ -18,7 +18,7 @@ pub struct Settled {
     pub promise: f64,
 }
 
-impl Settled {
+impl Linearised {
     /// Whether the straight step there promises next to nothing: where it promises more, the search has stopped short, and what is linear in the fit says little.
     pub fn is_reached(&self) -> bool {
         self.promise < REACHED
@@ -88,9 +88,9 @@ impl Fit {
 
     /// The linearised objective at its optimum; parameters on a bound stay there.
     ///
-    /// By an orthogonal factorisation of the Jacobian above what is known beforehand: products of the Jacobian with itself lose, in a narrow valley, what the
+    /// By an orthogonal factorisation of the Jacobian above what is known beforehand: products of the Jacobian with itself lose, along a sloppy direction, what the
     /// scores of a direction consist of.
-    pub fn settled(&self) -> Settled {
+    pub fn linearised(&self) -> Linearised {
         let free: Vec<usize> = (0..self.z.len()).filter(|i| !self.at_limit[*i]).collect();
         let (rows, count) = (self.residual.len(), free.len());
         let stacked = DMatrix::from_fn(rows + count, count, |row, k| match row.checked_sub(rows) {
@@ -103,7 +103,7 @@ impl Fit {
         let basis = stacked.qr().q();
         let along = basis.tr_mul(&here);
         let residual = (&here - &basis * &along).rows(0, rows).into_owned();
-        Settled { residual, taken: basis.rows(0, rows).into_owned(), promise: 0.5 * along.norm_squared() }
+        Linearised { residual, taken: basis.rows(0, rows).into_owned(), promise: 0.5 * along.norm_squared() }
     }
 }
 

@@ -6,7 +6,7 @@
 //! Limits: linear about the fit.
 
 use crate::{
-    fit::optimum::Settled,
+    fit::optimum::Linearised,
     stats::{symmetric_eigen, upper_tail},
 };
 use nalgebra::{DMatrix, DVector};
@@ -45,14 +45,14 @@ impl JointTest {
 }
 
 /// Scores along whitened columns `b` (n x k).
-pub fn scores(settled: &Settled, b: &DMatrix<f64>) -> Scores {
-    scores_with(settled, b, &b.tr_mul(b))
+pub fn scores(linearised: &Linearised, b: &DMatrix<f64>) -> Scores {
+    scores_with(linearised, b, &b.tr_mul(b))
 }
 
 /// As [`scores`], `gram` being `b^T b`: for the same columns beside many fits.
-pub fn scores_with(settled: &Settled, b: &DMatrix<f64>, gram: &DMatrix<f64>) -> Scores {
-    let taken = settled.taken.tr_mul(b);
-    Scores { scores: b.tr_mul(&settled.residual), covariance: gram - taken.tr_mul(&taken) }
+pub fn scores_with(linearised: &Linearised, b: &DMatrix<f64>, gram: &DMatrix<f64>) -> Scores {
+    let taken = linearised.taken.tr_mul(b);
+    Scores { scores: b.tr_mul(&linearised.residual), covariance: gram - taken.tr_mul(&taken) }
 }
 
 impl Scores {
@@ -89,15 +89,15 @@ mod tests {
     /// Two parameters that do nearly the same, each known from the data to a millionth of what is known beforehand: along their common column
     /// `B^2 (1 + d^2) / (1 + 2 S^2 + d^2 + S^2 d^2)` is left, the entry of `(1 + J J^T)^-1` for J = [[S, S], [0, d]].
     #[test]
-    fn what_calibration_leaves_of_a_column_in_a_narrow_valley_is_not_lost_in_rounding() {
+    fn what_calibration_leaves_of_a_column_along_a_sloppy_direction_is_not_lost_in_rounding() {
         let (s, d, b) = (1e6, 1e-2, 1e6);
         let jacobian = DMatrix::from_row_slice(2, 2, &[s, s, 0.0, d]);
         let free = [(f64::NEG_INFINITY, f64::INFINITY); 2];
         // at the optimum J^T r = z
         let residual = vec![30.0 / s, -10.0 / d];
-        let settled = finish(vec![30.0, 20.0], residual, jacobian, &free, Kinds::default(), (1, true)).settled();
-        assert!(settled.is_reached());
-        let found = scores(&settled, &DMatrix::from_column_slice(2, 1, &[b, 0.0]));
+        let linearised = finish(vec![30.0, 20.0], residual, jacobian, &free, Kinds::default(), (1, true)).linearised();
+        assert!(linearised.is_reached());
+        let found = scores(&linearised, &DMatrix::from_column_slice(2, 1, &[b, 0.0]));
         let left = b * b * (1.0 + d * d) / (1.0 + 2.0 * s * s + d * d + s * s * d * d);
         // rounding of B^2 = 1e12 in double precision, 1e-4
         assert!((found.covariance[(0, 0)] - left).abs() < 1e-3, "{} {left}", found.covariance[(0, 0)]);

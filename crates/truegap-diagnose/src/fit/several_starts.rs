@@ -18,7 +18,7 @@ const DIRECTIONS: (usize, f64) = (3, 4.0);
 
 /// The fit with the lowest objective; `loose` is the same noise, [`LOOSE`] times larger.
 ///
-/// A calibration that is driven far from what is known has curved valleys in which a descent can stop; the true optimum is one that another start finds again.
+/// A calibration that is driven far from what is known has curved sloppy directions in which a descent can stop; the true optimum is one that another start finds again.
 ///
 /// # Errors
 /// Those of the simulator at the centre of the prior.

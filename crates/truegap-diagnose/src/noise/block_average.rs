@@ -15,7 +15,7 @@ use std::ops::Range;
 use truegap_core::{Inputs, SimulationError};
 
 /// A recording with neighbouring rows merged.
-pub struct Thinned {
+pub struct BlockAverages {
     /// means of the inputs
     pub inputs: Inputs,
     /// means of the response
@@ -26,7 +26,7 @@ pub struct Thinned {
     pub first: Vec<usize>,
 }
 
-impl Thinned {
+impl BlockAverages {
     /// The noise of the means.
     pub fn noise(&self, noise: &NoiseModel) -> NoiseModel {
         let mean = |column: &[f64], i: usize| {
@@ -58,7 +58,11 @@ impl Thinned {
 ///
 /// # Errors
 /// Those of the simulator.
-pub fn thin(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> Result<Option<Thinned>, SimulationError> {
+pub fn block_averages(
+    problem: &Problem<'_>,
+    noise: &NoiseModel,
+    target: usize,
+) -> Result<Option<BlockAverages>, SimulationError> {
     let n = problem.response.len();
     if n <= target || problem.inputs.time_s.is_none() {
         return Ok(None);
@@ -85,7 +89,7 @@ pub fn thin(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> Result<
         let of_rows = mean(&problem.simulator.respond(&problem.simulator.centre(), from, &[])?);
         response.iter_mut().zip(of_means.iter().zip(&of_rows)).for_each(|(r, (m, rows))| *r += m - rows);
     }
-    Ok(Some(Thinned {
+    Ok(Some(BlockAverages {
         inputs,
         response,
         weights: groups.iter().map(|g| g.len() as f64).collect(),
@@ -165,9 +169,9 @@ fn groups(problem: &Problem<'_>, noise: &NoiseModel, most: usize, moves: f64) ->
         courses.iter_mut().for_each(|c| c.start(run.start));
         let mut first = run.start;
         for row in run.start + 1..=run.end {
-            let settled = row > run.start + 2 && row < run.end;
-            let even = settled && (steps[row] - steps[row - 1]).abs() <= 0.5 * steps[row];
-            let still = settled && courses.iter_mut().all(|c| c.goes_on(first, row));
+            let inside = row > run.start + 2 && row < run.end;
+            let even = inside && (steps[row] - steps[row - 1]).abs() <= 0.5 * steps[row];
+            let still = inside && courses.iter_mut().all(|c| c.goes_on(first, row));
             if !(even && still && row - first < most) {
                 groups.push(first..row);
                 first = row;

@@ -16,7 +16,7 @@ const COMMON: [f64; 3] = [2.0, 6.0, 20.0];
 
 /// Differences of even order of a column within its runs, 0 at the ends of runs, each times what its weight may be: the weight that would be best if the difference stood alone,
 /// the noise's share of it over its mean square. Large bends show that little smoothing is right, as on a square wave of a few rows.
-pub fn bends(column: &[f64], runs: &[Range<usize>], sd: f64) -> Vec<Vec<f64>> {
+pub fn error_shapes(column: &[f64], runs: &[Range<usize>], sd: f64) -> Vec<Vec<f64>> {
     let mut differences = column.to_vec();
     COMMON
         .iter()
@@ -50,15 +50,15 @@ mod tests {
 
     /// A parabola has a second difference of 2 and none beyond; a cosine is multiplied by 2 cos w - 2 each time.
     #[test]
-    fn bends_are_differences_of_even_order_inside_runs() {
+    fn error_shapes_are_differences_of_even_order_inside_runs() {
         let parabola: Vec<f64> = (0..20).map(|i| f64::from(i * i)).collect();
-        let [second, fourth, _] = <[Vec<f64>; 3]>::try_from(bends(&parabola, &[0..9, 9..20], 0.1)).unwrap();
+        let [second, fourth, _] = <[Vec<f64>; 3]>::try_from(error_shapes(&parabola, &[0..9, 9..20], 0.1)).unwrap();
         // 16 of 20 rows have one; weight 2 x 0.01 over 4 x 16 / 20
         assert_eq!((second[0], second[8], second[9]), (0.0, 0.0, 0.0));
         approx::assert_relative_eq!(second[4], 2.0 * 0.02 / 3.2, max_relative = 1e-12);
         assert!(fourth.iter().all(|f| f.abs() < 1e-12));
         let wave: Vec<f64> = (0..20).map(|i| (0.7 * f64::from(i)).cos()).collect();
-        let sixth = &bends(&wave, &[0..20], 1.0)[2];
+        let sixth = &error_shapes(&wave, &[0..20], 1.0)[2];
         let factor = sixth[10] / ((2.0 * 0.7f64.cos() - 2.0).powi(3) * wave[10]);
         approx::assert_relative_eq!(sixth[9], factor * (2.0 * 0.7f64.cos() - 2.0).powi(3) * wave[9], max_relative = 1e-10);
     }
@@ -76,7 +76,7 @@ mod tests {
                 (x, x + noise.sample(&mut rng))
             })
             .unzip();
-        let second = &bends(&noisy, &[0..20_000], 0.005)[0];
+        let second = &error_shapes(&noisy, &[0..20_000], 0.005)[0];
         let along: f64 = second.iter().zip(clean.iter().zip(&noisy)).map(|(s, (c, n))| s * (c - n)).sum();
         // 20 000 rows: the regression is good to about 3 %
         approx::assert_relative_eq!(along / second.iter().map(|s| s * s).sum::<f64>(), 1.0, max_relative = 0.1);

@@ -12,7 +12,7 @@ use crate::{
 };
 use truegap_core::{Inputs, SimulationError, Stage};
 
-/// What quietening left of the noise of load and temperature.
+/// What denoising left of the noise of load and temperature.
 pub struct Left<'a> {
     /// share of the variance of the load's noise, row by row
     pub load: &'a [f64],

@@ -5,12 +5,12 @@
 pub(crate) mod block_average;
 pub(crate) mod crossings;
 pub(crate) mod denoise;
+pub(crate) mod denoised_inputs;
 pub(crate) mod errors_in_load;
 pub(crate) mod follows_drivers;
 pub(crate) mod input;
 pub(crate) mod input_error;
 pub(crate) mod louder;
-pub(crate) mod quiet;
 pub(crate) mod reml;
 pub(crate) mod rescale;
 pub(crate) mod response;

@@ -29,7 +29,7 @@ pub fn quieter_than(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -
             noise.clone()
         } else if noise.measured {
             let load = load_column(problem.inputs, problem.simulator);
-            let (blocks, _, says) = blocks(problem, load.as_deref(), &noise.inputs, noise.bends());
+            let (blocks, _, says) = blocks(problem, load.as_deref(), &noise.inputs, noise.load_wanders());
             let (response, uncertainty) = estimate(misfit, &blocks);
             let says = format!("{says}, beside what a model explains");
             NoiseModel { response: no_finer_than_read(response, problem), uncertainty, says, ..noise.clone() }
@@ -68,8 +68,8 @@ pub fn not_above(problem: &Problem<'_>, misfit: &[f64], noise: NoiseModel) -> No
         tried.map(|noise| (deviance(&noise), noise)).min_by(|a, b| a.0.total_cmp(&b.0))
     };
     let alike = likeliest(LOWER.map(|factor| (factor, factor)).to_vec());
-    // what quietened inputs err by is alike over many rows, and short stretches say nothing of it: only a load that keeps its noise is weighed by itself
-    let inputs = LOWER.into_iter().filter(|inputs| noise.bends() && *inputs >= LEAST_OF_INPUTS);
+    // what denoised inputs err by is alike over many rows, and short stretches say nothing of it: only a load that keeps its noise is weighed by itself
+    let inputs = LOWER.into_iter().filter(|inputs| noise.load_wanders() && *inputs >= LEAST_OF_INPUTS);
     let apart = likeliest(inputs.flat_map(|inputs| LOWER.map(|response| (response, inputs))).collect());
     let clearly = |apart: &(f64, NoiseModel)| alike.as_ref().is_none_or(|alike| apart.0 < alike.0 - CLEARLY);
     apart.filter(clearly).or(alike).map_or_else(|| noise.clone(), |(_, likeliest)| likeliest)

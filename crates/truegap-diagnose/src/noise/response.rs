@@ -24,7 +24,7 @@ const ENOUGH: usize = 120;
 /// Most rows at rest that are used; more would not change the figures.
 const PLENTY: usize = 6000;
 
-/// Noise of a problem whose inputs were quietened: `inputs` as recorded, `left` what quietening left of it, `base` the parameter values at which all that is carried
+/// Noise of a problem whose inputs were denoised: `inputs` as recorded, `left` what denoising left of it, `base` the parameter values at which all that is carried
 /// through.
 ///
 /// # Errors
@@ -58,7 +58,7 @@ pub fn noise_model(
 /// and a fast one counts as noise.
 pub fn from_misfit(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> NoiseModel {
     let mut short = without_outliers(misfit, rest::short_stretches(problem.inputs));
-    thin(&mut short);
+    keep_some(&mut short);
     let rows = short.iter().map(|b| b.rows.len()).sum();
     let (response, uncertainty) = estimate(misfit, &short);
     let response = no_finer_than_read(response, problem);
@@ -82,7 +82,7 @@ fn read_in_steps(problem: &Problem<'_>, noise: Noise, mut error: InputError) -> 
 /// The noise beside rows that are louder: estimated again from the others.
 pub fn beside_louder_rows(problem: &Problem<'_>, noise: &NoiseModel, found: Louder) -> NoiseModel {
     let load = load_column(problem.inputs, problem.simulator);
-    let (blocks, ..) = blocks(problem, load.as_deref(), &noise.inputs, noise.bends());
+    let (blocks, ..) = blocks(problem, load.as_deref(), &noise.inputs, noise.load_wanders());
     let (response, uncertainty) = estimate(&found.clean, &blocks);
     let mut input_error = noise.input_error.clone();
     input_error.louder.resize(found.variance.len(), 0.0);
@@ -104,16 +104,16 @@ pub(crate) fn no_finer_than_read(noise: Noise, problem: &Problem<'_>) -> Noise {
 /// Least relative uncertainty of a noise that was not measured at rest.
 const UNSEEN: f64 = 0.25;
 
-/// Stretches to take the noise from, whether they are apart from the mismatch, and a sentence about them; a load that `bends` all the time never rests.
+/// Stretches to take the noise from, whether they are apart from the mismatch, and a sentence about them; a load that `wanders` never rests.
 pub(crate) fn blocks(
     problem: &Problem<'_>,
     load: Option<&[f64]>,
     inputs: &InputNoise,
-    bends: bool,
+    wanders: bool,
 ) -> (Vec<Block>, bool, String) {
-    let at_rest = if bends { Vec::new() } else { rest::at_rest(problem.inputs, load, inputs) };
+    let at_rest = if wanders { Vec::new() } else { rest::at_rest(problem.inputs, load, inputs) };
     let mut rest = without_outliers(problem.response, at_rest);
-    thin(&mut rest);
+    keep_some(&mut rest);
     let rows: usize = rest.iter().map(|b| b.rows.len()).sum();
     if rows >= ENOUGH {
         let says = format!("from {rows} rows in {} stretches at rest, a slow trend taken out of each", rest.len());
@@ -126,13 +126,13 @@ pub(crate) fn blocks(
         return (replicates, true, says);
     }
     let mut short = without_outliers(problem.response, rest::short_stretches(problem.inputs));
-    thin(&mut short);
+    keep_some(&mut short);
     let rows: usize = short.iter().map(|b| b.rows.len()).sum();
     (short, false, format!("no rest record: from the scatter of {rows} rows within short stretches; slow noise would go unseen"))
 }
 
 /// Keeps a share of the stretches, spread evenly, where there are more rows than needed.
-pub(crate) fn thin(blocks: &mut Vec<Block>) {
+pub(crate) fn keep_some(blocks: &mut Vec<Block>) {
     let rows: usize = blocks.iter().map(|b| b.rows.len()).sum();
     if rows > PLENTY {
         let every = rows.div_ceil(PLENTY);

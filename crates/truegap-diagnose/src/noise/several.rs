@@ -9,10 +9,10 @@ use crate::{
         several_starts::{LOOSE, lowest},
     },
     noise::{
+        denoised_inputs::{DenoisedInputs, denoised_inputs},
         follows_drivers::without_what_follows_drivers,
         input_error::Left,
         louder::louder,
-        quiet::{Quiet, quiet},
         rescale::not_above,
         response::{beside_louder_rows, from_misfit, noise_model},
         switching::load_switches,
@@ -25,7 +25,7 @@ use crate::{
 use std::ops::Range;
 use truegap_core::{Inputs, Joined};
 
-/// The inputs made quiet, and the noise of every row.
+/// The denoised inputs, and the noise of every row.
 ///
 /// # Errors
 /// [`DiagnoseError`] where the base model has no answer.
@@ -37,8 +37,8 @@ pub fn measured(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseE
 }
 
 fn of_one(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseError> {
-    let Quiet { inputs, noise, load_left, temperature_left, load_shapes, load_steps, temperature_steps } =
-        quiet(problem.inputs, problem.response, problem.simulator, load_switches(problem));
+    let DenoisedInputs { inputs, noise, load_left, temperature_left, load_shapes, load_steps, temperature_steps } =
+        denoised_inputs(problem.inputs, problem.response, problem.simulator, load_switches(problem));
     let still = Problem { inputs: &inputs, response: problem.response, simulator: problem.simulator };
     let left = Left {
         load: &load_left,
@@ -54,7 +54,7 @@ fn of_one(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseError> 
 }
 
 fn of_several(problem: &Problem<'_>, joined: &dyn Joined) -> Result<(Inputs, NoiseModel), DiagnoseError> {
-    let mut quiet = problem.inputs.clone();
+    let mut denoised = problem.inputs.clone();
     let mut all: Option<NoiseModel> = None;
     let mut shapes: Vec<Vec<f64>> = Vec::new();
     let (mut lasting, mut louder): (Vec<Lasting>, Vec<f64>) = (Vec::new(), Vec::new());
@@ -66,7 +66,7 @@ fn of_several(problem: &Problem<'_>, joined: &dyn Joined) -> Result<(Inputs, Noi
         let inputs = joined.inputs(index, problem.inputs);
         let response = &problem.response[rows.clone()];
         let (own, noise) = of_one(&Problem { inputs: &inputs, response, simulator: joined.model(index) })?;
-        put(&mut quiet, &rows, &own);
+        put(&mut denoised, &rows, &own);
         let first = all.is_none();
         let joint = all.get_or_insert_with(|| NoiseModel { rows: 0, says: String::new(), ..noise.clone() });
         if !first {
@@ -101,7 +101,7 @@ fn of_several(problem: &Problem<'_>, joined: &dyn Joined) -> Result<(Inputs, Noi
         noise.input_error.lasting = together(lasting);
         noise.input_error.louder = louder;
     }
-    all.map(|noise| (quiet, noise)).ok_or(DiagnoseError::TooFewRows { rows: 0, needed: crate::data::error::FEWEST_ROWS })
+    all.map(|noise| (denoised, noise)).ok_or(DiagnoseError::TooFewRows { rows: 0, needed: crate::data::error::FEWEST_ROWS })
 }
 
 /// A column, or as many zeros.

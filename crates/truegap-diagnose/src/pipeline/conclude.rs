@@ -4,7 +4,7 @@
 
 use crate::text::significant;
 use crate::{
-    adequacy::interference::heard::Heard,
+    adequacy::interference::every_row::Interference,
     answer::{Found, Known, Outcome, Reserved, outcome},
     data::error::DiagnoseError,
     explain::hidden_input::slow_input::SlowInput,
@@ -57,15 +57,15 @@ pub(crate) fn conclude(
     let search = &prepared.search(&searched, told.progress, told.stop);
     let bank = bank(prepared, search, &examined, told.options)?;
     let examined = match &bank {
-        Some(bank) => judge(search, &prepared.gate, examined.selection.sharpened(bank.power)),
+        Some(bank) => judge(search, &prepared.lack_of_fit, examined.selection.sharpened(bank.power)),
         None => examined,
     };
     let selection = &examined.selection;
     let hidden = told.options.hidden.first();
     let slow = hidden.and_then(|hidden| Some((SlowInput::of(search, selection)?, hidden)));
-    let (heard, decision) = with_what_is_heard(prepared, search, &examined)?;
+    let (interference, decision) = with_interference(prepared, search, &examined)?;
     let (decision, kept_back) = reserved(decision, selection, slow.as_ref().map(|(slow, _)| slow), told.options);
-    let all = AllRows { problem: prepared.problem, first: prepared.thinned.as_ref().map(|t| t.first.as_slice()) };
+    let all = AllRows { problem: prepared.problem, first: prepared.averages.as_ref().map(|t| t.first.as_slice()) };
     let (unseen, decision, vetoed) = predicted(prepared, search, all, selection, decision);
     let found = Found {
         search,
@@ -77,9 +77,9 @@ pub(crate) fn conclude(
         bank: bank.as_ref(),
         before: examined.before,
         after: examined.after,
-        heard,
+        interference,
         unseen,
-        gate: &prepared.gate,
+        lack_of_fit: &prepared.lack_of_fit,
         directions: &prepared.directions,
         reserved: kept_back.or(vetoed),
         slow: slow.as_ref().map(|(slow, hidden)| (slow, *hidden)),
@@ -127,22 +127,22 @@ fn bank(
 }
 
 /// Bursts and a tone in what the model stood behind leaves of every row, and the decision with them counted.
-fn with_what_is_heard(
+fn with_interference(
     prepared: &Prepared<'_>,
     search: &Search<'_>,
     examined: &Examined,
-) -> Result<(Heard, Decision), DiagnoseError> {
+) -> Result<(Interference, Decision), DiagnoseError> {
     let Examined { selection, decision, .. } = examined;
     let stood_behind = &selection.models[decision.model];
     let effects = stood_behind.effects.iter().map(|e| search.library[*e]).collect();
     let model = Model::new(prepared.problem, search.context, effects);
-    let heard = Heard::in_what_is_left(&model, &stood_behind.fit.z, &prepared.noise, prepared.gate.slack())?;
+    let interference = Interference::in_what_is_left(&model, &stood_behind.fit.z, &prepared.noise, prepared.lack_of_fit.slack())?;
     let explained = 2.0 * (selection.base().fit.objective() - stood_behind.fit.objective());
-    let decision = match heard.is_anything() {
-        true => decision.clone().with_what_is_heard(selection.base, explained, heard.excess()),
+    let decision = match interference.is_anything() {
+        true => decision.clone().with_interference(selection.base, explained, interference.excess()),
         false => decision.clone(),
     };
-    Ok((heard, decision))
+    Ok((interference, decision))
 }
 
 /// The decision, taken back where the recording may not be trusted or an input is missing that was hidden on purpose; with the reason.

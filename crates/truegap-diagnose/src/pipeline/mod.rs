@@ -38,8 +38,8 @@ pub fn diagnose(
 ) -> Result<Outcome, DiagnoseError> {
     let started = Instant::now();
     check(problem)?;
-    let (quiet, noise) = measured(problem)?;
-    let problem = &Problem { inputs: &quiet, response: problem.response, simulator: problem.simulator };
+    let (denoised, noise) = measured(problem)?;
+    let problem = &Problem { inputs: &denoised, response: problem.response, simulator: problem.simulator };
     // where nothing may be named, the base model is calibrated and nothing is searched
     let halted = AtomicBool::new(true);
     let told = Told { options, progress, asked: stop, stop: if options.withheld.is_some() { &halted } else { stop } };
@@ -59,5 +59,5 @@ pub fn diagnose(
 /// Fits, weighs and decides.
 fn examined(prepared: &Prepared<'_>, told: &Told<'_>) -> Result<Examined, DiagnoseError> {
     let searched = prepared.searched();
-    Ok(examine(&prepared.search(&searched, told.progress, told.stop), &prepared.gate)?)
+    Ok(examine(&prepared.search(&searched, told.progress, told.stop), &prepared.lack_of_fit)?)
 }

@@ -5,7 +5,7 @@
 use crate::{
     adequacy::{
         directions::{Direction, directions},
-        lack_of_fit::Gate,
+        lack_of_fit::LackOfFitTests,
     },
     answer::NotTestable,
     data::{context::Context, error::DiagnoseError, problem::Problem},
@@ -13,7 +13,7 @@ use crate::{
     fit::model::Model,
     fit::several_starts::LOOSE,
     noise::{
-        block_average::{Thinned, thin},
+        block_average::{BlockAverages, block_averages},
         rescale::{quieter_than, too_loud},
     },
     pipeline::options::Options,
@@ -47,7 +47,7 @@ pub(crate) struct Prepared<'a> {
     /// effects that it could not show or that may not be tried
     pub not_testable: Vec<NotTestable>,
     /// fewer rows with the same information; absent where every row is searched
-    pub thinned: Option<Thinned>,
+    pub averages: Option<BlockAverages>,
     /// noise of the rows that are searched
     pub searched_noise: NoiseModel,
     /// filter of that noise
@@ -57,7 +57,7 @@ pub(crate) struct Prepared<'a> {
     /// directions along which a mismatch may lie
     pub directions: Vec<Direction>,
     /// the tests along them
-    pub gate: Gate,
+    pub lack_of_fit: LackOfFitTests,
 }
 
 impl<'a> Prepared<'a> {
@@ -68,21 +68,33 @@ impl<'a> Prepared<'a> {
     pub fn new(problem: &'a Problem<'a>, noise: NoiseModel, options: &'a Options) -> Result<Self, DiagnoseError> {
         let context = problem.context(problem.span(), noise.floor());
         let (testable, not_testable) = part(&context, options);
-        let thinned = thin(problem, &noise, searched_rows(problem.response.len()))?;
-        let inputs = thinned.as_ref().map_or(problem.inputs, |t| &t.inputs);
+        let averages = block_averages(problem, &noise, searched_rows(problem.response.len()))?;
+        let inputs = averages.as_ref().map_or(problem.inputs, |t| &t.inputs);
         let runs = inputs.runs();
-        let searched_noise = thinned.as_ref().map_or_else(|| noise.clone(), |t| t.noise(&noise));
+        let searched_noise = averages.as_ref().map_or_else(|| noise.clone(), |t| t.noise(&noise));
         let whitener = searched_noise.whitener(&runs, None);
         let loose = searched_noise.scaled(LOOSE).whitener(&runs, None);
         let directions = directions(inputs, problem.simulator);
-        let gate = Gate::new(&directions, &whitener, runs, searched_noise.uncertainty);
-        Ok(Self { problem, context, testable, not_testable, thinned, searched_noise, whitener, loose, directions, gate, noise })
+        let lack_of_fit = LackOfFitTests::new(&directions, &whitener, runs, searched_noise.uncertainty);
+        Ok(Self {
+            problem,
+            context,
+            testable,
+            not_testable,
+            averages,
+            searched_noise,
+            whitener,
+            loose,
+            directions,
+            lack_of_fit,
+            noise,
+        })
     }
 
     /// The rows that are searched.
     pub fn searched(&self) -> Problem<'_> {
         let (inputs, response) =
-            self.thinned.as_ref().map_or((self.problem.inputs, self.problem.response), |t| (&t.inputs, t.response.as_slice()));
+            self.averages.as_ref().map_or((self.problem.inputs, self.problem.response), |t| (&t.inputs, t.response.as_slice()));
         Problem { inputs, response, simulator: self.problem.simulator }
     }
 

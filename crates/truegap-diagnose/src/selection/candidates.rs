@@ -10,7 +10,7 @@ use crate::{
         levenberg_marquardt::FitOptions,
         maximum_a_posteriori::{approach, fit, fit_onwards},
         model::Model,
-        optimum::{Fit, Settled},
+        optimum::{Fit, Linearised},
         score_test::scores,
     },
     selection::effect_set::EffectSet,
@@ -84,10 +84,10 @@ impl<'a> Search<'a> {
     /// Adds each of `candidates` to `from`, in parallel; only the `most` that promise most are fitted.
     pub fn add_each(&self, from: &Tried, candidates: &[usize], most: usize, step: &'static str) -> Vec<Tried> {
         let open = |c: &&usize| !from.effects.contains(c) && !self.stop.load(Ordering::Relaxed);
-        let settled = from.fit.settled();
-        let loosened = self.loosened(from).map(|l| (l.fit.settled(), l));
-        let mut launches = vec![Launch { from, settled: &settled, noise: LaunchNoise::Measured }];
-        launches.extend(loosened.as_ref().map(|(settled, from)| Launch { from, settled, noise: LaunchNoise::Loose }));
+        let linearised = from.fit.linearised();
+        let loosened = self.loosened(from).map(|l| (l.fit.linearised(), l));
+        let mut launches = vec![Launch { from, linearised: &linearised, noise: LaunchNoise::Measured }];
+        launches.extend(loosened.as_ref().map(|(linearised, from)| Launch { from, linearised, noise: LaunchNoise::Loose }));
         let starts = |candidate: usize| launches.iter().map(|l| self.promising(*l, candidate)).collect::<Vec<_>>();
         let mut promising: Vec<(usize, Vec<Vec<Start>>)> = candidates.par_iter().filter(open).map(|c| (*c, starts(*c))).collect();
         let gain =
@@ -238,7 +238,7 @@ impl<'a> Search<'a> {
         z.extend_from_slice(shape);
         let there = model.residual(&z, self.whitener_of(launch)).ok()?;
         let column: Vec<f64> = from.fit.residual.iter().zip(&there).map(|(a, b)| (a - b) / (size - zero)).collect();
-        let found = scores(launch.settled, &DMatrix::from_column_slice(column.len(), 1, &column));
+        let found = scores(launch.linearised, &DMatrix::from_column_slice(column.len(), 1, &column));
         let (score, variance) = (found.scores[0], found.covariance[(0, 0)]);
         let best =
             (zero + (score - zero) / (variance + 1.0)).clamp(bounds.0, bounds.1).clamp(zero.min(0.0) - 4.0, zero.max(0.0) + 4.0);
@@ -281,7 +281,7 @@ enum LaunchNoise {
 #[derive(Clone, Copy)]
 struct Launch<'a> {
     from: &'a Tried,
-    settled: &'a Settled,
+    linearised: &'a Linearised,
     noise: LaunchNoise,
 }
 

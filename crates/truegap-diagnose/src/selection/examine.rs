@@ -1,9 +1,9 @@
 //! The part of the pipeline that decides: fits, probabilities, adequacy, verdict. Recordings and simulated ones ([`crate::validation::recovery`]) go through the same.
 //!
-//! Limits: noise, thinned rows and directions are given.
+//! Limits: noise, block averages and directions are given.
 
 use crate::{
-    adequacy::lack_of_fit::{Adequacy, Gate},
+    adequacy::lack_of_fit::{Adequacy, LackOfFitTests},
     selection::{
         candidates::{Search, Tried},
         detectability::detectability,
@@ -37,19 +37,19 @@ pub struct Examined {
 ///
 /// # Errors
 /// Those of the simulator at the centre of the prior.
-pub fn examine(search: &Search<'_>, gate: &Gate) -> Result<Examined, SimulationError> {
-    let selection = select(search, gate, search.base()?);
+pub fn examine(search: &Search<'_>, lack_of_fit: &LackOfFitTests) -> Result<Examined, SimulationError> {
+    let selection = select(search, lack_of_fit, search.base()?);
     let nothing = expected(selection.models.iter(), &search.library).map_or(0.0, |m| m.fit.objective());
     let causes = Causes::new(search.problem, search.whitener);
-    let selection = selection.with_unlisted(&causes, &search.library, gate.slack());
-    Ok(judge(search, gate, selection.merged(|models, tried| hidden(search, models, tried, nothing))))
+    let selection = selection.with_unmodelled(&causes, &search.library, lack_of_fit.slack());
+    Ok(judge(search, lack_of_fit, selection.merged(|models, tried| invisible(search, models, tried, nothing))))
 }
 
 /// The verdict on a selection.
-pub fn judge(search: &Search<'_>, gate: &Gate, selection: Selection) -> Examined {
+pub fn judge(search: &Search<'_>, lack_of_fit: &LackOfFitTests, selection: Selection) -> Examined {
     let named = stated(&selection).unwrap_or(selection.base);
-    let before = gate.adequacy(&selection.base().fit);
-    let after = gate.adequacy(&selection.models[named].fit);
+    let before = lack_of_fit.adequacy(&selection.base().fit);
+    let after = lack_of_fit.adequacy(&selection.models[named].fit);
     let stopped = search.stop.load(Ordering::Relaxed);
     let decision =
         if stopped { interrupted(&selection) } else { decide(&selection, &before, &after, |e| search.library[e].free_form()) };
@@ -60,7 +60,7 @@ pub fn judge(search: &Search<'_>, gate: &Gate, selection: Selection) -> Examined
 /// model from which equations may be off.
 ///
 /// An effect stands out by what the objective rises without it: exactly, where the model without it was fitted, else as its linear detectability has it.
-fn hidden(search: &Search<'_>, models: &[Tried], tried: &Tried, nothing: f64) -> Option<usize> {
+fn invisible(search: &Search<'_>, models: &[Tried], tried: &Tried, nothing: f64) -> Option<usize> {
     let deviance = |objective: f64| (2.0 * (objective - tried.fit.objective())).max(0.0).sqrt();
     let needed = if tried.effects.len() > 1 { VISIBLE.max(VISIBLE_SHARE * deviance(nothing)) } else { VISIBLE };
     let without = |effect: usize| {

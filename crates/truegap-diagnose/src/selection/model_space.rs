@@ -3,7 +3,7 @@
 //! Limits: a model that no step leads to is not tried.
 
 use crate::{
-    adequacy::lack_of_fit::Gate,
+    adequacy::lack_of_fit::LackOfFitTests,
     fit::importance::{Sampled, sampled},
     selection::{
         candidates::{Progress, Search, Tried},
@@ -36,31 +36,31 @@ const LIKELY: usize = 3;
 const BETTER: f64 = 0.5;
 
 /// The best fit of each set of effects so far.
-pub(crate) struct Tries<'s, 'a> {
+pub(crate) struct ModelSpace<'s, 'a> {
     search: &'s Search<'a>,
-    gate: &'s Gate,
+    lack_of_fit: &'s LackOfFitTests,
     models: BTreeMap<EffectSet, Tried>,
 }
 
-impl<'s, 'a> Tries<'s, 'a> {
+impl<'s, 'a> ModelSpace<'s, 'a> {
     /// The base model and every effect alone; where one is worth it, two and three together; all that is close fitted to the end.
-    pub fn all(search: &'s Search<'a>, gate: &'s Gate, base: Tried) -> Self {
-        let mut tries = Self { search, gate, models: BTreeMap::new() };
+    pub fn all(search: &'s Search<'a>, lack_of_fit: &'s LackOfFitTests, base: Tried) -> Self {
+        let mut space = Self { search, lack_of_fit, models: BTreeMap::new() };
         let all: Vec<usize> = (0..search.library.len()).collect();
         let singles = search.add_each(&base, &all, all.len(), "one effect");
         let order = ranked(&singles);
         let gain = order.first().map_or(0.0, |i| singles[*i].fit.log_evidence - base.fit.log_evidence);
-        tries.keep(std::iter::once(base).chain(singles.iter().cloned()));
+        space.keep(std::iter::once(base).chain(singles.iter().cloned()));
         if gain > CLEAR {
             let best: Vec<&Tried> = order.iter().take(PARTNERS).map(|i| &singles[*i]).collect();
-            tries.pairs(&best, &all);
-            tries.triples(&all);
+            space.pairs(&best, &all);
+            space.triples(&all);
         }
-        tries.polish();
-        if tries.smaller() {
-            tries.polish();
+        space.polish();
+        if space.smaller() {
+            space.polish();
         }
-        tries
+        space
     }
 
     /// The models.
@@ -73,7 +73,7 @@ impl<'s, 'a> Tries<'s, 'a> {
     }
 
     fn temper(&self) -> f64 {
-        temper_of(self.models.values(), &self.search.library, self.gate)
+        temper_of(self.models.values(), &self.search.library, self.lack_of_fit)
     }
 
     /// Keeps the better fit of models with the same effects.
@@ -95,7 +95,7 @@ impl<'s, 'a> Tries<'s, 'a> {
         let forward = self.search.add_each(first, all, PARTNERS, "two effects");
         let Some(second) = ranked(&forward).first().map(|i| forward[*i].clone()) else { return };
         self.keep(forward);
-        if second.fit.log_evidence < first.fit.log_evidence + CLEAR && !self.gate.adequacy(&first.fit).fires() {
+        if second.fit.log_evidence < first.fit.log_evidence + CLEAR && !self.lack_of_fit.adequacy(&first.fit).fires() {
             return;
         }
         for other in best.iter().skip(1).take(ABREAST - 1) {

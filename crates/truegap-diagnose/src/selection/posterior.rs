@@ -3,15 +3,15 @@
 //! Limits: models that were not tried have probability 0.
 
 use crate::{
-    adequacy::lack_of_fit::Gate,
+    adequacy::lack_of_fit::LackOfFitTests,
     effects::effect::Effect,
     selection::{
         candidates::{Search, Tried},
         effect_set::EffectSet,
-        model_space::{EvidenceCheck, Tries},
+        model_space::{EvidenceCheck, ModelSpace},
         prior::{log_prior, weight},
         tempering::{least, temper_of},
-        unmodelled::{Causes, Unlisted},
+        unmodelled::{Causes, Unmodelled},
     },
     stats::log_sum_exp,
 };
@@ -35,7 +35,7 @@ pub struct Selection {
     /// how Laplace's approximation fared near the top
     pub check: EvidenceCheck,
     /// causes outside the library beside models of it, likeliest first, with their odds against all of `models` together
-    pub unlisted: Vec<(Unlisted, f64)>,
+    pub unmodelled: Vec<(Unmodelled, f64)>,
 }
 
 impl Selection {
@@ -73,14 +73,14 @@ impl Selection {
     ///
     /// Where the noise may have `slack` times the variance that was taken, the evidence of both sides is worth that much less.
     #[must_use]
-    pub fn with_unlisted(mut self, causes: &Causes, library: &[&dyn Effect], slack: f64) -> Self {
+    pub fn with_unmodelled(mut self, causes: &Causes, library: &[&dyn Effect], slack: f64) -> Self {
         let temper = self.temper * slack;
         // what is outside pays for its freedom in full, and so does what is inside without an equation
         let library_size = self.effect_probability.len();
         let weight = |m: &Tried| m.fit.tempered(temper) + log_prior(m.effects.len(), library_size);
         let total = log_sum_exp(&self.models.iter().map(weight).collect::<Vec<_>>());
         let found = causes.beside(&self.models, library, weight, temper);
-        self.unlisted = found
+        self.unmodelled = found
             .into_iter()
             .map(|u| {
                 let odds = (u.weight - total).min(LARGEST).exp();
@@ -92,31 +92,31 @@ impl Selection {
 
     /// What weights against all of `models` together are divided by to make probabilities that leave room for causes outside the library.
     fn whole(&self) -> f64 {
-        1.0 + self.unlisted.iter().map(|(_, odds)| odds).sum::<f64>()
+        1.0 + self.unmodelled.iter().map(|(_, odds)| odds).sum::<f64>()
     }
 
     /// Causes outside the library with the probability of each, likeliest first.
-    pub fn unlisted_probabilities(&self) -> impl Iterator<Item = (&Unlisted, f64)> {
+    pub fn unmodelled_probabilities(&self) -> impl Iterator<Item = (&Unmodelled, f64)> {
         let whole = self.whole();
-        self.unlisted.iter().map(move |(cause, odds)| (cause, odds / whole))
+        self.unmodelled.iter().map(move |(cause, odds)| (cause, odds / whole))
     }
 
     /// Probability that a cause outside the library acts.
-    pub fn probability_unlisted(&self) -> f64 {
-        self.unlisted_probabilities().map(|(_, p)| p).sum()
+    pub fn probability_unmodelled(&self) -> f64 {
+        self.unmodelled_probabilities().map(|(_, p)| p).sum()
     }
 
     /// The likeliest cause outside the library, where it is likelier than all of the library together.
-    pub fn outside(&self) -> Option<&Unlisted> {
-        self.unlisted.first().filter(|(_, odds)| *odds > 1.0).map(|(u, _)| u)
+    pub fn likelier_than_the_library(&self) -> Option<&Unmodelled> {
+        self.unmodelled.first().filter(|(_, odds)| *odds > 1.0).map(|(u, _)| u)
     }
 
     /// Counts each likely model for the one without its least visible effect, while that cannot be seen in the fit: it is not claimed.
     ///
-    /// `hidden` names the least visible effect of a model, where it does not stand above the noise. One effect is dropped at a time: two that can stand in
-    /// for one another are each hidden by the other, and together they are not nothing.
+    /// `invisible` names the least visible effect of a model, where it does not stand above the noise. One effect is dropped at a time: two that can stand in
+    /// for one another are each invisible beside the other, and together they are not nothing.
     #[must_use]
-    pub fn merged(mut self, hidden: impl Fn(&[Tried], &Tried) -> Option<usize>) -> Self {
+    pub fn merged(mut self, invisible: impl Fn(&[Tried], &Tried) -> Option<usize>) -> Self {
         let keys: Vec<EffectSet> = self.models.iter().map(Tried::key).collect();
         let largest = keys.iter().map(|key| key.len()).max().unwrap_or(0);
         for size in (1..=largest).rev() {
@@ -124,7 +124,7 @@ impl Selection {
                 if keys[index].len() != size || self.probability[index] < NEGLIGIBLE {
                     continue;
                 }
-                let Some(dropped) = hidden(&self.models, &self.models[index]) else { continue };
+                let Some(dropped) = invisible(&self.models, &self.models[index]) else { continue };
                 let key = keys[index].without(dropped);
                 // where the smaller model was not tried, nothing is known of it
                 let Some(target) = keys.iter().position(|k| *k == key) else { continue };
@@ -140,7 +140,7 @@ impl Selection {
     pub fn sharpened(mut self, power: f64) -> Self {
         let total: f64 = self.probability.iter().map(|p| p.powf(power)).sum();
         self.probability.iter_mut().for_each(|p| *p = p.powf(power) / total);
-        self.unlisted.iter_mut().for_each(|(_, odds)| *odds = odds.powf(power) / total);
+        self.unmodelled.iter_mut().for_each(|(_, odds)| *odds = odds.powf(power) / total);
         self.sorted()
     }
 
@@ -151,7 +151,7 @@ impl Selection {
         self.models = order.iter().map(|i| self.models[*i].clone()).collect();
         self.probability = order.iter().map(|i| self.probability[*i]).collect();
         self.base = self.models.iter().position(|m| m.effects.is_empty()).unwrap_or(0);
-        self.unlisted.sort_by(|a, b| b.1.total_cmp(&a.1));
+        self.unmodelled.sort_by(|a, b| b.1.total_cmp(&a.1));
         self.effect_probability = self.of_effects();
         self
     }
@@ -160,8 +160,8 @@ impl Selection {
     fn of_effects(&self) -> Vec<f64> {
         let mut sums = vec![0.0; self.effect_probability.len()];
         let inside = self.models.iter().map(|m| m.effects.as_slice()).zip(&self.probability);
-        let outside = self.unlisted.iter().map(|(u, odds)| (&*u.effects, odds));
-        inside.chain(outside).for_each(|(effects, p)| effects.iter().for_each(|e| sums[*e] += p));
+        let unmodelled = self.unmodelled.iter().map(|(u, odds)| (&*u.effects, odds));
+        inside.chain(unmodelled).for_each(|(effects, p)| effects.iter().for_each(|e| sums[*e] += p));
         let whole = self.whole();
         // rounding of many small terms
         sums.iter_mut().for_each(|p| *p = (*p / whole).min(1.0));
@@ -175,13 +175,13 @@ impl Selection {
     }
 }
 
-/// Tries models and weighs all of them.
-pub fn select(search: &Search<'_>, gate: &Gate, base: Tried) -> Selection {
-    let mut tries = Tries::all(search, gate, base);
-    let check = tries.check();
-    let mut models = tries.into_models();
+/// Fits the model space and weighs all of them.
+pub fn select(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: Tried) -> Selection {
+    let mut space = ModelSpace::all(search, lack_of_fit, base);
+    let check = space.check();
+    let mut models = space.into_models();
     models.retain(|m| is_whole(search, m));
-    Selection { check, ..weigh(models, &search.library, gate) }
+    Selection { check, ..weigh(models, &search.library, lack_of_fit) }
 }
 
 /// Whether every effect that changes another one has that beside it, where the library holds it.
@@ -191,13 +191,13 @@ fn is_whole(search: &Search<'_>, model: &Tried) -> bool {
     model.effects.iter().filter_map(|e| search.library[*e].beside(search.context)).all(held)
 }
 
-fn weigh(mut models: Vec<Tried>, library: &[&dyn Effect], gate: &Gate) -> Selection {
-    let temper = temper_of(models.iter(), library, gate);
+fn weigh(mut models: Vec<Tried>, library: &[&dyn Effect], lack_of_fit: &LackOfFitTests) -> Selection {
+    let temper = temper_of(models.iter(), library, lack_of_fit);
     let weight = weight(temper, library.len());
     models.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
     let weights: Vec<f64> = models.iter().map(weight).collect();
     let total = log_sum_exp(&weights);
     let probability: Vec<f64> = weights.iter().map(|w| (w - total).exp()).collect();
     let (effect_probability, check) = (vec![0.0; library.len()], EvidenceCheck::default());
-    Selection { models, probability, effect_probability, temper, base: 0, check, unlisted: Vec::new() }.sorted()
+    Selection { models, probability, effect_probability, temper, base: 0, check, unmodelled: Vec::new() }.sorted()
 }

@@ -2,7 +2,7 @@
 //!
 //! Limits: one divisor for all models of a recording.
 
-use crate::{adequacy::lack_of_fit::Gate, effects::effect::Effect, selection::candidates::Tried};
+use crate::{adequacy::lack_of_fit::LackOfFitTests, effects::effect::Effect, selection::candidates::Tried};
 /// Relative error that even the right physics has when written with the wrong equation (sibling forms; see `docs/diagnosis.md`).
 const FORM_ERROR: f64 = 0.2;
 /// Number of independent shapes over which that error spreads.
@@ -12,18 +12,22 @@ const FORM_SHAPES: f64 = 10.0;
 /// models must not rest on less than that.
 ///
 /// The signal is what the best of the models explains, beyond what was foreseen. Parameters pushed away from what is known of them are misfit too: calibration may
-/// have hidden most of it there. How wrong the equations can be shows in what the best model leaves: all but a `HIDDEN`th may hide in its parameters, not more.
-pub(crate) fn temper_of<'t>(models: impl Iterator<Item = &'t Tried> + Clone, library: &[&dyn Effect], gate: &Gate) -> f64 {
+/// have absorbed most of it there. How wrong the equations can be shows in what the best model leaves: its parameters may absorb all but one part in `ABSORBED`.
+pub(crate) fn temper_of<'t>(
+    models: impl Iterator<Item = &'t Tried> + Clone,
+    library: &[&dyn Effect],
+    lack_of_fit: &LackOfFitTests,
+) -> f64 {
     let Some(best) = least(models.clone()) else { return 1.0 };
     let nothing = expected(models, library).map_or(0.0, |m| m.fit.objective());
     let signal = 2.0 * (nothing - best.fit.objective()).max(0.0);
     let error = FORM_ERROR * FORM_ERROR * signal;
-    let shows = if error > HIDDEN { HIDDEN * gate.may_leave(&best.fit) } else { f64::INFINITY };
+    let shows = if error > ABSORBED { ABSORBED * lack_of_fit.may_leave(&best.fit) } else { f64::INFINITY };
     1.0 + error.min(shows) / FORM_SHAPES
 }
 
-/// Part of an error of form that shows in what a model leaves, the rest hidden in its parameters: one in so many, in units of the noise variance.
-const HIDDEN: f64 = 10.0;
+/// Part of an error of form that shows in what a model leaves, the rest absorbed by its parameters: one in so many, in units of the noise variance.
+const ABSORBED: f64 = 10.0;
 
 /// The model of the lowest objective.
 pub(crate) fn least<'t>(models: impl Iterator<Item = &'t Tried>) -> Option<&'t Tried> {

@@ -1,8 +1,8 @@
 //! Causes that no effect of the library holds, as rivals of those that one does: a zero or a gain that wanders, a jump inside a run, a reading that follows how fast
 //! load or temperature change.
 //!
-//! A library that always finds its nearest member names strangers. Each of these causes is a set of columns that add to the reading with Gaussian weights of
-//! unknown size, so that its evidence beside any fitted model is a closed form; a stranger that one of them describes with fewer numbers than the library
+//! A library that always finds its nearest member names unmodelled causes wrongly. Each of these causes is a set of columns that add to the reading with Gaussian weights of
+//! unknown size, so that its evidence beside any fitted model is a closed form; an unmodelled cause that one of them describes with fewer numbers than the library
 //! needs is called `unexplained`, with what it follows.
 //!
 //! Limits: linear about the fit; additive on the reading.
@@ -14,7 +14,7 @@ use crate::{
         memory::rates,
     },
     fit::{
-        optimum::Settled,
+        optimum::Linearised,
         score_test::{Scores, scores_with},
     },
     selection::{candidates::Tried, effect_set::EffectSet, prior::one_more, tempering::RIGHT_FAMILY},
@@ -26,12 +26,12 @@ use rayon::prelude::*;
 use std::ops::Range;
 
 /// Prior probability that something outside the library acts, over that of something inside, shared evenly by the causes.
-const OUTSIDE: f64 = 0.1;
+const UNMODELLED: f64 = 0.1;
 /// Rows at which a wandering course may turn, and at which a jump may lie.
 const KNOTS: usize = 64;
 /// Sizes over which the evidence of a cause is averaged: lengths that its columns may have, in units of the noise.
 const LENGTHS: [f64; 6] = [3.0, 8.0, 20.0, 50.0, 130.0, 350.0];
-/// Log weight below the best model's down to which models are set beside an unlisted cause.
+/// Log weight below the best model's down to which models are set beside an unmodelled cause.
 const NEAR: f64 = 20.0;
 /// Most such models.
 const MOST: usize = 12;
@@ -91,9 +91,9 @@ struct Columns {
     rows: Vec<usize>,
 }
 
-/// An unlisted cause beside a model.
+/// An unmodelled cause beside a model.
 #[derive(Clone, Debug)]
-pub struct Unlisted {
+pub struct Unmodelled {
     /// the cause
     pub cause: Cause,
     /// effects of the model that it stands beside, ascending
@@ -156,32 +156,32 @@ impl Causes {
         library: &[&dyn Effect],
         weight: impl Fn(&Tried) -> f64 + Sync,
         temper: f64,
-    ) -> Vec<Unlisted> {
+    ) -> Vec<Unmodelled> {
         let best = models.iter().map(&weight).fold(f64::NEG_INFINITY, f64::max);
         let close = |m: &&'t Tried| m.effects.is_empty() || weight(m) > best - NEAR;
-        let settled = |m: &'t Tried| Some((m, m.fit.settled())).filter(|(_, settled)| settled.is_reached());
-        let mut near: Vec<(&'t Tried, Settled)> = models.iter().filter(close).filter_map(settled).collect();
+        let linearised = |m: &'t Tried| Some((m, m.fit.linearised())).filter(|(_, linearised)| linearised.is_reached());
+        let mut near: Vec<(&'t Tried, Linearised)> = models.iter().filter(close).filter_map(linearised).collect();
         // the base model stays, whatever its weight
         let heavier = |a: &Tried, b: &Tried| weight(b).total_cmp(&weight(a));
         near.sort_by(|(a, _), (b, _)| b.effects.is_empty().cmp(&a.effects.is_empty()).then(heavier(a, b)));
         near.truncate(MOST);
-        let share = (OUTSIDE / self.list.len().max(1) as f64).ln();
+        let share = (UNMODELLED / self.list.len().max(1) as f64).ln();
         let nothing = models.iter().find(|m| m.effects.is_empty()).map_or(0.0, |m| m.fit.objective());
-        let one = |model: &Tried, settled: &Settled, columns: &Columns| {
-            let (gain, tempered, row) = columns.gain(settled, temper);
+        let one = |model: &Tried, linearised: &Linearised, columns: &Columns| {
+            let (gain, tempered, row) = columns.gain(linearised, temper);
             let weight = weight(model) + one_more(model.effects.len()) + share + tempered;
             // beside a model, it has to be more than what the right family leaves in the wrong form
             let explained = (nothing - model.fit.objective()).max(0.0);
             let counts = model.effects.is_empty() || gain > (1.0 - RIGHT_FAMILY) * (explained + gain);
-            counts.then(|| Unlisted { cause: columns.cause, effects: model.key(), weight, gain, row })
+            counts.then(|| Unmodelled { cause: columns.cause, effects: model.key(), weight, gain, row })
         };
         let still = self.still_inside_runs(models, library, temper);
         let apart = |model: &Tried, cause: Cause| {
             !(still && cause == Cause::WanderingZero) && model.effects.iter().all(|e| !cause.holds(library[*e].zero_course()))
         };
-        let of = |(model, settled): &(&'t Tried, Settled)| {
+        let of = |(model, linearised): &(&'t Tried, Linearised)| {
             let apart = self.list.iter().filter(|c| apart(model, c.cause));
-            apart.filter_map(|c| one(model, settled, c)).collect::<Vec<_>>()
+            apart.filter_map(|c| one(model, linearised, c)).collect::<Vec<_>>()
         };
         near.par_iter().flat_map_iter(of).filter(|u| u.weight.is_finite()).collect()
     }
@@ -189,15 +189,15 @@ impl Causes {
     /// Whether a number for each run leaves nothing that wanders inside one: a zero that wanders would do both.
     fn still_inside_runs(&self, models: &[Tried], library: &[&dyn Effect], temper: f64) -> bool {
         let steps = models.iter().find(|m| !m.effects.is_empty() && m.effects.iter().all(|e| library[*e].free_form()));
-        let gain = |(inside, steps): (&Columns, &Tried)| inside.gain(&steps.fit.settled(), temper).1;
+        let gain = |(inside, steps): (&Columns, &Tried)| inside.gain(&steps.fit.linearised(), temper).1;
         self.inside.as_ref().zip(steps).map(gain).is_some_and(|gain| gain <= 0.0)
     }
 }
 
 impl Columns {
     /// Log evidence that the cause adds to a model, its size unknown; the same where the noise has `temper` times the variance; and the row at which it acts.
-    fn gain(&self, settled: &Settled, temper: f64) -> (f64, f64, Option<usize>) {
-        let found = scores_with(settled, &self.columns, &self.gram);
+    fn gain(&self, linearised: &Linearised, temper: f64) -> (f64, f64, Option<usize>) {
+        let found = scores_with(linearised, &self.columns, &self.gram);
         let louder = Scores { scores: &found.scores / temper, covariance: &found.covariance / temper };
         let seen = |k: usize| found.scores[k].powi(2) / found.covariance[(k, k)].max(f64::MIN_POSITIVE);
         let clearest = (0..self.rows.len()).max_by(|a, b| seen(*a).total_cmp(&seen(*b)));

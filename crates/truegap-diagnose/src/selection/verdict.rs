@@ -4,7 +4,7 @@
 
 use crate::{
     adequacy::lack_of_fit::Adequacy,
-    selection::{effect_set::EffectSet, posterior::Selection, tempering::RIGHT_FAMILY, unmodelled::Unlisted},
+    selection::{effect_set::EffectSet, posterior::Selection, tempering::RIGHT_FAMILY, unmodelled::Unmodelled},
 };
 use serde::Serialize;
 
@@ -50,17 +50,17 @@ pub struct Decision {
     pub sets: Vec<Vec<usize>>,
     /// share of the structured misfit that the best model removes
     pub removed: f64,
-    /// cause outside the library that is likelier than all of it
-    pub outside: Option<Unlisted>,
-    /// whether a cause outside the library cannot be excluded
-    pub outside_rivals: bool,
+    /// unmodelled cause that is likelier than all of it
+    pub unmodelled: Option<Unmodelled>,
+    /// whether an unmodelled cause cannot be excluded
+    pub unmodelled_rivals: bool,
 }
 
 impl Decision {
     /// Something is in the reading that no model of the base's physics could make, `left` of it beside the model stood behind, which explains `explained`: the verdict
     /// where otherwise all agrees, or where it is more than an equation in the wrong form leaves.
     #[must_use]
-    pub fn with_what_is_heard(self, base: usize, explained: f64, left: f64) -> Self {
+    pub fn with_interference(self, base: usize, explained: f64, left: f64) -> Self {
         let more = share(explained, left) < RIGHT_FAMILY;
         match self.verdict {
             Verdict::Agrees => Self::nothing(Verdict::Unexplained, base),
@@ -71,7 +71,7 @@ impl Decision {
 
     /// A verdict that names nothing, where model `base` is the base model.
     pub(crate) fn nothing(verdict: Verdict, base: usize) -> Self {
-        Self { verdict, model: base, sets: Vec::new(), removed: 0.0, outside: None, outside_rivals: false }
+        Self { verdict, model: base, sets: Vec::new(), removed: 0.0, unmodelled: None, unmodelled_rivals: false }
     }
 }
 
@@ -96,14 +96,14 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_f
     let library_sees = none < DETECTED;
     if !library_sees {
         return if before.fires() {
-            let likely = selection.unlisted.first().filter(|(_, odds)| *odds > none);
-            Decision { outside: likely.map(|(u, _)| u.clone()), ..nothing(Verdict::Unexplained) }
+            let likely = selection.unmodelled.first().filter(|(_, odds)| *odds > none);
+            Decision { unmodelled: likely.map(|(u, _)| u.clone()), ..nothing(Verdict::Unexplained) }
         } else {
             nothing(if none >= AGREED { Verdict::Agrees } else { Verdict::Undecided })
         };
     }
-    if let Some(unlisted) = selection.outside() {
-        return outside(selection, unlisted);
+    if let Some(unmodelled) = selection.likelier_than_the_library() {
+        return unmodelled_instead(selection, unmodelled);
     }
     let Some(best) = stated(selection) else { return nothing(Verdict::Undecided) };
     let removed = removed(2.0 * (selection.base().fit.objective() - selection.models[best].fit.objective()), after);
@@ -116,24 +116,24 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_f
     if after.fires() && removed.min(removed_by_equations(selection, best, after, free_form)) < RIGHT_FAMILY {
         return Decision { removed, ..nothing(Verdict::Unexplained) };
     }
-    let outside_rivals = !sure && selection.probability_unlisted() > 1.0 - SURE;
+    let unmodelled_rivals = !sure && selection.probability_unmodelled() > 1.0 - SURE;
     let verdict = match (sure && !rivals, after.fires()) {
         (true, false) => Verdict::Explained,
         (true, true) if removed >= ADEQUATE => Verdict::Explained,
         (true, true) => Verdict::WrongForm,
-        (false, _) if rivals || outside_rivals => Verdict::Ambiguous,
+        (false, _) if rivals || unmodelled_rivals => Verdict::Ambiguous,
         (false, _) => Verdict::Undecided,
     };
     let model = if verdict == Verdict::Undecided { selection.base } else { best };
-    Decision { verdict, model, sets, removed, outside: None, outside_rivals }
+    Decision { verdict, model, sets, removed, unmodelled: None, unmodelled_rivals }
 }
 
-/// A cause outside the library is likelier than all of it. What it stands beside is not named: it would be a smaller part of what is missing.
-fn outside(selection: &Selection, unlisted: &Unlisted) -> Decision {
-    let beside = selection.with(&unlisted.effects).unwrap_or(selection.base());
+/// An unmodelled cause is likelier than all of it. What it stands beside is not named: it would be a smaller part of what is missing.
+fn unmodelled_instead(selection: &Selection, unmodelled: &Unmodelled) -> Decision {
+    let beside = selection.with(&unmodelled.effects).unwrap_or(selection.base());
     let explained = (selection.base().fit.objective() - beside.fit.objective()).max(0.0);
-    let removed = explained / (explained + unlisted.gain.max(f64::MIN_POSITIVE));
-    Decision { removed, outside: Some(unlisted.clone()), ..Decision::nothing(Verdict::Unexplained, selection.base) }
+    let removed = explained / (explained + unmodelled.gain.max(f64::MIN_POSITIVE));
+    Decision { removed, unmodelled: Some(unmodelled.clone()), ..Decision::nothing(Verdict::Unexplained, selection.base) }
 }
 
 /// What may be said when the search was stopped: that it was not finished, and nothing of causes.
@@ -195,11 +195,11 @@ mod tests {
     /// An effect that takes 30 units of a recording with a burst of 360 is a small part of what is there; one that takes 3000 is not.
     #[test]
     fn what_is_heard_unseats_an_effect_that_explains_less_of_the_recording() {
-        let small = explained().with_what_is_heard(0, 30.0, 360.0);
+        let small = explained().with_interference(0, 30.0, 360.0);
         assert_eq!((small.verdict, small.model, small.sets.len()), (Verdict::Unexplained, 0, 0));
-        let large = explained().with_what_is_heard(0, 3000.0, 360.0);
+        let large = explained().with_interference(0, 3000.0, 360.0);
         assert_eq!((large.verdict, large.model), (Verdict::Explained, 3));
-        assert_eq!(Decision::nothing(Verdict::Agrees, 0).with_what_is_heard(0, 0.0, 1.0).verdict, Verdict::Unexplained);
-        assert_eq!(Decision::nothing(Verdict::Undecided, 0).with_what_is_heard(0, 0.0, 99.0).verdict, Verdict::Undecided);
+        assert_eq!(Decision::nothing(Verdict::Agrees, 0).with_interference(0, 0.0, 1.0).verdict, Verdict::Unexplained);
+        assert_eq!(Decision::nothing(Verdict::Undecided, 0).with_interference(0, 0.0, 99.0).verdict, Verdict::Undecided);
     }
 }

@@ -1,6 +1,6 @@
 //! A control of equal freedom: the same added columns, driven by a history that is not the recording's.
 //!
-//! Limits: linear about the fit; what a shuffled history removes on runs left out is what freedom alone can do.
+//! Limits: linear about the fit; what a permuted history removes on runs left out is what freedom alone can do.
 
 use crate::{fit::optimum::Fit, validation::cross_validation::parts};
 use nalgebra::{Cholesky, DMatrix, DVector};
@@ -8,14 +8,14 @@ use rand::{RngExt, SeedableRng, seq::SliceRandom};
 use rand_chacha::ChaCha8Rng;
 use std::ops::Range;
 
-/// Shuffles; the control is their median.
-const SHUFFLES: usize = 19;
+/// Permutations; the control is their median.
+const PERMUTATIONS: usize = 19;
 
-/// Share of the misfit on parts left out that columns of equal freedom remove when their history is shuffled: median over shuffles.
+/// Share of the misfit on parts left out that columns of equal freedom remove when their history is permuted: median over permutations.
 ///
 /// `base` and `chosen` are fits of the same whitened rows, `chosen` with more columns behind those of `base`; `runs` and `numbers` as in
 /// [`parts`]. `None` where nothing was added, or the base model leaves nothing above the noise.
-pub fn shuffled(base: &Fit, chosen: &Fit, runs: &[Range<usize>], numbers: &[u32]) -> Option<f64> {
+pub fn permuted(base: &Fit, chosen: &Fit, runs: &[Range<usize>], numbers: &[u32]) -> Option<f64> {
     let first = base.jacobian.ncols();
     let added = chosen.jacobian.columns(first, chosen.jacobian.ncols() - first).into_owned();
     if added.ncols() == 0 {
@@ -24,14 +24,15 @@ pub fn shuffled(base: &Fit, chosen: &Fit, runs: &[Range<usize>], numbers: &[u32]
     let (_, parts) = parts(runs, numbers);
     let rows: Vec<Vec<usize>> = parts.iter().map(|p| p.rows.iter().cloned().flatten().collect()).collect();
     let mut random = ChaCha8Rng::seed_from_u64(19);
-    let mut removed: Vec<f64> = (0..SHUFFLES).filter_map(|_| removed(base, &shuffle(&added, runs, &mut random), &rows)).collect();
+    let mut removed: Vec<f64> =
+        (0..PERMUTATIONS).filter_map(|_| removed(base, &permute(&added, runs, &mut random), &rows)).collect();
     removed.sort_by(f64::total_cmp);
     removed.get(removed.len() / 2).copied()
 }
 
 /// Columns with their runs exchanged, each stretched to its new run and turned about by a tenth or more of its length: runs that repeat one another would
 /// otherwise stand in for one another.
-fn shuffle(columns: &DMatrix<f64>, runs: &[Range<usize>], random: &mut ChaCha8Rng) -> DMatrix<f64> {
+fn permute(columns: &DMatrix<f64>, runs: &[Range<usize>], random: &mut ChaCha8Rng) -> DMatrix<f64> {
     let mut source: Vec<usize> = (0..runs.len()).collect();
     while runs.len() > 1 && source.iter().enumerate().any(|(i, s)| i == *s) {
         source.shuffle(random);
@@ -50,7 +51,7 @@ fn shuffle(columns: &DMatrix<f64>, runs: &[Range<usize>], random: &mut ChaCha8Rn
 
 /// Share of the squared misfit above the noise that base and added columns together remove on rows left out, against the base alone.
 fn removed(base: &Fit, added: &DMatrix<f64>, parts: &[Vec<usize>]) -> Option<f64> {
-    let residual = base.settled().residual;
+    let residual = base.linearised().residual;
     let known = base.jacobian.ncols();
     let total = known + added.ncols();
     let mut design = DMatrix::zeros(residual.len(), total);

@@ -57,8 +57,8 @@ impl NoiseModel {
         Whitener::by_run(&of_run, &self.input_error, self.weights.as_deref(), runs, keep)
     }
 
-    /// Whether the load bends all the time, so that its error is known by its shape only.
-    pub fn bends(&self) -> bool {
+    /// Whether the load wanders, so that its error is known by its shape only.
+    pub fn load_wanders(&self) -> bool {
         !self.input_error.shapes.is_empty()
     }
 

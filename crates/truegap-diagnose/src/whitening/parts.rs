@@ -16,7 +16,7 @@ pub(super) struct Part {
     pub(super) fresh: f64,
 }
 
-/// The parts of the noise: of the response, of quietened inputs, and those that last.
+/// The parts of the noise: of the response, of denoised inputs, and those that last.
 pub(super) struct Parts<'a> {
     pub(super) input: &'a InputError,
     pub(super) weights: Option<&'a [f64]>,

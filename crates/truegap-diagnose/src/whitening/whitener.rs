@@ -1,4 +1,4 @@
-//! Noise of a row: white, first-order autoregressive, the error of quietened inputs, and that of rounded columns, taken out exactly by a Kalman filter with a
+//! Noise of a row: white, first-order autoregressive, the error of denoised inputs, and that of rounded columns, taken out exactly by a Kalman filter with a
 //! state for each.
 //!
 //! Inputs that were replaced by straight lines err little, but alike over the whole line: per row that error is small, in the mean of many rows it is that of

@@ -72,9 +72,9 @@ impl Solver {
             let step = self.descend(&residual);
             add(&mut self.state, &step, 1.0);
             let correction = self.relative(&step);
-            let settled = correction < 1e-14 || (correction < 1e-9 && correction > 0.3 * last);
+            let converged = correction < 1e-14 || (correction < 1e-9 && correction > 0.3 * last);
             last = correction;
-            if settled {
+            if converged {
                 break;
             }
         }

@@ -13,11 +13,11 @@ pub(super) struct Rule {
 /// The rules scored beside the diagnosis.
 pub(super) const RULES: [Rule; 3] = [
     Rule {
-        says: "BIC: names the single effect of the lowest chi2 + k ln(rows), where that is below none's; no prior, no gate, no pairs",
+        says: "BIC: names the single effect of the lowest chi2 + k ln(rows), where that is below none's; no prior, no lack-of-fit tests, no pairs",
         claims: lowest_bic,
     },
     Rule {
-        says: "best single evidence: names the effect of the highest log evidence where that beats none; no prior for how many were tried, no gate",
+        says: "best single evidence: names the effect of the highest log evidence where that beats none; no prior for how many were tried, no lack-of-fit tests",
         claims: best_evidence,
     },
     Rule { says: "always a name: names the effect of the highest log evidence, whatever it is", claims: always },

@@ -5,7 +5,7 @@
 use super::draw;
 use super::subject::Subject;
 use super::text::{measured, percent, significant, spoken};
-use truegap_diagnose::answer::{Candidate, SmallestVisible, UnlistedCause};
+use truegap_diagnose::answer::{Candidate, SmallestVisible, UnmodelledCause};
 use truegap_scene::figure::{Bars, FigureError};
 use truegap_scene::page::{Page, Table};
 
@@ -17,7 +17,7 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     let page = page.section("Everything that was tried");
     let page = chart(page, &diagnosis.candidates);
     let page = page.details("All candidates as a table").table(&table(&diagnosis.candidates)).end_details();
-    let page = outside(page, &diagnosis.unlisted);
+    let page = outside(page, &diagnosis.unmodelled);
     let page = if diagnosis.smallest_visible.is_empty() {
         page
     } else {
@@ -46,13 +46,13 @@ fn chart(page: Page, candidates: &[Candidate]) -> Page {
 }
 
 /// Causes that the library does not hold, where they are not negligible.
-fn outside(page: Page, causes: &[UnlistedCause]) -> Page {
+fn outside(page: Page, causes: &[UnmodelledCause]) -> Page {
     if causes.is_empty() {
         return page;
     }
-    let beside = |cause: &UnlistedCause| cause.beside.iter().map(|e| spoken(e)).collect::<Vec<_>>().join(", ");
+    let beside = |cause: &UnmodelledCause| cause.beside.iter().map(|e| spoken(e)).collect::<Vec<_>>().join(", ");
     let row =
-        |table: Table, cause: &UnlistedCause| table.row(&[cause.says.to_owned(), beside(cause), percent(cause.probability)]);
+        |table: Table, cause: &UnmodelledCause| table.row(&[cause.says.to_owned(), beside(cause), percent(cause.probability)]);
     page.subsection("Outside the library")
         .text("Causes that no effect of the library makes, weighed beside it, alone or together with effects of it.")
         .table(&causes.iter().fold(Table::new(&["what the reading does", "together with", "probability"]), row))

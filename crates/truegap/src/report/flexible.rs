@@ -36,8 +36,8 @@ pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
 
 fn sentence(subject: &Subject<'_>, term: &PredictionOnly) -> String {
     let shapes: Vec<String> = term.terms.iter().map(|t| spoken(&t.shaped_like)).collect();
-    let control = term.shuffled_control.map_or(String::new(), |share| {
-        format!(" A term of equal freedom driven by a shuffled history removes {}.", percent(share))
+    let control = term.permutation_control.map_or(String::new(), |share| {
+        format!(" A term of equal freedom driven by a permuted history removes {}.", percent(share))
     });
     let removed = term.misfit_removed.map_or(String::new(), |share| {
         format!(" It removes {} of the reproducible misfit on rows that the fit did not see.", percent(share))

@@ -44,8 +44,8 @@ fn sentence(subject: &Subject<'_>) -> String {
     if let Some(share) = wording::misfit_removed(subject.diagnosis) {
         text += &format!(" Share of the reproducible misfit removed: {share}.");
     }
-    if let Some(control) = held.shuffled_control {
-        text += &format!(" A term of equal freedom driven by a shuffled history removes {:.0} %.", 100.0 * control);
+    if let Some(control) = held.permutation_control {
+        text += &format!(" A term of equal freedom driven by a permuted history removes {:.0} %.", 100.0 * control);
     }
     text
 }

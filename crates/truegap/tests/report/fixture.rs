@@ -171,7 +171,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             Candidate { effect: "viscoelastic_creep".into(), probability: 0.01, score: 120.0, chi2_drop: 250.0, freedom: 2 },
             Candidate { effect: "offset_drift".into(), probability: 0.002, score: -3.0, chi2_drop: 2.0, freedom: 2 },
         ],
-        unlisted: Vec::new(),
+        unmodelled: Vec::new(),
         ambiguity: Vec::new(),
         fit: FitFacts {
             in_sample: BeforeAfter { rmse_before: before, rmse_after: after },
@@ -180,7 +180,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
                 rmse_before: Some(before * 1.1),
                 rmse_after: Some(after * 1.1),
                 misfit_removed: Some(0.97),
-                shuffled_control: Some(0.01),
+                permutation_control: Some(0.01),
                 recordings: Vec::new(),
                 parts: vec![("run 1".into(), 0.005, 0.0042), ("run 2".into(), 0.05, 0.0043), ("run 3".into(), 0.1, 0.0045)],
             },
@@ -229,7 +229,7 @@ impl Fixture {
             in_sample: diagnosis.fit.in_sample,
             held_out: BeforeAfter { rmse_before: 0.05, rmse_after: 0.02 },
             misfit_removed: Some(0.64),
-            shuffled_control: Some(0.1),
+            permutation_control: Some(0.1),
             remains: vec![remains],
         });
         self.traces.flexible = self.traces.after.clone();

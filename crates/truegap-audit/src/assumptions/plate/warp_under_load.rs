@@ -49,14 +49,14 @@ impl Assumption for WarpUnderLoad {
         let (carried, hot) = self.pressed(study, &plate, full, Fineness { columns: 64, rows: 1 })?;
         let sphere = paper_shape(study)?;
         let mut shapes = vec![(0.0, sphere.clone())];
-        let mut unsettled = String::new();
+        let mut not_converged = String::new();
         for share in SHARES {
             study.keep_going()?;
             match self.pressed(study, &plate, share * full, Fineness::COARSE) {
                 Ok((_, shape)) => shapes.push((share * full, shape)),
                 // Between the neighbours in load the shape is interpolated.
                 Err(AuditError::NotConverged { .. }) => {
-                    unsettled += &format!("; contact does not settle at {:.3} N", share * full)
+                    not_converged += &format!("; contact does not settle at {:.3} N", share * full)
                 }
                 Err(error) => return Err(error),
             }
@@ -93,7 +93,7 @@ impl Assumption for WarpUnderLoad {
         .finding(self);
         let carrying = carried.attached.iter().filter(|on| **on).count();
         finding.reason += &format!("; at full load {carrying} of {} rings of beads carry", carried.attached.len());
-        finding.reason += &unsettled;
+        finding.reason += &not_converged;
         effect.mark(&mut finding);
         Ok(finding)
     }

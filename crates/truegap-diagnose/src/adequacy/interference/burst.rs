@@ -34,7 +34,7 @@ impl Burst {
     }
 
     /// Whether it is there.
-    pub fn is_heard(&self) -> bool {
+    pub fn is_significant(&self) -> bool {
         self.p_value < BURST_LEVEL
     }
 }
@@ -52,22 +52,22 @@ mod tests {
     }
 
     #[test]
-    fn a_burst_is_heard_where_it_is_and_noise_is_not_one() {
+    fn a_burst_is_found_where_it_is_and_noise_is_not_one() {
         let runs = [0..900, 900..2000];
         for seed in 0..20 {
             // one in a million a recording
-            assert!(!Burst::loudest(&noise(seed), &runs, 1.0).is_heard(), "{seed}");
+            assert!(!Burst::loudest(&noise(seed), &runs, 1.0).is_significant(), "{seed}");
             let mut residual = noise(seed);
             (1207..1232).for_each(|row| residual[row] += 4.0 * (1.9 * row as f64).sin());
             let found = Burst::loudest(&residual, &runs, 1.0);
             // a tone of amplitude 4 brings the scatter to sqrt(1 + 8); windows overlap by half, so that one holds three quarters of it
-            assert!(found.is_heard() && found.row.abs_diff(1207) <= 24 && (found.loudness - 3.0).abs() < 0.9, "{found:?}");
+            assert!(found.is_significant() && found.row.abs_diff(1207) <= 24 && (found.loudness - 3.0).abs() < 0.9, "{found:?}");
         }
     }
 
     #[test]
     fn noise_that_is_louder_throughout_is_no_burst_where_its_level_is_not_known() {
         let louder: Vec<f64> = noise(3).iter().map(|v| 1.3 * v).collect();
-        assert!(!Burst::loudest(&louder, &[0..900, 900..2000], 2.0).is_heard());
+        assert!(!Burst::loudest(&louder, &[0..900, 900..2000], 2.0).is_significant());
     }
 }

@@ -3,5 +3,5 @@
 //! Limits: judged on what one model leaves.
 
 pub(crate) mod burst;
-pub(crate) mod heard;
+pub(crate) mod every_row;
 pub(crate) mod tone;

@@ -53,7 +53,7 @@ impl Tone {
     }
 
     /// Whether it is there.
-    pub fn is_heard(&self) -> bool {
+    pub fn is_significant(&self) -> bool {
         self.p_value < TONE_LEVEL
     }
 }
@@ -121,18 +121,18 @@ mod tests {
 
     /// Amplitude 0.3: 13 noise units in 4000 rows, a twentieth of the variance.
     #[test]
-    fn a_faint_tone_is_heard_at_its_frequency_and_noise_is_none_even_where_it_is_coloured() {
+    fn a_faint_tone_is_found_at_its_frequency_and_noise_is_none_even_where_it_is_coloured() {
         let time: Vec<f64> = (0..4000).map(|i| 0.2 * f64::from(i)).collect();
         for seed in 0..10 {
             for correlation in [0.0, 0.5] {
                 let found = Tone::strongest(&noise(seed, correlation), Some(&time), &RUNS);
-                assert!(!found.is_heard(), "{seed} {found:?}");
+                assert!(!found.is_significant(), "{seed} {found:?}");
             }
             let hum = |i: usize| 0.3 * (0.731 * i as f64 + 0.4).sin();
             let residual: Vec<f64> = noise(seed, 0.0).iter().enumerate().map(|(i, v)| v + hum(i)).collect();
             let found = Tone::strongest(&residual, Some(&time), &RUNS);
             // half a cycle of the longest run; the amplitude to four standard deviations of sqrt(2 / rows)
-            assert!(found.is_heard() && (found.per_row - 0.731 / std::f64::consts::TAU).abs() < 0.5 / 2300.0, "{found:?}");
+            assert!(found.is_significant() && (found.per_row - 0.731 / std::f64::consts::TAU).abs() < 0.5 / 2300.0, "{found:?}");
             approx::assert_abs_diff_eq!(found.amplitude, 0.3, epsilon = 0.09);
             approx::assert_relative_eq!(found.frequency_hz.unwrap_or(0.0), found.per_row / 0.2, max_relative = 1e-9);
         }

@@ -1,6 +1,6 @@
 //! Several recordings as one problem: one model whose rows are blocks, each with its own sensor, inputs, clock and runs.
 //!
-//! Fit, search, gate and report see a [`Simulator`] like any other. History and clock never cross from one recording to another, because each
+//! Fit, search, lack-of-fit tests and report see a [`Simulator`] like any other. History and clock never cross from one recording to another, because each
 //! block is simulated by itself; what is common are shared parameters and added physics.
 //!
 //! Limits: one response unit; a run belongs to one recording; runs that no recording holds are played on the first recording's sensor.

@@ -97,7 +97,7 @@ pub fn recover(search: &Search<'_>, base: &Tried) -> Option<Course> {
         let unit = if through == Through::Zero { search.context.response_span.abs() } else { 1.0 };
         let tried = SCALES.iter().filter_map(|s| here.solve(&knots, s * unit).map(|solved| (s * unit, solved)));
         let (scale, solved) = tried.max_by(|a, b| a.1.log_evidence.total_cmp(&b.1.log_evidence))?;
-        fitter.settled(solved, scale)
+        fitter.relinearised(solved, scale)
     });
     let (through, solved) = ways.max_by(|a, b| a.1.log_evidence.total_cmp(&b.1.log_evidence))?;
     let paid = (2.0 * SCALES.len() as f64).ln();
@@ -190,7 +190,7 @@ impl Fitter<'_> {
     }
 
     /// The optimum at one scale, the model made straight again a few times.
-    fn settled(&self, start: Solved, scale: f64) -> Option<(Through, Solved)> {
+    fn relinearised(&self, start: Solved, scale: f64) -> Option<(Through, Solved)> {
         let mut best = start;
         for _ in 0..STEPS {
             let Some(here) = self.linearised(&best.z, &best.levels) else { break };

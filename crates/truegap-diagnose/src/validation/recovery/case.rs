@@ -13,7 +13,8 @@ pub struct Truth {
     /// made by the effects' sibling equations
     pub sibling: bool,
     /// a cause that no library holds
-    pub stranger: Option<String>,
+    #[serde(rename = "stranger")]
+    pub unmodelled: Option<String>,
     /// detectability of all together; 0 where nothing is concealed
     pub detectability: f64,
 }
@@ -52,7 +53,7 @@ impl BankCase {
         }
     }
 
-    /// Whether exactly the concealed effects are named; for none and for strangers, whether nothing is.
+    /// Whether exactly the concealed effects are named; for none and for unmodelled causes, whether nothing is.
     pub fn right(&self) -> bool {
         let mut named = self.named.clone();
         let mut concealed = self.truth.effects.clone();

@@ -4,7 +4,7 @@
 
 use crate::validation::recovery::{
     case::BankCase,
-    tempering::{calibration_error, claims, power},
+    power::{calibration_error, claims, power},
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -28,8 +28,9 @@ pub struct Bank {
     pub claims: usize,
     /// recordings with nothing concealed, and those among them in which something was named
     pub false_alarms: [usize; 2],
-    /// strangers, and those among them that got a library name
-    pub strangers_named: [usize; 2],
+    /// unmodelled causes, and those among them that got a library name
+    #[serde(rename = "strangers_named")]
+    pub unmodelled_named: [usize; 2],
     /// single causes at detectability 10 and above: number, exact, exact or within the set
     pub singles_above_ten: [usize; 3],
     /// pairs at detectability 16 and above: number, both named (or within their sets)
@@ -66,10 +67,10 @@ impl Bank {
         let power = power(&cases);
         let stated = claims(&cases, 1.0);
         let count = |test: &dyn Fn(&BankCase) -> bool| cases.iter().filter(|c| test(c)).count();
-        let nothing = |c: &BankCase| c.truth.effects.is_empty() && c.truth.stranger.is_none();
+        let nothing = |c: &BankCase| c.truth.effects.is_empty() && c.truth.unmodelled.is_none();
         let single = |c: &BankCase| c.truth.effects.len() == 1 && c.truth.detectability >= 10.0;
         let pair = |c: &BankCase| c.truth.effects.len() == 2 && c.truth.detectability >= 16.0;
-        let stranger = |c: &BankCase| c.truth.stranger.is_some();
+        let unmodelled = |c: &BankCase| c.truth.unmodelled.is_some();
         Self {
             key,
             recordings: cases.len(),
@@ -79,7 +80,7 @@ impl Bank {
             calibration_error: [calibration_error(&stated), calibration_error(&claims(&cases, power))],
             claims: stated.len(),
             false_alarms: [count(&nothing), count(&|c| nothing(c) && !c.named.is_empty())],
-            strangers_named: [count(&stranger), count(&|c| stranger(c) && !c.named.is_empty())],
+            unmodelled_named: [count(&unmodelled), count(&|c| unmodelled(c) && !c.named.is_empty())],
             singles_above_ten: [
                 count(&single),
                 count(&|c| single(c) && c.right()),
@@ -94,14 +95,14 @@ impl Bank {
     /// The bank in three sentences.
     pub fn says_overall(&self) -> Vec<String> {
         let [nulls, alarms] = self.false_alarms;
-        let [strangers, called] = self.strangers_named;
+        let [unmodelled, called] = self.unmodelled_named;
         let [singles, exact, within] = self.singles_above_ten;
         let [pairs, both] = self.pairs_above_sixteen;
         vec![
             format!(
                 "{} recordings simulated on this protocol, with its noise and priors: {alarms} of {nulls} with nothing concealed got a name; \
                  of {singles} single causes at detectability 10 and above {exact} were named exactly and {within} within the stated set; \
-                 {both} of {pairs} pairs at 16 and above; {called} of {strangers} strangers got a library name",
+                 {both} of {pairs} pairs at 16 and above; {called} of {unmodelled} unmodelled causes got a library name",
                 self.recordings
             ),
             format!(

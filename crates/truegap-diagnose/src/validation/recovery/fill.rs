@@ -1,15 +1,15 @@
 //! The recovery bank: what this tool answers when the cause is known, for the protocol, noise and priors of *this* recording.
 //!
-//! Recordings are simulated on its own inputs (a third with nothing missing, single effects in the library's and in sibling equations, pairs, strangers),
+//! Recordings are simulated on its own inputs (a third with nothing missing, single effects in the library's and in sibling equations, pairs, unmodelled causes),
 //! sent through the same search, and the stated probabilities are corrected by how often they were right.
 //!
 //! Limits: the noise is taken as known; rows are merged further than for the recording itself; memory effects start fresh as they do there.
 
 use crate::{
-    adequacy::{directions::directions, lack_of_fit::Gate},
+    adequacy::{directions::directions, lack_of_fit::LackOfFitTests},
     data::problem::Problem,
     fit::several_starts::LOOSE,
-    noise::block_average::thin,
+    noise::block_average::block_averages,
     selection::{
         candidates::{Progress, Search},
         examine::{Examined, examine},
@@ -60,7 +60,7 @@ impl std::fmt::Debug for BankOptions {
 /// Every row of the recording, and its noise.
 #[derive(Clone, Copy)]
 pub struct Whole<'a> {
-    /// inputs, quietened, and simulator
+    /// inputs, denoised, and simulator
     pub problem: &'a Problem<'a>,
     /// noise of every row
     pub noise: &'a NoiseModel,
@@ -72,13 +72,13 @@ pub struct Whole<'a> {
 /// Those of the simulator at the centre of the prior.
 pub fn fill(search: &Search<'_>, whole: Whole<'_>, found: &Examined, options: &BankOptions) -> Result<Bank, SimulationError> {
     let started = std::time::Instant::now();
-    let thinned = thin(whole.problem, whole.noise, ROWS)?;
+    let averages = block_averages(whole.problem, whole.noise, ROWS)?;
     let (inputs, noise) =
-        thinned.as_ref().map_or_else(|| (whole.problem.inputs, whole.noise.clone()), |t| (&t.inputs, t.noise(whole.noise)));
+        averages.as_ref().map_or_else(|| (whole.problem.inputs, whole.noise.clone()), |t| (&t.inputs, t.noise(whole.noise)));
     let whitener = noise.whitener(&inputs.runs(), None);
     let loose = noise.scaled(LOOSE).whitener(&inputs.runs(), None);
     let directions = directions(inputs, whole.problem.simulator);
-    let gate = Gate::new(&directions, &whitener, inputs.runs(), 0.0);
+    let lack_of_fit = LackOfFitTests::new(&directions, &whitener, inputs.runs(), 0.0);
     let likely = likely(search, found);
     let key = key(search, inputs, &noise, &likely);
     let known = options.store.load(&key);
@@ -106,7 +106,7 @@ pub fn fill(search: &Search<'_>, whole: Whole<'_>, found: &Examined, options: &B
             progress: &quiet,
             stop: search.stop,
         };
-        let Ok(answer) = examine(&own, &gate) else { return };
+        let Ok(answer) = examine(&own, &lack_of_fit) else { return };
         if search.stop.load(Ordering::Relaxed) {
             return;
         }

@@ -5,7 +5,7 @@
 pub(crate) mod case;
 pub(crate) mod confusion;
 pub(crate) mod fill;
-pub(crate) mod tempering;
+pub(crate) mod power;
 pub(crate) mod truth;
 
 pub use case::{BankCase, Truth};

@@ -38,7 +38,7 @@ pub(crate) struct Maker<'a> {
 enum Kind {
     Nothing,
     Effects { which: Vec<usize>, sibling: bool },
-    Stranger,
+    Unmodelled,
 }
 
 impl Maker<'_> {
@@ -49,7 +49,7 @@ impl Maker<'_> {
         (0..TRIES).find_map(|_| self.draw(&kind, random))
     }
 
-    /// A third nothing; of the rest, of every ten: six single effects (half of them in sibling equations), three pairs, one stranger.
+    /// A third nothing; of the rest, of every ten: six single effects (half of them in sibling equations), three pairs, one unmodelled cause.
     fn kind(&self, index: usize, random: &mut ChaCha8Rng) -> Kind {
         if index.is_multiple_of(3) || self.search.library.is_empty() {
             return Kind::Nothing;
@@ -65,7 +65,7 @@ impl Maker<'_> {
                 let second = others.choose(random).copied();
                 Kind::Effects { which: std::iter::once(first).chain(second).collect(), sibling: false }
             }
-            _ => Kind::Stranger,
+            _ => Kind::Unmodelled,
         }
     }
 
@@ -84,7 +84,7 @@ impl Maker<'_> {
         let (truth, mut response) = match kind {
             Kind::Nothing => (Truth::default(), clean),
             Kind::Effects { which, sibling } => self.with_effects(which, *sibling, &sensor, (&clean, &at), wanted, random)?,
-            Kind::Stranger => self.with_stranger((&clean, &at), wanted, random)?,
+            Kind::Unmodelled => self.with_unmodelled((&clean, &at), wanted, random)?,
         };
         let mut noise: Vec<f64> = response.iter().map(|_| StandardNormal.sample(random)).collect();
         self.whitener.colour(&mut noise);
@@ -130,7 +130,7 @@ impl Maker<'_> {
         let truth = Truth {
             effects: which.iter().map(|e| self.search.library[*e].id().to_string()).collect(),
             sibling: sibling && sized.iter().all(|(size, one)| one.sibling_stage(*size).is_some()),
-            stranger: None,
+            unmodelled: None,
             detectability: self.seen(clean, &response, at),
         };
         (truth.detectability > 0.5 * DETECTABILITY.0).then_some((truth, response))
@@ -150,7 +150,7 @@ impl Maker<'_> {
     }
 
     /// A tone of random period, a random walk, or a tone that the load modulates: nothing of the kind is in the library.
-    fn with_stranger(&self, (clean, at): (&[f64], &Fit), wanted: f64, random: &mut ChaCha8Rng) -> Option<(Truth, Vec<f64>)> {
+    fn with_unmodelled(&self, (clean, at): (&[f64], &Fit), wanted: f64, random: &mut ChaCha8Rng) -> Option<(Truth, Vec<f64>)> {
         let rows = clean.len();
         let name = *["tone", "random walk", "tone with load"].choose(random)?;
         let period = (5f64.ln() + random.random::<f64>() * (rows as f64 / 15.0).max(1.5).ln()).exp();
@@ -172,7 +172,7 @@ impl Maker<'_> {
         let shifted = |size: f64| clean.iter().zip(&column).map(|(c, s)| c + size * s).collect::<Vec<f64>>();
         let unit = self.seen(clean, &shifted(1.0), at);
         let response = shifted(wanted / unit);
-        let truth = Truth { stranger: Some(name.into()), detectability: wanted, ..Truth::default() };
+        let truth = Truth { unmodelled: Some(name.into()), detectability: wanted, ..Truth::default() };
         (unit > 0.0 && unit.is_finite()).then_some((truth, response))
     }
 }

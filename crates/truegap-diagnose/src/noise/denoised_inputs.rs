@@ -17,7 +17,7 @@ use std::ops::Range;
 use truegap_core::{Inputs, Simulator};
 
 /// Inputs without their noise.
-pub struct Quiet {
+pub struct DenoisedInputs {
     /// the inputs
     pub inputs: Inputs,
     /// noise as recorded
@@ -35,10 +35,10 @@ pub struct Quiet {
 }
 
 /// Takes the noise out of load and temperature; `response` is what follows them. A load that is `switching` has none that could be told from it.
-pub fn quiet(inputs: &Inputs, response: &[f64], simulator: &dyn Simulator, switching: bool) -> Quiet {
+pub fn denoised_inputs(inputs: &Inputs, response: &[f64], simulator: &dyn Simulator, switching: bool) -> DenoisedInputs {
     let (runs, time) = (between_pauses(inputs), inputs.time_s.as_deref());
     let none = || vec![0.0; inputs.len()];
-    let mut quiet = Quiet {
+    let mut out = DenoisedInputs {
         inputs: inputs.clone(),
         noise: InputNoise::default(),
         load_left: none(),
@@ -50,29 +50,29 @@ pub fn quiet(inputs: &Inputs, response: &[f64], simulator: &dyn Simulator, switc
     let full = simulator.full_load().unwrap_or(1.0);
     // of the loads, the one that the simulator sees says how noisy it is
     let sd = simulator.load(inputs).filter(|_| !switching).map_or(0.0, |load| scatter(&load, time, &runs)) * full;
-    for column in [&mut quiet.inputs.force_n, &mut quiet.inputs.pressure_pa].into_iter().flatten() {
+    for column in [&mut out.inputs.force_n, &mut out.inputs.pressure_pa].into_iter().flatten() {
         let steps = rounding::rounded(column, &runs, Some(response), 0.0).filter(|_| !switching);
-        let Quieter { sd, found, bends } = quieter(column, time, &runs, sd, steps.as_ref());
-        quiet.noise.load = sd / full;
-        quiet.load_steps = steps.map(|steps| steps.over(full));
-        if bends {
-            quiet.load_shapes = errors_in_load::bends(column, &runs, sd);
-            quiet.load_shapes.iter_mut().flatten().for_each(|v| *v /= full);
+        let Column { sd, found, wanders } = denoised(column, time, &runs, sd, steps.as_ref());
+        out.noise.load = sd / full;
+        out.load_steps = steps.map(|steps| steps.over(full));
+        if wanders {
+            out.load_shapes = errors_in_load::error_shapes(column, &runs, sd);
+            out.load_shapes.iter_mut().flatten().for_each(|v| *v /= full);
         }
-        (*column, quiet.load_left) = (found.column, found.left);
+        (*column, out.load_left) = (found.column, found.left);
     }
-    if let Some(column) = &mut quiet.inputs.temperature_c {
+    if let Some(column) = &mut out.inputs.temperature_c {
         let steps = rounding::rounded(column, &runs, None, FINE_K);
         let sd = scatter(column, time, &runs);
         if let Some(steps) = &steps {
             *column = crossings::course(column, &runs, steps.step);
         }
-        let Quieter { sd, found, .. } = quieter(column, time, &runs, sd, steps.as_ref());
-        quiet.noise.temperature = sd;
-        quiet.temperature_steps = steps;
-        (*column, quiet.temperature_left) = (found.column, found.left);
+        let Column { sd, found, .. } = denoised(column, time, &runs, sd, steps.as_ref());
+        out.noise.temperature = sd;
+        out.temperature_steps = steps;
+        (*column, out.temperature_left) = (found.column, found.left);
     }
-    quiet
+    out
 }
 
 /// Steps of a thermometer, K, that nobody commands.
@@ -94,24 +94,24 @@ fn between_pauses(inputs: &Inputs) -> Vec<Range<usize>> {
 }
 
 /// A column without its noise.
-struct Quieter {
+struct Column {
     /// standard deviation of the noise
     sd: f64,
     found: Denoised,
     /// whether it is no course of straight lines
-    bends: bool,
+    wanders: bool,
 }
 
 /// A column on straight lines; as it is, where hardly any hold. The noise of one that is written in steps is not below that of the steps.
-fn quieter(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>], sd: f64, steps: Option<&Rounded>) -> Quieter {
+fn denoised(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>], sd: f64, steps: Option<&Rounded>) -> Column {
     let least = steps.map_or(0.0, |steps| steps.step / 12f64.sqrt());
     let (most, unbent) = input::bent(column, runs);
     let (sd, most, unbent) = (sd.max(least), most.max(least), unbent.max(least));
     if sd > 0.0 && denoise::crookedness(column, time, runs, sd.min(most)) > CROOKED {
         let sd = sd.min(unbent);
-        return Quieter { sd, found: Denoised { column: column.to_vec(), left: vec![1.0; column.len()] }, bends: true };
+        return Column { sd, found: Denoised { column: column.to_vec(), left: vec![1.0; column.len()] }, wanders: true };
     }
-    Quieter { sd, found: denoise::denoise(column, time, runs, sd), bends: false }
+    Column { sd, found: denoise::denoise(column, time, runs, sd), wanders: false }
 }
 
 /// Scatter about short lines, over that of noise, from which on a column is no course of straight lines.

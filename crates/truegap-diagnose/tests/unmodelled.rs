@@ -75,7 +75,7 @@ fn a_reading_that_follows_the_speed_of_the_load_is_not_called_another_zero_in_ea
 fn a_faint_tone_is_said_to_be_one() {
     let said = said_of(|inputs, row| 0.42 * NOISE * (0.55 * inputs.time_s.as_ref().unwrap()[row]).sin());
     assert_eq!((said.verdict, said.findings.len()), (Verdict::Unexplained, 0), "{}", said.says);
-    assert!(said.says.contains("a tone at 0.087") && said.adequacy.heard, "{}", said.says);
+    assert!(said.says.contains("a tone at 0.087") && said.adequacy.interference, "{}", said.says);
     assert!(said.next_experiment.says.contains("sampling rate"), "{}", said.next_experiment.says);
 }
 
@@ -90,7 +90,7 @@ fn nothing_outside_is_claimed_where_nothing_is_missing() {
 fn all_probabilities_are_on_one_scale() {
     let options = Options { effects: vec!["thermal_lag".into()], ..Options::default() };
     let said = said_with(&options, wandering);
-    let outside: f64 = said.unlisted.iter().map(|cause| cause.probability).sum();
+    let outside: f64 = said.unmodelled.iter().map(|cause| cause.probability).sum();
     assert!(outside > 0.9, "{outside}");
     assert!(said.probability_agrees + outside < 1.0 + 1e-9, "{} and {outside}", said.probability_agrees);
 }

@@ -32,6 +32,8 @@ const PERMUTATIONS: usize = 99;
 const CYCLES: usize = 8;
 /// Factor on the prior of electronics that follow the load itself: they are fed by the reading, and know of the load through it.
 const BY_HEARSAY: f64 = 0.05;
+/// Factor on the prior of a permittivity that follows the load: a solid's hardly does.
+const ELECTROSTRICTION: f64 = 0.2;
 /// Moments at which something may happen.
 const MOMENTS: usize = 64;
 
@@ -262,11 +264,21 @@ fn weighed(
     let place = lever.quantity.place();
     let beside = places.iter().find(|(p, _)| *p == place).map_or(1, |(_, count)| *count);
     let sentence = Sentence { quantity: lever.quantity, action: lever.action, ..law.sentence.clone() };
-    let mechanics = places.iter().any(|(p, _)| *p == Place::Mechanics);
-    let hearsay = mechanics && place == Place::Readout && matches!(sentence.driver, Driver::Load | Driver::LoadHistory);
-    let log_prior = law.log_prior - ((places.len() * beside) as f64).ln() + if hearsay { BY_HEARSAY.ln() } else { 0.0 };
+    let log_prior = law.log_prior - ((places.len() * beside) as f64).ln() + plausibility(place, &sentence.driver, places).ln();
     let (numbers, swing, deviance) = (law.grid[best], swings[best], deviance(&grid[best]));
     Some((Screened { sentence, numbers, swing, deviance, beyond: 0.0, log_prior, grid }, control))
+}
+
+/// Factor on the prior of a place that hardly knows its driver.
+fn plausibility(place: Place, driver: &Driver, places: &[(Place, usize)]) -> f64 {
+    let of_load = matches!(driver, Driver::Load | Driver::LoadHistory | Driver::LoadRate);
+    let mechanics = places.iter().any(|(p, _)| *p == Place::Mechanics);
+    match place {
+        // what couples from a moving stage into the electronics follows its speed
+        Place::Readout if mechanics && of_load && *driver != Driver::LoadRate => BY_HEARSAY,
+        Place::Dielectric if of_load => ELECTROSTRICTION,
+        _ => 1.0,
+    }
 }
 
 /// Root-mean-square distance from the mean.

@@ -13,6 +13,7 @@ use crate::{
     },
     quality::notice::Notice,
     selection::{model_space::EvidenceCheck, verdict::Verdict},
+    validation::reference::Reference,
 };
 use serde::Serialize;
 
@@ -57,6 +58,11 @@ pub struct Diagnosis {
     pub ambiguity: Vec<Vec<String>>,
     /// errors before and after
     pub fit: FitFacts,
+    /// what a straight line and a smooth curve through the recorded inputs make of the same rows
+    pub reference: Vec<Reference>,
+    /// said where the straight line is better than the calibrated base model
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reference_says: Option<String>,
     /// a term that serves prediction where nothing may be named
     #[serde(skip_serializing_if = "Option::is_none")]
     pub prediction_only: Option<PredictionOnly>,

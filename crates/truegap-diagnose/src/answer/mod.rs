@@ -11,9 +11,11 @@ pub(crate) mod findings;
 pub(crate) mod fit_facts;
 pub(crate) mod found;
 pub(crate) mod known;
+pub(crate) mod next;
 pub(crate) mod numbers;
 pub(crate) mod outcome;
 pub(crate) mod prediction;
+pub(crate) mod reference;
 pub(crate) mod traces;
 pub(crate) mod tuning;
 pub(crate) mod words;
@@ -36,6 +38,7 @@ pub use crate::{
     fit::score_test::JointTest,
     quality::notice::{Notice, NoticeKind},
     selection::{model_space::EvidenceCheck, verdict::Verdict},
+    validation::reference::Reference,
 };
 pub(crate) use assemble::outcome;
 pub use augmented::{AddedEffect, Augmented, NamedValue, Scales, UnknownEffect};

@@ -25,3 +25,6 @@ pub(crate) const CLEAR_LINE: f64 = 1e-6;
 
 /// Rivals of the likeliest model that the next experiment is to tell it from.
 pub(crate) const MOST_RIVALS: usize = 3;
+
+/// Share of a model's probability up to which another one is excluded: the odds at which a verdict has no rival.
+pub(crate) const NOT_EXCLUDED: f64 = 0.05;

@@ -15,6 +15,7 @@ mod next;
 mod origin;
 mod parameters;
 mod recordings;
+mod reference;
 mod subject;
 mod summary;
 pub mod terminal;
@@ -40,6 +41,7 @@ pub fn html(subject: &Subject<'_>) -> String {
     let page = map::add(page, subject, &axis);
     let page = courses::add(page, subject, &axis);
     let page = held_out::add(page, subject, &axis);
+    let page = reference::add(page, subject);
     let page = flexible::add(page, subject, &axis);
     let page = parameters::add(page, subject);
     let page = next::add(page, subject);

@@ -7,6 +7,7 @@ use effect::Effect;
 pub(crate) mod collection;
 pub(crate) mod effect;
 pub(crate) mod memory;
+pub(crate) mod sentence;
 
 mod ageing;
 mod bonded_layers;

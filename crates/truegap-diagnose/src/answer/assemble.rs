@@ -89,6 +89,7 @@ pub(crate) fn outcome(
         fit,
         findings,
         prediction_only: term,
+        confirmation: None,
         not_testable,
         smallest_visible: smallest_visible(found),
         next_experiment: next(found),

@@ -7,7 +7,10 @@ use crate::{
         interference::{burst::Burst, tone::Tone},
         lack_of_fit::Adequacy,
     },
-    answer::fit_facts::{FitFacts, PredictionOnly},
+    answer::{
+        confirmation::Confirmed,
+        fit_facts::{FitFacts, PredictionOnly},
+    },
     explain::{
         conflicts::Conflict, hidden_input::slow_input::ConcealedColumn, locate::Mismatch, next_experiment::NextExperiment,
     },
@@ -66,6 +69,9 @@ pub struct Diagnosis {
     /// a term that serves prediction where nothing may be named
     #[serde(skip_serializing_if = "Option::is_none")]
     pub prediction_only: Option<PredictionOnly>,
+    /// what a recording that took no part says of the findings, where one was given
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub confirmation: Option<Confirmed>,
     /// effects that this recording could not have shown
     pub not_testable: Vec<NotTestable>,
     /// per effect, the smallest size that would have been seen

@@ -5,6 +5,7 @@
 pub(crate) mod alternatives;
 pub(crate) mod assemble;
 pub(crate) mod augmented;
+pub(crate) mod confirmation;
 pub(crate) mod diagnosis;
 pub(crate) mod errors;
 pub(crate) mod findings;
@@ -42,6 +43,7 @@ pub use crate::{
 };
 pub(crate) use assemble::outcome;
 pub use augmented::{AddedEffect, Augmented, NamedValue, Scales, UnknownEffect};
+pub use confirmation::{Confirmation, Confirmed, Errors, ModelFacts, OtherFacts};
 pub use diagnosis::*;
 pub use fit_facts::{BeforeAfter, FitFacts, FlexibleTerm, HeldOut, PredictionOnly, RecordingError};
 pub(crate) use found::{Found, Reserved};

@@ -5,6 +5,7 @@
 mod axis;
 mod candidates;
 mod concealed;
+mod confirmation;
 mod courses;
 mod draw;
 mod findings;
@@ -42,6 +43,7 @@ pub fn html(subject: &Subject<'_>) -> String {
     let page = courses::add(page, subject, &axis);
     let page = held_out::add(page, subject, &axis);
     let page = reference::add(page, subject);
+    let page = confirmation::add(page, subject);
     let page = flexible::add(page, subject, &axis);
     let page = parameters::add(page, subject);
     let page = next::add(page, subject);

@@ -3,7 +3,7 @@
 //! Limits: no colour, no table; at most a line a finding.
 
 use super::text::{capitalised, listed, spoken};
-use super::{reference, wording};
+use super::{confirmation, reference, wording};
 use truegap_diagnose::Verdict;
 use truegap_diagnose::answer::{Diagnosis, NO_CLOCK, Reference};
 
@@ -30,6 +30,7 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
     }
     lines.extend(errors(diagnosis));
     lines.extend(beside(diagnosis));
+    lines.extend(diagnosis.confirmation.iter().map(confirmation::line));
     lines.extend(diagnosis.prediction_only.iter().map(|term| capitalised(&term.says)));
     if let Some(column) = &diagnosis.concealed_column {
         lines.push(format!("Hidden column: {}", column.says));

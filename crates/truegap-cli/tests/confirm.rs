@@ -36,3 +36,38 @@ fn exit_codes_follow_the_verdict_and_refusals_leave_nothing_behind() {
     bench.refuses(&["-q", "confirm", "a/recording.toml", "b"], &["a/recording.toml", "truegap.model/1"]);
     bench.refuses(&["-q", "confirm", "out/augmented.toml", "b", "--free", "slope"], &["slope", "gain"]);
 }
+
+/// One run instead of two: the diagnosis of `a` is judged on `b` by the same figures as `truegap confirm` gives, in the JSON, on the page and on the terminal.
+#[test]
+fn a_diagnosis_is_judged_in_the_same_run() {
+    let bench = Bench::new();
+    in_two_folders(&bench);
+    let said = bench.run(&["-q", "diagnose", "a", "--confirm", "b", "--free", "gain,offset", "-o", "out"]);
+    assert_eq!(said.code, 1, "{}{}", said.out, said.err);
+    assert!(said.out.contains("b/recording.toml, which took no part: ") || said.out.contains("On b"), "{}", said.out);
+    let alone = bench.run(&["-q", "confirm", "out/augmented.toml", "b", "--free", "gain,offset", "--json"]);
+    let alone: Value = serde_json::from_str(&alone.out).unwrap();
+    let diagnosis: Value = serde_json::from_str(&std::fs::read_to_string(bench.path("out/diagnosis.json")).unwrap()).unwrap();
+    let within = &diagnosis["confirmation"];
+    // the file holds each number to its last bit
+    for key in ["verdict", "base", "augmented", "noise", "test", "free", "unit", "recording"] {
+        assert_eq!(within[key], alone[key], "{key}");
+    }
+    let page = std::fs::read_to_string(bench.path("out/report.html")).unwrap();
+    assert!(page.contains("On a recording that took no part") && page.contains(within["says"].as_str().unwrap()));
+    bench.refuses(&["-q", "diagnose", "a", "--confirm", "a", "-o", "no"], &["took no part"]);
+    bench.refuses(&["-q", "diagnose", "a", "--confirm", "nowhere.toml", "-o", "no"], &["nowhere.toml"]);
+    bench.refuses(&["-q", "diagnose", "a", "--confirm", "b", "--free", "slope", "-o", "no"], &["slope", "gain"]);
+}
+
+/// Nothing is named where only an effect that is not there may be, so there is nothing to judge, and that is said.
+#[test]
+fn where_nothing_is_named_there_is_nothing_to_confirm() {
+    let bench = Bench::new();
+    in_two_folders(&bench);
+    let said = bench.run(&["-q", "diagnose", "a", "--confirm", "b", "--effects", "contact_toe_in", "-o", "out"]);
+    let diagnosis: Value = serde_json::from_str(&std::fs::read_to_string(bench.path("out/diagnosis.json")).unwrap()).unwrap();
+    assert_eq!(diagnosis["findings"].as_array().unwrap().len(), 0, "{}", said.out);
+    let refused = diagnosis["confirmation"]["refused"].as_str().unwrap();
+    assert!(refused.contains("nothing to confirm") && said.out.contains(refused), "{refused}");
+}

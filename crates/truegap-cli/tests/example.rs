@@ -21,6 +21,7 @@ fn the_example_is_diagnosed_and_its_model_simulates() {
         assert!(bench.path("out").join(file).is_file(), "{file} is missing");
     }
     names_the_concealed_cause(&json(&bench, "out/diagnosis.json"));
+    suggests_no_run_against_what_is_excluded(&json(&bench, "out/diagnosis.json"));
     simulates(&bench);
 }
 
@@ -36,6 +37,19 @@ fn names_the_concealed_cause(diagnosis: &Value) {
     assert!(sd < 0.1 * expected && (value - expected).abs() < 3.0 * sd, "{value} +- {sd} s, expected {expected} s");
     let held_out = &diagnosis["fit"]["held_out"];
     assert!(held_out["rmse_after"].as_f64().unwrap() < 0.8 * held_out["rmse_before"].as_f64().unwrap(), "{held_out}");
+}
+
+/// The cause is sure: a run that would tell it from excluded rivals "by 10435 standard deviations" tells nobody anything.
+fn suggests_no_run_against_what_is_excluded(diagnosis: &Value) {
+    let next = &diagnosis["next_experiment"];
+    assert!(next["separates"].as_array().unwrap().is_empty(), "{next}");
+    assert!(next["says"].as_str().unwrap().starts_with("nothing is left that thermal lag would have to be told from"), "{next}");
+    for option in next["options"].as_array().unwrap() {
+        assert!((0.0..0.8).contains(&option["error_left"].as_f64().unwrap()), "{option}");
+    }
+    let line = &diagnosis["reference"][0];
+    assert_eq!((line["name"].as_str(), line["inputs"].as_array().unwrap().len()), (Some("straight_line"), 2));
+    assert!(line["held_out"].as_f64() > diagnosis["fit"]["held_out"]["rmse_after"].as_f64(), "{line}");
 }
 
 fn simulates(bench: &Bench) {

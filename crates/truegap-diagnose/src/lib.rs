@@ -87,6 +87,7 @@ pub use effects::{
     collection::Library,
     effect::{About, Effect, Family, FittedParameter, Separation, ZeroCourse},
     library,
+    sentence::sentence,
 };
 pub use pipeline::{Options, Restriction, diagnose};
 pub use selection::candidates::Progress;

@@ -28,7 +28,15 @@ impl Scale {
         }
         match unit {
             "s" => seconds(size.abs()),
+            "s/s" if size.abs() < 1.0 => Self { unit: format!("{}/s", seconds(size.abs()).unit), ..seconds(size.abs()) },
             "1/K" if size.abs() < 1e-2 => Self { factor: 1e6, unit: "ppm/K".into() },
+            "1/K" => Self { factor: 1e2, unit: "%/K".into() },
+            "1/%RH" => Self {
+                factor: if size.abs() < 1e-2 { 1e6 } else { 1e2 },
+                unit: if size.abs() < 1e-2 { "ppm/%RH" } else { "%/%RH" }.into(),
+            },
+            "%" | "%/K" if size.abs() < 1e-2 => Self { factor: 1e4, unit: unit.replace('%', "ppm") },
+            "K" if size.abs() < 0.1 => Self { factor: 1e3, unit: "mK".into() },
             _ if TAKES_PREFIX.contains(&unit) => prefixed(unit, size.abs()),
             _ if unit.ends_with(" m") => by_length(unit.trim_end_matches(" m"), size.abs()),
             _ => same,
@@ -62,11 +70,13 @@ fn farads(stored: i32, size: f64) -> Scale {
 
 fn seconds(size: f64) -> Scale {
     let (factor, unit) = match size {
+        s if s < 1e-3 => (1e6, "µs"),
         s if s < 1.0 => (1e3, "ms"),
         s if s < 600.0 => (1.0, "s"),
         s if s < 10_800.0 => (1.0 / 60.0, "min"),
         s if s < 345_600.0 => (1.0 / 3600.0, "h"),
-        _ => (1.0 / 86_400.0, "d"),
+        s if s < 6.3e7 => (1.0 / 86_400.0, "days"),
+        _ => (1.0 / 31_557_600.0, "years"),
     };
     Scale { factor, unit: unit.into() }
 }
@@ -95,26 +105,50 @@ pub fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".into();
     }
-    let exponent = value.abs().log10().floor() as i32;
-    if !(-4..7).contains(&exponent) {
-        return format!("{value:.*e}", digits.saturating_sub(1));
-    }
-    let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
-    format!("{value:.decimals$}")
+    to_place(value, digits as i32 - 1 - value.abs().log10().floor() as i32)
 }
 
-/// `4.20 min (sd 0.10)`: as [`measured`], with the error named.
-pub fn with_sd(value: f64, sd: f64, unit: &str) -> String {
-    let scale = Scale::of(unit, value.abs().max(if sd.is_finite() { sd } else { 0.0 }));
-    let (value, sd) = (value * scale.factor, sd * scale.factor);
-    let digits = |error: f64| (1 - error.log10().floor() as i32).clamp(0, 7) as usize;
-    if !(sd.is_finite() && sd > 0.0) || value.abs() >= 1e7 {
-        return format!("{} (sd {})", join(&significant(value, 3), &scale.unit), significant(sd, 2));
+/// `value` rounded to so many places after the point, before it where they are negative; powers of ten where it is very small or large.
+fn to_place(value: f64, places: i32) -> String {
+    let factor = 10f64.powi(places);
+    let rounded = (value * factor).round() / factor;
+    if rounded == 0.0 {
+        return "0".into();
     }
-    // no more than four digits of the value, however small its error
-    let most = if value == 0.0 { 7 } else { (3 - value.abs().log10().floor() as i32).clamp(0, 7) as usize };
-    let decimals = digits(sd).min(most);
-    format!("{} (sd {})", join(&format!("{value:.decimals$}"), &scale.unit), significant(sd, 2))
+    let exponent = (rounded.abs() * (1.0 + 1e-12)).log10().floor() as i32;
+    if !(-4..7).contains(&exponent) {
+        return format!("{rounded:.*e}", (places + exponent).max(0) as usize);
+    }
+    format!("{rounded:.*}", places.max(0) as usize)
+}
+
+/// `4.20 min (sd 0.10)`: the one way in which a sentence tells a number with its error.
+///
+/// Three significant digits at most, fewer where the error is large, in the unit that fits; the error has two at most, and no place that the number does not
+/// have. Where it is smaller than the number's last place it is told as `sd < 0.01`; where there is none, it is left out.
+pub fn with_sd(value: f64, sd: f64, unit: &str) -> String {
+    if !(sd.is_finite() && sd > 0.0) || !value.is_finite() {
+        return rounded(value, unit);
+    }
+    let scale = Scale::of(unit, value.abs().max(sd));
+    let (value, sd) = (value * scale.factor, sd * scale.factor);
+    let first = |x: f64| x.abs().log10().floor() as i32;
+    let of_error = 1 - first(sd);
+    let places = if value == 0.0 { of_error } else { of_error.min(2 - first(value)) };
+    let step = 10f64.powi(-places);
+    let error = if sd < 0.5 * step { format!("< {}", significant(step, 1)) } else { to_place(sd, places) };
+    format!("{} (sd {error})", join(&to_place(value, places), &scale.unit))
+}
+
+/// A share with its error in per cent, or in ppm where it is small.
+pub fn percent_with_sd(share: f64, sd: f64) -> String {
+    with_sd(100.0 * share, 100.0 * sd, "%")
+}
+
+/// A share in per cent with two significant digits, or in ppm where it is small.
+pub fn percent_of(share: f64) -> String {
+    let scale = Scale::of("%", 100.0 * share.abs());
+    join(&significant(100.0 * share * scale.factor, 2), &scale.unit)
 }
 
 /// `4.20 min`: three significant digits in the unit that fits.
@@ -174,6 +208,20 @@ pub fn percent(probability: f64) -> String {
         p if !(0.01..=0.99).contains(&p) => format!("{:.1} %", 100.0 * p),
         p => format!("{:.0} %", 100.0 * p),
     }
+}
+
+/// Standard deviations between two things: three digits, and a ceiling above which they mean nothing.
+pub fn deviations(count: f64) -> String {
+    match count {
+        n if n >= 1000.0 => "more than 1000".into(),
+        n if n < 10.0 => significant(n, 2),
+        n => significant(n, 3),
+    }
+}
+
+/// A detectability with three digits, and a ceiling above which they mean nothing.
+pub fn detectability(d: f64) -> String {
+    if d >= 1000.0 { "over 1000".into() } else { significant(d, 3) }
 }
 
 /// A p-value to one digit, with a floor below which the digits mean nothing.
@@ -248,13 +296,19 @@ mod tests {
     }
 
     #[test]
-    fn a_value_with_its_error_has_at_most_four_digits() {
-        assert_eq!(with_sd(252.0, 6.0, "s"), "252.0 s (sd 6.0)");
-        assert_eq!(with_sd(445.817_71, 0.012, "s"), "445.8 s (sd 0.012)");
-        assert_eq!(with_sd(0.0, 0.0, "s"), "0 s (sd 0)");
-        assert_eq!(with_sd(2.341, 0.052, "%"), "2.341 % (sd 0.052)");
-        assert_eq!(with_sd(7.353, 0.012, "N"), "7.353 N (sd 0.012)");
-        assert_eq!(with_sd(94_319.0, 20.0, "s"), "26.20 h (sd 0.0056)");
+    fn a_value_with_its_error_has_three_digits_and_no_error_finer_than_they_are() {
+        assert_eq!(with_sd(252.0, 6.0, "s"), "252 s (sd 6)");
+        assert_eq!(with_sd(445.817_71, 0.012, "s"), "446 s (sd < 1)");
+        assert_eq!(with_sd(0.0, 0.0, "s"), "0 s");
+        assert_eq!(with_sd(2.341, 0.052, "%"), "2.34 % (sd 0.05)");
+        assert_eq!(with_sd(7.353, 0.012, "N"), "7.35 N (sd 0.01)");
+        assert_eq!(with_sd(94_319.0, 20.0, "s"), "26.2 h (sd < 0.1)");
+        assert_eq!(with_sd(138_743.902, 4.379, "%"), "139000 % (sd < 1000)");
+        assert_eq!(with_sd(2.3, 15.0, "counts"), "2 counts (sd 15)");
+        assert_eq!(with_sd(3e-6, 4e-7, "s"), "3.00 µs (sd 0.40)");
+        assert_eq!(with_sd(99.96, 0.3, "s"), "100.0 s (sd 0.3)");
+        assert_eq!(with_sd(4.1e8, 2e6, "s"), "13.0 years (sd 0.1)");
+        assert_eq!(percent_of(0.000_012), "12 ppm");
     }
 
     #[test]

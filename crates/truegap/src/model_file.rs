@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use truegap_core::sensor::{SensorError, builtin_sensors};
 use truegap_core::{Inputs, Sensor, SimulationError, Simulator};
 use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales, UnknownEffect};
-use truegap_diagnose::{Augmented, Context, Library, Outcome};
+use truegap_diagnose::{Augmented, Context, Effect, Library, Outcome};
 use truegap_model::{BaseError, BaseModel};
 
 /// Identifier of the file format.
@@ -252,6 +252,15 @@ impl RunningModel {
         let effects = self.augmented.effects.iter().filter_map(|added| library.find(&added.id));
         let bound = effects.filter(|effect| effect.parameters(&one).len() != effect.parameters(&three).len());
         bound.map(|effect| effect.id().to_string()).collect()
+    }
+
+    /// The model without the added effects that belong to what recorded and not to what was recorded, such as clocks, and the ids of these.
+    #[must_use]
+    pub fn without_recorder(mut self, library: &Library) -> (Self, Vec<String>) {
+        let of_recorder = |added: &AddedEffect| library.find(&added.id).is_some_and(Effect::of_recorder);
+        let (out, kept) = std::mem::take(&mut self.augmented.effects).into_iter().partition(of_recorder);
+        self.augmented.effects = kept;
+        (self, out.into_iter().map(|added: AddedEffect| added.id).collect())
     }
 
     /// The added effects that `inputs` could not show, each with the reason; `span` is the range of the response.

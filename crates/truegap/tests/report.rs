@@ -37,7 +37,7 @@ fn a_report_holds_every_part_of_the_answer() {
         "-4.7 !",
         "no humidity column",
         "0.0021",
-        "heat at two rates under constant load",
+        "Heat at two rates under constant load",
         "--profile thermal-steps",
         "4 fF from 60 rows at rest",
         "2026-01-02 03:04 UTC",
@@ -60,6 +60,21 @@ fn a_report_loads_nothing_from_elsewhere_and_keeps_markup_of_names_out() {
     assert!(!page.contains("<script") && !page.contains("<img"));
     let outside = page.replace("http://www.w3.org/2000/svg", "");
     assert!(!outside.contains("http://") && !outside.contains("https://") && !outside.contains("url(h"));
+}
+
+/// Whoever reads "97 % removed" must see what a line through the inputs does, on the page and on the terminal.
+#[test]
+fn a_straight_line_and_a_smooth_curve_stand_beside_the_models() {
+    let mut fixture = fixture::thermal_lag();
+    let page = html(&fixture.subject());
+    assert!(page.contains("straight line") && page.contains("21.3 fF") && page.contains("24.1 fF"));
+    assert!(page.contains("smooth curve") && page.contains("18.7 fF") && page.contains("30.5 fF"));
+    let text = terminal::summary(&fixture.diagnosis);
+    assert!(text.contains("in force and temperature: straight line 21.3 fF (24.1 fF held out), smooth curve 18.7 fF"), "{text}");
+    assert!(!page.contains("nearer than"));
+    fixture.diagnosis.reference_says = Some("a straight line is nearer than the calibrated base model".into());
+    assert!(html(&fixture.subject()).contains("A straight line is nearer than the calibrated base model."));
+    assert!(terminal::summary(&fixture.diagnosis).contains("A straight line is nearer than"));
 }
 
 #[test]

@@ -9,6 +9,8 @@ use anyhow::Context;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
+use truegap::Recording;
+use truegap::confirm::{Free, confirm_within, other};
 use truegap::diagnose::{Library, Progress, Verdict};
 use truegap::diagnosis::{Diagnosed, FILES, Request, diagnose, open};
 use truegap::output::OutputFolder;
@@ -41,9 +43,12 @@ pub struct Diagnose {
     /// Hide an input column, to see what its absence does: temperature, humidity, force, pressure, gap
     #[arg(long, value_delimiter = ',', value_name = "COLUMN")]
     conceal: Vec<String>,
-    /// Give each recording after the first its own gain or offset against the first: gain, offset, or gain,offset
+    /// Give each recording after the first its own gain or offset against the first, and that of --confirm as well: gain, offset, or gain,offset
     #[arg(long, value_delimiter = ',', value_name = "WHAT", conflicts_with = "batch")]
     free: Vec<String>,
+    /// Recording that takes no part: what is found is judged on it, with nothing refitted but what --free names
+    #[arg(long, value_name = "OTHER", conflicts_with = "batch")]
+    confirm: Option<PathBuf>,
     /// Sensor column of a recording that holds several
     #[arg(long, value_name = "NAME")]
     channel: Option<String>,
@@ -61,7 +66,12 @@ impl Run for Diagnose {
             return self.each(console);
         }
         OutputFolder::check(&self.output, &FILES)?;
-        let diagnosed = self.one(&self.recordings, console)?;
+        let recordings = read(&self.recordings)?;
+        let other = self.other(&recordings)?;
+        let mut diagnosed = self.one(&self.recordings, recordings, console)?;
+        if let Some((other, free)) = other {
+            confirm_within(&mut diagnosed, other, free);
+        }
         let folder = diagnosed.write(&self.output)?;
         if console.json {
             console.print_json(&diagnosed.outcome.diagnosis)?;
@@ -74,8 +84,14 @@ impl Run for Diagnose {
 }
 
 impl Diagnose {
-    fn one(&self, paths: &[PathBuf], console: &Console) -> anyhow::Result<Diagnosed> {
-        let recordings = paths.iter().map(|path| recorded(path)).collect::<Result<Vec<_>, _>>()?;
+    /// The recording of --confirm, where it is one that may judge these, and what is free in it.
+    fn other(&self, took_part: &[Recording]) -> anyhow::Result<Option<(Recording, Free)>> {
+        let Some(path) = &self.confirm else { return Ok(None) };
+        let free = Free::of(&self.free)?;
+        Ok(Some((other(recorded(path)?, self.channel.as_deref(), took_part)?, free)))
+    }
+
+    fn one(&self, paths: &[PathBuf], recordings: Vec<Recording>, console: &Console) -> anyhow::Result<Diagnosed> {
         let files = paths.iter().zip(&recordings).map(|(path, r)| (path.display().to_string(), r.sha256.clone())).collect();
         let request = self.request();
         let opened = open(recordings, &request)?;
@@ -99,7 +115,8 @@ impl Diagnose {
             if STOP.load(Ordering::Relaxed) {
                 break;
             }
-            let done = self.one(std::slice::from_ref(path), console).and_then(|diagnosed| {
+            let paths = std::slice::from_ref(path);
+            let done = read(paths).and_then(|read| self.one(paths, read, console)).and_then(|diagnosed| {
                 diagnosed.write(&self.output.join(&name))?;
                 Ok(diagnosed)
             });
@@ -133,11 +150,16 @@ impl Diagnose {
             effects: self.effects.clone(),
             conceal: self.conceal.clone(),
             channel: self.channel.clone(),
-            free: self.free.clone(),
+            // with one recording it is that of --confirm alone that has a gain or offset of its own
+            free: if self.confirm.is_some() && self.recordings.len() == 1 { Vec::new() } else { self.free.clone() },
             bank: self.bank.map(|n| n as usize),
             command: std::iter::once("truegap".to_owned()).chain(words).collect::<Vec<_>>().join(" "),
         }
     }
+}
+
+fn read(paths: &[PathBuf]) -> anyhow::Result<Vec<Recording>> {
+    paths.iter().map(|path| Ok(recorded(path)?)).collect()
 }
 
 fn outcome(diagnosed: &Diagnosed) -> Outcome {

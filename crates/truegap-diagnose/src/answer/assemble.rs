@@ -11,11 +11,13 @@ use crate::{
         findings::findings,
         found::Found,
         known::Known,
+        next::next,
         numbers::{augmented, noise, parameters},
         outcome::Outcome,
         prediction::{flexible, located, remains},
+        reference::{against, reference},
         traces::Traces,
-        words::{STOPPED, next, says},
+        words::{STOPPED, says},
     },
     data::error::{DiagnoseError, FEWEST_ROWS},
     explain::{conflicts::conflicts, locate::map},
@@ -40,6 +42,7 @@ pub(crate) fn outcome(
     let in_sample =
         in_sample(found, &before, &after).ok_or(DiagnoseError::TooFewRows { rows: before.len(), needed: FEWEST_ROWS })?;
     let fit = fit_facts(found, in_sample, unseen_before, unseen_after);
+    let reference = reference(found);
     let findings = findings(found, unseen_before, unseen_after);
     let with_mechanisms = model_of(found).map(|tried| match found.chosen().key() == tried.key() {
         true => unseen_after.clone(),
@@ -84,13 +87,16 @@ pub(crate) fn outcome(
         conflicts,
         mismatch: if found.decision.verdict == Verdict::Agrees { Vec::new() } else { located(found, base) },
         remains: if found.leaves_something() { remains(found, chosen) } else { Vec::new() },
-        findings,
         discovered: mechanisms,
         candidates: candidates(found),
         unmodelled: unmodelled(found),
         ambiguity: ambiguity(found),
+        reference_says: against(&reference, &fit, !findings.is_empty()),
+        reference,
         fit,
+        findings,
         prediction_only: term,
+        confirmation: None,
         not_testable,
         smallest_visible: smallest_visible(found),
         next_experiment: next(found),

@@ -8,6 +8,7 @@ use crate::{
         lack_of_fit::Adequacy,
     },
     answer::{
+        confirmation::Confirmed,
         discovered::DiscoveredFacts,
         fit_facts::{FitFacts, PredictionOnly},
         parameter_facts::ParameterFacts,
@@ -17,6 +18,7 @@ use crate::{
     },
     quality::notice::Notice,
     selection::{model_space::EvidenceCheck, verdict::Verdict},
+    validation::reference::Reference,
 };
 use serde::Serialize;
 
@@ -65,9 +67,17 @@ pub struct Diagnosis {
     pub ambiguity: Vec<Vec<String>>,
     /// errors before and after
     pub fit: FitFacts,
+    /// what a straight line and a smooth curve through the recorded inputs make of the same rows
+    pub reference: Vec<Reference>,
+    /// said where the straight line is better than the calibrated base model
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reference_says: Option<String>,
     /// a term that serves prediction where nothing may be named
     #[serde(skip_serializing_if = "Option::is_none")]
     pub prediction_only: Option<PredictionOnly>,
+    /// what a recording that took no part says of the findings, where one was given
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub confirmation: Option<Confirmed>,
     /// effects that this recording could not have shown
     pub not_testable: Vec<NotTestable>,
     /// per effect, the smallest size that would have been seen

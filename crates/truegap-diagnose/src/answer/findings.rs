@@ -3,14 +3,16 @@
 //! Limits: decides nothing; what is named here was decided in [`crate::selection::verdict`].
 
 use crate::{
-    answer::tuning::PLAINLY_SEEN,
+    answer::tuning::{NOTHING, PLAINLY_SEEN, SURE},
     answer::{
         diagnosis::{BeforeAfterUnit, Finding},
         errors::unseen,
         found::Found,
         numbers::{fitted, parameters},
     },
+    effects::sentence::{nothing_stands_out, sentence},
     selection::detectability::detectability,
+    text::significant,
     validation::cross_validation::{HeldOutFit, compared},
 };
 
@@ -28,16 +30,20 @@ fn finding(found: &Found<'_>, index: usize, before: &HeldOutFit, after: &HeldOut
     let of =
         |(place, effect): (usize, &usize)| (found.search.library[*effect].id(), fitted(found, chosen, model.range_of(place)));
     let beside: Vec<_> = chosen.effects.iter().enumerate().map(of).collect();
-    let sentence = found.search.library[effect].told(&fitted(found, chosen, own.clone()), found.search.context, &beside);
+    let sentence = sentence(found.search.library[effect], &fitted(found, chosen, own.clone()), found.search.context, &beside);
     let without = without(found, index);
     let both = compared(without.as_ref().unwrap_or(before), after);
     let rivals = found.decision.sets.get(index).map(|set| set.iter().filter(|e| **e != effect).map(|e| found.id(*e)).collect());
+    let probability = found.selection.effect_probability[effect];
     Finding {
         effect: found.id(effect),
-        probability: found.selection.effect_probability[effect],
-        says: match detectability < PLAINLY_SEEN {
-            true => format!("most consistent with: {sentence} (detectability {detectability:.1})"),
-            false => sentence,
+        probability,
+        says: match detectability {
+            d if d < NOTHING && probability > SURE => nothing_stands_out(&found.id(effect)),
+            d if d < PLAINLY_SEEN => {
+                format!("most consistent with: {sentence} (detectability {})", significant(d, 2))
+            }
+            _ => sentence,
         },
         detectability,
         parameters: parameters(found, chosen, own),

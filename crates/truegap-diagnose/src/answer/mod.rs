@@ -5,6 +5,7 @@
 pub(crate) mod alternatives;
 pub(crate) mod assemble;
 pub(crate) mod augmented;
+pub(crate) mod confirmation;
 pub(crate) mod diagnosis;
 pub(crate) mod discovered;
 pub(crate) mod errors;
@@ -12,10 +13,12 @@ pub(crate) mod findings;
 pub(crate) mod fit_facts;
 pub(crate) mod found;
 pub(crate) mod known;
+pub(crate) mod next;
 pub(crate) mod numbers;
 pub(crate) mod outcome;
 pub(crate) mod parameter_facts;
 pub(crate) mod prediction;
+pub(crate) mod reference;
 pub(crate) mod traces;
 pub(crate) mod tuning;
 pub(crate) mod words;
@@ -38,9 +41,11 @@ pub use crate::{
     fit::score_test::JointTest,
     quality::notice::{Notice, NoticeKind},
     selection::{model_space::EvidenceCheck, verdict::Verdict},
+    validation::reference::Reference,
 };
 pub(crate) use assemble::outcome;
 pub use augmented::{AddedEffect, Augmented, NamedValue, Scales, UnknownEffect};
+pub use confirmation::{Confirmation, Confirmed, Errors, ModelFacts, OtherFacts};
 pub use diagnosis::*;
 pub use discovered::DiscoveredFacts;
 pub use fit_facts::{BeforeAfter, FitFacts, FlexibleTerm, HeldOut, PredictionOnly, RecordingError};

@@ -50,12 +50,15 @@ pub(crate) fn augmented(found: &Found<'_>) -> Augmented {
     let chosen = found.chosen();
     let named = |f: FittedParameter| NamedValue { name: f.parameter.name, unit: f.parameter.unit, value: f.value, sd: f.sd };
     let model = found.search.model(&chosen.effects);
-    let effect = |(index, effect): (usize, &usize)| AddedEffect {
-        id: found.id(*effect),
-        parameters: fitted(found, chosen, model.range_of(index)).into_iter().map(named).collect(),
-        mechanism: found.search.library[*effect].words(),
-    };
     let context = found.search.context;
+    let effect = |(index, effect): (usize, &usize)| {
+        let numbers = found.search.library[*effect].of_first(fitted(found, chosen, model.range_of(index)), context);
+        AddedEffect {
+            id: found.id(*effect),
+            parameters: numbers.into_iter().map(named).collect(),
+            mechanism: found.search.library[*effect].words(),
+        }
+    };
     let count = model.base_count();
     // of several recordings, the model of the first one's sensor
     let joined = found.search.problem.simulator.joined();

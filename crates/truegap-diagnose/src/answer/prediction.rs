@@ -9,11 +9,13 @@ use crate::{
         found::Found,
         numbers::{fitted, parameters},
     },
+    effects::sentence::sentence,
     explain::locate::{Mismatch, locate},
     selection::{
         candidates::Tried,
         verdict::{Verdict, stated},
     },
+    text::two,
     validation::cross_validation::{HeldOutFit, compared, misfit_removed},
 };
 
@@ -41,11 +43,15 @@ pub(crate) fn flexible(found: &Found<'_>, base: &[f64], before: &HeldOutFit) -> 
     let prediction = respond(found, tried).ok()?;
     let in_sample = in_sample(found, base, &prediction)?;
     let unit = found.search.problem.simulator.unit();
+    let pair = |before: f64, after: f64| {
+        let (before, after) = two(before, after, unit);
+        format!("{before} to {after}")
+    };
     let facts = PredictionOnly {
         says: format!(
-            "for prediction only, without a claim about the cause: a flexible term brings the error from {:.3} to {:.3} {unit}, on rows left out \
-             from {rmse_before:.3} to {rmse_after:.3} {unit}",
-            in_sample.rmse_before, in_sample.rmse_after,
+            "for prediction only, without a claim about the cause: a flexible term brings the error from {}, on rows left out from {}",
+            pair(in_sample.rmse_before, in_sample.rmse_after),
+            pair(rmse_before, rmse_after)
         ),
         terms: terms(found, tried),
         in_sample,
@@ -74,7 +80,7 @@ fn terms(found: &Found<'_>, tried: &Tried) -> Vec<FlexibleTerm> {
     let model = found.search.model(&tried.effects);
     let term = |(index, effect): (usize, &usize)| FlexibleTerm {
         shaped_like: found.id(*effect),
-        says: found.search.library[*effect].told(&fitted(found, tried, model.range_of(index)), found.search.context, &[]),
+        says: sentence(found.search.library[*effect], &fitted(found, tried, model.range_of(index)), found.search.context, &[]),
         parameters: parameters(found, tried, model.range_of(index)),
     };
     tried.effects.iter().enumerate().map(term).collect()

@@ -25,3 +25,12 @@ pub(crate) const CLEAR_LINE: f64 = 1e-6;
 
 /// Rivals of the likeliest model that the next experiment is to tell it from.
 pub(crate) const MOST_RIVALS: usize = 3;
+
+/// Share of a model's probability up to which another one is excluded: the odds at which a verdict has no rival.
+pub(crate) const NOT_EXCLUDED: f64 = 0.05;
+
+/// Detectability below which nothing of an effect stands out of the noise: less than one standard deviation.
+pub(crate) const NOTHING: f64 = 1.0;
+
+/// Probability from which a detectability below [`NOTHING`] contradicts it: what a named effect must have.
+pub(crate) const SURE: f64 = 0.9;

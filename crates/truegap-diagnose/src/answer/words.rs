@@ -1,37 +1,18 @@
-//! The verdict as a sentence, and what to do next.
+//! The verdict as a sentence.
 //!
 //! Limits: decides nothing.
 
 use crate::{
-    answer::tuning::{CLEAR_LINE, MOST_RIVALS, NEARLY},
+    answer::tuning::{CLEAR_LINE, NEARLY},
     answer::{
         alternatives::{ambiguity, says_of},
         diagnosis::Finding,
         found::Found,
     },
     effects::memory::elapsed_s,
-    explain::next_experiment::{NextExperiment, next_experiment},
-    selection::{
-        candidates::Tried,
-        verdict::{Decision, Verdict},
-    },
+    selection::verdict::{Decision, Verdict},
     text::share_left,
 };
-
-/// What to do where a tone or bursts are in the reading.
-const LISTEN: &str = "record again at another sampling rate, with leads shielded and what switches nearby turned off: \
-    interference moves to another frequency or goes, what the sensor makes stays";
-
-/// What to do where the recording may not be trusted.
-const REPAIR_IT: &str = "repair what the notices name, and diagnose the recording again";
-
-/// What to do where an input is missing.
-const RECORD_IT: &str =
-    "record what moves slowly beside the sensor: temperature, humidity, supply voltage, the state of the fixture";
-
-/// What to do where all agrees.
-const WIDEN_IT: &str =
-    "nothing is missing that this recording could show; widen the range of load, temperature and time to see more";
 
 /// Said first among the doubts where the search was stopped.
 pub(crate) const STOPPED: &str =
@@ -133,21 +114,4 @@ fn interference(found: &Found<'_>) -> Option<String> {
 fn nearest_unmodelled(found: &Found<'_>) -> String {
     let nearest = found.selection.unmodelled.first().filter(|(u, _)| u.gain > NEARLY);
     nearest.map_or_else(String::new, |(u, _)| format!("; of what lies outside it, nearest is that {}", says_of(found, u)))
-}
-
-/// What to measure next.
-pub(crate) fn next(found: &Found<'_>) -> NextExperiment {
-    let only = |says: &str| NextExperiment { says: says.into(), ..NextExperiment::default() };
-    match &found.reserved {
-        Some(reserved) if reserved.input_missing => return only(RECORD_IT),
-        Some(_) => return only(REPAIR_IT),
-        None if found.is_about_interference() => return only(LISTEN),
-        None => {}
-    }
-    let models = &found.selection.models;
-    let best = models.iter().find(|m| !m.effects.is_empty()).filter(|_| found.decision.verdict != Verdict::Agrees);
-    let Some(best) = best else { return only(WIDEN_IT) };
-    let is_rival = |m: &&Tried| m.key() != best.key() && m.effects.len() <= best.effects.len();
-    let rivals: Vec<&Tried> = models.iter().filter(is_rival).take(MOST_RIVALS).collect();
-    next_experiment(found.search, best, &rivals)
 }

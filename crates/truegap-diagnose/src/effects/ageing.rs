@@ -6,7 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::elapsed_s,
     },
-    text::with_sd,
+    text::percent_with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
 
@@ -97,9 +97,6 @@ impl Effect for Ageing {
         Some(Box::new(Diffusion(clock(values))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!(
-            "the modulus drifts with the clock, by {} in the first hour",
-            with_sd(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%")
-        )
+        format!("the modulus drifts with the clock, by {} in the first hour", percent_with_sd(fitted[0].value, fitted[0].sd))
     }
 }

@@ -6,6 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         foreseen::{share, stage},
     },
+    text::with_sd,
 };
 use std::sync::Arc;
 use truegap_core::{Corrections, Dielectric, Drive, EffectId, FieldView, Parameter, Stage, simulator::StageName};
@@ -115,8 +116,8 @@ impl Effect for BondedLayers {
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(
-            "beads and insulators are bonded to their neighbours: {:.2} (sd {:.2}) of what finite elements compute for this sensor, where 0 is sliding and 1 is bonded",
-            fitted[0].value, fitted[0].sd
+            "beads and insulators are bonded to their neighbours: {} of what finite elements compute for this sensor, where 0 is sliding and 1 is bonded",
+            with_sd(fitted[0].value, fitted[0].sd, "1")
         )
     }
 }

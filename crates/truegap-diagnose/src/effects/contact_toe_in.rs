@@ -3,6 +3,7 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter},
+    text::{percent_of, percent_with_sd},
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
@@ -82,10 +83,9 @@ impl Effect for ContactToeIn {
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(
-            "{:.1} % of the beads (sd {:.1}) have no contact at zero load; two thirds of them touch by {:.1} % of the full load",
-            100.0 * fitted[0].value,
-            100.0 * fitted[0].sd,
-            100.0 * fitted[1].value
+            "{} of the beads have no contact at zero load; two thirds of them touch by {} of the full load",
+            percent_with_sd(fitted[0].value, fitted[0].sd),
+            percent_of(fitted[1].value)
         )
     }
 }

@@ -3,6 +3,7 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter, Separation},
+    text::percent_with_sd,
 };
 use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
 
@@ -63,10 +64,6 @@ impl Effect for DeadGap {
         Some(Box::new(Film(values[0])))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!(
-            "a gap of {:.2} % of the unloaded one (sd {:.2}) lies in series and never closes",
-            100.0 * fitted[0].value,
-            100.0 * fitted[0].sd
-        )
+        format!("a gap of {} of the unloaded one lies in series and never closes", percent_with_sd(fitted[0].value, fitted[0].sd))
     }
 }

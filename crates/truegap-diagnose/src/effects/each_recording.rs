@@ -48,6 +48,22 @@ fn apart(values: &[f64], count: usize) -> Vec<Vec<f64>> {
     values[1..].chunks(own.max(1)).map(of).collect()
 }
 
+impl<E: Effect> EachRecording<E> {
+    /// The numbers of recording `k` (from 0), of which each has `own`, under the names that one recording alone would give them.
+    fn of(&self, fitted: &[FittedParameter], k: usize, own: usize) -> Vec<FittedParameter> {
+        let mut numbers = fitted[1 + k * own..1 + (k + 1) * own].to_vec();
+        let (size, factor) = (&fitted[0], &numbers[0]);
+        let at_limit = factor.at_limit || size.at_limit;
+        numbers[0] =
+            FittedParameter { value: size.value * factor.value, sd: size.value.abs() * factor.sd, at_limit, ..size.clone() };
+        let suffix = format!("_{}", k + 1);
+        for number in &mut numbers[1..] {
+            number.parameter.name = number.parameter.name.trim_end_matches(&suffix).to_owned();
+        }
+        numbers
+    }
+}
+
 impl<E: Effect> Effect for EachRecording<E> {
     fn id(&self) -> EffectId {
         self.inner.id()
@@ -69,6 +85,13 @@ impl<E: Effect> Effect for EachRecording<E> {
     }
     fn zero_course(&self) -> ZeroCourse {
         self.inner.zero_course()
+    }
+    fn of_recorder(&self) -> bool {
+        true
+    }
+    fn of_first(&self, fitted: Vec<FittedParameter>, context: &Context<'_>) -> Vec<FittedParameter> {
+        let count = runs_before(context).len();
+        if count == 0 { fitted } else { self.of(&fitted, 0, (fitted.len() - 1) / count) }
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let own = self.inner.parameters(context);
@@ -122,16 +145,8 @@ impl<E: Effect> Effect for EachRecording<E> {
             return self.inner.told(fitted, context, beside);
         }
         let own = (fitted.len() - 1) / count;
-        let of = |(k, chunk): (usize, &[FittedParameter])| {
-            let mut values = chunk.to_vec();
-            values[0] = FittedParameter {
-                value: fitted[0].value * chunk[0].value,
-                sd: fitted[0].value.abs() * chunk[0].sd,
-                ..fitted[0].clone()
-            };
-            format!("in recording {}, {}", k + 1, self.inner.says(&values))
-        };
-        let said: Vec<String> = fitted[1..].chunks(own.max(1)).enumerate().map(of).collect();
+        let of = |k: usize| format!("in recording {}, {}", k + 1, self.inner.says(&self.of(fitted, k, own)));
+        let said: Vec<String> = (0..count).map(of).collect();
         listed(&said, "and")
     }
 }

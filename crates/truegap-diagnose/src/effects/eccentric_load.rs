@@ -6,6 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         scale::full_strain,
     },
+    text::percent_with_sd,
 };
 use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
 
@@ -110,10 +111,6 @@ impl Effect for EccentricLoad {
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let arm = fitted[0].value.max(0.0).sqrt();
         let sd = if arm > 0.0 { fitted[0].sd / (2.0 * arm) } else { fitted[0].sd.sqrt() };
-        format!(
-            "the load acts off centre, by {:.1} % of the radius (sd {:.1}), and tilts the plate as it comes down",
-            100.0 * arm,
-            100.0 * sd
-        )
+        format!("the load acts off centre, by {} of the radius, and tilts the plate as it comes down", percent_with_sd(arm, sd))
     }
 }

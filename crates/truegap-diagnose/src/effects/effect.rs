@@ -112,6 +112,14 @@ pub trait Effect: Send + Sync {
     fn free_form(&self) -> bool {
         false
     }
+    /// Whether it belongs to what recorded and not to what was recorded, as a clock does: its numbers mean nothing in another recording.
+    fn of_recorder(&self) -> bool {
+        false
+    }
+    /// Its numbers in the first of several recordings, from those fitted to all; the same where all have them in common.
+    fn of_first(&self, fitted: Vec<FittedParameter>, _context: &Context<'_>) -> Vec<FittedParameter> {
+        fitted
+    }
     /// Id of the effect that it changes, beside which alone it means something: a changed coefficient needs the coefficient.
     fn beside(&self, _context: &Context<'_>) -> Option<&'static str> {
         None

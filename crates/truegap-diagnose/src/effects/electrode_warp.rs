@@ -3,6 +3,7 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter},
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
 
@@ -69,8 +70,8 @@ impl Effect for ElectrodeWarp {
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(
-            "the electrode warps with temperature, by {:.2} (sd {:.2}) of the curvature of a free bimetal",
-            fitted[0].value, fitted[0].sd
+            "the electrode warps with temperature, by {} of the curvature of a free bimetal",
+            with_sd(fitted[0].value, fitted[0].sd, "1")
         )
     }
 }

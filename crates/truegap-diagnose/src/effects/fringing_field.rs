@@ -3,6 +3,7 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter, Separation},
+    text::with_sd,
 };
 use std::f64::consts::PI;
 use truegap_core::{Drive, EffectId, FieldView, Parameter, Stage, simulator::StageName};
@@ -87,8 +88,8 @@ impl Effect for FringingField {
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(
-            "the field outside the plates is missing: {:.2} (sd {:.2}) times that of two bare discs",
-            fitted[0].value, fitted[0].sd
+            "the field outside the plates is missing: {} times that of two bare discs",
+            with_sd(fitted[0].value, fitted[0].sd, "1")
         )
     }
 }

@@ -6,6 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         foreseen::{share, stage},
     },
+    text::with_sd,
 };
 use std::sync::Arc;
 use truegap_core::{Corrections, Drive, EffectId, FieldView, Geometry, Parameter, Stage, simulator::StageName};
@@ -100,8 +101,8 @@ impl Effect for HeldWarp {
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(
-            "the beads hold the warping electrode: {:.2} (sd {:.2}), where 0 is the base model's electrode and 1 one on bonded beads as finite elements compute it",
-            fitted[0].value, fitted[0].sd
+            "the beads hold the warping electrode: {}, where 0 is the base model's electrode and 1 one on bonded beads as finite elements compute it",
+            with_sd(fitted[0].value, fitted[0].sd, "1")
         )
     }
 }

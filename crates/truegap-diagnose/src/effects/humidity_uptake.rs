@@ -8,7 +8,7 @@ use crate::{
         permittivity_temperature::has_insulator,
         scale,
     },
-    text::rounded,
+    text::{percent_with_sd, rounded},
 };
 use truegap_core::{Dielectric, Drive, EffectId, Parameter, Stage, simulator::StageName};
 
@@ -116,9 +116,8 @@ impl Effect for HumidityUptake {
         let delay =
             if tau.value > 2.0 * tau.sd { format!(", with a delay of {}", rounded(tau.value, "s")) } else { String::new() };
         format!(
-            "the dielectric takes up water: its permittivity grows by {:.2} ppm per per cent of relative humidity (sd {:.2}){delay}",
-            1e6 * size.value,
-            1e6 * size.sd
+            "the dielectric takes up water: its permittivity grows by {} per per cent of relative humidity{delay}",
+            percent_with_sd(size.value, size.sd)
         )
     }
 }

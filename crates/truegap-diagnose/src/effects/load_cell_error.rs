@@ -6,6 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter, Separation},
         memory::play_set,
     },
+    text::percent_with_sd,
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
@@ -111,10 +112,6 @@ impl Effect for LoadCellError {
         Some(Box::new(Sine(cell(values))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!(
-            "the load cell errs by {:.3} % of full load at half load (sd {:.3})",
-            100.0 * fitted[0].value,
-            100.0 * fitted[0].sd
-        )
+        format!("the load cell errs by {} of full load at half load", percent_with_sd(fitted[0].value, fitted[0].sd))
     }
 }

@@ -6,6 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::greatest_so_far,
     },
+    text::percent_with_sd,
 };
 use statrs::function::erf::erf;
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
@@ -108,9 +109,8 @@ impl Effect for MullinsSoftening {
         let full = fitted[0].value * unloaded;
         let share = if fitted[0].value > 0.0 { full / fitted[0].value } else { 0.0 };
         format!(
-            "after its first loading the dielectric is softer for good: {:.2} % (sd {:.2}) once the full load has been borne",
-            100.0 * full,
-            100.0 * fitted[0].sd * share
+            "after its first loading the dielectric is softer for good: {} once the full load has been borne",
+            percent_with_sd(full, fitted[0].sd * share)
         )
     }
 }

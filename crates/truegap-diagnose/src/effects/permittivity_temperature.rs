@@ -6,6 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         scale,
     },
+    text::{rounded, with_sd},
 };
 use truegap_core::{Dielectric, Drive, EffectId, Parameter, Stage, simulator::StageName};
 
@@ -128,13 +129,14 @@ impl Effect for PermittivityTemperature {
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let values: Vec<f64> = fitted.iter().map(|f| f.value).collect();
         let ppm = Coefficients::new(&values);
-        let (beads, insulator) = (1e6 * ppm.beads_per_k, 1e6 * ppm.insulator_per_k);
         if values.len() == 1 {
-            return format!("the permittivity changes by {beads:.0} ppm/K (sd {:.0})", 1e6 * fitted[0].sd);
+            return format!("the permittivity changes by {}", with_sd(ppm.beads_per_k, fitted[0].sd, "1/K"));
         }
         format!(
-            "permittivities change with temperature: insulator {insulator:.1} ppm/K, beads {beads:.0} ppm/K (sd of their sum as seen by the insulator {:.1})",
-            1e6 * fitted[0].sd
+            "permittivities change with temperature: insulator {}, beads {} (sd of their sum as seen by the insulator {})",
+            rounded(ppm.insulator_per_k, "1/K"),
+            rounded(ppm.beads_per_k, "1/K"),
+            rounded(fitted[0].sd, "1/K")
         )
     }
 }

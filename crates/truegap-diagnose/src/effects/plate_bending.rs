@@ -3,6 +3,7 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter},
+    text::{percent_with_sd, significant},
 };
 use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
 
@@ -96,11 +97,10 @@ impl Effect for PlateBending {
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let way = if fitted[0].value < 0.0 { "down against" } else { "up above" };
         format!(
-            "the electrodes bend under load: at full load the rim has come {way} the centre by {:.2} % of the gap (sd {:.2}), and the gap closes by {:.2} of that \
+            "the electrodes bend under load: at full load the rim has come {way} the centre by {} of the gap, and the gap closes by {} of that \
              between the beads",
-            100.0 * fitted[0].value.abs(),
-            100.0 * fitted[0].sd,
-            fitted[1].value * fitted[0].value.signum()
+            percent_with_sd(fitted[0].value.abs(), fitted[0].sd),
+            significant(fitted[1].value * fitted[0].value.signum(), 2)
         )
     }
 }

@@ -7,6 +7,7 @@ use crate::{
         memory::{Play, play_set, walk},
         scale::full_strain,
     },
+    text::{percent_of, percent_with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
 
@@ -109,10 +110,9 @@ impl Effect for RateIndependentHysteresis {
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(
-            "loading and unloading differ at any speed: friction holds back {:.2} % of the full load (sd {:.2}), reversed within {:.0} % of it after a turn",
-            100.0 * fitted[0].value,
-            100.0 * fitted[0].sd,
-            200.0 * fitted[1].value
+            "loading and unloading differ at any speed: friction holds back {} of the full load, reversed within {} of it after a turn",
+            percent_with_sd(fitted[0].value, fitted[0].sd),
+            percent_of(2.0 * fitted[1].value)
         )
     }
 }

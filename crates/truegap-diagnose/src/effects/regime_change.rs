@@ -8,7 +8,7 @@ use crate::{
         memory::elapsed_s,
     },
     stats::spread,
-    text::{rounded, with_sd},
+    text::{percent_with_sd, rounded, significant, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -273,7 +273,7 @@ fn said(fitted: &[FittedParameter], of: &str, before: Option<&FittedParameter>) 
         // a change that takes long is not known better than to its own length
         format!("{} after the first row", with_sd(when.value, when.sd.max(0.3 * takes.value), "s"))
     } else {
-        format!("at row {:.0} (sd {:.0})", when.value, when.sd)
+        format!("at about row {}", significant(when.value.round(), 4))
     };
     let unit = change.parameter.unit.as_str();
     let by = with_sd(change.value, change.sd, unit);
@@ -281,7 +281,7 @@ fn said(fitted: &[FittedParameter], of: &str, before: Option<&FittedParameter>) 
         return format!("something is switched {at}: the zero changes by {by}");
     }
     if unit == "1" {
-        let by = with_sd(100.0 * change.value, 100.0 * change.sd, "%");
+        let by = percent_with_sd(change.value, change.sd);
         return format!("something is switched {at}: the gain changes by {by}");
     }
     let old = before.map_or(0.0, |before| before.value);

@@ -6,6 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         foreseen::{share, stage},
     },
+    text::with_sd,
 };
 use std::sync::Arc;
 use truegap_core::{Corrections, Drive, EffectId, FieldView, Parameter, Stage, simulator::StageName};
@@ -88,8 +89,8 @@ impl Effect for RimField {
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(
-            "the field at the rims of disc and tail is missing: {:.2} (sd {:.2}) of what finite elements compute for this sensor",
-            fitted[0].value, fitted[0].sd
+            "the field at the rims of disc and tail is missing: {} of what finite elements compute for this sensor",
+            with_sd(fitted[0].value, fitted[0].sd, "1")
         )
     }
 }

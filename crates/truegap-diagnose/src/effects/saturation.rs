@@ -4,7 +4,7 @@ use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter},
     stats::spread,
-    text::with_sd,
+    text::{percent_of, percent_with_sd, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -110,10 +110,9 @@ impl Effect for Saturation {
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(
-            "the reading saturates: above {:.1} % of its span it loses {:.1} % of its slope (sd {:.1})",
-            100.0 * fitted[1].value,
-            100.0 * fitted[0].value,
-            100.0 * fitted[0].sd
+            "the reading saturates: above {} of its span it loses {} of its slope",
+            percent_of(fitted[1].value),
+            percent_with_sd(fitted[0].value, fitted[0].sd)
         )
     }
     fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {

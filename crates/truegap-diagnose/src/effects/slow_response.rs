@@ -7,7 +7,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::first_order_lag,
     },
-    text::with_sd,
+    text::{percent_of, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -64,7 +64,7 @@ pub(crate) fn time_constants(fitted: &[FittedParameter]) -> String {
     let quick = tau / (1.0 - share + share * slower);
     let apart = if share > SPOKEN_OF * fitted[1].sd {
         let [fast, slow] = [quick, slower * quick].map(|s| crate::text::rounded(s, "s"));
-        format!(": {:.0} % of a change with {fast}, the rest with {slow}", 100.0 * (1.0 - share))
+        format!(": {} of a change with {fast}, the rest with {slow}", percent_of(1.0 - share))
     } else {
         String::new()
     };

@@ -3,6 +3,7 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter},
+    text::percent_with_sd,
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
@@ -79,9 +80,8 @@ impl Effect for StrainStiffening {
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(
-            "the dielectric stiffens as it is compressed: {:.1} % more stress (sd {:.1}) at a strain of 0.2 than a linear one",
-            100.0 * fitted[0].value,
-            100.0 * fitted[0].sd
+            "the dielectric stiffens as it is compressed: {} more stress at a strain of 0.2 than a linear one",
+            percent_with_sd(fitted[0].value, fitted[0].sd)
         )
     }
 }

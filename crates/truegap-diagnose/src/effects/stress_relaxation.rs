@@ -6,7 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::{Lag, walk},
     },
-    text::{rounded, with_sd},
+    text::{percent_with_sd, rounded, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -129,8 +129,8 @@ impl Effect for StressRelaxation {
             format!("a time constant of {}", with_sd(tau, fitted[1].sd, "s"))
         };
         format!(
-            "the reading relaxes: a sudden change overshoots by {} % and fades with {over}",
-            with_sd(100.0 * share.value, 100.0 * share.sd, "1")
+            "the reading relaxes: a sudden change overshoots by {} and fades with {over}",
+            percent_with_sd(share.value, share.sd)
         )
     }
 }

@@ -3,7 +3,7 @@
 use crate::{
     data::context::Context,
     effects::effect::{About, Effect, Family, FittedParameter},
-    text::with_sd,
+    text::{percent_with_sd, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -91,7 +91,7 @@ impl Effect for TemperatureCoefficient {
         let (slope, bend) = (&fitted[0], &fitted[1]);
         let bent = if bend.value.abs() > SPOKEN_OF * bend.sd {
             let way = if bend.value > 0.0 { "more" } else { "less" };
-            format!(", {} {way} with every kelvin", with_sd(100.0 * bend.value.abs(), 100.0 * bend.sd, "%"))
+            format!(", {} {way} with every kelvin", percent_with_sd(bend.value.abs(), bend.sd))
         } else {
             String::new()
         };

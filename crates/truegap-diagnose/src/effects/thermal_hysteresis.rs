@@ -6,6 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::{Play, play_set, walk},
     },
+    text::{percent_with_sd, rounded, with_sd},
 };
 use truegap_core::{Drive, EffectId, Geometry, Parameter, Stage, simulator::StageName};
 
@@ -133,17 +134,15 @@ impl Effect for ThermalHysteresis {
         let (size, width) = (&fitted[0], fitted[1].value);
         if size.parameter.unit == "K" {
             return format!(
-                "heating and cooling differ however slow: the warp is {:.2} K behind (sd {:.2}), reversed within {:.1} K of a turn",
-                size.value,
-                size.sd,
-                2.0 * width
+                "heating and cooling differ however slow: the warp is {} behind, reversed within {} of a turn",
+                with_sd(size.value, size.sd, "K"),
+                rounded(2.0 * width, "K")
             );
         }
         format!(
-            "heating and cooling differ however slow: the gap by {:.4} % (sd {:.4}) either way, reversed within {:.1} K of a turn",
-            100.0 * size.value,
-            100.0 * size.sd,
-            2.0 * width
+            "heating and cooling differ however slow: the gap by {} either way, reversed within {} of a turn",
+            percent_with_sd(size.value, size.sd),
+            rounded(2.0 * width, "K")
         )
     }
 }

@@ -6,7 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::{Lag, walk},
     },
-    text::with_sd,
+    text::{percent_with_sd, with_sd},
 };
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
@@ -102,7 +102,7 @@ impl Effect for TrappedAirStiffness {
 }
 
 fn share(fitted: &[FittedParameter]) -> String {
-    with_sd(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%")
+    percent_with_sd(fitted[0].value, fitted[0].sd)
 }
 
 fn time_constant(fitted: &[FittedParameter]) -> String {

@@ -6,7 +6,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::{Lag, walk},
     },
-    text::with_sd,
+    text::{percent_with_sd, significant, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
 
@@ -136,12 +136,12 @@ impl Effect for ViscoelasticCreep {
 const MOSTLY: f64 = 0.5;
 
 fn growth(fitted: &[FittedParameter], of: &str) -> String {
-    let size = with_sd(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%");
+    let size = percent_with_sd(fitted[0].value, fitted[0].sd);
     match (fitted.get(3), fitted.get(4)) {
         (Some(single), Some(tau)) if single.value > MOSTLY => {
             format!("by {size} {of}, with a time constant of {}", with_sd(tau.value, tau.sd, "s"))
         }
-        _ => format!("by {size} {of} in the first minute of a hold, as t^{:.2}", fitted[1].value),
+        _ => format!("by {size} {of} in the first minute of a hold, as t^{}", significant(fitted[1].value, 2)),
     }
 }
 

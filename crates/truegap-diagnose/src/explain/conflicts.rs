@@ -6,7 +6,7 @@ use crate::{
     data::context::load_column,
     fit::optimum::Fit,
     selection::candidates::{Search, Tried},
-    text::{significant, two, uncapitalised},
+    text::{deviations, significant, two, uncapitalised},
 };
 use nalgebra::{Cholesky, DMatrix, DVector};
 use serde::Serialize;
@@ -49,7 +49,7 @@ fn pushed(parameter: &Parameter, z: f64, value: f64) -> String {
     let verb = if z < 0.0 { "fall" } else { "rise" };
     let share = 100.0 * (value / parameter.centre() - 1.0).abs();
     let share = if share.is_finite() && share < 1e3 { format!(" (by {} %)", significant(share, 3)) } else { String::new() };
-    let off = significant(z.abs(), 2);
+    let off = deviations(z.abs());
     format!(
         "to fit, the {} ({}) must {verb} from {known} to {wanted}{share}, {off} standard deviations of what is known of it",
         uncapitalised(&parameter.meaning),
@@ -62,7 +62,7 @@ const TOLD: f64 = 8.0;
 
 /// `the height (height_rtv) would be 161 µm at small loads but 163 µm at large loads, 6.2 standard deviations apart`.
 fn differs(p: &Parameter, regime: &Regime, [first, second]: [f64; 2], z: f64) -> String {
-    let (name, apart) = (format!("the {} ({})", uncapitalised(&p.meaning), p.name), significant(z.abs(), 2));
+    let (name, apart) = (format!("the {} ({})", uncapitalised(&p.meaning), p.name), deviations(z.abs()));
     let values = [first, second].map(|z| p.prior.at(z));
     let told = |z: f64, value: f64| z.abs() < TOLD && (p.bounds.0..=p.bounds.1).contains(&value);
     if !(told(first, values[0]) && told(second, values[1])) {
@@ -146,6 +146,9 @@ fn by_recording(joined: &dyn Joined, inputs: &Inputs) -> Vec<Regime> {
     (first..count.min(RECORDINGS)).map(against).collect()
 }
 
+/// Variance, in units of the prior's, from which a part of a recording says next to nothing of a parameter.
+const UNTOLD: f64 = 0.9;
+
 /// Optimum and variances of each part, one straight step from the common fit: (z, variance) twice.
 type Parted = (Vec<f64>, Vec<f64>);
 
@@ -188,9 +191,13 @@ fn part(fit: &Fit, gram: &DMatrix<f64>, gradient: &DVector<f64>) -> Option<Parte
 /// Standard deviations between the two optima of a parameter.
 ///
 /// Both shrink towards the prior they have in common: for a parameter drawn from it, two optima with posterior variances a and b differ by
-/// a (1 - b) + b (1 - a). A part that says nothing of the parameter (variance 1) cannot contradict the other.
+/// a (1 - b) + b (1 - a). A part that says nothing of the parameter (variance 1) cannot contradict the other, and where neither says anything there is nothing to
+/// compare: what is left of the formula is rounding.
 fn apart(first: &Parted, second: &Parted, index: usize) -> f64 {
     let (a, b) = (first.1[index].min(1.0), second.1[index].min(1.0));
+    if a.min(b) > UNTOLD {
+        return 0.0;
+    }
     (second.0[index] - first.0[index]) / (a * (1.0 - b) + b * (1.0 - a)).max(1e-18).sqrt()
 }
 
@@ -212,6 +219,14 @@ mod tests {
             says.contains("must rise from 0 fF to 1.50 pF, 5.0 standard") || says.contains("from 0 pF to 1.50 pF,"),
             "{says}"
         );
+    }
+
+    /// The zero of recording 2 against recording 1, which neither of them tells by itself: 0.006 of its prior apart, and rounding of the variances is no proof.
+    #[test]
+    fn what_neither_part_tells_is_no_conflict() {
+        let part = |z: f64, variance: f64| (vec![z], vec![variance]);
+        assert_eq!(apart(&part(6e-8, 1.0), &part(0.0066, 1.0 + 1e-12), 0), 0.0);
+        assert_eq!(apart(&part(0.0, 1.0), &part(3.0, 1e-4), 0), 3.0 / (1.0f64 - 1e-4).sqrt());
     }
 
     #[test]

@@ -5,4 +5,6 @@
 pub(crate) mod conflicts;
 pub(crate) mod hidden_input;
 pub(crate) mod locate;
+pub(crate) mod narrowing;
 pub(crate) mod next_experiment;
+pub(crate) mod play;

@@ -1,14 +1,16 @@
-//! What to measure next: profiles and instrument changes, ranked by how well they separate what survived.
+//! What to measure next: profiles and instrument changes, ranked by how well they separate what the recording has not excluded.
 //!
 //! Limits: separation is judged at the fitted numbers, with the rival's parameters free again within what is known by then.
 
 use crate::{
     effects::effect::{Effect, Separation},
+    explain::play::{load_role, separation},
     selection::candidates::{Search, Tried},
+    text::significant,
 };
 use serde::Serialize;
 use std::collections::BTreeSet;
-use truegap_core::{Inputs, Role, Stage};
+use truegap_core::{Inputs, Role};
 
 /// What to measure next.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -26,8 +28,11 @@ pub struct NextExperiment {
 pub struct ExperimentOption {
     /// what to do
     pub says: String,
-    /// standard deviations between the survivors after it
+    /// standard deviations between the survivors after it; 0 where there is one survivor
     pub separation: f64,
+    /// share of the error of the least sure number that it leaves, where there is one survivor
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error_left: Option<f64>,
     /// hours that it takes
     pub hours: f64,
     /// built-in profile that `truegap simulate --profile` plays, where there is one
@@ -43,6 +48,10 @@ pub struct Profile {
     pub name: &'static str,
     /// what to do
     pub says: &'static str,
+    /// whether it moves the temperature
+    heats: bool,
+    /// whether it moves the load
+    loads: bool,
     points: fn(f64) -> Points,
 }
 
@@ -51,27 +60,43 @@ pub const PROFILES: [Profile; 6] = [
     Profile {
         name: "long-hold",
         says: "hold half load for two hours, unload, watch the recovery for half an hour",
+        heats: false,
+        loads: true,
         points: long_hold,
     },
     Profile {
         name: "rates",
         says: "load and unload at rates a hundred apart (0.05 s to 5 min a ramp), five times each",
+        heats: false,
+        loads: true,
         points: rates,
     },
     Profile {
         name: "staircase",
         says: "staircase up and down with two-minute steps, then the same once more",
+        heats: false,
+        loads: true,
         points: staircase,
     },
     Profile {
         name: "thermal-sweep-unloaded",
         says: "heat from 20 to 50 degC and cool again without load, once in 10 min and once in 2 h",
+        heats: true,
+        loads: false,
         points: thermal_unloaded,
     },
-    Profile { name: "thermal-sweep-loaded", says: "the same thermal sweep at full load", points: thermal_loaded },
+    Profile {
+        name: "thermal-sweep-loaded",
+        says: "heat from 20 to 50 degC and cool again at full load, once in 10 min and once in 2 h",
+        heats: true,
+        loads: true,
+        points: thermal_loaded,
+    },
     Profile {
         name: "overnight",
         says: "leave the sensor alone for twelve hours, with one load cycle every hour",
+        heats: false,
+        loads: true,
         points: overnight,
     },
 ];
@@ -147,43 +172,88 @@ fn overnight(t: f64) -> Points {
 const CERTAIN: f64 = 20.0;
 /// Hours that an instrument change is taken to need.
 const REBUILD_H: f64 = 1.0;
+/// Standard deviations beyond which more of them are worth no more.
+const ENOUGH: f64 = 30.0;
+/// Standard deviations below which two models are not told apart.
+const TOLD: f64 = 3.0;
 
-/// Ranks what would tell `best` from `rivals`.
+/// The built-in profiles that this base model could answer to, each with what it would do.
+pub(crate) fn playable(search: &Search<'_>) -> Vec<(ExperimentOption, Inputs)> {
+    let simulator = search.problem.simulator;
+    let thermometer = search.context.temperature_range.is_some();
+    let possible = |p: &&Profile| (thermometer || !p.heats) && (simulator.full_load().is_some() || !p.loads);
+    PROFILES.iter().filter(possible).map(|profile| (option(profile), played(search, profile))).collect()
+}
+
+fn option(profile: &Profile) -> ExperimentOption {
+    let (first, last) = ends(profile);
+    ExperimentOption {
+        says: profile.says.into(),
+        separation: 0.0,
+        error_left: None,
+        hours: (last - first) / 3600.0,
+        profile: Some(profile.name.into()),
+    }
+}
+
+/// The inputs of a profile for this base model.
+fn played(search: &Search<'_>, profile: &Profile) -> Inputs {
+    let simulator = search.problem.simulator;
+    let full = simulator.full_load().unwrap_or(0.0);
+    let mut inputs = inputs(profile, full, load_role(search), search.context.reference_c);
+    if simulator.joined().is_some() {
+        // runs that no recording holds are played on the first recording's sensor
+        let last = search.problem.inputs.run.iter().copied().max().unwrap_or(0);
+        inputs.run.iter_mut().for_each(|run| *run += last);
+    }
+    inputs
+}
+
+/// Options by what they bring for the square root of their hours, the best first.
+pub(crate) fn by_worth(mut options: Vec<ExperimentOption>, brings: impl Fn(&ExperimentOption) -> f64) -> Vec<ExperimentOption> {
+    let worth = |o: &ExperimentOption| brings(o) / o.hours.max(0.5).sqrt();
+    options.sort_by(|a, b| worth(b).total_cmp(&worth(a)));
+    options
+}
+
+/// Ranks what would tell `best` from `rivals`, of which there is at least one.
 pub fn next_experiment(search: &Search<'_>, best: &Tried, rivals: &[&Tried]) -> NextExperiment {
     let name = |t: &Tried| t.effects.iter().map(|e| search.library[*e].id().0).collect::<Vec<_>>().join(" + ");
     let label = |t: &Tried| if t.effects.is_empty() { "nothing missing".to_owned() } else { name(t) };
-    let mut options = Vec::new();
-    for profile in &PROFILES {
-        let separations: Vec<f64> = rivals.iter().filter_map(|rival| separation(search, profile, best, rival)).collect();
-        let least = separations.iter().copied().fold(f64::INFINITY, f64::min);
-        if least.is_finite() {
-            let (first, last) = ends(profile);
-            options.push(ExperimentOption {
-                says: profile.says.into(),
-                separation: least,
-                hours: (last - first) / 3600.0,
-                profile: Some(profile.name.into()),
-            });
-        }
-    }
+    let apart = |(mut option, inputs): (ExperimentOption, Inputs)| {
+        let separations: Vec<f64> = rivals.iter().filter_map(|rival| separation(search, &inputs, best, rival)).collect();
+        option.separation = separations.iter().copied().fold(f64::INFINITY, f64::min);
+        option.separation.is_finite().then_some(option)
+    };
+    let mut options: Vec<ExperimentOption> = playable(search).into_iter().filter_map(apart).collect();
     let survivors = std::iter::once(best).chain(rivals.iter().copied());
     let survivors: BTreeSet<usize> = survivors.flat_map(|t| t.effects.iter().copied()).collect();
     options.extend(instrument(&survivors.into_iter().map(|e| search.library[e]).collect::<Vec<_>>()));
-    let worth = |o: &ExperimentOption| o.separation.min(30.0) / o.hours.max(0.5).sqrt();
-    options.sort_by(|a, b| worth(b).total_cmp(&worth(a)));
+    let options = by_worth(options, |o| o.separation.min(ENOUGH));
     let separates = std::iter::once(best).chain(rivals.iter().copied()).map(label).collect::<Vec<_>>();
-    let says = match options.first() {
-        Some(o) if o.separation.is_finite() && o.separation > 0.0 => format!(
-            "{} ({:.1} h): it would separate {} by {:.0} standard deviations",
-            o.says,
-            o.hours,
-            separates.join(" from "),
-            o.separation
-        ),
-        Some(o) => format!("{}: no profile of load and temperature separates {}", o.says, separates.join(" from ")),
-        None => "repeat the recording with a rest record, holds, ramps at several rates and a thermal sweep".into(),
-    };
-    NextExperiment { says, separates, options }
+    NextExperiment { says: advice(search, options.first(), &separates.join(" from ")), separates, options }
+}
+
+fn advice(search: &Search<'_>, first: Option<&ExperimentOption>, survivors: &str) -> String {
+    match first {
+        Some(o) if o.separation >= TOLD => {
+            let sd = significant(o.separation.min(999.0), 2);
+            let sd = if o.separation > 999.0 { "more than 999".to_owned() } else { sd };
+            format!("{} ({} h): it would separate {survivors} by {sd} standard deviations", o.says, significant(o.hours, 2))
+        }
+        Some(_) => format!("no profile of load and temperature separates {survivors}"),
+        None => again(search, survivors),
+    }
+}
+
+/// What to do where no built-in profile can be played: the columns that were recorded, moved in more ways.
+fn again(search: &Search<'_>, survivors: &str) -> String {
+    let inputs = search.problem.inputs;
+    let drivers = inputs.drivers.iter().map(|driver| driver.name.as_str());
+    let recorded = [("load", search.context.load_span() > 0.0), ("temperature", inputs.temperature_c.is_some())];
+    let moved: Vec<&str> = recorded.into_iter().filter_map(|(name, is)| is.then_some(name)).chain(drivers).collect();
+    let what = if moved.is_empty() { "all that can be moved" } else { &crate::text::listed(&moved, "and") };
+    format!("record again with {what} moved at several speeds, with holds and with rests between, to separate {survivors}")
 }
 
 /// Instrument changes by which one of `effects` says that it is told from another of them, in the order of the library.
@@ -194,52 +264,17 @@ fn instrument(effects: &[&dyn Effect]) -> Vec<ExperimentOption> {
             listed.push(*separation);
         }
     }
-    let option = |s: Separation| ExperimentOption { says: s.says.into(), separation: CERTAIN, hours: REBUILD_H, profile: None };
+    let option = |s: Separation| ExperimentOption {
+        says: s.says.into(),
+        separation: CERTAIN,
+        error_left: None,
+        hours: REBUILD_H,
+        profile: None,
+    };
     listed.into_iter().map(option).collect()
 }
 
 fn ends(profile: &Profile) -> (f64, f64) {
     let points = (profile.points)(20.0);
     (points.first().map_or(0.0, |p| p.0), points.last().map_or(0.0, |p| p.0))
-}
-
-/// Standard deviations between two fitted models on a profile, the rival's parameters free again within their posterior.
-fn separation(search: &Search<'_>, profile: &Profile, best: &Tried, rival: &Tried) -> Option<f64> {
-    let simulator = search.problem.simulator;
-    let role = if search.problem.inputs.pressure_pa.is_some() && search.problem.inputs.force_n.is_none() {
-        Role::Pressure
-    } else {
-        Role::Force
-    };
-    let mut inputs = inputs(profile, simulator.full_load()?, role, search.context.reference_c);
-    if simulator.joined().is_some() {
-        // runs that no recording holds are played on the first recording's sensor
-        let last = search.problem.inputs.run.iter().copied().max().unwrap_or(0);
-        inputs.run.iter_mut().for_each(|run| *run += last);
-    }
-    let play = |tried: &Tried, z: &[f64]| -> Option<Vec<f64>> {
-        let model = search.model(&tried.effects);
-        let stages = model.stages(z);
-        let borrowed: Vec<&dyn Stage> = stages.iter().map(AsRef::as_ref).collect();
-        simulator.respond(&model.values(z)[..model.base_count()], &inputs, &borrowed).ok()
-    };
-    let noise = search.context.noise_sd;
-    let here = play(rival, &rival.fit.z)?;
-    let difference: Vec<f64> = play(best, &best.fit.z)?.iter().zip(&here).map(|(a, b)| (a - b) / noise).collect();
-    let factor = rival.fit.factor()?;
-    let n = rival.fit.z.len();
-    let mut jacobian = nalgebra::DMatrix::zeros(difference.len(), n);
-    for index in 0..n {
-        let mut z = rival.fit.z.clone();
-        let step = 0.02 * rival.fit.sd[index];
-        z[index] += step;
-        let there = play(rival, &z)?;
-        jacobian.column_mut(index).iter_mut().zip(there.iter().zip(&here)).for_each(|(j, (a, b))| *j = (a - b) / (step * noise));
-    }
-    let precision = factor.l() * factor.l().transpose();
-    let hessian = jacobian.tr_mul(&jacobian) + precision;
-    let difference = nalgebra::DVector::from_vec(difference);
-    let cross = jacobian.tr_mul(&difference);
-    let absorbed = nalgebra::Cholesky::new(hessian).map_or(0.0, |f| cross.dot(&f.solve(&cross)));
-    Some((difference.norm_squared() - absorbed).max(0.0).sqrt())
 }

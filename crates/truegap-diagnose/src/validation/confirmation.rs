@@ -34,6 +34,17 @@ pub enum Judgement {
     CannotTell,
 }
 
+impl Judgement {
+    /// `confirmed`, `refuted` or `cannot tell`.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Confirmed => "confirmed",
+            Self::Refuted => "refuted",
+            Self::CannotTell => "cannot tell",
+        }
+    }
+}
+
 /// Two predictions compared block by block.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Compared {

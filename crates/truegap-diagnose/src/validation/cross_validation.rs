@@ -125,6 +125,20 @@ fn joint_parts(joined: &dyn Joined, inputs: &Inputs) -> (String, Vec<Part>) {
     (how.into(), parts)
 }
 
+/// The parts of a problem that are left out one after another, and how.
+pub(crate) fn parts_of(problem: &Problem<'_>) -> (String, Vec<Part>) {
+    match problem.simulator.joined() {
+        Some(joined) => joint_parts(joined, problem.inputs),
+        None => parts(&problem.runs(), &problem.inputs.run),
+    }
+}
+
+/// The parts that two models both predict: those over which [`compared`] compares them.
+pub(crate) fn judged_rows<'a>(parts: &'a [Part], [first, second]: [&HeldOutFit; 2]) -> Vec<&'a Part> {
+    let both = first.parts.iter().zip(&second.parts).map(|(a, b)| a.squares.is_some() && b.squares.is_some());
+    parts.iter().zip(both).filter_map(|(part, both)| both.then_some(part)).collect()
+}
+
 /// All rows of a recording, and where the rows that are fitted come from.
 #[derive(Clone, Copy)]
 pub struct AllRows<'a> {
@@ -136,11 +150,7 @@ pub struct AllRows<'a> {
 
 /// Fits `tried` without each part in turn and predicts every row of it.
 pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> HeldOutFit {
-    let runs = all.problem.runs();
-    let (how, parts) = match all.problem.simulator.joined() {
-        Some(joined) => joint_parts(joined, all.problem.inputs),
-        None => parts(&runs, &all.problem.inputs.run),
-    };
+    let (how, parts) = parts_of(all.problem);
     let model = Model::new(all.problem, search.context, tried.effects.iter().map(|e| search.library[*e]).collect());
     let predict = |part: &Part| model.respond(&without(search, noise, tried, part, all.first)?.z).ok();
     let predicted: Vec<Option<Vec<f64>>> = parts.par_iter().map(predict).collect();

@@ -4,92 +4,17 @@
 
 use super::ConfirmError;
 use crate::output::OutputFolder;
-use serde::Serialize;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use truegap_core::Recording;
-use truegap_diagnose::confirmation::{Compared, Judgement, LEVEL, NoiseFloor, Reading};
+use truegap_diagnose::answer::{Confirmation, Errors};
+use truegap_diagnose::confirmation::{Compared, Judgement, LEVEL, NoiseFloor};
 use truegap_diagnose::text::{capitalised, listed, p_value, significant, spoken};
 
 /// Identifier of the document.
 pub const SCHEMA: &str = "truegap.confirmation/1";
 /// Names of the files that are written.
 pub const FILES: [&str; 2] = ["confirmation.json", "confirmation.csv"];
-
-/// The model that was judged.
-#[derive(Clone, Debug, Serialize)]
-pub struct ModelFacts {
-    /// its file
-    pub file: String,
-    /// recording that it was fitted to
-    pub recording: String,
-    /// SHA-256 of that recording
-    pub sha256: String,
-    /// verdict of that diagnosis
-    pub verdict: String,
-    /// ids of the added effects
-    pub effects: Vec<String>,
-    /// whether the file has the values of the base model calibrated alone
-    pub base_is_known: bool,
-}
-
-/// The recording that took no part.
-#[derive(Clone, Debug, Serialize)]
-pub struct OtherFacts {
-    /// its file
-    pub source: String,
-    /// SHA-256
-    pub sha256: String,
-    /// rows
-    pub rows: usize,
-    /// runs
-    pub runs: usize,
-}
-
-/// One model on the other recording.
-#[derive(Clone, Debug, Serialize)]
-pub struct Errors {
-    /// root-mean-square error, response unit
-    pub rmse: f64,
-    /// gain and offset that were fitted, as far as they were free
-    #[serde(flatten)]
-    pub reading: Reading,
-}
-
-/// The answer, as `confirmation.json` holds it.
-#[derive(Clone, Debug, Serialize)]
-pub struct Confirmation {
-    /// always [`SCHEMA`]
-    pub schema: &'static str,
-    /// program and version
-    pub made_by: String,
-    /// the model
-    pub model: ModelFacts,
-    /// the recording that took no part
-    pub recording: OtherFacts,
-    /// unit of the response
-    pub unit: String,
-    /// what was fitted to this recording
-    pub free: Vec<&'static str>,
-    /// base model alone
-    pub base: Errors,
-    /// augmented model
-    pub augmented: Errors,
-    /// noise
-    pub noise: NoiseFloor,
-    /// level of the verdict
-    pub level: f64,
-    /// verdict
-    pub verdict: Judgement,
-    /// what it rests on
-    pub test: Compared,
-    /// verdict where gain and offset are free, whatever was asked
-    pub verdict_if_gain_and_offset_are_free: Judgement,
-    /// the answer in a sentence
-    pub says: String,
-    /// what a reader should know beside it
-    pub notes: Vec<String>,
-}
 
 /// The answer and its columns.
 pub struct Confirmed {
@@ -102,11 +27,7 @@ pub struct Confirmed {
 
 /// `confirmed`, `refuted` or `cannot tell`.
 pub fn words(judgement: Judgement) -> &'static str {
-    match judgement {
-        Judgement::Confirmed => "confirmed",
-        Judgement::Refuted => "refuted",
-        Judgement::CannotTell => "cannot tell",
-    }
+    judgement.words()
 }
 
 pub(super) fn says(test: &Compared, errors: [&Errors; 2], noise: &NoiseFloor, unit: &str, effects: &[String]) -> String {

@@ -5,18 +5,23 @@
 mod document;
 mod error;
 
-pub use document::{Confirmation, Confirmed, Errors, FILES, ModelFacts, OtherFacts, SCHEMA, words};
+pub use document::{Confirmed, FILES, SCHEMA, words};
 pub use error::ConfirmError;
+pub use truegap_diagnose::answer::{Confirmation, Errors, ModelFacts, OtherFacts};
 
 use crate::answer::{of_recording, refused};
-use crate::diagnosis::{Request, open};
+use crate::diagnosis::{Diagnosed, Request, open};
 use crate::model_file::{ModelFile, RunningModel};
 use document::says;
 use std::path::Path;
 use truegap_core::Recording;
+use truegap_diagnose::answer;
 use truegap_diagnose::confirmation::{Compared, Judgement, LEVEL, NoiseFloor, Reading, compared, noise_floor};
 use truegap_diagnose::text::{listed, spoken};
 use truegap_diagnose::{Library, Problem};
+
+/// Stands for the file of a model that was found in the same run.
+const OF_THIS_RUN: &str = "augmented.toml of this run";
 
 /// What is fitted to the other recording: the same for base and augmented model, each by itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,12 +55,69 @@ impl Free {
 /// # Errors
 /// [`ConfirmError`] where the two do not belong together or a model has no answer.
 pub fn confirm(file: &Path, recording: Recording, channel: Option<&str>, free: Free) -> Result<Confirmed, ConfirmError> {
-    let name = if recording.path.as_os_str().is_empty() { "recording".to_owned() } else { recording.path.display().to_string() };
+    let (recording, name) = opened(recording, channel)?;
+    judge(&ModelFile::open(file)?, &file.display().to_string(), recording, name, free)
+}
+
+/// The recording that a diagnosis is to be judged on, looked at before the diagnosis is made: one that took part, or is read in another unit, is refused here.
+///
+/// # Errors
+/// [`ConfirmError`].
+pub fn other(recording: Recording, channel: Option<&str>, took_part: &[Recording]) -> Result<Recording, ConfirmError> {
+    let (recording, name) = opened(recording, channel)?;
+    if took_part.iter().any(|part| !part.sha256.is_empty() && part.sha256 == recording.sha256) {
+        return Err(ConfirmError::TookPart { recording: name });
+    }
+    match took_part.first().filter(|part| part.response_unit != recording.response_unit) {
+        None => Ok(recording),
+        Some(part) => {
+            let (found, wanted) = (recording.response_unit, part.response_unit.clone());
+            Err(ConfirmError::Unit { recording: name, found, wanted })
+        }
+    }
+}
+
+/// Judges what `diagnosed` ended with on `recording`, which took no part, and puts the answer, or why there is none, into the diagnosis.
+pub fn confirm_within(diagnosed: &mut Diagnosed, recording: Recording, free: Free) {
+    let name = named(&recording);
+    let judged = match diagnosed.model_file() {
+        Ok(written) => judge(&written, OF_THIS_RUN, recording, name.clone(), free),
+        Err(error) => Err(error.into()),
+    };
+    diagnosed.outcome.diagnosis.confirmation = Some(match judged {
+        Ok(confirmed) => answer::Confirmed::Judged(Box::new(confirmed.document)),
+        Err(error) => answer::Confirmed::Refused { source: name, refused: error.to_string() },
+    });
+}
+
+fn spoken_list(ids: &[String]) -> String {
+    listed(&ids.iter().map(|id| spoken(id)).collect::<Vec<_>>(), "and")
+}
+
+fn named(recording: &Recording) -> String {
+    if recording.path.as_os_str().is_empty() { "recording".to_owned() } else { recording.path.display().to_string() }
+}
+
+/// The recording as a diagnosis would take it, and its name.
+fn opened(recording: Recording, channel: Option<&str>) -> Result<(Recording, String), ConfirmError> {
+    let name = named(&recording);
     let request = Request { channel: channel.map(str::to_owned), ..Request::default() };
-    let recording = open(vec![recording], &request)?.recording;
-    let written = ModelFile::open(file)?;
-    let model = written.build()?;
-    let mut notes = belong_together(&model, &written, file, &recording, &name)?;
+    Ok((open(vec![recording], &request)?.recording, name))
+}
+
+/// Judges a model on a recording; `file` and `name` are where they come from, for a reader.
+fn judge(written: &ModelFile, file: &str, recording: Recording, name: String, free: Free) -> Result<Confirmed, ConfirmError> {
+    let (model, of_recorder) = written.build()?.without_recorder(&Library::default());
+    if model.effects().is_empty() && !of_recorder.is_empty() {
+        return Err(ConfirmError::OfRecorder { model: file.to_owned(), effects: spoken_list(&of_recorder) });
+    }
+    let mut notes = belong_together(&model, written, file, &recording, &name)?;
+    if !of_recorder.is_empty() {
+        notes.push(format!(
+            "{} belongs to what recorded and not to what was recorded: another recording has its own, so it is left out here",
+            spoken_list(&of_recorder)
+        ));
+    }
     let no_answer = |error| refused(error, of_recording(name.clone()));
     let predicted =
         [model.respond_alone(&recording.inputs).map_err(no_answer)?, model.respond(&recording.inputs).map_err(no_answer)?];
@@ -71,9 +133,10 @@ pub fn confirm(file: &Path, recording: Recording, channel: Option<&str>, free: F
     }
     let recorded =
         OtherFacts { source: name, sha256: recording.sha256.clone(), rows: recording.len(), runs: recording.inputs.runs().len() };
-    let facts = model_facts(&model, &written, file);
+    let facts = model_facts(&model, written, file);
     let [base, augmented] = judged.columns.clone();
-    let document = Confirmation { free: free.words(), notes, ..judged.document(facts, recorded, noise, written.unit, freed) };
+    let document =
+        Confirmation { free: free.words(), notes, ..judged.document(facts, recorded, noise, written.unit.clone(), freed) };
     Ok(Confirmed { document, recording, base, augmented })
 }
 
@@ -81,12 +144,12 @@ pub fn confirm(file: &Path, recording: Recording, channel: Option<&str>, free: F
 fn belong_together(
     model: &RunningModel,
     written: &ModelFile,
-    file: &Path,
+    file: &str,
     recording: &Recording,
     name: &str,
 ) -> Result<Vec<String>, ConfirmError> {
     let (library, effects) = (Library::default(), model.effects());
-    let (file, name) = (file.display().to_string(), name.to_owned());
+    let (file, name) = (file.to_owned(), name.to_owned());
     if effects.is_empty() {
         return Err(ConfirmError::NothingAdded { model: file });
     }
@@ -117,9 +180,9 @@ fn belong_together(
     Ok(notes)
 }
 
-fn model_facts(model: &RunningModel, written: &ModelFile, file: &Path) -> ModelFacts {
+fn model_facts(model: &RunningModel, written: &ModelFile, file: &str) -> ModelFacts {
     ModelFacts {
-        file: file.display().to_string(),
+        file: file.to_owned(),
         recording: written.recording.clone(),
         sha256: written.sha256.clone(),
         verdict: written.verdict.clone(),

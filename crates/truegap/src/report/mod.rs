@@ -5,6 +5,7 @@
 mod axis;
 mod candidates;
 mod concealed;
+mod confirmation;
 mod courses;
 mod draw;
 mod findings;
@@ -15,6 +16,7 @@ mod next;
 mod origin;
 mod parameters;
 mod recordings;
+mod reference;
 mod subject;
 mod summary;
 pub mod terminal;
@@ -40,6 +42,8 @@ pub fn html(subject: &Subject<'_>) -> String {
     let page = map::add(page, subject, &axis);
     let page = courses::add(page, subject, &axis);
     let page = held_out::add(page, subject, &axis);
+    let page = reference::add(page, subject);
+    let page = confirmation::add(page, subject);
     let page = flexible::add(page, subject, &axis);
     let page = parameters::add(page, subject);
     let page = next::add(page, subject);

@@ -3,7 +3,7 @@
 //! Limits: the ranking is the diagnosis's.
 
 use super::subject::Subject;
-use super::text::{listed, significant, spoken};
+use super::text::{capitalised, listed, significant, spoken};
 use truegap_scene::page::{Page, Table};
 
 /// Sentence, ranked options, command that plays the profile.
@@ -12,18 +12,24 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     if next.says.is_empty() && next.options.is_empty() {
         return page;
     }
-    let mut page = page.section("What to measure next").text(&next.says);
+    let mut page = page.section("What to measure next").text(&format!("{}.", capitalised(next.says.trim_end_matches('.'))));
     if !next.separates.is_empty() {
         let names: Vec<String> = next.separates.iter().map(|s| spoken(s)).collect();
-        page = page.text(&format!("It tells apart: {}.", listed(&names, "and")));
+        page = page.text(&format!(
+            "To be told apart: {}. What this recording leaves less than a twentieth of the likeliest model's probability is excluded and not among them.",
+            listed(&names, "and")
+        ));
     }
     if next.options.is_empty() {
         return page;
     }
-    let head = Table::new(&["what to do", "separation of the survivors, sd", "hours", "profile"]);
+    let narrows = next.options.iter().any(|o| o.error_left.is_some());
+    let brings = if narrows { "error of the least sure number left, %" } else { "separation of the survivors, sd" };
+    let head = Table::new(&["what to do", brings, "hours", "profile"]);
     let table = next.options.iter().fold(head, |table, option| {
         let profile = option.profile.clone().unwrap_or_default();
-        table.row(&[option.says.clone(), significant(option.separation, 2), significant(option.hours, 2), profile])
+        let brings = option.error_left.map_or_else(|| significant(option.separation, 2), |left| format!("{:.0}", 100.0 * left));
+        table.row(&[option.says.clone(), brings, significant(option.hours, 2), profile])
     });
     let page = page.table(&table);
     match next.options.iter().find_map(|o| o.profile.as_ref()) {

@@ -2,10 +2,10 @@
 //!
 //! Limits: no colour, no table; at most a line a finding.
 
-use super::text::{capitalised, spoken};
-use super::wording;
+use super::text::{capitalised, listed, spoken};
+use super::{confirmation, reference, wording};
 use truegap_diagnose::Verdict;
-use truegap_diagnose::answer::{Diagnosis, NO_CLOCK};
+use truegap_diagnose::answer::{Diagnosis, NO_CLOCK, Reference};
 
 /// Verdict, findings with sizes, errors, what next.
 pub fn summary(diagnosis: &Diagnosis) -> String {
@@ -29,6 +29,8 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
         lines.extend(diagnosis.mismatch.iter().take(4).map(|m| format!("  {}", m.says)));
     }
     lines.extend(errors(diagnosis));
+    lines.extend(beside(diagnosis));
+    lines.extend(diagnosis.confirmation.iter().map(confirmation::line));
     lines.extend(diagnosis.prediction_only.iter().map(|term| capitalised(&term.says)));
     if let Some(column) = &diagnosis.concealed_column {
         lines.push(format!("Hidden column: {}", column.says));
@@ -48,6 +50,16 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
 fn without_clock(diagnosis: &Diagnosis) -> Option<String> {
     let names = diagnosis.not_testable.iter().filter(|n| n.says == NO_CLOCK).map(|n| spoken(&n.effect)).collect::<Vec<_>>();
     (!names.is_empty()).then(|| format!("Not looked for, since there is no time column: {}", names.join(", ")))
+}
+
+/// A straight line and a smooth curve through the inputs, and what is said where the line is the better model.
+fn beside(diagnosis: &Diagnosis) -> Vec<String> {
+    let Some(first) = diagnosis.reference.first() else { return Vec::new() };
+    let error = |value| wording::error_if_any(diagnosis, value);
+    let one = |r: &Reference| format!("{} {} ({} held out)", reference::name(r), error(Some(r.rmse)), error(r.held_out));
+    let both: Vec<String> = diagnosis.reference.iter().map(one).collect();
+    let line = format!("For comparison, in {}: {}", listed(&first.inputs, "and"), both.join(", "));
+    std::iter::once(line).chain(diagnosis.reference_says.iter().map(|says| format!("  {}", capitalised(says)))).collect()
 }
 
 fn errors(diagnosis: &Diagnosis) -> Vec<String> {

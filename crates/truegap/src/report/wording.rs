@@ -3,7 +3,7 @@
 //! Limits: below a detectability of [`SURE`] nothing is called missing, only "most consistent with".
 
 use super::subject::error_scale;
-use super::text::{capitalised, listed, percent, spoken};
+use super::text::{capitalised, detectability, listed, percent, spoken};
 use truegap_diagnose::answer::{Diagnosis, Finding, Verdict};
 
 /// Detectability from which an effect is called missing without a reserve.
@@ -99,7 +99,8 @@ pub fn how_sure(finding: &Finding) -> String {
         d if d >= 5.0 => "visible, not beyond doubt",
         _ => "barely visible",
     };
-    format!("probability {}, detectability d = {:.1} ({strength})", percent(finding.probability), finding.detectability)
+    let d = detectability(finding.detectability);
+    format!("probability {}, detectability d = {d} ({strength})", percent(finding.probability))
 }
 
 /// What calibration did to hide it, where it did.
@@ -148,5 +149,6 @@ mod tests {
         assert!(how_sure(&finding(7.0)).contains("not beyond doubt"));
         assert!(how_sure(&finding(3.0)).contains("barely"));
         assert!(!how_sure(&finding(f64::NAN)).contains("NaN"));
+        assert!(how_sure(&finding(1_159_754.8)).contains("d = over 1000"));
     }
 }

@@ -104,6 +104,10 @@ pub fn parameter(name: &str, unit: &str, prior: [f64; 2], value: f64, sd: f64) -
     ParameterFacts { name: name.into(), unit: unit.into(), prior, value, sd, at_limit: false }
 }
 
+fn plain(name: &'static str, rmse: f64, held_out: f64) -> Reference {
+    Reference { name, inputs: vec!["force".into(), "temperature".into()], rmse, held_out: Some(held_out) }
+}
+
 fn diagnosis(before: f64, after: f64) -> Diagnosis {
     Diagnosis {
         schema: SCHEMA,
@@ -187,7 +191,10 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             noise_floor: NOISE,
             unit: "pF".into(),
         },
+        reference: vec![plain("straight_line", 0.0213, 0.0241), plain("smooth_curve", 0.0187, 0.0305)],
+        reference_says: None,
         prediction_only: None,
+        confirmation: None,
         not_testable: vec![NotTestable { effect: "humidity_uptake".into(), says: "no humidity column".into() }],
         smallest_visible: vec![SmallestVisible {
             effect: "viscoelastic_creep".into(),
@@ -201,6 +208,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             options: vec![ExperimentOption {
                 says: "heat from 20 to 45 °C in 5 min, hold 20 min".into(),
                 separation: 14.0,
+                error_left: None,
                 hours: 0.5,
                 profile: Some("thermal-steps".into()),
             }],

@@ -1,0 +1,96 @@
+//! What another recording says of the model that a diagnosis ended with: the contents of `confirmation.json`.
+//!
+//! Limits: plain data.
+
+use crate::validation::confirmation::{Compared, Judgement, NoiseFloor, Reading};
+use serde::Serialize;
+
+/// The model that was judged.
+#[derive(Clone, Debug, Serialize)]
+pub struct ModelFacts {
+    /// its file
+    pub file: String,
+    /// recording that it was fitted to
+    pub recording: String,
+    /// SHA-256 of that recording
+    pub sha256: String,
+    /// verdict of that diagnosis
+    pub verdict: String,
+    /// ids of the added effects
+    pub effects: Vec<String>,
+    /// whether the file has the values of the base model calibrated alone
+    pub base_is_known: bool,
+}
+
+/// The recording that took no part.
+#[derive(Clone, Debug, Serialize)]
+pub struct OtherFacts {
+    /// its file
+    pub source: String,
+    /// SHA-256
+    pub sha256: String,
+    /// rows
+    pub rows: usize,
+    /// runs
+    pub runs: usize,
+}
+
+/// One model on the other recording.
+#[derive(Clone, Debug, Serialize)]
+pub struct Errors {
+    /// root-mean-square error, response unit
+    pub rmse: f64,
+    /// gain and offset that were fitted, as far as they were free
+    #[serde(flatten)]
+    pub reading: Reading,
+}
+
+/// The answer, as `confirmation.json` holds it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Confirmation {
+    /// always `truegap.confirmation/1`
+    pub schema: &'static str,
+    /// program and version
+    pub made_by: String,
+    /// the model
+    pub model: ModelFacts,
+    /// the recording that took no part
+    pub recording: OtherFacts,
+    /// unit of the response
+    pub unit: String,
+    /// what was fitted to this recording
+    pub free: Vec<&'static str>,
+    /// base model alone
+    pub base: Errors,
+    /// augmented model
+    pub augmented: Errors,
+    /// noise
+    pub noise: NoiseFloor,
+    /// level of the verdict
+    pub level: f64,
+    /// verdict
+    pub verdict: Judgement,
+    /// what it rests on
+    pub test: Compared,
+    /// verdict where gain and offset are free, whatever was asked
+    pub verdict_if_gain_and_offset_are_free: Judgement,
+    /// the answer in a sentence
+    pub says: String,
+    /// what a reader should know beside it
+    pub notes: Vec<String>,
+}
+
+/// What came of a recording that was set against the answer of the same run.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub enum Confirmed {
+    /// it was judged
+    Judged(Box<Confirmation>),
+    /// it could not be
+    Refused {
+        /// the recording
+        source: String,
+        /// why not
+        refused: String,
+    },
+}

@@ -1,0 +1,92 @@
+//! What to measure next: by what is wrong with the recording, by the rivals that are left, or by the number that is least sure.
+//!
+//! Limits: decides nothing; causes outside the library cannot be played, so no run is weighed against them.
+
+use crate::{
+    answer::{
+        found::Found,
+        numbers::fitted,
+        tuning::{MOST_RIVALS, NOT_EXCLUDED},
+    },
+    explain::{
+        narrowing::{LeastSure, least_sure, narrowing},
+        next_experiment::{NextExperiment, next_experiment},
+    },
+    selection::{candidates::Tried, verdict::Verdict},
+};
+
+/// What to do where a tone or bursts are in the reading.
+const LISTEN: &str = "record again at another sampling rate, with leads shielded and what switches nearby turned off: \
+    interference moves to another frequency or goes, what the sensor makes stays";
+
+/// What to do where the recording may not be trusted.
+const REPAIR_IT: &str = "repair what the notices name, and diagnose the recording again";
+
+/// What to do where an input is missing.
+const RECORD_IT: &str =
+    "record what moves slowly beside the sensor: temperature, humidity, supply voltage, the state of the fixture";
+
+/// What to do where all agrees.
+const WIDEN_IT: &str =
+    "nothing is missing that this recording could show; widen the range of load, temperature and time to see more";
+
+/// What to do where nothing of the library explains what is there.
+const VARY_IT: &str =
+    "no cause of the library explains it; change one input at a time, slow and fast, and look which one the mismatch follows";
+
+/// What to measure next.
+pub(crate) fn next(found: &Found<'_>) -> NextExperiment {
+    let only = |says: &str| NextExperiment { says: says.into(), ..NextExperiment::default() };
+    match &found.reserved {
+        Some(reserved) if reserved.input_missing => return only(RECORD_IT),
+        Some(reserved) if reserved.withheld => return only(REPAIR_IT),
+        None if found.is_about_interference() => return only(LISTEN),
+        _ => {}
+    }
+    let models = &found.selection.models;
+    let named = Some(found.decision.model).filter(|model| !models[*model].effects.is_empty());
+    if found.decision.verdict == Verdict::Unexplained {
+        return only(VARY_IT);
+    }
+    let best = named.or(found.selection.likeliest_named()).filter(|_| found.decision.verdict != Verdict::Agrees);
+    let Some(best) = best else { return only(WIDEN_IT) };
+    let rivals: Vec<&Tried> = rivals(&found.selection.probability, best).into_iter().map(|rival| &models[rival]).collect();
+    match (rivals.as_slice(), named) {
+        ([], Some(_)) => narrowing(found.search, &models[best], least_sure(numbers(found, &models[best]))),
+        ([], None) => only(VARY_IT),
+        (rivals, _) => next_experiment(found.search, &models[best], rivals),
+    }
+}
+
+/// Models that the recording has not excluded beside model `best`: those with at least [`NOT_EXCLUDED`] of its probability, the likeliest few.
+fn rivals(probability: &[f64], best: usize) -> Vec<usize> {
+    let held = |model: &usize| *model != best && probability[*model] > NOT_EXCLUDED * probability[best];
+    let mut list: Vec<usize> = (0..probability.len()).filter(held).collect();
+    list.sort_by(|a, b| probability[*b].total_cmp(&probability[*a]));
+    list.truncate(MOST_RIVALS);
+    list
+}
+
+/// The numbers of the effects of a model.
+fn numbers<'a>(found: &'a Found<'_>, best: &'a Tried) -> impl Iterator<Item = LeastSure> {
+    let model = found.search.model(&best.effects);
+    let of = move |(place, effect): (usize, &'a usize)| {
+        let range = model.range_of(place);
+        let named = move |(index, number)| LeastSure { index, number, effect: found.id(*effect) };
+        range.clone().zip(fitted(found, best, range)).map(named)
+    };
+    best.effects.iter().enumerate().flat_map(of)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rivals;
+
+    #[test]
+    fn what_the_posterior_has_excluded_is_no_rival() {
+        assert_eq!(rivals(&[0.9995, 4e-4, 1e-4], 0), Vec::<usize>::new());
+        assert_eq!(rivals(&[0.6, 0.28, 0.1, 0.02], 0), [1, 2]);
+        // a model that is stated although a larger one is likelier has that one for a rival
+        assert_eq!(rivals(&[0.5, 0.4, 0.03, 0.03, 0.03, 0.01], 1), [0, 2, 3]);
+    }
+}

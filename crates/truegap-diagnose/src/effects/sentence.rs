@@ -1,0 +1,107 @@
+//! What is told of a fitted effect: its own sentence, or that the fit ran to where no number means anything.
+//!
+//! Limits: judges numbers by their bounds, errors and units; whether the effect is there is decided elsewhere.
+
+use crate::{
+    data::context::Context,
+    effects::effect::{Effect, FittedParameter},
+    text::{listed, rounded, spoken, uncapitalised, with_sd},
+};
+use truegap_core::EffectId;
+
+/// A share of a whole beyond which a dimensionless number cannot be: ten times the whole.
+const LARGEST_SHARE: f64 = 10.0;
+/// A change per kelvin that cannot be: the whole of it.
+const LARGEST_PER_KELVIN: f64 = 1.0;
+/// Distance from 0 and 1 within which a number counts as one of them: both are natural ends, where a part of an equation is absent or all there is.
+const NATURAL: f64 = 1e-6;
+
+/// The sentence of an effect with these numbers, `beside` what the effects beside it are fitted to.
+///
+/// Where its size is on a bound, less sure than it is large, or larger than any such number can be, that is a finding about the fit and told as one. A further
+/// number on a bound is told behind the sentence, unless the bound is a natural end of it.
+pub fn sentence(
+    effect: &dyn Effect,
+    fitted: &[FittedParameter],
+    context: &Context<'_>,
+    beside: &[(EffectId, Vec<FittedParameter>)],
+) -> String {
+    let Some(size) = fitted.first() else { return spoken(effect.id().0) };
+    if let Some(why) = about_the_fit(effect, size) {
+        return format!("{why}: this says more of the fit than of the instrument");
+    }
+    let told = effect.told(fitted, context, beside);
+    let further = &fitted[1..];
+    let at_limit: Vec<String> = further.iter().filter(|f| f.at_limit && !is_natural(f.value)).map(limit).collect();
+    let no_number: Vec<String> = further.iter().filter(|f| cannot_be(f)).map(value).collect();
+    match (at_limit.as_slice(), no_number.as_slice()) {
+        ([], []) => told,
+        (_, [_, ..]) => {
+            let name = spoken(effect.id().0);
+            format!(
+                "{name} is asked for, but the fit ran to {}: this says more of the fit than of the instrument",
+                listed(&no_number, "and")
+            )
+        }
+        (limits, []) => format!("{told}; the fit ran to the limit of {}", listed(limits, "and")),
+    }
+}
+
+/// What is told of an effect that the probabilities ask for while nothing of it stands out of the noise.
+pub(crate) fn nothing_stands_out(id: &str) -> String {
+    format!(
+        "{} is asked for, but nothing of it stands out of the noise once all else is free: this says more of the fit than of the instrument",
+        spoken(id)
+    )
+}
+
+/// Why the size of an effect says nothing of the instrument; `None` where it does.
+fn about_the_fit(effect: &dyn Effect, size: &FittedParameter) -> Option<String> {
+    let name = spoken(effect.id().0);
+    if cannot_be(size) {
+        return Some(format!("{name} is asked for, but the fit ran to {}", value(size)));
+    }
+    // a reading that stops for good has lost all of its slope: that end is a natural one
+    if size.at_limit && !(effect.clips() && is_natural(size.value)) {
+        return Some(format!("{name} is asked for, but the fit ran to the limit of {}", limit(size)));
+    }
+    // typical sizes of numbers that are free one by one are as sure as those numbers are many
+    let unsure = size.sd.is_nan() || size.sd > size.value.abs();
+    (unsure && !effect.free_form()).then(|| {
+        let told = with_sd(size.value, size.sd, &size.parameter.unit);
+        format!("{name} is asked for, but its size is less sure than it is large, {told}")
+    })
+}
+
+/// Whether a number is larger than anything of its kind.
+fn cannot_be(number: &FittedParameter) -> bool {
+    let largest = match number.parameter.unit.as_str() {
+        "1" => LARGEST_SHARE,
+        "1/K" => LARGEST_PER_KELVIN,
+        _ => f64::INFINITY,
+    };
+    // a number with wide bounds of its own may go there
+    let allowed = number.parameter.bounds.1.abs().max(number.parameter.bounds.0.abs());
+    let largest = if allowed.is_finite() { largest.max(allowed) } else { largest };
+    !number.value.is_finite() || number.value.abs() > largest
+}
+
+fn is_natural(value: f64) -> bool {
+    value.abs() < NATURAL || (value - 1.0).abs() < NATURAL
+}
+
+/// `its time constant of the electronics, 4.25 h`.
+fn limit(number: &FittedParameter) -> String {
+    format!("{}, {}", called(number), rounded(number.value, &number.parameter.unit))
+}
+
+fn value(number: &FittedParameter) -> String {
+    if !number.value.is_finite() {
+        return format!("no number for {}", called(number));
+    }
+    format!("{} for {}", rounded(number.value, &number.parameter.unit), called(number))
+}
+
+fn called(number: &FittedParameter) -> String {
+    format!("the {}", uncapitalised(&number.parameter.meaning))
+}

@@ -206,10 +206,21 @@ fn too_many_outliers_are_not_explained() {
 }
 
 #[test]
-fn clipped_readings_are_explained_by_saturation_or_not_at_all() {
+fn clipped_rows_are_left_out_and_the_rest_agrees() {
+    let mut recording = clean(4.0);
+    let greatest = recording.response.iter().copied().fold(f64::MIN, f64::max);
+    let least = recording.response.iter().copied().fold(f64::MAX, f64::min);
+    recording.response.iter_mut().for_each(|r| *r = r.min(least + 0.93 * (greatest - least)));
+    let (code, diagnosis) = diagnosed(&recording, &[]);
+    says(&diagnosis, "clipped", &["never goes above", "pF", "left out", "Widen the range"]);
+    assert_eq!(code, 0, "{}", diagnosis["says"]);
+}
+
+#[test]
+fn many_clipped_readings_are_explained_by_saturation_or_not_at_all() {
     let mut recording = clean(4.0);
     let (low, high) = recording.response.iter().fold((f64::MAX, f64::MIN), |(l, h), r| (l.min(*r), h.max(*r)));
-    let rail = low + 0.7 * (high - low);
+    let rail = low + 0.4 * (high - low);
     recording.response.iter_mut().for_each(|r| *r = r.min(rail));
     let (code, diagnosis) = diagnosed(&recording, &[]);
     says(&diagnosis, "clipped", &["never goes above", "pF", "rows", "Widen the range"]);

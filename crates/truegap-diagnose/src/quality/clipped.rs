@@ -21,8 +21,31 @@ const CROSSED: f64 = 0.08;
 /// Share of neighbouring readings that are equal elsewhere, at most: a coarse reading is often at its extremes.
 const COARSE: f64 = 0.2;
 
+/// Share of all rows at the rail above which too little is left without them.
+const MOST: f64 = 0.3;
+
+/// A notice where readings are clipped, and the rows at the rail, which say no more than that the true reading lies beyond it: they are to be left out.
+pub fn clipped_rows(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<usize>)> {
+    let (notice, out) = found(problem, rows)?;
+    let says = format!(
+        "{}; these rows were left out, for they say no more than that the true reading lies beyond. Widen the range and record again",
+        notice.says
+    );
+    (out.len() as f64 <= MOST * problem.response.len() as f64)
+        .then_some((Notice { kind: NoticeKind::ClippedRows, says, ..notice }, out))
+}
+
 /// A notice where readings are clipped.
 pub fn clipped(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
+    let (notice, _) = found(problem, rows)?;
+    let says = format!(
+        "{}. Widen the range and record again, or leave these rows out; until then nothing but saturation is looked for",
+        notice.says
+    );
+    Some(Notice { says, ..notice })
+}
+
+fn found(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<usize>)> {
     let runs = problem.inputs.runs();
     let stretches = equal_stretches(problem.response, &runs);
     let (least, greatest) = ends(problem.response, 0..problem.response.len());
@@ -31,7 +54,13 @@ pub fn clipped(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
         .find_map(|(rail, words)| at(problem, rows, &stretches, rail, words))
 }
 
-fn at(problem: &Problem<'_>, rows: &Rows<'_>, stretches: &[Range<usize>], rail: f64, words: &str) -> Option<Notice> {
+fn at(
+    problem: &Problem<'_>,
+    rows: &Rows<'_>,
+    stretches: &[Range<usize>],
+    rail: f64,
+    words: &str,
+) -> Option<(Notice, Vec<usize>)> {
     let on_rail: Vec<&Range<usize>> = stretches.iter().filter(|s| problem.response[s.start] == rail).collect();
     let count: usize = on_rail.iter().map(|s| s.len()).sum();
     let long = on_rail.iter().map(|s| s.len()).max().unwrap_or(0);
@@ -43,11 +72,12 @@ fn at(problem: &Problem<'_>, rows: &Rows<'_>, stretches: &[Range<usize>], rail: 
     let first = on_rail.iter().max_by_key(|s| s.len())?;
     let says = format!(
         "the reading {words} {}: {count} rows lie exactly there, the longest stretch {}; it is clipped by the range of the converter or the \
-         software. Widen the range and record again, or leave these rows out; until then nothing but saturation is looked for",
+         software",
         rows.reading(rail),
         rows.places(first)
     );
-    Some(Notice { kind: NoticeKind::Clipped, says, rows: rows.numbers(on_rail.into_iter()), withholds: false })
+    let out = on_rail.iter().flat_map(|s| (*s).clone()).collect();
+    Some((Notice { kind: NoticeKind::Clipped, says, rows: rows.numbers(on_rail.into_iter()), withholds: false }, out))
 }
 
 /// Whether the reading runs into the rail and off it without a jump, while a driver moves: a channel that hangs jumps when it comes back, wherever the reading

@@ -15,6 +15,7 @@ pub(crate) mod screen;
 pub(crate) mod wrong_sensor;
 
 pub use crate::data::error::FEWEST_ROWS;
+pub use clipped::clipped_rows;
 pub use notice::{Notice, NoticeKind};
 pub use outliers::outliers;
 pub use repeated::repeated;

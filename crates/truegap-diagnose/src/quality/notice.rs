@@ -13,7 +13,10 @@ pub enum NoticeKind {
     Outliers,
     /// rows that repeat the one before, left out
     RepeatedRows,
-    /// readings that end at exactly one value
+    /// readings that end at exactly one value, left out
+    #[serde(rename = "clipped")]
+    ClippedRows,
+    /// the same, too many to be left out
     Clipped,
     /// a channel that stops following
     DeadChannel,

@@ -181,6 +181,8 @@ pub struct ParameterFacts {
     pub sd: f64,
     /// on a bound
     pub at_limit: bool,
+    /// what it is, for a reader
+    pub meaning: String,
 }
 
 /// The noise model.

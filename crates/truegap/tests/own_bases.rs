@@ -139,6 +139,8 @@ fn a_line_follows_a_named_driver() {
         let diagnosis = diagnosed.outcome.diagnosis;
         assert_eq!((diagnosis.verdict, diagnosis.findings.len()), (Verdict::Agrees, 0), "{}", diagnosis.says);
         let value = |name: &str| diagnosis.base.parameters.iter().find(|p| p.name == name).unwrap().value;
+        let followed = diagnosis.not_testable.iter().find(|n| n.effect == "driver_coefficient").unwrap();
+        assert!(followed.says.contains("follows this driver by itself"), "{}", followed.says);
         // over 30 mm from 10 mm on: 2.4 + 1.2 u
         assert!(
             (value("offset") - 2.4).abs() < 0.005 && (value("slope") - 1.2).abs() < 0.01,

@@ -65,6 +65,11 @@ fn simulates(bench: &Bench) {
     let squares = history.iter().zip(&recording.response).map(|(row, read)| (row["response"].as_f64().unwrap() - read).powi(2));
     let rms = (squares.sum::<f64>() / recording.len() as f64).sqrt();
     assert!(rms < 0.02, "{rms} pF");
+    // what the report proposes to type
+    let profile = lines(&["-q", "simulate", "--model", "out/augmented.toml", "--profile", "thermal-sweep-loaded", "--json"]);
+    let warmest = profile.iter().map(|row| row["temperature_c"].as_f64().unwrap()).fold(0.0, f64::max);
+    assert_eq!((profile.len(), warmest, profile[0]["force_n"].as_f64()), (800, 50.0, Some(4.5)));
+    bench.refuses(&["simulate", "--model", "out/augmented.toml", "--profile", "dance"], &["dance", "long-hold", "overnight"]);
     let points =
         lines(&["simulate", "--model", "out/augmented.toml", "--load", "0,4.5 N", "--temperature", "20,50 degC", "--json"]);
     let response = |k: usize| points[k]["response"].as_f64().unwrap();

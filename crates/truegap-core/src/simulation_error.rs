@@ -20,6 +20,14 @@ pub enum SimulationError {
         /// compressive strain reached
         strain: f64,
     },
+    /// A named driver that the model follows.
+    #[error("the base model `{model}` follows the driver `{name}`, which was not recorded; name its column under [drivers]")]
+    MissingDriver {
+        /// model
+        model: String,
+        /// name under `[drivers]`
+        name: String,
+    },
     /// A column that the model needs.
     #[error("the base model `{model}` needs a column `{role:?}`; name it under [columns] or choose another [base] model")]
     MissingColumn {

@@ -94,6 +94,11 @@ pub use selection::candidates::Progress;
 
 pub use validation::{confirmation, cross_validation::parts, recovery};
 
+/// Runs that a next experiment may be: what `truegap simulate --profile` plays.
+pub mod experiment {
+    pub use crate::explain::next_experiment::{PROFILES, Points, Profile, inputs};
+}
+
 /// Calibration of a model to a recording, noise and all: what a diagnosis does first.
 pub mod calibration {
     pub use crate::{

@@ -19,7 +19,7 @@ const TAKES_PREFIX: [&str; 6] = ["Pa", "N", "m", "V", "Pa/K", "Hz"];
 impl Scale {
     /// The unit in which a value of this size (stored in `unit`) reads as a number from 1 to 1000, where there is one.
     pub fn of(unit: &str, size: f64) -> Self {
-        let same = Self { factor: 1.0, unit: if unit == "1" { String::new() } else { unit.to_owned() } };
+        let same = Self { factor: 1.0, unit: if unit == "1" { String::new() } else { unit.replace("degC", "°C") } };
         if !size.is_finite() || size == 0.0 {
             return same;
         }
@@ -127,7 +127,7 @@ fn to_place(value: f64, places: i32) -> String {
 /// Three significant digits at most, fewer where the error is large, in the unit that fits; the error has two at most, and no place that the number does not
 /// have. Where it is smaller than the number's last place it is told as `sd < 0.01`; where there is none, it is left out.
 pub fn with_sd(value: f64, sd: f64, unit: &str) -> String {
-    if !(sd.is_finite() && sd > 0.0) || !value.is_finite() {
+    if !(sd.is_finite() && sd > 0.0 && value.is_finite()) {
         return rounded(value, unit);
     }
     let scale = Scale::of(unit, value.abs().max(sd));

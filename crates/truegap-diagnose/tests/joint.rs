@@ -7,7 +7,7 @@ mod common;
 use common::{Plate, recording};
 use truegap_core::{Inputs, Joined, Simulator, Stage};
 use truegap_diagnose::joint::{Free, Member, Together};
-use truegap_diagnose::{Context, Effect, library};
+use truegap_diagnose::{Context, Effect, FittedParameter, library};
 
 fn member<'a>(simulator: &'a Plate, specimen: usize, inputs: &'a Inputs, response: &'a [f64]) -> Member<'a> {
     Member { name: "r".into(), simulator, specimen, inputs, response }
@@ -135,4 +135,36 @@ fn a_late_clock_belongs_to_its_recording() {
     let first = plate.respond(&plate.centre(), &parts[0], &[]).unwrap();
     let second = plate.respond(&plate.centre(), &parts[1], &[late.as_ref()]).unwrap();
     assert_eq!(together, [first, second].concat());
+}
+
+/// What a model file of several recordings holds of a clock: the numbers of the first one, under the names that it has alone, so that it simulates as that one did.
+#[test]
+fn the_first_recording_alone_has_its_own_clock() {
+    let plate = Plate::new(Some(false));
+    let parts = halves();
+    let none = parts.each_ref().map(|p| vec![0.0; p.len()]);
+    let members = [member(&plate, 0, &parts[0], &none[0]), member(&plate, 0, &parts[1], &none[1])];
+    let joint = Together::new(&members, &[], Free::default()).unwrap();
+    let context = Context::new(&joint.inputs, &joint.model, 3.0, 0.01);
+    let alone = Context::new(&parts[0], &plate, 3.0, 0.01);
+    let effects = library();
+    let rate = effects.iter().find(|e| e.id().0 == "clock_rate").unwrap();
+    assert!(rate.of_recorder() && !effects.iter().any(|e| e.id().0 == "thermal_lag" && e.of_recorder()));
+    let values = [2e-3, 1.5, 40.0, -0.5, 70.0];
+    let fitted = |(parameter, value): (truegap_core::Parameter, &f64)| FittedParameter {
+        parameter,
+        value: *value,
+        sd: 0.0,
+        at_limit: false,
+    };
+    let all: Vec<FittedParameter> = rate.parameters(&context).into_iter().zip(&values).map(fitted).collect();
+    let first = rate.of_first(all, &context);
+    let names = |list: Vec<truegap_core::Parameter>| list.into_iter().map(|p| p.name).collect::<Vec<_>>();
+    assert_eq!(names(first.iter().map(|f| f.parameter.clone()).collect()), names(rate.parameters(&alone)));
+    let numbers: Vec<f64> = first.iter().map(|f| f.value).collect();
+    let stage = rate.with(&numbers, &alone);
+    let by_itself = plate.respond(&plate.centre(), &parts[0], &[stage.as_ref()]).unwrap();
+    let stage = rate.with(&values, &context);
+    let together = joint.model.respond(&plate.centre(), &joint.inputs, &[stage.as_ref()]).unwrap();
+    assert_eq!(together[..parts[0].len()], by_itself);
 }

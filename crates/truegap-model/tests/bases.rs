@@ -271,6 +271,25 @@ fn a_line_is_driven_by_the_column_that_is_asked_for() {
     assert!(parabola.lacks(StageName::Beads).is_some() && line.lacks(StageName::Beads).is_none());
 }
 
+/// 2 + 3 u over a pump of 4 to 8 V, by hand; the named one is taken although a pressure moves, and where it was not recorded, that is said.
+#[test]
+fn a_line_follows_a_column_under_drivers() {
+    let pump = |name: &str| truegap_core::Driver { name: name.into(), unit: "V".into(), values: vec![4.0, 8.0, 5.0] };
+    let inputs = Inputs { drivers: vec![pump("pump")], ..pressed(&[0.0, 50.0, 100.0]) };
+    let options = BaseOptions { named_driver: Some("pump".into()), ..BaseOptions::default() };
+    let line = with("linear", options.clone(), &inputs, &[2.0, 5.0, 3.0]).unwrap();
+    assert_eq!((line.needs().len(), line.full_load()), (0, None));
+    assert_eq!(line.respond(&[2.0, 3.0], &inputs, &[]).unwrap(), [2.0, 5.0, 2.75]);
+    let other = Inputs { drivers: vec![pump("valve")], ..inputs.clone() };
+    let error = line.respond(&[2.0, 3.0], &other, &[]).unwrap_err().to_string();
+    assert!(error.contains("`pump`") && error.contains("[drivers]"), "{error}");
+    let error = with("linear", options, &other, &[2.0, 5.0, 3.0]).err().unwrap().to_string();
+    assert!(error.contains("a column for pump that moves"), "{error}");
+    let still = Inputs { pressure_pa: None, ..inputs };
+    let line = with("linear", BaseOptions::default(), &still, &[2.0, 5.0, 3.0]).unwrap();
+    assert_eq!(line.respond(&[0.0, 4.0], &still, &[]).unwrap(), [0.0, 4.0, 1.0]);
+}
+
 #[test]
 fn a_line_without_a_driver_and_of_no_order_is_refused() {
     let inputs = pressed(&[5.0, 5.0, 5.0]);

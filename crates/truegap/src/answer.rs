@@ -6,6 +6,7 @@ use crate::model_file::{ModelFileError, RunningModel};
 use serde::Serialize;
 use truegap_core::units::{Dimension, twelve_digits};
 use truegap_core::{Inputs, Recording, Role, SimulationError};
+use truegap_diagnose::experiment::{PROFILES, inputs};
 
 /// Why a model file has no answer.
 #[derive(Debug, thiserror::Error)]
@@ -15,6 +16,9 @@ pub enum AnswerError {
     /// A base model whose load cannot be typed.
     #[error("the base model `{model}` has no load that --load could give; drive it with --drive RECORDING")]
     NoLoad { model: String },
+    /// A profile that nobody knows.
+    #[error("there is no profile `{name}`; use one of {}", PROFILES.iter().map(|p| p.name).collect::<Vec<_>>().join(", "))]
+    NoProfile { name: String },
     /// The plates touch.
     #[error("{place} closes the gap (strain {strain:.3}); stay below that load")]
     GapCloses { place: String, strain: f64 },
@@ -100,6 +104,19 @@ pub fn along(model: &RunningModel, recording: &Recording) -> Result<Vec<Answer>,
     let place = of_recording(recording.path.display().to_string());
     let responses = model.respond(&recording.inputs).map_err(|error| refused(error, place))?;
     Ok(responses.into_iter().enumerate().map(|(row, response)| answer(&recording.inputs, row, response, model)).collect())
+}
+
+/// The model along one of the built-in profiles, as a next experiment names them, up to its full load.
+///
+/// # Errors
+/// [`AnswerError::NoProfile`] for a name that is none, else as [`along`].
+pub fn on_profile(model: &RunningModel, name: &str) -> Result<Vec<Answer>, AnswerError> {
+    let profile = PROFILES.iter().find(|p| p.name == name).ok_or_else(|| AnswerError::NoProfile { name: name.to_owned() })?;
+    let simulator = model.simulator();
+    let role = if simulator.needs().contains(&Role::Pressure) { Role::Pressure } else { Role::Force };
+    let inputs = inputs(profile, simulator.full_load().unwrap_or(0.0), role, simulator.reference_c());
+    let responses = model.respond(&inputs).map_err(|error| refused(error, of_recording(format!("profile {name}"))))?;
+    Ok(responses.into_iter().enumerate().map(|(row, response)| answer(&inputs, row, response, model)).collect())
 }
 
 fn answer(inputs: &Inputs, row: usize, response: f64, model: &RunningModel) -> Answer {

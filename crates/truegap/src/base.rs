@@ -13,7 +13,7 @@ use truegap_model::{
 /// Keys that may stand under `[base]` beside model, sensor and warp.
 const KEYS: [&str; 7] = ["series", "driver", "order", "table", "free", "gain", "offset"];
 /// Words for a driver.
-const DRIVER_WORDS: &str = "\"force\", \"pressure\", \"gap\", \"temperature\", \"humidity\" or \"time\"";
+const DRIVER_WORDS: &str = "\"force\", \"pressure\", \"gap\", \"temperature\", \"humidity\", \"time\" or a name under [drivers]";
 
 /// Why there is no base model.
 #[derive(Debug, thiserror::Error)]
@@ -116,7 +116,9 @@ pub fn base_options(recording: &Recording) -> Result<BaseOptions, BaseModelError
         Some(value) => value.as_str().and_then(series_order).ok_or_else(|| wrong("series", "\"printed\" or \"exact\""))?,
     };
     let word = |value: &toml::Value| value.as_str().and_then(|word| DRIVERS.into_iter().find(|role| role.key() == word));
-    let driver = further.get("driver").map(|value| word(value).ok_or_else(|| wrong("driver", DRIVER_WORDS))).transpose()?;
+    let named_driver = further.get("driver").and_then(|value| named_driver(recording, value));
+    let role = further.get("driver").filter(|_| named_driver.is_none());
+    let driver = role.map(|value| word(value).ok_or_else(|| wrong("driver", DRIVER_WORDS))).transpose()?;
     let whole = |value: &toml::Value| value.as_integer().and_then(|order| usize::try_from(order).ok());
     let order =
         further.get("order").map(|value| whole(value).ok_or_else(|| wrong("order", "a whole number from 1 to 6"))).transpose()?;
@@ -124,9 +126,16 @@ pub fn base_options(recording: &Recording) -> Result<BaseOptions, BaseModelError
         stack: StackOptions { warp: base.warp.unwrap_or(true), series },
         adjusted: adjusted(recording, &wrong)?,
         driver,
+        named_driver,
         order,
         table: further.get("table").map(|value| table(recording, value)).transpose()?,
     })
+}
+
+/// The name of a column under `[drivers]`, where this is one.
+fn named_driver(recording: &Recording, value: &toml::Value) -> Option<String> {
+    let name = value.as_str()?;
+    recording.inputs.drivers.iter().any(|driver| driver.name == name).then(|| name.to_owned())
 }
 
 /// What of a simulation or a table may be adjusted: an offset where nothing is said, since readings have a zero of their own.

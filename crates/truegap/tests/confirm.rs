@@ -101,6 +101,24 @@ fn the_same_physics_on_another_history_is_confirmed() {
     assert!(answer.base.rmse > 1.41 * answer.augmented.rmse, "{}", answer.says);
 }
 
+/// The clock of one recording says nothing of another one: with it or without it in the file the figures are the same, and where it is all that was found there
+/// is nothing to confirm.
+#[test]
+fn a_clock_is_left_to_the_recording_that_it_was_found_in() {
+    let number = |name: &str, value: f64| NamedValue { name: name.into(), unit: "s".into(), value, sd: 1e-3 };
+    let clock = AddedEffect { id: "time_offset".into(), parameters: vec![number("late", 25.0)] };
+    let with = |effects: Vec<AddedEffect>| ModelFile { effects, ..found().clone() };
+    let folder = tempfile::tempdir().unwrap();
+    let file = written(folder.path(), &with(vec![clock.clone(), found().effects[0].clone()]));
+    let answer = confirm(&file, other(true, 1.0, 0.0), None, FIXED).unwrap().document;
+    let without = judged(other(true, 1.0, 0.0), FIXED);
+    assert_eq!((answer.augmented.rmse, answer.verdict), (without.augmented.rmse, Judgement::Confirmed));
+    assert_eq!(answer.model.effects, ["thermal_lag"]);
+    assert!(answer.notes.iter().any(|note| note.starts_with("time offset belongs to what recorded")), "{:?}", answer.notes);
+    let alone = confirm(&written(folder.path(), &with(vec![clock])), other(true, 1.0, 0.0), None, FIXED).err().unwrap();
+    assert!(matches!(alone, ConfirmError::OfRecorder { .. }) && alone.to_string().contains("time offset"), "{alone}");
+}
+
 #[test]
 fn a_recording_without_the_physics_refutes_it() {
     let answer = judged(other(false, 1.0, 0.0), FIXED);

@@ -123,6 +123,34 @@ fn a_load_cell_that_is_a_line_agrees_with_one() {
     );
 }
 
+/// A spring on a piston, followed by its recorded position: nothing under [columns] drives it, and the line is taken along `[drivers]`, by name or because
+/// nothing else moves.
+#[test]
+fn a_line_follows_a_named_driver() {
+    for driver in ["driver = \"position\"\n", ""] {
+        let mut noise = noise();
+        let row = |i: usize| vec![0.5 * i as f64, 10.0 + 6.0 * force(i), 2.0 + 0.04 * (10.0 + 6.0 * force(i)) + 0.005 * noise()];
+        let drivers = "[drivers]\nposition = { column = \"position_mm\", unit = \"mm\" }\n";
+        let base = format!("model = \"linear\"\n{driver}{drivers}");
+        let (_folder, recording) = recorded(&base, "time_s,position_mm,response_mv", 800, row);
+        let diagnosed = diagnosed(recording);
+        let file = truegap::model_file::ModelFile::of(&diagnosed).unwrap();
+        assert_eq!(truegap::model_file::ModelFile::parse(&file.to_toml().unwrap(), "m.toml".as_ref()).unwrap(), file);
+        let diagnosis = diagnosed.outcome.diagnosis;
+        assert_eq!((diagnosis.verdict, diagnosis.findings.len()), (Verdict::Agrees, 0), "{}", diagnosis.says);
+        let value = |name: &str| diagnosis.base.parameters.iter().find(|p| p.name == name).unwrap().value;
+        let followed = diagnosis.not_testable.iter().find(|n| n.effect == "driver_coefficient").unwrap();
+        assert!(followed.says.contains("follows this driver by itself"), "{}", followed.says);
+        // over 30 mm from 10 mm on: 2.4 + 1.2 u
+        assert!(
+            (value("offset") - 2.4).abs() < 0.005 && (value("slope") - 1.2).abs() < 0.01,
+            "{} {}",
+            value("offset"),
+            value("slope")
+        );
+    }
+}
+
 /// A temperature coefficient of the zero, 0.03 mV/K, beside a table that has 0.05 mV/K of its own.
 #[test]
 fn a_table_is_a_base_and_what_it_lacks_is_found() {

@@ -6,7 +6,7 @@
 mod fixture;
 
 use truegap::report::{html, terminal, wording};
-use truegap_diagnose::answer::Verdict;
+use truegap_diagnose::answer::{NotTestable, Verdict};
 
 #[test]
 fn a_report_says_first_what_is_missing_with_size_unit_and_certainty() {
@@ -35,7 +35,7 @@ fn a_report_holds_every_part_of_the_answer() {
         "820.0 ± 6.0 kPa|821.0 ± 6.0 kPa",
         "1.0620 ± 0.0070 MPa",
         "-4.7 !",
-        "no humidity column",
+        "No humidity column",
         "0.0021",
         "Heat at two rates under constant load",
         "--profile thermal-steps",
@@ -75,6 +75,32 @@ fn a_straight_line_and_a_smooth_curve_stand_beside_the_models() {
     fixture.diagnosis.reference_says = Some("a straight line is nearer than the calibrated base model".into());
     assert!(html(&fixture.subject()).contains("A straight line is nearer than the calibrated base model."));
     assert!(terminal::summary(&fixture.diagnosis).contains("A straight line is nearer than"));
+}
+
+/// By what is missing, so that a reader sees at once what another recording would have to hold.
+#[test]
+fn what_could_not_be_tested_is_told_by_what_is_missing() {
+    let mut fixture = fixture::thermal_lag();
+    let not = |effect: &str, says: &str| NotTestable { effect: effect.into(), says: says.into() };
+    let clockless = ["readout_lag", "viscoelastic_creep", "ageing", "time_offset", "offset_drift"];
+    let list = &mut fixture.diagnosis.not_testable;
+    list.extend(clockless.map(|effect| not(effect, "no time column")));
+    list.push(not("gain_drift", "no temperature column"));
+    list.push(not("friction", "the base model has a place for friction of its own (hysteresis of the strain)"));
+    let page = html(&fixture.subject());
+    let section = &page[page.find("What this recording could not show").unwrap()..];
+    let (clock, humidity) = (section.find("No time column").unwrap(), section.find("No humidity column").unwrap());
+    assert!(clock < humidity, "what leaves most untried comes first");
+    assert!(section.contains("readout lag, viscoelastic creep, ageing, time offset, offset drift"));
+    assert!(section.find("What this base model has no place for").unwrap() > humidity);
+    assert!(page.contains("What tau means") || page.contains("what tau means"), "a name alone says nothing");
+    let text = terminal::summary(&fixture.diagnosis);
+    let line = text.lines().find(|line| line.starts_with("Could not be tested: ")).unwrap();
+    assert_eq!(
+        line,
+        "Could not be tested: no time column (readout lag, viscoelastic creep, ageing and 2 more); no humidity column (humidity uptake); \
+         no temperature column (gain drift)"
+    );
 }
 
 #[test]

@@ -22,7 +22,7 @@ pub struct Simulate {
     #[arg(long, default_value = DEFAULT_SENSOR)]
     sensor: String,
     /// Loads: a value ("4.5 N"), a list ("0, 1, 4.5 N") or a range ("0:4.5 N:10", both ends included)
-    #[arg(long, allow_hyphen_values = true, required_unless_present = "drive", conflicts_with = "drive")]
+    #[arg(long, allow_hyphen_values = true, required_unless_present_any = ["drive", "profile"], conflicts_with = "drive")]
     load: Option<String>,
     /// Temperatures, written like loads; the sensor's reference temperature where none is given
     #[arg(long, allow_hyphen_values = true, conflicts_with = "drive")]
@@ -39,6 +39,9 @@ pub struct Simulate {
     /// Follow the loads and temperatures of a recording
     #[arg(long, value_name = "RECORDING")]
     drive: Option<PathBuf>,
+    /// Follow a built-in profile, as a diagnosis proposes one for the next recording: long-hold, rates, staircase, thermal-sweep-unloaded, thermal-sweep-loaded, overnight
+    #[arg(long, value_name = "NAME", requires = "model", conflicts_with_all = ["load", "temperature", "drive"])]
+    profile: Option<String>,
 }
 
 /// Order in which the layers of the main gap are added up.
@@ -96,7 +99,9 @@ impl Simulate {
     /// The same questions put to a model file.
     fn augmented(&self, file: &Path, console: &Console) -> anyhow::Result<Outcome> {
         let model = ModelFile::open(file)?.build()?;
-        let answers = if let Some(path) = &self.drive {
+        let answers = if let Some(name) = &self.profile {
+            answer::on_profile(&model, name)?
+        } else if let Some(path) = &self.drive {
             let recording = recorded(path)?;
             recording.notes.iter().for_each(|note| console.note(note));
             answer::along(&model, &recording)?

@@ -61,7 +61,7 @@ impl Aspect {
     fn says(self, name: &str) -> String {
         match self {
             Self::Size => format!("with {name}"),
-            Self::Direction => format!("between rising and falling {name}"),
+            Self::Direction => format!("between rising and falling {}", name.trim_start_matches("the ")),
             Self::Rate => format!("with the speed of {name}"),
             Self::History => format!("with the time since {name} changed"),
         }
@@ -91,6 +91,7 @@ impl Driver {
     pub fn says(self, inputs: &Inputs) -> String {
         let words = match self {
             Self::Load => "with the size of the load",
+            Self::Temperature if !is_loaded(inputs) => "with temperature",
             Self::Temperature => "with temperature, also without load",
             Self::LoadAndTemperature => "with load and temperature together",
             Self::LoadDirection => "between loading and unloading",
@@ -107,6 +108,11 @@ impl Driver {
         };
         words.to_owned()
     }
+}
+
+/// Whether anything was recorded that a reader would call a load.
+fn is_loaded(inputs: &Inputs) -> bool {
+    inputs.force_n.is_some() || inputs.pressure_pa.is_some() || inputs.gap_m.is_some()
 }
 
 /// One direction.

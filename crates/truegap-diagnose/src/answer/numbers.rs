@@ -41,6 +41,7 @@ pub(crate) fn parameters(found: &Found<'_>, tried: &Tried, range: Range<usize>) 
         value: f.value,
         sd: f.sd,
         at_limit: f.at_limit,
+        meaning: f.parameter.meaning,
     };
     fitted(found, tried, range).into_iter().map(facts).collect()
 }

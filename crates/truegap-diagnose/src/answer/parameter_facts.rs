@@ -19,4 +19,6 @@ pub struct ParameterFacts {
     pub sd: f64,
     /// on a bound
     pub at_limit: bool,
+    /// what it is, for a reader
+    pub meaning: String,
 }

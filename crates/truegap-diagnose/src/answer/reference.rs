@@ -44,3 +44,47 @@ pub(crate) fn against(reference: &[Reference], fit: &FitFacts, names: bool) -> O
         pair(line.rmse, fit.in_sample.rmse_before),
     ))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::fit_facts::{BeforeAfter, HeldOut};
+
+    fn fit(in_sample: [f64; 2], held_out: [f64; 2]) -> FitFacts {
+        FitFacts {
+            in_sample: BeforeAfter { rmse_before: in_sample[0], rmse_after: in_sample[1] },
+            held_out: HeldOut {
+                how: String::new(),
+                rmse_before: Some(held_out[0]),
+                rmse_after: Some(held_out[1]),
+                misfit_removed: None,
+                permutation_control: None,
+                parts: Vec::new(),
+                recordings: Vec::new(),
+            },
+            noise_floor: 0.1,
+            unit: "pF".into(),
+        }
+    }
+
+    fn line(rmse: f64, held_out: f64) -> Vec<Reference> {
+        vec![Reference { name: "straight_line", inputs: vec!["force".into()], rmse, held_out: Some(held_out) }]
+    }
+
+    /// 0.887 against 0.195, of which "96 % removed" was told.
+    #[test]
+    fn a_base_that_a_line_beats_is_told_and_one_that_it_does_not_beat_is_not() {
+        let says = against(&line(0.195, 0.21), &fit([0.887, 0.15], [0.9, 0.16]), true).unwrap_or_default();
+        assert!(
+            says.contains("a straight line in force is nearer") && says.contains("195 fF against 887 fF in sample"),
+            "{says}"
+        );
+        assert!(says.contains("210 fF against 900 fF on rows left out") && !says.contains("too"), "{says}");
+        let says = against(&line(0.195, 0.21), &fit([0.887, 0.15], [0.9, 0.4]), true).unwrap_or_default();
+        assert!(says.ends_with("it predicts rows left out better than the fuller model, too (210 fF against 400 fF)"), "{says}");
+        // nearer in sample alone is what more freedom does, and a twentieth is no difference
+        assert_eq!(against(&line(0.195, 0.95), &fit([0.887, 0.15], [0.9, 0.16]), true), None);
+        assert_eq!(against(&line(0.86, 0.88), &fit([0.887, 0.15], [0.9, 0.16]), true), None);
+        assert_eq!(against(&[], &fit([0.887, 0.15], [0.9, 0.16]), true), None);
+    }
+}

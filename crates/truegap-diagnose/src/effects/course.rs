@@ -37,6 +37,24 @@ impl Course {
         other.into_iter().find(|(column, _)| column.as_deref().is_some_and(moves)).map(|(_, course)| course)
     }
 
+    /// Why there is no course of this number.
+    pub fn missing(number: usize) -> String {
+        let which = if number == 0 { "no driver" } else { "no second driver" };
+        format!("{which} that moves was recorded; name one under [drivers]")
+    }
+
+    /// Whether the base model follows this recorded driver by itself: its response changes where the driver is moved.
+    pub fn is_followed(self, context: &Context<'_>) -> bool {
+        let Self::Driver(index) = self else { return false };
+        let mut moved = context.inputs.clone();
+        let step = 0.1 * self.span(context);
+        moved.drivers[index].values.iter_mut().for_each(|value| *value += step);
+        // off the centre of the priors, where a slope may be 0
+        let values: Vec<f64> = context.simulator.parameters().iter().map(|p| p.prior.at(1.0)).collect();
+        let respond = |inputs| context.simulator.respond(&values, inputs, &[]);
+        matches!((respond(context.inputs), respond(&moved)), (Ok(here), Ok(there)) if here != there)
+    }
+
     /// The column as the stages see it; `None` where it was not recorded.
     pub fn column<'a>(self, drive: &Drive<'a>) -> Option<&'a [f64]> {
         let inputs = drive.inputs;

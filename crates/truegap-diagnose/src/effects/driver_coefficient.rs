@@ -94,8 +94,11 @@ impl Effect for DriverCoefficient {
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         match Course::of(context, self.0) {
+            Some(course) if course.is_followed(context) => {
+                Err("the base model follows this driver by itself; a bend asks for a higher order under [base]".into())
+            }
             Some(Course::Driver(_)) => Ok(()),
-            _ => Err("no such driver that moves was recorded; name one under [drivers]".into()),
+            _ => Err(Course::missing(self.0)),
         }
     }
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {

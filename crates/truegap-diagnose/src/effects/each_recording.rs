@@ -91,7 +91,10 @@ impl<E: Effect> Effect for EachRecording<E> {
     }
     fn of_first(&self, fitted: Vec<FittedParameter>, context: &Context<'_>) -> Vec<FittedParameter> {
         let count = runs_before(context).len();
-        if count == 0 { fitted } else { self.of(&fitted, 0, (fitted.len() - 1) / count) }
+        match (fitted.len() - 1).checked_div(count) {
+            None => fitted,
+            Some(own) => self.of(&fitted, 0, own),
+        }
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let own = self.inner.parameters(context);

@@ -118,7 +118,7 @@ impl Effect for Friction {
                 "travel after a turn in which half of the force has changed sign",
             )
             .within(1e-4 * span, span),
-            Parameter::normal("viscous", &format!("s/({unit})"), 0.0, 0.3 / speed, "speed-proportional part over the force"),
+            Parameter::normal("viscous", &per_speed(&unit), 0.0, 0.3 / speed, "speed-proportional part over the force"),
         ]
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
@@ -128,7 +128,7 @@ impl Effect for Friction {
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         match Course::of(context, self.0) {
-            None => Err("no driver that moves was recorded; name one under [drivers]".into()),
+            None => Err(Course::missing(self.0)),
             Some(Course::Driver(_)) => Ok(()),
             Some(_) if context.has(StageName::Beads).is_ok() => {
                 Err("the base model has a place for friction of its own (hysteresis of the strain)".into())
@@ -149,6 +149,11 @@ impl Effect for Friction {
         let course = self.course(context);
         told(fitted, course.name(context), course.usual_speed(context))
     }
+}
+
+/// Seconds over a unit; in brackets where that is more than a word.
+fn per_speed(unit: &str) -> String {
+    if unit.chars().all(char::is_alphanumeric) { format!("s/{unit}") } else { format!("s/({unit})") }
 }
 
 /// Viscous part below which it is not spoken of, in standard deviations.

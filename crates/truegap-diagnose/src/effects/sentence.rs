@@ -13,6 +13,8 @@ use truegap_core::EffectId;
 const LARGEST_SHARE: f64 = 10.0;
 /// A change per kelvin that cannot be: the whole of it.
 const LARGEST_PER_KELVIN: f64 = 1.0;
+/// Standard deviations of what was known beforehand beyond which a number was not foreseen.
+const BEYOND: f64 = 10.0;
 /// Distance from 0 and 1 within which a number counts as one of them: both are natural ends, where a part of an equation is absent or all there is.
 const NATURAL: f64 = 1e-6;
 
@@ -33,7 +35,7 @@ pub fn sentence(
     let told = effect.told(fitted, context, beside);
     let further = &fitted[1..];
     let at_limit: Vec<String> = further.iter().filter(|f| f.at_limit && !is_natural(f.value)).map(limit).collect();
-    let no_number: Vec<String> = further.iter().filter(|f| cannot_be(f)).map(value).collect();
+    let no_number: Vec<String> = further.iter().filter(|f| !f.value.is_finite()).map(value).collect();
     match (at_limit.as_slice(), no_number.as_slice()) {
         ([], []) => told,
         (_, [_, ..]) => {
@@ -73,17 +75,15 @@ fn about_the_fit(effect: &dyn Effect, size: &FittedParameter) -> Option<String> 
     })
 }
 
-/// Whether a number is larger than anything of its kind.
-fn cannot_be(number: &FittedParameter) -> bool {
-    let largest = match number.parameter.unit.as_str() {
+/// Whether a size is larger than anything of its kind and far beyond what was taken to be possible.
+fn cannot_be(size: &FittedParameter) -> bool {
+    let largest = match size.parameter.unit.as_str() {
         "1" => LARGEST_SHARE,
         "1/K" => LARGEST_PER_KELVIN,
         _ => f64::INFINITY,
     };
-    // a number with wide bounds of its own may go there
-    let allowed = number.parameter.bounds.1.abs().max(number.parameter.bounds.0.abs());
-    let largest = if allowed.is_finite() { largest.max(allowed) } else { largest };
-    !number.value.is_finite() || number.value.abs() > largest
+    let beyond = (size.value - size.parameter.centre()).abs() > BEYOND * size.parameter.sd();
+    !size.value.is_finite() || (size.value.abs() > largest && beyond)
 }
 
 fn is_natural(value: f64) -> bool {

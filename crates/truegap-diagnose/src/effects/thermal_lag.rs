@@ -62,7 +62,7 @@ impl Effect for ThermalLag {
     }
     fn about(&self) -> About {
         About {
-            physics: "heat takes time to reach the dielectric, so the sensor is behind the thermometer",
+            physics: "heat takes time to arrive, so what is read is behind the temperature beside it",
             equation: "T_s = (1 - s) lag(T; q) + s lag(T; r q), lag first-order, tau = (1 - s) q + s r q; s = 0 is a single time constant",
             excitation: "temperature that changes faster than the sensor can follow, with a clock",
             impostors: &["thermal_hysteresis", "offset_drift", "readout_lag"],

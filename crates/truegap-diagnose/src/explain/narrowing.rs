@@ -9,7 +9,7 @@ use crate::{
         play::left_of,
     },
     selection::candidates::{Search, Tried},
-    text::{listed, significant, spoken, with_sd},
+    text::{listed, significant, spoken, uncapitalised, with_sd},
 };
 
 /// Relative error up to which a number needs no further run.
@@ -37,8 +37,8 @@ pub(crate) fn narrowing(search: &Search<'_>, best: &Tried, least_sure: Option<Le
     };
     let number = &least.number;
     let says = format!(
-        "{settled}; least sure is the {} of {}, {}",
-        spoken(&number.parameter.name),
+        "{settled}; least sure of its numbers is the {} ({}), {}",
+        uncapitalised(&number.parameter.meaning),
         spoken(&least.effect),
         with_sd(number.value, number.sd, &number.parameter.unit)
     );

@@ -6,7 +6,7 @@ use crate::{
     effects::effect::{Effect, Separation},
     explain::play::{load_role, separation},
     selection::candidates::{Search, Tried},
-    text::significant,
+    text::{deviations, listed, significant, spoken},
 };
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -218,7 +218,7 @@ pub(crate) fn by_worth(mut options: Vec<ExperimentOption>, brings: impl Fn(&Expe
 
 /// Ranks what would tell `best` from `rivals`, of which there is at least one.
 pub fn next_experiment(search: &Search<'_>, best: &Tried, rivals: &[&Tried]) -> NextExperiment {
-    let name = |t: &Tried| t.effects.iter().map(|e| search.library[*e].id().0).collect::<Vec<_>>().join(" + ");
+    let name = |t: &Tried| t.effects.iter().map(|e| spoken(search.library[*e].id().0)).collect::<Vec<_>>().join(" with ");
     let label = |t: &Tried| if t.effects.is_empty() { "nothing missing".to_owned() } else { name(t) };
     let apart = |(mut option, inputs): (ExperimentOption, Inputs)| {
         let separations: Vec<f64> = rivals.iter().filter_map(|rival| separation(search, &inputs, best, rival)).collect();
@@ -231,17 +231,19 @@ pub fn next_experiment(search: &Search<'_>, best: &Tried, rivals: &[&Tried]) -> 
     options.extend(instrument(&survivors.into_iter().map(|e| search.library[e]).collect::<Vec<_>>()));
     let options = by_worth(options, |o| o.separation.min(ENOUGH));
     let separates = std::iter::once(best).chain(rivals.iter().copied()).map(label).collect::<Vec<_>>();
-    NextExperiment { says: advice(search, options.first(), &separates.join(" from ")), separates, options }
+    NextExperiment { says: advice(search, options.first(), &listed(&separates, "and")), separates, options }
 }
 
 fn advice(search: &Search<'_>, first: Option<&ExperimentOption>, survivors: &str) -> String {
     match first {
-        Some(o) if o.separation >= TOLD => {
-            let sd = significant(o.separation.min(999.0), 2);
-            let sd = if o.separation > 999.0 { "more than 999".to_owned() } else { sd };
-            format!("{} ({} h): it would separate {survivors} by {sd} standard deviations", o.says, significant(o.hours, 2))
+        Some(o) if o.profile.is_none() => {
+            format!("{} ({} h): it would tell some of these apart: {survivors}", o.says, significant(o.hours, 2))
         }
-        Some(_) => format!("no profile of load and temperature separates {survivors}"),
+        Some(o) if o.separation >= TOLD => {
+            let (hours, sd) = (significant(o.hours, 2), deviations(o.separation));
+            format!("{} ({hours} h): it would tell apart {survivors}, by {sd} standard deviations or more", o.says)
+        }
+        Some(_) => format!("no built-in profile of load and temperature tells apart {survivors}"),
         None => again(search, survivors),
     }
 }
@@ -252,16 +254,16 @@ fn again(search: &Search<'_>, survivors: &str) -> String {
     let drivers = inputs.drivers.iter().map(|driver| driver.name.as_str());
     let recorded = [("load", search.context.load_span() > 0.0), ("temperature", inputs.temperature_c.is_some())];
     let moved: Vec<&str> = recorded.into_iter().filter_map(|(name, is)| is.then_some(name)).chain(drivers).collect();
-    let what = if moved.is_empty() { "all that can be moved" } else { &crate::text::listed(&moved, "and") };
-    format!("record again with {what} moved at several speeds, with holds and with rests between, to separate {survivors}")
+    let what = if moved.is_empty() { "all that can be moved" } else { &listed(&moved, "and") };
+    format!("record again with {what} moved at several speeds, with holds and with rests between, to tell apart {survivors}")
 }
 
 /// Instrument changes by which one of `effects` says that it is told from another of them, in the order of the library.
 fn instrument(effects: &[&dyn Effect]) -> Vec<ExperimentOption> {
-    let mut listed: Vec<Separation> = Vec::new();
+    let mut list: Vec<Separation> = Vec::new();
     for separation in effects.iter().flat_map(|e| e.separations()) {
-        if effects.iter().any(|e| e.id().0 == separation.rival) && !listed.contains(separation) {
-            listed.push(*separation);
+        if effects.iter().any(|e| e.id().0 == separation.rival) && !list.contains(separation) {
+            list.push(*separation);
         }
     }
     let option = |s: Separation| ExperimentOption {
@@ -271,7 +273,7 @@ fn instrument(effects: &[&dyn Effect]) -> Vec<ExperimentOption> {
         hours: REBUILD_H,
         profile: None,
     };
-    listed.into_iter().map(option).collect()
+    list.into_iter().map(option).collect()
 }
 
 fn ends(profile: &Profile) -> (f64, f64) {

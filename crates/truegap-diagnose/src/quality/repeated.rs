@@ -13,6 +13,7 @@ use crate::{
     },
     stats::{median, resolution},
 };
+use std::ops::Range;
 
 /// Longest stretch of one value that is a repeat.
 const LONGEST: usize = 12;
@@ -51,7 +52,9 @@ pub fn repeated(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<u
         let by_chance = MORE_THAN_CHANCE * by_one(counts) + FEW;
         (rows.len() > by_chance && rows.len() as f64 <= MOST * response.len() as f64).then_some(rows)
     };
-    let again = again(&|_| true).or_else(|| again(&whole))?;
+    let many = again(&|_| true).or_else(|| again(&whole));
+    let again = many
+        .or_else(|| too_long(response, &runs, &stretches).filter(|rows| rows.len() as f64 <= FEW_ROWS * response.len() as f64))?;
     let says = format!(
         "{} rows repeat the reading of the row before, the first is {}: the logger wrote old values again. They were left out; look whether it polls faster than the \
          converter converts",
@@ -60,4 +63,26 @@ pub fn repeated(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<u
     );
     let notice = Notice { kind: NoticeKind::RepeatedRows, says, rows: rows.numbers_of(&again), withholds: false };
     Some((notice, again))
+}
+
+/// Rows on either side by which it is judged how often neighbours are equal.
+const BESIDE: usize = 100;
+/// Expected number of such stretches by chance in the whole recording, at most.
+const BY_CHANCE: f64 = 0.01;
+/// Share of rows in stretches that are too long, at most: more is a reading that does not change.
+const FEW_ROWS: f64 = 0.02;
+
+/// Rows of stretches longer than equal neighbours would make by chance, as often as they are equal nearby; `None` where there are none.
+fn too_long(response: &[f64], runs: &[Range<usize>], stretches: &[Range<usize>]) -> Option<Vec<usize>> {
+    let improbable = |stretch: &&Range<usize>| {
+        let Some(run) = runs.iter().find(|run| run.contains(&stretch.start)) else { return false };
+        let before = run.start.max(stretch.start.saturating_sub(BESIDE)) + 1..stretch.start;
+        let after = stretch.end + 1..run.end.min(stretch.end + BESIDE);
+        let pairs = before.len() + after.len();
+        let equal = before.chain(after).filter(|row| response[*row] == response[*row - 1]).count();
+        let often = (equal + 1) as f64 / (pairs + 2) as f64;
+        response.len() as f64 * often.powi(stretch.len() as i32) < BY_CHANCE
+    };
+    let rows: Vec<usize> = stretches.iter().filter(improbable).flat_map(Clone::clone).collect();
+    (!rows.is_empty()).then_some(rows)
 }

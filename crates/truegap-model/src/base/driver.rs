@@ -63,6 +63,88 @@ impl Driver {
     }
 }
 
+/// A column under `[drivers]` with the range by which it is made a number of the order of 1.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct NamedDriver {
+    /// its name there
+    pub name: String,
+    /// where the number is 0: the least value recorded, in the driver's unit
+    pub zero: f64,
+    /// from there to where it is 1: the greatest value recorded
+    pub width: f64,
+}
+
+impl NamedDriver {
+    /// The driver of this name as a recording has it, or the first that moves where none is named; `None` where there is none that moves.
+    pub fn of(inputs: &Inputs, name: Option<&str>) -> Option<Self> {
+        let named = inputs.drivers.iter().filter(|driver| name.is_none_or(|name| name == driver.name));
+        named
+            .filter_map(|driver| {
+                let values = driver.values.iter();
+                let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)));
+                let width = high - low;
+                (width > 0.0 && width.is_finite()).then(|| Self { name: driver.name.clone(), zero: low, width })
+            })
+            .next()
+    }
+
+    fn recorded(&self, inputs: &Inputs, model: &str) -> Result<Vec<f64>, SimulationError> {
+        let missing = || SimulationError::MissingDriver { model: model.to_owned(), name: self.name.clone() };
+        let driver = inputs.drivers.iter().find(|driver| driver.name == self.name).ok_or_else(missing)?;
+        Ok(driver.values.iter().map(|value| (value - self.zero) / self.width).collect())
+    }
+}
+
+/// What a curve follows.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Followed {
+    /// a column with a role of its own
+    Column(Driver),
+    /// a column under `[drivers]`
+    Named(NamedDriver),
+}
+
+impl Followed {
+    /// Its role; `None` of a column under `[drivers]`.
+    pub fn role(&self) -> Option<Role> {
+        match self {
+            Self::Column(driver) => Some(driver.role),
+            Self::Named(_) => None,
+        }
+    }
+
+    /// The full load in SI, where it is a load.
+    pub(crate) fn full_load(&self) -> Option<f64> {
+        match self {
+            Self::Column(driver) if is_load(driver.role) => Some(driver.width),
+            _ => None,
+        }
+    }
+
+    /// As [`Driver::recorded`].
+    ///
+    /// # Errors
+    /// [`SimulationError`] where it was not recorded.
+    pub(crate) fn recorded(&self, inputs: &Inputs, model: &str) -> Result<Vec<f64>, SimulationError> {
+        match self {
+            Self::Column(driver) => driver.recorded(inputs, model),
+            Self::Named(driver) => driver.recorded(inputs, model),
+        }
+    }
+
+    /// As [`Driver::arrived`]; what stands under `[drivers]` arrives as it was recorded.
+    ///
+    /// # Errors
+    /// [`SimulationError`] where it was not recorded or the physics has no answer.
+    pub(crate) fn arrived(&self, drive: &Drive<'_>, stages: &[&dyn Stage], model: &str) -> Result<Vec<f64>, SimulationError> {
+        match self {
+            Self::Column(driver) => driver.arrived(drive, stages, model),
+            Self::Named(driver) => driver.recorded(drive.inputs, model),
+        }
+    }
+}
+
 /// A deformation in units of that at full load, with softening, stiffening and memory plugged in; `elastic` is what it is without them.
 ///
 /// # Errors

@@ -1,8 +1,8 @@
-//! A straight line, or a polynomial, in one recorded column: the base for whoever has no other.
+//! A straight line, or a polynomial, in one recorded column or named driver: the base for whoever has no other.
 //!
 //! Limits: one driver; the coefficients say nothing about what is inside.
 
-use super::driver::{Driver, is_load};
+use super::driver::Followed;
 use super::scale::ResponseScale;
 use truegap_core::{Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, StageName, walk_without_plates};
 
@@ -12,8 +12,8 @@ pub const HIGHEST_ORDER: usize = 6;
 /// Response `offset + slope u + order_2 u^2 + ...`, u the driver over its range.
 #[derive(Clone, Debug)]
 pub struct Linear {
-    driver: Driver,
-    needs: [Role; 1],
+    driver: Followed,
+    needs: Vec<Role>,
     unit: String,
     reference_c: f64,
     parameters: Vec<Parameter>,
@@ -21,7 +21,7 @@ pub struct Linear {
 
 impl Linear {
     /// A polynomial of `order` in `driver`; priors scale with the response.
-    pub fn new(driver: Driver, order: usize, scale: &ResponseScale, reference_c: f64) -> Self {
+    pub fn new(driver: Followed, order: usize, scale: &ResponseScale, reference_c: f64) -> Self {
         let weak = 10.0 * scale.range;
         let mut parameters = vec![
             Parameter::normal("offset", &scale.unit, scale.at_rest, weak, "reading where the driver is 0"),
@@ -37,11 +37,11 @@ impl Linear {
             let meaning = "change of the reading over the driver's range, part of this order";
             parameters.push(Parameter::normal(&format!("order_{power}"), &scale.unit, 0.0, weak, meaning));
         }
-        Self { driver, needs: [driver.role], unit: scale.unit.clone(), reference_c, parameters }
+        Self { needs: driver.role().into_iter().collect(), driver, unit: scale.unit.clone(), reference_c, parameters }
     }
 
     fn is_loaded(&self) -> bool {
-        is_load(self.driver.role)
+        self.driver.full_load().is_some()
     }
 }
 
@@ -64,7 +64,7 @@ impl Simulator for Linear {
 
     fn lacks(&self, stage: StageName) -> Option<&'static str> {
         match stage {
-            StageName::Inputs if !self.is_loaded() && self.driver.role != Role::Gap => {
+            StageName::Inputs if !self.is_loaded() && self.driver.role() != Some(Role::Gap) => {
                 Some("the base model is not driven by a load")
             }
             StageName::LoadPath | StageName::Beads if !self.is_loaded() => Some("the base model is not driven by a load"),
@@ -74,7 +74,7 @@ impl Simulator for Linear {
     }
 
     fn full_load(&self) -> Option<f64> {
-        self.is_loaded().then_some(self.driver.width)
+        self.driver.full_load()
     }
 
     fn reference_c(&self) -> f64 {

@@ -15,7 +15,7 @@ mod spec;
 mod surface;
 mod table;
 
-pub use driver::{DRIVERS, Driver};
+pub use driver::{DRIVERS, Driver, Followed, NamedDriver};
 pub use external::{External, ExternalOptions, GAIN_SD};
 pub use grid::{Axis, Grid, GridError};
 pub use linear::HIGHEST_ORDER;

@@ -13,8 +13,10 @@ pub struct BaseOptions {
     pub stack: StackOptions,
     /// what may be adjusted of a simulation or a table that is given
     pub adjusted: ExternalOptions,
-    /// what drives a line; the first moving column of [`super::DRIVERS`] where absent
+    /// what drives a line; the first moving column of [`super::DRIVERS`] where absent, one under `[drivers]` before the clock
     pub driver: Option<Role>,
+    /// the column under `[drivers]` that drives it, in place of one with a role
+    pub named_driver: Option<String>,
     /// order of a line's polynomial; 1 where absent
     pub order: Option<usize>,
     /// the table of a `table`

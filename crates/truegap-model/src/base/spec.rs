@@ -4,7 +4,7 @@
 
 use super::{
     constant::Constant,
-    driver::{DRIVERS, Driver},
+    driver::{DRIVERS, Driver, Followed, NamedDriver},
     external::{External, ExternalOptions},
     gap_plate::GapPlate,
     grid::Grid,
@@ -84,7 +84,7 @@ pub enum BaseModel {
         /// reference temperature, degrees Celsius
         reference_c: f64,
         /// what drives it
-        driver: Driver,
+        driver: Followed,
         /// order of the polynomial
         order: usize,
     },
@@ -128,11 +128,11 @@ pub enum BaseError {
     /// A line without anything that drives it.
     #[error(
         "the base model `linear` needs {}; name it under [columns], or another one as driver = \"...\" under [base]",
-        .driver.map_or("a recorded column that moves (force, pressure, gap, temperature, humidity, time)".to_owned(), |role| format!("a column for {} that moves", role.key()))
+        .driver.as_ref().map_or("a recorded column that moves (force, pressure, gap, temperature, humidity, time, or one under [drivers])".to_owned(), |name| format!("a column for {name} that moves"))
     )]
     NoDriver {
         /// the driver asked for
-        driver: Option<Role>,
+        driver: Option<String>,
     },
     /// A polynomial of an order that is none.
     #[error("the base model `linear` has an order from 1 to {HIGHEST_ORDER}, not {order}; for a richer curve give a table")]
@@ -247,7 +247,9 @@ impl BaseModel {
             Self::External { scale, reference_c, options, surface } => {
                 Box::new(External::new(scale, *reference_c, *options).following(surface.clone()))
             }
-            Self::Linear { scale, reference_c, driver, order } => Box::new(Linear::new(*driver, *order, scale, *reference_c)),
+            Self::Linear { scale, reference_c, driver, order } => {
+                Box::new(Linear::new(driver.clone(), *order, scale, *reference_c))
+            }
             Self::Table { scale, reference_c, options, grid } => {
                 Box::new(Table::new(grid.clone(), scale, *reference_c, *options))
             }
@@ -273,9 +275,20 @@ fn linear(options: &BaseOptions, recorded: Recorded<'_>, reference_c: f64) -> Re
     if !(1..=HIGHEST_ORDER).contains(&order) {
         return Err(BaseError::Order { order });
     }
-    let missing = || BaseError::NoDriver { driver: options.driver };
-    let wanted = options.driver.map_or_else(|| DRIVERS.to_vec(), |role| vec![role]);
-    let driver = wanted.into_iter().find_map(|role| Driver::of(recorded.inputs, role)).ok_or_else(missing)?;
+    let role_name = options.driver.map(|role| role.key().to_owned());
+    let missing = || BaseError::NoDriver { driver: options.named_driver.clone().or(role_name.clone()) };
+    let column = |role| Driver::of(recorded.inputs, role).map(Followed::Column);
+    let named = |name| NamedDriver::of(recorded.inputs, name).map(Followed::Named);
+    let driver = match (&options.named_driver, options.driver) {
+        (Some(name), _) => named(Some(name.as_str())),
+        (None, Some(role)) => column(role),
+        // the clock moves in every recording: it drives where nothing else does
+        (None, None) => {
+            let recorded = DRIVERS.into_iter().filter(|role| *role != Role::Time).find_map(column);
+            recorded.or_else(|| named(None)).or_else(|| column(Role::Time))
+        }
+    };
+    let driver = driver.ok_or_else(missing)?;
     let column = driver.recorded(recorded.inputs, "linear").map_err(|_| missing())?;
     Ok(BaseModel::Linear { scale: ResponseScale::of(recorded, Some((&column, 1.0))), reference_c, driver, order })
 }

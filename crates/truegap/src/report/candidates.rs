@@ -1,4 +1,4 @@
-//! Every effect tried, what could not be tested, and how small an effect would have been seen.
+//! Every effect tried, and how small an effect would have been seen.
 //!
 //! Limits: a bar chart of the first dozen; the table holds all.
 
@@ -18,18 +18,12 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     let page = chart(page, &diagnosis.candidates);
     let page = page.details("All candidates as a table").table(&table(&diagnosis.candidates)).end_details();
     let page = outside(page, &diagnosis.unmodelled);
-    let page = if diagnosis.smallest_visible.is_empty() {
-        page
-    } else {
-        page.subsection("What would have been seen")
-            .text("An effect of this size would stand five standard deviations out of the noise, after calibration took its share; a smaller one may be there unseen.")
-            .table(&visible(&diagnosis.smallest_visible))
-    };
-    if diagnosis.not_testable.is_empty() {
+    if diagnosis.smallest_visible.is_empty() {
         return page;
     }
-    let lines: Vec<String> = diagnosis.not_testable.iter().map(|n| format!("{}: {}", spoken(&n.effect), n.says)).collect();
-    page.subsection("What this recording could not show").list(&lines)
+    page.subsection("What would have been seen")
+        .text("An effect of this size would stand six standard deviations out of the noise, after calibration took its share; a smaller one may be there unseen.")
+        .table(&visible(&diagnosis.smallest_visible))
 }
 
 fn chart(page: Page, candidates: &[Candidate]) -> Page {
@@ -65,7 +59,8 @@ fn labels(candidates: &[Candidate]) -> Vec<String> {
 fn probabilities(candidates: &[Candidate]) -> Result<String, FigureError> {
     let names = labels(candidates);
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let values: Vec<f64> = candidates.iter().map(|c| 100.0 * c.probability).collect();
+    // a tenth of a per cent is as fine as a probability is known, at either end
+    let values: Vec<f64> = candidates.iter().map(|c| ((1000.0 * c.probability).round() / 10.0).min(99.9)).collect();
     Bars::new("", &names).x("probability", "%").series("probability", &values).mark(50.0, "").to_svg()
 }
 

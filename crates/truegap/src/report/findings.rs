@@ -59,11 +59,14 @@ fn one(page: Page, subject: &Subject<'_>, finding: &Finding) -> Page {
 }
 
 fn parameters(parameters: &[ParameterFacts]) -> Table {
-    let head = Table::new(&["parameter", "fitted", "assumed beforehand", ""]);
-    parameters.iter().fold(head, |table, p| {
+    let limits = parameters.iter().any(|p| p.at_limit);
+    let head = ["parameter", "what it is", "fitted", "assumed beforehand", ""];
+    let cut = if limits { head.len() } else { head.len() - 1 };
+    parameters.iter().fold(Table::new(&head[..cut]), |table, p| {
         let limit = if p.at_limit { "at its limit" } else { "" };
         let prior = measured(p.prior[0], p.prior[1], &p.unit);
-        table.row(&[spoken(&p.name), measured(p.value, p.sd, &p.unit), prior, limit.to_owned()])
+        let row = [spoken(&p.name), p.meaning.clone(), measured(p.value, p.sd, &p.unit), prior, limit.to_owned()];
+        table.row(&row[..cut])
     })
 }
 

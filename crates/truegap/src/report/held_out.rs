@@ -4,7 +4,7 @@
 
 use super::axis::Axis;
 use super::draw;
-use super::text::significant;
+use super::text::{percent, significant};
 use super::{subject::Subject, summary, wording};
 use truegap_diagnose::answer::HeldOut;
 use truegap_scene::figure::{Bars, FigureError};
@@ -45,7 +45,9 @@ fn sentence(subject: &Subject<'_>) -> String {
         text += &format!(" Share of the reproducible misfit removed: {share}.");
     }
     if let Some(control) = held.permutation_control {
-        text += &format!(" A term of equal freedom driven by a permuted history removes {:.0} %.", 100.0 * control);
+        let removes =
+            if control < 0.0 { "makes the prediction worse".to_owned() } else { format!("removes {}", percent(control)) };
+        text += &format!(" A term of equal freedom driven by a permuted history {removes}.");
     }
     text
 }

@@ -13,6 +13,7 @@ mod flexible;
 mod held_out;
 mod map;
 mod next;
+mod not_tested;
 mod origin;
 mod parameters;
 mod recordings;
@@ -47,6 +48,7 @@ pub fn html(subject: &Subject<'_>) -> String {
     let page = flexible::add(page, subject, &axis);
     let page = parameters::add(page, subject);
     let page = next::add(page, subject);
+    let page = not_tested::add(page, subject);
     let page = candidates::add(page, subject);
     let page = origin::bank(page, subject);
     let page = origin::noise(page, subject);

@@ -3,7 +3,7 @@
 //! Limits: told as the diagnosis tells it.
 
 use super::subject::Subject;
-use super::text::{Scale, significant};
+use super::text::{Scale, capitalised, significant};
 use truegap_diagnose::answer::NoiseFacts;
 use truegap_scene::page::{Page, Table, Tone};
 
@@ -16,7 +16,7 @@ pub(super) fn issues(page: Page, subject: &Subject<'_>) -> Page {
 /// Noise and what it rests on.
 pub(super) fn noise(page: Page, subject: &Subject<'_>) -> Page {
     let noise = &subject.diagnosis.noise;
-    let page = page.section("Noise").text(&noise.says);
+    let page = page.section("Noise").text(&format!("{}.", capitalised(noise.says.trim_end_matches('.'))));
     let page = if noise.measured {
         page
     } else {
@@ -71,7 +71,15 @@ pub(super) fn provenance(page: Page, subject: &Subject<'_>) -> Page {
         .row(&["program", &format!("truegap {}", diagnosis.version)])
         .row(&["made", &made.made_at])
         .row(&["took", &format!("{} s", significant(diagnosis.seconds, 3))])
-        .row(&["rows, runs", &format!("{} rows in {} runs", diagnosis.recording.rows, diagnosis.recording.runs)]);
+        .row(&[
+            "rows, runs",
+            &format!(
+                "{} rows in {} run{}",
+                diagnosis.recording.rows,
+                diagnosis.recording.runs,
+                if diagnosis.recording.runs == 1 { "" } else { "s" }
+            ),
+        ]);
     for (file, hash) in &made.files {
         table = table.row(&["recording", file]).row(&["its SHA-256", hash]);
     }

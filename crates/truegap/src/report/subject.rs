@@ -62,9 +62,12 @@ impl Subject<'_> {
     }
 }
 
-/// Unit in which the errors of a diagnosis read well.
+/// Ratio up to which the smallest error still reads well in the unit of the largest.
+const APART: f64 = 300.0;
+
+/// Unit in which the errors of a diagnosis read well: that of the largest, unless the smallest would be lost in it.
 pub(super) fn error_scale(diagnosis: &Diagnosis) -> Scale {
     let fit = &diagnosis.fit;
-    let small = fit.in_sample.rmse_after.max(fit.noise_floor);
-    Scale::of(&fit.unit, if small > 0.0 { small } else { fit.in_sample.rmse_before })
+    let (large, small) = (fit.in_sample.rmse_before, fit.in_sample.rmse_after.max(fit.noise_floor));
+    Scale::of(&fit.unit, if small > 0.0 && large > APART * small { small } else { large })
 }

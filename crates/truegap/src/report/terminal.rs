@@ -3,9 +3,9 @@
 //! Limits: no colour, no table; at most a line a finding.
 
 use super::text::{capitalised, listed, spoken};
-use super::{confirmation, reference, wording};
+use super::{confirmation, not_tested, reference, wording};
 use truegap_diagnose::Verdict;
-use truegap_diagnose::answer::{Diagnosis, NO_CLOCK, Reference};
+use truegap_diagnose::answer::{Diagnosis, Reference};
 
 /// Verdict, findings with sizes, errors, what next.
 pub fn summary(diagnosis: &Diagnosis) -> String {
@@ -39,17 +39,11 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
         lines.push("Doubts:".into());
         lines.extend(diagnosis.recording_issues.iter().map(|issue| format!("  {issue}")));
     }
-    lines.extend(without_clock(diagnosis));
+    lines.extend(not_tested::line(diagnosis));
     if !diagnosis.next_experiment.says.is_empty() {
         lines.push(format!("Next: {}", diagnosis.next_experiment.says));
     }
     lines.join("\n")
-}
-
-/// What could not be looked for because no time was recorded.
-fn without_clock(diagnosis: &Diagnosis) -> Option<String> {
-    let names = diagnosis.not_testable.iter().filter(|n| n.says == NO_CLOCK).map(|n| spoken(&n.effect)).collect::<Vec<_>>();
-    (!names.is_empty()).then(|| format!("Not looked for, since there is no time column: {}", names.join(", ")))
 }
 
 /// A straight line and a smooth curve through the inputs, and what is said where the line is the better model.

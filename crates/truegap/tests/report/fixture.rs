@@ -101,7 +101,15 @@ fn map(size: f64) -> Map {
 }
 
 pub fn parameter(name: &str, unit: &str, prior: [f64; 2], value: f64, sd: f64) -> ParameterFacts {
-    ParameterFacts { name: name.into(), unit: unit.into(), prior, value, sd, at_limit: false }
+    ParameterFacts {
+        name: name.into(),
+        unit: unit.into(),
+        prior,
+        value,
+        sd,
+        at_limit: false,
+        meaning: format!("what {name} means"),
+    }
 }
 
 fn plain(name: &'static str, rmse: f64, held_out: f64) -> Reference {

@@ -112,7 +112,7 @@ fn sums_less_those_of_a_part_are_sums_without_it() {
     let problem = Problem { inputs: &inputs, response: &response, simulator: &Still };
     let force = moving(&problem).remove(0).values;
     let design = Design::new((vec![0; ROWS], 1), vec![force.clone()], &response);
-    let fitted = design.without(&[40..80]);
+    let fitted = design.without(std::slice::from_ref(&(40..80)));
     let kept: Vec<usize> = (0..ROWS).filter(|row| !(40..80).contains(row)).collect();
     let mean = |column: &[f64]| kept.iter().map(|row| column[*row]).sum::<f64>() / kept.len() as f64;
     let (x, y) = (mean(&force), mean(&response));

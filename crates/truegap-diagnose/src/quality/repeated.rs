@@ -73,7 +73,13 @@ const BY_CHANCE: f64 = 0.01;
 const FEW_ROWS: f64 = 0.02;
 
 /// Rows of stretches longer than equal neighbours would make by chance, as often as they are equal nearby; `None` where there are none.
+///
+/// A reading that was held jumps when it comes back: the chance counts how rare such a step is as well.
 fn too_long(response: &[f64], runs: &[Range<usize>], stretches: &[Range<usize>]) -> Option<Vec<usize>> {
+    let step = |row: usize| (response[row] - response[row - 1]).abs();
+    let mut steps: Vec<f64> = runs.iter().flat_map(|run| run.start + 1..run.end).map(step).collect();
+    steps.sort_by(f64::total_cmp);
+    let as_large = |jump: f64| (steps.len() - steps.partition_point(|s| *s < jump)).max(1) as f64 / steps.len().max(1) as f64;
     let improbable = |stretch: &&Range<usize>| {
         let Some(run) = runs.iter().find(|run| run.contains(&stretch.start)) else { return false };
         let before = run.start.max(stretch.start.saturating_sub(BESIDE)) + 1..stretch.start;
@@ -81,7 +87,8 @@ fn too_long(response: &[f64], runs: &[Range<usize>], stretches: &[Range<usize>])
         let pairs = before.len() + after.len();
         let equal = before.chain(after).filter(|row| response[*row] == response[*row - 1]).count();
         let often = (equal + 1) as f64 / (pairs + 2) as f64;
-        response.len() as f64 * often.powi(stretch.len() as i32) < BY_CHANCE
+        let jump = if stretch.end < run.end { as_large(step(stretch.end)) } else { 1.0 };
+        response.len() as f64 * often.powi(stretch.len() as i32) * jump < BY_CHANCE
     };
     let rows: Vec<usize> = stretches.iter().filter(improbable).flat_map(Clone::clone).collect();
     (!rows.is_empty()).then_some(rows)

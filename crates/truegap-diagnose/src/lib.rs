@@ -99,6 +99,19 @@ pub mod experiment {
     pub use crate::explain::next_experiment::{PROFILES, Points, Profile, inputs};
 }
 
+/// Mechanisms composed of words: as effects, and as files.
+pub mod mechanism {
+    pub use crate::{
+        discovery::marginals::WordProbabilities,
+        effects::composed::{
+            effect::Composed,
+            file::{Known, MechanismError, MechanismFile, SCHEMA},
+            mechanism::{Mechanism, Numbers, Sentence, Sum},
+            words::{Action, Driver, Form, Kinetics, Place, Quantity},
+        },
+    };
+}
+
 /// Calibration of a model to a recording, noise and all: what a diagnosis does first.
 pub mod calibration {
     pub use crate::{

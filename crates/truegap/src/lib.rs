@@ -51,6 +51,7 @@ pub mod confirm;
 pub mod diagnosis;
 pub mod example;
 pub mod export;
+pub mod mechanism_file;
 pub mod model_file;
 pub mod nearest;
 pub mod output;

@@ -13,6 +13,7 @@ use truegap::Recording;
 use truegap::confirm::{Free, confirm_within, other};
 use truegap::diagnose::{Library, Progress, Verdict};
 use truegap::diagnosis::{Diagnosed, FILES, Request, diagnose, open};
+use truegap::mechanism_file::with_effects;
 use truegap::output::OutputFolder;
 use truegap::report::terminal;
 
@@ -40,6 +41,12 @@ pub struct Diagnose {
     /// Try these effects only
     #[arg(long, value_delimiter = ',', value_name = "A,B,C")]
     effects: Vec<String>,
+    /// Effect of your own beside the library: a mechanism's TOML, as `discovered.toml` of another recording; may be given several times
+    #[arg(long = "effect", value_name = "FILE")]
+    effect_files: Vec<PathBuf>,
+    /// Try no mechanisms beyond the library
+    #[arg(long)]
+    library_only: bool,
     /// Hide an input column, to see what its absence does: temperature, humidity, force, pressure, gap
     #[arg(long, value_delimiter = ',', value_name = "COLUMN")]
     conceal: Vec<String>,
@@ -93,7 +100,7 @@ impl Diagnose {
 
     fn one(&self, paths: &[PathBuf], recordings: Vec<Recording>, console: &Console) -> anyhow::Result<Diagnosed> {
         let files = paths.iter().zip(&recordings).map(|(path, r)| (path.display().to_string(), r.sha256.clone())).collect();
-        let request = self.request();
+        let request = self.request()?;
         let opened = open(recordings, &request)?;
         opened.recording.notes.iter().for_each(|note| console.note(note));
         let bar = bar(console);
@@ -139,13 +146,15 @@ impl Diagnose {
         Ok(if found { Outcome::LookAt } else { Outcome::Fine })
     }
 
-    fn request(&self) -> Request {
+    fn request(&self) -> anyhow::Result<Request> {
+        let library = with_effects(Library::default(), &self.effect_files)?;
         let quoted = |word: String| if word.contains(char::is_whitespace) { format!("\"{word}\"") } else { word };
         let words = std::env::args().skip(1).map(quoted);
-        Request {
+        Ok(Request {
             sensor: self.sensor.clone(),
             base: self.base.clone(),
-            library: Library::default(),
+            library,
+            library_only: self.library_only,
             no_warp: self.no_warp,
             effects: self.effects.clone(),
             conceal: self.conceal.clone(),
@@ -154,7 +163,7 @@ impl Diagnose {
             free: if self.confirm.is_some() && self.recordings.len() == 1 { Vec::new() } else { self.free.clone() },
             bank: self.bank.map(|n| n as usize),
             command: std::iter::once("truegap".to_owned()).chain(words).collect::<Vec<_>>().join(" "),
-        }
+        })
     }
 }
 

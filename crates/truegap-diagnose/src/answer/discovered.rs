@@ -10,7 +10,10 @@ use crate::{
         parameter_facts::ParameterFacts,
     },
     discovery::{discover::Discovery, marginals::WordProbabilities, phrase_book::could_be},
-    effects::{composed::mechanism::Sentence, effect::Effect},
+    effects::{
+        composed::{describe::words as clause, file::MechanismFile, mechanism::Sentence},
+        effect::Effect,
+    },
     validation::cross_validation::{HeldOutFit, compared},
 };
 use serde::Serialize;
@@ -34,6 +37,8 @@ pub struct DiscoveredFacts {
     pub named: bool,
     /// probability of each value of each word
     pub probability: WordProbabilities,
+    /// the words as a clause
+    pub clause: String,
     /// sentence with numbers
     pub says: String,
     /// known physics that the words fit, each with a source; no claim
@@ -46,6 +51,9 @@ pub struct DiscoveredFacts {
     pub control_p_value: f64,
     /// columns that were weighed
     pub weighed: usize,
+    /// the mechanism as a file, for other recordings
+    #[serde(skip)]
+    pub file: MechanismFile,
 }
 
 /// The mechanisms; `before` and `after` are predictions of rows left out by the base model and by the model that holds them.
@@ -58,6 +66,9 @@ pub(crate) fn discovered(found: &Found<'_>, before: &HeldOutFit, after: Option<&
         let own = model.range_of(tried.effects.iter().position(|e| *e == index)?);
         let both = after.and_then(|after| compared(before, after));
         let words = &mechanism.effect.sentence;
+        let numbers = fitted(found, tried, own.clone());
+        let says = mechanism.effect.told(&numbers, found.search.context, &[]);
+        let values: Vec<_> = numbers.into_iter().map(|p| (p.parameter.name, p.value, p.sd, p.parameter.unit)).collect();
         Some(DiscoveredFacts {
             place: words.quantity.place().word().into(),
             driver: words.driver.word(),
@@ -67,7 +78,9 @@ pub(crate) fn discovered(found: &Found<'_>, before: &HeldOutFit, after: Option<&
             sentence: words.clone(),
             named: found.chosen().effects.contains(&index),
             probability: mechanism.words.clone(),
-            says: mechanism.effect.told(&fitted(found, tried, own.clone()), found.search.context, &[]),
+            file: MechanismFile::of(&mechanism.effect, &values),
+            clause: clause(words),
+            says,
             could_be: could_be(words),
             parameters: parameters(found, tried, own),
             held_out: BeforeAfterUnit {

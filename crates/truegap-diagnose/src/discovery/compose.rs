@@ -23,7 +23,7 @@ use crate::{
 const A_TENTH: f64 = 0.9;
 /// Gain in log evidence, divided as the selection's, that a second mechanism must bring.
 const CLEAR: f64 = 3.0;
-/// Gain that a word-sure answer needs, as a probability.
+/// Probability that place, driver and kinetics need, each, for an answer without rivals.
 const SURE: f64 = 0.9;
 
 /// Mechanisms beside a model.
@@ -32,8 +32,8 @@ pub struct Composition {
     pub mechanisms: Vec<Discovery>,
     /// the model with them
     pub tried: Tried,
-    /// odds against all models of the library together
-    pub odds: f64,
+    /// log odds against the library and all unmodelled causes together
+    pub log_odds: f64,
     /// whether the library's own answer has run to the limits of its equations
     pub library_strained: bool,
 }
@@ -56,7 +56,7 @@ pub fn compose(
     let mut best: Option<Composition> = None;
     for from in launches {
         let found = beside(search, selection, from, lack_of_fit, strained);
-        let better = |f: &Composition| best.as_ref().is_none_or(|b| f.odds > b.odds);
+        let better = |f: &Composition| best.as_ref().is_none_or(|b| f.log_odds > b.log_odds);
         best = found.filter(better).or(best);
         if best.as_ref().is_some_and(|b| !lack_of_fit.adequacy(&b.tried.fit).fires()) {
             break;
@@ -85,15 +85,15 @@ fn beside(
     let scale = selection.temper * lack_of_fit.slack();
     let first = discover(search, from, scale, IDS[0])?;
     let tried = fitted(search, from, &first.effect)?;
-    let odds = selection.odds_beside(from, first.gain, lack_of_fit.slack(), |m| !strained || m.effects.is_empty());
+    let log_odds = selection.log_odds_beside(from, first.gain, lack_of_fit.slack(), |m| !strained || m.effects.is_empty());
     let second = if lack_of_fit.adequacy(&tried.fit).fires() { second(search, &tried, &first, scale) } else { None };
-    let (mut mechanisms, mut whole, mut odds) = (vec![first], tried, odds);
+    let (mut mechanisms, mut whole, mut log_odds) = (vec![first], tried, log_odds);
     if let Some((more, larger)) = second {
-        odds *= more.gain.exp();
+        log_odds += more.gain;
         mechanisms.push(more);
         whole = larger;
     }
-    Some(Composition { mechanisms, tried: whole, odds, library_strained: strained })
+    Some(Composition { mechanisms, tried: whole, log_odds, library_strained: strained })
 }
 
 fn second(search: &Search<'_>, tried: &Tried, first: &Discovery, scale: f64) -> Option<(Discovery, Tried)> {
@@ -121,7 +121,7 @@ impl Composition {
     /// The selection with the mechanisms' model in it. A library whose best equation has run to its limits, and what mimics that, is set aside.
     pub fn counted_in(&self, selection: Selection) -> Selection {
         let selection = if self.library_strained { selection.base_alone() } else { selection };
-        selection.with_model(self.tried.clone(), self.odds, self.mechanisms.len())
+        selection.with_model(self.tried.clone(), self.log_odds, self.mechanisms.len())
     }
 
     /// The decision with the mechanisms counted; `selection` holds their model already.
@@ -135,10 +135,10 @@ impl Composition {
         let after = lack_of_fit.adequacy(&self.tried.fit);
         let explained = 2.0 * (selection.base().fit.objective() - self.tried.fit.objective());
         let removed = removed_by(explained, &after);
-        let own = selection.probability[model];
-        let likelier = own > 0.5 && selection.unmodelled.first().is_none_or(|(_, odds)| own > *odds);
         let says_something = self.mechanisms.iter().all(|m| !is_a_moment(&m.effect));
-        let Some(verdict) = self.verdict(removed, &after).filter(|_| likelier && says_something) else { return (decision, None) };
+        let Some(verdict) = self.verdict(removed, &after).filter(|_| self.log_odds > 0.0 && says_something) else {
+            return (decision, None);
+        };
         let sets = self.tried.effects.iter().map(|e| vec![*e]).collect();
         (Decision { verdict, model, sets, removed, unmodelled: None, unmodelled_rivals: false }, Some(after))
     }

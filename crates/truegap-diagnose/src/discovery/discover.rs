@@ -91,21 +91,24 @@ fn promising(found: &Screen, temper: f64) -> Vec<usize> {
 /// Fits the most promising sentences beside `from`, corrects what the screen promised of them, and gives the one with the most weight.
 fn best_fit(search: &Search<'_>, from: &Tried, found: &mut Screen, temper: f64, id: EffectId) -> Option<Composed> {
     let mut best: Option<(f64, Composed)> = None;
-    let at_once = 2.0 * search.context.shortest_step_s.unwrap_or(0.0);
-    for index in promising(found, temper) {
-        let s = &mut found.sentences[index];
-        let effect = Composed::found(id, s.sentence.clone(), s.numbers, s.swing, search.context);
-        if effect.testable(search.context).is_err() {
+    let mut open = promising(found, temper);
+    open.reverse();
+    let mut done = Vec::new();
+    while let Some(index) = open.pop() {
+        if done.contains(&index) {
             continue;
         }
-        let Some(tried) = fitted(search, from, &effect) else { continue };
-        let fallen = 2.0 * (from.fit.objective() - tried.fit.objective());
-        s.beyond = fallen - s.deviance;
-        let (late, weight) = (s.sentence.kinetics == Kinetics::FirstOrder, s.weight(temper));
-        let tau_s = start_of(&wider_values(search, &tried, &effect), &effect);
-        if late && tau_s < at_once && found.has_twin(index, weight - CLOSE, temper) {
+        done.push(index);
+        let Some((effect, tried)) = fit_of(search, from, &found.sentences[index], id) else { continue };
+        let s = &mut found.sentences[index];
+        s.beyond = 2.0 * (from.fit.objective() - tried.fit.objective()) - s.deviance;
+        let weight = s.weight(temper);
+        if is_at_once(search, &tried, &effect)
+            && let Some(twin) = found.at_once(index, weight - CLOSE, temper)
+        {
             // late by less than two rows: that is at once, and another sentence says so
             found.sentences[index].beyond = f64::NEG_INFINITY;
+            open.push(twin);
             continue;
         }
         if best.as_ref().is_none_or(|(most, _)| weight > *most) {
@@ -115,15 +118,29 @@ fn best_fit(search: &Search<'_>, from: &Tried, found: &mut Screen, temper: f64, 
     best.map(|(_, effect)| effect)
 }
 
+/// A sentence as an effect and as fitted beside `from`.
+fn fit_of(search: &Search<'_>, from: &Tried, s: &Screened, id: EffectId) -> Option<(Composed, Tried)> {
+    let effect = Composed::found(id, s.sentence.clone(), s.numbers, s.swing, search.context);
+    effect.testable(search.context).ok()?;
+    let tried = fitted(search, from, &effect)?;
+    Some((effect, tried))
+}
+
+/// Whether it is late by less than two rows.
+fn is_at_once(search: &Search<'_>, tried: &Tried, effect: &Composed) -> bool {
+    let tau_s = time_constant(&values(search, tried, effect), effect);
+    effect.sentence.kinetics == Kinetics::FirstOrder && tau_s < 2.0 * search.context.shortest_step_s.unwrap_or(0.0)
+}
+
 /// Values of the parameters of `effect`, the last of the model.
-fn wider_values(search: &Search<'_>, tried: &Tried, effect: &Composed) -> Vec<f64> {
+fn values(search: &Search<'_>, tried: &Tried, effect: &Composed) -> Vec<f64> {
     let model = widened(search, effect).model(&tried.effects);
     let values = model.values(&tried.fit.z);
     values[model.range_of(tried.effects.len() - 1)].to_vec()
 }
 
 /// Its time constant, s.
-fn start_of(values: &[f64], effect: &Composed) -> f64 {
+fn time_constant(values: &[f64], effect: &Composed) -> f64 {
     let names = effect.parameters.iter().map(|p| p.name.as_str());
     effect.start.with(names.zip(values.iter().copied())).0.tau_s
 }

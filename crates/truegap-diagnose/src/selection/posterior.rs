@@ -90,15 +90,15 @@ impl Selection {
         self.sorted()
     }
 
-    /// Odds of one thing more beside model `beside` against all of `models` together, where it adds `gain` to the log evidence, that divided as the models' own;
-    /// such a thing from outside the library is as likely beforehand as any of [`crate::selection::unmodelled`]. Models that are not a `rival` do not count.
-    pub fn odds_beside(&self, beside: &Tried, gain: f64, slack: f64, rival: impl Fn(&Tried) -> bool) -> f64 {
+    /// Log odds of one thing more beside model `beside` against all of `models` and all unmodelled causes together, where it adds `gain` to the log evidence, that
+    /// divided as the models' own; such a thing is as likely beforehand as an unmodelled cause. Models that are not a `rival` do not count.
+    pub fn log_odds_beside(&self, beside: &Tried, gain: f64, slack: f64, rival: impl Fn(&Tried) -> bool) -> f64 {
         let temper = self.temper * slack;
         let library_size = self.effect_probability.len();
         let weight = |m: &Tried| m.fit.tempered(temper) + log_prior(m.effects.len(), library_size);
-        let total = log_sum_exp(&self.models.iter().filter(|m| rival(m)).map(weight).collect::<Vec<_>>());
-        let own = weight(beside) + one_more(beside.effects.len()) + UNMODELLED.ln() + gain;
-        (own - total).clamp(-LARGEST, LARGEST).exp()
+        let models = self.models.iter().filter(|m| rival(m)).map(weight);
+        let all: Vec<f64> = models.chain(self.unmodelled.iter().map(|(u, _)| u.weight)).collect();
+        weight(beside) + one_more(beside.effects.len()) + UNMODELLED.ln() + gain - log_sum_exp(&all)
     }
 
     /// The same with all probability on the base model.
@@ -110,9 +110,11 @@ impl Selection {
         self.sorted()
     }
 
-    /// The same with one more model, `odds` against all the others together, that holds `more` effects from behind the library.
+    /// The same with one more model, `log_odds` against everything else together, that holds `more` effects from behind the library.
     #[must_use]
-    pub fn with_model(mut self, tried: Tried, odds: f64, more: usize) -> Self {
+    pub fn with_model(mut self, tried: Tried, log_odds: f64, more: usize) -> Self {
+        let certain = 0.5 * LARGEST;
+        let odds = (log_odds.clamp(-certain, certain) + self.whole().ln().min(certain)).exp();
         let whole = 1.0 + odds;
         self.probability.iter_mut().for_each(|p| *p /= whole);
         self.unmodelled.iter_mut().for_each(|(_, o)| *o /= whole);

@@ -12,7 +12,9 @@ use truegap_core::Recording;
 use truegap_diagnose::{Library, Outcome};
 
 /// Names of the files that a diagnosis writes.
-pub const FILES: [&str; 4] = ["diagnosis.json", "augmented.toml", "prediction.csv", "report.html"];
+pub const FILES: [&str; 6] = ["diagnosis.json", "augmented.toml", "prediction.csv", "report.html", DISCOVERED[0], DISCOVERED[1]];
+/// Names of the files of mechanisms that no library lists, where some were found.
+const DISCOVERED: [&str; 2] = ["discovered.toml", "discovered_second.toml"];
 
 /// A recording and what was found in it.
 pub struct Diagnosed {
@@ -48,7 +50,7 @@ impl Diagnosed {
         prediction::csv(&self.recording, &self.parts, &self.outcome.traces)
     }
 
-    /// Writes diagnosis.json, report.html, augmented.toml and prediction.csv, all or none.
+    /// Writes diagnosis.json, report.html, augmented.toml and prediction.csv, and discovered.toml where there is one, all or none.
     ///
     /// # Errors
     /// [`DiagnosisError`] where the disk refuses or the model cannot be written.
@@ -59,6 +61,10 @@ impl Diagnosed {
         out.write("augmented.toml", self.model_file()?.to_toml()?)?;
         out.write("prediction.csv", self.prediction_csv())?;
         out.write("report.html", report::html(&self.subject()))?;
+        for (mechanism, name) in self.outcome.diagnosis.discovered.iter().zip(DISCOVERED) {
+            let head = "# Written by `truegap diagnose`; `truegap diagnose OTHER --effect FILE` tries it on another recording.\n";
+            out.write(name, head.to_owned() + &toml::to_string(&mechanism.file)?)?;
+        }
         Ok(out.publish()?)
     }
 

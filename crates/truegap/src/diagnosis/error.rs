@@ -39,6 +39,9 @@ pub enum DiagnosisError {
     /// The answer cannot be written as JSON.
     #[error("the diagnosis cannot be written as JSON: {0}")]
     Json(#[from] serde_json::Error),
+    /// A discovered mechanism cannot be written as TOML.
+    #[error("the mechanism cannot be written as TOML: {0}")]
+    Mechanism(#[from] toml::ser::Error),
     /// No recording.
     #[error("no recording is given; name a TOML or a CSV, or `example` for the built-in one")]
     NoRecording,

@@ -20,6 +20,8 @@ pub struct Request {
     pub no_warp: bool,
     /// the effects that are known, the built-in ones unless somebody gives others
     pub library: Library,
+    /// try no mechanisms beyond the library
+    pub library_only: bool,
     /// effects to try; all where empty
     pub effects: Vec<String>,
     /// input columns to hide: role or name in the file

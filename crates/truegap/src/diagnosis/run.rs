@@ -73,6 +73,7 @@ impl Run<'_> {
         let options = Options {
             library: self.request.library.clone(),
             effects: self.request.effects.clone(),
+            compose: !self.request.library_only,
             hidden: opened.hidden.clone(),
             bank: self.request.bank.map(bank_store::options),
             ..Options::default()

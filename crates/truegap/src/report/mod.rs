@@ -7,6 +7,7 @@ mod candidates;
 mod concealed;
 mod confirmation;
 mod courses;
+mod discovered;
 mod draw;
 mod findings;
 mod flexible;
@@ -40,6 +41,7 @@ pub fn html(subject: &Subject<'_>) -> String {
     let page = recordings::add(page, subject);
     let page = concealed::add(page, subject, &axis);
     let page = findings::add(page, subject);
+    let page = discovered::add(page, subject);
     let page = map::add(page, subject, &axis);
     let page = courses::add(page, subject, &axis);
     let page = held_out::add(page, subject, &axis);

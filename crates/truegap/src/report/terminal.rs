@@ -18,6 +18,13 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
         lines.push(format!("  {}: {}", spoken(&finding.effect), finding.says));
         lines.push(format!("    {}", wording::how_sure(finding)));
     }
+    for mechanism in &diagnosis.discovered {
+        if !mechanism.named {
+            lines.push(format!("  Of mechanisms composed of words, nearest is: {}", mechanism.says));
+        }
+        lines.push(format!("    words: {}", mechanism.probability.says().replace('_', " ")));
+        lines.extend(mechanism.could_be.first().map(|hint| format!("    could be: {hint}")));
+    }
     if diagnosis.concealed {
         lines.push("Calibration had hidden it:".into());
     } else if !diagnosis.conflicts.is_empty() {

@@ -4,12 +4,28 @@
 
 use super::subject::error_scale;
 use super::text::{capitalised, detectability, listed, percent, spoken};
-use truegap_diagnose::answer::{Diagnosis, Finding, Verdict};
+use truegap_diagnose::answer::{Diagnosis, DiscoveredFacts, Finding, Verdict};
 
 /// Detectability from which an effect is called missing without a reserve.
 pub const SURE: f64 = 10.0;
 /// Sets larger than this are not spelled out in a sentence.
 const MANY: usize = 5;
+
+/// The headline where mechanisms of words are named; `None` where none is.
+fn beyond_the_library(diagnosis: &Diagnosis) -> Option<String> {
+    let named: Vec<&DiscoveredFacts> = diagnosis.discovered.iter().filter(|m| m.named).collect();
+    let clauses: Vec<String> = named.iter().map(|m| m.clause.clone()).collect();
+    let of_library = diagnosis.findings.iter().filter(|f| !f.effect.starts_with("discovered"));
+    let beside: Vec<String> = of_library.map(|f| spoken(&f.effect)).collect();
+    let beside = if beside.is_empty() { String::new() } else { format!(" beside {}", listed(&beside, "and")) };
+    let reserve = match diagnosis.verdict {
+        Verdict::Explained => "",
+        Verdict::WrongForm => "; its law is not adequate, misfit remains",
+        _ => "; not all of its words are sure",
+    };
+    let says = || format!("Missing from the model, and in no library{beside}: {}{reserve}.", listed(&clauses, "and"));
+    (!named.is_empty()).then(says)
+}
 
 /// The verdict in one plain sentence.
 pub fn headline(diagnosis: &Diagnosis) -> String {
@@ -18,6 +34,9 @@ pub fn headline(diagnosis: &Diagnosis) -> String {
     let no_finding = diagnosis.findings.is_empty();
     if diagnosis.notices.iter().any(|n| n.withholds) {
         return "Something is wrong with this recording, so no physics is named.".into();
+    }
+    if let Some(says) = beyond_the_library(diagnosis) {
+        return says;
     }
     match diagnosis.verdict {
         Verdict::Agrees => {

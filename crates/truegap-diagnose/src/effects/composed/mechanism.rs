@@ -70,6 +70,36 @@ pub struct Numbers {
     pub phase: f64,
 }
 
+impl Sentence {
+    /// A name for files: what follows what.
+    pub fn name(&self) -> String {
+        let driver = self.driver.word();
+        let plain: String = driver.to_lowercase().chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+        format!("{}_follows_{plain}", self.quantity.word())
+    }
+
+    /// Names of the numbers that its words use, with the word that does.
+    pub fn needs(&self) -> Vec<(&'static str, &'static str)> {
+        let mut needs = Vec::new();
+        match self.kinetics {
+            Kinetics::FirstOrder => needs.push(("tau", "first_order")),
+            Kinetics::RateIndependent => needs.push(("width", "rate_independent")),
+            Kinetics::Periodic => needs.extend([("period", "periodic")]),
+            Kinetics::Event => needs.push(("threshold", "event")),
+            Kinetics::Static | Kinetics::Accumulating => {}
+        }
+        if matches!(self.kinetics, Kinetics::Static | Kinetics::FirstOrder | Kinetics::Accumulating) {
+            match self.form {
+                Form::Linear => {}
+                Form::Power => needs.push(("exponent", "power")),
+                Form::Threshold => needs.push(("threshold", "threshold")),
+                Form::Saturating => needs.push(("scale", "saturating")),
+            }
+        }
+        needs
+    }
+}
+
 impl Numbers {
     /// The numbers with these values, by the names of parameters; and the value that is none of them, the size.
     pub fn with<'v>(mut self, values: impl Iterator<Item = (&'v str, f64)>) -> (Self, f64) {
@@ -80,7 +110,8 @@ impl Numbers {
         (self, size)
     }
 
-    fn by_name(&mut self, name: &str) -> Option<&mut f64> {
+    /// The number of this name.
+    pub fn by_name(&mut self, name: &str) -> Option<&mut f64> {
         Some(match name {
             "tau" => &mut self.tau_s,
             "width" => &mut self.width,

@@ -7,6 +7,7 @@
 pub(crate) mod acting;
 pub(crate) mod describe;
 pub(crate) mod effect;
+pub(crate) mod file;
 pub(crate) mod mechanism;
 pub(crate) mod signal;
 pub(crate) mod units;

@@ -122,6 +122,19 @@ impl Place {
 }
 
 impl Quantity {
+    /// As in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Load => "load",
+            Self::Temperature => "temperature",
+            Self::Modulus => "modulus",
+            Self::Strain => "strain",
+            Self::Gap => "gap",
+            Self::Warp => "warp",
+            Self::Permittivity => "permittivity",
+            Self::Reading => "reading",
+        }
+    }
     /// Where it is.
     pub fn place(self) -> Place {
         match self {

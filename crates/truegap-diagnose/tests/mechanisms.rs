@@ -1,0 +1,138 @@
+//! Physics that no library lists: recordings made here, with code of their own, of what a supply voltage and a rate of the load do to a reading.
+
+mod common;
+
+use common::Plate;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+use std::sync::atomic::AtomicBool;
+use truegap_core::{Driver, Inputs, Simulator};
+use truegap_diagnose::mechanism::MechanismFile;
+use truegap_diagnose::{Diagnosis, Library, Options, Problem, RecordingFacts, Verdict, diagnose};
+
+const ROWS: usize = 1600;
+const STEP_S: f64 = 0.5;
+const NOISE: f64 = 0.004;
+
+/// Presses every 40 s, a supply that goes its own way, rest in between.
+fn inputs() -> Inputs {
+    let time: Vec<f64> = (0..ROWS).map(|row| STEP_S * row as f64).collect();
+    let press = |t: &f64| {
+        let phase = (t / 40.0).fract();
+        let strength = 1.0 + 3.0 * ((t / 40.0).floor() * 0.37).fract();
+        if phase < 0.5 { 0.0 } else { strength * (std::f64::consts::PI * (phase - 0.5) * 2.0).sin() }
+    };
+    let supply: Vec<f64> = time.iter().map(|t| 5.0 + 0.6 * (t / 61.0).sin() + 0.3 * (t / 23.7).cos()).collect();
+    let drivers = vec![Driver { name: "supply".into(), unit: "V".into(), values: supply }];
+    let force: Vec<f64> = time.iter().map(press).collect();
+    Inputs { time_s: Some(time), run: vec![1; ROWS], force_n: Some(force), drivers, ..Inputs::default() }
+}
+
+/// What the plate reads with `added` on top, and white noise.
+fn recorded(inputs: &Inputs, added: impl Fn(usize) -> f64) -> Vec<f64> {
+    let plate = Plate::new(None);
+    let random = &mut ChaCha8Rng::seed_from_u64(5);
+    let mut noisy = |(row, value): (usize, f64)| {
+        let unit: f64 = StandardNormal.sample(random);
+        value + added(row) + NOISE * unit
+    };
+    let clean = plate.respond(&[10.2, 6.5], inputs, &[]).unwrap();
+    clean.into_iter().enumerate().map(&mut noisy).collect()
+}
+
+/// Diagnosed with a library that does not hold what is added.
+fn told(inputs: &Inputs, response: &[f64], options: &Options) -> Diagnosis {
+    let plate = Plate::new(None);
+    let problem = Problem { inputs, response, simulator: &plate };
+    let facts = RecordingFacts { rows: ROWS, runs: 1, ..RecordingFacts::default() };
+    diagnose(&problem, facts, options, &|_| (), &AtomicBool::new(false)).unwrap().diagnosis
+}
+
+fn small_library() -> Options {
+    Options { effects: ["offset_drift", "saturation", "strain_stiffening"].map(String::from).to_vec(), ..Options::default() }
+}
+
+/// Above 5.3 V the reading rises by 0.2 pF a volt.
+fn knee(inputs: &Inputs) -> impl Fn(usize) -> f64 + '_ {
+    |row| 0.2 * (inputs.drivers[0].values[row] - 5.3).max(0.0)
+}
+
+#[test]
+fn a_knee_in_a_recorded_driver_is_told_in_its_words() {
+    let inputs = inputs();
+    let response = recorded(&inputs, knee(&inputs));
+    let diagnosis = told(&inputs, &response, &small_library());
+    let found = diagnosis.discovered.first().expect(&diagnosis.says);
+    let words = (found.driver.as_str(), found.kinetics.as_str(), found.form.as_str());
+    assert_eq!(words, ("supply", "static", "threshold"), "{}", found.says);
+    assert!(found.named && diagnosis.findings[0].effect == "discovered", "{}", diagnosis.says);
+    assert!(found.probability.driver["supply"] > 0.99 && found.probability.kinetics["static"] > 0.9, "{:?}", found.probability);
+    assert!(found.control_p_value < 0.02);
+    let number = |name: &str| found.parameters.iter().find(|p| p.name == name).map(|p| (p.value, p.sd)).unwrap();
+    let (at, sd) = number("threshold");
+    // made at 5.3 V
+    assert!((at - 5.3).abs() < 4.0 * sd && sd < 0.05, "{at} {sd}");
+    let held = &diagnosis.fit.held_out;
+    assert!(held.rmse_after.unwrap() < 1.2 * NOISE && held.rmse_before.unwrap() > 2.0 * NOISE);
+}
+
+#[test]
+fn a_drag_that_fades_after_each_press_follows_the_rate_of_the_load() {
+    let inputs = inputs();
+    // y' = (|rate| - y) / 8 s by Euler's rule with a hundred steps a row; stiffness acts through the strain, so it scales what the load makes
+    let force = inputs.force_n.clone().unwrap();
+    let (mut y, mut activity) = (0.0, vec![0.0; ROWS]);
+    for row in 1..ROWS {
+        let rate = (force[row] - force[row - 1]).abs() / 4.5 / STEP_S;
+        (0..100).for_each(|_| y += (rate - y) / 8.0 * STEP_S / 100.0);
+        activity[row] = y;
+    }
+    let response = recorded(&inputs, |row| 0.9 * activity[row]);
+    let diagnosis = told(&inputs, &response, &small_library());
+    let found = diagnosis.discovered.first().expect(&diagnosis.says);
+    assert_eq!((found.driver.as_str(), found.kinetics.as_str()), ("load_rate", "first_order"), "{}", found.says);
+    assert!(found.named, "{}", diagnosis.says);
+}
+
+#[test]
+fn nothing_is_composed_where_nothing_is_missing() {
+    let inputs = inputs();
+    let diagnosis = told(&inputs, &recorded(&inputs, |_| 0.0), &small_library());
+    assert_eq!((diagnosis.verdict, diagnosis.discovered.len()), (Verdict::Agrees, 0), "{}", diagnosis.says);
+}
+
+#[test]
+fn on_request_the_library_is_all() {
+    let inputs = inputs();
+    let response = recorded(&inputs, knee(&inputs));
+    let diagnosis = told(&inputs, &response, &Options { compose: false, ..small_library() });
+    assert!(diagnosis.discovered.is_empty() && diagnosis.findings.iter().all(|f| f.effect != "discovered"));
+}
+
+#[test]
+fn a_mechanism_from_a_file_is_an_effect_like_any_other() {
+    let inputs = inputs();
+    let file: MechanismFile = toml::from_str(
+        r#"
+        schema = "truegap.mechanism/1"
+        id = "supply_knee"
+        quantity = "reading"
+        action = "adds"
+        driver = { recorded = "supply" }
+        kinetics = "static"
+        form = "threshold"
+        size = { sd = 1.0, unit = "pF/V" }
+        threshold = { value = 5.1, sd = 0.3, unit = "V" }
+        "#,
+    )
+    .unwrap();
+    let library = Library::default().with(Box::new(file.effect().unwrap()));
+    let effects = ["offset_drift", "saturation", "supply_knee"].map(String::from).to_vec();
+    let diagnosis = told(&inputs, &recorded(&inputs, knee(&inputs)), &Options { library, effects, ..Options::default() });
+    let named: Vec<&str> = diagnosis.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!((diagnosis.verdict, named), (Verdict::Explained, vec!["supply_knee"]), "{}", diagnosis.says);
+    let size = &diagnosis.findings[0].parameters[0];
+    // made with 0.2 pF/V
+    assert!((size.value - 0.2).abs() < 4.0 * size.sd, "{} {}", size.value, size.sd);
+}

@@ -1,0 +1,62 @@
+//! Mechanisms that no library lists: what follows what, how sure each word is, and what it could be.
+//!
+//! Limits: tells what was composed; whether the verdict stands behind it is said first.
+
+use super::subject::Subject;
+use super::text::{measured, percent, spoken};
+use super::wording;
+use std::collections::BTreeMap;
+use truegap_diagnose::answer::DiscoveredFacts;
+use truegap_scene::page::{Page, Table};
+
+/// Probability of a word's value below which it is not listed.
+const LISTED: f64 = 0.02;
+
+/// One part a mechanism; nothing where none was composed.
+pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
+    let all = &subject.diagnosis.discovered;
+    if all.is_empty() {
+        return page;
+    }
+    let page = page.section("Composed of words, beyond the library").text(
+        "No effect of the library explains all of this recording. Thousands of sentences were weighed: where something acts, what it follows, how in time, by which law. \
+         A word is as sure as all sentences together that hold it.",
+    );
+    all.iter().fold(page, |page, mechanism| one(page, subject, mechanism))
+}
+
+fn one(page: Page, subject: &Subject<'_>, m: &DiscoveredFacts) -> Page {
+    let heading = format!("{} follows {}", spoken(&m.place), spoken(&m.driver));
+    let stands = if m.named { "" } else { "The verdict does not stand behind it; it is what comes nearest. " };
+    let mut page = page.subsection(&heading).text(&format!("{stands}{}.", super::text::capitalised(&m.says))).table(&words(m));
+    let parameters = m
+        .parameters
+        .iter()
+        .fold(Table::new(&["number", "fitted"]), |table, p| table.row(&[spoken(&p.name), measured(p.value, p.sd, &p.unit)]));
+    page = page.table(&parameters);
+    let error = |value| wording::error_if_any(subject.diagnosis, value);
+    page = page.text(&format!(
+        "Error on rows left out, of the calibrated model and with this: {} → {}. Of 100 turns of the recording against its own history, the recording as it is \
+         counted, {:.0} let the same freedom remove as much ({} columns weighed).",
+        error(m.held_out.rmse_before),
+        error(m.held_out.rmse_after),
+        100.0 * m.control_p_value,
+        m.weighed
+    ));
+    if !m.could_be.is_empty() {
+        page = page.text("Known physics that these words fit; a hint, no claim:").list(&m.could_be);
+    }
+    page.text("discovered.toml beside this page holds it: `truegap diagnose OTHER --effect discovered.toml` tries it on another recording.")
+}
+
+fn words(m: &DiscoveredFacts) -> Table {
+    let p = &m.probability;
+    let rows: [(&str, &BTreeMap<String, f64>); 5] =
+        [("where", &p.place), ("follows", &p.driver), ("in time", &p.kinetics), ("law", &p.form), ("acts", &p.action)];
+    rows.iter().fold(Table::new(&["word", "values with their probability"]), |table, (word, values)| {
+        let mut values: Vec<(&String, f64)> = values.iter().map(|(v, p)| (v, *p)).filter(|(_, p)| *p >= LISTED).collect();
+        values.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let told: Vec<String> = values.iter().map(|(v, p)| format!("{} {}", spoken(v), percent(*p))).collect();
+        table.row(&[(*word).to_owned(), told.join(", ")])
+    })
+}

@@ -6,3 +6,4 @@ pub(crate) mod conflicts;
 pub(crate) mod hidden_input;
 pub(crate) mod locate;
 pub(crate) mod next_experiment;
+pub(crate) mod tuning;

@@ -4,6 +4,7 @@
 
 use crate::{
     effects::effect::{Effect, Separation},
+    explain::tuning::{CERTAIN, REBUILD_H},
     selection::candidates::{Search, Tried},
 };
 use serde::Serialize;
@@ -142,11 +143,6 @@ fn thermal_loaded(_: f64) -> Points {
 fn overnight(t: f64) -> Points {
     (0..12 * 120).map(|i| (30.0 * f64::from(i), if i % 120 < 4 { 1.0 } else { 0.0 }, t, 1)).collect()
 }
-
-/// Standard deviations that an instrument change is taken to put between two effects: it tells one from the other for certain.
-const CERTAIN: f64 = 20.0;
-/// Hours that an instrument change is taken to need.
-const REBUILD_H: f64 = 1.0;
 
 /// Ranks what would tell `best` from `rivals`.
 pub fn next_experiment(search: &Search<'_>, best: &Tried, rivals: &[&Tried]) -> NextExperiment {

@@ -5,6 +5,7 @@
 use crate::{
     adequacy::lack_of_fit::LackOfFitTests,
     effects::effect::Effect,
+    selection::tuning::{LARGEST_GAIN, NEGLIGIBLE},
     selection::{
         candidates::{Search, Tried},
         effect_set::EffectSet,
@@ -15,10 +16,6 @@ use crate::{
     },
     stats::log_sum_exp,
 };
-/// Probability below which a model is not looked at more closely.
-const NEGLIGIBLE: f64 = 1e-4;
-/// Log odds that are large enough to stand for certainty.
-const LARGEST: f64 = 500.0;
 
 /// All models tried, with probabilities.
 pub struct Selection {
@@ -83,7 +80,7 @@ impl Selection {
         self.unmodelled = found
             .into_iter()
             .map(|u| {
-                let odds = (u.weight - total).min(LARGEST).exp();
+                let odds = (u.weight - total).min(LARGEST_GAIN).exp();
                 (u, odds)
             })
             .collect();

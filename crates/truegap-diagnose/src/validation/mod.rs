@@ -6,4 +6,5 @@ pub mod confirmation;
 pub(crate) mod cross_validation;
 pub(crate) mod permutation;
 pub mod recovery;
+pub(crate) mod tuning;
 pub(crate) mod veto;

@@ -57,6 +57,7 @@ pub mod case;
 pub mod elasticity;
 pub mod electrostatics;
 mod error;
+mod goal;
 pub mod io;
 pub mod mesh;
 pub mod problems;

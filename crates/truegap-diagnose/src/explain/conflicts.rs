@@ -4,6 +4,7 @@
 
 use crate::{
     data::context::load_column,
+    explain::tuning::{AGAINST_PRIOR, BETWEEN_REGIMES, FEWEST_IN_A_REGIME, MOST_RECORDINGS, TOLD_AS_FAR},
     fit::optimum::Fit,
     selection::candidates::{Search, Tried},
     text::{deviations, significant, two, uncapitalised},
@@ -22,11 +23,6 @@ pub struct Conflict {
     /// standard deviations off
     pub z: f64,
 }
-
-/// Prior standard deviations beyond which a parameter contradicts what is known of it.
-const AGAINST_PRIOR: f64 = 3.5;
-/// The same for the difference between two regimes, of which several are tried.
-const BETWEEN_REGIMES: f64 = 5.0;
 
 /// All conflicts of a fitted base model.
 pub fn conflicts(search: &Search<'_>, base: &Tried) -> Vec<Conflict> {
@@ -57,14 +53,11 @@ fn pushed(parameter: &Parameter, z: f64, value: f64) -> String {
     )
 }
 
-/// Prior standard deviations from the centre up to which one straight step is a number to be told.
-const TOLD: f64 = 8.0;
-
 /// `the height (height_rtv) would be 161 µm at small loads but 163 µm at large loads, 6.2 standard deviations apart`.
 fn differs(p: &Parameter, regime: &Regime, [first, second]: [f64; 2], z: f64) -> String {
     let (name, apart) = (format!("the {} ({})", uncapitalised(&p.meaning), p.name), deviations(z.abs()));
     let values = [first, second].map(|z| p.prior.at(z));
-    let told = |z: f64, value: f64| z.abs() < TOLD && (p.bounds.0..=p.bounds.1).contains(&value);
+    let told = |z: f64, value: f64| z.abs() < TOLD_AS_FAR && (p.bounds.0..=p.bounds.1).contains(&value);
     if !(told(first, values[0]) && told(second, values[1])) {
         let word = if values[0] < values[1] { "smaller" } else { "larger" };
         return format!(
@@ -130,9 +123,6 @@ fn regimes(search: &Search<'_>) -> Vec<Regime> {
     list
 }
 
-/// Most recordings that are each set against the others.
-const RECORDINGS: usize = 8;
-
 /// One recording against the others.
 fn by_recording(joined: &dyn Joined, inputs: &Inputs) -> Vec<Regime> {
     let count = joined.count();
@@ -143,7 +133,7 @@ fn by_recording(joined: &dyn Joined, inputs: &Inputs) -> Vec<Regime> {
         Regime { first: others, second: format!("in recording {}", index + 1), in_second }
     };
     let first = if count == 2 { 1 } else { 0 };
-    (first..count.min(RECORDINGS)).map(against).collect()
+    (first..count.min(MOST_RECORDINGS)).map(against).collect()
 }
 
 /// Variance, in units of the prior's, from which a part of a recording says next to nothing of a parameter.
@@ -164,7 +154,7 @@ fn both(fit: &Fit, in_second: &[bool]) -> Option<(Parted, Parted)> {
             gradient.axpy(fit.residual[row], &line.transpose(), 1.0);
         }
     }
-    if count < 30 || in_second.len() - count < 30 {
+    if count < FEWEST_IN_A_REGIME || in_second.len() - count < FEWEST_IN_A_REGIME {
         return None;
     }
     let whole = &fit.hessian - known(fit);

@@ -8,6 +8,7 @@ use crate::{
         lack_of_fit::LackOfFitTests,
     },
     data::{context::load_column, problem::Problem},
+    explain::tuning::{LOUD_RUN, PLACE_LEVEL},
     fit::optimum::Fit,
     text::Scale,
 };
@@ -45,9 +46,6 @@ pub struct Map {
     /// `values[y][x]`, mean residual times sqrt(rows) over noise; NaN where no row fell
     pub values: Vec<Vec<f64>>,
 }
-
-/// Probability below which a direction is reported: the joint test has already found a mismatch, this only says where it lies.
-const PLACE_LEVEL: f64 = 1e-3;
 
 /// Directions along which the fit is wrong, largest share first.
 pub fn locate(problem: &Problem<'_>, fit: &Fit, lack_of_fit: &LackOfFitTests, directions: &[Direction]) -> Vec<Mismatch> {
@@ -151,7 +149,7 @@ fn runs(problem: &Problem<'_>, fit: &Fit) -> Vec<u32> {
         let mean: f64 = fit.residual[run.clone()].iter().sum();
         ((squares - n) / (2.0 * n).sqrt()).max(mean.abs() / n.sqrt())
     };
-    problem.runs().iter().filter(|r| excess(r) > 4.0).map(|r| problem.inputs.run[r.start]).collect()
+    problem.runs().iter().filter(|r| excess(r) > LOUD_RUN).map(|r| problem.inputs.run[r.start]).collect()
 }
 
 /// Mean whitened residual in cells of load against temperature, or against order where one of them does not change.

@@ -8,3 +8,4 @@ pub(crate) mod locate;
 pub(crate) mod narrowing;
 pub(crate) mod next_experiment;
 pub(crate) mod play;
+pub(crate) mod tuning;

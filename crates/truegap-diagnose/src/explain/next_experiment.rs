@@ -4,7 +4,10 @@
 
 use crate::{
     effects::effect::{Effect, Separation},
-    explain::play::{load_role, separation},
+    explain::{
+        play::{load_role, separation},
+        tuning::{CERTAIN, REBUILD_H},
+    },
     selection::candidates::{Search, Tried},
     text::{deviations, listed, significant, spoken},
 };
@@ -168,10 +171,6 @@ fn overnight(t: f64) -> Points {
     (0..12 * 120).map(|i| (30.0 * f64::from(i), if i % 120 < 4 { 1.0 } else { 0.0 }, t, 1)).collect()
 }
 
-/// Standard deviations that an instrument change is taken to put between two effects: it tells one from the other for certain.
-const CERTAIN: f64 = 20.0;
-/// Hours that an instrument change is taken to need.
-const REBUILD_H: f64 = 1.0;
 /// Standard deviations beyond which more of them are worth no more.
 const ENOUGH: f64 = 30.0;
 /// Standard deviations below which two models are not told apart.

@@ -6,6 +6,7 @@
 //! Limits: one optimum; the curvature of the stiff directions is taken as the same all along; where few draws carry the weight, the estimate is refused and Laplace stands.
 
 use crate::{
+    fit::tuning::{PROPOSAL_FREEDOM, STIFF, STIFF_STEPS},
     fit::{model::Model, optimum::Fit},
     stats::{log_sum_exp, normal_between, symmetric_eigen},
     whitening::whitener::Whitener,
@@ -16,13 +17,6 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{ChiSquared, Distribution, StandardNormal};
 use statrs::function::gamma::ln_gamma;
 use std::f64::consts::PI;
-
-/// Degrees of freedom of the proposal: tails heavier than the posterior's.
-const FREEDOM: f64 = 6.0;
-/// Curvature, in units of the prior's, above which a direction is stiff.
-const STIFF: f64 = 100.0;
-/// Most steps in which the stiff directions are fitted, and the promise below which they are.
-const STIFF_STEPS: (usize, f64) = (4, 0.1);
 
 /// An estimate of the log evidence, on the scale of [`crate::fit::laplace::laplace`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,12 +35,12 @@ pub fn sampled(model: &Model<'_>, whitener: &Whitener, fit: &Fit, draws: usize, 
     let soft = sloppy.soft.ncols();
     let bounds = model.bounds();
     let mass: f64 = bounds.iter().map(|(low, high)| normal_between(*low, *high).max(1e-12).ln()).sum();
-    let chi = ChiSquared::new(FREEDOM).ok()?;
+    let chi = ChiSquared::new(PROPOSAL_FREEDOM).ok()?;
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut weights = Vec::with_capacity(draws);
     for _ in 0..draws {
         let normal = DVector::from_fn(soft, |_, _| -> f64 { StandardNormal.sample(&mut random) });
-        let stretch: f64 = FREEDOM / chi.sample(&mut random);
+        let stretch: f64 = PROPOSAL_FREEDOM / chi.sample(&mut random);
         let along = DVector::from_fn(soft, |i, _| normal[i] * (stretch / sloppy.curvature[i]).sqrt());
         let proposal = log_t(soft, normal.norm_squared() * stretch) + 0.5 * sloppy.curvature.iter().map(|c| c.ln()).sum::<f64>();
         let height = sloppy.height(&along, &bounds).unwrap_or(f64::INFINITY);
@@ -61,8 +55,9 @@ pub fn sampled(model: &Model<'_>, whitener: &Whitener, fit: &Fit, draws: usize, 
 /// Log density of the standard multivariate t in `n` dimensions at a squared distance.
 fn log_t(n: usize, distance: f64) -> f64 {
     let n = n as f64;
-    let constant = ln_gamma(0.5 * (FREEDOM + n)) - ln_gamma(0.5 * FREEDOM) - 0.5 * n * (FREEDOM * PI).ln();
-    constant - 0.5 * (FREEDOM + n) * (distance / FREEDOM).ln_1p()
+    let constant =
+        ln_gamma(0.5 * (PROPOSAL_FREEDOM + n)) - ln_gamma(0.5 * PROPOSAL_FREEDOM) - 0.5 * n * (PROPOSAL_FREEDOM * PI).ln();
+    constant - 0.5 * (PROPOSAL_FREEDOM + n) * (distance / PROPOSAL_FREEDOM).ln_1p()
 }
 
 /// The posterior about a fit, split into soft and stiff directions.

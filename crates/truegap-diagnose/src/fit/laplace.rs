@@ -2,7 +2,10 @@
 //!
 //! Limits: Gaussian away from bounds; checked by sampling near the top ([`crate::fit::importance`]).
 
-use crate::stats::{log_sum_exp, normal_between};
+use crate::{
+    fit::tuning::{FAR_FROM_BOUND, SIZE_SCALES},
+    stats::{log_sum_exp, normal_between},
+};
 use nalgebra::{Cholesky, DMatrix, Dyn};
 use statrs::function::erf::erfc;
 
@@ -40,9 +43,6 @@ fn one_sided(z: f64, variance: f64, gradient: f64, bounds: (f64, f64)) -> f64 {
     posterior - prior
 }
 
-/// Scales, in prior standard deviations, over which what is known of a size beforehand is spread.
-const SCALES: [f64; 5] = [4.0, 1.0, 0.25, 1.0 / 16.0, 1.0 / 64.0];
-
 /// Whether a parameter lies on a bound.
 pub(crate) fn on_bound(z: f64, bound: f64) -> bool {
     (z - bound).abs() < 1e-9
@@ -72,7 +72,7 @@ pub fn any_scale(z: f64, variance: f64, gradient: f64, bounds: (f64, f64)) -> f6
         let before = log_normal_between(bounds.0 / scale, bounds.1 / scale);
         inside - before - 0.5 * (mean * mean / whole + whole.ln())
     };
-    let each = SCALES.map(at);
+    let each = SIZE_SCALES.map(at);
     log_sum_exp(&each) - (each.len() as f64).ln() - at(1.0)
 }
 
@@ -89,15 +89,12 @@ fn half_line(gradient: f64, variance: f64) -> f64 {
 /// Log of the same, however far out in a tail.
 fn log_normal_between(low: f64, high: f64) -> f64 {
     let nearest = low.max(-high);
-    if nearest < FAR {
+    if nearest < FAR_FROM_BOUND {
         return normal_between(low, high).ln();
     }
     // the tail of a Gaussian, by its first two asymptotic terms; the far end of the range weighs nothing
     -0.5 * nearest * nearest - (nearest * (2.0 * std::f64::consts::PI).sqrt()).ln() + (-1.0 / (nearest * nearest)).ln_1p()
 }
-
-/// Standard deviations beyond which a tail is taken by its asymptotic series.
-const FAR: f64 = 20.0;
 
 #[cfg(test)]
 mod tests {
@@ -152,7 +149,7 @@ mod tests {
             let integral = |prior: &dyn Fn(f64) -> f64| -> f64 {
                 (0..10_000_000).map(|i| (f64::from(i) + 0.5) * step).map(|t| prior(t) * likelihood(t)).sum()
             };
-            let every = integral(&|t| SCALES.iter().map(|s| half(t, *s)).sum::<f64>() / SCALES.len() as f64);
+            let every = integral(&|t| SIZE_SCALES.iter().map(|s| half(t, *s)).sum::<f64>() / SIZE_SCALES.len() as f64);
             let exact = (every / integral(&|t| half(t, 1.0))).ln();
             // midpoints 2 millionths apart, up to 20 of the single prior's deviations
             approx::assert_abs_diff_eq!(found, exact, epsilon = 1e-3);

@@ -3,6 +3,7 @@
 //! Limits: one mode; what an optimum is worth is for [`crate::fit::optimum`] to say.
 
 use crate::{
+    fit::tuning::{CHORDS, FAILED_STEPS, PINNED, REACH, STEPS_BACK},
     fit::{
         model::Model,
         optimum::{Fit, finish},
@@ -87,7 +88,7 @@ impl<'a, 'm> Descent<'a, 'm> {
             let was_stale = self.stale;
             let promise = self.promised();
             let gain = self.step();
-            if promise > options.tolerance && gain.is_none_or(|g| g < 0.5 * promise) && failed < FAILED {
+            if promise > options.tolerance && gain.is_none_or(|g| g < 0.5 * promise) && failed < FAILED_STEPS {
                 self.refresh(0)?;
                 if self.nonmonotone_step(reach)? {
                     (reach, failed) = (3.0 * reach, 0);
@@ -216,17 +217,6 @@ fn best_step(
     }
     None
 }
-
-/// How far the first nonmonotone step goes, in prior standard deviations; after one that succeeds further, after one that fails less far.
-const REACH: f64 = 3.0;
-/// Nonmonotone steps that may fail in a row.
-const FAILED: usize = 3;
-/// Steps back down.
-const STEPS_BACK: usize = 3;
-/// Curvature added in every direction on the way back down: much for sloppy directions, nothing for stiff ones.
-const PINNED: f64 = 100.0;
-/// Most corrections of a step with one Jacobian.
-const CHORDS: usize = 5;
 
 fn objective(model: &Model<'_>, residual: &[f64], z: &[f64]) -> f64 {
     0.5 * (residual.iter().map(|r| r * r).sum::<f64>() + model.prior(z).penalty())

@@ -11,3 +11,4 @@ pub(crate) mod optimum;
 pub(crate) mod prior;
 pub(crate) mod score_test;
 pub(crate) mod several_starts;
+pub(crate) mod tuning;

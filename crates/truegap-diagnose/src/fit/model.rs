@@ -6,6 +6,7 @@ use crate::{
     data::{context::Context, problem::Problem},
     effects::effect::Effect,
     fit::prior::Prior,
+    fit::tuning::DIFFERENCE_STEP,
     whitening::whitener::Whitener,
 };
 use nalgebra::DMatrix;
@@ -156,7 +157,7 @@ impl<'a> Model<'a> {
     ) -> Result<Vec<f64>, SimulationError> {
         let mut moved = z.to_vec();
         let room = bound.1 - z[index];
-        let mut step = if room > STEP { STEP } else { -STEP };
+        let mut step = if room > DIFFERENCE_STEP { DIFFERENCE_STEP } else { -DIFFERENCE_STEP };
         moved[index] = z[index] + step;
         let there = self.residual(&moved, whitener).or_else(|_| {
             step = -step;
@@ -178,6 +179,3 @@ pub(crate) struct Kinds {
     /// number of parameters of the base model, the first ones
     pub(crate) known: usize,
 }
-
-/// Step of the difference quotients, in prior standard deviations.
-const STEP: f64 = 1e-3;

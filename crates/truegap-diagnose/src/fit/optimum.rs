@@ -2,11 +2,11 @@
 //!
 //! Limits: one mode; the caller gives the starting point.
 
-use crate::fit::{laplace, model::Kinds, prior::Prior};
+use crate::{
+    fit::tuning::REACHED,
+    fit::{laplace, model::Kinds, prior::Prior},
+};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
-
-/// Promise, in units of the objective, below which a fit counts as converged.
-const REACHED: f64 = 1.0;
 
 /// A fit at the optimum of its linearised objective.
 pub struct Linearised {

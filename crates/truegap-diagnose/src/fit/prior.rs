@@ -2,17 +2,14 @@
 //!
 //! A tolerance says how well a number of the base model is known where it is right. But a modulus may be of another batch, a thickness of another drawing: a
 //! Gaussian of the tolerance's width makes ten deviations all but impossible, so that any effect which can stand in for a wrong number is named with
-//! certainty. Here each number of the base model is wrong with a small probability, and then known [`WIDER`] times less well. Numbers of effects keep their
+//! certainty. Here each number of the base model is wrong with a small probability, and then known [`WIDER_PRIOR`] times less well. Numbers of effects keep their
 //! Gaussian.
 //!
 //! Limits: numbers are right or wrong independently of one another.
 //!
 //! **Source:** contaminated normal of Tukey (1960), as a prior in Box & Tiao, Bayesian Inference in Statistical Analysis (1973), section 3.2.
 
-/// Probability that what is known of one number is grossly wrong.
-const WRONG: f64 = 0.02;
-/// Factor on the standard deviation of a number that is.
-const WIDER: f64 = 10.0;
+use crate::fit::tuning::{WIDER_PRIOR, WRONG_PRIOR};
 
 /// Prior of all numbers of a model at a point.
 #[derive(Clone, Debug, Default)]
@@ -50,8 +47,8 @@ impl Prior {
 /// Residual and slope of a number that may be grossly wrong: `r = sign(z) sqrt(-2 ln(p(z) / p(0)))` for
 /// `p(z) ~ (1 - w) exp(-z^2 / 2) + w / W exp(-z^2 / (2 W^2))`.
 fn contaminated(z: f64) -> (f64, f64) {
-    let (right, wrong) = (1.0 - WRONG, WRONG / WIDER);
-    let precision = WIDER.powi(-2);
+    let (right, wrong) = (1.0 - WRONG_PRIOR, WRONG_PRIOR / WIDER_PRIOR);
+    let precision = WIDER_PRIOR.powi(-2);
     let excess = 0.5 * z * z * (1.0 - precision);
     // p(z) / p(0) is exp(-z^2 / (2 W^2)) times a mean of exp(-excess) and 1
     let share = wrong / (right * (-excess).exp() + wrong);
@@ -70,7 +67,9 @@ mod tests {
     /// The residual against the mixture's own density, its slope against differences.
     #[test]
     fn half_the_square_of_the_residual_is_the_log_density() {
-        let density = |z: f64| (1.0 - WRONG) * (-0.5 * z * z).exp() + WRONG / WIDER * (-0.5 * (z / WIDER).powi(2)).exp();
+        let density = |z: f64| {
+            (1.0 - WRONG_PRIOR) * (-0.5 * z * z).exp() + WRONG_PRIOR / WIDER_PRIOR * (-0.5 * (z / WIDER_PRIOR).powi(2)).exp()
+        };
         for z in [-40.0, -9.0, -3.4, -1.0, -1e-3, 0.5, 2.9, 4.2, 6.0, 31.0] {
             let (residual, slope) = contaminated(z);
             approx::assert_abs_diff_eq!(0.5 * residual * residual, -(density(z) / density(0.0)).ln(), epsilon = 1e-9);
@@ -85,7 +84,11 @@ mod tests {
     #[test]
     fn a_gross_error_is_no_proof_of_missing_physics() {
         let cost = 0.5 * contaminated(10.0).0.powi(2);
-        approx::assert_abs_diff_eq!(cost, (WIDER / WRONG).ln() + 0.5 + (1.0 - WRONG + WRONG / WIDER).ln(), epsilon = 1e-6);
+        approx::assert_abs_diff_eq!(
+            cost,
+            (WIDER_PRIOR / WRONG_PRIOR).ln() + 0.5 + (1.0 - WRONG_PRIOR + WRONG_PRIOR / WIDER_PRIOR).ln(),
+            epsilon = 1e-6
+        );
         let gaussian = 0.5 * contaminated(1.0).0.powi(2);
         approx::assert_relative_eq!(gaussian, 0.5, max_relative = 5e-3);
     }

@@ -3,18 +3,12 @@
 //! Limits: starts lie at the centre of what is known, on the way there under larger noise, and to both sides along the sloppiest directions.
 
 use crate::{
+    fit::tuning::{SAME_OPTIMUM, START_DIRECTIONS},
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model, optimum::Fit},
     whitening::whitener::Whitener,
 };
 use nalgebra::SymmetricEigen;
 use truegap_core::SimulationError;
-
-/// Factor on the noise of a loose fit, which stays near what is known beforehand.
-pub(crate) const LOOSE: f64 = 30.0;
-/// Difference of two objectives below which they are of one optimum.
-const SAME: f64 = 0.5;
-/// Sloppiest directions along which starts are laid, and their distance in posterior standard deviations.
-const DIRECTIONS: (usize, f64) = (3, 4.0);
 
 /// The fit with the lowest objective; `loose` is the same noise, [`LOOSE`] times larger.
 ///
@@ -31,14 +25,14 @@ pub(crate) fn lowest(model: &Model<'_>, whitener: &Whitener, loose: &Whitener) -
     }
     let near = fit(model, loose, &centre, &options).and_then(|near| fit(model, whitener, &near.z, &options));
     if let Ok(near) = near {
-        if (near.objective() - best.objective()).abs() < SAME {
+        if (near.objective() - best.objective()).abs() < SAME_OPTIMUM {
             return Ok(lower(best, near));
         }
         best = lower(best, near);
     }
     for start in beside(&best) {
         let Ok(found) = fit(model, whitener, &start, &options) else { continue };
-        let again = (found.objective() - best.objective()).abs() < SAME;
+        let again = (found.objective() - best.objective()).abs() < SAME_OPTIMUM;
         best = lower(best, found);
         if again {
             break;
@@ -57,9 +51,9 @@ fn beside(fit: &Fit) -> Vec<Vec<f64>> {
     let mut order: Vec<usize> = (0..fit.z.len()).collect();
     order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
     let of = |direction: &usize| {
-        let reach = DIRECTIONS.1 / eigen.eigenvalues[*direction].max(1e-3).sqrt();
+        let reach = START_DIRECTIONS.1 / eigen.eigenvalues[*direction].max(1e-3).sqrt();
         let column = eigen.eigenvectors.column(*direction);
         [reach, -reach].map(|reach| fit.z.iter().zip(column.iter()).map(|(z, c)| z + reach * c).collect::<Vec<f64>>())
     };
-    order.iter().take(DIRECTIONS.0).flat_map(of).collect()
+    order.iter().take(START_DIRECTIONS.0).flat_map(of).collect()
 }

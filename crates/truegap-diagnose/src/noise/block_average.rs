@@ -5,6 +5,7 @@
 
 use crate::{
     data::{context::load_column, problem::Problem},
+    noise::tuning::{DRIVER_STILL, GROUP_MOVES, TOO_MANY_GROUPS},
     stats::spread,
     whitening::{
         noise_model::{NoiseModel, RecordingNoise},
@@ -97,27 +98,19 @@ pub fn block_averages(
     }))
 }
 
-/// Shares of the range that load and temperature may move within a group, tried in turn until few groups are left.
-const MOVES: [f64; 6] = [0.0, 0.002, 0.005, 0.01, 0.02, 0.04];
-/// Times the target above which the next is tried.
-const TOO_MANY: usize = 3;
-
 /// The finest grouping that is short enough, and whether inputs move within its groups.
 fn bounded(problem: &Problem<'_>, noise: &NoiseModel, target: usize) -> (Vec<Range<usize>>, bool) {
     let most = problem.response.len().div_ceil(target);
-    let mut tried = MOVES.iter().map(|moves| (groups(problem, noise, most, *moves), *moves > 0.0));
+    let mut tried = GROUP_MOVES.iter().map(|moves| (groups(problem, noise, most, *moves), *moves > 0.0));
     let mut found = tried.next().unwrap_or_default();
     for next in tried {
-        if found.0.len() <= TOO_MANY * target {
+        if found.0.len() <= TOO_MANY_GROUPS * target {
             break;
         }
         found = next;
     }
     found
 }
-
-/// Share of its range within which a driver counts as still: its noise is not known.
-const DRIVER_STILL: f64 = 2e-3;
 
 /// An input within a group: how far it may move, and how far back without that being a turn.
 struct Course<'a> {

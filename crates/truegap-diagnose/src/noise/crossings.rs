@@ -5,10 +5,8 @@
 //!
 //! Limits: crossings by one step; where a column jumps further, it is taken as it is.
 
+use crate::noise::tuning::HOLD;
 use std::ops::Range;
-
-/// Times as long as its neighbours, from which on a stretch between two crossings is a hold.
-const HOLD: f64 = 4.0;
 
 /// A crossing: when, in rows, and the value halfway.
 #[derive(Clone, Copy)]

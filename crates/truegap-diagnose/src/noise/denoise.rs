@@ -5,13 +5,11 @@
 //!
 //! Limits: noise is white with a known standard deviation; a corner is kept where the noise lets it be seen.
 
-use crate::stats::median;
+use crate::{
+    noise::tuning::{LONGEST_LINE, OFF_THE_LINE, SHORT_LINE},
+    stats::median,
+};
 use std::ops::Range;
-
-/// Longest stretch on either side of a row.
-const LONGEST: usize = 32;
-/// Standard deviations by which a row may leave its line.
-const OUTSIDE: f64 = 3.5;
 
 /// A column without noise, and the share of the noise's variance that is left in each row.
 pub struct Denoised {
@@ -44,7 +42,7 @@ fn best_line(column: &[f64], time: Option<&[f64]>, run: &Range<usize>, row: usiz
     let mut best: Option<(f64, f64)> = None;
     for (back, ahead) in [(1, 1), (1, 0), (0, 1)] {
         let mut reach = 3;
-        while reach <= LONGEST {
+        while reach <= LONGEST_LINE {
             let from = row.saturating_sub(back * reach).max(run.start);
             let to = (row + ahead * reach + 1).min(run.end);
             if to - from < 4 {
@@ -77,7 +75,7 @@ struct Line {
 fn line(column: &[f64], time: Option<&[f64]>, rows: Range<usize>, row: usize, sd: f64) -> Option<(f64, f64)> {
     let line = fitted(column, time, rows, row, sd);
     let alike = line.squares < line.freedom + 3.0 * (2.0 * line.freedom).sqrt();
-    (alike && line.farthest <= OUTSIDE).then_some((line.value, line.leverage))
+    (alike && line.farthest <= OFF_THE_LINE).then_some((line.value, line.leverage))
 }
 
 fn fitted(column: &[f64], time: Option<&[f64]>, rows: Range<usize>, row: usize, sd: f64) -> Line {
@@ -101,15 +99,15 @@ fn fitted(column: &[f64], time: Option<&[f64]>, rows: Range<usize>, row: usize, 
     Line { value: my - slope * mx, leverage, farthest, squares, freedom: n - 2.0 }
 }
 
-/// Rows over which [`crookedness`] looks on either side; twice as many on one.
-const SHORT: usize = 3;
-
 /// Scatter about the best of three lines over seven rows (before a row, about it, after it), over the variance of the noise, in the middle of all rows: about 0.5
 /// where most of a column lies on straight lines, however short, and more where it bends all the time.
 pub fn crookedness(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>], sd: f64) -> f64 {
-    let inner = runs.iter().filter(|r| r.len() > 4 * SHORT).flat_map(|r| (r.start + 2 * SHORT..r.end - 2 * SHORT).step_by(SHORT));
+    let inner = runs
+        .iter()
+        .filter(|r| r.len() > 4 * SHORT_LINE)
+        .flat_map(|r| (r.start + 2 * SHORT_LINE..r.end - 2 * SHORT_LINE).step_by(SHORT_LINE));
     let best = |row: usize| {
-        let stretches = [row - 2 * SHORT..row + 1, row - SHORT..row + SHORT + 1, row..row + 2 * SHORT + 1];
+        let stretches = [row - 2 * SHORT_LINE..row + 1, row - SHORT_LINE..row + SHORT_LINE + 1, row..row + 2 * SHORT_LINE + 1];
         let scatter = stretches.map(|rows| {
             let line = fitted(column, time, rows, row, sd);
             line.squares / line.freedom

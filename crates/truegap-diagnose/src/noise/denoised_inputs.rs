@@ -4,6 +4,7 @@
 
 use crate::{
     data::pauses::after_pauses,
+    noise::tuning::{CROOKED, FINE_K},
     noise::{
         crossings,
         denoise::{self, Denoised},
@@ -75,9 +76,6 @@ pub fn denoised_inputs(inputs: &Inputs, response: &[f64], simulator: &dyn Simula
     out
 }
 
-/// Steps of a thermometer, K, that nobody commands.
-const FINE_K: f64 = 1.0;
-
 /// Runs, parted where time jumps: no line of an input goes on through a pause.
 fn between_pauses(inputs: &Inputs) -> Vec<Range<usize>> {
     let cuts = after_pauses(inputs).map_or_else(Vec::new, |(_, rows)| rows);
@@ -113,6 +111,3 @@ fn denoised(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>], sd: f64
     }
     Column { sd, found: denoise::denoise(column, time, runs, sd), wanders: false }
 }
-
-/// Scatter about short lines, over that of noise, from which on a column is no course of straight lines.
-const CROOKED: f64 = 0.85;

@@ -4,13 +4,12 @@
 
 use crate::{
     effects::memory::{play, rates},
+    noise::tuning::DRIVER_WIDTHS,
     stats::spread,
 };
 use nalgebra::{DMatrix, DVector};
 use truegap_core::Inputs;
 
-/// Half widths of plays that tell which way a driver goes, as shares of its range.
-const WIDTHS: [f64; 4] = [0.003, 0.01, 0.03, 0.1];
 /// Ridge against columns that are alike, over the mean square of a column.
 const RIDGE: f64 = 1e-9;
 
@@ -42,7 +41,7 @@ fn laws(inputs: &Inputs, column: &[f64]) -> Vec<Vec<f64>> {
     let low = column.iter().copied().fold(f64::INFINITY, f64::min);
     let x: Vec<f64> = column.iter().map(|v| 2.0 * (v - low) / range - 1.0).collect();
     let mut list: Vec<Vec<f64>> = (1..=3).map(|order| x.iter().map(|x| x.powi(order)).collect()).collect();
-    for width in WIDTHS.map(|share| 2.0 * share) {
+    for width in DRIVER_WIDTHS.map(|share| 2.0 * share) {
         let held = play(inputs, width, &x, |first| first);
         list.push(x.iter().zip(&held).map(|(x, held)| (x - held) / width).collect());
     }

@@ -2,7 +2,11 @@
 //!
 //! Limits: an input that is not straight over three rows in most places would look noisy.
 
-use crate::{noise::denoise::crookedness, stats::median};
+use crate::{
+    noise::denoise::crookedness,
+    noise::tuning::{CLEARLY_SMALLER, LEAST_LEFT, LONG_RUN, MOSTLY_CURVED, SCATTER_STRETCH, STRAIGHT},
+    stats::median,
+};
 use std::ops::Range;
 
 /// Standard deviation of white noise on a column, robust against corners and steps of a profile.
@@ -14,15 +18,10 @@ pub fn scatter(column: &[f64], time: Option<&[f64]>, runs: &[Range<usize>]) -> f
     let second = of_order(column, runs, 1).unwrap_or(0.0);
     let [fourth, sixth] = [2, 3].map(|pairs| of_order(column, runs, pairs).unwrap_or(f64::INFINITY));
     let about_lines = (crookedness(column, time, runs, 1.0) / STRAIGHT).sqrt();
-    let enough = runs.iter().any(|r| r.len() > 100);
+    let enough = runs.iter().any(|r| r.len() > LONG_RUN);
     let least = if enough { about_lines } else { f64::INFINITY }.min(fourth).min(sixth);
-    if least < CLEARLY * second { least } else { second }
+    if least < CLEARLY_SMALLER * second { least } else { second }
 }
-
-/// Share of the estimate from second differences below which another is believed; noise alone stays above it.
-const CLEARLY: f64 = 0.8;
-/// What [`crookedness`] makes of white noise of variance 1.
-const STRAIGHT: f64 = 0.55;
 
 /// The noise of a column that bends all the time: an upper limit from differences, and what is left of it when the bends are taken out.
 ///
@@ -36,11 +35,8 @@ pub fn bent(column: &[f64], runs: &[Range<usize>]) -> (f64, f64) {
     let share = |k: usize| binomial(2 * k - 4) / binomial(2 * k);
     let push = ((second - last) / (share(2) - share(12))).max(0.0);
     let unbent = (last - share(12) * push).max(0.0).sqrt();
-    (most, unbent.clamp(LEAST * most, most))
+    (most, unbent.clamp(LEAST_LEFT * most, most))
 }
-
-/// Least share of the upper limit that is believed to be noise.
-const LEAST: f64 = 0.3;
 
 /// `C(n, n / 2)`.
 fn binomial(n: usize) -> f64 {
@@ -58,18 +54,14 @@ fn of_order(column: &[f64], runs: &[Range<usize>], pairs: usize) -> Option<f64> 
         differences.extend(part.iter().map(|d| d.abs()));
     }
     let factor = binomial(4 * pairs).sqrt();
-    let mut stretches: Vec<f64> = differences.chunks(STRETCH).filter(|c| c.len() == STRETCH).map(median).collect();
+    let mut stretches: Vec<f64> =
+        differences.chunks(SCATTER_STRETCH).filter(|c| c.len() == SCATTER_STRETCH).map(median).collect();
     stretches.sort_by(f64::total_cmp);
     let all = median(&differences);
     let quiet = stretches.get(stretches.len() / 4).copied().unwrap_or(all);
     let typical = if quiet < MOSTLY_CURVED * all { quiet } else { all };
     (!differences.is_empty()).then(|| typical / 0.674_489_750_196_081_7 / factor)
 }
-
-/// Rows of a short stretch.
-const STRETCH: usize = 12;
-/// Share of the median of all below which the quieter stretches are believed; noise alone gives about 0.8.
-const MOSTLY_CURVED: f64 = 0.5;
 
 #[cfg(test)]
 #[allow(clippy::single_range_in_vec_init)]

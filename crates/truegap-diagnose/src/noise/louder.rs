@@ -7,20 +7,15 @@
 //!
 //! **Source:** weights of Student's t by iterated least squares, Lange, Little and Taylor, J. Am. Stat. Assoc. 84, 881 (1989), section 3.
 
-use crate::stats::{median, spread};
+use crate::{
+    noise::tuning::{
+        BESIDE, FAR_OFF, FEWEST_FAR_OFF, GROWS_EVENLY, NOISE_GROWS, READING_GROUPS, ROWS_OF_A_GROUP, SHARE_FAR_OFF, TAIL_FREEDOM,
+        WEIGHS_LESS,
+    },
+    stats::{median, spread},
+};
 use std::ops::Range;
 
-/// Rows on either side that a row is compared with.
-const BESIDE: usize = 4;
-/// Scatters beyond which rows are counted: noise of 10 000 rows has none.
-const FAR: f64 = 4.5;
-/// Fewest of them, and least share of the rows, for noise with heavy tails.
-const FEWEST: usize = 3;
-const SHARE: f64 = 0.001;
-/// Scatters beyond which a row weighs less.
-const WEIGHS_LESS: f64 = 2.5;
-/// Degrees of freedom of the t distribution whose weights are taken.
-const FREEDOM: f64 = 3.0;
 /// Median absolute value of a unit normal.
 const MEDIAN_NORMAL: f64 = 0.674_489_750_196_081_7;
 
@@ -49,8 +44,8 @@ pub fn louder(misfit: &[f64], runs: &[Range<usize>], load: Option<&[f64]>, readi
     }
     let loud = quiet.max(scale(true));
     let distance = |row: usize| apart[row].least.abs() / if jump[row] { loud } else { quiet };
-    let far: Vec<usize> = (0..misfit.len()).filter(|row| !jump[*row] && distance(*row) > FAR).collect();
-    let heavy = far.len() >= FEWEST.max((SHARE * misfit.len() as f64) as usize) && !together(&far, misfit.len());
+    let far: Vec<usize> = (0..misfit.len()).filter(|row| !jump[*row] && distance(*row) > FAR_OFF).collect();
+    let heavy = far.len() >= FEWEST_FAR_OFF.max((SHARE_FAR_OFF * misfit.len() as f64) as usize) && !together(&far, misfit.len());
     let (grows, quiet) = growth(&apart, reading, quiet).map_or((None, quiet), |(grows, least)| (Some(grows), least));
     if !heavy && grows.is_none() {
         return None;
@@ -62,7 +57,7 @@ pub fn louder(misfit: &[f64], runs: &[Range<usize>], load: Option<&[f64]>, readi
         let u = distance(row) / more;
         if heavy && u > WEIGHS_LESS {
             let sd = if jump[row] { loud } else { quiet } * more;
-            variance[row] += sd * sd * ((FREEDOM + u * u) / (FREEDOM + 1.0) - 1.0).max(0.0);
+            variance[row] += sd * sd * ((TAIL_FREEDOM + u * u) / (TAIL_FREEDOM + 1.0) - 1.0).max(0.0);
             clean[row] -= apart[row].about;
         }
         if grows.is_some() {
@@ -134,21 +129,16 @@ fn together(rows: &[usize], of: usize) -> bool {
     pairs > 2.0 * expected + 3.0
 }
 
-/// Groups of rows, by their reading, among which scatter is compared.
-const GROUPS: usize = 6;
-/// Ratio of scatters of the loudest and the quietest group from which on noise grows: five standard deviations of 3000 rows.
-const GROWS: f64 = 1.6;
-
 /// Scatter of each row over that of the quietest, and the latter, where it grows along the reading; `quiet` is the scatter of all.
 fn growth(apart: &[Apart], reading: &[f64], quiet: f64) -> Option<(Vec<f64>, f64)> {
     let (least, range) = (reading.iter().copied().fold(f64::INFINITY, f64::min), spread(reading));
-    if range <= 0.0 || reading.len() < 60 * GROUPS {
+    if range <= 0.0 || reading.len() < ROWS_OF_A_GROUP * READING_GROUPS {
         return None;
     }
     let mut order: Vec<usize> = (0..reading.len()).collect();
     order.sort_by(|a, b| reading[*a].total_cmp(&reading[*b]));
     let groups: Vec<(f64, f64)> = order
-        .chunks(reading.len().div_ceil(GROUPS))
+        .chunks(reading.len().div_ceil(READING_GROUPS))
         .map(|rows| {
             let at = rows.iter().map(|r| (reading[*r] - least) / range).sum::<f64>() / rows.len() as f64;
             (at, median(&rows.iter().map(|r| apart[*r].about.abs()).collect::<Vec<_>>()) / MEDIAN_NORMAL / quiet)
@@ -162,14 +152,14 @@ fn growth(apart: &[Apart], reading: &[f64], quiet: f64) -> Option<(Vec<f64>, f64
         (a + x * x, b + x * y, c + y * y)
     });
     // the fit weighs the louder groups, the quieter ones must agree
-    let clear = groups.first().zip(groups.last()).is_some_and(|(low, high)| high.1 > GROWS * low.1);
-    if !clear || sxx <= 0.0 || sxy <= 0.0 || sxy * sxy < 0.8 * sxx * syy {
+    let clear = groups.first().zip(groups.last()).is_some_and(|(low, high)| high.1 > NOISE_GROWS * low.1);
+    if !clear || sxx <= 0.0 || sxy <= 0.0 || sxy * sxy < GROWS_EVENLY * sxx * syy {
         return None;
     }
     let slope = sxy / sxx;
     let start = (my - slope * mx).max(0.05 * my);
     let of = |r: &f64| (1.0 + slope / start * ((r - least) / range).powi(2)).sqrt();
-    (of(&(least + range)) > GROWS).then(|| (reading.iter().map(of).collect(), quiet * start.sqrt()))
+    (of(&(least + range)) > NOISE_GROWS).then(|| (reading.iter().map(of).collect(), quiet * start.sqrt()))
 }
 
 #[cfg(test)]

@@ -18,3 +18,4 @@ pub(crate) mod rest;
 pub(crate) mod rounding;
 pub(crate) mod several;
 pub(crate) mod switching;
+pub(crate) mod tuning;

@@ -2,7 +2,10 @@
 //!
 //! Limits: a grid over correlation and share, which is finer than the data can tell.
 
-use crate::whitening::whitener::{InputError, Lasting, Noise, Whitener};
+use crate::{
+    noise::tuning::{CLEARLY_COLOURED, FEWEST_BLOCKS, MEMORIES, OUTLYING_BLOCK, WORTH_A_PARAMETER},
+    whitening::whitener::{InputError, Lasting, Noise, Whitener},
+};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 
@@ -74,20 +77,15 @@ pub fn without_outliers(response: &[f64], blocks: Vec<Block>) -> Vec<Block> {
     let mut sorted = all.clone();
     sorted.sort_by(f64::total_cmp);
     let Some(median) = sorted.get(sorted.len() / 2).copied().filter(|_| sorted.len() >= FEWEST_BLOCKS) else { return blocks };
-    blocks.into_iter().zip(all).filter(|(_, scatter)| *scatter <= OUTLYING * median).map(|(block, _)| block).collect()
+    blocks.into_iter().zip(all).filter(|(_, scatter)| *scatter <= OUTLYING_BLOCK * median).map(|(block, _)| block).collect()
 }
-
-/// Fewest stretches among which one can be told to stand out.
-const FEWEST_BLOCKS: usize = 5;
-/// Factor on the median variance above which a stretch is left out: 4 standard deviations for the shortest stretch.
-const OUTLYING: f64 = 1.9;
 
 /// Noise of `response` in these blocks, and the relative standard deviation of its weight in the mean of many rows: how far the noises that the blocks
 /// allow differ there.
 pub fn estimate(response: &[f64], blocks: &[Block]) -> (Noise, f64) {
     let ordered = blocks.iter().any(|b| b.ordered);
     let white = sums(response, blocks, &WHITE, 0.0);
-    let mut best = (white.log_likelihood() + WORTH, 0.0, 0.0, white.squares / white.freedom.max(1.0));
+    let mut best = (white.log_likelihood() + WORTH_A_PARAMETER, 0.0, 0.0, white.squares / white.freedom.max(1.0));
     let mut allowed = vec![(white.log_likelihood(), best.3)];
     if ordered {
         for correlation in [0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.88, 0.94, 0.97] {
@@ -121,9 +119,6 @@ fn spread(allowed: &[(f64, f64)], chosen: f64) -> f64 {
     if weights > 0.0 && squares.is_finite() { (squares / weights).sqrt() } else { 0.0 }
 }
 
-/// Log likelihood that two more parameters must gain (BIC at a few hundred rows is about 6; AIC is 2).
-const WORTH: f64 = 3.0;
-
 /// White noise of unit variance.
 const WHITE: Noise = Noise { white_sd: 1.0, ar_sd: 0.0, ar_correlation: 0.0 };
 
@@ -143,14 +138,8 @@ pub fn slow(response: &[f64], blocks: &[Block], chosen: &Noise) -> Option<(f64, 
         (sums.log_likelihood(), part, sums.squares / sums.freedom.max(1.0))
     });
     let (log, part, variance) = tried.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
-    (log > one + CLEARLY).then(|| (variance.sqrt(), (variance * part).sqrt()))
+    (log > one + CLEARLY_COLOURED).then(|| (variance.sqrt(), (variance * part).sqrt()))
 }
-
-/// Log likelihood by which slow noise must be likelier.
-const CLEARLY: f64 = 1.0;
-
-/// Memories of the parts of slow noise, in rows: autoregressive parts of one size, a factor of eight apart, have a spectrum like 1/f.
-const MEMORIES: [f64; 4] = [1.5, 12.0, 96.0, 768.0];
 
 /// Slow noise with this variance in each part, of `rows` rows.
 pub fn slow_parts(rows: usize, variance: f64) -> Vec<Lasting> {

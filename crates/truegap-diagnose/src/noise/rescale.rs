@@ -4,20 +4,13 @@
 
 use crate::{
     data::{context::load_column, problem::Problem},
+    noise::tuning::{CLEARLY_TOO_LOUD, LEAST_OF_INPUTS, LOWER_NOISE, TOO_LOUD},
     noise::{
         reml::estimate,
         response::{blocks, from_misfit, no_finer_than_read},
     },
     whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
-/// Share of its variance below which what is left over shows that a noise is not as loud as taken: three standard deviations in 200 rows.
-const TOO_LOUD: f64 = 0.7;
-/// Factors on a noise that was too loud.
-const LOWER: [f64; 8] = [1.0, 0.84, 0.7, 0.59, 0.5, 0.35, 0.25, 0.12];
-/// Least factor on what comes from the inputs: how noisy a bending load is, its own differences say that well.
-const LEAST_OF_INPUTS: f64 = 0.35;
-/// Deviance by which factors of their own must be better than one for both.
-const CLEARLY: f64 = 20.0;
 
 /// The noise estimated again where `misfit`, what some model leaves over, is quieter than `noise`: what was taken for noise was something that the model knows.
 /// `None` where it is not.
@@ -67,11 +60,11 @@ pub fn not_above(problem: &Problem<'_>, misfit: &[f64], noise: NoiseModel) -> No
         let tried = factors.into_iter().map(|(response, inputs)| noise.with_parts_scaled(response, inputs));
         tried.map(|noise| (deviance(&noise), noise)).min_by(|a, b| a.0.total_cmp(&b.0))
     };
-    let alike = likeliest(LOWER.map(|factor| (factor, factor)).to_vec());
+    let alike = likeliest(LOWER_NOISE.map(|factor| (factor, factor)).to_vec());
     // what denoised inputs err by is alike over many rows, and short stretches say nothing of it: only a load that keeps its noise is weighed by itself
-    let inputs = LOWER.into_iter().filter(|inputs| noise.load_wanders() && *inputs >= LEAST_OF_INPUTS);
-    let apart = likeliest(inputs.flat_map(|inputs| LOWER.map(|response| (response, inputs))).collect());
-    let clearly = |apart: &(f64, NoiseModel)| alike.as_ref().is_none_or(|alike| apart.0 < alike.0 - CLEARLY);
+    let inputs = LOWER_NOISE.into_iter().filter(|inputs| noise.load_wanders() && *inputs >= LEAST_OF_INPUTS);
+    let apart = likeliest(inputs.flat_map(|inputs| LOWER_NOISE.map(|response| (response, inputs))).collect());
+    let clearly = |apart: &(f64, NoiseModel)| alike.as_ref().is_none_or(|alike| apart.0 < alike.0 - CLEARLY_TOO_LOUD);
     apart.filter(clearly).or(alike).map_or_else(|| noise.clone(), |(_, likeliest)| likeliest)
 }
 

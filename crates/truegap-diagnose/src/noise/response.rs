@@ -4,6 +4,7 @@
 
 use crate::{
     data::{context::load_column, problem::Problem},
+    noise::tuning::{ENOUGH_ROWS, FEWEST_REPLICATES, PLENTY_OF_ROWS, UNSEEN},
     noise::{
         input_error::{Left, input_error},
         louder::Louder,
@@ -18,11 +19,6 @@ use crate::{
     },
 };
 use truegap_core::SimulationError;
-
-/// Fewest rows at rest that a noise model may rest on.
-const ENOUGH: usize = 120;
-/// Most rows at rest that are used; more would not change the figures.
-const PLENTY: usize = 6000;
 
 /// Noise of a problem whose inputs were denoised: `inputs` as recorded, `left` what denoising left of it, `base` the parameter values at which all that is carried
 /// through.
@@ -101,9 +97,6 @@ pub(crate) fn no_finer_than_read(noise: Noise, problem: &Problem<'_>) -> Noise {
     Noise { white_sd: noise.white_sd.max(resolution(problem.response) / 12f64.sqrt()), ..noise }
 }
 
-/// Least relative uncertainty of a noise that was not measured at rest.
-const UNSEEN: f64 = 0.25;
-
 /// Stretches to take the noise from, whether they are apart from the mismatch, and a sentence about them; a load that `wanders` never rests.
 pub(crate) fn blocks(
     problem: &Problem<'_>,
@@ -115,13 +108,13 @@ pub(crate) fn blocks(
     let mut rest = without_outliers(problem.response, at_rest);
     keep_some(&mut rest);
     let rows: usize = rest.iter().map(|b| b.rows.len()).sum();
-    if rows >= ENOUGH {
+    if rows >= ENOUGH_ROWS {
         let says = format!("from {rows} rows in {} stretches at rest, a slow trend taken out of each", rest.len());
         return (rest, true, says);
     }
     let replicates = rest::replicates(problem.inputs, load);
     let repeated: usize = replicates.iter().map(|b| b.rows.len()).sum();
-    if problem.inputs.time_s.is_none() && repeated >= 12 {
+    if problem.inputs.time_s.is_none() && repeated >= FEWEST_REPLICATES {
         let says = format!("from {repeated} rows measured again at the same inputs");
         return (replicates, true, says);
     }
@@ -134,8 +127,8 @@ pub(crate) fn blocks(
 /// Keeps a share of the stretches, spread evenly, where there are more rows than needed.
 pub(crate) fn keep_some(blocks: &mut Vec<Block>) {
     let rows: usize = blocks.iter().map(|b| b.rows.len()).sum();
-    if rows > PLENTY {
-        let every = rows.div_ceil(PLENTY);
+    if rows > PLENTY_OF_ROWS {
+        let every = rows.div_ceil(PLENTY_OF_ROWS);
         let mut index = 0;
         blocks.retain(|_| {
             index += 1;
@@ -143,8 +136,8 @@ pub(crate) fn keep_some(blocks: &mut Vec<Block>) {
         });
     }
     for block in blocks {
-        if block.rows.len() > PLENTY {
-            block.truncate(PLENTY);
+        if block.rows.len() > PLENTY_OF_ROWS {
+            block.truncate(PLENTY_OF_ROWS);
         }
     }
 }

@@ -2,17 +2,14 @@
 //!
 //! Limits: rest means that load and temperature stay within their own noise.
 
-use crate::{noise::reml::Block, stats::spread, whitening::noise_model::InputNoise};
+use crate::{
+    noise::reml::Block,
+    noise::tuning::{DRIVER_RESTS, EVEN_PACE, FEWEST_OF_A_STRETCH, SHORT_STRETCH, SHORTEST_REST},
+    stats::spread,
+    whitening::noise_model::InputNoise,
+};
 use std::ops::Range;
 use truegap_core::Inputs;
-
-/// Fewest rows of a stretch at rest.
-const SHORTEST: usize = 40;
-/// Rows of a short stretch, where there is no rest.
-const SHORT: usize = 24;
-
-/// Share of its range within which a driver counts as at rest: its noise is not known.
-const DRIVER_RESTS: f64 = 0.01;
 
 /// Stretches with constant inputs.
 pub fn at_rest(inputs: &Inputs, load: Option<&[f64]>, noise: &InputNoise) -> Vec<Block> {
@@ -31,8 +28,9 @@ pub fn at_rest(inputs: &Inputs, load: Option<&[f64]>, noise: &InputNoise) -> Vec
         return Vec::new();
     }
     let steps = inputs.steps_s();
-    let even =
-        |row: usize, first: usize| inputs.time_s.is_none() || (steps[row] - steps[first + 1]).abs() <= 0.3 * steps[first + 1];
+    let even = |row: usize, first: usize| {
+        inputs.time_s.is_none() || (steps[row] - steps[first + 1]).abs() <= EVEN_PACE * steps[first + 1]
+    };
     inputs.runs().into_iter().flat_map(|run| still(&columns, run, &even)).map(Block::at_rest).collect()
 }
 
@@ -47,7 +45,7 @@ fn still(columns: &[(&[f64], f64)], run: Range<usize>, even: &dyn Fn(usize, usiz
         let quiet = inside
             && columns.iter().zip(&sums).all(|((c, tolerance), sum)| count == 0.0 || (c[row] - sum / count).abs() <= *tolerance);
         if !quiet {
-            if row - first >= SHORTEST {
+            if row - first >= SHORTEST_REST {
                 found.push(first..row);
             }
             first = row;
@@ -76,6 +74,7 @@ pub fn replicates(inputs: &Inputs, load: Option<&[f64]>) -> Vec<Block> {
 
 /// Short stretches of every run, whatever was done in them.
 pub fn short_stretches(inputs: &Inputs) -> Vec<Block> {
-    let stretch = |run: Range<usize>| run.clone().step_by(SHORT).map(move |first| first..(first + SHORT).min(run.end));
-    inputs.runs().into_iter().flat_map(stretch).filter(|r| r.len() >= 8).map(Block::stretch).collect()
+    let stretch =
+        |run: Range<usize>| run.clone().step_by(SHORT_STRETCH).map(move |first| first..(first + SHORT_STRETCH).min(run.end));
+    inputs.runs().into_iter().flat_map(stretch).filter(|r| r.len() >= FEWEST_OF_A_STRETCH).map(Block::stretch).collect()
 }

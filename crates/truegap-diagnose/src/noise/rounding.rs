@@ -7,7 +7,13 @@
 //!
 //! **Source:** Widrow and Kollar, Quantization Noise (2008), sections 4.1 (variance of a step, `q^2 / 12`) and 5.4 (noise before rounding makes its error independent).
 
-use crate::stats::median;
+use crate::{
+    noise::tuning::{
+        ALL_ALIKE, COARSE, COMMANDED, FEWEST_LEVELS, LONGER_PLATEAU, MEMORIES_IN_A_HOLD, MEMORIES_ON_A_COURSE, OFF_GRID,
+        REAL_CHANGE,
+    },
+    stats::median,
+};
 use std::ops::Range;
 
 /// Error of a rounded column, row by row.
@@ -34,24 +40,6 @@ impl Rounded {
     }
 }
 
-/// Share of neighbouring rows with one value below which the noise of a column dithers its steps away.
-const COARSE: f64 = 0.3;
-/// Distinct values from which on a grid is one.
-const LEVELS: usize = 8;
-/// Distance of spacings from whole steps, in steps.
-const OFF_GRID: f64 = 0.12;
-/// Share of the reading's change that falls on the rows at which a column changes, above which the change was real.
-const REAL: f64 = 0.6;
-/// Mean over root mean square of those changes, above which all are alike.
-const ALL_ALIKE: f64 = 0.7;
-/// Share of moving rows on exact lines above which a column was commanded.
-const COMMANDED: f64 = 0.85;
-/// Memories of the error in which a plateau passes: in a hold, and on a slow course.
-const STAYS: f64 = 0.05;
-const RUNS: f64 = 4.0;
-/// Times as long as its neighbours, from which on a plateau is a hold.
-const LONGER: usize = 4;
-
 /// What the steps of a column make of it, where it is written in steps; `answer` is what follows it, `small` a step that nobody commands.
 pub fn rounded(column: &[f64], runs: &[Range<usize>], answer: Option<&[f64]>, small: f64) -> Option<Rounded> {
     let step = grid(column, small)?;
@@ -75,11 +63,11 @@ pub fn rounded(column: &[f64], runs: &[Range<usize>], answer: Option<&[f64]>, sm
             let came = jumps(plateau.start);
             let beside =
                 [k.checked_sub(1), Some(k + 1)].into_iter().flatten().filter_map(|k| all.get(k)).map(ExactSizeIterator::len);
-            let longer = plateau.len() > LONGER * beside.max().unwrap_or(0);
+            let longer = plateau.len() > LONGER_PLATEAU * beside.max().unwrap_or(0);
             let held_still = longer || (came && jumps(plateau.end));
             held[plateau.clone()].fill(if plateau.len() > 2 { stays } else { 0.0 });
             // on a slow course the error runs from one end of a step to the other while the column stands; in a hold it stays
-            let changes = if held_still { STAYS } else { RUNS };
+            let changes = if held_still { MEMORIES_IN_A_HOLD } else { MEMORIES_ON_A_COURSE };
             memory[plateau.clone()].fill((-changes / plateau.len() as f64).exp());
             if came || longer {
                 memory[plateau.start] = 0.0;
@@ -130,7 +118,7 @@ fn grid(column: &[f64], small: f64) -> Option<f64> {
     let alike: Vec<f64> = gaps.iter().copied().filter(|g| *g < 1.3 * least).collect();
     let step = median(&alike);
     let whole = |gap: &&f64| (**gap / step - (**gap / step).round()).abs() < OFF_GRID;
-    let many = values.len() >= LEVELS || (values.len() >= 2 && step <= small);
+    let many = values.len() >= FEWEST_LEVELS || (values.len() >= 2 && step <= small);
     (many && step > 0.0 && alike.len() * 4 >= gaps.len() && gaps.iter().filter(whole).count() * 100 >= 98 * gaps.len())
         .then_some(step)
 }
@@ -173,7 +161,7 @@ fn jumps_with(column: &[f64], runs: &[Range<usize>], step: f64, answer: &[f64]) 
         }
     }
     // where the column flickers between two values, what follows it does one thing and another
-    found >= 4 && in_all != 0.0 && at_once / in_all > REAL && at_once > ALL_ALIKE * (found as f64 * squares).sqrt()
+    found >= 4 && in_all != 0.0 && at_once / in_all > REAL_CHANGE && at_once > ALL_ALIKE * (found as f64 * squares).sqrt()
 }
 
 #[cfg(test)]

@@ -4,10 +4,7 @@
 
 use crate::{
     data::{context::load_column, error::DiagnoseError, problem::Problem},
-    fit::{
-        model::Model,
-        several_starts::{LOOSE, lowest},
-    },
+    fit::{model::Model, several_starts::lowest, tuning::LOOSE},
     noise::{
         denoised_inputs::{DenoisedInputs, denoised_inputs},
         follows_drivers::without_what_follows_drivers,

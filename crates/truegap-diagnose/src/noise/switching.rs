@@ -1,13 +1,15 @@
 //! Inputs that switch from row to row: by themselves they look like noise, but the reading follows them.
 //!
-//! Limits: a reading that comes later than [`LATEST`] rows, or is buried in noise of its own, does not show that it follows.
+//! Limits: a reading that comes later than [`LATEST_ROW`] rows, or is buried in noise of its own, does not show that it follows.
 
-use crate::{data::problem::Problem, noise::input::scatter, stats::spread};
+use crate::{
+    data::problem::Problem,
+    noise::input::scatter,
+    noise::tuning::{BY_CHANCE, LATEST_ROW, ONLY_NOISE},
+    stats::spread,
+};
 use std::ops::Range;
 use truegap_core::Inputs;
-
-/// Spread of a column that is noise and nothing else, in its standard deviations.
-const ONLY_NOISE: f64 = 10.0;
 
 /// Whether a column is no wider than the noise that its changes from row to row would have.
 pub fn looks_like_noise(column: &[f64], inputs: &Inputs, runs: &[Range<usize>]) -> bool {
@@ -21,17 +23,12 @@ pub fn load_switches(problem: &Problem<'_>) -> bool {
     load.is_some_and(|load| looks_like_noise(&load, problem.inputs, &runs) && followed(&load, problem.response, &runs))
 }
 
-/// Rows by which a reading may come after what it follows.
-const LATEST: usize = 8;
-/// Standard deviations beyond which a correlation of changes is none of chance, many rows and several delays tried.
-const BY_CHANCE: f64 = 8.0;
-
 /// Whether the reading's changes follow the changes of a column: what switches from row to row looks like noise by itself, but noise moves nothing.
 pub fn followed(column: &[f64], response: &[f64], runs: &[Range<usize>]) -> bool {
     let changes =
         |x: &[f64]| -> Vec<Vec<f64>> { runs.iter().map(|r| x[r.clone()].windows(2).map(|w| w[1] - w[0]).collect()).collect() };
     let (causes, effects) = (changes(column), changes(response));
-    (0..=LATEST).any(|late| {
+    (0..=LATEST_ROW).any(|late| {
         let pairs = || causes.iter().zip(&effects).flat_map(|(c, e)| c.iter().zip(e.iter().skip(late)));
         let sum = |f: fn(f64, f64) -> f64| pairs().map(|(c, e)| f(*c, *e)).sum::<f64>();
         let scale = (sum(|c, _| c * c) * sum(|_, e| e * e)).sqrt();

@@ -11,7 +11,7 @@ use crate::{
     data::{context::Context, error::DiagnoseError, problem::Problem},
     effects::effect::Effect,
     fit::model::Model,
-    fit::several_starts::LOOSE,
+    fit::tuning::LOOSE,
     noise::{
         block_average::{BlockAverages, block_averages},
         rescale::{quieter_than, too_loud},

@@ -4,6 +4,7 @@
 
 use crate::{
     data::problem::Problem,
+    quality::tuning::{CLIP_COARSE, CLIP_CROSSED, CLIP_ORDINARY, FEWEST_CLIPPED, PASSING, SHARE_CLIPPED},
     quality::{
         notice::{Notice, NoticeKind},
         rows::{Rows, drivers, ends, equal_stretches, moved, standing_still},
@@ -11,15 +12,6 @@ use crate::{
     stats::spread,
 };
 use std::ops::Range;
-
-/// Fewest rows at the rail.
-const FEWEST: usize = 8;
-/// Share of all rows at the rail, at least.
-const SHARE: f64 = 0.005;
-/// Share of its range that a driver must cross while the reading stays at the rail.
-const CROSSED: f64 = 0.08;
-/// Share of neighbouring readings that are equal elsewhere, at most: a coarse reading is often at its extremes.
-const COARSE: f64 = 0.2;
 
 /// Share of all rows at the rail above which too little is left without them.
 const MOST: f64 = 0.3;
@@ -64,9 +56,9 @@ fn at(
     let on_rail: Vec<&Range<usize>> = stretches.iter().filter(|s| problem.response[s.start] == rail).collect();
     let count: usize = on_rail.iter().map(|s| s.len()).sum();
     let long = on_rail.iter().map(|s| s.len()).max().unwrap_or(0);
-    let enough = count >= FEWEST && count as f64 >= SHARE * problem.response.len() as f64 && long >= 4;
+    let enough = count >= FEWEST_CLIPPED && count as f64 >= SHARE_CLIPPED * problem.response.len() as f64 && long >= 4;
     let met = || a_driver_goes_on(problem, &on_rail) || runs_into_it(problem, &on_rail);
-    if !enough || standing_still(stretches, 4) > COARSE || !met() {
+    if !enough || standing_still(stretches, 4) > CLIP_COARSE || !met() {
         return None;
     }
     let first = on_rail.iter().max_by_key(|s| s.len())?;
@@ -90,16 +82,13 @@ fn runs_into_it(problem: &Problem<'_>, on_rail: &[&Range<usize>]) -> bool {
     let pairs = || runs.iter().flat_map(|run| run.start + 1..run.end);
     let mut steps: Vec<f64> = pairs().filter(|row| !inside(*row) && !inside(row - 1)).map(step).collect();
     steps.sort_by(f64::total_cmp);
-    let Some(ordinary) = steps.get(ORDINARY * steps.len() / 100).copied() else { return false };
+    let Some(ordinary) = steps.get(CLIP_ORDINARY * steps.len() / 100).copied() else { return false };
     let drivers = drivers(problem);
     let mut edges = pairs().filter(|row| inside(*row) != inside(row - 1)).map(step).peekable();
     edges.peek().is_some()
         && edges.all(|edge| edge <= ordinary)
-        && on_rail.iter().any(|s| s.len() >= 4 && moved(&drivers, s) > CROSSED)
+        && on_rail.iter().any(|s| s.len() >= 4 && moved(&drivers, s) > CLIP_CROSSED)
 }
-
-/// Percentile of the steps from row to row below which one is no jump.
-const ORDINARY: usize = 99;
 
 /// Whether a driver crosses part of its range on the rail, and hardly any other row lies in that part: the rail is what is read there.
 fn a_driver_goes_on(problem: &Problem<'_>, on_rail: &[&Range<usize>]) -> bool {
@@ -111,6 +100,6 @@ fn a_driver_goes_on(problem: &Problem<'_>, on_rail: &[&Range<usize>]) -> bool {
         at.sort_by(f64::total_cmp);
         let (low, high) = (at[at.len() / 20], at[at.len() - 1 - at.len() / 20]);
         let others = (0..inside.len()).filter(|row| !inside[*row] && (low..=high).contains(&driver[*row])).count();
-        high - low > CROSSED * spread(driver) && (others as f64) < 0.2 * at.len() as f64
+        high - low > CLIP_CROSSED * spread(driver) && (others as f64) < PASSING * at.len() as f64
     })
 }

@@ -4,6 +4,7 @@
 
 use crate::{
     data::problem::Problem,
+    quality::tuning::{AT_FIRST, DEAD_COARSE, DEAD_CROSSED, DRIVEN, FEWEST_DEAD, JITTER_BENDS, JITTERS, SHARE_DEAD},
     quality::{
         notice::{Notice, NoticeKind},
         rows::{Rows, drivers, equal_stretches, moved, standing_still},
@@ -14,23 +15,14 @@ use crate::{
 use std::ops::Range;
 use truegap_core::Inputs;
 
-/// Fewest rows of one value.
-const FEWEST: usize = 20;
-/// Share of all rows, at least.
-const SHARE: f64 = 0.02;
-/// Share of its range that a driver (or the reading) must cross meanwhile.
-const CROSSED: f64 = 0.3;
-/// Share of neighbouring values that are equal elsewhere, at most.
-const COARSE: f64 = 0.2;
-
 /// Long stretches of one value, while `others` move, in a column that does not stand still elsewhere.
 fn stuck(column: &[f64], runs: &[Range<usize>], meanwhile: impl Fn(&Range<usize>) -> f64) -> Vec<Range<usize>> {
     let stretches = equal_stretches(column, runs);
-    let longest = FEWEST.max((SHARE * column.len() as f64) as usize);
-    if standing_still(&stretches, longest) > COARSE {
+    let longest = FEWEST_DEAD.max((SHARE_DEAD * column.len() as f64) as usize);
+    if standing_still(&stretches, longest) > DEAD_COARSE {
         return Vec::new();
     }
-    stretches.into_iter().filter(|s| s.len() >= longest && meanwhile(s) > CROSSED).collect()
+    stretches.into_iter().filter(|s| s.len() >= longest && meanwhile(s) > DEAD_CROSSED).collect()
 }
 
 /// A notice where the reading hangs.
@@ -90,11 +82,6 @@ pub fn dead_inputs(problem: &Problem<'_>, rows: &Rows<'_>) -> Vec<Notice> {
     inputs_of(problem.inputs).into_iter().filter_map(notice).collect()
 }
 
-/// Share of neighbouring curvatures of opposite sign above which a column jitters: 0.73 for white noise, 0 for a smooth course, 0.5 at the corners of one.
-const JITTERS: f64 = 0.6;
-/// Share of all curvatures that are not zero, at least, in a column that was measured.
-const BENDS: f64 = 0.5;
-
 /// Whether a column jitters outside of its long stretches, as what was measured does and what was commanded does not.
 fn is_measured(column: &[f64], runs: &[Range<usize>], stuck: &[Range<usize>]) -> bool {
     let inside = |row: usize| stuck.iter().any(|s| s.contains(&row));
@@ -114,13 +101,8 @@ fn is_measured(column: &[f64], runs: &[Range<usize>], stuck: &[Range<usize>]) ->
             before = second;
         }
     }
-    all > 0 && bent as f64 > BENDS * all as f64 && opposite as f64 > JITTERS * pairs.max(1) as f64
+    all > 0 && bent as f64 > JITTER_BENDS * all as f64 && opposite as f64 > JITTERS * pairs.max(1) as f64
 }
-
-/// Share of the reading's range that it must rise, and fall, in a stretch to have been driven there.
-const DRIVEN: f64 = 0.15;
-/// Share of its change that a reading makes in the first third of a stretch in which it relaxes.
-const AT_FIRST: f64 = 0.6;
 
 /// Whether a measured input hangs in a stretch: it is held at that value nowhere else, and the reading is driven there, by nothing else that was recorded, where
 /// a reading that relaxes goes one way, and most of it at first.
@@ -128,7 +110,7 @@ fn hangs(problem: &Problem<'_>, column: &[f64], stretch: &Range<usize>, stuck: &
     let held_again = stuck.iter().any(|other| other != stretch && column[other.start] == column[stretch.start]);
     let others = inputs_of(problem.inputs).into_iter().map(|(_, _, other)| other).filter(|other| !std::ptr::eq(*other, column));
     let driven_otherwise =
-        others.filter(|o| spread(o) > 0.0).any(|other| spread(&other[stretch.clone()]) / spread(other) > CROSSED);
+        others.filter(|o| spread(o) > 0.0).any(|other| spread(&other[stretch.clone()]) / spread(other) > DEAD_CROSSED);
     !held_again && !driven_otherwise && !relaxes(&problem.response[stretch.clone()], spread(problem.response))
 }
 

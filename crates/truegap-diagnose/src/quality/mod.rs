@@ -12,6 +12,7 @@ pub(crate) mod range;
 pub(crate) mod repeated;
 pub(crate) mod rows;
 pub(crate) mod screen;
+pub(crate) mod tuning;
 pub(crate) mod wrong_sensor;
 
 pub use crate::data::error::FEWEST_ROWS;

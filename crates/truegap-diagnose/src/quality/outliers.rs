@@ -4,6 +4,7 @@
 
 use crate::{
     data::{context::load_column, problem::Problem},
+    quality::tuning::{OUTLIER_BEYOND, OUTLIER_FAR, OUTLIERS_NAMED, OUTLIERS_TOGETHER, TOO_MANY_OUTLIERS},
     quality::{
         notice::{Notice, NoticeKind},
         rows::Rows,
@@ -11,17 +12,6 @@ use crate::{
     stats::resolution,
 };
 use std::ops::Range;
-
-/// Standard deviations beyond the neighbours.
-const FAR: f64 = 12.0;
-/// Ranges of the neighbours beyond them.
-const BEYOND: f64 = 5.0;
-/// Most rows together.
-const TOGETHER: usize = 3;
-/// Share of rows beyond which a channel is no longer to be trusted.
-const TOO_MANY: f64 = 0.02;
-/// Rows that are named one by one.
-const NAMED: usize = 4;
 
 /// A notice, and the rows that are to be left out; none are where there are too many.
 pub fn outliers(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<usize>)> {
@@ -36,10 +26,10 @@ pub fn outliers(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<u
     for run in &runs {
         let mut row = run.start + 2;
         while row + 2 < run.end {
-            let group = (1..=TOGETHER)
+            let group = (1..=OUTLIERS_TOGETHER)
                 .filter(|length| row + length + 2 <= run.end)
                 .map(|length| row..row + length)
-                .find(|group| stands_out(response, group, FAR * sd) && still.iter().all(|c| !stands_out(c, group, 0.0)));
+                .find(|group| stands_out(response, group, OUTLIER_FAR * sd) && still.iter().all(|c| !stands_out(c, group, 0.0)));
             row = group.as_ref().map_or(row + 1, |g| g.end);
             found.extend(group);
         }
@@ -48,7 +38,7 @@ pub fn outliers(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<u
     if out.is_empty() {
         return None;
     }
-    let too_many = out.len() as f64 > TOO_MANY * response.len() as f64;
+    let too_many = out.len() as f64 > TOO_MANY_OUTLIERS * response.len() as f64;
     let notice = Notice {
         kind: NoticeKind::Outliers,
         says: says(&found, out.len(), too_many, response, rows),
@@ -63,8 +53,8 @@ fn says(found: &[Range<usize>], count: usize, too_many: bool, response: &[f64], 
         let beside = response[group.start - 1];
         format!("{} reads {}, {} beside it", rows.place(group.start), rows.reading(response[group.start]), rows.reading(beside))
     };
-    let named = found.iter().take(NAMED).map(one).collect::<Vec<_>>().join("; ");
-    let more = if found.len() > NAMED { format!("; and {} more", found.len() - NAMED) } else { String::new() };
+    let named = found.iter().take(OUTLIERS_NAMED).map(one).collect::<Vec<_>>().join("; ");
+    let more = if found.len() > OUTLIERS_NAMED { format!("; and {} more", found.len() - OUTLIERS_NAMED) } else { String::new() };
     let (what, fix) = match count {
         1 => ("1 reading stands far outside its neighbours".to_owned(), "it was"),
         _ => (format!("{count} readings stand far outside their neighbours"), "they were"),
@@ -84,7 +74,7 @@ fn stands_out(column: &[f64], group: &Range<usize>, least: f64) -> bool {
         return false;
     }
     let (low, high) = crate::quality::rows::ends(column, beside.into_iter());
-    let reach = (BEYOND * (high - low)).max(least);
+    let reach = (OUTLIER_BEYOND * (high - low)).max(least);
     let (lowest, highest) = crate::quality::rows::ends(column, group.clone());
     lowest > high + reach || highest < low - reach
 }

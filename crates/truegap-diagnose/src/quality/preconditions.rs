@@ -9,6 +9,7 @@ use crate::{
         problem::Problem,
     },
     quality::rows,
+    quality::tuning::{LOAD_CHANGES, LONG_STANDSTILL, STANDSTILL_SHARE, WARMS},
     stats::spread,
     text::Scale,
 };
@@ -31,9 +32,6 @@ pub fn check(problem: &Problem<'_>) -> Result<(), DiagnoseError> {
         None => Ok(()),
     }
 }
-
-/// Temperature change that counts as one, K.
-const WARMS: f64 = 0.3;
 
 /// The column that drives the model and its value, where neither it nor temperature changes.
 fn constant(problem: &Problem<'_>) -> Option<(&'static str, String)> {
@@ -82,7 +80,7 @@ fn stuck(response: &[f64]) -> Option<String> {
         }
     }
     let distinct = response.windows(2).filter(|w| w[0] != w[1]).count();
-    (longest > 50 && longest * 10 > distinct).then(|| {
+    (longest > LONG_STANDSTILL && longest * STANDSTILL_SHARE > distinct).then(|| {
         format!(
             "the response stays at {} for {longest} rows from row {}: a channel that hangs, or a coarse resolution",
             response[at],
@@ -92,8 +90,8 @@ fn stuck(response: &[f64]) -> Option<String> {
 }
 
 fn constant_inputs(inputs: &Inputs, problem: &Problem<'_>) -> Option<String> {
-    let load = load_column(inputs, problem.simulator).is_some_and(|l| spread(&l) > 1e-3);
-    let temperature = inputs.temperature_c.as_ref().is_some_and(|t| spread(t) > 0.3);
+    let load = load_column(inputs, problem.simulator).is_some_and(|l| spread(&l) > LOAD_CHANGES);
+    let temperature = inputs.temperature_c.as_ref().is_some_and(|t| spread(t) > WARMS);
     let driver = inputs.drivers.iter().any(|driver| spread(&driver.values) > 0.0);
     (!load && !temperature && !driver).then(|| "no input changes: only noise, drift and steps can show".to_owned())
 }

@@ -4,6 +4,7 @@
 
 use crate::{
     data::problem::Problem,
+    quality::tuning::{HIGHEST_LOAD, LOWEST_LOAD, TEMPERATURES_C},
     quality::{
         notice::{Notice, NoticeKind},
         rows::Rows,
@@ -11,13 +12,6 @@ use crate::{
     text::Scale,
 };
 use truegap_core::{Role, simulator::StageName};
-
-/// Share of the full scale up to which a load is in range; a load cell's zero and gain are good to some per cent.
-const HIGHEST: f64 = 1.1;
-/// Share of the full scale down to which a load may be negative.
-const LOWEST: f64 = -0.05;
-/// Temperatures in range, degrees Celsius.
-const TEMPERATURES_C: (f64, f64) = (-40.0, 125.0);
 
 /// Notices for loads and temperatures out of range.
 pub fn out_of_range(problem: &Problem<'_>, rows: &Rows<'_>) -> Vec<Notice> {
@@ -34,7 +28,7 @@ pub fn out_of_range(problem: &Problem<'_>, rows: &Rows<'_>) -> Vec<Notice> {
 fn loads(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
     let full = problem.simulator.full_load()?;
     let load = problem.simulator.load(problem.inputs)?;
-    let out: Vec<usize> = (0..load.len()).filter(|row| !(LOWEST..=HIGHEST).contains(&load[*row])).collect();
+    let out: Vec<usize> = (0..load.len()).filter(|row| !(LOWEST_LOAD..=HIGHEST_LOAD).contains(&load[*row])).collect();
     let worst = *out.iter().max_by(|a, b| (load[**a] - 0.5).abs().total_cmp(&(load[**b] - 0.5).abs()))?;
     let (name, unit) = if problem.simulator.needs().contains(&Role::Pressure) { ("pressure", "Pa") } else { ("force", "N") };
     let text = |share: f64| Scale::of(unit, (share * full).abs()).text(share * full);

@@ -7,6 +7,7 @@
 
 use crate::{
     data::problem::Problem,
+    quality::tuning::{A_FEW_REPEATS, FINE_STEPS, LONGEST_REPEAT, MORE_THAN_CHANCE, MOST_REPEATED},
     quality::{
         notice::{Notice, NoticeKind},
         rows::{Rows, ends, equal_stretches},
@@ -15,16 +16,6 @@ use crate::{
 };
 use std::ops::Range;
 
-/// Longest stretch of one value that is a repeat.
-const LONGEST: usize = 12;
-/// Steps of the reading by which rows usually differ, at least.
-const FINE: f64 = 2.5;
-/// Factor on the number of neighbours that differ by one step above which equal ones are no chance, and a few more.
-const MORE_THAN_CHANCE: usize = 3;
-const FEW: usize = 5;
-/// Share of rows above which a reading simply does not change.
-const MOST: f64 = 0.3;
-
 /// A notice, and the rows that are to be left out.
 pub fn repeated(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<usize>)> {
     let (response, runs) = (problem.response, problem.inputs.runs());
@@ -32,7 +23,7 @@ pub fn repeated(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<u
     let pairs: Vec<usize> = runs.iter().flat_map(|run| run.start + 1..run.end).collect();
     let change = |row: &usize| (response[*row] - response[*row - 1]).abs();
     let changes: Vec<f64> = pairs.iter().map(change).filter(|d| *d > 0.5 * step).collect();
-    if step <= 0.0 || median(&changes) < FINE * step {
+    if step <= 0.0 || median(&changes) < FINE_STEPS * step {
         return None;
     }
     let inputs = problem.inputs;
@@ -41,7 +32,7 @@ pub fn repeated(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<u
     let (lowest, highest) = ends(response, 0..response.len());
     let stretches: Vec<_> = equal_stretches(response, &runs)
         .into_iter()
-        .filter(|s| s.len() > 1 && s.len() <= LONGEST && response[s.start] != lowest && response[s.start] != highest)
+        .filter(|s| s.len() > 1 && s.len() <= LONGEST_REPEAT && response[s.start] != lowest && response[s.start] != highest)
         .map(|s| s.start + 1..s.end)
         .collect();
     // rows that repeat in every column are hardly ever chance; a reading alone may repeat while the inputs go on
@@ -49,8 +40,8 @@ pub fn repeated(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<u
         |counts: &dyn Fn(usize) -> bool| pairs.iter().filter(|r| counts(**r) && (change(r) / step).round() == 1.0).count();
     let again = |counts: &dyn Fn(usize) -> bool| {
         let rows: Vec<usize> = stretches.iter().flat_map(Clone::clone).filter(|row| counts(*row)).collect();
-        let by_chance = MORE_THAN_CHANCE * by_one(counts) + FEW;
-        (rows.len() > by_chance && rows.len() as f64 <= MOST * response.len() as f64).then_some(rows)
+        let by_chance = MORE_THAN_CHANCE * by_one(counts) + A_FEW_REPEATS;
+        (rows.len() > by_chance && rows.len() as f64 <= MOST_REPEATED * response.len() as f64).then_some(rows)
     };
     let many = again(&|_| true).or_else(|| again(&whole));
     let again = many

@@ -5,6 +5,7 @@
 use crate::{
     data::{context::load_column, problem::Problem},
     noise::switching::{followed, looks_like_noise},
+    quality::tuning::DRIVES,
     stats::spread,
     text::Scale,
 };
@@ -98,9 +99,6 @@ pub(crate) fn standing_still(stretches: &[Range<usize>], longest: usize) -> f64 
 pub(crate) fn ends(column: &[f64], rows: impl Iterator<Item = usize>) -> (f64, f64) {
     rows.map(|row| column[row]).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
 }
-
-/// Kelvins that a temperature has to move to drive a reading: rooms and thermometers wander by less.
-const DRIVES: f64 = 1.0;
 
 /// Whether a column moves by no more than `least`, or shows nothing but its own noise, which the reading does not follow.
 pub(crate) fn stands(column: &[f64], least: f64, problem: &Problem<'_>) -> bool {

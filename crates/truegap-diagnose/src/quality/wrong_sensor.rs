@@ -5,23 +5,11 @@
 use crate::{
     data::problem::Problem,
     quality::notice::{Notice, NoticeKind},
+    quality::tuning::{ALIKE, FAR_FROM_PRIOR, LEVEL_RANGE, LEVEL_SAMPLE, LOADED, MOVES_WITH, OFF_BY, POWER_OF_A_THOUSAND},
     stats::{median, spread},
     text::Scale,
 };
 use truegap_core::Parameter;
-
-/// Share of the foreseen reading that the recorded one may be off, beside [`FAR`] standard deviations of what tolerances allow.
-const OFF: f64 = 0.05;
-/// Standard deviations.
-const FAR: f64 = 6.0;
-/// Factor between recorded and foreseen range.
-const RANGE: f64 = 4.0;
-/// The same within which the readings move as foreseen.
-const ALIKE: f64 = 1.3;
-/// Rows that are looked at.
-const SAMPLE: usize = 2000;
-/// Share of the full scale that the load must cross for ranges to be compared.
-const LOADED: f64 = 0.3;
 
 /// A notice where recording and base model do not belong together.
 pub fn wrong_sensor(problem: &Problem<'_>) -> Option<Notice> {
@@ -29,7 +17,7 @@ pub fn wrong_sensor(problem: &Problem<'_>) -> Option<Notice> {
         return None;
     }
     // medians and ranges need no more rows than this, however long the recording
-    let stride = problem.response.len().div_ceil(SAMPLE);
+    let stride = problem.response.len().div_ceil(LEVEL_SAMPLE);
     let keep: Vec<usize> = (0..problem.response.len()).step_by(stride.max(1)).collect();
     let (inputs, response) = (problem.inputs.select(&keep), keep.iter().map(|row| problem.response[*row]).collect::<Vec<_>>());
     let problem = &Problem { inputs: &inputs, response: &response, simulator: problem.simulator };
@@ -49,7 +37,7 @@ pub fn wrong_sensor(problem: &Problem<'_>) -> Option<Notice> {
 fn moves_alike(problem: &Problem<'_>, foreseen: &[f64]) -> bool {
     let loaded = problem.simulator.load(problem.inputs).is_some_and(|load| spread(&load) > LOADED);
     let ratio = spread(problem.response) / spread(foreseen);
-    loaded && (1.0 / ALIKE..=ALIKE).contains(&ratio) && correlation(problem.response, foreseen) > 0.9
+    loaded && (1.0 / ALIKE..=ALIKE).contains(&ratio) && correlation(problem.response, foreseen) > MOVES_WITH
 }
 
 fn level(problem: &Problem<'_>, foreseen: &[f64]) -> Option<String> {
@@ -57,9 +45,9 @@ fn level(problem: &Problem<'_>, foreseen: &[f64]) -> Option<String> {
     let sd = tolerance(problem, expected);
     let off = (read - expected).abs();
     let text = |v: f64| Scale::of(problem.simulator.unit(), v.abs()).text(v);
-    (off > FAR * sd + OFF * expected.abs()).then(|| {
+    (off > FAR_FROM_PRIOR * sd + OFF_BY * expected.abs()).then(|| {
         let ratio = read / expected;
-        let unit = [1e-6, 1e-3, 1e3, 1e6].iter().any(|power| (ratio / power - 1.0).abs() < 0.3);
+        let unit = [1e-6, 1e-3, 1e3, 1e6].iter().any(|power| (ratio / power - 1.0).abs() < POWER_OF_A_THOUSAND);
         let hint = if unit { ", a power of a thousand apart" } else { "" };
         format!(
             "the recording does not look like this sensor: half of the readings lie above {}, where the sensor's file foresees {} (its tolerances \
@@ -77,7 +65,7 @@ fn range(problem: &Problem<'_>, foreseen: &[f64]) -> Option<String> {
     let text = |v: f64| Scale::of(problem.simulator.unit(), v.abs()).text(v);
     let told =
         || format!("the readings move by {}, where the sensor's file foresees {} for what was done", text(read), text(expected));
-    if expected > 0.0 && read > 0.0 && !(1.0 / RANGE..=RANGE).contains(&(read / expected)) {
+    if expected > 0.0 && read > 0.0 && !(1.0 / LEVEL_RANGE..=LEVEL_RANGE).contains(&(read / expected)) {
         return Some(format!("the recording does not look like this sensor: {}", told()));
     }
     (correlation(problem.response, foreseen) < -0.7)

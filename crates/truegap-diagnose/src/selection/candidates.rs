@@ -14,6 +14,7 @@ use crate::{
         score_test::scores,
     },
     selection::effect_set::EffectSet,
+    selection::tuning::{DRIVEN_FAR, HOPELESS, LOOSE_FITS, PROMISING_START, STARTS},
     whitening::whitener::Whitener,
 };
 use nalgebra::DMatrix;
@@ -114,7 +115,7 @@ impl<'a> Search<'a> {
         effects.push(candidate);
         let model = self.model(&effects);
         let best = starts.first()?;
-        let close = starts.iter().take(2).filter(|s| s.gain >= 0.6 * best.gain);
+        let close = starts.iter().take(STARTS).filter(|s| s.gain >= PROMISING_START * best.gain);
         let starts: Vec<&Start> = if best.gain > HOPELESS { close.collect() } else { vec![best] };
         let fits = starts.iter().filter_map(|s| self.refine(&model, s, launch));
         let fit = fits.max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence))?;
@@ -258,15 +259,6 @@ fn keep_best(promising: &mut [(usize, Vec<Vec<Start>>)], launch: usize, count: u
         starts.get_mut(launch).map(Vec::clear);
     });
 }
-
-/// Candidates that are fitted from near the prior as well, where calibration has driven the parameters far.
-const LOOSE_FITS: usize = 8;
-
-/// Promised gain in log likelihood below which an effect is fitted roughly: it cannot win.
-const HOPELESS: f64 = 1.5;
-
-/// Prior standard deviations beyond which a parameter counts as driven far.
-const DRIVEN_FAR: f64 = 4.0;
 
 /// Under which noise a model to start from was fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

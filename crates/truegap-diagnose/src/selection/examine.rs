@@ -4,6 +4,7 @@
 
 use crate::{
     adequacy::lack_of_fit::{Adequacy, LackOfFitTests},
+    selection::tuning::{VISIBLE, VISIBLE_SHARE},
     selection::{
         candidates::{Search, Tried},
         detectability::detectability,
@@ -15,11 +16,6 @@ use crate::{
 };
 use std::sync::atomic::Ordering;
 use truegap_core::SimulationError;
-
-/// Detectability below which an effect is not claimed.
-const VISIBLE: f64 = 3.0;
-/// The same as a share of the whole misfit: the right physics in the wrong equation leaves as much behind, and another effect can pick that up.
-const VISIBLE_SHARE: f64 = 0.1;
 
 /// What was found before it is put into words.
 pub struct Examined {

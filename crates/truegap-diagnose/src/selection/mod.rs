@@ -10,5 +10,6 @@ pub(crate) mod model_space;
 pub(crate) mod posterior;
 pub(crate) mod prior;
 pub(crate) mod tempering;
+pub(crate) mod tuning;
 pub(crate) mod unmodelled;
 pub(crate) mod verdict;

@@ -5,6 +5,7 @@
 use crate::{
     adequacy::lack_of_fit::LackOfFitTests,
     fit::importance::{Sampled, sampled},
+    selection::tuning::{ABREAST, BETTER_PART, CLEAR_GAIN, CLOSE, ENOUGH_DRAWS, PARTNERS, REFITTED_MODELS, SAMPLED},
     selection::{
         candidates::{Progress, Search, Tried},
         effect_set::EffectSet,
@@ -17,23 +18,6 @@ use std::{
     collections::{BTreeMap, BTreeSet},
     sync::atomic::{AtomicUsize, Ordering},
 };
-
-/// Partners that are fitted at each step, those that promise most.
-const PARTNERS: usize = 6;
-/// Models of one size from which larger ones are tried.
-const ABREAST: usize = 3;
-/// Gain in log evidence from which a larger model is worth looking for still larger ones.
-const CLEAR: f64 = 3.0;
-/// Difference in log weight beyond which a model is not looked at more closely.
-const CLOSE: f64 = 12.0;
-/// Models that are sampled, those with the most weight, and the draws for each.
-const SAMPLED: (usize, usize) = (8, 128);
-/// Effective share of draws from which a sampled evidence stands in for Laplace's.
-const ENOUGH: f64 = 0.1;
-/// Models whose parts are fitted again.
-const LIKELY: usize = 3;
-/// Gain in log evidence of such a part from which all is weighed anew.
-const BETTER: f64 = 0.5;
 
 /// The best fit of each set of effects so far.
 pub(crate) struct ModelSpace<'s, 'a> {
@@ -51,7 +35,7 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
         let order = ranked(&singles);
         let gain = order.first().map_or(0.0, |i| singles[*i].fit.log_evidence - base.fit.log_evidence);
         space.keep(std::iter::once(base).chain(singles.iter().cloned()));
-        if gain > CLEAR {
+        if gain > CLEAR_GAIN {
             let best: Vec<&Tried> = order.iter().take(PARTNERS).map(|i| &singles[*i]).collect();
             space.pairs(&best, &all);
             space.triples(&all);
@@ -95,7 +79,7 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
         let forward = self.search.add_each(first, all, PARTNERS, "two effects");
         let Some(second) = ranked(&forward).first().map(|i| forward[*i].clone()) else { return };
         self.keep(forward);
-        if second.fit.log_evidence < first.fit.log_evidence + CLEAR && !self.lack_of_fit.adequacy(&first.fit).fires() {
+        if second.fit.log_evidence < first.fit.log_evidence + CLEAR_GAIN && !self.lack_of_fit.adequacy(&first.fit).fires() {
             return;
         }
         for other in best.iter().skip(1).take(ABREAST - 1) {
@@ -150,7 +134,7 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
         };
         let (smaller, larger) = (of_size(count - 1)?, of_size(count)?);
         let gain = (larger.fit.log_evidence - smaller.fit.log_evidence) / self.temper();
-        (gain > CLEAR && !self.stopped()).then(|| larger.clone())
+        (gain > CLEAR_GAIN && !self.stopped()).then(|| larger.clone())
     }
 
     /// Fits to the end what could still matter; the search itself is content with rough fits.
@@ -185,14 +169,16 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
     fn smaller(&mut self) -> bool {
         let weight = weight(self.temper(), self.search.library.len());
         let best = self.models.values().map(weight).fold(f64::NEG_INFINITY, f64::max);
-        let mut likely: Vec<&Tried> = self.models.values().filter(|m| m.effects.len() > 1 && weight(m) > best - CLEAR).collect();
+        let mut likely: Vec<&Tried> =
+            self.models.values().filter(|m| m.effects.len() > 1 && weight(m) > best - CLEAR_GAIN).collect();
         likely.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
-        likely.truncate(LIKELY);
+        likely.truncate(REFITTED_MODELS);
         if self.stopped() {
             return false;
         }
         let found: Vec<Tried> = likely.par_iter().flat_map_iter(|m| self.search.without_each(m)).collect();
-        let gains = |m: &Tried| self.models.get(&m.key()).is_none_or(|old| m.fit.log_evidence > old.fit.log_evidence + BETTER);
+        let gains =
+            |m: &Tried| self.models.get(&m.key()).is_none_or(|old| m.fit.log_evidence > old.fit.log_evidence + BETTER_PART);
         let better = found.iter().any(gains);
         self.keep(found);
         better
@@ -211,7 +197,7 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
         let mut report = EvidenceCheck { models: found.len(), ..EvidenceCheck::default() };
         let shares = found.iter().map(|(_, s)| s.effective_share);
         report.effective_share = [shares.clone().fold(1.0, f64::min), shares.fold(0.0, f64::max)];
-        for (key, sampled) in found.into_iter().filter(|(_, s)| s.effective_share > ENOUGH) {
+        for (key, sampled) in found.into_iter().filter(|(_, s)| s.effective_share > ENOUGH_DRAWS) {
             let Some(m) = self.models.get_mut(&key) else { continue };
             report.replaced += 1;
             let log_evidence = sampled.log_evidence + m.fit.scale_gain;

@@ -5,20 +5,17 @@
 use crate::{
     adequacy::lack_of_fit::LackOfFitTests,
     effects::effect::Effect,
+    selection::tuning::{LARGEST_GAIN, NEGLIGIBLE, UNMODELLED_PRIOR},
     selection::{
         candidates::{Search, Tried},
         effect_set::EffectSet,
         model_space::{EvidenceCheck, ModelSpace},
         prior::{log_prior, one_more, weight},
         tempering::{least, temper_of},
-        unmodelled::{Causes, UNMODELLED, Unmodelled},
+        unmodelled::{Causes, Unmodelled},
     },
     stats::log_sum_exp,
 };
-/// Probability below which a model is not looked at more closely.
-const NEGLIGIBLE: f64 = 1e-4;
-/// Log odds that are large enough to stand for certainty.
-const LARGEST: f64 = 500.0;
 
 /// All models tried, with probabilities.
 pub struct Selection {
@@ -83,7 +80,7 @@ impl Selection {
         self.unmodelled = found
             .into_iter()
             .map(|u| {
-                let odds = (u.weight - total).min(LARGEST).exp();
+                let odds = (u.weight - total).min(LARGEST_GAIN).exp();
                 (u, odds)
             })
             .collect();
@@ -98,7 +95,7 @@ impl Selection {
         let weight = |m: &Tried| m.fit.tempered(temper) + log_prior(m.effects.len(), library_size);
         let models = self.models.iter().filter(|m| rival(m)).map(weight);
         let all: Vec<f64> = models.chain(self.unmodelled.iter().map(|(u, _)| u.weight)).collect();
-        weight(beside) + one_more(beside.effects.len()) + UNMODELLED.ln() + gain - log_sum_exp(&all)
+        weight(beside) + one_more(beside.effects.len()) + UNMODELLED_PRIOR.ln() + gain - log_sum_exp(&all)
     }
 
     /// The same with all probability on the base model.
@@ -113,7 +110,7 @@ impl Selection {
     /// The same with one more model, `log_odds` against everything else together, that holds `more` effects from behind the library.
     #[must_use]
     pub fn with_model(mut self, tried: Tried, log_odds: f64, more: usize) -> Self {
-        let certain = 0.5 * LARGEST;
+        let certain = 0.5 * LARGEST_GAIN;
         let odds = (log_odds.clamp(-certain, certain) + self.whole().ln().min(certain)).exp();
         let whole = 1.0 + odds;
         self.probability.iter_mut().for_each(|p| *p /= whole);

@@ -2,9 +2,7 @@
 //!
 //! Limits: every set of one size is as likely as another.
 
-use crate::selection::candidates::Tried;
-/// Prior probabilities of 0, 1, 2 and 3 effects, shared evenly within each number.
-const NUMBER_PRIOR: [f64; 4] = [0.5, 0.35, 0.12, 0.03];
+use crate::{selection::candidates::Tried, selection::tuning::NUMBER_PRIOR};
 
 /// Log prior of a model with `count` of `library` effects.
 pub(crate) fn log_prior(count: usize, library: usize) -> f64 {

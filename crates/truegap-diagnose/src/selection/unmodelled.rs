@@ -17,24 +17,14 @@ use crate::{
         optimum::Linearised,
         score_test::{Scores, scores_with},
     },
-    selection::{candidates::Tried, effect_set::EffectSet, prior::one_more, tempering::RIGHT_FAMILY},
+    selection::tuning::{ABSORBED_COLUMN, LENGTHS, MOST_BESIDE, NEAR_THE_BEST, OCTAVES, UNMODELLED_PRIOR, WANDER_KNOTS},
+    selection::{candidates::Tried, effect_set::EffectSet, prior::one_more, tuning::RIGHT_FAMILY},
     stats::{log_sum_exp, symmetric_eigen},
     whitening::whitener::Whitener,
 };
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 use std::ops::Range;
-
-/// Prior probability that something outside the library acts, over that of something inside, shared evenly by the causes.
-pub(crate) const UNMODELLED: f64 = 0.1;
-/// Rows at which a wandering course may turn, and at which a jump may lie.
-const KNOTS: usize = 64;
-/// Sizes over which the evidence of a cause is averaged: lengths that its columns may have, in units of the noise.
-const LENGTHS: [f64; 6] = [3.0, 8.0, 20.0, 50.0, 130.0, 350.0];
-/// Log weight below the best model's down to which models are set beside an unmodelled cause.
-const NEAR: f64 = 20.0;
-/// Most such models.
-const MOST: usize = 12;
 
 /// A kind of cause outside the library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -158,14 +148,14 @@ impl Causes {
         temper: f64,
     ) -> Vec<Unmodelled> {
         let best = models.iter().map(&weight).fold(f64::NEG_INFINITY, f64::max);
-        let close = |m: &&'t Tried| m.effects.is_empty() || weight(m) > best - NEAR;
+        let close = |m: &&'t Tried| m.effects.is_empty() || weight(m) > best - NEAR_THE_BEST;
         let linearised = |m: &'t Tried| Some((m, m.fit.linearised())).filter(|(_, linearised)| linearised.is_reached());
         let mut near: Vec<(&'t Tried, Linearised)> = models.iter().filter(close).filter_map(linearised).collect();
         // the base model stays, whatever its weight
         let heavier = |a: &Tried, b: &Tried| weight(b).total_cmp(&weight(a));
         near.sort_by(|(a, _), (b, _)| b.effects.is_empty().cmp(&a.effects.is_empty()).then(heavier(a, b)));
-        near.truncate(MOST);
-        let share = (UNMODELLED / self.list.len().max(1) as f64).ln();
+        near.truncate(MOST_BESIDE);
+        let share = (UNMODELLED_PRIOR / self.list.len().max(1) as f64).ln();
         let nothing = models.iter().find(|m| m.effects.is_empty()).map_or(0.0, |m| m.fit.objective());
         let one = |model: &Tried, linearised: &Linearised, columns: &Columns| {
             let (gain, tempered, row) = columns.gain(linearised, temper);
@@ -230,15 +220,12 @@ fn one_of(found: &Scores, length: f64) -> f64 {
     log_sum_exp(&each) - (each.len() as f64).ln()
 }
 
-/// Share of the largest variance below which calibration is taken to absorb a direction.
-const ABSORBED: f64 = 1e-7;
-
 /// Scores along directions that do not correlate: variance and score of each that calibration leaves.
 fn apart(found: &Scores) -> Vec<(f64, f64)> {
     let eigen = symmetric_eigen((&found.covariance + found.covariance.transpose()) * 0.5);
     let greatest = eigen.eigenvalues.iter().copied().fold(0.0, f64::max);
     let directions = eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter());
-    directions.filter(|(v, _)| **v > ABSORBED * greatest).map(|(v, d)| (*v, d.dot(&found.scores))).collect()
+    directions.filter(|(v, _)| **v > ABSORBED_COLUMN * greatest).map(|(v, d)| (*v, d.dot(&found.scores))).collect()
 }
 
 /// Evidence for all columns together, independent weights under which their sum is `length` long: log N(r; 0, P + w B B^T) less log N(r; 0, P), by the
@@ -259,7 +246,7 @@ fn moves(column: &[f64]) -> bool {
 
 /// Evenly spaced rows, and the first of every run but the first.
 fn knots(runs: &[Range<usize>], rows: usize) -> Vec<usize> {
-    let mut knots: Vec<usize> = (1..KNOTS).map(|k| k * rows / KNOTS).filter(|k| *k > 0).collect();
+    let mut knots: Vec<usize> = (1..WANDER_KNOTS).map(|k| k * rows / WANDER_KNOTS).filter(|k| *k > 0).collect();
     knots.extend(runs.iter().skip(1).map(|r| r.start));
     knots.sort_unstable();
     knots.dedup();
@@ -284,9 +271,6 @@ fn wandering(knots: &[usize], time: Option<&[f64]>, rows: usize, factor: impl Fn
     }
     columns
 }
-
-/// Speeds at which a law of the speed is free, each half of the one before, from the greatest down.
-const OCTAVES: usize = 8;
 
 /// Any law of a speed, or of a rate with its sign: hat functions of the logarithm of the speed, 0 at rest.
 fn laws(rate: &[f64], signed: bool) -> Vec<Vec<f64>> {

@@ -4,18 +4,10 @@
 
 use crate::{
     adequacy::lack_of_fit::Adequacy,
-    selection::{effect_set::EffectSet, posterior::Selection, tempering::RIGHT_FAMILY, unmodelled::Unmodelled},
+    selection::tuning::{ADEQUATE, AGREED, DETECTED, RIVAL, SURE},
+    selection::{effect_set::EffectSet, posterior::Selection, tuning::RIGHT_FAMILY, unmodelled::Unmodelled},
 };
 use serde::Serialize;
-
-/// Probability of "nothing is missing" below which a mismatch is called present.
-const DETECTED: f64 = 0.05;
-/// The same above which recording and model agree.
-const AGREED: f64 = 0.3;
-/// Probability that a named effect must have to be stated without rivals.
-const SURE: f64 = 0.9;
-/// Odds against the best model within which a rival is not excluded.
-const RIVAL: f64 = 0.05;
 
 /// The six verdicts, and no others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -34,10 +26,6 @@ pub enum Verdict {
     /// mismatch present, cause not decided
     Undecided,
 }
-
-/// Share of the misfit that an adequate equation removes: what is left has a tenth of its size, half of what a right equation in another form may leave
-/// (`FORM_ERROR`). Instruments and equations are rarely better, and the tests of lack of fit see a thousandth of a large misfit; the rest is described beside the answer.
-const ADEQUATE: f64 = 0.99;
 
 /// What was decided.
 #[derive(Clone, Debug)]

@@ -5,6 +5,7 @@
 use crate::{
     data::{error::DiagnoseError, problem::Problem},
     noise::several::measured,
+    validation::tuning::{CONFIRMATION_BLOCKS, EXACT_BLOCKS, SHORTEST_BLOCK, SIGN_DRAWS},
 };
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -13,14 +14,6 @@ use std::ops::Range;
 
 /// Probability with which two models of equal error would be told apart.
 pub const LEVEL: f64 = 0.05;
-/// Blocks that a recording of few runs is cut into: enough for a p-value of 2 in 4096.
-const BLOCKS: usize = 12;
-/// Fewest rows of a block.
-const SHORTEST: usize = 4;
-/// Most blocks whose signs are flipped in every way; of more, [`DRAWS`] ways are drawn.
-const EXACT: usize = 14;
-/// Ways drawn.
-const DRAWS: usize = 9999;
 
 /// Whether another recording bears out what was added to a base model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -134,12 +127,12 @@ pub fn compared(base: &[f64], augmented: &[f64], response: &[f64], runs: &[Range
     Compared { blocks: sums.len(), better_in: sums.iter().filter(|sum| **sum > 0.0).count(), difference, p_value, judgement }
 }
 
-/// Runs, each cut into equal parts where there are fewer than [`BLOCKS`] of them.
+/// Runs, each cut into equal parts where there are fewer than [`CONFIRMATION_BLOCKS`] of them.
 fn blocks(runs: &[Range<usize>]) -> Vec<Range<usize>> {
-    let wanted = BLOCKS.div_ceil(runs.len().max(1));
+    let wanted = CONFIRMATION_BLOCKS.div_ceil(runs.len().max(1));
     let cut = |run: &Range<usize>| {
         let (first, rows) = (run.start, run.len());
-        let parts = wanted.min(rows / SHORTEST).max(1);
+        let parts = wanted.min(rows / SHORTEST_BLOCK).max(1);
         (0..parts).map(move |k| first + k * rows / parts..first + (k + 1) * rows / parts)
     };
     runs.iter().flat_map(cut).collect()
@@ -153,7 +146,7 @@ fn by_signs(terms: &[f64]) -> f64 {
     if size == 0.0 {
         return 1.0;
     }
-    if terms.len() <= EXACT {
+    if terms.len() <= EXACT_BLOCKS {
         let flipped =
             |flips: usize| terms.iter().enumerate().map(|(k, t)| if flips >> k & 1 == 1 { -t } else { *t }).sum::<f64>();
         let ways = 1usize << terms.len();
@@ -161,9 +154,9 @@ fn by_signs(terms: &[f64]) -> f64 {
     }
     let mut random = ChaCha8Rng::seed_from_u64(19);
     let mut flipped = || terms.iter().map(|t| if random.random_bool(0.5) { -t } else { *t }).sum::<f64>();
-    let as_far = (0..DRAWS).filter(|_| flipped().abs() >= reached).count();
+    let as_far = (0..SIGN_DRAWS).filter(|_| flipped().abs() >= reached).count();
     // the order that was recorded is one of the ways
-    (as_far + 1) as f64 / (DRAWS + 1) as f64
+    (as_far + 1) as f64 / (SIGN_DRAWS + 1) as f64
 }
 
 #[cfg(test)]

@@ -6,16 +6,12 @@ use crate::{
     data::problem::Problem,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model, optimum::Fit},
     selection::candidates::{Search, Tried},
+    validation::tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, THERE},
     whitening::noise_model::NoiseModel,
 };
 use rayon::prelude::*;
 use std::ops::Range;
 use truegap_core::{Inputs, Joined};
-
-/// Most parts that are left out one after another.
-const MOST_PARTS: usize = 10;
-/// Blocks of a single run.
-const BLOCKS: usize = 6;
 
 /// Rows left out together.
 pub struct Part {
@@ -74,10 +70,10 @@ pub fn compared(before: &HeldOutFit, after: &HeldOutFit) -> Option<Compared> {
 pub fn parts(runs: &[Range<usize>], numbers: &[u32]) -> (String, Vec<Part>) {
     if runs.len() == 1 {
         let (run, n) = (&runs[0], runs[0].len());
-        let block = |k: usize| run.start + k * n / BLOCKS..run.start + (k + 1) * n / BLOCKS;
-        let parts = (0..BLOCKS).map(|k| Part { name: format!("block {}", k + 1), rows: vec![block(k)] });
+        let block = |k: usize| run.start + k * n / PARTS_OF_ONE_RUN..run.start + (k + 1) * n / PARTS_OF_ONE_RUN;
+        let parts = (0..PARTS_OF_ONE_RUN).map(|k| Part { name: format!("block {}", k + 1), rows: vec![block(k)] });
         return (
-            format!("{BLOCKS} blocks of the one run, each left out in turn"),
+            format!("{PARTS_OF_ONE_RUN} blocks of the one run, each left out in turn"),
             parts.filter(|p| !p.rows[0].is_empty()).collect(),
         );
     }
@@ -102,9 +98,9 @@ fn joint_parts(joined: &dyn Joined, inputs: &Inputs) -> (String, Vec<Part>) {
         let runs: Vec<Range<usize>> = inputs.runs().into_iter().filter(|r| rows.contains(&r.start)).collect();
         match runs.as_slice() {
             [run] if blocks => {
-                let edge = |k: usize| run.start + k * run.len() / BLOCKS;
+                let edge = |k: usize| run.start + k * run.len() / PARTS_OF_ONE_RUN;
                 let block = |k: usize| (format!("block {} of recording {}", k + 1, index + 1), edge(k)..edge(k + 1));
-                chunks.extend((0..BLOCKS).map(block).filter(|(_, rows)| !rows.is_empty()));
+                chunks.extend((0..PARTS_OF_ONE_RUN).map(block).filter(|(_, rows)| !rows.is_empty()));
             }
             runs => chunks.extend(runs.iter().map(|run| (format!("run {}", inputs.run[run.start]), run.clone()))),
         }
@@ -188,7 +184,7 @@ pub fn misfit_removed(before: f64, after: f64, floor: f64, rows: usize) -> Optio
     let there = before * before - floor * floor;
     // the floor's own square is uncertain by floor^2 sqrt(2 / rows it was measured on)
     let uncertain = floor * floor * (2.0 / rows.max(1) as f64).sqrt();
-    (there > 4.0 * uncertain).then(|| 1.0 - (after * after - floor * floor) / there)
+    (there > THERE * uncertain).then(|| 1.0 - (after * after - floor * floor) / there)
 }
 
 #[cfg(test)]

@@ -7,4 +7,5 @@ pub(crate) mod cross_validation;
 pub(crate) mod permutation;
 pub mod recovery;
 pub(crate) mod reference;
+pub(crate) mod tuning;
 pub(crate) mod veto;

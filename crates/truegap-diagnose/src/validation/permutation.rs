@@ -2,14 +2,15 @@
 //!
 //! Limits: linear about the fit; what a permuted history removes on runs left out is what freedom alone can do.
 
-use crate::{fit::optimum::Fit, validation::cross_validation::parts};
+use crate::{
+    fit::optimum::Fit,
+    validation::cross_validation::parts,
+    validation::tuning::{PERMUTATIONS, THERE},
+};
 use nalgebra::{Cholesky, DMatrix, DVector};
 use rand::{RngExt, SeedableRng, seq::SliceRandom};
 use rand_chacha::ChaCha8Rng;
 use std::ops::Range;
-
-/// Permutations; the control is their median.
-const PERMUTATIONS: usize = 19;
 
 /// Share of the misfit on parts left out that columns of equal freedom remove when their history is permuted: median over permutations.
 ///
@@ -74,5 +75,5 @@ fn removed(base: &Fit, added: &DMatrix<f64>, parts: &[Vec<usize>]) -> Option<f64
         count += part.len() as f64;
     }
     let there = before / count - 1.0;
-    (there > 4.0 * (2.0 / count).sqrt()).then(|| 1.0 - (after / count - 1.0) / there)
+    (there > THERE * (2.0 / count).sqrt()).then(|| 1.0 - (after / count - 1.0) / there)
 }

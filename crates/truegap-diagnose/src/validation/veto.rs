@@ -2,11 +2,10 @@
 //!
 //! Limits: a number for each run, or for whatever happens, foretells nothing of a run left out and is not judged by it.
 
-use crate::validation::cross_validation::{HeldOutFit, compared};
-
-/// Factor on the base model's error that the right physics may reach where its numbers are known less well without a part. Right answers on generated recordings
-/// reach 1.95; a wrong one on a real recording reached 2.4.
-const EXTRAPOLATED: f64 = 2.0;
+use crate::{
+    validation::cross_validation::{HeldOutFit, compared},
+    validation::tuning::EXTRAPOLATED,
+};
 
 /// Predictions of rows left out, by the base model and by the model stood behind.
 pub(crate) struct Unseen {

@@ -259,6 +259,19 @@ mod tests {
         assert_eq!(a[2], 0.0);
     }
 
+    /// The filter weighs a column, knows its determinant and colours white noise as the covariance itself does.
+    fn is_the_dense_covariance(filter: &Whitener, covariance: &DMatrix<f64>) {
+        let x: Vec<f64> = (0..covariance.nrows()).map(|i| (1.3 * i as f64).sin()).collect();
+        let mut white = x.clone();
+        filter.apply(&mut white);
+        let dense = covariance.clone().cholesky().unwrap();
+        let column = DVector::from_column_slice(&x);
+        approx::assert_relative_eq!(squared(&white), column.dot(&dense.solve(&column)), max_relative = 1e-10);
+        approx::assert_relative_eq!(filter.log_determinant, covariance.determinant().ln(), max_relative = 1e-10);
+        filter.colour(&mut white);
+        approx::assert_relative_eq!(white.as_slice(), x.as_slice(), epsilon = 1e-12, max_relative = 1e-10);
+    }
+
     /// Two columns in steps: each error is one number a value, whatever the row.
     #[test]
     fn errors_that_last_equal_the_dense_covariance() {
@@ -279,15 +292,7 @@ mod tests {
             let held = if alike(i, j, &[4]) { 0.7 } else { 0.0 } + if alike(i, j, &[2, 6]) { 0.2 } else { 0.0 };
             own + held + noise.ar_sd.powi(2) * noise.ar_correlation.powi(i.abs_diff(j) as i32)
         });
-        let x: Vec<f64> = (0..n).map(|i| (1.3 * i as f64).sin()).collect();
-        let mut white = x.clone();
-        filter.apply(&mut white);
-        let dense = covariance.clone().cholesky().unwrap();
-        let column = DVector::from_column_slice(&x);
-        approx::assert_relative_eq!(squared(&white), column.dot(&dense.solve(&column)), max_relative = 1e-10);
-        approx::assert_relative_eq!(filter.log_determinant, covariance.determinant().ln(), max_relative = 1e-10);
-        filter.colour(&mut white);
-        approx::assert_relative_eq!(white.as_slice(), x.as_slice(), epsilon = 1e-12, max_relative = 1e-10);
+        is_the_dense_covariance(&filter, &covariance);
     }
 
     #[test]
@@ -302,14 +307,6 @@ mod tests {
             let own = if i == j { noise.white_sd.powi(2) + 0.1 } else { 0.0 };
             own + noise.ar_sd.powi(2) * noise.ar_correlation.powi(apart) + shapes.iter().map(|s| s[i] * s[j]).sum::<f64>()
         });
-        let x: Vec<f64> = (0..n).map(|i| (1.3 * i as f64).sin()).collect();
-        let mut white = x.clone();
-        filter.apply(&mut white);
-        let dense = covariance.clone().cholesky().unwrap();
-        let column = DVector::from_column_slice(&x);
-        approx::assert_relative_eq!(squared(&white), column.dot(&dense.solve(&column)), max_relative = 1e-10);
-        approx::assert_relative_eq!(filter.log_determinant, covariance.determinant().ln(), max_relative = 1e-10);
-        filter.colour(&mut white);
-        approx::assert_relative_eq!(white.as_slice(), x.as_slice(), epsilon = 1e-12, max_relative = 1e-10);
+        is_the_dense_covariance(&filter, &covariance);
     }
 }

@@ -10,6 +10,7 @@ use super::problem::{Component, Problem};
 use super::solution::Solution;
 use super::solver::Solver;
 use crate::error::FemError;
+use crate::goal::{Answer, Judged};
 use crate::mesh::{Mesh, Point};
 use crate::mesh::{bisect, longest_edge_first, mark_largest};
 use crate::symmetry::Symmetry;
@@ -53,35 +54,7 @@ pub enum Goal {
 }
 
 /// A named goal.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Quantity {
-    /// Name in the results.
-    pub name: String,
-    /// What it is.
-    pub goal: Goal,
-}
-
-/// A value with its unit and how far off it may be.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
-    /// Name.
-    pub name: String,
-    /// Value in `unit`.
-    pub value: f64,
-    /// SI unit.
-    pub unit: &'static str,
-    /// Estimated magnitude of the error, in `unit`.
-    pub error_estimate: f64,
-    /// What the error is compared with: the magnitude of the value, or of its kind where the value may vanish.
-    pub scale: f64,
-}
-
-impl Answer {
-    /// Estimated error over the scale.
-    pub fn relative_error_estimate(&self) -> f64 {
-        if self.error_estimate == 0.0 { 0.0 } else { self.error_estimate / self.scale }
-    }
-}
+pub type Quantity = crate::goal::Quantity<Goal>;
 
 /// How accurate, and at what cost at most.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -120,11 +93,6 @@ pub struct Outcome {
 const SAFETY: f64 = 1.25;
 /// Smallest part of the sum of all local magnitudes that an estimate may fall to when local errors cancel.
 const CANCELLATION_FLOOR: f64 = 0.05;
-
-struct Judged {
-    answer: Answer,
-    shares: Vec<f64>,
-}
 
 /// A linear functional and what it is made of.
 struct Functional {

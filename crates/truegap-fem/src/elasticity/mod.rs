@@ -70,10 +70,11 @@ mod stability;
 mod thermal;
 mod vector;
 
+pub use crate::goal::Answer;
 pub use crate::space::Order;
 pub use body::Body;
 pub use error::ElasticityError;
-pub use goals::{Accuracy, Answer, Goal, Outcome, Quantity, solve_goals, solve_goals_adaptive};
+pub use goals::{Accuracy, Goal, Outcome, Quantity, solve_goals, solve_goals_adaptive};
 pub use material::{Formulation, Lame, LawKind, Material};
 pub use newton::NewtonOptions;
 pub use problem::{Component, Condition, Field, Place, Problem, Side, Temperature};

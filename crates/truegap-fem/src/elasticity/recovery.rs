@@ -6,7 +6,7 @@
 use super::body::Body;
 use crate::mesh::Point;
 use crate::space::{Order, P1};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 /// The nodes around a point.
 pub(crate) struct Patch {
@@ -60,7 +60,7 @@ impl Patch {
     }
 
     /// For every node, its weights in the fitted value and in the two derivatives: cubic, quartic if `higher`; lower
-    /// where there are too few nodes.
+    /// where there are too few nodes, or where they lie on too few lines to tell its terms apart.
     pub(crate) fn weights(&self, body: &Body, higher: bool) -> Vec<(usize, [f64; 3])> {
         let wanted = match (body.problem.order, higher) {
             (Order::Linear, false) => QUADRATIC,
@@ -71,8 +71,9 @@ impl Patch {
         let away = |n: usize, k: usize| body.nodes.points[n][k] - self.at[k];
         let spread = [0, 1].map(|k| self.nodes.iter().map(|&n| away(n, k).abs()).fold(f64::MIN_POSITIVE, f64::max));
         let rows: Vec<_> = self.nodes.iter().map(|&n| monomials(away(n, 0) / spread[0], away(n, 1) / spread[1])).collect();
-        let a = DMatrix::from_fn(rows.len(), terms, |i, j| rows[i][j]);
-        let inverse = a.svd(true, true).pseudo_inverse(1e-12).unwrap_or(DMatrix::repeat(terms, rows.len(), f64::NAN));
+        let kept = told_apart(&rows, terms);
+        let a = DMatrix::from_fn(rows.len(), kept.len(), |i, j| rows[i][kept[j]]);
+        let inverse = a.svd(true, true).pseudo_inverse(1e-12).unwrap_or(DMatrix::repeat(kept.len(), rows.len(), f64::NAN));
         let weight = |i: usize| [inverse[(0, i)], inverse[(1, i)] / spread[0], inverse[(2, i)] / spread[1]];
         self.nodes.iter().enumerate().map(|(i, &n)| (n, weight(i))).collect()
     }
@@ -84,6 +85,34 @@ impl Patch {
         let value = P1::at(reference).0;
         [0, 1, 2].map(|i| (of[12 + i] as usize, value[i]))
     }
+}
+
+/// Part of a term, over its size, that must be left beside the terms before it; rounding leaves 1e-15.
+const OWN_PART: f64 = 1e-6;
+
+/// The first `terms` monomials without those that are a combination of earlier ones at the nodes; the linear ones always stay.
+///
+/// On a body one element wide the nodes lie on three lines, on which x³ is x: a pseudo-inverse would give each half of the slope.
+fn told_apart(rows: &[[f64; QUARTIC]], terms: usize) -> Vec<usize> {
+    let mut basis: Vec<DVector<f64>> = Vec::new();
+    let mut kept = Vec::new();
+    for term in 0..terms {
+        let mut own = DVector::from_iterator(rows.len(), rows.iter().map(|row| row[term]));
+        let size = own.norm();
+        // twice, since one pass of Gram-Schmidt leaves what it lost to rounding
+        for direction in basis.iter().chain(&basis) {
+            own -= direction * direction.dot(&own);
+        }
+        let left = own.norm();
+        let has_own_part = left > OWN_PART * size;
+        if has_own_part {
+            basis.push(own / left);
+        }
+        if has_own_part || term < LINEAR {
+            kept.push(term);
+        }
+    }
+    kept
 }
 
 fn monomials(x: f64, y: f64) -> [f64; QUARTIC] {

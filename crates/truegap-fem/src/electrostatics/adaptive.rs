@@ -1,10 +1,11 @@
 //! Solve, estimate, refine - until every named output is as accurate as asked.
 
 use super::error::ElectrostaticsError;
-use super::goals::{Answer, Judged, Quantity, judge};
+use super::goals::{Quantity, judge};
 use super::problem::Problem;
 use super::system::{Seconds, Solved};
 use crate::error::FemError;
+use crate::goal::{Answer, Judged};
 use crate::mesh::Mesh;
 use crate::mesh::{bisect_repeatedly, longest_edge_first, mark_largest};
 use crate::space::Order;

@@ -5,6 +5,7 @@ use super::estimate::{PointLoad, estimate_pairs};
 use super::problem::Conductor;
 use super::system::Solved;
 use crate::error::FemError;
+use crate::goal::{Answer, Judged};
 use crate::mesh::Point;
 use crate::space::P2;
 use crate::symmetry::Symmetry;
@@ -38,41 +39,7 @@ pub enum Goal {
 }
 
 /// A named goal.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Quantity {
-    /// Name in the results.
-    pub name: String,
-    /// What it is.
-    pub goal: Goal,
-}
-
-/// A value with its unit and how far off it may be.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
-    /// Name; entries of a matrix carry `[row,column]`.
-    pub name: String,
-    /// Value in `unit`.
-    pub value: f64,
-    /// SI unit.
-    pub unit: &'static str,
-    /// Estimated magnitude of the error, in `unit`.
-    pub error_estimate: f64,
-    /// What the error is compared with: the magnitude of the value, or of its kind where the value may vanish.
-    pub scale: f64,
-}
-
-impl Answer {
-    /// Estimated error over the scale.
-    pub fn relative_error_estimate(&self) -> f64 {
-        self.error_estimate / self.scale
-    }
-}
-
-/// An answer and what every triangle contributes to its error.
-pub(super) struct Judged {
-    pub answer: Answer,
-    pub shares: Vec<f64>,
-}
+pub type Quantity = crate::goal::Quantity<Goal>;
 
 /// A linear or bilinear functional: `factor` times the energy product of two fields.
 struct Functional {

@@ -44,11 +44,12 @@ mod problem;
 mod system;
 mod unknowns;
 
+pub use crate::goal::Answer;
 pub use crate::space::Order;
 pub use adaptive::{Accuracy, Outcome, solve_adaptive, solve_on, solve_on_with};
 pub use error::ElectrostaticsError;
 pub use fields::FieldSample;
 pub use form::{VACUUM_PERMITTIVITY, dielectric, energy_density};
-pub use goals::{Answer, Goal, Quantity};
+pub use goals::{Goal, Quantity};
 pub use problem::{Conductor, Problem};
 pub use system::{Seconds, Solved};

@@ -120,6 +120,32 @@ fn planar_thermal_stress_out_of_plane_is_that_of_plane_strain() {
     assert!((s.strain_at([0.5, 0.5]).unwrap().zz / (1.3 * 1.2e-4) - 1.0).abs() < 1e-11);
 }
 
+/// Free expansion is linear in both directions, so every fit has it exactly, however few elements lie across the body.
+#[test]
+fn a_body_one_or_two_elements_wide_expands_as_much_across_as_along() {
+    let strain = 1.3 * 1.2e-5 * 10.0; // plane strain: (1 + nu) a T
+    for (order, columns) in [
+        (Order::Quadratic, &[0.0, 0.1][..]),
+        (Order::Quadratic, &[0.0, 0.05, 0.1]),
+        (Order::Linear, &[0.0, 0.1]),
+        (Order::Linear, &[0.0, 0.05, 0.1]),
+    ] {
+        let layer = Layer { name: "body".into(), thickness: 1.0, rows: 12 };
+        let mut p = problem(layered_grid(columns, 0.0, &[layer]).unwrap(), steel());
+        (p.symmetry, p.order, p.temperature) = (Symmetry::Planar, order, Temperature::uniform(10.0));
+        p.conditions = vec![Condition::fix("bottom", Second), Condition::fix("left", First)];
+        let (at, told) = ([0.047, 0.52], format!("{order:?}, {} columns", columns.len()));
+        let found = Solver::new(p.clone()).unwrap().solve().unwrap().strain_at(at).unwrap();
+        assert!((found.rr / strain - 1.0).abs() < 1e-9 && (found.zz / strain - 1.0).abs() < 1e-9, "{told}: {found:?}");
+        if order == Order::Linear {
+            continue; // errors of goals are estimated above quadratic elements
+        }
+        let goal = Goal::Strain { at, component: "xx".into() };
+        let answer = &solve_goals(&p, &[Quantity { name: "xx".into(), goal }]).unwrap().answers[0];
+        assert!((answer.value / strain - 1.0).abs() < 1e-9 && answer.error_estimate < 1e-9 * strain, "{told}: {answer:?}");
+    }
+}
+
 fn cylinder(edge: f64) -> Problem {
     let mut p = problem(rectangle([1.0, 0.0], [2.0, 0.3], SizeField::uniform(edge)), steel());
     p.conditions = vec![Condition::fix("bottom", Second), Condition::fix("top", Second)];

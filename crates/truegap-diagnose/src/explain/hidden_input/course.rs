@@ -4,6 +4,7 @@
 
 use crate::{
     explain::hidden_input::knots::{Hat, Knots},
+    explain::tuning::{COURSE_SCALES, COURSE_STEPS},
     fit::laplace::log_determinant,
     selection::candidates::{Search, Tried},
 };
@@ -20,11 +21,6 @@ pub enum Through {
     /// relative change of what stands above the reading at rest
     Gain,
 }
-
-/// Standard deviations of the walk that are tried, as shares of the response's range (zero) or of the gain.
-const SCALES: [f64; 9] = [1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3, 1.0, 3.0, 10.0];
-/// Steps towards the optimum, the model made straight again at each.
-const STEPS: usize = 4;
 
 /// A course that was recovered.
 pub struct Course {
@@ -95,12 +91,12 @@ pub fn recover(search: &Search<'_>, base: &Tried) -> Option<Course> {
         let fitter = Fitter { search, knots: &knots, hats: &hats, through };
         let here = fitter.linearised(&base.fit.z, &vec![0.0; knots.count()])?;
         let unit = if through == Through::Zero { search.context.response_span.abs() } else { 1.0 };
-        let tried = SCALES.iter().filter_map(|s| here.solve(&knots, s * unit).map(|solved| (s * unit, solved)));
+        let tried = COURSE_SCALES.iter().filter_map(|s| here.solve(&knots, s * unit).map(|solved| (s * unit, solved)));
         let (scale, solved) = tried.max_by(|a, b| a.1.log_evidence.total_cmp(&b.1.log_evidence))?;
         fitter.relinearised(solved, scale)
     });
     let (through, solved) = ways.max_by(|a, b| a.1.log_evidence.total_cmp(&b.1.log_evidence))?;
-    let paid = (2.0 * SCALES.len() as f64).ln();
+    let paid = (2.0 * COURSE_SCALES.len() as f64).ln();
     let p = solved.z.len();
     let n = p + solved.levels.len();
     let sd = about_its_mean(&solved.factor.inverse().view_range(p..n, p..n).into_owned());
@@ -192,7 +188,7 @@ impl Fitter<'_> {
     /// The optimum at one scale, the model made straight again a few times.
     fn relinearised(&self, start: Solved, scale: f64) -> Option<(Through, Solved)> {
         let mut best = start;
-        for _ in 0..STEPS {
+        for _ in 0..COURSE_STEPS {
             let Some(here) = self.linearised(&best.z, &best.levels) else { break };
             let Some(next) = here.solve(self.knots, scale) else { break };
             best = next;

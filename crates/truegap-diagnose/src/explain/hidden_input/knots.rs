@@ -2,14 +2,10 @@
 //!
 //! Limits: nothing faster than the distance of the knots; every run has two of them at least.
 
+use crate::explain::tuning::{MOST_KNOTS, ROWS_PER_KNOT};
 use nalgebra::DMatrix;
 use std::ops::Range;
 use truegap_core::Inputs;
-
-/// Knots over a whole recording, about.
-const KNOTS: f64 = 60.0;
-/// Rows that a knot must have on average.
-const ROWS_PER_KNOT: usize = 8;
 
 /// Knots of one run, evenly spaced.
 #[derive(Clone, Debug)]
@@ -47,7 +43,7 @@ impl Knots {
         for run in &runs {
             let recording = recordings.iter().find(|r| r.contains(&run.start)).cloned().unwrap_or(0..inputs.len());
             let walk = (clock[recording.end - 1] - clock[recording.start]).max(f64::MIN_POSITIVE);
-            let wanted = (KNOTS * length(run) / total).round() as usize;
+            let wanted = (MOST_KNOTS * length(run) / total).round() as usize;
             let count = wanted.min(run.len() / ROWS_PER_KNOT).max(2);
             let step_s = length(run) / (count - 1) as f64;
             knots.runs.push(RunKnots { first: knots.variance.len(), count, start_s: clock[run.start], step_s });

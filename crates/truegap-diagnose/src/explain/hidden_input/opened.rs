@@ -2,6 +2,7 @@
 //!
 //! Limits: a straight line between the two; its interval by leaving out stretches, since neighbouring rows are no independent witnesses.
 
+use crate::explain::tuning::JACKKNIFE_STRETCHES;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::ops::Range;
 
@@ -15,9 +16,6 @@ pub struct Line {
     /// 95 % interval of the slope
     pub interval: (f64, f64),
 }
-
-/// Stretches that are left out in turn, about.
-const STRETCHES: usize = 20;
 
 /// The line of `course` on `hidden` over the rows of these runs; `None` where the column does not move or there are too few rows.
 pub fn line(hidden: &[f64], course: &[f64], runs: &[Range<usize>]) -> Option<Line> {
@@ -41,10 +39,10 @@ pub fn correlation(hidden: &[f64], course: &[f64], rows: &Range<usize>) -> Optio
     sums.slope().map(|_| sums.correlation()).filter(|c| c.is_finite())
 }
 
-/// Contiguous stretches inside runs, about [`STRETCHES`] of equal length.
+/// Contiguous stretches inside runs, about [`JACKKNIFE_STRETCHES`] of equal length.
 fn blocks(hidden: &[f64], runs: &[Range<usize>]) -> Vec<Range<usize>> {
     let rows: usize = runs.iter().map(ExactSizeIterator::len).sum();
-    let length = rows.div_ceil(STRETCHES).max(4);
+    let length = rows.div_ceil(JACKKNIFE_STRETCHES).max(4);
     let part = |run: &Range<usize>| {
         let run = run.clone();
         let count = run.len().div_ceil(length).max(1);

@@ -8,6 +8,7 @@ use crate::{
     data::problem::Problem,
     effects::memory::at_time,
     explain::hidden_input::course::{Course, Through, along, recover, respond},
+    explain::tuning::{CONVINCING, DETERMINED, FOLLOWS_CLOSELY, FOLLOWS_IN_PART, MOVES_IN_A_RUN},
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model},
     selection::{
         candidates::{Search, Tried},
@@ -90,9 +91,6 @@ pub struct CourseRun {
     #[serde(flatten)]
     pub errors: CourseErrors,
 }
-
-/// Tempered log evidence from which the course is called missing.
-const CONVINCING: f64 = 3.0;
 
 /// A course, and whether the recording asks for it.
 pub struct SlowInput {
@@ -200,8 +198,8 @@ impl SlowInput {
         let (unit, factor) = if course_unit == "1" { ("%".to_owned(), 100.0) } else { (scale.unit, scale.factor) };
         let digits = |v: f64| significant(v * factor, 3);
         let follows = match line.correlation.abs() {
-            c if c > 0.9 => "follows it closely",
-            c if c > 0.6 => "follows it in part",
+            c if c > FOLLOWS_CLOSELY => "follows it closely",
+            c if c > FOLLOWS_IN_PART => "follows it in part",
             _ => "does not follow it",
         };
         let where_ = match share {
@@ -225,7 +223,7 @@ fn moves(column: &[f64], rows: &Range<usize>) -> bool {
         let finite = values.iter().copied().filter(|v| v.is_finite());
         finite.clone().fold(f64::NEG_INFINITY, f64::max) - finite.fold(f64::INFINITY, f64::min)
     };
-    range(&column[rows.clone()]) > 0.1 * range(column)
+    range(&column[rows.clone()]) > MOVES_IN_A_RUN * range(column)
 }
 
 /// Rows at which the course is known better than to half of how far it moves.
@@ -233,7 +231,7 @@ fn determined(course: &[f64], sd: &[f64]) -> Vec<bool> {
     let n = course.len().max(1) as f64;
     let mean = course.iter().sum::<f64>() / n;
     let moves = (course.iter().map(|c| (c - mean).powi(2)).sum::<f64>() / n).sqrt();
-    sd.iter().map(|sd| *sd < 0.5 * moves).collect()
+    sd.iter().map(|sd| *sd < DETERMINED * moves).collect()
 }
 
 /// Response of the base model calibrated with the column opened.

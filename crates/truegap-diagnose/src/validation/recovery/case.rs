@@ -2,7 +2,10 @@
 //!
 //! Limits: of the models only those that matter are kept.
 
-use crate::selection::{candidates::Search, examine::Examined, verdict::Verdict};
+use crate::{
+    selection::{candidates::Search, examine::Examined, verdict::Verdict},
+    validation::tuning::KEPT_LOG_PROBABILITY,
+};
 use serde::{Deserialize, Serialize};
 
 /// What a simulated recording conceals.
@@ -34,9 +37,6 @@ pub struct BankCase {
     pub models: Vec<(Vec<String>, f64)>,
 }
 
-/// Log probability below which a model is not kept.
-const KEPT: f64 = -14.0;
-
 impl BankCase {
     /// The answer in names.
     pub fn of(truth: Truth, answer: &Examined, search: &Search<'_>) -> Self {
@@ -49,7 +49,7 @@ impl BankCase {
             verdict: serde_json::to_value(decision.verdict).ok().and_then(|v| v.as_str().map(str::to_owned)).unwrap_or_default(),
             named: names(&selection.models[decision.model].effects),
             sets: if ambiguous { decision.sets.iter().map(|s| names(s)).filter(|s| s.len() > 1).collect() } else { Vec::new() },
-            models: models.filter(|(_, p)| *p > KEPT).collect(),
+            models: models.filter(|(_, p)| *p > KEPT_LOG_PROBABILITY).collect(),
         }
     }
 

@@ -2,9 +2,12 @@
 //!
 //! Limits: counts are small; they are printed as counts.
 
-use crate::validation::recovery::{
-    case::BankCase,
-    power::{calibration_error, claims, power},
+use crate::{
+    validation::recovery::{
+        case::BankCase,
+        power::{calibration_error, claims, power},
+    },
+    validation::tuning::{PAIRS_FROM, SINGLES_FROM},
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -68,8 +71,8 @@ impl Bank {
         let stated = claims(&cases, 1.0);
         let count = |test: &dyn Fn(&BankCase) -> bool| cases.iter().filter(|c| test(c)).count();
         let nothing = |c: &BankCase| c.truth.effects.is_empty() && c.truth.unmodelled.is_none();
-        let single = |c: &BankCase| c.truth.effects.len() == 1 && c.truth.detectability >= 10.0;
-        let pair = |c: &BankCase| c.truth.effects.len() == 2 && c.truth.detectability >= 16.0;
+        let single = |c: &BankCase| c.truth.effects.len() == 1 && c.truth.detectability >= SINGLES_FROM;
+        let pair = |c: &BankCase| c.truth.effects.len() == 2 && c.truth.detectability >= PAIRS_FROM;
         let unmodelled = |c: &BankCase| c.truth.unmodelled.is_some();
         Self {
             key,

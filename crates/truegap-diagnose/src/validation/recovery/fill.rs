@@ -8,13 +8,14 @@
 use crate::{
     adequacy::{directions::directions, lack_of_fit::LackOfFitTests},
     data::problem::Problem,
-    fit::several_starts::LOOSE,
+    fit::tuning::LOOSE,
     noise::block_average::block_averages,
     selection::{
         candidates::{Progress, Search},
         examine::{Examined, examine},
     },
     validation::recovery::{case::BankCase, confusion::Bank},
+    validation::tuning::{BANK_ROWS, LIKELY_EFFECTS, LIKELY_FROM, STORE_EVERY},
     whitening::noise_model::NoiseModel,
 };
 use rayon::prelude::*;
@@ -28,10 +29,6 @@ use std::{
 };
 use truegap_core::SimulationError;
 
-/// Rows on which the bank searches.
-const ROWS: usize = 500;
-/// Recordings after which the answers are stored.
-const STORE_EVERY: usize = 16;
 /// Version of the rules by which a diagnosis answers; part of the key, raised where an answer may change.
 const RULES: u32 = 2;
 
@@ -72,7 +69,7 @@ pub struct Whole<'a> {
 /// Those of the simulator at the centre of the prior.
 pub fn fill(search: &Search<'_>, whole: Whole<'_>, found: &Examined, options: &BankOptions) -> Result<Bank, SimulationError> {
     let started = std::time::Instant::now();
-    let averages = block_averages(whole.problem, whole.noise, ROWS)?;
+    let averages = block_averages(whole.problem, whole.noise, BANK_ROWS)?;
     let (inputs, noise) =
         averages.as_ref().map_or_else(|| (whole.problem.inputs, whole.noise.clone()), |t| (&t.inputs, t.noise(whole.noise)));
     let whitener = noise.whitener(&inputs.runs(), None);
@@ -125,15 +122,12 @@ pub fn fill(search: &Search<'_>, whole: Whole<'_>, found: &Examined, options: &B
     Ok(Bank::of(wanted, key, inputs.len(), started.elapsed().as_secs_f64()))
 }
 
-/// Most effects that get a larger share of the bank.
-const LIKELY: usize = 5;
-
 /// Effects that this recording's answer turns on: named, or close to it; half of the bank's single effects are drawn from them.
 fn likely(search: &Search<'_>, found: &Examined) -> Vec<usize> {
     let selection = &found.selection;
-    let mut order: Vec<usize> = (0..search.library.len()).filter(|e| selection.effect_probability[*e] > 0.005).collect();
+    let mut order: Vec<usize> = (0..search.library.len()).filter(|e| selection.effect_probability[*e] > LIKELY_FROM).collect();
     order.sort_by(|a, b| selection.effect_probability[*b].total_cmp(&selection.effect_probability[*a]));
-    order.truncate(LIKELY);
+    order.truncate(LIKELY_EFFECTS);
     order.sort_unstable();
     order
 }

@@ -2,12 +2,11 @@
 //!
 //! Limits: one power for all effects and sizes.
 
-use crate::{stats::log_sum_exp, validation::recovery::case::BankCase};
-
-/// Standard deviation of what is known of the logarithm of the power beforehand.
-const LOG_SD: f64 = 0.4;
-/// Range of powers looked at, in logarithms, and the steps.
-const RANGE: (f64, f64, usize) = (-1.4, 1.4, 281);
+use crate::{
+    stats::log_sum_exp,
+    validation::recovery::case::BankCase,
+    validation::tuning::{POWER_LOG_SD, POWER_RANGE},
+};
 
 /// A claim: probability stated for an effect of the model named, and whether it was concealed.
 pub fn claims(cases: &[BankCase], power: f64) -> Vec<(f64, bool)> {
@@ -38,10 +37,10 @@ pub fn power(cases: &[BankCase]) -> f64 {
     let score = |log: f64| {
         let likelihood: f64 =
             claims(cases, log.exp()).iter().map(|(p, right)| if *right { p.ln() } else { (1.0 - p).ln() }).sum();
-        likelihood - 0.5 * (log / LOG_SD).powi(2)
+        likelihood - 0.5 * (log / POWER_LOG_SD).powi(2)
     };
-    let at = |i: usize| RANGE.0 + (RANGE.1 - RANGE.0) * i as f64 / (RANGE.2 - 1) as f64;
-    let best = (0..RANGE.2).map(at).max_by(|a, b| score(*a).total_cmp(&score(*b)));
+    let at = |i: usize| POWER_RANGE.0 + (POWER_RANGE.1 - POWER_RANGE.0) * i as f64 / (POWER_RANGE.2 - 1) as f64;
+    let best = (0..POWER_RANGE.2).map(at).max_by(|a, b| score(*a).total_cmp(&score(*b)));
     best.unwrap_or(0.0).exp()
 }
 

@@ -11,19 +11,13 @@ use crate::{
         detectability::left_over,
     },
     validation::recovery::case::Truth,
+    validation::tuning::{BELIEVABLE, CONCEALED_DETECTABILITY, MOST_DRAWS, SIZE_FOUND, STILL_SEEN},
     whitening::whitener::Whitener,
 };
 use rand::{RngExt, SeedableRng, seq::IndexedRandom};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use truegap_core::Stage;
-
-/// Range of detectabilities, logarithmically even.
-const DETECTABILITY: (f64, f64) = (4.0, 80.0);
-/// Prior standard deviations beyond which no size is drawn.
-const BELIEVABLE: f64 = 3.0;
-/// Draws of the sensor tried before a recording is given up (its plates touch).
-const TRIES: usize = 20;
 
 /// Makes recordings of the bank.
 pub(crate) struct Maker<'a> {
@@ -46,7 +40,7 @@ impl Maker<'_> {
     pub(crate) fn make(&self, index: usize) -> Option<(Truth, Vec<f64>)> {
         let random = &mut ChaCha8Rng::seed_from_u64(0xba27 + index as u64);
         let kind = self.kind(index, random);
-        (0..TRIES).find_map(|_| self.draw(&kind, random))
+        (0..MOST_DRAWS).find_map(|_| self.draw(&kind, random))
     }
 
     /// A third nothing; of the rest, of every ten: six single effects (half of them in sibling equations), three pairs, one unmodelled cause.
@@ -79,7 +73,9 @@ impl Maker<'_> {
         let base = Model::new(self.template, self.search.context, Vec::new());
         let sensor = within(&base.bounds(), (0..base.base_count()).map(|_| StandardNormal.sample(random)).collect());
         let clean = base.respond(&sensor).ok()?;
-        let wanted = (DETECTABILITY.0.ln() + random.random::<f64>() * (DETECTABILITY.1 / DETECTABILITY.0).ln()).exp();
+        let wanted = (CONCEALED_DETECTABILITY.0.ln()
+            + random.random::<f64>() * (CONCEALED_DETECTABILITY.1 / CONCEALED_DETECTABILITY.0).ln())
+        .exp();
         let at = self.calibrated(&base, &sensor, &clean)?;
         let (truth, mut response) = match kind {
             Kind::Nothing => (Truth::default(), clean),
@@ -133,7 +129,7 @@ impl Maker<'_> {
             unmodelled: None,
             detectability: self.seen(clean, &response, at),
         };
-        (truth.detectability > 0.5 * DETECTABILITY.0).then_some((truth, response))
+        (truth.detectability > STILL_SEEN * CONCEALED_DETECTABILITY.0).then_some((truth, response))
     }
 
     fn respond(&self, sensor: &[f64], stages: &[Box<dyn Stage>]) -> Option<Vec<f64>> {
@@ -214,7 +210,7 @@ impl One<'_> {
             }
             let ratio = (wanted / now).clamp(0.1, 10.0);
             let next = if sign * size * ratio > sign * end { end } else { size * ratio };
-            if (next - size).abs() < 0.05 * size.abs() {
+            if (next - size).abs() < SIZE_FOUND * size.abs() {
                 return Some(next);
             }
             size = next;

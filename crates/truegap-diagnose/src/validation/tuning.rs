@@ -1,0 +1,92 @@
+//! Sizes and thresholds of the tests of an answer, with where each comes from.
+//!
+//! Limits: where a line gives no reason or source of its own, the value was set on the open cases and on generated recordings, never on sealed ones
+//! (`docs/history.md`).
+
+// confirmation.rs
+
+/// Blocks that a recording of few runs is cut into: enough for a p-value of 2 in 4096.
+pub(crate) const CONFIRMATION_BLOCKS: usize = 12;
+
+/// Fewest rows of a block of a recording that confirms.
+pub(crate) const SHORTEST_BLOCK: usize = 4;
+
+/// Most blocks whose signs are flipped in every way; of more, [`SIGN_DRAWS`] ways are drawn.
+pub(crate) const EXACT_BLOCKS: usize = 14;
+
+/// Ways of flipping signs that are drawn.
+pub(crate) const SIGN_DRAWS: usize = 9999;
+
+// cross_validation.rs
+
+/// Most parts that are left out one after another.
+pub(crate) const MOST_PARTS: usize = 10;
+
+/// Blocks that a single run is cut into.
+pub(crate) const PARTS_OF_ONE_RUN: usize = 6;
+
+/// Standard deviations of the noise's own square that a misfit must have for a share of it to mean something.
+pub(crate) const THERE: f64 = 4.0;
+
+// permutation.rs
+
+/// Permutations of a history; the control is their median.
+pub(crate) const PERMUTATIONS: usize = 19;
+
+// recovery/case.rs
+
+/// Log probability below which a model of a simulated recording is not kept.
+pub(crate) const KEPT_LOG_PROBABILITY: f64 = -14.0;
+
+// recovery/fill.rs
+
+/// Rows on which the bank searches.
+pub(crate) const BANK_ROWS: usize = 500;
+
+/// Simulated recordings after which the answers are stored.
+pub(crate) const STORE_EVERY: usize = 16;
+
+/// Most effects that get a larger share of the bank.
+pub(crate) const LIKELY_EFFECTS: usize = 5;
+
+/// Probability from which an effect may get a larger share of the bank.
+pub(crate) const LIKELY_FROM: f64 = 0.005;
+
+// recovery/power.rs
+
+/// Standard deviation of what is known of the logarithm of the power beforehand: few claims change little.
+pub(crate) const POWER_LOG_SD: f64 = 0.4;
+
+/// Range of powers looked at, in logarithms, and the steps.
+pub(crate) const POWER_RANGE: (f64, f64, usize) = (-1.4, 1.4, 281);
+
+// recovery/truth.rs
+
+/// Range of detectabilities of concealed causes, logarithmically even.
+pub(crate) const CONCEALED_DETECTABILITY: (f64, f64) = (4.0, 80.0);
+
+/// Prior standard deviations beyond which no size is drawn.
+pub(crate) const BELIEVABLE: f64 = 3.0;
+
+/// Draws of the sensor tried before a recording is given up (its plates touch).
+pub(crate) const MOST_DRAWS: usize = 20;
+
+/// Share of the least detectability that a cause must reach where no size gives what was drawn.
+pub(crate) const STILL_SEEN: f64 = 0.5;
+
+/// Relative change of a size below which it counts as found.
+pub(crate) const SIZE_FOUND: f64 = 0.05;
+
+// veto.rs
+
+/// Factor on the base model's error that the right physics may reach where its numbers are known less well without a part. Right answers on generated recordings
+/// reach 1.95; a wrong one on a real recording reached 2.4.
+pub(crate) const EXTRAPOLATED: f64 = 2.0;
+
+// recovery/confusion.rs
+
+/// Detectability from which single causes are counted, as in the targets of the blind studies.
+pub(crate) const SINGLES_FROM: f64 = 10.0;
+
+/// The same of pairs.
+pub(crate) const PAIRS_FROM: f64 = 16.0;

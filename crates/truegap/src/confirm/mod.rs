@@ -9,6 +9,7 @@ pub use document::{Confirmation, Confirmed, Errors, FILES, ModelFacts, OtherFact
 pub use error::ConfirmError;
 
 use crate::answer::{of_recording, refused};
+use crate::base::Programs;
 use crate::diagnosis::{Request, open};
 use crate::model_file::{ModelFile, RunningModel};
 use document::says;
@@ -50,12 +51,26 @@ impl Free {
 /// # Errors
 /// [`ConfirmError`] where the two do not belong together or a model has no answer.
 pub fn confirm(file: &Path, recording: Recording, channel: Option<&str>, free: Free) -> Result<Confirmed, ConfirmError> {
+    confirm_with(&ModelFile::open(file)?, file, recording, channel, free, &Programs::default())
+}
+
+/// As [`confirm`], of a model that was read already; `file` is its name, `programs` answer where its base model is a program or a function.
+///
+/// # Errors
+/// As [`confirm`].
+pub fn confirm_with(
+    written: &ModelFile,
+    file: &Path,
+    recording: Recording,
+    channel: Option<&str>,
+    free: Free,
+    programs: &Programs,
+) -> Result<Confirmed, ConfirmError> {
     let name = if recording.path.as_os_str().is_empty() { "recording".to_owned() } else { recording.path.display().to_string() };
     let request = Request { channel: channel.map(str::to_owned), ..Request::default() };
     let recording = open(vec![recording], &request)?.recording;
-    let written = ModelFile::open(file)?;
-    let model = written.build()?;
-    let mut notes = belong_together(&model, &written, file, &recording, &name)?;
+    let model = written.build_with(programs)?;
+    let mut notes = belong_together(&model, written, file, &recording, &name)?;
     let no_answer = |error| refused(error, of_recording(name.clone()));
     let predicted =
         [model.respond_alone(&recording.inputs).map_err(no_answer)?, model.respond(&recording.inputs).map_err(no_answer)?];
@@ -71,9 +86,10 @@ pub fn confirm(file: &Path, recording: Recording, channel: Option<&str>, free: F
     }
     let recorded =
         OtherFacts { source: name, sha256: recording.sha256.clone(), rows: recording.len(), runs: recording.inputs.runs().len() };
-    let facts = model_facts(&model, &written, file);
+    let facts = model_facts(&model, written, file);
     let [base, augmented] = judged.columns.clone();
-    let document = Confirmation { free: free.words(), notes, ..judged.document(facts, recorded, noise, written.unit, freed) };
+    let document =
+        Confirmation { free: free.words(), notes, ..judged.document(facts, recorded, noise, written.unit.clone(), freed) };
     Ok(Confirmed { document, recording, base, augmented })
 }
 

@@ -12,6 +12,6 @@ mod screen;
 mod write;
 
 pub use error::DiagnosisError;
-pub use request::{Opened, Request, open};
+pub use request::{Opened, Request, open, open_with};
 pub use run::{Diagnosed, diagnose};
 pub use write::FILES;

@@ -6,7 +6,7 @@ use super::bases::{Bases, MATERIALS};
 use super::request::{Opened, Request, named};
 use super::screen::{Screened, reserve, screen};
 use super::{DiagnosisError, bank_store, prediction, write};
-use crate::base::Base;
+use crate::base::{Base, Programs};
 use crate::report::{Provenance, Subject};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -31,6 +31,8 @@ pub struct Diagnosed {
     pub provenance: Provenance,
     /// the effects that were known
     pub library: Library,
+    /// who was asked where the base model is a program or a function
+    pub programs: Programs,
 }
 
 /// Diagnoses what was opened; `files` are what was read, with their SHA-256.
@@ -50,6 +52,11 @@ pub fn diagnose(
         true => of_one(&opened, &bases, &files, &run),
         false => of_several(&opened, &bases, &files, &run),
     };
+    if let Some(failure) = opened.programs.failure() {
+        // what was found without its answers is not what the recording says
+        let source = DiagnoseError::Simulation(failure);
+        return Err(DiagnosisError::Diagnose { recording: named(&opened.recording), source });
+    }
     let outcome = outcome.map_err(|error| noticed(error, &notices))?;
     let base = bases.bases.into_iter().next().ok_or(DiagnosisError::NoRecording)?;
     let provenance = Provenance {
@@ -60,7 +67,8 @@ pub fn diagnose(
         has_model: true,
     };
     let library = request.library.clone();
-    Ok(Diagnosed { recording: opened.recording, parts: opened.parts, base, outcome, provenance, library })
+    let programs = opened.programs;
+    Ok(Diagnosed { recording: opened.recording, parts: opened.parts, base, outcome, provenance, library, programs })
 }
 
 /// Where the model has no answer and something is known to be wrong with the recording, that is the reason to be told.
@@ -230,6 +238,11 @@ impl Diagnosed {
     /// Every row with all predictions, as CSV.
     pub fn prediction_csv(&self) -> String {
         prediction::csv(&self.recording, &self.parts, &self.outcome.traces)
+    }
+
+    /// The columns of that CSV, not rounded.
+    pub fn prediction_table(&self) -> Vec<(String, Vec<f64>)> {
+        prediction::table(&self.recording, &self.parts, &self.outcome.traces)
     }
 
     /// Writes diagnosis.json, report.html, augmented.toml and prediction.csv, all or none.

@@ -5,6 +5,7 @@
 mod columns;
 mod command;
 mod declared;
+mod process;
 mod programs;
 mod remembered;
 

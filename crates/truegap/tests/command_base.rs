@@ -128,6 +128,20 @@ fn a_program_that_fails_is_told_with_its_own_last_words() {
     assert!(told.contains("failed: mesh has no cells"), "{told}");
 }
 
+/// More rows than a pipe holds, and a program that reads none of them.
+#[test]
+fn a_program_that_does_not_read_is_not_waited_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut recording = recording(folder.path(), &script("read hello; echo truegap 1; sleep 20"));
+    recording = recording.select(&(0..300).cycle().take(30_000).collect::<Vec<_>>());
+    let model = base_model(&recording).unwrap().simulator;
+    let start = Instant::now();
+    let error = model.respond(&model.centre(), &recording.inputs, &[]).unwrap_err().to_string();
+    assert!(error.contains("gave no answer in 0.4 s") && start.elapsed() < Duration::from_secs(5), "{error}");
+    drop(model);
+    assert!(start.elapsed() < Duration::from_secs(5));
+}
+
 #[test]
 fn no_answer_at_some_values_is_no_failure() {
     let folder = tempfile::tempdir().unwrap();

@@ -36,8 +36,8 @@ def figure(d: Diagnosis) -> Figure:
     above.set_ylabel(f"response [{d.unit}]")
     below.set_ylabel(f"left over [{d.unit}]")
     below.set_xlabel(label)
-    above.legend(frameon=False, fontsize="small")
-    below.legend(frameon=False, fontsize="small")
+    # outside, where no curve is hidden by it
+    shown.legend(loc="outside lower left", ncols=2, frameon=False, fontsize="small")
     above.set_title(d.verdict.replace("_", " "), loc="left")
     return shown
 

@@ -60,6 +60,12 @@ pub enum SimulationError {
         /// parameter values
         parameters: Vec<f64>,
     },
+    /// A simulator outside this program failed: no answer came, or nonsense. No other parameter values would help.
+    #[error("{says}")]
+    Program {
+        /// what happened, in a sentence that names the program
+        says: String,
+    },
     /// Not one value for each parameter.
     #[error(
         "the base model `{model}` has {expected} parameters, but {given} values were given; give one value for each parameter of the model, in their order"

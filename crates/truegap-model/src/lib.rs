@@ -85,8 +85,9 @@ pub mod stack;
 mod wedge;
 
 pub use base::{
-    Axis, BASE_MODELS, BaseError, BaseModel, BaseOptions, DRIVERS, Driver, External, ExternalOptions, Followed, GAIN_SD, Grid,
-    GridError, HIGHEST_ORDER, Load, NamedDriver, Recorded, ResponseScale, Surface, base_model,
+    Asked, Axis, BASE_MODELS, BaseError, BaseModel, BaseOptions, BlackBox, BlackBoxFacts, DRIVERS, Driver, External,
+    ExternalOptions, Followed, GAIN_SD, Grid, GridError, HIGHEST_ORDER, Load, NamedDriver, Recorded, Responder, ResponseScale,
+    Surface, Who, base_model,
 };
 pub use errata::errata_table;
 pub use stack::{CoefficientOptions, Coefficients, Point, SeriesOrder, Stack, StackOptions, State, coefficients, states};

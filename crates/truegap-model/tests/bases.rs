@@ -2,12 +2,14 @@
 #![allow(clippy::unwrap_used)]
 
 use approx::assert_relative_eq;
+use std::sync::Arc;
 use truegap_core::{
-    Dielectric, Drive, FieldView, Geometry, Inputs, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName,
+    Dielectric, Drive, FieldView, Geometry, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage,
+    simulator::StageName,
 };
 use truegap_model::{
-    BaseError, BaseModel, BaseOptions, External, ExternalOptions, Grid, Recorded, ResponseScale, StackOptions, base_model,
-    cases::default_sensor,
+    Asked, BaseError, BaseModel, BaseOptions, External, ExternalOptions, Grid, Recorded, Responder, ResponseScale, StackOptions,
+    Who, base_model, cases::default_sensor,
 };
 
 fn built(model: &str, inputs: &Inputs, response: &[f64], unit: &str) -> Box<dyn Simulator> {
@@ -367,4 +369,49 @@ fn an_external_simulation_is_moved_by_what_moves_its_load_and_temperature() {
     inputs.simulated = Some((0..40).map(|i| f64::from((i * 7) % 13)).collect());
     let apart = with("external", BaseOptions::default(), &inputs, &simulated).unwrap();
     assert!(apart.full_load().is_none() && apart.lacks(StageName::Beads).is_some());
+}
+
+/// `k x force + temperature` at each row; counts nothing, keeps nothing.
+struct Spring;
+
+impl Responder for Spring {
+    fn respond(&self, values: &[f64], inputs: &Inputs) -> Result<Vec<f64>, SimulationError> {
+        let (force, warmth) = (inputs.force_n.as_ref().unwrap(), inputs.temperature_c.as_ref().unwrap());
+        Ok(force.iter().zip(warmth).map(|(f, t)| values[0] * f + t).collect())
+    }
+}
+
+/// What is plugged in arrives at the simulator as other inputs, and the rest untouched; the other route is the formula by hand.
+#[test]
+fn a_black_box_is_asked_with_what_arrives() {
+    struct Warmer;
+    impl Stage for Warmer {
+        fn load(&self, _: &Inputs, load: &mut [f64]) {
+            load.iter_mut().for_each(|l| *l *= 0.5);
+        }
+        fn thermal(&self, _: &Inputs, temperature: &mut [f64]) {
+            temperature.iter_mut().for_each(|t| *t += 3.0);
+        }
+    }
+    let inputs = Inputs {
+        run: vec![1; 3],
+        force_n: Some(vec![0.0, -1.0, 4.0]),
+        temperature_c: Some(vec![20.0, 21.0, 22.0]),
+        ..Inputs::default()
+    };
+    let asked = Asked {
+        who: Who::Function { name: "spring".into() },
+        parameters: vec![Parameter::normal("k", "V/N", 2.0, 0.3, "stiffness")],
+    };
+    let options = BaseOptions { asked: Some(asked), ..BaseOptions::default() };
+    let recorded = Recorded { inputs: &inputs, response: &[20.0, 19.0, 30.0], unit: "V" };
+    let written = BaseModel::of("function", None, options, recorded).unwrap();
+    let again: BaseModel = toml::from_str(&toml::to_string(&written).unwrap()).unwrap();
+    assert_eq!(written, again);
+    assert!(matches!(again.build(None), Err(BaseError::NobodyToAsk { model: "function" })));
+    let responder: Arc<dyn Responder> = Arc::new(Spring);
+    let model = again.answered_by(&responder).unwrap();
+    assert_eq!((model.name(), model.full_load(), model.parameters().len()), ("function", Some(4.0), 1));
+    assert_eq!(model.respond(&[2.0], &inputs, &[]).unwrap(), [20.0, 19.0, 30.0]);
+    assert_eq!(model.respond(&[2.0], &inputs, &[&Warmer]).unwrap(), [23.0, 23.0, 29.0]);
 }

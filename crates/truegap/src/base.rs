@@ -2,6 +2,18 @@
 //!
 //! Limits: a key that the model does not need is read and not used; one that no model needs is an error.
 
+mod columns;
+mod command;
+mod declared;
+mod process;
+mod programs;
+mod remembered;
+
+pub use columns::columns;
+pub use declared::declared;
+pub use programs::{Function, Programs};
+pub use remembered::{Calls, Remembered};
+
 use crate::sensors::{FindSensorError, find_sensor, sensor_names};
 use std::path::{Path, PathBuf};
 use truegap_audit::corrections::curves;
@@ -11,7 +23,7 @@ use truegap_model::{
 };
 
 /// Keys that may stand under `[base]` beside model, sensor and warp.
-const KEYS: [&str; 7] = ["series", "driver", "order", "table", "free", "gain", "offset"];
+const KEYS: [&str; 10] = ["series", "driver", "order", "table", "free", "gain", "offset", "run", "parameters", "timeout"];
 /// Words for a driver.
 const DRIVER_WORDS: &str = "\"force\", \"pressure\", \"gap\", \"temperature\", \"humidity\", \"time\" or a name under [drivers]";
 
@@ -37,7 +49,7 @@ pub enum BaseModelError {
     Unstated { recording: String, columns: String, choices: String },
     /// A word that means nothing.
     #[error("{recording}: under [base], {key} = {found} is not known; use {use_}")]
-    Word { recording: String, key: &'static str, found: String, use_: &'static str },
+    Word { recording: String, key: &'static str, found: String, use_: String },
     /// The table cannot be read.
     #[error("{recording}: its table: {source}")]
     TableFile { recording: String, source: RecordingError },
@@ -61,17 +73,28 @@ pub struct Base {
 /// # Errors
 /// [`BaseModelError`] where the model or its sensor is not known, or a column is missing.
 pub fn base_model(recording: &Recording) -> Result<Base, BaseModelError> {
+    base_model_with(recording, &Programs::default())
+}
+
+/// As [`base_model`], asking `programs` where the model is a program or a function.
+///
+/// # Errors
+/// As [`base_model`].
+pub fn base_model_with(recording: &Recording, programs: &Programs) -> Result<Base, BaseModelError> {
     let named = |source| BaseModelError::Model { recording: recording.path.display().to_string(), source };
     if !recording.base.is_stated() {
         return Err(unstated(recording));
     }
-    let options = base_options(recording)?;
+    let mut options = base_options(recording)?;
+    if recording.base.model == "function" {
+        options.asked = programs.function().cloned();
+    }
     let asked = &recording.base;
     let recorded = Recorded { inputs: &recording.inputs, response: &recording.response, unit: &recording.response_unit };
     let spec = BaseModel::of(&asked.model, asked.sensor.as_deref(), options, recorded).map_err(named)?;
     let sensor = spec.sensor().map(|name| find_sensor(name, recording.path.parent())).transpose();
     let sensor = sensor.map_err(|source| BaseModelError::Sensor { recording: recording.path.display().to_string(), source })?;
-    let simulator = spec.informed(sensor.as_ref(), sensor.as_ref().and_then(foreseen)).map_err(named)?;
+    let simulator = programs.model(&spec, sensor.as_ref(), sensor.as_ref().and_then(foreseen)).map_err(named)?;
     Ok(Base { spec, sensor, simulator })
 }
 
@@ -107,10 +130,11 @@ pub fn base_options(recording: &Recording) -> Result<BaseOptions, BaseModelError
     if let Some(key) = further.keys().find(|key| !KEYS.contains(&key.as_str())) {
         return Err(BaseModelError::UnknownKey { recording: name(), key: key.clone() });
     }
-    let wrong = |key: &'static str, use_: &'static str| {
+    let wrong = |key: &'static str, use_: &str| {
         let found = further.get(key).map(ToString::to_string).unwrap_or_default();
-        BaseModelError::Word { recording: name(), key, found, use_ }
+        BaseModelError::Word { recording: name(), key, found, use_: use_.to_owned() }
     };
+    let folder = recording.path.parent().unwrap_or(Path::new(""));
     let series = match further.get("series") {
         None => SeriesOrder::default(),
         Some(value) => value.as_str().and_then(series_order).ok_or_else(|| wrong("series", "\"printed\" or \"exact\""))?,
@@ -129,6 +153,7 @@ pub fn base_options(recording: &Recording) -> Result<BaseOptions, BaseModelError
         named_driver,
         order,
         table: further.get("table").map(|value| table(recording, value)).transpose()?,
+        asked: declared::command(further, folder).map_err(|(key, use_)| wrong(key, &use_))?,
     })
 }
 
@@ -141,7 +166,7 @@ fn named_driver(recording: &Recording, value: &toml::Value) -> Option<String> {
 /// What of a simulation or a table may be adjusted: an offset where nothing is said, since readings have a zero of their own.
 fn adjusted(
     recording: &Recording,
-    wrong: &dyn Fn(&'static str, &'static str) -> BaseModelError,
+    wrong: &dyn Fn(&'static str, &str) -> BaseModelError,
 ) -> Result<ExternalOptions, BaseModelError> {
     let further = &recording.base.further;
     let mut options = ExternalOptions { gain_sd: None, offset: true };
@@ -172,7 +197,7 @@ fn table(recording: &Recording, value: &toml::Value) -> Result<Grid, BaseModelEr
         recording: name(),
         key: "table",
         found: value.to_string(),
-        use_: "the name of a CSV in quotes",
+        use_: "the name of a CSV in quotes".to_owned(),
     })?;
     let path = recording.path.parent().unwrap_or(Path::new("")).join(file);
     let read = Recording::open(&path).map_err(|source| BaseModelError::TableFile { recording: name(), source })?;

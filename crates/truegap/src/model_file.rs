@@ -2,7 +2,7 @@
 //!
 //! Limits: values and standard deviations, no correlations between them; an effect is known by its id, so a program must have it in its library.
 
-use crate::base::foreseen;
+use crate::base::{Programs, foreseen};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use truegap_core::sensor::{SensorError, builtin_sensors};
@@ -160,8 +160,16 @@ impl ModelFile {
     /// # Errors
     /// [`ModelFileError`] where base model, parameters and effects do not fit together.
     pub fn build(&self) -> Result<RunningModel, ModelFileError> {
+        self.build_with(&Programs::default())
+    }
+
+    /// As [`ModelFile::build`], asking `programs` where the base model is a program or a function.
+    ///
+    /// # Errors
+    /// As [`ModelFile::build`].
+    pub fn build_with(&self, programs: &Programs) -> Result<RunningModel, ModelFileError> {
         let sensor = self.sensor.as_ref().map(|text| Sensor::from_toml(text, "sensor of the model file")).transpose()?;
-        let simulator = self.base.informed(sensor.as_ref(), sensor.as_ref().and_then(foreseen))?;
+        let simulator = programs.model(&self.base, sensor.as_ref(), sensor.as_ref().and_then(foreseen))?;
         let values = values(&self.parameters, simulator.as_ref())?;
         // a base without parameters is the same alone
         let is_known = !self.base_alone.is_empty() || values.is_empty();

@@ -7,6 +7,7 @@ mod coefficients;
 mod confirm;
 mod diagnose;
 mod export;
+mod init;
 mod merge;
 mod mesh;
 mod optimise;
@@ -52,6 +53,7 @@ commands! {
     Tolerance(tolerance::Tolerance),
     Audit(audit::Audit),
     Export(export::Export),
+    Init(init::Init),
     Merge(merge::Merge),
     Diagnose(diagnose::Diagnose),
     Confirm(confirm::Confirm),

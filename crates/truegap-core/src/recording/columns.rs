@@ -37,7 +37,7 @@ pub(super) struct DriverColumn {
 }
 
 /// What a role measures; `None` for names, and for readings in any unit.
-fn dimension(role: Role) -> Option<Dimension> {
+pub(super) fn dimension(role: Role) -> Option<Dimension> {
     match role {
         Role::Time => Some(Dimension::Time),
         Role::Force => Some(Dimension::Force),
@@ -285,7 +285,7 @@ impl Binder<'_> {
 }
 
 /// Whether a column's name is one that a role has by default: the role's word, alone or with a unit behind it.
-fn is_default(role: Role, name: &str) -> bool {
+pub(super) fn is_default(role: Role, name: &str) -> bool {
     let words: &[&str] = if role == Role::Response { &["capacitance", "response"] } else { &[role.key()] };
     let lower = name.to_ascii_lowercase();
     let rest = words.iter().find_map(|word| lower.strip_prefix(word));
@@ -317,7 +317,7 @@ fn whole(rest: &str, end: &str) -> bool {
 }
 
 /// What stands last in a column's name: in brackets, or behind the last underscore.
-fn unit_end(name: &str) -> Option<&str> {
+pub(super) fn unit_end(name: &str) -> Option<&str> {
     let name = name.trim();
     for (open, close) in [('(', ')'), ('[', ']')] {
         if let Some((_, unit)) = name.strip_suffix(close).and_then(|inner| inner.rsplit_once(open)) {

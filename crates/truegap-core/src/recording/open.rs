@@ -66,7 +66,7 @@ impl Recording {
     }
 }
 
-fn open_file(path: &Path) -> Result<File, RecordingError> {
+pub(super) fn open_file(path: &Path) -> Result<File, RecordingError> {
     File::open(path).map_err(|source| match source.kind() {
         ErrorKind::NotFound => RecordingError::NotFound { file: path.to_owned() },
         _ => RecordingError::Read { file: path.to_owned(), source },
@@ -155,7 +155,7 @@ fn assemble(
 }
 
 /// The base model that the columns ask for; none, where a load was recorded: what it acted on cannot be seen in the columns.
-fn assumed_base(columns: &[Column], notes: &mut Vec<Note>) -> BaseSpec {
+pub(super) fn assumed_base(columns: &[Column], notes: &mut Vec<Note>) -> BaseSpec {
     let has = |role| columns.iter().any(|c| c.role == role);
     let (model, because) = if has(Role::Simulated) {
         ("external", "there is a column with a simulation")

@@ -15,7 +15,7 @@ use crate::inputs::{Driver, Inputs, Role};
 use std::io::{Read, Seek};
 
 /// Lowest temperature there is, degrees Celsius.
-const ABSOLUTE_ZERO_C: f64 = -273.15;
+pub(super) const ABSOLUTE_ZERO_C: f64 = -273.15;
 
 /// Columns that grow with the rows read.
 #[derive(Debug, Default)]

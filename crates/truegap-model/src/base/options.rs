@@ -4,7 +4,8 @@
 
 use super::{ExternalOptions, Grid};
 use crate::stack::StackOptions;
-use truegap_core::Role;
+use std::path::PathBuf;
+use truegap_core::{Parameter, Role};
 
 /// Options of all base models.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,6 +22,36 @@ pub struct BaseOptions {
     pub order: Option<usize>,
     /// the table of a `table`
     pub table: Option<Grid>,
+    /// who is asked for a response, of a `command` or a `function`
+    pub asked: Option<Asked>,
+}
+
+/// Somebody else's simulator and the numbers that calibration may adjust in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// who answers
+    pub who: Who,
+    /// its parameters, with what is known of them
+    pub parameters: Vec<Parameter>,
+}
+
+/// Who answers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Who {
+    /// a program that stays up
+    Command {
+        /// program and arguments
+        run: Vec<String>,
+        /// folder in which it is started
+        folder: PathBuf,
+        /// longest time that an answer may take, s
+        timeout_s: f64,
+    },
+    /// a function of the program that called
+    Function {
+        /// its name, for files and messages
+        name: String,
+    },
 }
 
 impl From<StackOptions> for BaseOptions {

@@ -3,13 +3,14 @@
 //! Limits: a sensor is named, not contained; the caller finds it.
 
 use super::{
+    black_box::{BlackBox, BlackBoxFacts, Responder},
     constant::Constant,
     driver::{DRIVERS, Driver, Followed, NamedDriver},
     external::{External, ExternalOptions},
     gap_plate::GapPlate,
     grid::Grid,
     linear::{HIGHEST_ORDER, Linear},
-    options::BaseOptions,
+    options::{Asked, BaseOptions, Who},
     parallel_plate::{Load, ParallelPlate},
     scale::{Recorded, ResponseScale, greatest},
     surface::Surface,
@@ -17,12 +18,14 @@ use super::{
 };
 use crate::stack::{SeriesOrder, Stack, StackOptions};
 use serde::{Deserialize, Serialize};
+use std::{path::PathBuf, sync::Arc};
 use truegap_core::{Corrections, Inputs, Role, Sensor, SimulationError, Simulator};
 
 /// Temperature at which a model without a sensor file is described, degrees Celsius.
 const REFERENCE_C: f64 = 20.0;
 
-/// Names of the base models.
+/// Names of the base models that are built from a file alone. Beside them there are `command`, which a program answers, and `function`, which the program that
+/// called answers.
 pub const BASE_MODELS: [&str; 7] = ["stack", "parallel-plate", "gap-plate", "linear", "table", "constant", "external"];
 
 /// A base model with its options.
@@ -100,6 +103,24 @@ pub enum BaseModel {
         /// the values
         grid: Grid,
     },
+    /// a program that stays up and answers
+    Command {
+        /// program and arguments
+        run: Vec<String>,
+        /// folder in which it is started
+        folder: PathBuf,
+        /// longest time that an answer may take, s
+        timeout_s: f64,
+        /// what is known of it
+        simulator: BlackBoxFacts,
+    },
+    /// a function of the program that called
+    Function {
+        /// its name
+        name: String,
+        /// what is known of it
+        simulator: BlackBoxFacts,
+    },
 }
 
 /// Why there is no base model.
@@ -107,7 +128,7 @@ pub enum BaseModel {
 #[non_exhaustive]
 pub enum BaseError {
     /// No such model.
-    #[error("there is no base model `{name}`; use one of {}", BASE_MODELS.join(", "))]
+    #[error("there is no base model `{name}`; use one of {}, command", BASE_MODELS.join(", "))]
     Unknown {
         /// the name
         name: String,
@@ -156,6 +177,12 @@ pub enum BaseError {
     Outside {
         /// which row, and what of it
         source: SimulationError,
+    },
+    /// A command or a function without anybody to ask.
+    #[error("the base model `{model}` needs {}", if *.model == "command" { "a program; name it as run = [\"python3\", \"sim.py\"] under [base] (docs/command-base.md)" } else { "the function itself; only a program that has it can run this model, as Python does with base=f (docs/python.md)" })]
+    NobodyToAsk {
+        /// the model
+        model: &'static str,
     },
     /// No rows.
     #[error("the recording has no rows, so the base model `{model}` cannot be scaled; give at least two rows")]
@@ -209,6 +236,9 @@ impl BaseModel {
             }
             "linear" => linear(&options, recorded, reference_c),
             "table" => table(options, recorded, reference_c),
+            "command" | "function" => {
+                asked(options.asked, recorded, reference_c, if model == "command" { "command" } else { "function" })
+            }
             other => Err(BaseError::Unknown { name: other.to_owned() }),
         }
     }
@@ -253,7 +283,18 @@ impl BaseModel {
             Self::Table { scale, reference_c, options, grid } => {
                 Box::new(Table::new(grid.clone(), scale, *reference_c, *options))
             }
+            Self::Command { .. } => return Err(BaseError::NobodyToAsk { model: "command" }),
+            Self::Function { .. } => return Err(BaseError::NobodyToAsk { model: "function" }),
         })
+    }
+
+    /// The model itself, where it is one that somebody else answers; `None` for every other.
+    pub fn answered_by(&self, responder: &Arc<dyn Responder>) -> Option<BlackBox> {
+        match self {
+            Self::Command { simulator, .. } => Some(BlackBox::new("command", simulator.clone(), responder.clone())),
+            Self::Function { simulator, .. } => Some(BlackBox::new("function", simulator.clone(), responder.clone())),
+            _ => None,
+        }
     }
 }
 
@@ -268,6 +309,16 @@ pub fn base_model(
     recorded: Recorded<'_>,
 ) -> Result<Box<dyn Simulator>, BaseError> {
     BaseModel::of(model, sensor.map(|s| s.name.as_str()), options, recorded)?.build(sensor)
+}
+
+fn asked(asked: Option<Asked>, recorded: Recorded<'_>, reference_c: f64, model: &'static str) -> Result<BaseModel, BaseError> {
+    let Asked { who, parameters } = asked.ok_or(BaseError::NobodyToAsk { model })?;
+    let load = [Role::Force, Role::Pressure].into_iter().find_map(|role| Driver::of(recorded.inputs, role));
+    let simulator = BlackBoxFacts { unit: recorded.unit.to_owned(), parameters, load, reference_c };
+    Ok(match who {
+        Who::Command { run, folder, timeout_s } => BaseModel::Command { run, folder, timeout_s, simulator },
+        Who::Function { name } => BaseModel::Function { name, simulator },
+    })
 }
 
 fn linear(options: &BaseOptions, recorded: Recorded<'_>, reference_c: f64) -> Result<BaseModel, BaseError> {

@@ -64,6 +64,16 @@ impl Confirmed {
         text
     }
 
+    /// The columns of that CSV.
+    pub fn table(&self) -> Vec<(String, Vec<f64>)> {
+        let run = self.recording.inputs.run.iter().map(|run| f64::from(*run)).collect();
+        let time = self.recording.inputs.time_s.clone().map(|time| ("time_s", time));
+        let read = [("recorded", &self.recording.response), ("base", &self.base), ("augmented", &self.augmented)];
+        let read = read.map(|(name, column)| (name, column.clone()));
+        let columns = std::iter::once(("run", run)).chain(time).chain(read);
+        columns.map(|(name, column)| (name.to_owned(), column)).collect()
+    }
+
     /// Writes confirmation.json and confirmation.csv, both or none.
     ///
     /// # Errors

@@ -10,6 +10,7 @@ pub use error::ConfirmError;
 pub use truegap_diagnose::answer::{Confirmation, Errors, ModelFacts, OtherFacts};
 
 use crate::answer::{of_recording, refused};
+use crate::base::Programs;
 use crate::diagnosis::{Diagnosed, Request, open};
 use crate::model_file::{ModelFile, RunningModel};
 use document::says;
@@ -55,8 +56,23 @@ impl Free {
 /// # Errors
 /// [`ConfirmError`] where the two do not belong together or a model has no answer.
 pub fn confirm(file: &Path, recording: Recording, channel: Option<&str>, free: Free) -> Result<Confirmed, ConfirmError> {
+    confirm_with(&ModelFile::open(file)?, file, recording, channel, free, &Programs::default())
+}
+
+/// As [`confirm`], of a model that was read already; `file` is its name, `programs` answer where its base model is a program or a function.
+///
+/// # Errors
+/// As [`confirm`].
+pub fn confirm_with(
+    written: &ModelFile,
+    file: &Path,
+    recording: Recording,
+    channel: Option<&str>,
+    free: Free,
+    programs: &Programs,
+) -> Result<Confirmed, ConfirmError> {
     let (recording, name) = opened(recording, channel)?;
-    judge(&ModelFile::open(file)?, &file.display().to_string(), recording, name, free)
+    judge(written, &file.display().to_string(), recording, name, free, programs)
 }
 
 /// The recording that a diagnosis is to be judged on, looked at before the diagnosis is made: one that took part, or is read in another unit, is refused here.
@@ -81,7 +97,7 @@ pub fn other(recording: Recording, channel: Option<&str>, took_part: &[Recording
 pub fn confirm_within(diagnosed: &mut Diagnosed, recording: Recording, free: Free) {
     let name = named(&recording);
     let judged = match diagnosed.model_file() {
-        Ok(written) => judge(&written, OF_THIS_RUN, recording, name.clone(), free),
+        Ok(written) => judge(&written, OF_THIS_RUN, recording, name.clone(), free, &diagnosed.programs),
         Err(error) => Err(error.into()),
     };
     diagnosed.outcome.diagnosis.confirmation = Some(match judged {
@@ -106,8 +122,15 @@ fn opened(recording: Recording, channel: Option<&str>) -> Result<(Recording, Str
 }
 
 /// Judges a model on a recording; `file` and `name` are where they come from, for a reader.
-fn judge(written: &ModelFile, file: &str, recording: Recording, name: String, free: Free) -> Result<Confirmed, ConfirmError> {
-    let (model, of_recorder) = written.build()?.without_recorder(&Library::default());
+fn judge(
+    written: &ModelFile,
+    file: &str,
+    recording: Recording,
+    name: String,
+    free: Free,
+    programs: &Programs,
+) -> Result<Confirmed, ConfirmError> {
+    let (model, of_recorder) = written.build_with(programs)?.without_recorder(&Library::default());
     if model.effects().is_empty() && !of_recorder.is_empty() {
         return Err(ConfirmError::OfRecorder { model: file.to_owned(), effects: spoken_list(&of_recorder) });
     }

@@ -4,7 +4,7 @@
 
 use super::DiagnosisError;
 use super::request::{Opened, together};
-use crate::base::{Base, base_model};
+use crate::base::{Base, base_model_with};
 use truegap_core::Recording;
 
 /// Parameters of the stack that belong to a material, and are therefore common to sensors of different size.
@@ -28,7 +28,7 @@ impl Bases {
 /// The base models of what was opened.
 pub(super) fn bases(opened: &Opened) -> Result<Bases, DiagnosisError> {
     if opened.parts.is_empty() {
-        return Ok(Bases { bases: vec![base_model(&opened.recording)?], specimen: Vec::new() });
+        return Ok(Bases { bases: vec![base_model_with(&opened.recording, &opened.programs)?], specimen: Vec::new() });
     }
     let keys: Vec<String> = opened.parts.iter().map(key).collect();
     let mut distinct: Vec<&String> = Vec::new();
@@ -40,7 +40,7 @@ pub(super) fn bases(opened: &Opened) -> Result<Bases, DiagnosisError> {
     let of_key = |wanted: &&String| -> Result<Base, DiagnosisError> {
         let members = opened.parts.iter().zip(&keys).filter(|(_, key)| key == wanted);
         let members: Vec<Recording> = members.map(|(part, _)| part.clone()).collect();
-        Ok(base_model(&together(&members)?)?)
+        Ok(base_model_with(&together(&members)?, &opened.programs)?)
     };
     let bases = distinct.iter().map(of_key).collect::<Result<Vec<_>, _>>()?;
     let specimen = keys.iter().map(|key| distinct.iter().position(|k| *k == key).unwrap_or(0)).collect();

@@ -3,7 +3,7 @@
 //! Limits: what is there is replaced as a whole or left as it was.
 
 use super::{DiagnosisError, prediction};
-use crate::base::Base;
+use crate::base::{Base, Programs};
 use crate::model_file::{ModelFile, ModelFileError};
 use crate::output::OutputFolder;
 use crate::report::{self, Provenance, Subject};
@@ -30,6 +30,8 @@ pub struct Diagnosed {
     pub provenance: Provenance,
     /// the effects that were known
     pub library: Library,
+    /// who was asked where the base model is a program or a function
+    pub programs: Programs,
 }
 
 impl Diagnosed {
@@ -48,6 +50,11 @@ impl Diagnosed {
     /// Every row with all predictions, as CSV.
     pub fn prediction_csv(&self) -> String {
         prediction::csv(&self.recording, &self.parts, &self.outcome.traces)
+    }
+
+    /// The columns of that CSV, not rounded.
+    pub fn prediction_table(&self) -> Vec<(String, Vec<f64>)> {
+        prediction::table(&self.recording, &self.parts, &self.outcome.traces)
     }
 
     /// Writes diagnosis.json, report.html, augmented.toml and prediction.csv, and discovered.toml where there is one, all or none.

@@ -14,5 +14,5 @@ mod screen;
 
 pub use diagnosed::{Diagnosed, FILES};
 pub use error::DiagnosisError;
-pub use request::{Opened, Request, open};
+pub use request::{Opened, Request, open, open_with};
 pub use run::diagnose;

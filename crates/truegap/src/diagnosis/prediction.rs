@@ -10,12 +10,8 @@ use truegap_diagnose::Traces;
 ///
 /// Of several recordings, each row says which one it is of, and the clock is that recording's own.
 pub(super) fn csv(recording: &Recording, parts: &[Recording], traces: &Traces) -> String {
-    let own = own_clock(recording, parts);
-    let mut columns = columns(&own, traces);
-    let number: Vec<f64> = parts.iter().enumerate().flat_map(|(k, part)| vec![k as f64 + 1.0; part.len()]).collect();
-    if !parts.is_empty() {
-        columns.insert(0, ("recording".into(), &number));
-    }
+    let (own, number) = (own_clock(recording, parts), numbers(parts));
+    let columns = numbered(&own, &number, traces);
     let mut text = String::from("run");
     columns.iter().for_each(|(name, _)| {
         text.push(',');
@@ -31,6 +27,24 @@ pub(super) fn csv(recording: &Recording, parts: &[Recording], traces: &Traces) -
         text.push('\n');
     }
     text
+}
+
+/// The same columns as numbers, the run first; nothing is rounded.
+pub(super) fn table(recording: &Recording, parts: &[Recording], traces: &Traces) -> Vec<(String, Vec<f64>)> {
+    let (own, number) = (own_clock(recording, parts), numbers(parts));
+    let run = recording.inputs.run.iter().map(|run| f64::from(*run)).collect();
+    let rest = numbered(&own, &number, traces).into_iter().map(|(name, column)| (name, column.to_vec()));
+    std::iter::once(("run".to_owned(), run)).chain(rest).collect()
+}
+
+/// Number of the recording that each row is of; empty where there is one.
+fn numbers(parts: &[Recording]) -> Vec<f64> {
+    parts.iter().enumerate().flat_map(|(k, part)| vec![k as f64 + 1.0; part.len()]).collect()
+}
+
+fn numbered<'a>(own: &'a Recording, number: &'a [f64], traces: &'a Traces) -> Vec<(String, &'a [f64])> {
+    let first = (!number.is_empty()).then(|| ("recording".to_owned(), number));
+    first.into_iter().chain(columns(own, traces)).collect()
 }
 
 fn own_clock(recording: &Recording, parts: &[Recording]) -> Recording {

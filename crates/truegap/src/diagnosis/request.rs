@@ -3,6 +3,7 @@
 //! Limits: recordings given together must be read in the same unit.
 
 use super::DiagnosisError;
+use crate::base::Programs;
 use crate::nearest::nearest;
 use truegap_core::{Inputs, Note, Recording};
 use truegap_diagnose::Library;
@@ -46,6 +47,8 @@ pub struct Opened {
     pub free: Free,
     /// columns hidden on purpose, a value a row of `recording`
     pub hidden: Vec<Hidden>,
+    /// who is asked where a base model is a program or a function
+    pub programs: Programs,
 }
 
 /// The recordings, changed as `request` says.
@@ -53,6 +56,14 @@ pub struct Opened {
 /// # Errors
 /// [`DiagnosisError`] where they do not belong together, or `request` names what is not there.
 pub fn open(recordings: Vec<Recording>, request: &Request) -> Result<Opened, DiagnosisError> {
+    open_with(recordings, request, Programs::default())
+}
+
+/// As [`open`], with a function that answers for the base model `function`.
+///
+/// # Errors
+/// As [`open`].
+pub fn open_with(recordings: Vec<Recording>, request: &Request, programs: Programs) -> Result<Opened, DiagnosisError> {
     check_effects(&request.effects, &request.library)?;
     let free = free(request, recordings.len())?;
     let mut parts: Vec<Recording> = recordings.into_iter().map(|r| channel(r, request)).collect::<Result<_, _>>()?;
@@ -63,9 +74,9 @@ pub fn open(recordings: Vec<Recording>, request: &Request) -> Result<Opened, Dia
     parts.iter_mut().for_each(|part| replace_base(part, request));
     if parts.len() == 1 {
         let recording = parts.remove(0);
-        return Ok(Opened { recording, parts, free, hidden });
+        return Ok(Opened { recording, parts, free, hidden, programs });
     }
-    Ok(Opened { recording: together(&parts)?, parts, free, hidden })
+    Ok(Opened { recording: together(&parts)?, parts, free, hidden, programs })
 }
 
 fn free(request: &Request, recordings: usize) -> Result<Free, DiagnosisError> {

@@ -35,6 +35,11 @@ pub fn diagnose(
         true => of_one(&opened, &bases, &files, &run),
         false => of_several(&opened, &bases, &files, &run),
     };
+    if let Some(failure) = opened.programs.failure() {
+        // what was found without its answers is not what the recording says
+        let source = DiagnoseError::Simulation(failure);
+        return Err(DiagnosisError::Diagnose { recording: named(&opened.recording), source });
+    }
     let outcome = outcome.map_err(|error| noticed(error, &notices))?;
     let base = bases.bases.into_iter().next().ok_or(DiagnosisError::NoRecording)?;
     let provenance = Provenance {
@@ -45,7 +50,8 @@ pub fn diagnose(
         has_model: true,
     };
     let library = request.library.clone();
-    Ok(Diagnosed { recording: opened.recording, parts: opened.parts, base, outcome, provenance, library })
+    let programs = opened.programs;
+    Ok(Diagnosed { recording: opened.recording, parts: opened.parts, base, outcome, provenance, library, programs })
 }
 
 /// Where the model has no answer and something is known to be wrong with the recording, that is the reason to be told.

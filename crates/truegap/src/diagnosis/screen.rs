@@ -77,7 +77,7 @@ fn without(opened: Opened, kept: &[Vec<usize>]) -> Result<Opened, DiagnosisError
     hidden.iter_mut().for_each(|h| h.values = rows.iter().map(|row| h.values[*row]).collect());
     let parts: Vec<Recording> = opened.parts.iter().zip(kept).map(|(part, keep)| part.select(keep)).collect();
     let recording = if parts.is_empty() { opened.recording.select(&rows) } else { together(&parts)? };
-    Ok(Opened { recording, parts, hidden, free: opened.free })
+    Ok(Opened { recording, parts, hidden, free: opened.free, programs: opened.programs })
 }
 
 /// Options as the notices allow.

@@ -1,0 +1,34 @@
+//! `truegap init`: the TOML of a CSV, as far as its header tells.
+//!
+//! Limits: never writes over a file.
+
+use super::{Outcome, Run};
+use crate::console::Console;
+use anyhow::anyhow;
+use std::fs::OpenOptions;
+use std::io::Write;
+use std::path::PathBuf;
+use truegap::core::recording::sketch;
+
+/// Write the TOML beside a CSV: which column is what, in which unit, as far as the header tells
+#[derive(Debug, clap::Args)]
+pub struct Init {
+    /// CSV of a recording
+    #[arg(value_name = "CSV")]
+    csv: PathBuf,
+}
+
+impl Run for Init {
+    fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
+        let sketch = sketch(&self.csv)?;
+        let file = self.csv.with_extension("toml");
+        let name = file.display();
+        let fresh = OpenOptions::new().write(true).create_new(true).open(&file);
+        let written = fresh.and_then(|mut fresh| fresh.write_all(sketch.toml.as_bytes()));
+        written
+            .map_err(|error| anyhow!("{name}: cannot be written: {error}; move what is there, or the CSV into another folder"))?;
+        console.print(format!("Written: {name}"))?;
+        sketch.open.iter().try_for_each(|open| console.print(format!("Left to you: {open}")))?;
+        Ok(Outcome::Fine)
+    }
+}

@@ -1,0 +1,35 @@
+"""Where a simulation and a recording differ: which physics was left out, how sure is that, and does it predict what the fit has not seen.
+
+    import truegap as tg
+
+    def simulate(inputs, parameters):
+        return parameters["k"] * inputs["force_n"]
+
+    d = tg.diagnose(frame, base=simulate, parameters={"k": tg.Parameter(2.0, sd=0.3, unit="mm/N")}, units={"response": "mm"})
+    d.verdict, d.findings
+"""
+
+from __future__ import annotations
+
+from ._truegap import TruegapError, __version__
+from .analytic import audit, coefficients, sensors, simulate
+from .asking import confirm, diagnose
+from .confirmation import Confirmation
+from .diagnosis import Diagnosis, Finding, Prediction
+from .parameter import Parameter
+
+__all__ = [
+    "Confirmation",
+    "Diagnosis",
+    "Finding",
+    "Parameter",
+    "Prediction",
+    "TruegapError",
+    "__version__",
+    "audit",
+    "coefficients",
+    "confirm",
+    "diagnose",
+    "sensors",
+    "simulate",
+]

@@ -1,0 +1,120 @@
+"""``diagnose`` and ``confirm``."""
+
+from __future__ import annotations
+
+import json
+import shlex
+from collections.abc import Mapping, Sequence
+from typing import Any, Union
+
+from . import _truegap
+from .confirmation import Confirmation
+from .diagnosis import Diagnosis
+from .frames import Path, Recording, is_path, list_of, source
+from .function import Simulator, given
+from .parameter import Parameter
+from .progress import ProgressLike, watching
+
+Base = Union[str, Mapping[str, Any], Simulator, None]
+
+
+def diagnose(
+    recordings: Recording | Sequence[Recording],
+    *,
+    base: Base = None,
+    parameters: Mapping[str, Parameter] | None = None,
+    sensor: str | None = None,
+    columns: Mapping[str, str] | None = None,
+    units: Mapping[str, str] | None = None,
+    drivers: Mapping[str, Mapping[str, str]] | None = None,
+    warp: bool = True,
+    effects: Sequence[str] = (),
+    conceal: Sequence[str] = (),
+    channel: str | None = None,
+    free: Sequence[str] = (),
+    bank: int | None = None,
+    progress: ProgressLike = None,
+) -> Diagnosis:
+    """Say what physics a simulation leaves out of a recording.
+
+    ``recordings``: a path (TOML, CSV, folder, or ``"example"``), a pandas or polars frame, a dict of arrays, or a list of these, diagnosed together.
+    ``base``: the simulation. A function ``f(inputs, parameters) -> array`` with its ``parameters``; a name as in a recording's TOML (``"linear"``,
+    ``"parallel-plate"``, ...); or a dict of what would stand under ``[base]``. With a path it may be left out: the TOML names it.
+    ``columns``, ``units``, ``drivers``: of a frame, as in a TOML: ``columns={"force": "Load cell"}, units={"force": "N"}``.
+    ``progress``: a function ``f(done, step, what)``, ``True`` for a bar, ``False`` for none; a bar on a terminal or in a notebook where nothing is said.
+
+    The remaining words are those of ``truegap diagnose``. Raises ``TruegapError``; an exception of the simulator comes back as it is, with a note of the
+    parameters that it was called with.
+    """
+    each = list_of(recordings)
+    function = given(base, parameters) if callable(base) else None
+    if function is None and parameters:
+        raise TypeError("parameters belong to a base that is a function; a program declares its own in the TOML, under [base.parameters]")
+    table = base if isinstance(base, Mapping) else None
+    name = "function" if function else base if isinstance(base, str) else None
+    framed = {"columns": columns, "units": units, "drivers": drivers, "base": table}
+    sources = [source(r, name=_name(i, each), **framed) for i, r in enumerate(each)]  # type: ignore[arg-type]
+    asked = {
+        "sensor": sensor,
+        "base": name,
+        "no_warp": not warp,
+        "effects": list(effects),
+        "conceal": list(conceal),
+        "channel": channel,
+        "free": list(free),
+        "bank": bank,
+        "command": _command(each, sensor, base, warp, effects, conceal, channel, free, bank),
+    }
+    with watching(progress) as watch:
+        native = _truegap.diagnose(sources, json.dumps(asked), None if table is None else json.dumps(table), function, watch)
+    return Diagnosis(native, columns, units, drivers)
+
+
+def confirm(
+    model: Path,
+    recording: Recording,
+    *,
+    base: Simulator | None = None,
+    parameters: Mapping[str, Parameter] | None = None,
+    columns: Mapping[str, str] | None = None,
+    units: Mapping[str, str] | None = None,
+    drivers: Mapping[str, Mapping[str, str]] | None = None,
+    free: Sequence[str] = (),
+    channel: str | None = None,
+) -> Confirmation:
+    """Judge the ``augmented.toml`` of a diagnosis on a recording that took no part in it.
+
+    Where the base model was a function, ``base`` and ``parameters`` give it again.
+    """
+    function = given(base, parameters) if base is not None else None
+    other = source(recording, name="frame", columns=columns, units=units, drivers=drivers, base=None)
+    document, table = _truegap.confirm(model, other, list(free), channel, function)
+    return Confirmation(json.loads(document), dict(table))
+
+
+def _name(index: int, recordings: Sequence[Recording]) -> str:
+    return "frame" if len(recordings) == 1 else f"frame {index + 1}"
+
+
+def _command(
+    recordings: Sequence[Recording],
+    sensor: str | None,
+    base: Base,
+    warp: bool,
+    effects: Sequence[str],
+    conceal: Sequence[str],
+    channel: str | None,
+    free: Sequence[str],
+    bank: int | None,
+) -> str:
+    """The command line that does the same, where there is one; for the record."""
+    if not all(is_path(r) for r in recordings) or callable(base) or isinstance(base, Mapping):
+        function = f", base={getattr(base, '__name__', 'simulator')}" if callable(base) else ""
+        return f"truegap.diagnose(...{function})"
+    words = ["truegap", "diagnose", *(str(r) for r in recordings)]
+    for flag, value in (("--sensor", sensor), ("--base", base), ("--channel", channel), ("--bank", bank)):
+        words += [flag, str(value)] if value is not None else []
+    for flag, values in (("--effects", effects), ("--conceal", conceal), ("--free", free)):
+        words += [flag, ",".join(values)] if values else []
+    words += [] if warp else ["--no-warp"]
+    return shlex.join(words).replace("'", '"')

@@ -1,0 +1,243 @@
+"""What was found in a recording, as objects."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _truegap
+from .confirmation import Confirmation
+from .frames import Path, Recording, source
+from .html import first_screen
+from .tables import frame_of
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Column = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Value:
+    """A fitted number: ``value`` with standard deviation ``sd``, in ``unit``."""
+
+    name: str
+    unit: str
+    value: float
+    sd: float
+    #: what was known before: centre and standard deviation
+    prior: tuple[float, float]
+    #: whether it stands on a bound
+    at_limit: bool
+
+    @classmethod
+    def of(cls, raw: Mapping[str, Any]) -> Value:
+        centre, sd = raw["prior"]
+        return cls(raw["name"], raw["unit"], raw["value"], raw["sd"], (centre, sd), raw["at_limit"])
+
+    def __str__(self) -> str:
+        return f"{self.name} = {self.value:.5g} {self.unit} (sd {self.sd:.2g})".replace("  ", " ")
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Physics that the simulation leaves out."""
+
+    effect: str
+    probability: float
+    #: how far it stands out of the noise
+    detectability: float
+    says: str
+    parameters: tuple[Value, ...]
+    #: effects that this recording cannot quite exclude in its place
+    rivals: tuple[str, ...]
+    #: error on rows left out, without and with it; ``None`` where there is none
+    rmse_before: float | None
+    rmse_after: float | None
+
+    @classmethod
+    def of(cls, raw: Mapping[str, Any]) -> Finding:
+        parameters = tuple(Value.of(p) for p in raw["parameters"])
+        held = raw["held_out"]
+        return cls(
+            raw["effect"],
+            raw["probability"],
+            raw["detectability"],
+            raw["says"],
+            parameters,
+            tuple(raw["rivals"]),
+            held["rmse_before"],
+            held["rmse_after"],
+        )
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """Response of each row, in ``unit``; stands for the augmented model's where an array is wanted."""
+
+    augmented: Column
+    #: of the base model, calibrated alone
+    base: Column
+    unit: str
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> npt.NDArray[Any]:
+        return np.array(self.augmented, dtype=dtype) if copy else np.asarray(self.augmented, dtype=dtype)
+
+    def __len__(self) -> int:
+        return len(self.augmented)
+
+
+class Diagnosis:
+    """A verdict with its reasons, the fuller model, and every row with all predictions."""
+
+    def __init__(
+        self,
+        native: _truegap.NativeDiagnosis,
+        columns: Mapping[str, str] | None,
+        units: Mapping[str, str] | None,
+        drivers: Mapping[str, Mapping[str, str]] | None,
+    ) -> None:
+        self._native = native
+        self._columns, self._units, self._drivers = columns, units, drivers
+
+    @cached_property
+    def document(self) -> dict[str, Any]:
+        """The whole answer, as ``diagnosis.json`` holds it."""
+        document: dict[str, Any] = json.loads(self._native.json())
+        return document
+
+    @property
+    def verdict(self) -> str:
+        """``agrees``, ``explained``, ``ambiguous``, ``wrong_form``, ``unexplained`` or ``undecided``."""
+        return str(self.document["verdict"])
+
+    @property
+    def says(self) -> str:
+        return str(self.document["says"])
+
+    @property
+    def findings(self) -> list[Finding]:
+        return [Finding.of(raw) for raw in self.document["findings"]]
+
+    @property
+    def ambiguity(self) -> list[list[str]]:
+        """Sets of effects of which the recording cannot tell the members apart."""
+        return [list(names) for names in self.document["ambiguity"]]
+
+    @property
+    def probability_agrees(self) -> float:
+        return float(self.document["probability_agrees"])
+
+    @property
+    def unit(self) -> str:
+        """Unit of the response."""
+        return str(self.document["fit"]["unit"])
+
+    @property
+    def noise(self) -> float:
+        """Noise of one row, in ``unit``."""
+        return float(self.document["fit"]["noise_floor"])
+
+    @property
+    def base_parameters(self) -> list[Value]:
+        """Numbers of the simulation, calibrated with the findings added."""
+        return [Value.of(raw) for raw in self.document["base"]["parameters_after"]]
+
+    @property
+    def next_experiment(self) -> str:
+        return str(self.document["next_experiment"]["says"])
+
+    @property
+    def notes(self) -> list[str]:
+        """What reading the recording changed, left out or assumed."""
+        return self._native.notes()
+
+    @property
+    def calls(self) -> tuple[int, float]:
+        """How often a function or a program was asked, and the seconds that this took; answers that were remembered are not counted."""
+        return self._native.calls()
+
+    @property
+    def table(self) -> dict[str, Column]:
+        """Every row with all predictions, as in ``prediction.csv``, not rounded."""
+        return dict(self._native.table())
+
+    def to_frame(self) -> Any:
+        """The same as a pandas frame, else a polars one; a dict of arrays where neither is installed."""
+        return frame_of(self.table)
+
+    def predict(
+        self,
+        recording: Recording,
+        *,
+        columns: Mapping[str, str] | None = None,
+        units: Mapping[str, str] | None = None,
+        drivers: Mapping[str, Mapping[str, str]] | None = None,
+    ) -> Prediction:
+        """What base and augmented model answer to other inputs; a frame needs no reading. Names and units are those of the diagnosis unless given."""
+        other = self._source(recording, columns, units, drivers, reading=False)
+        augmented, base = self._native.predict(other)
+        return Prediction(augmented, base, self.unit)
+
+    def confirm(
+        self,
+        recording: Recording,
+        *,
+        free: Sequence[str] = (),
+        channel: str | None = None,
+        columns: Mapping[str, str] | None = None,
+        units: Mapping[str, str] | None = None,
+        drivers: Mapping[str, Mapping[str, str]] | None = None,
+    ) -> Confirmation:
+        """Whether a recording that took no part bears out what was added; nothing is refitted but ``free``: gain, offset."""
+        document, table = self._native.confirm(self._source(recording, columns, units, drivers), list(free), channel)
+        return Confirmation(json.loads(document), dict(table))
+
+    def _source(
+        self,
+        recording: Recording,
+        columns: Mapping[str, str] | None,
+        units: Mapping[str, str] | None,
+        drivers: Mapping[str, Mapping[str, str]] | None,
+        reading: bool = True,
+    ) -> _truegap.Source:
+        if not isinstance(recording, str) and not hasattr(recording, "__fspath__"):
+            columns = self._columns if columns is None else columns
+            units = self._units if units is None else units
+            drivers = self._drivers if drivers is None else drivers
+        return source(recording, name="frame", columns=columns, units=units, drivers=drivers, base=None, reading=reading)
+
+    def plot(self) -> Figure:
+        """Recording and models above, what each leaves over below, with the noise; needs matplotlib."""
+        from .plot import figure
+
+        return figure(self)
+
+    def save(self, folder: Path) -> None:
+        """Write ``report.html``, ``diagnosis.json``, ``augmented.toml`` and ``prediction.csv``, all or none, as the command line does."""
+        self._native.save(folder)
+
+    @property
+    def model_toml(self) -> str:
+        """The fuller model, as ``augmented.toml`` holds it."""
+        return self._native.model_toml()
+
+    def report_html(self) -> str:
+        """The page, as ``report.html`` holds it."""
+        return self._native.html()
+
+    def __str__(self) -> str:
+        return self._native.summary()
+
+    def __repr__(self) -> str:
+        found = " + ".join(f"{f.effect} ({f.probability:.2f})" for f in self.findings)
+        return f"<truegap.Diagnosis: {self.verdict}{': ' + found if found else ''}>"
+
+    def _repr_html_(self) -> str:
+        return first_screen(self)

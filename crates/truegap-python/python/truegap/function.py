@@ -1,0 +1,31 @@
+"""A user's simulator ``f(inputs, parameters) -> array`` as the native half calls it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .parameter import Named, Parameter
+
+Column = npt.NDArray[np.float64]
+#: ``inputs`` holds one array a recorded column, in SI: ``run``, ``time_s``, ``force_n``, ``pressure_pa``, ``gap_m``, ``temperature_c``, ``humidity_pct``,
+#: ``simulated``, and every driver under its own name.
+Simulator = Callable[[dict[str, Column], dict[str, float]], Any]
+Given = tuple[str, Callable[[dict[str, Column], dict[str, float]], Column], list[Named]]
+
+
+def given(simulator: Simulator, parameters: Mapping[str, Parameter] | None) -> Given:
+    """The simulator with its name and parameters; what it answers is checked where it can be blamed."""
+    name = getattr(simulator, "__name__", type(simulator).__name__)
+
+    def answer(inputs: dict[str, Column], values: dict[str, float]) -> Column:
+        response = np.asarray(simulator(inputs, values), dtype=np.float64)
+        rows = inputs["run"].shape
+        if response.shape != rows:
+            raise ValueError(f"`{name}` answered with an array of shape {response.shape} for {rows[0]} rows; return one number a row")
+        return response
+
+    return name, answer, [Named.of(key, value) for key, value in (parameters or {}).items()]

@@ -1,0 +1,198 @@
+//! Diagnosis and confirmation, as Python asks for them and as it holds what was found.
+//!
+//! Limits: the words of the command line; results leave as JSON, text and arrays.
+
+use crate::desk::{Declared, PythonFunction, serve};
+use crate::source::{Source, failed, rebased};
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::prelude::*;
+use serde::Deserialize;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+use truegap::Recording;
+use truegap::base::Programs;
+use truegap::confirm::{Confirmed, Free, confirm_with};
+use truegap::diagnosis::{Diagnosed, FILES, Request, open_with};
+use truegap::model_file::{ModelFile, ModelFileError};
+use truegap::output::OutputFolder;
+use truegap::report;
+
+/// Columns by their names.
+type Column<'py> = Bound<'py, PyArray1<f64>>;
+type Columns<'py> = Vec<(String, Column<'py>)>;
+
+/// What the Python half asks for beside recordings, as JSON.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Asked {
+    sensor: Option<String>,
+    base: Option<String>,
+    no_warp: bool,
+    effects: Vec<String>,
+    conceal: Vec<String>,
+    channel: Option<String>,
+    free: Vec<String>,
+    bank: Option<usize>,
+    command: String,
+}
+
+impl From<Asked> for Request {
+    fn from(asked: Asked) -> Self {
+        let Asked { sensor, base, no_warp, effects, conceal, channel, free, bank, command } = asked;
+        Self { sensor, base, no_warp, effects, conceal, channel, free, bank, command, ..Self::default() }
+    }
+}
+
+/// A Python function as it is given: name, function, parameters.
+type Given = (String, Py<PyAny>, Vec<Declared>);
+
+fn function(given: Option<Given>) -> PyResult<Option<PythonFunction>> {
+    given.map(|(name, call, parameters)| PythonFunction::new(name, call, &parameters)).transpose()
+}
+
+fn programs(function: Option<&PythonFunction>) -> Programs {
+    function.map(|f| f.programs.clone()).unwrap_or_default()
+}
+
+/// What was found.
+#[pyclass(frozen, module = "truegap._truegap")]
+pub(crate) struct NativeDiagnosis {
+    diagnosed: Diagnosed,
+    function: Option<PythonFunction>,
+}
+
+/// Diagnoses recordings; `asked` are the words of the command line as JSON, `base` a table of a base model as JSON.
+#[pyfunction]
+#[pyo3(signature = (sources, asked, base, given, progress))]
+pub(crate) fn diagnose(
+    py: Python<'_>,
+    sources: Vec<Source<'_>>,
+    asked: &str,
+    base: Option<&str>,
+    given: Option<Given>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<NativeDiagnosis> {
+    let request: Request = serde_json::from_str::<Asked>(asked).map_err(failed)?.into();
+    let function = function(given)?;
+    let read = sources.iter().map(Source::read).collect::<PyResult<Vec<_>>>()?;
+    let files = read.iter().map(|(recording, name)| (name.clone(), recording.sha256.clone())).collect();
+    let recordings = read.into_iter().map(|(r, _)| rebased(r, base)).collect::<PyResult<Vec<_>>>()?;
+    let opened = open_with(recordings, &request, programs(function.as_ref())).map_err(failed)?;
+    let stop = AtomicBool::new(false);
+    let work =
+        |tell: &(dyn Fn(truegap::diagnose::Progress) + Sync)| truegap::diagnosis::diagnose(opened, files, &request, tell, &stop);
+    let diagnosed = serve(py, function.as_ref(), progress.as_ref(), &stop, work)?;
+    Ok(NativeDiagnosis { diagnosed: diagnosed.map_err(failed)?, function })
+}
+
+#[pymethods]
+impl NativeDiagnosis {
+    /// `diagnosis.json`.
+    fn json(&self) -> PyResult<String> {
+        serde_json::to_string_pretty(&self.diagnosed.outcome.diagnosis).map_err(failed)
+    }
+
+    /// What the command line prints.
+    fn summary(&self) -> String {
+        report::terminal::summary(&self.diagnosed.outcome.diagnosis)
+    }
+
+    /// `report.html`.
+    fn html(&self) -> String {
+        report::html(&self.diagnosed.subject())
+    }
+
+    /// `augmented.toml`.
+    fn model_toml(&self) -> PyResult<String> {
+        ModelFile::of(&self.diagnosed).and_then(|model| model.to_toml()).map_err(failed)
+    }
+
+    /// Rows and predictions, as in `prediction.csv`.
+    fn table<'py>(&self, py: Python<'py>) -> Columns<'py> {
+        arrays(py, self.diagnosed.prediction_table())
+    }
+
+    /// What reading the recordings changed, left out or assumed.
+    fn notes(&self) -> Vec<String> {
+        self.diagnosed.recording.notes.iter().map(ToString::to_string).collect()
+    }
+
+    /// How often a function or a program was asked, and the seconds that it took.
+    fn calls(&self) -> (u64, f64) {
+        let calls = self.diagnosed.programs.calls();
+        (calls.count, calls.seconds)
+    }
+
+    /// Writes the folder that the command line writes; where it was written.
+    fn save(&self, folder: PathBuf) -> PyResult<PathBuf> {
+        OutputFolder::check(&folder, &FILES).map_err(failed)?;
+        self.diagnosed.write(&folder).map_err(failed)
+    }
+
+    /// Response of the augmented model, and of the base model calibrated alone, for each row of `source`.
+    fn predict<'py>(&self, py: Python<'py>, source: Source<'_>) -> PyResult<(Column<'py>, Column<'py>)> {
+        let (recording, _) = source.read()?;
+        let predicted = self.serve(py, |programs| {
+            let model = ModelFile::of(&self.diagnosed)?.build_with(programs)?;
+            Ok::<_, ModelFileError>((model.respond(&recording.inputs)?, model.respond_alone(&recording.inputs)?))
+        })?;
+        let (augmented, base) = predicted.map_err(failed)?;
+        Ok((augmented.into_pyarray(py), base.into_pyarray(py)))
+    }
+
+    /// Judges what was added on a recording that took no part: `confirmation.json` and the columns of `confirmation.csv`.
+    #[pyo3(signature = (source, free, channel))]
+    fn confirm<'py>(
+        &self,
+        py: Python<'py>,
+        source: Source<'_>,
+        free: Vec<String>,
+        channel: Option<String>,
+    ) -> PyResult<(String, Columns<'py>)> {
+        let free = Free::of(&free).map_err(failed)?;
+        let (recording, _) = source.read()?;
+        let model = ModelFile::of(&self.diagnosed).map_err(failed)?;
+        let name = Path::new("augmented.toml");
+        let confirmed = self.serve(py, |programs| confirm_with(&model, name, recording, channel.as_deref(), free, programs))?;
+        confirmation(py, confirmed.map_err(failed)?)
+    }
+}
+
+impl NativeDiagnosis {
+    fn serve<T: Send>(&self, py: Python<'_>, work: impl FnOnce(&Programs) -> T + Send) -> PyResult<T> {
+        let programs = &self.diagnosed.programs;
+        serve(py, self.function.as_ref(), None, &AtomicBool::new(false), |_| work(programs))
+    }
+}
+
+/// Judges a model file on a recording that took no part in it.
+#[pyfunction]
+#[pyo3(signature = (file, source, free, channel, given))]
+pub(crate) fn confirm<'py>(
+    py: Python<'py>,
+    file: PathBuf,
+    source: Source<'_>,
+    free: Vec<String>,
+    channel: Option<String>,
+    given: Option<Given>,
+) -> PyResult<(String, Columns<'py>)> {
+    let free = Free::of(&free).map_err(failed)?;
+    let function = function(given)?;
+    let model = ModelFile::open(&file).map_err(failed)?;
+    let recording: Recording = source.read()?.0;
+    let programs = programs(function.as_ref());
+    let work = |_: &(dyn Fn(truegap::diagnose::Progress) + Sync)| {
+        confirm_with(&model, &file, recording, channel.as_deref(), free, &programs)
+    };
+    let confirmed = serve(py, function.as_ref(), None, &AtomicBool::new(false), work)?;
+    confirmation(py, confirmed.map_err(failed)?)
+}
+
+fn confirmation(py: Python<'_>, confirmed: Confirmed) -> PyResult<(String, Columns<'_>)> {
+    let json = serde_json::to_string(&confirmed.document).map_err(failed)?;
+    Ok((json, arrays(py, confirmed.table())))
+}
+
+fn arrays(py: Python<'_>, columns: Vec<(String, Vec<f64>)>) -> Columns<'_> {
+    columns.into_iter().map(|(name, column)| (name, column.into_pyarray(py))).collect()
+}

@@ -1,0 +1,138 @@
+"""Paths and frames of every kind are the same recording; the same files as the command line."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import polars as pl
+import pytest
+import truegap as tg
+from conftest import ROOT, pressed, spring
+
+EXAMPLE = ROOT / "validation/recordings/example/recording.toml"
+
+
+def written(folder: Path) -> Path:
+    pd.DataFrame(pressed()).to_csv(folder / "r.csv", index=False)
+    toml = 'schema = "truegap.recording/1"\nfile = "r.csv"\n[base]\nmodel = "linear"\n'
+    (folder / "r.toml").write_text(toml)
+    return folder / "r.toml"
+
+
+def test_every_kind_of_frame_is_the_same_recording(tmp_path):
+    from_file = tg.diagnose(written(tmp_path))
+    made = pressed()
+    for frame in (made, pd.DataFrame(made), pl.DataFrame(made)):
+        d = tg.diagnose(frame, base="linear")
+        assert d.table.keys() == from_file.table.keys()
+        for name, column in d.table.items():
+            assert column == pytest.approx(from_file.table[name], rel=1e-9, abs=1e-9), name
+        assert (d.verdict, [p.value for p in d.base_parameters]) == (
+            from_file.verdict,
+            pytest.approx([p.value for p in from_file.base_parameters], rel=1e-9),
+        )
+
+
+def test_a_frame_keeps_the_callers_columns(tmp_path):
+    made = pd.DataFrame(pressed())
+    before = made.copy()
+    made["label"] = "press"
+    tg.diagnose(made, base="linear")
+    pd.testing.assert_frame_equal(made.drop(columns="label"), before)
+
+
+def test_rows_with_holes_are_left_out_and_counted():
+    made = pressed()
+    made["force_n"][7] = np.nan
+    d = tg.diagnose(made, base="linear")
+    assert any("1 rows without a value in `force_n`" in note for note in d.notes)
+    assert len(d.table["run"]) == 299
+
+
+def test_several_recordings_are_diagnosed_together(tmp_path):
+    d = tg.diagnose([written(tmp_path), pd.DataFrame(pressed(2))], base="linear")
+    assert sorted(set(d.table["recording"])) == [1.0, 2.0]
+    assert d.plot().axes[0].get_xlabel() == "" and d.plot().axes[1].get_xlabel() == "row"
+
+
+def test_what_cannot_be_read_is_told():
+    with pytest.raises(tg.TruegapError, match=r"no-such\.toml"):
+        tg.diagnose("no-such.toml")
+    with pytest.raises(TypeError, match="is no recording"):
+        tg.diagnose(3.0)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="stand in its TOML"):
+        tg.diagnose("a.csv", units={"force": "N"})
+    with pytest.raises(tg.TruegapError, match="is not in the header|no column"):
+        tg.diagnose(pressed(), base="linear", columns={"force": "load"})
+    dates = {**pressed(), "time_s": pd.date_range("2026-01-01", periods=300, freq="s")}
+    with pytest.raises(TypeError, match="column of dates"):
+        tg.diagnose(dates, base="linear")
+    with pytest.raises(tg.TruegapError, match="neither a sensor nor a base model"):
+        tg.diagnose(pressed())
+
+
+def masked(text: str) -> str:
+    """Without what differs between two runs of the same program: the seconds that it took and the minute when."""
+    text = re.sub(r'"seconds": [0-9.e+-]+', '"seconds": 0', text)
+    text = re.sub(r"\d{4}-\d\d-\d\d \d\d:\d\d UTC", "DATE", text)
+    return re.sub(r"(took</td><td>)[0-9.]+ s", r"\1SECONDS", text)
+
+
+def test_the_same_files_as_the_command_line_byte_for_byte(tmp_path):
+    command = os.environ.get("TRUEGAP_COMMAND") or shutil.which("truegap")
+    if command is None:
+        pytest.fail("the command `truegap` is not there to be compared with; set TRUEGAP_COMMAND to its path")
+    for name, recording in (("built-in", "example"), ("own", str(written(tmp_path)))):
+        by_command, by_python = tmp_path / f"{name}-command", tmp_path / f"{name}-python"
+        done = subprocess.run([command, "--quiet", "diagnose", recording, "-o", by_command], capture_output=True, text=True, check=False)
+        assert done.returncode in (0, 1), done.stderr
+        tg.diagnose(recording).save(by_python)
+        files = sorted(file.name for file in by_command.iterdir())
+        assert files == sorted(file.name for file in by_python.iterdir()) and len(files) == 4
+        # the line that says which command made it differs by the words --quiet and -o FOLDER
+        spoken = f'truegap --quiet diagnose {recording} -o {by_command}'
+        for file in files:
+            ours = masked((by_python / file).read_text())
+            theirs = masked((by_command / file).read_text()).replace(spoken, f"truegap diagnose {recording}")
+            assert ours == theirs, f"{name}: {file}"
+
+
+def test_the_model_that_was_saved_is_confirmed_as_the_diagnosis_is(tmp_path):
+    import tactile_sensor
+
+    d = tactile_sensor.main()
+    assert json.loads(json.dumps(d.document))["verdict"] == d.verdict
+    d.save(tmp_path / "out")
+    if not d.findings:
+        pytest.fail(f"the built-in recording has a concealed cause, and none was named: {d.says}")
+    with pytest.raises(tg.TruegapError, match="was fitted to this recording"):
+        tg.confirm(tmp_path / "out/augmented.toml", "example")
+    with pytest.raises(tg.TruegapError, match="was fitted to this recording"):
+        d.confirm("example")
+    # a prediction takes loads and temperatures with the noise that they were recorded with, the fit without: what differs is noise
+    again = d.predict("example")
+    name = next(key for key in d.table if key.startswith("augmented_") and "held" not in key)
+    off = again.augmented - d.table[name]
+    assert abs(np.mean(off)) < 0.1 * d.noise and np.std(off) < d.noise
+    assert np.sqrt(np.mean((again.augmented - d.table["recorded_pf"]) ** 2)) < 1.2 * d.noise
+
+
+def test_a_program_is_a_base_model_from_python_too():
+    client = [sys.executable, str(ROOT / "docs/clients/spring.py")]
+    known = {"k": {"value": 1.8, "sd": 0.5, "unit": "N/mm", "low": 0.1}, "rest": {"value": 0.0, "sd": 3.0, "unit": "mm"}}
+    parameters = {name: tg.Parameter(**p) for name, p in known.items()}
+    by_program = tg.diagnose(pressed(), base={"model": "command", "run": client, "parameters": known})
+    by_function = tg.diagnose(pressed(), base=spring, parameters=parameters)
+    found = [p.value for p in by_program.base_parameters]
+    assert found == pytest.approx([p.value for p in by_function.base_parameters], rel=1e-9)
+    assert by_program.calls[0] > 10
+    with pytest.raises(tg.TruegapError, match="no-such-program.*cannot be started"):
+        tg.diagnose(pressed(), base={"model": "command", "run": ["no-such-program"]})

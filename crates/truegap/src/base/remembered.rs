@@ -1,0 +1,165 @@
+//! A responder that is asked nothing twice, and nothing at all once it has failed.
+//!
+//! Limits: one question at a time; answers are kept in memory, at most 256 MB of them; then all are forgotten.
+
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::time::Instant;
+use truegap_core::{Inputs, SimulationError};
+use truegap_model::Responder;
+
+/// Numbers that are kept: 256 MB.
+const MOST_NUMBERS: usize = 32 << 20;
+
+/// A responder with a memory.
+pub struct Remembered {
+    inner: Mutex<Box<dyn Responder>>,
+    known: Mutex<Known>,
+    failure: OnceLock<SimulationError>,
+    calls: AtomicU64,
+    microseconds: AtomicU64,
+}
+
+/// Answers by the hash of what was asked, 128 bits.
+#[derive(Default)]
+struct Known {
+    answers: HashMap<[u64; 2], Arc<Vec<f64>>>,
+    numbers: usize,
+}
+
+impl Known {
+    fn keep(&mut self, key: [u64; 2], answer: &[f64]) {
+        if self.numbers + answer.len() > MOST_NUMBERS {
+            *self = Self::default();
+        }
+        self.numbers += answer.len();
+        self.answers.insert(key, Arc::new(answer.to_vec()));
+    }
+}
+
+/// How often somebody was asked, and how long the answers took.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Calls {
+    /// questions that were put, those that were remembered left out
+    pub count: u64,
+    /// time that they took together, s
+    pub seconds: f64,
+}
+
+impl Remembered {
+    /// A memory in front of `inner`.
+    pub fn new(inner: Box<dyn Responder>) -> Self {
+        let (calls, microseconds) = (AtomicU64::new(0), AtomicU64::new(0));
+        Self { inner: Mutex::new(inner), known: Mutex::default(), failure: OnceLock::new(), calls, microseconds }
+    }
+
+    /// What went wrong first.
+    pub fn failure(&self) -> Option<&SimulationError> {
+        self.failure.get()
+    }
+
+    /// How often `inner` was asked.
+    pub fn calls(&self) -> Calls {
+        let seconds = self.microseconds.load(Ordering::Relaxed) as f64 * 1e-6;
+        Calls { count: self.calls.load(Ordering::Relaxed), seconds }
+    }
+
+    fn ask(&self, values: &[f64], inputs: &Inputs) -> Result<Vec<f64>, SimulationError> {
+        let inner = self.inner.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(failure) = self.failure.get() {
+            return Err(failure.clone());
+        }
+        let start = Instant::now();
+        let answer = inner.respond(values, inputs).and_then(|answer| of_length(answer, inputs.len()));
+        self.calls.fetch_add(1, Ordering::Relaxed);
+        self.microseconds.fetch_add(start.elapsed().as_micros() as u64, Ordering::Relaxed);
+        if let Err(error @ SimulationError::Program { .. }) = &answer {
+            let _ = self.failure.set(error.clone()); // the first failure is the one to be told
+        }
+        answer
+    }
+}
+
+impl Responder for Remembered {
+    fn respond(&self, values: &[f64], inputs: &Inputs) -> Result<Vec<f64>, SimulationError> {
+        let key = key(values, inputs);
+        // a thread that panicked has left whole answers
+        let known = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = known().answers.get(&key).cloned();
+        if let Some(answer) = found {
+            return Ok(answer.to_vec());
+        }
+        let answer = self.ask(values, inputs)?;
+        // two threads that asked the same were answered one after the other, and alike
+        known().keep(key, &answer);
+        Ok(answer)
+    }
+}
+
+fn of_length(answer: Vec<f64>, rows: usize) -> Result<Vec<f64>, SimulationError> {
+    let found = answer.len();
+    match found == rows {
+        true => Ok(answer),
+        false => Err(SimulationError::Program {
+            says: format!("the simulator answered with {found} numbers for {rows} rows; give one for each row"),
+        }),
+    }
+}
+
+/// Every bit of what is asked, hashed twice with different beginnings.
+fn key(values: &[f64], inputs: &Inputs) -> [u64; 2] {
+    [1u8, 2].map(|beginning| {
+        let mut hasher = DefaultHasher::new();
+        beginning.hash(&mut hasher);
+        values.iter().for_each(|value| value.to_bits().hash(&mut hasher));
+        for (name, column) in super::columns::columns(inputs) {
+            name.hash(&mut hasher);
+            column.iter().for_each(|value| value.to_bits().hash(&mut hasher));
+        }
+        hasher.finish()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Answers with the first value, as often as it is asked; fails at negative ones.
+    struct Echo;
+
+    impl Responder for Echo {
+        fn respond(&self, values: &[f64], inputs: &Inputs) -> Result<Vec<f64>, SimulationError> {
+            match values[0] < 0.0 {
+                true => Err(SimulationError::Program { says: "negative".into() }),
+                false => Ok(vec![values[0]; inputs.len() + (values[0] == 7.0) as usize]),
+            }
+        }
+    }
+
+    fn inputs(force: f64) -> Inputs {
+        Inputs { run: vec![1, 1], force_n: Some(vec![force, 1.0]), ..Inputs::default() }
+    }
+
+    #[test]
+    fn nothing_is_asked_twice_and_everything_that_differs_is() {
+        let echo = Remembered::new(Box::new(Echo));
+        for _ in 0..3 {
+            assert_eq!(echo.respond(&[2.0], &inputs(0.0)).unwrap(), [2.0; 2]);
+        }
+        assert_eq!(echo.calls().count, 1);
+        echo.respond(&[2.0], &inputs(0.5)).unwrap();
+        echo.respond(&[2.5], &inputs(0.5)).unwrap();
+        assert_eq!(echo.calls().count, 3);
+    }
+
+    #[test]
+    fn what_failed_once_is_not_asked_again() {
+        let echo = Remembered::new(Box::new(Echo));
+        assert!(echo.respond(&[-1.0], &inputs(0.0)).is_err() && echo.respond(&[1.0], &inputs(0.0)).is_err());
+        assert_eq!((echo.calls().count, echo.failure().map(ToString::to_string)), (1, Some("negative".into())));
+        let short = Remembered::new(Box::new(Echo));
+        assert!(short.respond(&[7.0], &inputs(0.0)).unwrap_err().to_string().contains("3 numbers for 2 rows"));
+    }
+}

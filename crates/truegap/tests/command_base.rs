@@ -62,7 +62,7 @@ fn answers_as_the_formula(folder: &Path, run: &str) {
     assert!((k - 2.0).abs() < 1e-3 && (rest - 1.0).abs() < 1e-3, "k = {k}, rest = {rest}");
     assert_eq!(diagnosis.base.model, "command");
     assert!(diagnosis.findings.is_empty(), "{}", diagnosis.says);
-    let file = ModelFile::of(&diagnosed).unwrap();
+    let file = diagnosed.model_file().unwrap();
     let model = ModelFile::parse(&file.to_toml().unwrap(), Path::new("augmented.toml")).unwrap().build().unwrap();
     let force = diagnosed.recording.inputs.force_n.as_ref().unwrap();
     let response = model.respond(&diagnosed.recording.inputs).unwrap();

@@ -106,7 +106,7 @@ fn the_same_physics_on_another_history_is_confirmed() {
 #[test]
 fn a_clock_is_left_to_the_recording_that_it_was_found_in() {
     let number = |name: &str, value: f64| NamedValue { name: name.into(), unit: "s".into(), value, sd: 1e-3 };
-    let clock = AddedEffect { id: "time_offset".into(), parameters: vec![number("late", 25.0)] };
+    let clock = AddedEffect { id: "time_offset".into(), parameters: vec![number("late", 25.0)], mechanism: None };
     let with = |effects: Vec<AddedEffect>| ModelFile { effects, ..found().clone() };
     let folder = tempfile::tempdir().unwrap();
     let file = written(folder.path(), &with(vec![clock.clone(), found().effects[0].clone()]));
@@ -167,7 +167,7 @@ fn what_cannot_be_judged_is_refused_with_its_reason() {
     cold.inputs.temperature_c = None;
     assert!(matches!(refused(found(), cold), ConfirmError::NotShown { .. }));
     let number = |name: &str| NamedValue { name: name.into(), unit: String::new(), value: 0.1, sd: 0.01 };
-    let steps = AddedEffect { id: "offset_steps".into(), parameters: vec![number("size"), number("jump_2")] };
+    let steps = AddedEffect { id: "offset_steps".into(), parameters: vec![number("size"), number("jump_2")], mechanism: None };
     let mut jumps = ModelFile { effects: vec![steps], ..found().clone() };
     jumps.scales.runs = Some(2);
     let error = refused(&jumps, same);

@@ -52,6 +52,7 @@ fn file() -> ModelFile {
         AddedEffect {
             id: (*id).into(),
             parameters: parameters.iter().zip(values).map(|(p, v)| named(&p.name, &p.unit, v)).collect(),
+            mechanism: None,
         }
     };
     ModelFile {

@@ -134,7 +134,7 @@ fn a_line_follows_a_named_driver() {
         let base = format!("model = \"linear\"\n{driver}{drivers}");
         let (_folder, recording) = recorded(&base, "time_s,position_mm,response_mv", 800, row);
         let diagnosed = diagnosed(recording);
-        let file = truegap::model_file::ModelFile::of(&diagnosed).unwrap();
+        let file = diagnosed.model_file().unwrap();
         assert_eq!(truegap::model_file::ModelFile::parse(&file.to_toml().unwrap(), "m.toml".as_ref()).unwrap(), file);
         let diagnosis = diagnosed.outcome.diagnosis;
         assert_eq!((diagnosis.verdict, diagnosis.findings.len()), (Verdict::Agrees, 0), "{}", diagnosis.says);

@@ -169,6 +169,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             p_value: 1e-30,
         }],
         remains: Vec::new(),
+        discovered: Vec::new(),
         findings: vec![Finding {
             effect: "thermal_lag".into(),
             probability: 0.98,

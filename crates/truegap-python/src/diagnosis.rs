@@ -104,7 +104,7 @@ impl NativeDiagnosis {
 
     /// `augmented.toml`.
     fn model_toml(&self) -> PyResult<String> {
-        ModelFile::of(&self.diagnosed).and_then(|model| model.to_toml()).map_err(failed)
+        self.diagnosed.model_file().and_then(|model| model.to_toml()).map_err(failed)
     }
 
     /// Rows and predictions, as in `prediction.csv`.
@@ -133,7 +133,7 @@ impl NativeDiagnosis {
     fn predict<'py>(&self, py: Python<'py>, source: Source<'_>) -> PyResult<(Column<'py>, Column<'py>)> {
         let (recording, _) = source.read()?;
         let predicted = self.serve(py, |programs| {
-            let model = ModelFile::of(&self.diagnosed)?.build_with(programs)?;
+            let model = self.diagnosed.model_file()?.build_with(programs)?;
             Ok::<_, ModelFileError>((model.respond(&recording.inputs)?, model.respond_alone(&recording.inputs)?))
         })?;
         let (augmented, base) = predicted.map_err(failed)?;
@@ -151,7 +151,7 @@ impl NativeDiagnosis {
     ) -> PyResult<(String, Columns<'py>)> {
         let free = Free::of(&free).map_err(failed)?;
         let (recording, _) = source.read()?;
-        let model = ModelFile::of(&self.diagnosed).map_err(failed)?;
+        let model = self.diagnosed.model_file().map_err(failed)?;
         let name = Path::new("augmented.toml");
         let confirmed = self.serve(py, |programs| confirm_with(&model, name, recording, channel.as_deref(), free, programs))?;
         confirmation(py, confirmed.map_err(failed)?)

@@ -210,10 +210,11 @@ fn clipped_rows_are_left_out_and_the_rest_agrees() {
     let mut recording = clean(4.0);
     let greatest = recording.response.iter().copied().fold(f64::MIN, f64::max);
     let least = recording.response.iter().copied().fold(f64::MAX, f64::min);
-    recording.response.iter_mut().for_each(|r| *r = r.min(least + 0.93 * (greatest - least)));
+    recording.response.iter_mut().for_each(|r| *r = r.min(least + 0.8 * (greatest - least)));
     let (code, diagnosis) = diagnosed(&recording, &[]);
     says(&diagnosis, "clipped", &["never goes above", "pF", "left out", "Widen the range"]);
-    assert_eq!(code, 0, "{}", diagnosis["says"]);
+    // a notice is something to look at
+    assert_eq!((code, diagnosis["verdict"].as_str()), (1, Some("agrees")), "{}", diagnosis["says"]);
 }
 
 #[test]

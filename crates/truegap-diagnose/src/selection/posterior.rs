@@ -110,13 +110,14 @@ impl Selection {
     /// The same with one more model, `log_odds` against everything else together, that holds `more` effects from behind the library.
     #[must_use]
     pub fn with_model(mut self, tried: Tried, log_odds: f64, more: usize) -> Self {
-        let certain = 0.5 * LARGEST_GAIN;
-        let odds = (log_odds.clamp(-certain, certain) + self.whole().ln().min(certain)).exp();
-        let whole = 1.0 + odds;
-        self.probability.iter_mut().for_each(|p| *p /= whole);
-        self.unmodelled.iter_mut().for_each(|(_, o)| *o /= whole);
+        let (share, others) = (1.0 / (1.0 + (-log_odds).exp()), 1.0 / (1.0 + log_odds.exp()));
+        let whole = self.whole();
+        // what all models together have, the new one among them; unmodelled causes are odds against that
+        let inside = share + others / whole;
+        self.probability.iter_mut().for_each(|p| *p *= others / whole / inside);
+        self.unmodelled.iter_mut().for_each(|(_, o)| *o *= others / whole / inside);
         self.models.push(tried);
-        self.probability.push(odds / whole);
+        self.probability.push(share / inside);
         self.effect_probability.extend(std::iter::repeat_n(0.0, more));
         self.sorted()
     }
@@ -231,4 +232,48 @@ fn weigh(mut models: Vec<Tried>, library: &[&dyn Effect], lack_of_fit: &LackOfFi
     let probability: Vec<f64> = weights.iter().map(|w| (w - total).exp()).collect();
     let (effect_probability, check) = (vec![0.0; library.len()], EvidenceCheck::default());
     Selection { models, probability, effect_probability, temper, base: 0, check, unmodelled: Vec::new() }.sorted()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        fit::{model::Kinds, optimum::finish},
+        selection::unmodelled::Cause,
+    };
+    use nalgebra::DMatrix;
+
+    fn tried(effects: &[usize]) -> Tried {
+        let count = 1 + effects.len();
+        let free = vec![(f64::NEG_INFINITY, f64::INFINITY); count];
+        let fit = finish(vec![0.0; count], vec![0.0; 3], DMatrix::zeros(3, count), &free, Kinds::default(), (1, true));
+        Tried { effects: effects.to_vec(), fit }
+    }
+
+    fn selection(odds: f64) -> Selection {
+        let wanders =
+            Unmodelled { cause: Cause::WanderingZero, effects: EffectSet::from(&[][..]), weight: 0.0, gain: 0.0, row: None };
+        Selection {
+            models: vec![tried(&[]), tried(&[0])],
+            probability: vec![0.2, 0.8],
+            effect_probability: vec![0.8],
+            temper: 1.0,
+            base: 0,
+            check: EvidenceCheck::default(),
+            unmodelled: vec![(wanders, odds)],
+        }
+    }
+
+    /// Odds of 3 against everything are a probability of 3/4, whatever an unmodelled cause has, and the rest keeps its shares; odds beyond any number are certainty.
+    #[test]
+    fn one_more_model_has_the_probability_of_its_odds() {
+        for odds in [0.0, 1.0, 1e200] {
+            let with = selection(odds).with_model(tried(&[1]), 3f64.ln(), 1);
+            approx::assert_relative_eq!(with.effect_probability[1], 0.75, max_relative = 1e-12);
+            approx::assert_relative_eq!(with.effect_probability[0], 0.25 * 0.8 / (1.0 + odds), max_relative = 1e-9);
+            approx::assert_relative_eq!(with.probability_unmodelled(), 0.25 * odds / (1.0 + odds), max_relative = 1e-9);
+            let certain = selection(odds).with_model(tried(&[1]), 5e4, 1);
+            approx::assert_relative_eq!(certain.effect_probability[1], 1.0);
+        }
+    }
 }

@@ -65,7 +65,8 @@ fn a_diagnosis_is_judged_in_the_same_run() {
 fn where_nothing_is_named_there_is_nothing_to_confirm() {
     let bench = Bench::new();
     in_two_folders(&bench);
-    let said = bench.run(&["-q", "diagnose", "a", "--confirm", "b", "--effects", "contact_toe_in", "-o", "out"]);
+    let said =
+        bench.run(&["-q", "diagnose", "a", "--confirm", "b", "--effects", "contact_toe_in", "--library-only", "-o", "out"]);
     let diagnosis: Value = serde_json::from_str(&std::fs::read_to_string(bench.path("out/diagnosis.json")).unwrap()).unwrap();
     assert_eq!(diagnosis["findings"].as_array().unwrap().len(), 0, "{}", said.out);
     let refused = diagnosis["confirmation"]["refused"].as_str().unwrap();

@@ -6,11 +6,12 @@ use crate::{error::TablesError, markdown::Markdown};
 use std::path::{Path, PathBuf};
 
 /// Stages of `truegap-diagnose`, the last one first: a stage may use those below it.
-const STAGES: [&str; 14] = [
+const STAGES: [&str; 15] = [
     "pipeline",
     "answer",
     "explain",
     "validation",
+    "discovery",
     "selection",
     "adequacy",
     "quality",

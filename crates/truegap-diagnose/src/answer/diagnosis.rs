@@ -9,8 +9,8 @@ use crate::{
     },
     answer::{
         confirmation::Confirmed,
-        discovered::DiscoveredFacts,
-        fit_facts::{FitFacts, PredictionOnly},
+        discovered_facts::DiscoveredFacts,
+        fit_facts::{BeforeAfterUnit, FitFacts, PredictionOnly},
         parameter_facts::ParameterFacts,
     },
     explain::{
@@ -227,17 +227,6 @@ pub struct Finding {
     pub held_out: BeforeAfterUnit,
     /// effects that this recording cannot quite exclude in its place
     pub rivals: Vec<String>,
-}
-
-/// Root-mean-square errors with their unit.
-#[derive(Clone, Debug, Serialize)]
-pub struct BeforeAfterUnit {
-    /// without the effect, over the rows that both models predict; absent (null) where there is none
-    pub rmse_before: Option<f64>,
-    /// with the effect, over the same rows
-    pub rmse_after: Option<f64>,
-    /// unit
-    pub unit: String,
 }
 
 /// One effect tried alone.

@@ -4,57 +4,18 @@
 
 use crate::{
     answer::{
-        diagnosis::BeforeAfterUnit,
+        discovered_facts::DiscoveredFacts,
+        fit_facts::BeforeAfterUnit,
         found::Found,
         numbers::{fitted, parameters},
-        parameter_facts::ParameterFacts,
     },
-    discovery::{discover::Discovery, marginals::WordProbabilities, phrase_book::could_be},
+    discovery::{discover::Discovery, phrase_book::could_be},
     effects::{
-        composed::{describe::words as clause, file::MechanismFile, mechanism::Sentence},
+        composed::{describe::words as clause, file::MechanismFile},
         effect::Effect,
     },
     validation::cross_validation::{HeldOutFit, compared},
 };
-use serde::Serialize;
-
-/// A mechanism that no library lists.
-#[derive(Clone, Debug, Serialize)]
-pub struct DiscoveredFacts {
-    /// where in the chain
-    pub place: String,
-    /// what it follows
-    pub driver: String,
-    /// how in time
-    pub kinetics: String,
-    /// the law
-    pub form: String,
-    /// how it acts
-    pub action: String,
-    /// the words with their varieties, as a model file has them
-    pub sentence: Sentence,
-    /// whether the verdict stands behind it
-    pub named: bool,
-    /// probability of each value of each word
-    pub probability: WordProbabilities,
-    /// the words as a clause
-    pub clause: String,
-    /// sentence with numbers
-    pub says: String,
-    /// known physics that the words fit, each with a source; no claim
-    pub could_be: Vec<String>,
-    /// fitted numbers
-    pub parameters: Vec<ParameterFacts>,
-    /// error on rows left out, of the calibrated base model and with everything that the mechanism's model holds
-    pub held_out: BeforeAfterUnit,
-    /// share of turned histories in which the same freedom removes as much by chance
-    pub control_p_value: f64,
-    /// columns that were weighed
-    pub weighed: usize,
-    /// the mechanism as a file, for other recordings
-    #[serde(skip)]
-    pub file: MechanismFile,
-}
 
 /// The mechanisms; `before` and `after` are predictions of rows left out by the base model and by the model that holds them.
 pub(crate) fn discovered(found: &Found<'_>, before: &HeldOutFit, after: Option<&HeldOutFit>) -> Vec<DiscoveredFacts> {

@@ -5,8 +5,9 @@
 use crate::{
     answer::tuning::{NOTHING, PLAINLY_SEEN, SURE},
     answer::{
-        diagnosis::{BeforeAfterUnit, Finding},
+        diagnosis::Finding,
         errors::unseen,
+        fit_facts::BeforeAfterUnit,
         found::Found,
         numbers::{fitted, parameters},
     },

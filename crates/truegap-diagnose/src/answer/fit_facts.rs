@@ -91,3 +91,14 @@ pub struct FlexibleTerm {
     /// fitted parameters
     pub parameters: Vec<ParameterFacts>,
 }
+
+/// Root-mean-square errors with their unit.
+#[derive(Clone, Debug, Serialize)]
+pub struct BeforeAfterUnit {
+    /// without the effect, over the rows that both models predict; absent (null) where there is none
+    pub rmse_before: Option<f64>,
+    /// with the effect, over the same rows
+    pub rmse_after: Option<f64>,
+    /// unit
+    pub unit: String,
+}

@@ -15,7 +15,7 @@ use crate::{
     stats::log_sum_exp,
 };
 use std::sync::atomic::Ordering;
-use truegap_core::EffectId;
+use truegap_core::{EffectId, simulator::StageName};
 
 /// Names of discovered mechanisms in answers, the clearest first.
 pub const IDS: [EffectId; 2] = [EffectId("discovered"), EffectId("discovered_second")];
@@ -50,7 +50,8 @@ pub fn discover(search: &Search<'_>, from: &Tried, scale: f64, id: EffectId) -> 
         return None;
     }
     let model = search.model(&from.effects);
-    let mut found = screen(&model, &from.fit.z, &from.fit.linearised(), search.whitener)?;
+    let knows_lag = search.library.iter().any(|effect| effect.stage() == StageName::ThermalPath);
+    let mut found = screen(&model, &from.fit.z, &from.fit.linearised(), search.whitener, knows_lag)?;
     let clearest = found.sentences.iter().map(|s| s.deviance).fold(0.0, f64::max);
     let control_p_value = found.control_p_value(clearest);
     if control_p_value > BY_CHANCE {

@@ -106,8 +106,8 @@ impl Screen {
     }
 }
 
-/// Screens every sentence about the fit `z` of `model`, whose linearised optimum is `linearised`.
-pub fn screen(model: &Model<'_>, z: &[f64], linearised: &Linearised, whitener: &Whitener) -> Option<Screen> {
+/// Screens every sentence about the fit `z` of `model`, whose linearised optimum is `linearised`; `knows_lag` where the library holds a thermal path of its own.
+pub fn screen(model: &Model<'_>, z: &[f64], linearised: &Linearised, whitener: &Whitener, knows_lag: bool) -> Option<Screen> {
     let problem = model.problem;
     let (levers, seen) = levers(model, z)?;
     let at = Courses {
@@ -127,7 +127,7 @@ pub fn screen(model: &Model<'_>, z: &[f64], linearised: &Linearised, whitener: &
         }
         let followed: Vec<Vec<f64>> =
             law.grid.iter().map(|numbers| of_course(&law.sentence, numbers, problem.inputs, x.clone())).collect();
-        let fits = levers.iter().filter(|lever| suits(lever, &law.sentence));
+        let fits = levers.iter().filter(|lever| suits(lever, &law.sentence, knows_lag));
         fits.filter_map(|lever| weighed(law, &followed, lever, &places, linearised, whitener, &turned)).collect::<Vec<_>>()
     };
     let each: Vec<(Screened, Vec<f64>)> = laws.par_iter().flat_map_iter(of_law).collect();
@@ -216,10 +216,10 @@ fn places(levers: &[Lever]) -> Vec<(Place, usize)> {
 }
 
 /// Whether a mechanism of this driver may act there: the reading is known at the end of the chain only.
-fn suits(lever: &Lever, sentence: &Sentence) -> bool {
+fn suits(lever: &Lever, sentence: &Sentence, knows_lag: bool) -> bool {
     match (lever.quantity, &sentence.driver) {
-        // a sensor that is late behind its thermometer or ahead of it, which the library has
-        (Quantity::Temperature, Driver::Temperature | Driver::TemperatureRate) => false,
+        // a sensor that is late behind its thermometer, where the library has that
+        (Quantity::Temperature, Driver::Temperature | Driver::TemperatureRate) => !knows_lag,
         (Quantity::Temperature, Driver::Load | Driver::LoadRate | Driver::LoadHistory) => false,
         (quantity, Driver::Reading) => quantity == Quantity::Reading,
         _ => true,

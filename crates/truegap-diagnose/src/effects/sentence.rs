@@ -103,5 +103,6 @@ fn value(number: &FittedParameter) -> String {
 }
 
 fn called(number: &FittedParameter) -> String {
-    format!("the {}", uncapitalised(&number.parameter.meaning))
+    let meaning = uncapitalised(&number.parameter.meaning);
+    format!("the {}", meaning.strip_prefix("its ").unwrap_or(&meaning))
 }

@@ -73,7 +73,10 @@ pub fn any_scale(z: f64, variance: f64, gradient: f64, bounds: (f64, f64)) -> f6
         inside - before - 0.5 * (mean * mean / whole + whole.ln())
     };
     let each = SIZE_SCALES.map(at);
-    log_sum_exp(&each) - (each.len() as f64).ln() - at(1.0)
+    // where the recording hardly tells the size, a straight line carries it far beyond what was fitted: no width of the prior saves more than all that the size pays,
+    // nor more of its freedom than the narrowest
+    let most = 0.5 * z * z + (1.0 / SIZE_SCALES[SIZE_SCALES.len() - 1]).ln();
+    (log_sum_exp(&each) - (each.len() as f64).ln() - at(1.0)).min(most)
 }
 
 /// Log of the integral of `exp(-g t - t^2 / (2 v))` over t > 0, over that of the full Gaussian of variance v.
@@ -133,6 +136,14 @@ mod tests {
             let exact: f64 = (0..100_000).map(|i| density((f64::from(i) + 0.5) * step) * step).sum();
             approx::assert_relative_eq!(found, exact.ln(), max_relative = 3e-3);
         }
+    }
+
+    /// A size that is driven far and that the likelihood hardly curves about: what a wider prior saves stays below the penalty, 25 000 here.
+    #[test]
+    fn a_size_that_is_hardly_known_gains_no_more_than_it_pays() {
+        let (z, variance) = (225.0, 0.999_99);
+        let gain = any_scale(z, variance, 0.0, (f64::NEG_INFINITY, f64::INFINITY));
+        assert!(gain > 0.0 && gain < 0.5 * z * z + 5.0, "{gain}");
     }
 
     /// A straight line in one size, its prior the mean of half Gaussians of all scales: against quadrature over the size.

@@ -17,5 +17,8 @@ pub(crate) mod response;
 pub(crate) mod rest;
 pub(crate) mod rounding;
 pub(crate) mod several;
+pub(crate) mod slow;
+pub(crate) mod slow_parts;
+pub(crate) mod slow_rivals;
 pub(crate) mod switching;
 pub(crate) mod tuning;

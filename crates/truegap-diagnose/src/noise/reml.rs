@@ -3,8 +3,11 @@
 //! Limits: a grid over correlation and share, which is finer than the data can tell.
 
 use crate::{
-    noise::tuning::{CLEARLY_COLOURED, FEWEST_BLOCKS, MEMORIES, OUTLYING_BLOCK, WORTH_A_PARAMETER},
-    whitening::whitener::{InputError, Lasting, Noise, Whitener},
+    noise::{
+        slow_parts::slow_parts,
+        tuning::{FEWEST_BLOCKS, OUTLYING_BLOCK, WORTH_A_PARAMETER},
+    },
+    whitening::whitener::{InputError, Noise, Whitener},
 };
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
@@ -120,32 +123,18 @@ fn spread(allowed: &[(f64, f64)], chosen: f64) -> f64 {
 }
 
 /// White noise of unit variance.
-const WHITE: Noise = Noise { white_sd: 1.0, ar_sd: 0.0, ar_correlation: 0.0 };
+pub(super) const WHITE: Noise = Noise { white_sd: 1.0, ar_sd: 0.0, ar_correlation: 0.0 };
 
 /// White and autoregressive noise of unit variance together.
-fn mixed(correlation: f64, share: f64) -> Noise {
+pub(super) fn mixed(correlation: f64, share: f64) -> Noise {
     Noise { white_sd: (1.0 - share).sqrt(), ar_sd: share.sqrt(), ar_correlation: correlation }
 }
 
-/// Slow noise beside white: standard deviations of the white part and of each of the [`slow_parts`], where they are clearly likelier than `chosen`, the best noise
-/// with one memory.
-pub fn slow(response: &[f64], blocks: &[Block], chosen: &Noise) -> Option<(f64, f64)> {
-    let total = chosen.white_sd.hypot(chosen.ar_sd);
-    let share = if total > 0.0 { (chosen.ar_sd / total).powi(2) } else { return None };
-    let one = sums(response, blocks, &mixed(chosen.ar_correlation, share), 0.0).log_likelihood();
-    let tried = [0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0].map(|part| {
-        let sums = sums(response, blocks, &WHITE, part);
-        (sums.log_likelihood(), part, sums.squares / sums.freedom.max(1.0))
-    });
-    let (log, part, variance) = tried.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
-    (log > one + CLEARLY_COLOURED).then(|| (variance.sqrt(), (variance * part).sqrt()))
-}
-
-/// Slow noise with this variance in each part, of `rows` rows.
-pub fn slow_parts(rows: usize, variance: f64) -> Vec<Lasting> {
-    let part =
-        |memory: &f64| Lasting { variance: vec![variance; rows], memory: vec![(-1.0 / memory).exp(); rows], of_reading: true };
-    MEMORIES.iter().map(part).collect()
+/// Log likelihood of `response` in these blocks under `noise` with its scale profiled out, and that scale's variance; `slow` is the variance of each part of slow
+/// noise beside it.
+pub(super) fn likelihood(response: &[f64], blocks: &[Block], noise: &Noise, slow: f64) -> (f64, f64) {
+    let sums = sums(response, blocks, noise, slow);
+    (sums.log_likelihood(), sums.squares / sums.freedom.max(1.0))
 }
 
 /// Sums with `slow` as the variance of each part of slow noise.
@@ -204,27 +193,6 @@ mod tests {
         approx::assert_relative_eq!(found.white_sd.hypot(found.ar_sd), 0.5, max_relative = 0.06);
         approx::assert_relative_eq!(found.ar_sd, 0.3, max_relative = 0.35);
         assert!((0.4..=0.9).contains(&found.ar_correlation), "{found:?}");
-    }
-
-    /// Parts of one size with memories a factor of four apart, each drawn for itself: not the model's own parts.
-    #[test]
-    fn slow_noise_is_told_from_noise_of_one_memory() {
-        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(11);
-        let unit = rand_distr::Normal::new(0.0, 1.0).unwrap();
-        let memory: Vec<f64> = (0..7).map(|k| (-(0.25f64).powi(k)).exp()).collect();
-        let mut state: Vec<f64> = memory.iter().map(|_| unit.sample(&mut rng)).collect();
-        let flicker: Vec<f64> = (0..3000)
-            .map(|_| {
-                state.iter_mut().zip(&memory).for_each(|(s, m)| *s = m * *s + (1.0 - m * m).sqrt() * unit.sample(&mut rng));
-                state.iter().sum::<f64>() + 2.0 * unit.sample(&mut rng)
-            })
-            .collect();
-        let blocks = [Block::at_rest(0..1500), Block::at_rest(1500..3000)];
-        let (chosen, _) = estimate(&flicker, &blocks);
-        assert!(slow(&flicker, &blocks, &chosen).is_some(), "{chosen:?}");
-        let one = simulated(0.4, 0.3, 0.7, 3000);
-        let (chosen, _) = estimate(&one, &blocks);
-        assert!(slow(&one, &blocks, &chosen).is_none());
     }
 
     #[test]

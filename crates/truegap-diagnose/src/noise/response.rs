@@ -8,9 +8,10 @@ use crate::{
     noise::{
         input_error::{Left, input_error},
         louder::Louder,
-        reml::{Block, estimate, slow, slow_parts, without_outliers},
+        reml::{Block, estimate, without_outliers},
         rest,
         rounding::rounded,
+        slow::{beside, slow},
     },
     stats::resolution,
     whitening::{
@@ -40,10 +41,10 @@ pub fn noise_model(
     let recordings = Vec::new();
     let (response, input_error) = read_in_steps(problem, response, input_error);
     let (response, input_error, says) = match slow(problem.response, &blocks, &response).filter(|_| measured) {
-        Some((white_sd, part)) => {
+        Some(slow) => {
             let mut error = input_error;
-            error.lasting.extend(slow_parts(problem.response.len(), part * part));
-            (Noise { white_sd, ar_sd: 0.0, ar_correlation: 0.0 }, error, says + "; slow like 1/f")
+            beside(&mut error, problem.response.len(), slow);
+            (Noise { white_sd: slow.white_sd, ar_sd: 0.0, ar_correlation: 0.0 }, error, says + "; slow like 1/f")
         }
         None => (response, input_error, says),
     };

@@ -106,12 +106,6 @@ pub(crate) const OUTLYING_BLOCK: f64 = 1.9;
 /// Log likelihood that two more parameters must gain (BIC at a few hundred rows is about 6; AIC is 2).
 pub(crate) const WORTH_A_PARAMETER: f64 = 3.0;
 
-/// Log likelihood by which slow noise must be likelier.
-pub(crate) const CLEARLY_COLOURED: f64 = 1.0;
-
-/// Memories of the parts of slow noise, in rows: autoregressive parts of one size, a factor of eight apart, have a spectrum like 1/f.
-pub(crate) const MEMORIES: [f64; 4] = [1.5, 12.0, 96.0, 768.0];
-
 // rescale.rs
 
 /// Share of its variance below which what is left over shows that a noise is not as loud as taken: three standard deviations in 200 rows.
@@ -185,6 +179,28 @@ pub(crate) const MEMORIES_ON_A_COURSE: f64 = 4.0;
 
 /// Times as long as its neighbours, from which on a plateau is a hold.
 pub(crate) const LONGER_PLATEAU: usize = 4;
+
+// slow.rs
+
+/// Log likelihood by which slow noise must be likelier.
+pub(crate) const CLEARLY_COLOURED: f64 = 1.0;
+
+/// Log likelihood at rest by which slow noise may be less likely than noise with one memory, and is still a rival to be weighed: three standard deviations.
+pub(crate) const STILL_ALLOWED: f64 = 4.5;
+
+/// Variances of a part of slow noise that are tried, over that of the white part.
+pub(crate) const SLOW_SHARES: [f64; 7] = [0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0];
+
+// slow_parts.rs
+
+/// Memory of the shortest part of slow noise, rows.
+pub(crate) const SHORTEST_MEMORY: f64 = 1.5;
+
+/// Memory of the next part over that of the one before.
+pub(crate) const LONGER_MEMORY: f64 = 8.0;
+
+/// Parts of slow noise at least, up to a memory of 768 rows.
+pub(crate) const FEWEST_MEMORIES: usize = 4;
 
 // switching.rs
 

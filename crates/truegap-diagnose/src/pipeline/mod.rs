@@ -3,6 +3,7 @@
 //! Limits: one recording (or several joined into one simulator) at a time.
 
 mod conclude;
+mod noise_choice;
 mod options;
 mod prepare;
 
@@ -19,6 +20,7 @@ use crate::{
     },
 };
 use conclude::{Told, conclude};
+use noise_choice::slower;
 use prepare::Prepared;
 use std::{
     sync::atomic::{AtomicBool, Ordering},
@@ -51,6 +53,11 @@ pub fn diagnose(
         && let Some(quieter) = prepared.quieter(&examined.selection)?
     {
         prepared = Prepared::new(problem, quieter, options)?;
+        examined = self::examined(&prepared, &told)?;
+    }
+    // where stretches at rest cannot tell slow noise from noise with one memory, the whole recording does
+    if let Some(slower) = slower(&prepared, &examined, &told)? {
+        prepared = slower;
         examined = self::examined(&prepared, &told)?;
     }
     conclude(&prepared, examined, &told, known.into(), started)

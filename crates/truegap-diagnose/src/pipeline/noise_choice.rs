@@ -1,0 +1,97 @@
+//! Which noise a recording has, where rest does not tell: the noise under which the likeliest account of the whole recording is likelier.
+//!
+//! Limits: noise with one memory against slow noise; the accounts weighed are the base model, the likeliest model, and either with its likeliest unmodelled cause.
+
+use crate::{
+    data::error::DiagnoseError,
+    fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model},
+    noise::{slow_rivals::slow_rivals, tuning::CLEARLY_COLOURED},
+    pipeline::{conclude::Told, prepare::Prepared},
+    selection::{
+        candidates::Tried,
+        examine::Examined,
+        posterior::Selection,
+        prior::{log_prior, one_more},
+        tuning::UNMODELLED_PRIOR,
+        verdict::Verdict,
+    },
+    whitening::noise_model::NoiseModel,
+};
+use std::sync::atomic::Ordering;
+
+/// The recording made ready once more, where slow noise makes it likelier than the noise that was taken; `None` where it does not, or where nothing differs anyway.
+///
+/// # Errors
+/// Those of the simulator.
+pub(crate) fn slower<'a>(
+    prepared: &Prepared<'a>,
+    examined: &Examined,
+    told: &Told<'a>,
+) -> Result<Option<Prepared<'a>>, DiagnoseError> {
+    if examined.decision.verdict == Verdict::Agrees || told.stop.load(Ordering::Relaxed) {
+        return Ok(None);
+    }
+    let accounts = accounts(&examined.selection);
+    let misfits = accounts.iter().map(|tried| misfit(prepared, tried)).collect::<Result<Vec<_>, _>>()?;
+    let Some(least) = misfits.last() else { return Ok(None) };
+    let deviance = |noise: &NoiseModel| misfits.iter().map(|m| deviance(prepared, m, noise)).fold(f64::INFINITY, f64::min);
+    let rivals = slow_rivals(prepared.problem, least, &prepared.noise).into_iter().map(|noise| (deviance(&noise), noise));
+    let Some((_, rival)) = rivals.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Ok(None) };
+
+    let selection = &examined.selection;
+    let taken = accounts.iter().zip(&misfits).map(|(tried, m)| evidence(prepared, tried, m) + unmodelled(selection, tried));
+    let taken = taken.fold(f64::NEG_INFINITY, f64::max);
+    let slower = Prepared::new(prepared.problem, rival, told.options)?;
+    let mut likeliest = f64::NEG_INFINITY;
+    for tried in &accounts {
+        let again = refitted(&slower, tried, told)?;
+        likeliest = likeliest.max(evidence(&slower, &again, &misfit(&slower, &again)?));
+    }
+    Ok((likeliest > taken + CLEARLY_COLOURED).then_some(slower))
+}
+
+/// The base model and, where it is another, the likeliest model that names something.
+fn accounts(selection: &Selection) -> Vec<&Tried> {
+    let named = selection.likeliest_named().map(|index| &selection.models[index]);
+    std::iter::once(selection.base()).chain(named).collect()
+}
+
+/// What a model leaves of every row.
+fn misfit(prepared: &Prepared<'_>, tried: &Tried) -> Result<Vec<f64>, DiagnoseError> {
+    let effects = tried.effects.iter().map(|e| prepared.testable[*e]).collect();
+    Ok(Model::new(prepared.problem, &prepared.context, effects).misfit(&tried.fit.z)?)
+}
+
+/// Minus twice the log likelihood of what is left of every row.
+fn deviance(prepared: &Prepared<'_>, misfit: &[f64], noise: &NoiseModel) -> f64 {
+    let whitener = noise.whitener(&prepared.problem.runs(), None);
+    let mut column = misfit.to_vec();
+    whitener.apply(&mut column);
+    whitener.deviance(&column)
+}
+
+/// Log evidence and log prior of a model, by the likelihood of every row in place of that of the rows that are searched: the constant of the noise counts here.
+fn evidence(prepared: &Prepared<'_>, tried: &Tried, misfit: &[f64]) -> f64 {
+    let library = prepared.testable.len();
+    tried.fit.log_evidence
+        + 0.5 * (tried.fit.chi2 - deviance(prepared, misfit, &prepared.noise))
+        + log_prior(tried.effects.len(), library)
+}
+
+/// What the likeliest unmodelled cause adds beside a model; 0 where it adds nothing.
+fn unmodelled(selection: &Selection, tried: &Tried) -> f64 {
+    let beside = selection.unmodelled.iter().filter(|(u, _)| u.effects == tried.key());
+    let most = beside.map(|(u, _)| u.gain).fold(f64::NEG_INFINITY, f64::max);
+    (most + one_more(tried.effects.len()) + UNMODELLED_PRIOR.ln()).max(0.0)
+}
+
+/// The same model calibrated under the noise of `prepared`.
+fn refitted(prepared: &Prepared<'_>, tried: &Tried, told: &Told<'_>) -> Result<Tried, DiagnoseError> {
+    let searched = prepared.searched();
+    let search = prepared.search(&searched, told.progress, told.stop);
+    if tried.effects.is_empty() {
+        return Ok(search.base()?);
+    }
+    let fit = fit(&search.model(&tried.effects), search.whitener, &tried.fit.z, &FitOptions::default())?;
+    Ok(Tried { effects: tried.effects.clone(), fit })
+}

@@ -53,6 +53,7 @@ pub(crate) struct Told<'a> {
 pub(crate) fn conclude(
     prepared: &Prepared<'_>,
     examined: Examined,
+    composition: Option<Composition>,
     told: &Told<'_>,
     known: Known,
     started: Instant,
@@ -60,11 +61,14 @@ pub(crate) fn conclude(
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
     let bank = bank(prepared, search, &examined, told.options)?;
-    let examined = match &bank {
-        Some(bank) => judge(search, &prepared.lack_of_fit, examined.selection.sharpened(bank.power)),
-        None => examined,
+    let (examined, composition) = match &bank {
+        Some(bank) => {
+            let sharpened = judge(search, &prepared.lack_of_fit, examined.selection.sharpened(bank.power));
+            let composition = composed(prepared, &sharpened, told);
+            (sharpened, composition)
+        }
+        None => (examined, composition),
     };
-    let composition = composed(search, &examined, &prepared.lack_of_fit, told.options);
     let mechanisms = composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
     let search = &with_mechanisms(search, mechanisms);
     let examined = match &composition {
@@ -101,9 +105,12 @@ pub(crate) fn conclude(
 }
 
 /// Mechanisms from outside the library, where anything may be named at all.
-fn composed(search: &Search<'_>, examined: &Examined, lack_of_fit: &LackOfFitTests, options: &Options) -> Option<Composition> {
+pub(crate) fn composed(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> Option<Composition> {
+    let Told { options, progress, stop, .. } = told;
     let free = options.compose && options.withheld.is_none() && options.restricted.is_none();
-    free.then(|| compose(search, &examined.selection, &examined.decision, &examined.after, lack_of_fit)).flatten()
+    let searched = prepared.searched();
+    let search = &prepared.search(&searched, progress, stop);
+    free.then(|| compose(search, &examined.selection, &examined.decision, &examined.after, &prepared.lack_of_fit)).flatten()
 }
 
 /// What was examined, with the mechanisms among its models and in its decision.

@@ -19,7 +19,7 @@ use crate::{
         examine::{Examined, examine},
     },
 };
-use conclude::{Told, conclude};
+use conclude::{Told, composed, conclude};
 use noise_choice::slower;
 use prepare::Prepared;
 use std::{
@@ -55,12 +55,14 @@ pub fn diagnose(
         prepared = Prepared::new(problem, quieter, options)?;
         examined = self::examined(&prepared, &told)?;
     }
+    let mut composition = composed(&prepared, &examined, &told);
     // where stretches at rest cannot tell slow noise from noise with one memory, the whole recording does
-    if let Some(slower) = slower(&prepared, &examined, &told)? {
+    if let Some(slower) = slower(&prepared, &examined, composition.as_ref(), &told)? {
         prepared = slower;
         examined = self::examined(&prepared, &told)?;
+        composition = composed(&prepared, &examined, &told);
     }
-    conclude(&prepared, examined, &told, known.into(), started)
+    conclude(&prepared, examined, composition, &told, known.into(), started)
 }
 
 /// Fits, weighs and decides.

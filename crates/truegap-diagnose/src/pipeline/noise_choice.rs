@@ -1,9 +1,15 @@
 //! Which noise a recording has, where rest does not tell: the noise under which the likeliest account of the whole recording is likelier.
 //!
-//! Limits: noise with one memory against slow noise; the accounts weighed are the base model, the likeliest model, and either with its likeliest unmodelled cause.
+//! Limits: noise with one memory against slow noise; the accounts weighed are the base model, the likeliest model, either with its likeliest unmodelled cause, and the
+//! mechanism composed of words.
 
 use crate::{
     data::error::DiagnoseError,
+    discovery::{
+        compose::Composition,
+        discover::{Discovery, with_mechanisms},
+    },
+    effects::effect::Effect,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model},
     noise::{slow_rivals::slow_rivals, tuning::CLEARLY_COLOURED},
     pipeline::{conclude::Told, prepare::Prepared},
@@ -19,6 +25,9 @@ use crate::{
 };
 use std::sync::atomic::Ordering;
 
+/// Sentences that mechanisms are composed to, about: beforehand each is that much less likely than an effect of the library.
+const SENTENCES: f64 = 5000.0;
+
 /// The recording made ready once more, where slow noise makes it likelier than the noise that was taken; `None` where it does not, or where nothing differs anyway.
 ///
 /// # Errors
@@ -26,39 +35,43 @@ use std::sync::atomic::Ordering;
 pub(crate) fn slower<'a>(
     prepared: &Prepared<'a>,
     examined: &Examined,
+    composition: Option<&Composition>,
     told: &Told<'a>,
 ) -> Result<Option<Prepared<'a>>, DiagnoseError> {
     if examined.decision.verdict == Verdict::Agrees || told.stop.load(Ordering::Relaxed) {
         return Ok(None);
     }
-    let accounts = accounts(&examined.selection);
-    let misfits = accounts.iter().map(|tried| misfit(prepared, tried)).collect::<Result<Vec<_>, _>>()?;
+    let selection = &examined.selection;
+    let mechanisms = composition.map_or(&[][..], |c| c.mechanisms.as_slice());
+    let accounts = accounts(selection, composition);
+    let misfits = accounts.iter().map(|tried| misfit(prepared, tried, mechanisms)).collect::<Result<Vec<_>, _>>()?;
     let Some(least) = misfits.last() else { return Ok(None) };
     let deviance = |noise: &NoiseModel| misfits.iter().map(|m| deviance(prepared, m, noise)).fold(f64::INFINITY, f64::min);
     let rivals = slow_rivals(prepared.problem, least, &prepared.noise).into_iter().map(|noise| (deviance(&noise), noise));
     let Some((_, rival)) = rivals.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Ok(None) };
 
-    let selection = &examined.selection;
     let taken = accounts.iter().zip(&misfits).map(|(tried, m)| evidence(prepared, tried, m) + unmodelled(selection, tried));
     let taken = taken.fold(f64::NEG_INFINITY, f64::max);
     let slower = Prepared::new(prepared.problem, rival, told.options)?;
     let mut likeliest = f64::NEG_INFINITY;
     for tried in &accounts {
-        let again = refitted(&slower, tried, told)?;
-        likeliest = likeliest.max(evidence(&slower, &again, &misfit(&slower, &again)?));
+        let again = refitted(&slower, tried, mechanisms, told)?;
+        likeliest = likeliest.max(evidence(&slower, &again, &misfit(&slower, &again, mechanisms)?));
     }
     Ok((likeliest > taken + CLEARLY_COLOURED).then_some(slower))
 }
 
-/// The base model and, where it is another, the likeliest model that names something.
-fn accounts(selection: &Selection) -> Vec<&Tried> {
+/// The base model and, where they are others, the likeliest model that names something and that with mechanisms composed of words.
+fn accounts<'t>(selection: &'t Selection, composition: Option<&'t Composition>) -> Vec<&'t Tried> {
     let named = selection.likeliest_named().map(|index| &selection.models[index]);
-    std::iter::once(selection.base()).chain(named).collect()
+    std::iter::once(selection.base()).chain(named).chain(composition.map(|c| &c.tried)).collect()
 }
 
-/// What a model leaves of every row.
-fn misfit(prepared: &Prepared<'_>, tried: &Tried) -> Result<Vec<f64>, DiagnoseError> {
-    let effects = tried.effects.iter().map(|e| prepared.testable[*e]).collect();
+/// What a model leaves of every row; effects behind those of the library are `mechanisms`.
+fn misfit(prepared: &Prepared<'_>, tried: &Tried, mechanisms: &[Discovery]) -> Result<Vec<f64>, DiagnoseError> {
+    let mut library = prepared.testable.clone();
+    library.extend(mechanisms.iter().map(|m| &m.effect as &dyn Effect));
+    let effects = tried.effects.iter().map(|e| library[*e]).collect();
     Ok(Model::new(prepared.problem, &prepared.context, effects).misfit(&tried.fit.z)?)
 }
 
@@ -70,12 +83,13 @@ fn deviance(prepared: &Prepared<'_>, misfit: &[f64], noise: &NoiseModel) -> f64 
     whitener.deviance(&column)
 }
 
-/// Log evidence and log prior of a model, by the likelihood of every row in place of that of the rows that are searched: the constant of the noise counts here.
+/// Log evidence and log prior of a model, by the likelihood of every row in place of that of the rows that are searched: the constant of the noise counts here. A
+/// mechanism composed of words is one of as many as there are sentences.
 fn evidence(prepared: &Prepared<'_>, tried: &Tried, misfit: &[f64]) -> f64 {
     let library = prepared.testable.len();
-    tried.fit.log_evidence
-        + 0.5 * (tried.fit.chi2 - deviance(prepared, misfit, &prepared.noise))
-        + log_prior(tried.effects.len(), library)
+    let composed = tried.effects.iter().filter(|e| **e >= library).count();
+    let prior = log_prior(tried.effects.len(), library) - composed as f64 * (SENTENCES / library as f64).ln();
+    tried.fit.log_evidence + 0.5 * (tried.fit.chi2 - deviance(prepared, misfit, &prepared.noise)) + prior
 }
 
 /// What the likeliest unmodelled cause adds beside a model; 0 where it adds nothing.
@@ -86,9 +100,15 @@ fn unmodelled(selection: &Selection, tried: &Tried) -> f64 {
 }
 
 /// The same model calibrated under the noise of `prepared`.
-fn refitted(prepared: &Prepared<'_>, tried: &Tried, told: &Told<'_>) -> Result<Tried, DiagnoseError> {
+fn refitted(
+    prepared: &Prepared<'_>,
+    tried: &Tried,
+    mechanisms: &[Discovery],
+    told: &Told<'_>,
+) -> Result<Tried, DiagnoseError> {
     let searched = prepared.searched();
-    let search = prepared.search(&searched, told.progress, told.stop);
+    let library = &prepared.search(&searched, told.progress, told.stop);
+    let search = with_mechanisms(library, mechanisms);
     if tried.effects.is_empty() {
         return Ok(search.base()?);
     }

@@ -175,8 +175,7 @@ fn without(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, part: &Part, 
     let keep: Vec<bool> =
         (0..search.problem.response.len()).map(|row| !part.rows.iter().any(|r| r.contains(&source(row)))).collect();
     let whitener = noise.whitener(&search.problem.runs(), Some(&keep));
-    let options = FitOptions { iterations: 6, tolerance: 0.02 };
-    fit(&search.model(&tried.effects), &whitener, &tried.fit.z, &options).ok()
+    fit(&search.model(&tried.effects), &whitener, &tried.fit.z, &FitOptions::default()).ok()
 }
 
 /// Share of the reproducible misfit that is removed, `1 - (after^2 - floor^2) / (before^2 - floor^2)`; `None` where nothing is there to remove.

@@ -14,7 +14,9 @@ use crate::{
     },
     selection::{
         candidates::{Search, Tried},
+        detectability::detectability,
         posterior::Selection,
+        tuning::RIGHT_FAMILY,
         verdict::{Decision, Verdict, removed_by},
     },
 };
@@ -47,12 +49,14 @@ pub fn compose(
     lack_of_fit: &LackOfFitTests,
 ) -> Option<Composition> {
     let chosen = &selection.models[decision.model];
-    let strained = is_strained(search, chosen);
+    let strained = is_strained(search, selection.base(), chosen);
     if search.problem.simulator.joined().is_some() || !leaves_something(decision, after, strained) {
         return None;
     }
     let mut launches = vec![selection.base()];
-    launches.extend(selection.likeliest_named().map(|index| &selection.models[index]).filter(|m| !is_strained(search, m)));
+    launches.extend(
+        selection.likeliest_named().map(|index| &selection.models[index]).filter(|m| !is_strained(search, selection.base(), m)),
+    );
     let mut best: Option<Composition> = None;
     for from in launches {
         let found = beside(search, selection, from, lack_of_fit, strained);
@@ -108,13 +112,16 @@ fn is_a_moment(effect: &Composed) -> bool {
     effect.sentence.driver == Driver::Time && effect.sentence.kinetics == Kinetics::Event
 }
 
-/// Whether a shape of one of the effects lies on a limit that is not a plain special case (nothing or all of a part): the fit says that the law does not hold.
-pub fn is_strained(search: &Search<'_>, tried: &Tried) -> bool {
+/// Whether the effects whose shape lies on a limit that is not a plain special case (nothing or all of a part) carry the explanation: the fit says that the law does not
+/// hold. A law that explains a small part beside others that hold says nothing against those.
+pub fn is_strained(search: &Search<'_>, base: &Tried, tried: &Tried) -> bool {
     let model = search.model(&tried.effects);
     let values = model.values(&tried.fit.z);
-    let shape = |index: usize| model.range_of(index).skip(1);
     let special = |value: f64| value == 0.0 || (value - 1.0).abs() < 1e-9;
-    (0..tried.effects.len()).flat_map(shape).any(|i| tried.fit.at_limit[i] && !special(values[i]))
+    let at_limit = |index: &usize| model.range_of(*index).skip(1).any(|i| tried.fit.at_limit[i] && !special(values[i]));
+    let carried: f64 = (0..tried.effects.len()).filter(at_limit).map(|index| detectability(search, tried, index).powi(2)).sum();
+    let explained = 2.0 * (base.fit.objective() - tried.fit.objective());
+    carried > 0.0 && carried > (1.0 - RIGHT_FAMILY) * explained
 }
 
 impl Composition {
@@ -136,8 +143,11 @@ impl Composition {
         let explained = 2.0 * (selection.base().fit.objective() - self.tried.fit.objective());
         let removed = removed_by(explained, &after);
         let says_something = self.mechanisms.iter().all(|m| !is_a_moment(&m.effect));
-        let Some(verdict) = self.verdict(removed, &after).filter(|_| self.log_odds > 0.0 && says_something) else {
-            return (decision, None);
+        let likelier = self.log_odds > 0.0 && says_something;
+        let Some(verdict) = self.verdict(removed, &after).filter(|_| likelier) else {
+            // what is less likely than a mechanism that is no answer is none either
+            let named = decision.model != selection.base;
+            return (if likelier && named { Decision::nothing(Verdict::Unexplained, selection.base) } else { decision }, None);
         };
         let sets = self.tried.effects.iter().map(|e| vec![*e]).collect();
         (Decision { verdict, model, sets, removed, unmodelled: None, unmodelled_rivals: false }, Some(after))

@@ -100,12 +100,7 @@ fn unmodelled(selection: &Selection, tried: &Tried) -> f64 {
 }
 
 /// The same model calibrated under the noise of `prepared`.
-fn refitted(
-    prepared: &Prepared<'_>,
-    tried: &Tried,
-    mechanisms: &[Discovery],
-    told: &Told<'_>,
-) -> Result<Tried, DiagnoseError> {
+fn refitted(prepared: &Prepared<'_>, tried: &Tried, mechanisms: &[Discovery], told: &Told<'_>) -> Result<Tried, DiagnoseError> {
     let searched = prepared.searched();
     let library = &prepared.search(&searched, told.progress, told.stop);
     let search = with_mechanisms(library, mechanisms);

@@ -333,3 +333,32 @@ fn the_page_of_effects_is_up_to_date() {
         "write it again: cargo run -p truegap-diagnose --example effects > docs/effects.md"
     );
 }
+
+/// A number that is fitted on some rows must mean the same on others: what an effect makes of a run does not depend on runs that come after it.
+#[test]
+fn runs_that_come_later_change_nothing_of_those_before() {
+    for_each(|effect, context, plate| {
+        let runs = context.inputs.runs();
+        for values in points(effect, context, 1.0) {
+            let stage = effect.with(&values, context);
+            // a clock that is shifted looks at rows that are recorded later
+            if stage.late_s(context.duration_s) != 0.0 || stage.late_s(0.0) != 0.0 {
+                continue;
+            }
+            let whole = respond(plate, context.inputs, Some(stage.as_ref()));
+            for run in &runs[..runs.len() - 1] {
+                let rows: Vec<usize> = (0..run.end).collect();
+                let part = respond(plate, &context.inputs.select(&rows), Some(stage.as_ref()));
+                for (row, (a, b)) in part.iter().zip(&whole).enumerate() {
+                    // the same sums in the same order: rounding of one addition
+                    assert!(
+                        (a - b).abs() <= 1e-12 * b.abs(),
+                        "{}: row {row} of {}: {a} alone, {b} before others",
+                        effect.id(),
+                        run.end
+                    );
+                }
+            }
+        }
+    });
+}

@@ -255,7 +255,7 @@ impl RunningModel {
     /// The added effects that have a number for each run: these mean nothing in the runs of another recording.
     pub fn bound_to_runs(&self, library: &Library) -> Vec<String> {
         let inputs = Inputs { run: vec![1], ..Inputs::default() };
-        let context = |runs: usize| Context { runs, ..Context::new(&inputs, self.simulator.as_ref(), 0.0, 0.0) };
+        let context = |runs: usize| Context::new(&inputs, self.simulator.as_ref(), 0.0, 0.0).with_runs(runs);
         let (one, three) = (context(1), context(3));
         let effects = self.augmented.effects.iter().filter_map(|added| library.find(&added.id));
         let bound = effects.filter(|effect| effect.parameters(&one).len() != effect.parameters(&three).len());

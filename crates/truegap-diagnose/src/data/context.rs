@@ -2,7 +2,7 @@
 //!
 //! Limits: only inputs, never the response's course; the response gives nothing but its span and its level.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use truegap_core::{Corrections, Inputs, Joined, Simulator, simulator::StageName};
 
 /// Why nothing that takes time can be looked for.
@@ -36,6 +36,8 @@ pub struct Context<'a> {
     pub runs: usize,
     /// temperature at which the sensor is described, degrees Celsius
     pub reference_c: f64,
+    /// strain of a full load, once an effect has asked for it
+    pub(crate) full_strain: OnceLock<f64>,
 }
 
 fn range(column: &[f64]) -> (f64, f64) {
@@ -71,7 +73,14 @@ impl<'a> Context<'a> {
             duration_s: clock.map_or(0.0, |t| duration(t, inputs, simulator)),
             runs: runs.len(),
             reference_c: simulator.reference_c(),
+            full_strain: OnceLock::new(),
         }
+    }
+
+    /// The same of a recording with so many runs.
+    #[must_use]
+    pub fn with_runs(self, runs: usize) -> Self {
+        Self { runs, ..self }
     }
 
     /// Range of the load over the full load; 0 where load plays no part.

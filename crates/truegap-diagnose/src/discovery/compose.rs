@@ -23,6 +23,8 @@ use crate::{
 
 /// Share of the misfit left over from which a named effect is not all.
 const A_TENTH: f64 = 0.9;
+/// Standard deviations by which the recording wants a shape beyond its limit: a shape that is hardly known lies on a limit by chance.
+const CLEARLY_BEYOND: f64 = 3.0;
 /// Gain in log evidence, divided as the selection's, that a second mechanism must bring.
 const CLEAR: f64 = 3.0;
 /// Probability that place, driver and kinetics need, each, for an answer without rivals.
@@ -118,7 +120,9 @@ pub fn is_strained(search: &Search<'_>, base: &Tried, tried: &Tried) -> bool {
     let model = search.model(&tried.effects);
     let values = model.values(&tried.fit.z);
     let special = |value: f64| value == 0.0 || (value - 1.0).abs() < 1e-9;
-    let at_limit = |index: &usize| model.range_of(*index).skip(1).any(|i| tried.fit.at_limit[i] && !special(values[i]));
+    let at_limit = |index: &usize| {
+        model.range_of(*index).skip(1).any(|i| tried.fit.at_limit[i] && !special(values[i]) && tried.fit.pull(i) > CLEARLY_BEYOND)
+    };
     let carried: f64 = (0..tried.effects.len()).filter(at_limit).map(|index| detectability(search, tried, index).powi(2)).sum();
     let explained = 2.0 * (base.fit.objective() - tried.fit.objective());
     carried > 0.0 && carried > (1.0 - RIGHT_FAMILY) * explained

@@ -19,22 +19,23 @@ const TOUCHES: f64 = 0.999;
 struct Wedge {
     squared: f64,
     bed: f64,
+    /// strain of a full load
+    full: f64,
 }
 
 impl Wedge {
-    fn of(values: &[f64]) -> Self {
-        Self { squared: values[0], bed: values[1] }
+    fn of(values: &[f64], context: &Context<'_>) -> Self {
+        Self { squared: values[0], bed: values[1], full: full_strain(context) }
     }
 }
 
 impl Stage for Wedge {
     fn geometry(&self, drive: &Drive<'_>, geometry: &mut Geometry<'_>) {
         let arm = 4.0 * self.squared.max(0.0).sqrt();
-        let full = full_strain(drive.load, geometry.strain);
         // where the gap itself is given there is no load, and the bed is all there is
         let bed = if drive.load.iter().any(|load| *load > 0.0) { self.bed } else { 1.0 };
         for ((tilt, &strain), load) in geometry.tilt.iter_mut().zip(geometry.strain).zip(drive.load) {
-            let own = arm * (bed * strain / (1.0 - strain) + (1.0 - bed) * full * load);
+            let own = arm * (bed * strain / (1.0 - strain) + (1.0 - bed) * self.full * load);
             *tilt = tilt.hypot(own).min(TOUCHES);
         }
     }
@@ -45,7 +46,7 @@ struct Faster(Wedge);
 
 impl Stage for Faster {
     fn geometry(&self, drive: &Drive<'_>, geometry: &mut Geometry<'_>) {
-        let arm = 4.0 * self.0.squared.max(0.0).sqrt() * full_strain(drive.load, geometry.strain);
+        let arm = 4.0 * self.0.squared.max(0.0).sqrt() * self.0.full;
         let own = |load: f64| arm * load.max(0.0).powf(1.2);
         geometry.tilt.iter_mut().zip(drive.load).for_each(|(tilt, load)| *tilt = tilt.hypot(own(*load)).min(TOUCHES));
     }
@@ -64,7 +65,7 @@ impl Effect for EccentricLoad {
     fn about(&self) -> About {
         About {
             physics: "the load acts off centre, so the plate tilts as it comes down and the gap is a wedge",
-            equation: "tilt t = 4 (a / r) (b e / (1 - e) + (1 - b) E L): rim against centre over the mean gap, E the strain of a full load; a disc over a wedge reads 2 / (1 + sqrt(1 - t^2)) times the flat one, over dome and wedge their common integral",
+            equation: "tilt t = 4 (a / r) (b e / (1 - e) + (1 - b) E L): rim against centre over the mean gap, E the strain of a full load at the reference temperature; a disc over a wedge reads 2 / (1 + sqrt(1 - t^2)) times the flat one, over dome and wedge their common integral",
             excitation: "load up to strains of several per cent",
             impostors: &["strain_stiffening", "contact_toe_in", "load_cell_error", "plate_bending", "dead_gap"],
             separates: "grows as the square of the load, the same up and down; gone when the load is centred",
@@ -102,11 +103,11 @@ impl Effect for EccentricLoad {
         context.has(StageName::Geometry)?;
         context.needs_load()
     }
-    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(Wedge::of(values))
+    fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(Wedge::of(values, context))
     }
-    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Faster(Wedge::of(values))))
+    fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Faster(Wedge::of(values, context))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let arm = fitted[0].value.max(0.0).sqrt();

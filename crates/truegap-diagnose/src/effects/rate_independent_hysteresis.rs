@@ -18,6 +18,8 @@ pub struct RateIndependentHysteresis;
 struct Friction {
     size: f64,
     width: f64,
+    /// strain of a full load
+    full: f64,
 }
 
 impl Stage for Friction {
@@ -27,7 +29,7 @@ impl Stage for Friction {
             return;
         }
         let given = strain.to_vec();
-        let full = full_strain(drive.load, strain);
+        let full = self.full;
         let add = |row: usize, slip: f64| strain[row] += self.size * full * slip;
         play_set(drive.inputs, self.width * full, |row| given[row], |_| 0.0, add);
     }
@@ -38,7 +40,7 @@ struct Rounded(Friction);
 
 impl Stage for Rounded {
     fn strain(&self, drive: &Drive<'_>, strain: &mut [f64]) {
-        let full = full_strain(drive.load, strain);
+        let full = self.0.full;
         let mut play = Play::new(1.6 * self.0.width * full, 0.0);
         walk(drive.inputs, |row, step| {
             if step.is_none() {
@@ -50,8 +52,8 @@ impl Stage for Rounded {
     }
 }
 
-fn friction(values: &[f64]) -> Friction {
-    Friction { size: values[0], width: values[1] }
+fn friction(values: &[f64], context: &Context<'_>) -> Friction {
+    Friction { size: values[0], width: values[1], full: full_strain(context) }
 }
 
 impl Effect for RateIndependentHysteresis {
@@ -67,7 +69,7 @@ impl Effect for RateIndependentHysteresis {
     fn about(&self) -> About {
         About {
             physics: "internal friction of the beads carries part of the load, against the motion and at any speed",
-            equation: "e_beads = e + a E s, s = sum_k (play(e; w_k E) - e) / (E sum_k w_k), three plays with half widths w_k = (0.4, 0.8, 1.8) w, E the strain of a full load, slack at e = 0 when a run starts",
+            equation: "e_beads = e + a E s, s = sum_k (play(e; w_k E) - e) / (E sum_k w_k), three plays with half widths w_k = (0.4, 0.8, 1.8) w, E the strain of a full load at the reference temperature, slack at e = 0 when a run starts",
             excitation: "load that turns around, at best at several amplitudes and rates",
             impostors: &[
                 "viscoelastic_creep",
@@ -102,11 +104,11 @@ impl Effect for RateIndependentHysteresis {
         context.has(StageName::Beads)?;
         if context.simulator.full_load().is_some() { context.needs_load() } else { Ok(()) }
     }
-    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(friction(values))
+    fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(friction(values, context))
     }
-    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Rounded(friction(values))))
+    fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Rounded(friction(values, context))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!(

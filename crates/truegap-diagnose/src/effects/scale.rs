@@ -1,9 +1,10 @@
 //! What effects are scaled by: the reading that one can move, where its coefficient says little to a reader, and the strain of a full load.
 //!
-//! Limits: the reading at the centre of the priors of the base model, on a sample of the rows; the strain at the greatest load applied.
+//! Limits: both at the centre of the priors of the base model; the reading on a sample of the rows.
 
 use crate::data::context::Context;
-use truegap_core::Stage;
+use std::sync::Mutex;
+use truegap_core::{Drive, Stage};
 
 /// Rows of the sample.
 const ROWS: usize = 96;
@@ -35,8 +36,35 @@ fn spread(context: &Context<'_>, stage: &dyn Stage) -> Option<f64> {
     Some((change().map(|c| (c - mean).powi(2)).sum::<f64>() / count).sqrt())
 }
 
-/// Strain of a full load, as it is at the greatest load applied; 1 where no load is known.
-pub(crate) fn full_strain(load: &[f64], strain: &[f64]) -> f64 {
-    let greatest = load.iter().zip(strain).max_by(|a, b| a.0.total_cmp(b.0));
-    greatest.filter(|(load, _)| **load > 0.0).map_or(1.0, |(load, strain)| strain / load)
+/// Strain of a full load at the reference temperature, the base model at the centre of its priors; 1 where no load is known or the model has no answer.
+///
+/// A number of the sensor, not of the rows: what is fitted on some rows means the same on others.
+pub(crate) fn full_strain(context: &Context<'_>) -> f64 {
+    *context.full_strain.get_or_init(|| at_full_load(context).unwrap_or(1.0))
+}
+
+fn at_full_load(context: &Context<'_>) -> Option<f64> {
+    let load = context.simulator.load(context.inputs)?;
+    let greatest = (0..load.len()).max_by(|a, b| load[*a].total_cmp(&load[*b])).filter(|row| load[*row] > 0.0)?;
+    let mut inputs = context.inputs.select(&[greatest]);
+    let to_full = |column: &mut Option<Vec<f64>>| column.iter_mut().flatten().for_each(|v| *v /= load[greatest]);
+    to_full(&mut inputs.force_n);
+    to_full(&mut inputs.pressure_pa);
+    inputs.temperature_c.iter_mut().flatten().for_each(|t| *t = context.reference_c);
+    let seen = Seen::default();
+    context.simulator.respond(&context.simulator.centre(), &inputs, &[&seen]).ok()?;
+    let seen = *seen.0.lock().ok()?;
+    seen.filter(|strain| *strain > 0.0)
+}
+
+/// Looks at the strain of the last row and changes nothing.
+#[derive(Default)]
+struct Seen(Mutex<Option<f64>>);
+
+impl Stage for Seen {
+    fn strain(&self, _: &Drive<'_>, strain: &mut [f64]) {
+        if let Ok(mut seen) = self.0.lock() {
+            *seen = strain.last().copied();
+        }
+    }
 }

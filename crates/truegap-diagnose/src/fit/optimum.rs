@@ -81,6 +81,13 @@ impl Fit {
         (self.log_evidence + paid) / temper - due
     }
 
+    /// Standard deviations by which the objective falls beyond where parameter `index` is, the others free: 0 inside its bounds, where a fit has converged.
+    pub fn pull(&self, index: usize) -> f64 {
+        let known = self.prior.gradient().nth(index).unwrap_or(0.0);
+        let gradient = known - self.jacobian.column(index).dot(&DVector::from_column_slice(&self.residual));
+        gradient.abs() * self.sd[index]
+    }
+
     /// Cholesky factor of the Hessian.
     pub fn factor(&self) -> Option<Cholesky<f64, Dyn>> {
         Cholesky::new(self.hessian.clone())
@@ -135,6 +142,22 @@ pub(crate) fn finish(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// One number held at 2 that the recording wants at 5, known to 0.1: thirty deviations, less what the prior holds back.
+    #[test]
+    fn a_number_on_its_limit_is_pulled_by_as_many_deviations_as_it_is_off() {
+        let (slope, wanted, limit): (f64, f64, f64) = (10.0, 5.0, 2.0);
+        let bounds = [(f64::NEG_INFINITY, limit)];
+        let residual = vec![slope * (wanted - limit)];
+        let fit = finish(vec![limit], residual, DMatrix::from_element(1, 1, slope), &bounds, Kinds::default(), (1, true));
+        // the other route: the optimum without the limit is slope^2 wanted / (slope^2 + 1), its deviation 1 / sqrt(slope^2 + 1)
+        let precision = slope * slope + 1.0;
+        approx::assert_relative_eq!(
+            fit.pull(0),
+            (slope * slope * wanted / precision - limit) * precision.sqrt(),
+            max_relative = 1e-12
+        );
+    }
 
     /// Two columns that have nothing in common, one of them without an equation: at noise of `t` times the variance it costs `ln(1 + a^2 / t) / 2`, and all
     /// else is divided by `t`.

@@ -83,6 +83,9 @@ pub(crate) const SIZE_FOUND: f64 = 0.05;
 /// reach 1.95; a wrong one on a real recording reached 2.4.
 pub(crate) const EXTRAPOLATED: f64 = 2.0;
 
+/// Times the base model's error on rows left out that is clearly more: an effect that hardly stands out changes the error of a thousand rows by less.
+pub(crate) const CLEARLY_WORSE: f64 = 1.05;
+
 // recovery/confusion.rs
 
 /// Detectability from which single causes are counted, as in the targets of the blind studies.

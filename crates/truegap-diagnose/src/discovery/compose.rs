@@ -23,8 +23,8 @@ use crate::{
 
 /// Share of the misfit left over from which a named effect is not all.
 const A_TENTH: f64 = 0.9;
-/// Standard deviations by which the recording wants a shape beyond its limit: a shape that is hardly known lies on a limit by chance.
-const CLEARLY_BEYOND: f64 = 3.0;
+/// Standard deviations by which the recording wants a shape beyond its limit, one-sided 95 %: a shape that is hardly known lies on a limit by chance.
+const CLEARLY_BEYOND: f64 = 1.645;
 /// Gain in log evidence, divided as the selection's, that a second mechanism must bring.
 const CLEAR: f64 = 3.0;
 /// Probability that place, driver and kinetics need, each, for an answer without rivals.

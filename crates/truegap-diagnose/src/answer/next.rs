@@ -8,9 +8,10 @@ use crate::{
         numbers::fitted,
         tuning::{MOST_RIVALS, NOT_EXCLUDED},
     },
+    discovery::discover::widened,
     explain::{
         narrowing::{LeastSure, least_sure, narrowing},
-        next_experiment::{NextExperiment, next_experiment},
+        next_experiment::{NextExperiment, next_experiment, settling},
     },
     selection::{candidates::Tried, verdict::Verdict},
 };
@@ -50,12 +51,30 @@ pub(crate) fn next(found: &Found<'_>) -> NextExperiment {
     }
     let best = named.or(found.selection.likeliest_named()).filter(|_| found.decision.verdict != Verdict::Agrees);
     let Some(best) = best else { return only(WIDEN_IT) };
+    if let Some(settled) = named.and_then(|named| of_words(found, &models[named])) {
+        return settled;
+    }
     let rivals: Vec<&Tried> = rivals(&found.selection.probability, best).into_iter().map(|rival| &models[rival]).collect();
     match (rivals.as_slice(), named) {
         ([], Some(_)) => narrowing(found.search, &models[best], least_sure(numbers(found, &models[best]))),
         ([], None) => only(VARY_IT),
         (rivals, _) => next_experiment(found.search, &models[best], rivals),
     }
+}
+
+/// What settles the least sure word of a mechanism that is named.
+fn of_words(found: &Found<'_>, best: &Tried) -> Option<NextExperiment> {
+    let behind = found.search.library.len();
+    let first = behind - found.mechanisms.len();
+    // a rival was fitted beside what came before it: that of the last mechanism stands beside all the others
+    let index = found.mechanisms.len().checked_sub(1).filter(|index| best.effects.contains(&(first + index)))?;
+    let rival = found.mechanisms[index].rival.as_ref()?;
+    let wider = widened(found.search, &rival.effect);
+    // beside what it was fitted, it had the place of the mechanism found
+    let of_rival = |effect: &usize| if *effect == first + index { behind } else { *effect };
+    let effects = rival.tried.effects.iter().map(of_rival).collect();
+    let other = Tried { effects, fit: rival.tried.fit.clone() };
+    Some(settling(&wider, best, &other, rival.word, &rival.values))
 }
 
 /// Models that the recording has not excluded beside model `best`: those with at least [`NOT_EXCLUDED`] of its probability, the likeliest few.

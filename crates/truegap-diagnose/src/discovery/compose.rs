@@ -7,7 +7,10 @@
 
 use crate::{
     adequacy::lack_of_fit::{Adequacy, LackOfFitTests},
-    discovery::discover::{Discovery, IDS, discover, fitted, widened},
+    discovery::{
+        discover::{Discovery, IDS, discover, fitted, widened},
+        marginals::SURE,
+    },
     effects::composed::{
         effect::Composed,
         words::{Driver, Kinetics},
@@ -27,8 +30,6 @@ const A_TENTH: f64 = 0.9;
 const CLEARLY_BEYOND: f64 = 1.645;
 /// Gain in log evidence, divided as the selection's, that a second mechanism must bring.
 const CLEAR: f64 = 3.0;
-/// Probability that place, driver and kinetics need, each, for an answer without rivals.
-const SURE: f64 = 0.9;
 
 /// Mechanisms beside a model.
 pub struct Composition {

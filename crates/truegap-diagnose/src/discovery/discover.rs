@@ -4,11 +4,11 @@
 
 use crate::{
     discovery::{
-        marginals::{WordProbabilities, marginals},
+        marginals::{SURE, WordProbabilities, marginals},
         screen::{Screen, Screened, screen},
     },
     effects::{
-        composed::{effect::Composed, words::Kinetics},
+        composed::{effect::Composed, mechanism::Sentence, words::Kinetics},
         effect::Effect,
     },
     selection::candidates::{Search, Tried},
@@ -42,6 +42,20 @@ pub struct Discovery {
     pub control_p_value: f64,
     /// columns that were weighed
     pub weighed: usize,
+    /// the nearest mechanism that has another value of the least sure word
+    pub rival: Option<Rival>,
+}
+
+/// A mechanism that the recording does not tell from the one found.
+pub struct Rival {
+    /// the word
+    pub word: &'static str,
+    /// its values, of what was found and of the rival, for a reader
+    pub values: [String; 2],
+    /// as an effect
+    pub effect: Composed,
+    /// fitted in the place of the one found
+    pub tried: Tried,
 }
 
 /// The mechanism beside `from` that explains most; `None` where none stands above the control. `scale` divides log evidence as in the selection.
@@ -58,10 +72,11 @@ pub fn discover(search: &Search<'_>, from: &Tried, scale: f64, id: EffectId) -> 
         return None;
     }
     let temper = temper(clearest);
-    let effect = best_fit(search, from, &mut found, temper, id)?;
+    let (effect, fitted) = best_fit(search, from, &mut found, temper, id)?;
     let gain = log_sum_exp(&found.sentences.iter().map(|s| s.weight(scale)).collect::<Vec<_>>());
     let words = marginals(&found.sentences, temper);
-    Some(Discovery { effect, words, gain, control_p_value, weighed: found.columns })
+    let rival = rival(search, from, &found, &effect, &words, fitted, temper);
+    Some(Discovery { effect, words, gain, control_p_value, weighed: found.columns, rival })
 }
 
 /// Divisor of log evidence: words are told apart by no less than the error of their laws.
@@ -89,9 +104,23 @@ fn promising(found: &Screen, temper: f64) -> Vec<usize> {
     chosen
 }
 
-/// Fits the most promising sentences beside `from`, corrects what the screen promised of them, and gives the one with the most weight.
-fn best_fit(search: &Search<'_>, from: &Tried, found: &mut Screen, temper: f64, id: EffectId) -> Option<Composed> {
-    let mut best: Option<(f64, Composed)> = None;
+/// A sentence that was fitted: its place among those screened, its weight, the effect and the model with it.
+struct Fitted {
+    index: usize,
+    weight: f64,
+    effect: Composed,
+    tried: Tried,
+}
+
+/// Fits the most promising sentences beside `from`, corrects what the screen promised of them, and gives the one with the most weight, and the others.
+fn best_fit(
+    search: &Search<'_>,
+    from: &Tried,
+    found: &mut Screen,
+    temper: f64,
+    id: EffectId,
+) -> Option<(Composed, Vec<Fitted>)> {
+    let mut all: Vec<Fitted> = Vec::new();
     let mut open = promising(found, temper);
     open.reverse();
     let mut done = Vec::new();
@@ -112,11 +141,32 @@ fn best_fit(search: &Search<'_>, from: &Tried, found: &mut Screen, temper: f64, 
             open.push(twin);
             continue;
         }
-        if best.as_ref().is_none_or(|(most, _)| weight > *most) {
-            best = Some((weight, effect));
-        }
+        all.push(Fitted { index, weight, effect, tried });
     }
-    best.map(|(_, effect)| effect)
+    let best = all.iter().enumerate().max_by(|a, b| a.1.weight.total_cmp(&b.1.weight))?.0;
+    let best = all.swap_remove(best);
+    Some((best.effect, all))
+}
+
+/// The likeliest mechanism with another value of the least sure word; one that was not fitted yet is.
+fn rival(
+    search: &Search<'_>,
+    from: &Tried,
+    found: &Screen,
+    effect: &Composed,
+    words: &WordProbabilities,
+    fitted: Vec<Fitted>,
+    temper: f64,
+) -> Option<Rival> {
+    let word = words.least_sure(SURE)?;
+    let own = word.of(&effect.sentence);
+    let differs = |sentence: &Sentence| word.of(sentence) != own;
+    let open = found.sentences.iter().enumerate().filter(|(_, s)| differs(&s.sentence) && s.beyond.is_finite());
+    let (index, next) = open.max_by(|a, b| a.1.weight(temper).total_cmp(&b.1.weight(temper)))?;
+    let values = [own.clone(), word.of(&next.sentence)];
+    let known = fitted.into_iter().find(|f| f.index == index).map(|f| (f.effect, f.tried));
+    let (effect, tried) = known.or_else(|| fit_of(search, from, next, effect.id))?;
+    Some(Rival { word: word.name(), values, effect, tried })
 }
 
 /// A sentence as an effect and as fitted beside `from`.

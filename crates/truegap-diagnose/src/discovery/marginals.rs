@@ -2,7 +2,7 @@
 //!
 //! Limits: sentences that no recording could tell apart keep equal shares; a word is as sure as the sentences that hold it together.
 
-use crate::{discovery::screen::Screened, stats::log_sum_exp};
+use crate::{discovery::screen::Screened, effects::composed::mechanism::Sentence, stats::log_sum_exp};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -19,6 +19,40 @@ pub struct WordProbabilities {
     pub form: BTreeMap<String, f64>,
     /// how it acts
     pub action: BTreeMap<String, f64>,
+}
+
+/// Probability that place, driver and kinetics need, each, for an answer without rivals.
+pub const SURE: f64 = 0.9;
+
+/// A word that decides what a mechanism is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Word {
+    /// where
+    Place,
+    /// what it follows
+    Driver,
+    /// how in time
+    Kinetics,
+}
+
+impl Word {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Place => "place",
+            Self::Driver => "driver",
+            Self::Kinetics => "kinetics",
+        }
+    }
+
+    /// Its value in a sentence.
+    pub fn of(self, sentence: &Sentence) -> String {
+        match self {
+            Self::Place => sentence.quantity.place().word().into(),
+            Self::Driver => sentence.driver.word(),
+            Self::Kinetics => sentence.kinetics.word().into(),
+        }
+    }
 }
 
 /// Probability below which a word's value is not listed.
@@ -62,6 +96,13 @@ impl WordProbabilities {
         let mut values: Vec<(&str, f64)> = word.iter().map(|(v, p)| (v.as_str(), *p)).filter(|(_, p)| *p >= least).collect();
         values.sort_by(|a, b| b.1.total_cmp(&a.1));
         values
+    }
+
+    /// The word whose likeliest value is least probable, where one is below `least`.
+    pub fn least_sure(&self, least: f64) -> Option<Word> {
+        let most = |word: &BTreeMap<String, f64>| word.values().copied().fold(0.0, f64::max);
+        let each = [(Word::Place, most(&self.place)), (Word::Driver, most(&self.driver)), (Word::Kinetics, most(&self.kinetics))];
+        each.into_iter().filter(|(_, p)| *p < least).min_by(|a, b| a.1.total_cmp(&b.1)).map(|(word, _)| word)
     }
 
     /// Whether place, driver and kinetics are each at least this probable.

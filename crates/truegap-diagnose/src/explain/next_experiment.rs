@@ -217,8 +217,22 @@ pub(crate) fn by_worth(mut options: Vec<ExperimentOption>, brings: impl Fn(&Expe
 
 /// Ranks what would tell `best` from `rivals`, of which there is at least one.
 pub fn next_experiment(search: &Search<'_>, best: &Tried, rivals: &[&Tried]) -> NextExperiment {
+    let options = options(search, best, rivals);
     let name = |t: &Tried| t.effects.iter().map(|e| spoken(search.library[*e].id().0)).collect::<Vec<_>>().join(" with ");
     let label = |t: &Tried| if t.effects.is_empty() { "nothing missing".to_owned() } else { name(t) };
+    let separates = std::iter::once(best).chain(rivals.iter().copied()).map(label).collect::<Vec<_>>();
+    NextExperiment { says: advice(search, options.first(), &listed(&separates, "and")), separates, options }
+}
+
+/// What would best settle a word of a mechanism: `values` are those of `best` and of its `rival`.
+pub fn settling(search: &Search<'_>, best: &Tried, rival: &Tried, word: &str, values: &[String; 2]) -> NextExperiment {
+    let options = options(search, best, &[rival]);
+    let survivors = format!("{} as its {word}", listed(values, "and"));
+    NextExperiment { says: advice(search, options.first(), &survivors), separates: values.to_vec(), options }
+}
+
+/// Runs and instrument changes that tell `best` from each of `rivals`, the best first.
+fn options(search: &Search<'_>, best: &Tried, rivals: &[&Tried]) -> Vec<ExperimentOption> {
     let apart = |(mut option, inputs): (ExperimentOption, Inputs)| {
         let separations: Vec<f64> = rivals.iter().filter_map(|rival| separation(search, &inputs, best, rival)).collect();
         option.separation = separations.iter().copied().fold(f64::INFINITY, f64::min);
@@ -228,9 +242,7 @@ pub fn next_experiment(search: &Search<'_>, best: &Tried, rivals: &[&Tried]) -> 
     let survivors = std::iter::once(best).chain(rivals.iter().copied());
     let survivors: BTreeSet<usize> = survivors.flat_map(|t| t.effects.iter().copied()).collect();
     options.extend(instrument(&survivors.into_iter().map(|e| search.library[e]).collect::<Vec<_>>()));
-    let options = by_worth(options, |o| o.separation.min(ENOUGH));
-    let separates = std::iter::once(best).chain(rivals.iter().copied()).map(label).collect::<Vec<_>>();
-    NextExperiment { says: advice(search, options.first(), &listed(&separates, "and")), separates, options }
+    by_worth(options, |o| o.separation.min(ENOUGH))
 }
 
 fn advice(search: &Search<'_>, first: Option<&ExperimentOption>, survivors: &str) -> String {

@@ -52,13 +52,16 @@ pub fn compose(
     lack_of_fit: &LackOfFitTests,
 ) -> Option<Composition> {
     let chosen = &selection.models[decision.model];
-    let strained = is_strained(search, selection.base(), chosen);
+    let strained = is_strained(search, lack_of_fit, selection.base(), chosen);
     if search.problem.simulator.joined().is_some() || !leaves_something(decision, after, strained) {
         return None;
     }
     let mut launches = vec![selection.base()];
     launches.extend(
-        selection.likeliest_named().map(|index| &selection.models[index]).filter(|m| !is_strained(search, selection.base(), m)),
+        selection
+            .likeliest_named()
+            .map(|index| &selection.models[index])
+            .filter(|m| !is_strained(search, lack_of_fit, selection.base(), m)),
     );
     let mut best: Option<Composition> = None;
     for from in launches {
@@ -115,14 +118,16 @@ fn is_a_moment(effect: &Composed) -> bool {
     effect.sentence.driver == Driver::Time && effect.sentence.kinetics == Kinetics::Event
 }
 
-/// Whether the effects whose shape lies on a limit that is not a plain special case (nothing or all of a part) carry the explanation: the fit says that the law does not
-/// hold. A law that explains a small part beside others that hold says nothing against those.
-pub fn is_strained(search: &Search<'_>, base: &Tried, tried: &Tried) -> bool {
+/// Whether the effects whose shape lies on a limit that is not a plain special case (nothing or all of a part) carry the explanation, and the recording wants the shape
+/// beyond it or misfit is left: the fit says that the law does not hold. A law that explains a small part beside others that hold says nothing against those.
+pub fn is_strained(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: &Tried, tried: &Tried) -> bool {
     let model = search.model(&tried.effects);
     let values = model.values(&tried.fit.z);
+    let leaves_misfit = lack_of_fit.adequacy(&tried.fit).fires();
     let special = |value: f64| value == 0.0 || (value - 1.0).abs() < 1e-9;
     let at_limit = |index: &usize| {
-        model.range_of(*index).skip(1).any(|i| tried.fit.at_limit[i] && !special(values[i]) && tried.fit.pull(i) > CLEARLY_BEYOND)
+        let beyond = |i: usize| leaves_misfit || tried.fit.pull(i) > CLEARLY_BEYOND;
+        model.range_of(*index).skip(1).any(|i| tried.fit.at_limit[i] && !special(values[i]) && beyond(i))
     };
     let carried: f64 = (0..tried.effects.len()).filter(at_limit).map(|index| detectability(search, tried, index).powi(2)).sum();
     let explained = 2.0 * (base.fit.objective() - tried.fit.objective());

@@ -113,13 +113,7 @@ struct Fitted {
 }
 
 /// Fits the most promising sentences beside `from`, corrects what the screen promised of them, and gives the one with the most weight, and the others.
-fn best_fit(
-    search: &Search<'_>,
-    from: &Tried,
-    found: &mut Screen,
-    temper: f64,
-    id: EffectId,
-) -> Option<(Composed, Vec<Fitted>)> {
+fn best_fit(search: &Search<'_>, from: &Tried, found: &mut Screen, temper: f64, id: EffectId) -> Option<(Composed, Vec<Fitted>)> {
     let mut all: Vec<Fitted> = Vec::new();
     let mut open = promising(found, temper);
     open.reverse();

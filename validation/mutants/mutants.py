@@ -145,8 +145,8 @@ def run(scratch, targets, crate, target, test, number):
 
 def page(rows):
     killed = sum(r["killed"] for r in rows)
-    equivalent = sum("equivalent" in r for r in rows)
     survived = [r for r in rows if not r["killed"]]
+    equivalent = sum("equivalent" in r for r in survived)
     share = killed / (len(rows) - equivalent)
     lines = [
         "# Planted errors in core, model, design and diagnosis, and the tests that notice them",

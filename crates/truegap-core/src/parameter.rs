@@ -95,3 +95,23 @@ impl Parameter {
         self.prior.slope(0.0)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// There and back, and the change of the value against differences.
+    #[test]
+    fn values_and_standard_deviations_are_inverse_and_slopes_are_differences() {
+        for prior in [Prior::Normal { mean: 4.0, sd: 0.5 }, Prior::LogNormal { median: 20.0, log_sd: 0.3 }] {
+            for z in [-2.0, 0.0, 1.5] {
+                approx::assert_abs_diff_eq!(prior.z(prior.at(z)), z, epsilon = 1e-12);
+                let difference = (prior.at(z + 1e-5) - prior.at(z - 1e-5)) / 2e-5;
+                approx::assert_relative_eq!(prior.slope(z), difference, max_relative = 1e-8);
+            }
+        }
+        // a third of the logarithm is 35 % up
+        approx::assert_relative_eq!(Prior::LogNormal { median: 20.0, log_sd: 0.3 }.at(1.0), 26.997_176, max_relative = 1e-7);
+        assert_eq!(Parameter::log_normal("tau", "s", 20.0, 0.3, "").sd(), 6.0);
+    }
+}

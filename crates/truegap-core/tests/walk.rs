@@ -163,3 +163,16 @@ fn what_the_model_cannot_answer_is_an_error_with_its_row() {
     assert_eq!(error(&[1.0], &heavy), SimulationError::GapCloses { row: 1, load_si: 24.0, strain: 1.2 });
     assert!(matches!(error(&[f64::INFINITY], &pressed()), SimulationError::NotFinite { row: 0, .. }));
 }
+
+/// By hand: a load of one full load strains a tenth, less what both stiffenings take.
+#[test]
+fn stiffenings_of_several_stages_add_up() {
+    struct Stiff(f64);
+    impl Stage for Stiff {
+        fn stiffening(&self) -> [f64; 2] {
+            [self.0, 0.0]
+        }
+    }
+    let response = Spring::new(false, true).respond(&[7.0], &pressed(), &[&Stiff(0.02), &Stiff(0.03)]).unwrap();
+    approx::assert_relative_eq!(response[1], 7.0 / (1.0 - 0.1 + 0.05), max_relative = 1e-14);
+}

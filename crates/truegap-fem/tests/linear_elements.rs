@@ -91,7 +91,7 @@ fn linear_case(name: &str, output: &str, exact: f64, target: f64) -> (f64, f64, 
     let text = text.replace(line, &format!("target_error = {target}\norder = 1"));
     let result = solve_case(&read_case(&text, name).unwrap()).unwrap();
     let q = result.quantity(output).unwrap();
-    assert!(q.relative_error_estimate <= target);
+    assert!(q.error_over_scale <= target);
     (q.value / exact - 1.0, q.error_estimate / (q.value - exact).abs(), result.mesh.unknowns)
 }
 

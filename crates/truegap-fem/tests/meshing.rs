@@ -157,3 +157,26 @@ fn drawings_without_sense_are_refused_with_their_place() {
     let unknown = Geometry::default().region("a", square()).boundary_of("b", "c");
     assert!(matches!(mesh(unknown), MeshError::UnknownRegion { .. }));
 }
+
+/// Spheres on the axis in a cylinder, drawn by an arc from pole to pole: no rounding of the arc reaches beyond the axis, whatever height and radius.
+#[test]
+fn spheres_on_the_axis_do_not_reach_beyond_it() {
+    let mut beyond = Vec::new();
+    for k in 0..40 {
+        let (height, radius) = (0.7 + 0.05 * f64::from(k % 8), 0.2 + 0.1 * f64::from(k / 8));
+        let sphere = Outline {
+            start: [0.0, height],
+            steps: vec![Step::Arc { via: [radius, height + radius], to: [0.0, height + 2.0 * radius] }],
+        };
+        let drawing = Geometry::default()
+            .region("outside", Outline::rectangle([0.0, 0.0], [3.0, 3.0]))
+            .region("sphere", sphere)
+            .boundary_of("surface", "sphere");
+        let mesh = mesh_geometry(&drawing, &MeshOptions { arc_step_degrees: 10.0, ..MeshOptions::default() }).unwrap();
+        let least = mesh.points.iter().map(|p| p[0]).fold(f64::INFINITY, f64::min);
+        if least < 0.0 {
+            beyond.push((height, radius, least));
+        }
+    }
+    assert!(beyond.is_empty(), "{beyond:?}");
+}

@@ -52,7 +52,7 @@ fn check(names: &[&str]) {
                 r.quantity,
                 q.value
             );
-            assert!(q.relative_error_estimate <= target);
+            assert!(q.error_over_scale <= target);
             if error > 10.0 * r.trusted {
                 assert!((0.5..=3.0).contains(&effectivity), "{name} {}: effectivity {effectivity}", r.quantity);
             }
@@ -122,7 +122,7 @@ fn cases_that_the_estimates_never_saw_meet_their_targets() {
             let exact = r.value * r.length * if r.eps0 { VACUUM_PERMITTIVITY } else { 1.0 };
             let q = result.quantity(&r.quantity).unwrap();
             let error = (q.value - exact).abs();
-            let scale = q.error_estimate / q.relative_error_estimate;
+            let scale = q.scale;
             let effectivity = q.error_estimate / error;
             println!("{name} {}: off {:.1e}, effectivity {effectivity:.2}", r.quantity, error / scale);
             assert!(error <= target * scale, "{name} {}: off {:.1e}, wanted {target:.0e}", r.quantity, error / scale);

@@ -226,3 +226,11 @@ fn no_formula_depends_on_the_base_units() {
         }
     }
 }
+
+/// A line from 3 to 7 with a bump of a tenth in the middle: a fortieth of the span.
+#[test]
+fn linearity_is_about_the_line_through_the_ends() {
+    let range = Range { unloaded: 3.0, loaded: 7.0 };
+    let responses = [(0.0, 3.0), (0.25, 4.0), (0.5, 5.1), (1.0, 7.0)];
+    assert_relative_eq!(linearity(range, responses), 2.5, max_relative = 1e-12);
+}

@@ -166,7 +166,8 @@ pub(crate) fn met(target: &Target) -> &'static str {
 /// The study beside its controls and the engine before.
 pub(crate) fn targets(root: &Path) -> Result<Markdown, TablesError> {
     let (score, before) = (Score::quoted(root)?, Score::read(root, BEFORE)?);
-    let (bic, sparse) = (score.control("BIC")?, score.control("sparse regression")?);
+    let bic = score.control("BIC")?;
+    let (evidence, sparse) = (score.control("best single evidence")?, score.control("sparse regression")?);
     let header = [
         "question",
         "wanted",
@@ -175,6 +176,7 @@ pub(crate) fn targets(root: &Path) -> Result<Markdown, TablesError> {
         "met",
         "engine before, another draw",
         "BIC picker",
+        "best evidence",
         "sparse regression",
     ];
     let mut table = Markdown::new(&header);
@@ -182,9 +184,10 @@ pub(crate) fn targets(root: &Path) -> Result<Markdown, TablesError> {
         let target = score.target(row)?;
         let of = |targets: &[Target]| targets.iter().find(|t| t.says == row.says).map(|t| row.result(t)).unwrap_or_default();
         let (wanted, result) = (row.wanted(target), row.result(target));
-        let cells =
-            [row.means, &wanted, &result, &row.interval(target), met(target), &of(&before.targets), &of(bic), &of(sparse)];
-        table.rows.push(cells.map(str::to_owned).to_vec());
+        let controls = [bic, evidence, sparse].map(of);
+        let cells = [row.means, &wanted, &result, &row.interval(target), met(target), &of(&before.targets)];
+        let cells = cells.into_iter().chain(controls.iter().map(String::as_str));
+        table.rows.push(cells.map(str::to_owned).collect());
     }
     Ok(table)
 }

@@ -36,8 +36,8 @@ fn judged(console: &Console, case: &Case, result: &CaseResult) -> Outcome {
     let Some(target) = case.mesh.target_error else { return Outcome::Fine };
     let met = |estimate: f64| estimate <= target;
     let mut outcome = Outcome::Fine;
-    for (name, quantity) in result.quantities.iter().filter(|(_, q)| !met(q.relative_error_estimate)) {
-        let estimate = digits(quantity.relative_error_estimate, 2);
+    for (name, quantity) in result.quantities.iter().filter(|(_, q)| !met(q.error_over_scale)) {
+        let estimate = digits(quantity.error_over_scale, 2);
         console.note(format!(
             "the error of {name} is estimated at {estimate}, above the target of {target}; refine, or ask for less"
         ));
@@ -48,10 +48,10 @@ fn judged(console: &Console, case: &Case, result: &CaseResult) -> Outcome {
 
 pub(super) fn print(console: &Console, result: &CaseResult) -> anyhow::Result<()> {
     let rows = result.quantities.iter().map(|(name, q)| {
-        let [error, relative] = [q.error_estimate, q.relative_error_estimate].map(|e| digits(e, 2));
-        vec![name.clone(), digits(q.value, 9), q.unit.clone(), error, relative]
+        let [error, relative, scaled] = [q.error_estimate, q.relative_error_estimate, q.error_over_scale].map(|e| digits(e, 2));
+        vec![name.clone(), digits(q.value, 9), q.unit.clone(), error, relative, scaled]
     });
-    console.print(table(&["quantity", "value", "unit", "error\nestimate", "relative\nerror"], rows))?;
+    console.print(table(&["quantity", "value", "unit", "error\nestimate", "over\nvalue", "over\nits kind"], rows))?;
     let [mesh, assemble, solve] = [result.seconds.mesh, result.seconds.assemble, result.seconds.solve].map(|s| digits(s, 2));
     console.print(format!(
         "\n{} triangles, {} unknowns; meshing {mesh} s, assembling {assemble} s, solving {solve} s",

@@ -208,3 +208,19 @@ fn rank<const M: usize>(e: &Evaluation<M>, weights: &[f64; M], ideal: [f64; M], 
 fn polynomial(u: f64) -> f64 {
     if u < 0.5 { (2.0 * u).powf(1.0 / 21.0) - 1.0 } else { 1.0 - (2.0 * (1.0 - u)).powf(1.0 / 21.0) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_design_that_breaks_a_limit_ranks_behind_all_that_do_not() {
+        let at = |objectives: [f64; 2], violation: f64| {
+            rank(&Evaluation { objectives, violation }, &[0.5, 0.5], [0.0, 0.0], [1.0, 4.0])
+        };
+        // the larger of 3 / 0.5 and 4 / (4 x 0.5)
+        assert_eq!(at([3.0, 4.0], 0.0), 6.0);
+        assert!(at([0.0, 0.0], 1e-3) > at([1e6, 1e6], 0.0));
+        assert!(at([9.0, 9.0], 0.1) < at([0.0, 0.0], 0.2));
+    }
+}

@@ -85,3 +85,29 @@ fn standard_error(parts: &[f64]) -> Option<f64> {
     let square = parts.iter().map(|p| (p - mean).powi(2)).sum::<f64>();
     (parts.len() > 1).then(|| (square / (count - 1.0) / count).sqrt())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Metric, tolerance::Limit};
+
+    /// 1, 2 and 6 have a variance of 7; their mean is known to the root of 7 / 3.
+    #[test]
+    fn the_standard_error_is_that_of_the_mean() {
+        approx::assert_relative_eq!(standard_error(&[1.0, 2.0, 6.0]).unwrap(), (7.0f64 / 3.0).sqrt(), max_relative = 1e-14);
+        assert!(standard_error(&[1.0]).is_none());
+    }
+
+    #[test]
+    fn a_sensor_whose_plates_touch_is_not_good() {
+        let specification = Specification::new(vec![
+            Limit::new(Metric::Baseline, 0.0, 1.0).unwrap(),
+            Limit::new(Metric::Span, 0.0, 1.0).unwrap(),
+        ])
+        .unwrap();
+        let sensor = |baseline: f64, span: f64| Some(Metrics([baseline, span, 0.0, 0.0, 0.0, 0.0, 0.0]));
+        let found = Counts::of(&[None, sensor(0.5, 0.5), sensor(2.0, 0.5), sensor(2.0, 2.0)], &specification);
+        let known = Counts { sensors: 4, touching: 1, good: 1, excluded: vec![2, 1], excluded_alone: vec![1, 0] };
+        assert_eq!(found, known);
+    }
+}

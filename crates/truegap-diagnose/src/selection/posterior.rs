@@ -276,4 +276,39 @@ mod tests {
             approx::assert_relative_eq!(certain.effect_probability[1], 1.0);
         }
     }
+
+    /// Three models of 0.2, 0.5 and 0.3; the largest holds an effect that cannot be seen.
+    fn three() -> Selection {
+        Selection {
+            models: vec![tried(&[0]), tried(&[0, 1]), tried(&[])],
+            probability: vec![0.5, 0.3, 0.2],
+            effect_probability: vec![0.0; 2],
+            base: 2,
+            unmodelled: Vec::new(),
+            ..selection(0.0)
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_seen_counts_for_the_model_without_it() {
+        let merged = three().merged(|_, tried| tried.effects.contains(&1).then_some(1));
+        approx::assert_relative_eq!(merged.effect_probability[0], 0.8, max_relative = 1e-12);
+        assert_eq!(merged.effect_probability[1], 0.0);
+        approx::assert_relative_eq!(merged.probability.iter().sum::<f64>(), 1.0, max_relative = 1e-12);
+    }
+
+    /// Squares of 0.5, 0.3 and 0.2 over their sum, 0.38.
+    #[test]
+    fn sharpened_probabilities_are_powers_over_their_sum() {
+        let sharp = three().sharpened(2.0);
+        approx::assert_relative_eq!(
+            sharp.probability.as_slice(),
+            [0.25 / 0.38, 0.09 / 0.38, 0.04 / 0.38].as_slice(),
+            max_relative = 1e-12
+        );
+        approx::assert_relative_eq!(sharp.probability_none(), 0.04 / 0.38, max_relative = 1e-12);
+        let outside = selection(0.5).sharpened(2.0);
+        // 0.2, 0.8 and odds of 0.5: squares 0.04, 0.64, 0.25
+        approx::assert_relative_eq!(outside.probability_unmodelled(), 0.25 / 0.93, max_relative = 1e-12);
+    }
 }

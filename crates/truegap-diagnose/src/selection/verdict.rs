@@ -195,4 +195,81 @@ mod tests {
         assert_eq!(Decision::nothing(Verdict::Agrees, 0).with_interference(0, 0.0, 1.0).verdict, Verdict::Unexplained);
         assert_eq!(Decision::nothing(Verdict::Undecided, 0).with_interference(0, 0.0, 99.0).verdict, Verdict::Undecided);
     }
+
+    use crate::{
+        fit::{model::Kinds, optimum::finish, score_test::JointTest},
+        selection::{candidates::Tried, model_space::EvidenceCheck},
+    };
+    use nalgebra::DMatrix;
+
+    /// What is left over of a model: nothing, or `excess` above twelve degrees of freedom.
+    fn left(excess: f64) -> Adequacy {
+        let smooth = JointTest { statistic: 12.0 + excess, freedom: 12, p_value: if excess > 0.0 { 1e-9 } else { 0.5 } };
+        Adequacy {
+            smooth,
+            stretches: JointTest { statistic: 0.0, freedom: 0, p_value: 1.0 },
+            line_p_value: 1.0,
+            line_at: (0, 0.0),
+        }
+    }
+
+    /// Models with their effects and probabilities; each effect takes 1000 units of a misfit of `misfit`.
+    fn selection(misfit: f64, models: &[(&[usize], f64)]) -> Selection {
+        let tried = |effects: &[usize]| {
+            let left: f64 = (misfit - 1000.0 * effects.len() as f64).max(0.0);
+            let count = 1 + effects.len();
+            let free = vec![(f64::NEG_INFINITY, f64::INFINITY); count];
+            let fit = finish(vec![0.0; count], vec![left.sqrt()], DMatrix::zeros(1, count), &free, Kinds::default(), (1, true));
+            Tried { effects: effects.to_vec(), fit }
+        };
+        let of = |effect: usize| models.iter().filter(|(e, _)| e.contains(&effect)).map(|(_, p)| p).sum();
+        Selection {
+            models: models.iter().map(|(effects, _)| tried(effects)).collect(),
+            probability: models.iter().map(|(_, p)| *p).collect(),
+            effect_probability: (0..3).map(of).collect(),
+            temper: 1.0,
+            base: models.iter().position(|(e, _)| e.is_empty()).unwrap(),
+            check: EvidenceCheck::default(),
+            unmodelled: Vec::new(),
+        }
+    }
+
+    fn decided(models: &[(&[usize], f64)], before: f64, after: f64) -> Decision {
+        decide(&selection(2000.0, models), &left(before), &left(after), |_| false)
+    }
+
+    #[test]
+    fn what_is_not_detected_is_not_named() {
+        assert_eq!(decided(&[(&[], 0.5), (&[0], 0.5)], 0.0, 0.0).verdict, Verdict::Agrees);
+        assert_eq!(decided(&[(&[0], 0.8), (&[], 0.2)], 0.0, 0.0).verdict, Verdict::Undecided);
+        assert_eq!(decided(&[(&[0], 0.8), (&[], 0.2)], 90.0, 0.0).verdict, Verdict::Unexplained);
+        assert_eq!(decided(&[(&[0], 0.97), (&[], 0.03)], 0.0, 0.0).verdict, Verdict::Explained);
+    }
+
+    #[test]
+    fn a_rival_within_twenty_makes_it_ambiguous() {
+        let near = decided(&[(&[0], 0.92), (&[1], 0.07), (&[], 0.01)], 0.0, 0.0);
+        assert_eq!((near.verdict, near.sets), (Verdict::Ambiguous, vec![vec![0, 1]]));
+        let far = decided(&[(&[0], 0.96), (&[1], 0.03), (&[], 0.01)], 0.0, 0.0);
+        assert_eq!((far.verdict, far.sets), (Verdict::Explained, vec![vec![0]]));
+    }
+
+    /// One effect takes 1000 of 2000 units; what the tests find beside it is a share of 1 %, 23 % or 33 % of that and it.
+    #[test]
+    fn what_is_left_decides_on_the_form() {
+        let one: &[(&[usize], f64)] = &[(&[0], 0.99), (&[], 0.01)];
+        assert_eq!(decided(one, 0.0, 5.0).verdict, Verdict::Explained);
+        let wrong = decided(one, 0.0, 300.0);
+        assert_eq!(wrong.verdict, Verdict::WrongForm);
+        approx::assert_relative_eq!(wrong.removed, 1000.0 / 1300.0, max_relative = 1e-12);
+        assert_eq!(decided(one, 0.0, 500.0).verdict, Verdict::Unexplained);
+    }
+
+    /// The likeliest model holds an effect that is not sure and has no rival: the smaller one is stated.
+    #[test]
+    fn an_effect_that_is_not_sure_is_left_out_of_what_is_stated() {
+        let two: &[(&[usize], f64)] = &[(&[0, 1], 0.6), (&[0], 0.39), (&[], 0.01)];
+        let found = decided(two, 0.0, 0.0);
+        assert_eq!((found.verdict, found.sets, found.model), (Verdict::Explained, vec![vec![0]], 1));
+    }
 }

@@ -3,4 +3,5 @@
 #![allow(clippy::unwrap_used)]
 
 mod evidence;
+mod linear;
 mod noise;

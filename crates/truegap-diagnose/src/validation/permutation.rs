@@ -77,3 +77,100 @@ fn removed(base: &Fit, added: &DMatrix<f64>, parts: &[Vec<usize>]) -> Option<f64
     let there = before / count - 1.0;
     (there > THERE * (2.0 / count).sqrt()).then(|| 1.0 - (after / count - 1.0) / there)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::{model::Kinds, optimum::finish};
+
+    const ROWS: usize = 60;
+
+    fn course(k: usize) -> Vec<f64> {
+        (0..ROWS).map(|row| (0.31 * (k + 1) as f64 * row as f64).sin()).collect()
+    }
+
+    /// A base model of one number (known to one deviation about 0) fitted to `y` in noise of unit variance.
+    fn base(y: &[f64]) -> Fit {
+        let column = DVector::from_vec(course(0));
+        let y = DVector::from_column_slice(y);
+        let z = column.dot(&y) / (1.0 + column.norm_squared());
+        let residual = &y - &column * z;
+        let jacobian = DMatrix::from_columns(&[column]);
+        finish(
+            vec![z],
+            residual.as_slice().to_vec(),
+            jacobian,
+            &[(f64::NEG_INFINITY, f64::INFINITY)],
+            Kinds::default(),
+            (1, true),
+        )
+    }
+
+    fn recorded() -> Vec<f64> {
+        course(0)
+            .iter()
+            .zip(course(1))
+            .enumerate()
+            .map(|(row, (a, b))| 2.0 * a + 3.0 * b + (1.7 * row as f64).cos() * 1.4)
+            .collect()
+    }
+
+    /// Squared error on parts left out by stacked least squares, the numbers of the base model held by a row each, over what the fit leaves.
+    fn left_out(columns: &[Vec<f64>], residual: &[f64], parts: &[Vec<usize>], held: usize) -> f64 {
+        let error = |part: &Vec<usize>| {
+            let rest: Vec<usize> = (0..ROWS).filter(|row| !part.contains(row)).collect();
+            let design = DMatrix::from_fn(rest.len() + held, columns.len(), |i, k| match i.checked_sub(rest.len()) {
+                None => columns[k][rest[i]],
+                Some(own) => f64::from(u8::from(own == k)),
+            });
+            let right = DVector::from_fn(rest.len() + held, |i, _| rest.get(i).map_or(0.0, |row| residual[*row]));
+            let found = design.svd(true, true).solve(&right, 1e-12).unwrap();
+            part.iter()
+                .map(|row| (residual[*row] - (0..columns.len()).map(|k| columns[k][*row] * found[k]).sum::<f64>()).powi(2))
+                .sum::<f64>()
+        };
+        parts.iter().map(error).sum()
+    }
+
+    #[test]
+    fn the_share_removed_is_that_of_least_squares_without_each_part() {
+        let (fit, added) = (base(&recorded()), DMatrix::from_columns(&[DVector::from_vec(course(1))]));
+        let parts: Vec<Vec<usize>> = (0..6).map(|k| (10 * k..10 * (k + 1)).collect()).collect();
+        let residual = fit.residual.clone();
+        let [before, after] = [1, 2].map(|count| {
+            let columns: Vec<Vec<f64>> = (0..count).map(course).collect();
+            left_out(&columns, &residual, &parts, 1) / ROWS as f64 - 1.0
+        });
+        let found = removed(&fit, &added, &parts).unwrap();
+        // the ridge of a billionth
+        assert!((found - (1.0 - after / before)).abs() < 1e-6, "{found} {}", 1.0 - after / before);
+        assert!(found > 0.7, "{found}");
+    }
+
+    /// Three runs: no run keeps its own history, and each gets rows of one other, in their order but for one turn.
+    #[test]
+    fn a_permuted_history_is_that_of_another_run() {
+        let runs = [0..20, 20..40, 40..60];
+        let column = DMatrix::from_fn(ROWS, 1, |row, _| row as f64);
+        for seed in 0..10 {
+            let turned = permute(&column, &runs, &mut ChaCha8Rng::seed_from_u64(seed));
+            for run in &runs {
+                let rows: Vec<usize> = run.clone().map(|row| turned[(row, 0)] as usize).collect();
+                let from = &runs[rows[0] / 20];
+                assert!(from != run && rows.iter().all(|row| from.contains(row)), "{rows:?}");
+                let turns = rows.windows(2).filter(|w| w[1] != w[0] + 1).count();
+                assert!(turns <= 1, "{rows:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_acts_removes_more_than_its_permuted_history() {
+        let fit = base(&recorded());
+        let both = [course(0), course(1)].map(DVector::from_vec);
+        let chosen = Fit { jacobian: DMatrix::from_columns(&both), ..fit.clone() };
+        let numbers: Vec<u32> = (0..ROWS).map(|row| 1 + row as u32 / 20).collect();
+        let control = permuted(&fit, &chosen, &[0..20, 20..40, 40..60], &numbers).unwrap();
+        assert!(control < 0.3, "{control}");
+    }
+}

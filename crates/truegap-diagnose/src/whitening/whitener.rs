@@ -309,4 +309,13 @@ mod tests {
         });
         is_the_dense_covariance(&filter, &covariance);
     }
+
+    /// White noise in means of several rows, some of them louder beforehand.
+    #[test]
+    fn a_mean_of_rows_has_the_noise_of_a_mean() {
+        let weights = [1.0, 4.0, 9.0, 2.0, 5.0];
+        let noise = Noise { white_sd: 0.6, ar_sd: 0.0, ar_correlation: 0.0 };
+        let filter = Whitener::new(&noise, &InputError::white(vec![0.0; 5]), Some(&weights), &[0..5], None);
+        is_the_dense_covariance(&filter, &DMatrix::from_diagonal(&DVector::from_fn(5, |i, _| 0.36 / weights[i])));
+    }
 }

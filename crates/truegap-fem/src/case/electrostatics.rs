@@ -32,6 +32,8 @@ fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
         unit: a.unit.into(),
         error_estimate: a.error_estimate,
         relative_error_estimate: a.relative_error_estimate(),
+        error_over_scale: a.error_over_scale(),
+        scale: a.scale,
     };
     let seconds = outcome.seconds;
     CaseResult {

@@ -11,8 +11,12 @@ pub struct QuantityValue {
     pub unit: String,
     /// Estimated magnitude of the error, in `unit`.
     pub error_estimate: f64,
-    /// The same, relative to the value (to its kind where the value may vanish); what `target_error` is compared with.
+    /// The same over the magnitude of the value.
     pub relative_error_estimate: f64,
+    /// The same over `scale`: what `target_error` is compared with.
+    pub error_over_scale: f64,
+    /// Magnitude of the value, or of its kind where the value may vanish (of a stress, the greatest component there), in `unit`.
+    pub scale: f64,
 }
 
 /// Size of the last mesh.

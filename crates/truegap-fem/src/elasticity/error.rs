@@ -41,6 +41,11 @@ pub enum ElasticityError {
         /// Region.
         region: String,
     },
+    /// Estimates with linear elements.
+    #[error(
+        "errors are estimated for quadratic elements only, and the order is linear; use quadratic elements, or `Solver::solve` where no estimate is needed"
+    )]
+    EstimateNeedsQuadratic,
     /// Two conditions contradict each other.
     #[error("two conditions prescribe the {component} displacement at ({}, {}) m: {first} m and {second} m; remove one", at[0], at[1])]
     Conflict {

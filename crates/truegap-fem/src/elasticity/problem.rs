@@ -93,7 +93,7 @@ impl Condition {
         Condition::Displacement { place: Place::Point(point), component, value: 0.0 }
     }
 
-    /// Pressure on a boundary (Pa).
+    /// Pressure on a boundary (Pa): a dead load, per undeformed area and along the undeformed normal.
     pub fn pressure(boundary: &str, pressure: f64) -> Condition {
         Condition::Pressure { boundary: boundary.into(), pressure }
     }

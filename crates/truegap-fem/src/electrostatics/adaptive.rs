@@ -102,7 +102,7 @@ pub fn solve_adaptive(
 }
 
 fn ratio(j: &Judged) -> f64 {
-    j.answer.relative_error_estimate()
+    j.answer.error_over_scale()
 }
 
 /// Error shares of the triangles, summed over the outputs that are not accurate enough yet.

@@ -151,13 +151,17 @@ impl Arrangement {
         self.pieces.push(Piece { curve, ends, boundaries: boundary.into_iter().collect() });
     }
 
+    /// A point with coordinates of less than 1e-12 of the drawing's span taken for 0: the axis and other coordinate lines stay exact, whatever an arc or a
+    /// division has rounded, and the triangulation refuses denormal coordinates.
+    pub fn on_coordinate_lines(&self, p: Point) -> Point {
+        p.map(|x| if x.abs() < 1e-3 * self.tolerance { 0.0 } else { x })
+    }
+
     fn vertex(&mut self, p: Point) -> usize {
         if let Some(i) = self.vertices.iter().position(|&q| distance(p, q) <= self.tolerance) {
             return i;
         }
-        // The axis and other coordinate lines stay exact; the triangulation refuses denormal coordinates.
-        let clean = p.map(|x| if x.abs() < 1e-3 * self.tolerance { 0.0 } else { x });
-        self.vertices.push(clean);
+        self.vertices.push(self.on_coordinate_lines(p));
         self.vertices.len() - 1
     }
 }

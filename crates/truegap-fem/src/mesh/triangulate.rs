@@ -23,7 +23,10 @@ pub fn mesh_geometry(geometry: &Geometry, options: &MeshOptions) -> Result<Mesh,
     let drawing = Arrangement::new(geometry)?;
     let (mut cdt, chords) = constrained(&drawing, options)?;
     refine(&mut cdt, &drawing, options)?;
-    label_faces(&cdt, &drawing, &chords)
+    let mut mesh = label_faces(&cdt, &drawing, &chords)?;
+    // dividing an edge of the axis rounds to one side or the other
+    mesh.points.iter_mut().for_each(|p| *p = drawing.on_coordinate_lines(*p));
+    Ok(mesh)
 }
 
 fn refine(cdt: &mut Cdt, drawing: &Arrangement, options: &MeshOptions) -> Result<(), MeshError> {

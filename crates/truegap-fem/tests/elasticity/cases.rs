@@ -45,7 +45,7 @@ fn check(names: &[&str]) {
                 r.quantity, q.value, result.mesh.unknowns, result.seconds.solve
             );
             println!("{line}");
-            if !(error <= target + r.trusted && q.relative_error_estimate <= target && honest) {
+            if !(error <= target + r.trusted && q.error_over_scale <= target && honest) {
                 wrong.push(line);
             }
         }

@@ -64,3 +64,15 @@ fn outputs_that_do_not_exist_are_refused() {
     assert!(err(Goal::Stress { at: [1e-4, 1e-4], component: "rt".into() }).contains("`rt`"));
     assert!(err(Goal::Strain { at: [1.0, 1e-4], component: "rr".into() }).contains("outside"));
 }
+
+/// There is no estimate above linear elements: an error, where an index beyond the end of a list was the answer.
+#[test]
+fn linear_elements_have_no_estimate() {
+    let mut p = pressed(LawKind::Linear, 1e-3);
+    p.order = Order::Linear;
+    p.materials[0].formulation = Formulation::Displacement;
+    let quantities = [force("F", "top")];
+    let wanted = |e: FemError| matches!(e, FemError::Elasticity(ElasticityError::EstimateNeedsQuadratic));
+    assert!(wanted(solve_goals(&p, &quantities).unwrap_err()));
+    assert!(wanted(solve_goals_adaptive(&mut p, &quantities, &Accuracy::default()).unwrap_err()));
+}

@@ -10,4 +10,5 @@ mod goals;
 mod linear;
 mod mixed;
 mod mutations;
+mod punch;
 mod stability;

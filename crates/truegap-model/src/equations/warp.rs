@@ -99,7 +99,7 @@ pub struct Cap {
 /// | R      | `cap.sphere_radius` | m    |
 /// | θ      | `cap.half_angle`    | rad  |
 ///
-/// **Source:** \[hampson2023\] (16), (17), corrected: the volumes are equated, which makes the condition linear; see `docs/errata.md`.
+/// **Source:** \[hampson2023\] (16), solved: the volumes are equated, which makes the condition linear; see `docs/errata.md`.
 /// **Assumes:** `LINEAR-FOUNDATION`. **Accuracy:** `the_corrected_plane_halves_the_volume` (quadrature, 1e-12).
 pub fn settling_plane(cap: Cap) -> f64 {
     let c = cap.half_angle.cos();
@@ -115,7 +115,7 @@ pub fn settling_plane(cap: Cap) -> f64 {
 /// | θ      | `half_angle`                         | rad  |
 /// | a      | `height` over the radius of the sphere | -  |
 ///
-/// **Source:** \[hampson2023\] (17), as printed. It adds the volumes that it should equate, and is positive all over cos θ <= a <= 1 for every θ > 0: no root.
+/// **Source:** \[hampson2023\] (17), as printed. It adds the two sides of (16), which equates the volumes, and is positive all over cos θ <= a <= 1 for every θ > 0: no root.
 /// **Accuracy:** `the_printed_cubic_has_no_root_where_the_plane_must_be`.
 pub fn settling_cubic_as_printed(half_angle: f64, height: f64) -> f64 {
     let c = half_angle.cos();

@@ -7,7 +7,7 @@ mod stages;
 use plug::{Plug, at};
 
 use approx::assert_relative_eq;
-use truegap_core::{Drive, Geometry, Inputs, Sensor, SimulationError, Simulator, Stage, sensor::builtin_sensor};
+use truegap_core::{Drive, Geometry, Inputs, Readout, Sensor, SimulationError, Simulator, Stage, sensor::builtin_sensor};
 use truegap_model::{
     CoefficientOptions, Point, SeriesOrder, Stack, StackOptions,
     cases::{default_sensor, staircase},
@@ -228,4 +228,21 @@ fn both_reconstructions_give_the_papers_improvements() {
         // the paper's sign flip of K_linearity is there in the second only
         assert_eq!(before.k_linearity_pct_per_k * after.k_linearity_pct_per_k < 0.0, sign > 0.0);
     }
+}
+
+/// Zero and span that a stage of the readout is told, against the plain responses without and with full load.
+#[test]
+fn the_readout_is_told_zero_and_span() {
+    struct Span;
+    impl Stage for Span {
+        fn readout(&self, _: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
+            value.copy_from_slice(&[readout.zero, readout.span]);
+        }
+    }
+    let model = stack();
+    let ends = Inputs { run: vec![1; 2], force_n: Some(vec![0.0, model.full_load().unwrap()]), ..Inputs::default() };
+    let plain = model.respond(&centre(&model), &ends, &[]).unwrap();
+    let told = model.respond(&centre(&model), &ends, &[&Span]).unwrap();
+    assert_relative_eq!(told[0], plain[0], max_relative = 1e-14);
+    assert_relative_eq!(told[1], plain[1] - plain[0], max_relative = 1e-12);
 }

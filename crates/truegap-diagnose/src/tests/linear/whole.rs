@@ -1,0 +1,46 @@
+//! A whole diagnosis in the linear world: numbers as they are stated, in their units.
+
+use super::{
+    World,
+    effects::{Line, course},
+};
+use crate::{Library, Options, Problem, RecordingFacts, Verdict, answer::NoiseFacts, calibration::Noise, diagnose};
+use nalgebra::DVector;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use std::sync::atomic::AtomicBool;
+
+/// A level and one term, noise that is measured: values and deviations are those of the covariance of all rows at the noise that is stated.
+#[test]
+fn values_and_deviations_are_stated_in_their_units() {
+    let mut world = World::new(6, 40, &[3.0, 3.0]);
+    world.line = Line::with(vec![(5.0, course(4, 240))]);
+    world.noise.white_sd = 0.2;
+    let y = world.drawn(&[0], &[0.4, 0.5], &mut ChaCha8Rng::seed_from_u64(13));
+    let library = world.terms.iter().fold(Library::empty(), |all, t| all.with(Box::new(t.clone())));
+    let options = Options { library, compose: false, ..Options::default() };
+    let problem = Problem { inputs: &world.inputs, response: &y, simulator: &world.line };
+    let facts = RecordingFacts { rows: y.len(), runs: 6, ..RecordingFacts::default() };
+    let found = diagnose(&problem, facts, &options, &|_| (), &AtomicBool::new(false)).unwrap().diagnosis;
+    assert_eq!(found.verdict, Verdict::Explained, "{}", found.says);
+    // nothing rests here, so that part of the term is taken for slow noise: deviations are right for the noise that is stated
+    let NoiseFacts { white_sd, ar_sd, ar_correlation, .. } = found.noise;
+    world.noise = Noise { white_sd, ar_sd, ar_correlation };
+    let exact = world.exact(&[0], &y);
+    let (mean, covariance) = (exact.mean(), exact.covariance());
+    let (level, size) = (&found.base.parameters_after[0], &found.findings[0].parameters[0]);
+    for (facts, k, unit) in [(level, 0, 5.0), (size, 1, 3.0)] {
+        approx::assert_abs_diff_eq!(facts.value, unit * mean[k], epsilon = 0.02 * facts.sd);
+        // the base model's prior is a little wider than its Gaussian, which 1 / sd^2 of some thousand does not feel
+        approx::assert_relative_eq!(facts.sd, unit * covariance[(k, k)].sqrt(), max_relative = 1e-3);
+    }
+    let alone = world.exact(&[], &y).mean()[0];
+    approx::assert_abs_diff_eq!(found.base.parameters[0].value, 5.0 * alone, epsilon = 0.02 * level.sd);
+    let fit = &found.fit;
+    let left = |p: &[f64]| p.iter().zip(&y).map(|(p, y)| (p - y).powi(2)).sum::<f64>() / y.len() as f64;
+    let after: DVector<f64> = &exact.columns * &mean;
+    approx::assert_relative_eq!(fit.in_sample.rmse_after, left(after.as_slice()).sqrt(), max_relative = 1e-4);
+    let held = &fit.held_out;
+    let [before, after] = [held.rmse_before.unwrap(), held.rmse_after.unwrap()].map(|e| e * e - fit.noise_floor.powi(2));
+    approx::assert_relative_eq!(held.misfit_removed.unwrap(), 1.0 - after / before, max_relative = 1e-9);
+}

@@ -18,6 +18,8 @@ pub(crate) const REVISION: u32 = 4;
 pub(crate) struct Key {
     /// sha256, hexadecimal
     pub(crate) sha256: String,
+    /// assumption
+    pub(crate) id: String,
 }
 
 impl Key {
@@ -27,7 +29,7 @@ impl Key {
         // Debug prints floating-point numbers with all their digits.
         let text = format!("truegap.audit {} {REVISION}\n{id}\n{options:?}\n{physics:?}", env!("CARGO_PKG_VERSION"));
         let digest = Sha256::digest(text.as_bytes());
-        Self { sha256: digest.iter().map(|byte| format!("{byte:02x}")).collect() }
+        Self { sha256: digest.iter().map(|byte| format!("{byte:02x}")).collect(), id: id.to_owned() }
     }
 }
 
@@ -59,7 +61,8 @@ impl Cache {
     pub(crate) fn finding(&self, key: &Key) -> Result<Option<Finding>, AuditError> {
         let Some(path) = self.path(key) else { return Ok(None) };
         match std::fs::read_to_string(&path) {
-            Ok(text) => Ok(serde_json::from_str(&text).ok()),
+            // a file that was renamed or edited is not the finding that is asked for
+            Ok(text) => Ok(serde_json::from_str(&text).ok().filter(|finding: &Finding| finding.id == key.id)),
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
             Err(error) => Err(AuditError::Cache { path, problem: error.to_string() }),
         }
@@ -123,6 +126,9 @@ mod tests {
         ] {
             assert_ne!(other, key);
         }
+        let other = Key::of(&sensor, Options::default(), "B");
+        std::fs::copy(cache.path(&key).unwrap(), cache.path(&other).unwrap()).unwrap();
+        assert_eq!(cache.finding(&other).unwrap(), None, "a finding under the name of another");
         std::fs::remove_dir_all(folder).unwrap();
     }
 }

@@ -9,6 +9,7 @@ mod table;
 use clap::Parser;
 use command::{Command, run::Outcome};
 use console::Console;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
 /// Predict, verify and explain a capacitive tactile sensor.
@@ -27,15 +28,47 @@ struct Arguments {
 }
 
 fn main() -> ExitCode {
-    let Arguments { json, quiet, command } = Arguments::parse();
-    let console = Console { json, quiet };
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(told) => return answered(&told),
+    };
+    start_threads();
+    // a defect of the program ends like any other reason, and what was begun is taken back on the way
+    catch_unwind(AssertUnwindSafe(|| run(&arguments))).unwrap_or_else(|_| {
+        console::fail(
+            "this is a defect of truegap, and its place is named above; please report it with the command and its files",
+        );
+        ExitCode::from(2)
+    })
+}
+
+fn run(Arguments { json, quiet, command }: &Arguments) -> ExitCode {
+    let console = Console { json: *json, quiet: *quiet };
     match command.run(&console) {
         Ok(Outcome::Fine) => ExitCode::SUCCESS,
         Ok(Outcome::LookAt) => ExitCode::from(1),
-        Err(error) if console::is_closed_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
             console.fail(&error);
             ExitCode::from(2)
         }
+    }
+}
+
+/// Help, version, or what is wrong with the arguments, which are shown as text whatever they hold.
+fn answered(told: &clap::Error) -> ExitCode {
+    let text = console::shown(&told.render().to_string());
+    if told.use_stderr() {
+        eprint!("{text}");
+    } else {
+        print!("{text}");
+    }
+    ExitCode::from(u8::try_from(told.exit_code()).unwrap_or(2))
+}
+
+/// One thread a core, or this one alone where the system gives no more.
+fn start_threads() {
+    if rayon::ThreadPoolBuilder::new().build_global().is_err() {
+        // where even this fails the first parallel loop says so
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
     }
 }

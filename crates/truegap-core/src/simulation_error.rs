@@ -51,7 +51,10 @@ pub enum SimulationError {
         high: f64,
     },
     /// A number that is not finite came out.
-    #[error("row {row}: the response is {value}; the parameters {parameters:?} lie outside what the model can describe")]
+    #[error(
+        "row {row}: the model has no finite response there{}; check load and temperature of the row, and the description of the sensor",
+        parameters_told(parameters)
+    )]
     NotFinite {
         /// row of the inputs
         row: usize,
@@ -78,6 +81,10 @@ pub enum SimulationError {
         /// number of values given
         given: usize,
     },
+}
+
+fn parameters_told(parameters: &[f64]) -> String {
+    if parameters.is_empty() { String::new() } else { format!(" with the parameters {parameters:?}") }
 }
 
 /// Why one row has no answer; [`Refusal::at`] says which row.

@@ -140,6 +140,9 @@ impl Dimension {
     }
 }
 
+/// Lowest temperature there is, degrees Celsius.
+pub const ABSOLUTE_ZERO_C: f64 = -273.15;
+
 /// Why a text is not a quantity.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -170,6 +173,24 @@ pub enum UnitError {
         /// units that would do
         known: String,
     },
+    /// A temperature that there is not.
+    #[error("`{text}` lies below absolute zero, {ABSOLUTE_ZERO_C} degC; check number and unit")]
+    BelowAbsoluteZero {
+        /// the text
+        text: String,
+    },
+    /// A spread that no quantity has.
+    #[error("`{text}` is no spread: a standard deviation is 0 or greater; write \"162 um +- 5 um\"")]
+    NegativeSpread {
+        /// the text
+        text: String,
+    },
+    /// A number that SI cannot hold.
+    #[error("`{text}` is too large for a number; check number and unit")]
+    TooLarge {
+        /// the text
+        text: String,
+    },
 }
 
 /// SI value of a text such as `180 um`.
@@ -185,7 +206,13 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
         let UnitError::Unknown { known, .. } = dimension.unknown("") else { unreachable!("unknown() makes Unknown") };
         return Err(UnitError::Missing { text: text.to_owned(), known });
     }
-    dimension.to_si(value, unit)
+    let si = dimension.to_si(value, unit)?;
+    match dimension {
+        _ if !si.is_finite() => Err(UnitError::TooLarge { text: text.to_owned() }),
+        // a hair below is the rounding of another unit
+        Dimension::Temperature if si < ABSOLUTE_ZERO_C - 1e-9 => Err(UnitError::BelowAbsoluteZero { text: text.to_owned() }),
+        _ => Ok(si),
+    }
 }
 
 /// Number and unit of a text; the number ends where neither digits nor an exponent go on.
@@ -231,12 +258,12 @@ impl Measure {
         let Some((value, sd)) = text.split_once("+-") else {
             return Ok(Self::exact(parse(&text, dimension)?));
         };
-        let value = parse(value, dimension)?;
+        let (value, spread_text) = (parse(value, dimension)?, sd.trim().to_owned());
         let sd = match sd.trim().strip_suffix('%') {
             Some(percent) if dimension != Dimension::Humidity => parse(percent, Dimension::Ratio)? * 0.01 * value.abs(),
             _ => spread(sd, dimension)?,
         };
-        Ok(Self { value, sd: sd.abs() })
+        if sd >= 0.0 { Ok(Self { value, sd }) } else { Err(UnitError::NegativeSpread { text: spread_text }) }
     }
 }
 
@@ -246,6 +273,13 @@ fn spread(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
         Dimension::Temperature => parse(text, Dimension::TemperatureDifference),
         other => parse(text, other),
     }
+}
+
+/// `value` for messages, at twelve significant digits, as a power of ten where it is very large or very small.
+pub fn readable(value: f64) -> String {
+    let plain = value == 0.0 || !value.is_finite() || (1e-6..1e12).contains(&value.abs());
+    let rounded = twelve_digits(value);
+    if plain { rounded.to_string() } else { format!("{rounded:e}") }
 }
 
 /// `value` at twelve significant digits, for messages: what scaling to another unit adds behind them was never written by anybody.
@@ -289,6 +323,29 @@ mod tests {
         assert!(matches!(parse("180 N", Dimension::Length), Err(UnitError::Unknown { .. })));
         assert!(matches!(parse("thick", Dimension::Length), Err(UnitError::NotANumber { .. })));
         assert!(matches!(parse("inf m", Dimension::Length), Err(UnitError::NotANumber { .. })));
+        assert!(matches!(parse("1e308 kN", Dimension::Force), Err(UnitError::TooLarge { .. })));
+    }
+
+    #[test]
+    fn what_cannot_be_is_refused() {
+        for text in ["-300 degC", "-1 K", "-460 degF"] {
+            assert!(matches!(parse(text, Dimension::Temperature), Err(UnitError::BelowAbsoluteZero { .. })), "{text}");
+        }
+        for text in ["0 K", "-273.15 degC", "-459.67 degF"] {
+            approx::assert_abs_diff_eq!(parse(text, Dimension::Temperature).unwrap(), ABSOLUTE_ZERO_C, epsilon = 1e-9);
+        }
+        assert!(parse("-300 K", Dimension::TemperatureDifference).is_ok(), "a difference may be anything");
+        for text in ["162 um +- -5 um", "162 um +- -5 %"] {
+            assert!(matches!(Measure::parse(text, Dimension::Length), Err(UnitError::NegativeSpread { .. })), "{text}");
+        }
+    }
+
+    #[test]
+    fn very_large_and_very_small_numbers_are_powers_of_ten() {
+        let told = [(1e300, "1e300"), (-4.5, "-4.5"), (1e-300, "1e-300"), (0.0, "0"), (0.1 + 0.2, "0.3"), (f64::NAN, "NaN")];
+        for (value, text) in told {
+            assert_eq!(readable(value), text);
+        }
     }
 
     #[test]

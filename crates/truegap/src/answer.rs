@@ -4,7 +4,7 @@
 
 use crate::model_file::{ModelFileError, RunningModel};
 use serde::Serialize;
-use truegap_core::units::{Dimension, twelve_digits};
+use truegap_core::units::{Dimension, readable};
 use truegap_core::{Inputs, Recording, Role, SimulationError};
 use truegap_diagnose::experiment::{PROFILES, inputs};
 
@@ -87,7 +87,7 @@ pub fn at_points(model: &RunningModel, loads: &[f64], temperatures_c: &[f64]) ->
                 temperature_c: Some(vec![temperature_c]),
                 ..Inputs::default()
             };
-            let [load, temperature] = [load, temperature_c].map(twelve_digits);
+            let [load, temperature] = [load, temperature_c].map(readable);
             let place = |_| format!("{load} {} at {temperature} degC", dimension.si_unit());
             let response = model.respond(&inputs).map_err(|error| refused(error, place))?;
             let answer = answer(&inputs, 0, response[0], model);

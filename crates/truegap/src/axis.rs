@@ -13,11 +13,14 @@ pub enum AxisError {
     #[error("in `{text}`: {source}")]
     Value { text: String, source: UnitError },
     /// A range is not first:last:count.
-    #[error("`{text}` is not a range; write first:last:count with a count of at least 2, as in `0:4.5 N:10`")]
+    #[error("`{text}` is not a range; write first:last:count with a count from 2 to {MOST}, as in `0:4.5 N:10`")]
     Range { text: String },
+    /// More values than one command answers.
+    #[error("{values} values and more, and a list has at most {MOST}; ask for fewer, or in several commands")]
+    TooMany { values: usize },
 }
 
-/// Most values that one range may have.
+/// Most values that one list may have, ranges included.
 const MOST: usize = 1_000_000;
 
 /// Values of a text, SI (degrees Celsius for temperatures).
@@ -30,6 +33,9 @@ pub fn values(text: &str, dimension: Dimension) -> Result<Vec<f64>, AxisError> {
     let mut backwards = Vec::new();
     for item in items.into_iter().rev() {
         let mut found = item_values(item, dimension, &mut unit)?;
+        if backwards.len() + found.len() > MOST {
+            return Err(AxisError::TooMany { values: backwards.len() + found.len() });
+        }
         found.reverse();
         backwards.extend(found);
     }
@@ -93,8 +99,9 @@ mod tests {
         assert!(told("4.5").contains("has no unit"));
         assert!(told("4.5 pF").contains("`pF`"));
         assert!(told("1,,2 N").contains("number"));
-        assert!(told("0:1 N:1").contains("at least 2"));
+        assert!(told("0:1 N:1").contains("from 2 to 1000000"));
         assert!(told("0:1 N").contains("first:last:count"));
         assert!(told("0:1 N:99999999").contains("count"));
+        assert!(told("0:1 N:600000, 1:2 N:600000").contains("at most 1000000"));
     }
 }

@@ -38,8 +38,16 @@ pub enum CaseFileError {
 /// # Errors
 /// [`CaseFileError`] where the file is not there or is no case.
 pub fn open_case(file: &Path) -> Result<Case, CaseFileError> {
-    let text = fs::read_to_string(file).map_err(|source| CaseFileError::Read { file: file.to_owned(), source })?;
+    let text = truegap_limits::read_text(file).map_err(|source| CaseFileError::Read { file: file.to_owned(), source })?;
     Ok(read_case(&text, &file.display().to_string())?)
+}
+
+/// A reason with the file it belongs to, which some reasons name already.
+pub fn told(file: &str, reason: &FemError) -> CaseFileError {
+    match reason {
+        FemError::Case(source) => CaseFileError::Case(source.clone()),
+        source => CaseFileError::Fem { file: file.to_owned(), source: source.clone() },
+    }
 }
 
 /// A mesh to be written, with the solution on it where there is one.
@@ -57,7 +65,7 @@ pub struct Meshed {
 /// # Errors
 /// [`CaseFileError::Fem`] where the drawing cannot be meshed.
 pub fn first_mesh(case: &Case) -> Result<Meshed, CaseFileError> {
-    let mesh = mesh_case(case).map_err(|source| CaseFileError::Fem { file: case.file.clone(), source })?;
+    let mesh = mesh_case(case).map_err(|source| told(&case.file, &source))?;
     Ok(Meshed { mesh, result: None, field: None })
 }
 
@@ -66,8 +74,7 @@ pub fn first_mesh(case: &Case) -> Result<Meshed, CaseFileError> {
 /// # Errors
 /// [`CaseFileError::Fem`] where the case cannot be solved.
 pub fn solved_mesh(case: &Case) -> Result<Meshed, CaseFileError> {
-    let (result, mesh, values) =
-        solve_case_with_fields(case).map_err(|source| CaseFileError::Fem { file: case.file.clone(), source })?;
+    let (result, mesh, values) = solve_case_with_fields(case).map_err(|source| told(&case.file, &source))?;
     let field = match case.physics {
         Physics::Electrostatics => ("potential (V)", 1, values),
         Physics::Elasticity => ("displacement (m)", 3, values.chunks(2).flat_map(|u| [u[0], u[1], 0.0]).collect()),

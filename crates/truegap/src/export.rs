@@ -39,6 +39,12 @@ pub enum ExportError {
         "{file}: the ending says the format, and `{ending}` is none; end the name with .glb (glTF), .html (a page that shows it) or .vtu (ParaView)"
     )]
     Format { file: PathBuf, ending: String },
+    /// A temperature at which nobody knows the materials.
+    #[error(
+        "{} degC lies outside the range of {} to {} degC in which the materials are known; give a temperature within it",
+        twelve_digits(*temperature_c), KNOWN_C.start(), KNOWN_C.end()
+    )]
+    Temperature { temperature_c: f64 },
     /// The disk says no.
     #[error("{file}: cannot be written: {source}; check that its folder is there and may be written to")]
     Write { file: PathBuf, source: io::Error },
@@ -75,6 +81,9 @@ pub struct Request<'a> {
     pub command: String,
 }
 
+/// Temperatures in which the materials are known, degrees Celsius: those of a diagnosis.
+const KNOWN_C: std::ops::RangeInclusive<f64> = -40.0..=125.0;
+
 /// A solved disc and what it was asked.
 pub struct Solved<'a> {
     request: Request<'a>,
@@ -87,6 +96,10 @@ pub struct Solved<'a> {
 /// # Errors
 /// [`ExportError::Disc`] where the sensor has no beads, the load closes the gap or no equilibrium is found.
 pub fn solve(request: Request<'_>) -> Result<Solved<'_>, ExportError> {
+    let temperature_c = request.temperature_c;
+    if !KNOWN_C.contains(&temperature_c) {
+        return Err(ExportError::Temperature { temperature_c });
+    }
     let watch = Watch::default();
     let study = Study::new(request.sensor, Options::default(), &watch)?;
     let beads = match request.beads {

@@ -47,6 +47,7 @@ pub mod audited;
 pub mod axis;
 pub mod base;
 pub mod case_file;
+mod cells;
 pub mod confirm;
 pub mod diagnosis;
 pub mod example;

@@ -30,7 +30,7 @@ pub enum EffectFileError {
 /// # Errors
 /// [`EffectFileError`] where it is not there or describes none.
 pub fn effect(file: &Path) -> Result<Composed, EffectFileError> {
-    let text = std::fs::read_to_string(file).map_err(|source| EffectFileError::Read { file: file.to_owned(), source })?;
+    let text = truegap_limits::read_text(file).map_err(|source| EffectFileError::Read { file: file.to_owned(), source })?;
     let parsed: MechanismFile = toml::from_str(&text)
         .map_err(|e| EffectFileError::Parse { file: file.to_owned(), message: e.to_string().trim().to_owned() })?;
     parsed.effect().map_err(|source| EffectFileError::Mechanism { file: file.to_owned(), source })

@@ -88,6 +88,9 @@ pub enum ModelFileError {
     /// The model has no answer at these inputs.
     #[error(transparent)]
     Simulation(#[from] SimulationError),
+    /// A unit that is not the model's.
+    #[error("unit is `{found}`, and the base model `{model}` answers in {unit}; write unit = \"{unit}\"")]
+    Unit { found: String, model: String, unit: String },
     /// The model cannot be written as TOML.
     #[error("the model cannot be written as TOML: {0}")]
     Write(#[from] toml::ser::Error),
@@ -131,7 +134,7 @@ impl ModelFile {
     /// # Errors
     /// [`ModelFileError`] where it is not there or not a model.
     pub fn open(file: &Path) -> Result<Self, ModelFileError> {
-        let text = std::fs::read_to_string(file).map_err(|source| ModelFileError::Read { file: file.to_owned(), source })?;
+        let text = truegap_limits::read_text(file).map_err(|source| ModelFileError::Read { file: file.to_owned(), source })?;
         Self::parse(&text, file)
     }
 
@@ -170,6 +173,10 @@ impl ModelFile {
     pub fn build_with(&self, programs: &Programs) -> Result<RunningModel, ModelFileError> {
         let sensor = self.sensor.as_ref().map(|text| Sensor::from_toml(text, "sensor of the model file")).transpose()?;
         let simulator = programs.model(&self.base, sensor.as_ref(), sensor.as_ref().and_then(foreseen))?;
+        if self.unit != simulator.unit() {
+            let (found, model, unit) = (self.unit.clone(), simulator.name().to_owned(), simulator.unit().to_owned());
+            return Err(ModelFileError::Unit { found, model, unit });
+        }
         let values = values(&self.parameters, simulator.as_ref())?;
         // a base without parameters is the same alone
         let is_known = !self.base_alone.is_empty() || values.is_empty();
@@ -209,7 +216,7 @@ fn sensor_text(name: &str, folder: Option<&Path>) -> Result<String, ModelFileErr
     }
     let beside = folder.map(|f| f.join(name)).filter(|path| path.is_file());
     let file = beside.unwrap_or_else(|| PathBuf::from(name));
-    std::fs::read_to_string(&file).map_err(|source| ModelFileError::SensorFile { file, source })
+    truegap_limits::read_text(&file).map_err(|source| ModelFileError::SensorFile { file, source })
 }
 
 /// A model that simulates: base model, its calibrated values, added physics.

@@ -40,8 +40,8 @@ impl OutputFolder {
     /// # Errors
     /// [`OutputError`] where `target` is a file, or the disk refuses.
     pub fn begin(target: impl Into<PathBuf>) -> Result<Self, OutputError> {
-        let target = target.into();
-        if target.exists() && !target.is_dir() {
+        let target = behind_link(target.into());
+        if (target.exists() || target.is_symlink()) && !target.is_dir() {
             return Err(OutputError::NotAFolder { folder: target });
         }
         let part = beside(&target, "part");
@@ -55,9 +55,9 @@ impl OutputFolder {
     /// # Errors
     /// As [`OutputFolder::begin`] and [`OutputFolder::publish`].
     pub fn check(target: impl AsRef<Path>, files: &[&str]) -> Result<(), OutputError> {
-        let target = target.as_ref();
+        let target = &behind_link(target.as_ref().to_owned());
         let failed = |path: &Path, source| OutputError::Write { path: path.to_owned(), source };
-        if target.exists() && !target.is_dir() {
+        if (target.exists() || target.is_symlink()) && !target.is_dir() {
             return Err(OutputError::NotAFolder { folder: target.to_owned() });
         }
         if target.is_dir() {
@@ -101,6 +101,11 @@ impl OutputFolder {
         let replaces = self.target.is_dir();
         if replaces {
             self.check_replaceable()?;
+            if exchange(&self.part, &self.target) {
+                self.published = true;
+                remove(&self.part).map_err(|source| self.failed(&self.part, source))?;
+                return Ok(self.target.clone());
+            }
             fs::rename(&self.target, &old).map_err(|source| self.failed(&self.target, source))?;
         }
         if let Err(source) = fs::rename(&self.part, &self.target) {
@@ -135,6 +140,24 @@ impl Drop for OutputFolder {
             let _ = remove(&self.part); // nothing more can be done where even removing fails
         }
     }
+}
+
+/// What a link points at: a link to a folder stays one, and the folder behind it is filled.
+fn behind_link(target: PathBuf) -> PathBuf {
+    if target.is_symlink() { fs::canonicalize(&target).unwrap_or(target) } else { target }
+}
+
+/// Puts `part` in the place of the folder `target` and leaves the old one at `part`, in one step, so that there is never no folder; false where the system
+/// cannot.
+#[cfg(target_os = "linux")]
+fn exchange(part: &Path, target: &Path) -> bool {
+    use rustix::fs::{CWD, RenameFlags, renameat_with};
+    renameat_with(CWD, part, CWD, target, RenameFlags::EXCHANGE).is_ok()
+}
+
+#[cfg(not(target_os = "linux"))]
+fn exchange(_: &Path, _: &Path) -> bool {
+    false
 }
 
 fn beside(target: &Path, ending: &str) -> PathBuf {
@@ -220,6 +243,40 @@ mod tests {
         assert!(
             matches!(OutputFolder::check(place.join("old"), &files), Err(OutputError::Foreign { entry, .. }) if entry == "thesis.tex")
         );
+        remove(&place).unwrap();
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_a_link() {
+        let place = place("link");
+        fs::create_dir(place.join("real")).unwrap();
+        std::os::unix::fs::symlink("real", place.join("out")).unwrap();
+        std::os::unix::fs::symlink("nowhere", place.join("lost")).unwrap();
+        for round in ["1", "2"] {
+            OutputFolder::check(place.join("out"), &["a"]).unwrap();
+            let folder = OutputFolder::begin(place.join("out")).unwrap();
+            folder.write("a", round).unwrap();
+            folder.publish().unwrap();
+            assert!(place.join("out").is_symlink());
+            assert_eq!(fs::read_to_string(place.join("real/a")).unwrap(), round);
+        }
+        assert!(matches!(OutputFolder::check(place.join("lost"), &["a"]), Err(OutputError::NotAFolder { .. })));
+        assert_eq!(entries(&place).unwrap().len(), 3);
+        remove(&place).unwrap();
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn there_is_a_folder_at_every_moment_of_a_replacement() {
+        let place = place("exchange");
+        for (name, text) in [("part", "new"), ("target", "old")] {
+            fs::create_dir(place.join(name)).unwrap();
+            fs::write(place.join(name).join("a"), text).unwrap();
+        }
+        assert!(exchange(&place.join("part"), &place.join("target")));
+        let read = |name: &str| fs::read_to_string(place.join(name).join("a")).unwrap();
+        assert_eq!((read("target").as_str(), read("part").as_str()), ("new", "old"));
         remove(&place).unwrap();
     }
 

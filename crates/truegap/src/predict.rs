@@ -3,8 +3,9 @@
 //! Limits: steady state at every point; memory comes with the effects of an augmented model.
 
 use serde::Serialize;
-use truegap_core::units::twelve_digits;
+use truegap_core::units::{readable, twelve_digits};
 use truegap_core::{Recording, Sensor, SimulationError};
+use truegap_limits::{Need, TooLarge, check};
 use truegap_model::{CoefficientOptions, Coefficients, Point, StackOptions, State};
 
 /// Why there is no prediction.
@@ -14,15 +15,25 @@ use truegap_model::{CoefficientOptions, Coefficients, Point, StackOptions, State
 pub enum PredictError {
     /// The plates touch.
     #[error(
-        "{place}{force_n} N at {temperature_c} degC closes the gap of `{sensor}` (strain {strain:.3}); stay below that load, or describe a thicker or stiffer dielectric"
+        "{place}{} N at {} degC closes the gap of `{sensor}` (strain {strain:.3}); stay below that load, or describe a thicker or stiffer dielectric",
+        readable(*force_n), readable(*temperature_c)
     )]
     GapCloses { place: String, sensor: String, force_n: f64, temperature_c: f64, strain: f64 },
     /// The model has no finite answer.
-    #[error("{place}`{sensor}` has no answer at {force_n} N and {temperature_c} degC: {source}")]
+    #[error("{place}`{sensor}` has no answer at {} N and {} degC: {source}", readable(*force_n), readable(*temperature_c))]
     NoAnswer { place: String, sensor: String, force_n: f64, temperature_c: f64, source: SimulationError },
     /// The coefficients have no answer.
-    #[error("the coefficients of `{sensor}` between 20 and 50 degC, up to {full_scale_n} N: {source}")]
+    #[error("the coefficients of `{sensor}` between 20 and 50 degC, up to {} N: {source}", readable(*full_scale_n))]
     NoCoefficients { sensor: String, full_scale_n: f64, source: SimulationError },
+    /// A span or a baseline that is lost in rounding.
+    #[error(
+        "the coefficients of `{sensor}` between 20 and 50 degC, up to {} N, are not finite: its span is {} pF; check full_scale and the dimensions",
+        readable(*full_scale_n), readable(*span_pf)
+    )]
+    NoSpan { sensor: String, full_scale_n: f64, span_pf: f64 },
+    /// More than can be held.
+    #[error(transparent)]
+    TooLarge(#[from] TooLarge),
     /// A history without load.
     #[error("{recording}: there is no column with a force, which `{sensor}` needs; name it under [columns] as force = \"...\"")]
     NoForce { recording: String, sensor: String },
@@ -39,6 +50,19 @@ pub struct Driven {
     /// the model at the row's load and temperature
     #[serde(flatten)]
     pub state: State,
+}
+
+/// Memory of an answered point, bytes: ten numbers, and what a table of them takes while it is laid out (measured: 307 MB for 100 000 points).
+const MEMORY_OF_A_POINT: f64 = 3e3;
+
+/// Whether so many points can be asked at once.
+///
+/// # Errors
+/// [`TooLarge`].
+pub fn check_points(loads: usize, temperatures: usize) -> Result<(), TooLarge> {
+    let bytes = loads as f64 * temperatures as f64 * MEMORY_OF_A_POINT;
+    let asked = format!("{loads} loads x {temperatures} temperatures");
+    check(Need { place: "--load, --temperature", asked: &asked, bytes, remedy: "ask for fewer points" })
 }
 
 /// Every load at the first temperature, then at the next; N and degrees Celsius.
@@ -79,11 +103,23 @@ pub fn drive(sensor: &Sensor, options: StackOptions, recording: &Recording) -> R
 /// # Errors
 /// [`PredictError`] where the full load closes the gap.
 pub fn coefficients(sensor: &Sensor, options: CoefficientOptions) -> Result<Coefficients, PredictError> {
-    truegap_model::coefficients(sensor, options).map_err(|source| PredictError::NoCoefficients {
-        sensor: sensor.name.clone(),
-        full_scale_n: sensor.full_scale,
+    let (name, full_scale_n) = (|| sensor.name.clone(), sensor.full_scale);
+    let found = truegap_model::coefficients(sensor, options).map_err(|source| PredictError::NoCoefficients {
+        sensor: name(),
+        full_scale_n,
         source,
-    })
+    })?;
+    let c = &found;
+    let all = [
+        c.baseline_pf,
+        c.k_baseline_pf_per_k,
+        c.k_baseline_pct_fsr_per_k,
+        c.k_sensitivity_pct_per_k,
+        c.linearity_pct,
+        c.k_linearity_pct_per_k,
+    ];
+    let is_finite = all.iter().all(|v| v.is_finite());
+    is_finite.then_some(found).ok_or_else(|| PredictError::NoSpan { sensor: name(), full_scale_n, span_pf: found.span_pf })
 }
 
 fn refused(sensor: &Sensor, points: &[Point], error: SimulationError, place: impl Fn(usize) -> String) -> PredictError {

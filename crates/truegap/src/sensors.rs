@@ -39,7 +39,7 @@ pub fn find_sensor(name: &str, folder: Option<&Path>) -> Result<Sensor, FindSens
     }
     let inside = folder.map(|f| f.join(name)).filter(|path| path.is_file());
     let file = inside.unwrap_or_else(|| PathBuf::from(name));
-    let text = std::fs::read_to_string(&file).map_err(|source| FindSensorError::Read { file: file.clone(), source })?;
+    let text = truegap_limits::read_text(&file).map_err(|source| FindSensorError::Read { file: file.clone(), source })?;
     Ok(Sensor::from_toml(&text, &file.display().to_string())?)
 }
 

@@ -6,6 +6,7 @@ use super::diagnose::{STOP, stop_on_interrupt};
 use super::optimise::axis;
 use super::run::{Outcome, Run};
 use super::study::Where;
+use super::typed::command_line;
 use crate::console::Console;
 use crate::table::{digits, table};
 use anyhow::anyhow;
@@ -95,9 +96,7 @@ impl Audit {
     }
 
     fn audit_space(&self, file: &Path, console: &Console) -> anyhow::Result<Outcome> {
-        let text = std::fs::read_to_string(file)
-            .map_err(|source| anyhow!("{}: cannot be read: {source}; give the path of a space's TOML", file.display()))?;
-        let space = SpaceFile::from_toml(&text).map_err(|source| anyhow!("{}: {source}", file.display()))?;
+        let space = SpaceFile::open(file).map_err(|source| anyhow!("{}: {source}", file.display()))?;
         let axes = space.axes.iter().map(|(name, range)| axis(&format!("{name}={range}"))).collect::<anyhow::Result<Vec<_>>>()?;
         let sensor = SensorText::find(&space.sensor)?;
         let request = SpaceAuditRequest {
@@ -113,8 +112,6 @@ impl Audit {
     }
 
     fn request(&self) -> anyhow::Result<AuditRequest> {
-        let quoted = |word: String| if word.contains(char::is_whitespace) { format!("\"{word}\"") } else { word };
-        let words = std::env::args().skip(1).map(quoted);
         let cache = match &self.cache {
             Some(folder) => Cache::in_folder(folder),
             None if self.no_cache => Cache::none(),
@@ -125,7 +122,7 @@ impl Audit {
             only: self.only.clone(),
             options: Options::default(),
             cache,
-            command: std::iter::once("truegap".to_owned()).chain(words).collect::<Vec<_>>().join(" "),
+            command: command_line(),
         })
     }
 }

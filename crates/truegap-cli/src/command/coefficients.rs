@@ -5,6 +5,7 @@ use super::simulate::Series;
 use crate::console::Console;
 use crate::table::{digits, table};
 use serde::Serialize;
+use truegap::core::units::readable;
 use truegap::model::{CoefficientOptions, Coefficients as Numbers, StackOptions};
 use truegap::printed::{Planes, Strains, planes, strains};
 use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
@@ -52,7 +53,7 @@ impl Run for Coefficients {
             return Ok(Outcome::Fine);
         }
         let warp = if self.no_warp { "without warp" } else { "with warp" };
-        console.print(format!("{}, {warp}, 20 to 50 degC, up to {} N", sensor.name, sensor.full_scale))?;
+        console.print(format!("{}, {warp}, 20 to 50 degC, up to {} N", sensor.name, readable(sensor.full_scale)))?;
         console.print(numbers(&answer.coefficients))?;
         if let Some(printed) = &answer.as_printed {
             console.print(format!("\nStrain of the beads by (12)\n{}", strain_table(&printed.equation_12)))?;

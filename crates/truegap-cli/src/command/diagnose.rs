@@ -4,7 +4,8 @@
 
 use super::recorded::recorded;
 use super::run::{Outcome, Run};
-use crate::console::Console;
+use super::typed::command_line;
+use crate::console::{Console, shown};
 use anyhow::Context;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
@@ -106,7 +107,7 @@ impl Diagnose {
         let bar = bar(console);
         let progress = |p: Progress| {
             bar.set_position((1000.0 * p.done) as u64);
-            bar.set_message(format!("{}: {}", p.step, p.what));
+            bar.set_message(shown(&format!("{}: {}", p.step, p.what)));
         };
         let diagnosed = diagnose(opened, files, &request, &progress, &STOP);
         bar.finish_and_clear();
@@ -148,8 +149,6 @@ impl Diagnose {
 
     fn request(&self) -> anyhow::Result<Request> {
         let library = with_effects(Library::default(), &self.effect_files)?;
-        let quoted = |word: String| if word.contains(char::is_whitespace) { format!("\"{word}\"") } else { word };
-        let words = std::env::args().skip(1).map(quoted);
         Ok(Request {
             sensor: self.sensor.clone(),
             base: self.base.clone(),
@@ -162,7 +161,7 @@ impl Diagnose {
             // with one recording it is that of --confirm alone that has a gain or offset of its own
             free: if self.confirm.is_some() && self.recordings.len() == 1 { Vec::new() } else { self.free.clone() },
             bank: self.bank.map(|n| n as usize),
-            command: std::iter::once("truegap".to_owned()).chain(words).collect::<Vec<_>>().join(" "),
+            command: command_line(),
         })
     }
 }

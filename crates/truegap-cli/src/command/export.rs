@@ -3,6 +3,8 @@
 //! Limits: reads, calls, prints.
 
 use super::run::{Outcome, Run};
+use super::typed::command_line;
+use super::wait::waiting;
 use crate::console::Console;
 use crate::table::digits;
 use anyhow::bail;
@@ -91,15 +93,17 @@ impl Run for Export {
             None => sensor.reference_c,
         };
         let press = if self.even { Press::Even } else { Press::RigidPlate };
-        let solved = export::solve(Request {
-            sensor: &sensor,
-            force_n,
-            temperature_c,
-            colour: self.colour.into(),
-            wedge: self.wedge,
-            beads: self.beads.into(),
-            options: CoupledOptions { press, ..CoupledOptions::default() },
-            command: command(),
+        let solved = waiting(console, "solving the disc", || {
+            export::solve(Request {
+                sensor: &sensor,
+                force_n,
+                temperature_c,
+                colour: self.colour.into(),
+                wedge: self.wedge,
+                beads: self.beads.into(),
+                options: CoupledOptions { press, ..CoupledOptions::default() },
+                command: command_line(),
+            })
         })?;
         solved.write(&self.output)?;
         let charged = solved.charged();
@@ -138,12 +142,6 @@ fn one(flag: &str, text: &str, dimension: Dimension) -> anyhow::Result<f64> {
         [value] => Ok(*value),
         _ => bail!("{flag} {text}: one value is needed here, as a file shows one state; export once for each"),
     }
-}
-
-/// The command as it was typed.
-fn command() -> String {
-    let quoted = |word: String| if word.contains(char::is_whitespace) { format!("\"{word}\"") } else { word };
-    std::iter::once("truegap".to_owned()).chain(std::env::args().skip(1).map(quoted)).collect::<Vec<_>>().join(" ")
 }
 
 impl From<Colour> for export::Colour {

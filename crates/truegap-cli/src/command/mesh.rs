@@ -4,6 +4,7 @@
 
 use super::run::{Outcome, Run};
 use super::solve;
+use super::wait::waiting;
 use crate::console::Console;
 use crate::table::digits;
 use serde::Serialize;
@@ -38,7 +39,8 @@ impl Run for Mesh {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
         MeshFormat::of(&self.output)?; // before the work
         let case = open_case(&self.case)?;
-        let meshed = if self.solved { solved_mesh(&case)? } else { first_mesh(&case)? };
+        let mesh = || if self.solved { solved_mesh(&case) } else { first_mesh(&case) };
+        let meshed = waiting(console, &format!("meshing {}", case.file), mesh)?;
         meshed.write(&self.output)?;
         let quality = meshed.mesh.quality();
         let answer = Answer {

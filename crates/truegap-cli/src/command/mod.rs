@@ -20,6 +20,8 @@ mod simulate;
 mod solve;
 mod study;
 mod tolerance;
+mod typed;
+mod wait;
 
 use crate::console::Console;
 use run::{Outcome, Run};

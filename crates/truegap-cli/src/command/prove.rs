@@ -14,8 +14,8 @@ use truegap::prove::{self, Kind, Plan, Score, Sort, Told};
 #[derive(Debug, clap::Args)]
 pub struct Prove {
     /// How many recordings [default: 480]
-    #[arg(long, value_name = "N")]
-    cases: Option<usize>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    cases: Option<u32>,
     /// Seed of everything that is drawn; drawn itself where it is not given
     #[arg(long, value_name = "S")]
     seed: Option<u64>,
@@ -32,8 +32,8 @@ pub struct Prove {
     #[arg(long)]
     resume: bool,
     /// Diagnoses at a time; each uses all cores where it can
-    #[arg(long, value_name = "J", default_value_t = 1)]
-    jobs: usize,
+    #[arg(long, value_name = "J", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
+    jobs: u16,
 }
 
 impl Run for Prove {
@@ -48,7 +48,7 @@ impl Run for Prove {
             bar.set_position(told.done as u64);
             bar.set_message(told.case);
         };
-        let answered = prove::answer(&self.output, self.jobs, &told, &STOP);
+        let answered = prove::answer(&self.output, usize::from(self.jobs), &told, &STOP);
         bar.finish_and_clear();
         let answered = answered?;
         anyhow::ensure!(
@@ -65,14 +65,14 @@ impl Run for Prove {
 
 impl Prove {
     fn study(&self, console: &Console) -> anyhow::Result<Plan> {
-        let bar = bar(console, self.cases.unwrap_or(480) as u64);
+        let bar = bar(console, u64::from(self.cases.unwrap_or(480)));
         let made = |index: usize| bar.set_position(index as u64 + 1);
         let plan = if self.resume {
-            prove::resume(&self.output, self.seed, self.cases, made)
+            prove::resume(&self.output, self.seed, self.cases.map(|n| n as usize), made)
         } else {
             let seed = self.seed.unwrap_or_else(prove::entropy);
             let only = self.only.unwrap_or_default();
-            let plan = Plan { seed, cases: self.cases.unwrap_or(480), only, protocols: self.protocols.clone() };
+            let plan = Plan { seed, cases: self.cases.unwrap_or(480) as usize, only, protocols: self.protocols.clone() };
             prove::begin(&plan, &self.output, made).map(|()| plan)
         };
         bar.finish_and_clear();

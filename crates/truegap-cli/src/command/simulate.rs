@@ -12,7 +12,7 @@ use truegap::core::Dimension;
 use truegap::core::units::twelve_digits;
 use truegap::model::{SeriesOrder, StackOptions, State};
 use truegap::model_file::ModelFile;
-use truegap::predict::{Driven, drive, grid};
+use truegap::predict::{Driven, check_points, drive, grid};
 use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
 
 /// Capacitance at given loads and temperatures, or along the history of a recording
@@ -78,6 +78,7 @@ impl Run for Simulate {
         }
         let forces = self.loads(Dimension::Force)?;
         let temperatures = self.temperatures(sensor.reference_c)?;
+        check_points(forces.len(), temperatures.len())?;
         let states = truegap::simulate(&sensor, options, &grid(&forces, &temperatures))?;
         if console.json { console.print_json_lines(&states) } else { print_states(console, &states) }.map(|()| Outcome::Fine)
     }
@@ -108,6 +109,7 @@ impl Simulate {
         } else {
             let loads = self.loads(answer::load_dimension(&model)?)?;
             let temperatures = self.temperatures(model.simulator().reference_c())?;
+            check_points(loads.len(), temperatures.len())?;
             answer::at_points(&model, &loads, &temperatures)?
         };
         if console.json { console.print_json_lines(&answers) } else { print_answers(console, &answers) }.map(|()| Outcome::Fine)

@@ -3,11 +3,11 @@
 //! Limits: reads, calls, prints.
 
 use super::run::{Outcome, Run};
+use super::wait::waiting;
 use crate::console::Console;
 use crate::table::{digits, table};
-use anyhow::anyhow;
 use std::path::PathBuf;
-use truegap::case_file::open_case;
+use truegap::case_file::{open_case, told};
 use truegap::fem::case::{Case, CaseResult, solve_case};
 
 /// Solve a finite-element case: electrostatics or elasticity, axisymmetric or planar
@@ -21,7 +21,8 @@ pub struct Solve {
 impl Run for Solve {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
         let case = open_case(&self.case)?;
-        let result = solve_case(&case).map_err(|source| anyhow!("{}: {source}", case.file))?;
+        let working = format!("meshing and solving {}", case.file);
+        let result = waiting(console, &working, || solve_case(&case)).map_err(|source| told(&case.file, &source))?;
         if console.json {
             console.print_json(&result)?;
         } else {

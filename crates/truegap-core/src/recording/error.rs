@@ -16,6 +16,9 @@ pub enum RecordingError {
     /// The file is there and cannot be read.
     #[error("{file}: cannot be read: {source}")]
     Read { file: PathBuf, source: std::io::Error },
+    /// More than can be held.
+    #[error(transparent)]
+    TooLarge(#[from] truegap_limits::TooLarge),
     /// The recording cannot be written.
     #[error("{file}: cannot be written: {source}")]
     Write { file: PathBuf, source: std::io::Error },
@@ -25,6 +28,11 @@ pub enum RecordingError {
     /// A header and nothing below it.
     #[error("{file}: there is no row below the header; record something, or name another file")]
     NoRows { file: PathBuf },
+    /// The header holds what no text has.
+    #[error(
+        "{file}: the header holds `{text}`, which is no text; save the table as CSV in UTF-8 (a spreadsheet's own format cannot be read)"
+    )]
+    NotText { file: PathBuf, text: String },
     /// The first line holds numbers.
     #[error("{file}, line 1: `{first}` is a number, not a column's name; write a header such as time_s,force_n,capacitance_pf")]
     NoHeader { file: PathBuf, first: String },

@@ -11,7 +11,7 @@ use super::{
     manifest::Manifest,
     note::Note,
     open,
-    rows::ABSOLUTE_ZERO_C,
+    rows::{Impossible, impossible},
 };
 use crate::inputs::{Driver, Inputs, Role};
 use std::collections::BTreeMap;
@@ -102,7 +102,9 @@ impl Frame<'_> {
             }
         }
         let temperature_c = self.column(Role::Temperature, kept);
-        self.warm_enough(temperature_c.as_deref().unwrap_or(&[]), kept)?;
+        let humidity_pct = self.column(Role::Humidity, kept);
+        self.possible(Role::Temperature, temperature_c.as_deref(), kept)?;
+        self.possible(Role::Humidity, humidity_pct.as_deref(), kept)?;
         let driver = |d: &DriverColumn| Driver {
             name: d.driver.clone(),
             unit: d.unit.clone(),
@@ -115,22 +117,25 @@ impl Frame<'_> {
             pressure_pa: self.column(Role::Pressure, kept),
             gap_m: self.column(Role::Gap, kept),
             temperature_c,
-            humidity_pct: self.column(Role::Humidity, kept),
+            humidity_pct,
             simulated: self.column(Role::Simulated, kept),
             drivers: self.drivers.iter().map(driver).collect(),
         };
         Ok((inputs, self.column(Role::Response, kept).unwrap_or_default(), clock.notes))
     }
 
-    fn warm_enough(&self, temperature_c: &[f64], kept: &[usize]) -> Result<(), RecordingError> {
-        let Some(index) = temperature_c.iter().position(|t| *t < ABSOLUTE_ZERO_C) else { return Ok(()) };
+    /// Refuses the first value of a column that cannot be.
+    fn possible(&self, role: Role, column: Option<&[f64]>, kept: &[usize]) -> Result<(), RecordingError> {
+        let mut values = column.unwrap_or(&[]).iter().enumerate();
+        let found = values.find_map(|(index, &value)| Some((index, value, impossible(role, value)?)));
+        let Some((index, value, Impossible { unit, why })) = found else { return Ok(()) };
         Err(RecordingError::Impossible {
             file: self.path.to_owned(),
             line: kept[index] + 1,
-            column: self.bound.iter().find(|c| c.role == Role::Temperature).map(|c| c.name.clone()).unwrap_or_default(),
-            value: temperature_c[index],
-            unit: "degC".into(),
-            why: "it lies below absolute zero".into(),
+            column: self.bound.iter().find(|c| c.role == role).map(|c| c.name.clone()).unwrap_or_default(),
+            value,
+            unit: unit.into(),
+            why: why.into(),
         })
     }
 

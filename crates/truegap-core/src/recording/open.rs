@@ -17,6 +17,7 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{Cursor, ErrorKind, Read, Seek};
 use std::path::{Path, PathBuf};
+use truegap_limits::Need;
 
 /// Where a recording's words come from, for messages.
 struct Origin<'a> {
@@ -46,9 +47,7 @@ impl Recording {
     }
 
     fn open_manifest(path: &Path) -> Result<Self, RecordingError> {
-        let mut text = String::new();
-        let failed = |source| RecordingError::Read { file: path.to_owned(), source };
-        open_file(path)?.read_to_string(&mut text).map_err(failed)?;
+        let text = truegap_limits::read_text(path).map_err(|source| unread(path, source))?;
         let manifest = Manifest::parse(path, &text)?;
         let csv = path.parent().unwrap_or(Path::new("")).join(&manifest.file);
         read(open_file(&csv)?, &Origin { csv: &csv, toml: Some(path) }, manifest)
@@ -66,11 +65,24 @@ impl Recording {
     }
 }
 
+/// Memory that a CSV takes while it is read, over its length: columns of numbers of 8 bytes that double as they grow, from cells of seven characters.
+const MEMORY_OF_A_BYTE: f64 = 4.0;
+
+/// Opens a CSV that can be read within the memory there is.
 pub(super) fn open_file(path: &Path) -> Result<File, RecordingError> {
-    File::open(path).map_err(|source| match source.kind() {
+    let file = truegap_limits::open(path).map_err(|source| unread(path, source))?;
+    let bytes = file.metadata().map_err(|source| unread(path, source))?.len() as f64;
+    let (place, asked) = (path.display().to_string(), format!("a table of {:.0} MB", 1e-6 * bytes));
+    let remedy = "record more slowly, or split it into several recordings";
+    truegap_limits::check(Need { place: &place, asked: &asked, bytes: MEMORY_OF_A_BYTE * bytes, remedy })?;
+    Ok(file)
+}
+
+fn unread(path: &Path, source: std::io::Error) -> RecordingError {
+    match source.kind() {
         ErrorKind::NotFound => RecordingError::NotFound { file: path.to_owned() },
         _ => RecordingError::Read { file: path.to_owned(), source },
-    })
+    }
 }
 
 fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> Result<Recording, RecordingError> {

@@ -12,10 +12,24 @@ use super::{
     table::Table,
 };
 use crate::inputs::{Driver, Inputs, Role};
+use crate::units::ABSOLUTE_ZERO_C;
 use std::io::{Read, Seek};
 
-/// Lowest temperature there is, degrees Celsius.
-pub(super) const ABSOLUTE_ZERO_C: f64 = -273.15;
+/// Why a value cannot be, SI; `None` where it can. An instrument for humidity reads a little below nothing and a little above all.
+pub(super) fn impossible(role: Role, value: f64) -> Option<Impossible> {
+    let (possible, unit, why) = match role {
+        Role::Temperature => (value >= ABSOLUTE_ZERO_C, "degC", "it lies below absolute zero"),
+        Role::Humidity => ((-5.0..=110.0).contains(&value), "%", "relative humidity lies between 0 and 100 %"),
+        _ => return None,
+    };
+    (!possible).then_some(Impossible { unit, why })
+}
+
+/// A value that cannot be.
+pub(super) struct Impossible {
+    pub unit: &'static str,
+    pub why: &'static str,
+}
 
 /// Columns that grow with the rows read.
 #[derive(Debug, Default)]
@@ -88,8 +102,10 @@ impl Rows {
                 Err(fault) => return Err(refuse(table, column.index, &column.name, fault)),
             }
             let value = row[row.len() - 1];
-            if column.role == Role::Temperature && value < ABSOLUTE_ZERO_C {
-                return Err(below_absolute_zero(table, column, value));
+            if let Some(Impossible { unit, why }) = impossible(column.role, value) {
+                let (file, name, byte) = (table.file(), column.name.clone(), table.byte());
+                let (line, unit, why) = (table.line(byte)?, unit.to_owned(), why.to_owned());
+                return Err(RecordingError::Impossible { file, line, column: name, value, unit, why });
             }
         }
         for driver in drivers {
@@ -223,14 +239,5 @@ fn refuse<R: Read + Seek>(table: &mut Table<R>, index: usize, column: &str, faul
         (Err(error), _) => error,
         (Ok(line), Fault::NoValue) => RecordingError::NoValue { file, line, column: name, text },
         (Ok(line), Fault::Text) => RecordingError::NotANumber { file, line, column: name, text },
-    }
-}
-
-fn below_absolute_zero<R: Read + Seek>(table: &mut Table<R>, column: &Column, value: f64) -> RecordingError {
-    let (file, name, byte) = (table.file(), column.name.clone(), table.byte());
-    let (unit, why) = ("degC".to_owned(), "it lies below absolute zero".to_owned());
-    match table.line(byte) {
-        Err(error) => error,
-        Ok(line) => RecordingError::Impossible { file, line, column: name, value, unit, why },
     }
 }

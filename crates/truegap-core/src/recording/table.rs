@@ -38,7 +38,7 @@ impl<R: Read + Seek> Table<R> {
             .flexible(true)
             .trim(csv::Trim::All)
             .delimiter(separator)
-            .from_reader(Hashing { inner: buffered, hash: Sha256::new() });
+            .from_reader(Hashing { inner: buffered, hash: Sha256::new(), line: 0 });
         let record = csv::ByteRecord::new();
         let decimal_comma = separator != b',';
         let mut table = Self { file: file.to_owned(), reader, record, header: Vec::new(), decimal_comma, singletact };
@@ -54,6 +54,10 @@ impl<R: Read + Seek> Table<R> {
             return Err(RecordingError::NoRows { file: self.file.clone() });
         }
         self.header = self.record.iter().map(|cell| String::from_utf8_lossy(cell).into_owned()).collect();
+        if let Some(name) = self.header.iter().find(|name| name.contains(char::is_control)) {
+            let (file, text) = (self.file.clone(), name.escape_debug().to_string().chars().take(40).collect());
+            return Err(RecordingError::NotText { file, text });
+        }
         let numbers = self.header.iter().all(|name| name.is_empty() || name.replace(',', ".").parse::<f64>().is_ok());
         match self.header.first() {
             Some(first) if numbers => Err(RecordingError::NoHeader { file: self.file.clone(), first: first.clone() }),
@@ -97,7 +101,7 @@ impl<R: Read + Seek> Table<R> {
 
     /// SHA-256 of what was read, as hexadecimal text, and the source.
     pub fn finish(self) -> (String, R) {
-        let Hashing { inner, hash } = self.reader.into_inner();
+        let Hashing { inner, hash, .. } = self.reader.into_inner();
         (hexadecimal(hash), inner.into_inner())
     }
 }
@@ -140,16 +144,26 @@ fn count_lines(source: &mut impl BufRead, byte: u64) -> io::Result<usize> {
     }
 }
 
-/// A reader that hashes what passes.
+/// Longest line of a table, bytes: a row of a hundred thousand cells.
+const LONGEST_LINE: usize = 1 << 20;
+
+/// A reader that hashes what passes, and stops where a line has no end.
 struct Hashing<R> {
     inner: R,
     hash: Sha256,
+    /// bytes since the last end of a line
+    line: usize,
 }
 
 impl<R: Read> Read for Hashing<R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let read = self.inner.read(buffer)?;
-        self.hash.update(&buffer[..read]);
+        let passed = &buffer[..read];
+        self.hash.update(passed);
+        self.line = passed.iter().rev().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(self.line + read);
+        if self.line > LONGEST_LINE {
+            return Err(io::Error::other("a line has more than 1 MB; is it a table? A row ends with a line end"));
+        }
         Ok(read)
     }
 }

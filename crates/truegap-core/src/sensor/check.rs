@@ -6,7 +6,7 @@ use super::{
     description::{Filling, Layer, Sensor},
     error::{SensorError, SensorProblem},
 };
-use crate::units::{Measure, twelve_digits};
+use crate::units::{ABSOLUTE_ZERO_C, Measure, readable, twelve_digits};
 use std::f64::consts::PI;
 
 impl Sensor {
@@ -25,7 +25,9 @@ type Finding = (String, SensorProblem);
 /// The first thing that is wrong with a sensor.
 pub(super) fn check(sensor: &Sensor) -> Result<(), Finding> {
     let rubber = &sensor.dielectric;
+    named(&sensor.name)?;
     positive("full_scale", sensor.full_scale, "N", 1.0)?;
+    reference(sensor.reference_c)?;
     length("electrode.diameter", sensor.diameter)?;
     layer("electrode.conductor", &sensor.conductor, "thickness")?;
     if let Some(plating) = &sensor.plating {
@@ -42,6 +44,27 @@ pub(super) fn check(sensor: &Sensor) -> Result<(), Finding> {
         Filling::Beads { count, diameter } => beads(sensor, count, diameter),
         Filling::Solid { coverage } => solid(sensor, coverage),
     }
+}
+
+/// Longest name of a sensor, characters.
+const LONGEST_NAME: usize = 200;
+
+/// A name is one line that can be shown: it stands in tables, in pages and on terminals.
+fn named(name: &str) -> Result<(), Finding> {
+    let shown = !name.trim().is_empty() && name.chars().count() <= LONGEST_NAME && !name.chars().any(char::is_control);
+    let value = || format!("`{}`", name.escape_debug().to_string().chars().take(LONGEST_NAME).collect::<String>());
+    shown.then_some(()).ok_or_else(|| {
+        out_of_range("name", value(), "a name is one line of 1 to 200 characters, none of them a control character")
+    })
+}
+
+/// A temperature at which dimensions can hold.
+fn reference(reference_c: f64) -> Result<(), Finding> {
+    let possible = (ABSOLUTE_ZERO_C..=1000.0).contains(&reference_c);
+    let value = || format!("{} degC", readable(reference_c));
+    possible
+        .then_some(())
+        .ok_or_else(|| out_of_range("reference_temperature", value(), "it lies between absolute zero and 1000 degC"))
 }
 
 fn out_of_range(key: &str, value: String, rule: &'static str) -> Finding {

@@ -16,7 +16,7 @@ pub enum SolveError {
     },
     /// The matrix is singular to working precision.
     #[error(
-        "the system of {size} unknowns is singular to working precision (a known solution comes back with a relative error of {error:.1e}); fix the rigid-body modes and give every region a material"
+        "the system of {size} unknowns is singular to working precision (a known solution comes back with a relative error of {error:.1e}); hold every part of the body where it can move or, in electrostatics, give every part a boundary with a potential"
     )]
     Singular {
         /// Relative error of the solution of a system whose solution is known.

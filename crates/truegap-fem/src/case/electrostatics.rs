@@ -52,7 +52,7 @@ fn problem(case: &Case) -> Result<Problem, CaseError> {
             what: "relative_permittivity",
             remedy: "electrostatics needs it; vacuum is 1.0",
         })?;
-        Ok((region.name.clone(), relative * VACUUM_PERMITTIVITY))
+        Ok::<_, CaseError>((region.name.clone(), relative * VACUUM_PERMITTIVITY))
     };
     let mut conductors = Vec::new();
     let mut open = Vec::new();

@@ -58,6 +58,9 @@ pub enum CaseError {
         /// What to do.
         remedy: &'static str,
     },
+    /// More than can be handled.
+    #[error(transparent)]
+    TooLarge(#[from] truegap_limits::TooLarge),
     /// A value that makes no sense there.
     #[error("{file}, {place}: {what}")]
     Invalid {

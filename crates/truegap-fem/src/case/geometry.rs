@@ -1,7 +1,7 @@
 //! Polygons and paths of a case, to metres.
 
 use super::error::CaseError;
-use super::raw::{RawCase, RawStep};
+use super::raw::{RawArc, RawCase, RawStep};
 use crate::mesh::{Boundary, BoundaryPath, Geometry, Outline, Region, Step};
 
 pub(super) fn geometry(file: &str, raw: &RawCase, unit: f64) -> Result<Geometry, CaseError> {
@@ -48,7 +48,7 @@ fn outline(file: &str, place: &str, steps: &[RawStep], unit: f64) -> Result<Outl
     }
     let step = |s: &RawStep| match s {
         RawStep::Point(p) => Step::Line(metres(p)),
-        RawStep::Arc { via, to } => Step::Arc { via: metres(via), to: metres(to) },
+        RawStep::Arc(RawArc { via, to }) => Step::Arc { via: metres(via), to: metres(to) },
     };
     Ok(Outline { start: metres(start), steps: rest.iter().map(step).collect() })
 }

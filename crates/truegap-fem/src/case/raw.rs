@@ -44,10 +44,20 @@ pub(super) struct RawRegion {
 
 /// A point, or an arc from the point before it.
 #[derive(Debug, Deserialize)]
-#[serde(untagged)]
+#[serde(
+    untagged,
+    expecting = "write a point [first, second] or an arc { via = [first, second], to = [first, second] }, without further keys"
+)]
 pub(super) enum RawStep {
     Point([f64; 2]),
-    Arc { via: [f64; 2], to: [f64; 2] },
+    Arc(RawArc),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawArc {
+    pub via: [f64; 2],
+    pub to: [f64; 2],
 }
 
 #[derive(Debug, Deserialize)]

@@ -8,6 +8,7 @@ use super::temperature::{RadialTerm, Temperature};
 use super::units::{Dimension, parse_quantity, unit_factor};
 use crate::symmetry::Symmetry;
 use std::collections::BTreeMap;
+use truegap_limits::count;
 
 const KINDS: &[(&str, OutputKind)] = &[
     ("capacitance", OutputKind::Capacitance),
@@ -27,6 +28,15 @@ pub fn read_case(text: &str, file: &str) -> Result<Case, CaseError> {
     Reader { file, raw: &raw }.case()
 }
 
+/// Most corners of a drawing: every pair of its lines is looked at.
+const MOST_CORNERS: usize = 20_000;
+
+/// Least relative error that can be asked for: below it the rounding of 64-bit numbers is larger.
+const LEAST_TARGET: f64 = 1e-12;
+
+/// Longest name, characters.
+const LONGEST_NAME: usize = 200;
+
 struct Reader<'a> {
     file: &'a str,
     raw: &'a RawCase,
@@ -37,6 +47,8 @@ impl Reader<'_> {
         if self.raw.schema != "truegap.case/1" {
             return Err(CaseError::Schema { file: self.file.into(), found: self.raw.schema.clone() });
         }
+        self.check_size()?;
+        self.check_names()?;
         let physics = [("electrostatics", Physics::Electrostatics), ("elasticity", Physics::Elasticity)];
         let physics = self.word("physics", &self.raw.physics, &physics)?;
         let symmetry = [("axisymmetric", Symmetry::Axisymmetric), ("planar", Symmetry::Planar)];
@@ -59,6 +71,35 @@ impl Reader<'_> {
         };
         self.check_outputs(&case)?;
         Ok(case)
+    }
+
+    /// Before anything is compared with anything.
+    fn check_size(&self) -> Result<(), CaseError> {
+        let of_region = |r: &super::raw::RawRegion| r.polygon.len().max(1);
+        let of_boundary = |b: &RawBoundary| b.path.as_ref().map_or(1, Vec::len);
+        let corners =
+            self.raw.region.iter().map(of_region).sum::<usize>() + self.raw.boundary.iter().map(of_boundary).sum::<usize>();
+        let (place, things) = (format!("{}, the drawing", self.file), "corners of regions and boundaries");
+        count(&place, corners, things, MOST_CORNERS, "draw round parts with arcs { via, to }, or leave detail out")?;
+        count(&format!("{}, output", self.file), self.raw.output.len(), "outputs", 1000, "ask for fewer, in several cases")?;
+        Ok(())
+    }
+
+    /// Names stand in tables, in mesh files between quotes, and on terminals.
+    fn check_names(&self) -> Result<(), CaseError> {
+        let named = |kind: &'static str, name: &str| (kind, name.to_owned());
+        let raw = self.raw;
+        let names = raw.material.keys().map(|n| named("material", n));
+        let names = names.chain(raw.region.iter().map(|r| named("region", &r.name)));
+        let names = names.chain(raw.boundary.iter().map(|b| named("boundary", &b.name)));
+        let mut names = names.chain(raw.output.iter().map(|o| named("output", &o.name)));
+        let refused = |name: &str| {
+            name.trim().is_empty() || name.chars().count() > LONGEST_NAME || name.chars().any(|c| c.is_control() || c == '"')
+        };
+        let Some((kind, name)) = names.find(|(_, name)| refused(name)) else { return Ok(()) };
+        let shown: String = name.escape_debug().to_string().chars().take(LONGEST_NAME).collect();
+        let what = "a name has 1 to 200 characters on one line, without quotes and control characters";
+        Err(self.invalid(format!("{kind} `{shown}`"), what))
     }
 
     fn word<T: Copy>(&self, place: &str, found: &str, known: &[(&str, T)]) -> Result<T, CaseError> {
@@ -222,8 +263,9 @@ impl Reader<'_> {
     fn mesh(&self) -> Result<MeshRequest, CaseError> {
         let raw = &self.raw.mesh;
         let max_edge = self.optional("mesh, max_edge", raw.max_edge.as_ref(), Dimension::Length)?;
-        if raw.target_error.is_some_and(|t| !(t > 0.0 && t < 1.0)) {
-            return Err(self.invalid("mesh, target_error".into(), "must lie between 0 and 1; it is relative, for example 1e-4"));
+        if raw.target_error.is_some_and(|t| !(LEAST_TARGET..1.0).contains(&t)) {
+            let what = "must lie between 1e-12, the rounding of numbers, and 1; it is relative, for example 1e-4";
+            return Err(self.invalid("mesh, target_error".into(), what));
         }
         if max_edge.is_some_and(|h| !(h > 0.0)) {
             return Err(self.invalid("mesh, max_edge".into(), "must be positive"));

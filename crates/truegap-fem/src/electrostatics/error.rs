@@ -63,6 +63,16 @@ pub enum ElectrostaticsError {
         /// What to do.
         remedy: &'static str,
     },
+    /// A part that no potential reaches.
+    #[error(
+        "region `{region}` near ({}, {}) m touches no boundary with a potential and is not joined to one that does, so its potential may be anything; join it, give one of its boundaries a `potential`, or remove it", at[0], at[1]
+    )]
+    Floating {
+        /// Region.
+        region: String,
+        /// A corner of it (m).
+        at: [f64; 2],
+    },
     /// A point outside the mesh.
     #[error("output point ({}, {}) m lies outside the mesh; move it inside a region", at[0], at[1])]
     PointOutside {
@@ -71,7 +81,7 @@ pub enum ElectrostaticsError {
     },
     /// The wanted accuracy needs more unknowns than allowed.
     #[error(
-        "`{output}` has an estimated relative error of {estimate:.1e} with {unknowns} unknowns, the most allowed; wanted {wanted:.1e}: raise the limit or the target"
+        "`{output}` has an estimated relative error of {estimate:.1e} with {unknowns} unknowns, the most allowed; wanted {wanted:.1e}: raise target_error"
     )]
     NotReached {
         /// Output.

@@ -36,6 +36,7 @@ mod error;
 mod estimate;
 mod exterior;
 mod fields;
+mod floating;
 mod flux;
 mod form;
 mod goals;

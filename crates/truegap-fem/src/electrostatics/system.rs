@@ -2,6 +2,7 @@
 
 use super::constrained_dofs::{ConstrainedDofs, reduce};
 use super::exterior::{Exterior, InfiniteElement, UNKNOWNS};
+use super::floating::check_held;
 use super::form::dielectric;
 use super::problem::Problem;
 use super::unknowns::{Junctions, owners, permittivities, unknowns};
@@ -66,6 +67,7 @@ impl<'a> Solved<'a> {
         if problem.symmetry == Symmetry::Axisymmetric {
             mesh.check_axis()?;
         }
+        check_held(problem, mesh)?;
         let topology = Topology::new(mesh);
         let nodes = Nodes::new(mesh, &topology);
         let permittivity = permittivities(problem, mesh)?;

@@ -130,7 +130,7 @@ impl<'a> Reader<'a> {
         for _ in 0..self.number::<usize>(&row, 0)? {
             let row = self.row()?;
             let count: usize = self.number(&row, 3)?;
-            let mut tags = Vec::with_capacity(count);
+            let mut tags = Vec::new();
             for _ in 0..count {
                 let row = self.row()?;
                 tags.push(self.number::<u64>(&row, 0)?);
@@ -187,7 +187,7 @@ impl Parts {
             let c: Vec<u32> = nodes[..3].iter().map(|&n| number_corner(n, &self.points, &mut corner, &mut mesh.points)).collect();
             mesh.triangles.push([c[0], c[1], c[2]]);
             let name = self.name(2, *entity).unwrap_or_else(|| format!("surface {entity}"));
-            let region = index_of(&mut mesh.region_names, name);
+            let region = index_of(&mut mesh.region_names, name)?;
             mesh.triangle_regions.push(region);
             for k in 0..nodes.len().saturating_sub(3) {
                 let ends = [c[k], c[(k + 1) % 3]];
@@ -200,7 +200,7 @@ impl Parts {
             let (Some(name), Some(&a), Some(&b)) = (self.name(1, *entity), corner.get(&nodes[0]), corner.get(&nodes[1])) else {
                 continue;
             };
-            let boundary = index_of(&mut mesh.boundary_names, name);
+            let boundary = index_of(&mut mesh.boundary_names, name)?;
             mesh.boundary_edges.push(BoundaryEdge { nodes: [a, b], boundary });
         }
         mesh.curved_edges = curved.into_values().collect();
@@ -221,12 +221,13 @@ fn number_corner(node: u32, points: &[Point], corner: &mut HashMap<u32, u32>, ou
     })
 }
 
-fn index_of(names: &mut Vec<String>, name: String) -> u16 {
+fn index_of(names: &mut Vec<String>, name: String) -> Result<u16, MeshError> {
     if let Some(i) = names.iter().position(|n| *n == name) {
-        return i as u16;
+        return Ok(i as u16);
     }
     names.push(name);
-    (names.len() - 1) as u16
+    truegap_limits::count("the mesh", names.len(), "names of surfaces or curves", usize::from(u16::MAX) - 1, "join some groups")?;
+    Ok((names.len() - 1) as u16)
 }
 
 fn arc(mesh: &Mesh, nodes: [u32; 2], middle: Point) -> Option<CurvedEdge> {

@@ -70,11 +70,14 @@ pub enum MeshError {
         reason: String,
     },
     /// The requested size needs more triangles than allowed.
-    #[error("the mesh needs more than {limit} triangles; raise max_edge or the limit")]
+    #[error("the mesh needs more than {limit} triangles; raise max_edge, or leave out what is very thin")]
     TooManyTriangles {
         /// The limit.
         limit: usize,
     },
+    /// The drawing needs more memory than there is.
+    #[error(transparent)]
+    TooLarge(#[from] truegap_limits::TooLarge),
     /// A size is not usable.
     #[error("the element size {size} m is not positive; give max_edge a positive length")]
     BadSize {

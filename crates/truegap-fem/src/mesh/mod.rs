@@ -8,6 +8,7 @@ mod check;
 mod constrained;
 mod curve;
 mod error;
+mod estimate;
 mod grid;
 mod inside;
 mod label;

@@ -5,6 +5,7 @@
 use super::arrangement::Arrangement;
 use super::constrained::{Cdt, constrained, failed};
 use super::error::MeshError;
+use super::estimate::check_size;
 use super::inside::Inside;
 use super::label::label_faces;
 use super::mesh::Mesh;
@@ -21,6 +22,7 @@ pub fn mesh_geometry(geometry: &Geometry, options: &MeshOptions) -> Result<Mesh,
         });
     }
     let drawing = Arrangement::new(geometry)?;
+    check_size(&drawing, options)?;
     let (mut cdt, chords) = constrained(&drawing, options)?;
     refine(&mut cdt, &drawing, options)?;
     let mut mesh = label_faces(&cdt, &drawing, &chords)?;

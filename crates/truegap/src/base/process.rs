@@ -6,13 +6,17 @@ use std::collections::VecDeque;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use truegap_core::Inputs;
 
 /// Lines of standard error that are kept.
 const LAST_WORDS: usize = 12;
+/// Longest line that a program may write, bytes: an answer is a number a line.
+const LONGEST_LINE: u64 = 1 << 16;
+/// Lines that may wait to be read; a program that writes more waits itself.
+const UNREAD: usize = 1 << 16;
 /// Time that a program has to say its last words, or to end.
 const GRACE: Duration = Duration::from_millis(300);
 
@@ -142,11 +146,11 @@ fn write_lines(mut stream: ChildStdin) -> Sender<String> {
 
 /// Lines of a stream, as they come.
 fn read_lines(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
-    let (sender, lines) = channel();
+    let (sender, lines) = sync_channel(UNREAD);
     std::thread::spawn(move || {
-        for line in stream.into_iter().flat_map(|stream| BufReader::new(stream).lines()) {
-            let Ok(line) = line else { break };
-            if sender.send(line.trim_end().to_owned()).is_err() {
+        let mut stream = stream.map(BufReader::new);
+        while let Some(line) = stream.as_mut().and_then(short_line) {
+            if sender.send(line).is_err() {
                 break;
             }
         }
@@ -154,15 +158,23 @@ fn read_lines(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
     lines
 }
 
+/// The next line; `None` at the end, and where a line has no end within [`LONGEST_LINE`].
+fn short_line(stream: &mut BufReader<impl Read>) -> Option<String> {
+    let mut line = Vec::new();
+    let read = stream.take(LONGEST_LINE).read_until(b'\n', &mut line).ok()? as u64;
+    let is_whole = read > 0 && (line.ends_with(b"\n") || read < LONGEST_LINE);
+    is_whole.then(|| String::from_utf8_lossy(&line).trim_end().to_owned())
+}
+
 /// The last lines of a stream.
 fn keep_last(stream: Option<impl Read + Send + 'static>) -> Arc<Mutex<VecDeque<String>>> {
     let kept = Arc::new(Mutex::new(VecDeque::new()));
     let shared = kept.clone();
     std::thread::spawn(move || {
-        for line in stream.into_iter().flat_map(|stream| BufReader::new(stream).split(b'\n')) {
-            let Ok(line) = line else { break };
+        let mut stream = stream.map(BufReader::new);
+        while let Some(line) = stream.as_mut().and_then(short_line) {
             let mut last = shared.lock().unwrap_or_else(PoisonError::into_inner);
-            last.push_back(String::from_utf8_lossy(&line).trim_end().to_owned());
+            last.push_back(line);
             if last.len() > LAST_WORDS {
                 last.pop_front();
             }

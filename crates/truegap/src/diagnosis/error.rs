@@ -16,6 +16,9 @@ pub enum DiagnosisError {
     /// A recording cannot be read.
     #[error(transparent)]
     Recording(#[from] RecordingError),
+    /// More than can be held.
+    #[error(transparent)]
+    TooLarge(#[from] truegap_limits::TooLarge),
     /// There is no base model.
     #[error(transparent)]
     Base(#[from] BaseModelError),

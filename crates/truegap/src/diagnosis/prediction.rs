@@ -15,7 +15,7 @@ pub(super) fn csv(recording: &Recording, parts: &[Recording], traces: &Traces) -
     let mut text = String::from("run");
     columns.iter().for_each(|(name, _)| {
         text.push(',');
-        text.push_str(name);
+        text.push_str(&crate::cells::cell(name));
     });
     text.push('\n');
     for (row, run) in recording.inputs.run.iter().enumerate() {

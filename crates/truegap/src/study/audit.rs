@@ -3,7 +3,7 @@
 //! Limits: designs of a Latin hypercube; a design whose gap closes is a case with a reason instead of rows; rows keep numbers, not figures.
 
 use super::answer::audit::{Audited, Row, Share, SpaceAuditAnswer};
-use super::work::{merged, write};
+use super::work::{check_memory, merged, write};
 use super::{Finished, SensorText, StudyError, Work, page};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -15,6 +15,9 @@ use truegap_sweep::Sweep;
 
 /// Name of the study in a sweep's folder.
 pub const STUDY: &str = concat!("truegap.audit-space/3 of ", env!("CARGO_PKG_VERSION"));
+
+/// Memory of an audited design, bytes: its values, its name, and a row for each assumption.
+const MEMORY_OF_A_DESIGN: f64 = 8e3;
 
 /// A file that describes a space.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -42,6 +45,15 @@ fn one() -> u64 {
 }
 
 impl SpaceFile {
+    /// Reads a space from its file.
+    ///
+    /// # Errors
+    /// [`StudyError::Unread`], or as [`SpaceFile::from_toml`].
+    pub fn open(file: &Path) -> Result<Self, StudyError> {
+        let text = truegap_limits::read_text(file).map_err(|source| StudyError::Unread { path: file.to_owned(), source })?;
+        Self::from_toml(&text)
+    }
+
     /// Reads a space.
     ///
     /// # Errors
@@ -106,6 +118,7 @@ impl SpaceAuditRequest {
     }
 
     fn checked(&self) -> Result<Checked, StudyError> {
+        check_memory("designs", self.designs as f64, "designs", MEMORY_OF_A_DESIGN)?;
         let space = Space::new(self.sensor.sensor()?, self.axes.clone())?;
         let assumptions = chosen(&self.only).map_err(|e| StudyError::Case { reason: e.to_string() })?;
         let cube = latin_hypercube(self.designs, self.axes.len(), self.seed);

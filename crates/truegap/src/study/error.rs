@@ -3,6 +3,7 @@
 //! Limits: the first reason found.
 
 use crate::sensors::FindSensorError;
+use std::path::PathBuf;
 use truegap_core::sensor::SensorError;
 use truegap_design::DesignError;
 use truegap_scene::figure::FigureError;
@@ -22,6 +23,17 @@ pub enum StudyError {
     /// The study means nothing.
     #[error(transparent)]
     Design(Box<DesignError>),
+    /// More than can be held.
+    #[error(transparent)]
+    TooLarge(#[from] truegap_limits::TooLarge),
+    /// The description of a space cannot be read.
+    #[error("cannot be read: {source}; give the path of a space's TOML")]
+    Unread { path: PathBuf, source: std::io::Error },
+    /// The folder of results cannot be written.
+    #[error(
+        "{path}: cannot be written: {source}; nothing of this answer is left behind: make room, or name another folder with -o"
+    )]
+    Write { path: PathBuf, source: std::io::Error },
     /// Cases cannot be kept.
     #[error(transparent)]
     Sweep(Box<SweepError>),

@@ -29,13 +29,15 @@ impl SensitivityRequest {
     /// [`StudyError`].
     pub fn run(&self, watch: impl Fn(usize, usize) -> bool) -> Result<SensitivityAnswer, StudyError> {
         let options = MetricOptions::default();
-        let all = self.rows * self.sensors.len();
+        let all = self.rows.saturating_mul(self.sensors.len());
         let mut sensors = Vec::new();
         for (i, text) in self.sensors.iter().enumerate() {
             let sensor = text.sensor()?;
             let present: Vec<_> = PAPER_QUANTITIES.into_iter().filter(|q| q.of(&sensor).is_some()).collect();
             let rows = SobolOptions { rows: self.rows, seed: self.seed, ..Default::default() };
-            let sobol = match tolerance_indices(&sensor, options, rows, |done| watch(i * self.rows + done, all)) {
+            let sobol = match tolerance_indices(&sensor, options, rows, |done| {
+                watch(i.saturating_mul(self.rows).saturating_add(done), all)
+            }) {
                 Ok(indices) => Some(indices),
                 Err(DesignError::NoTolerance { .. }) => None,
                 Err(error) => return Err(error.into()),

@@ -4,7 +4,7 @@
 
 use crate::sensors::{FindSensorError, find_sensor};
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use truegap_core::Sensor;
 use truegap_core::sensor::{SensorError, builtin_sensors};
 
@@ -25,7 +25,10 @@ impl SensorText {
     pub fn find(name: &str) -> Result<Self, FindSensorError> {
         let sensor = find_sensor(name, None)?;
         let built_in = builtin_sensors().iter().find(|b| b.name == name).map(|b| b.toml.to_owned());
-        let read = || std::fs::read_to_string(name).map_err(|source| FindSensorError::Read { file: PathBuf::from(name), source });
+        let read = || {
+            truegap_limits::read_text(Path::new(name))
+                .map_err(|source| FindSensorError::Read { file: PathBuf::from(name), source })
+        };
         Ok(Self { name: sensor.name, toml: built_in.map_or_else(read, Ok)? })
     }
 

@@ -3,7 +3,7 @@
 //! Limits: a case is 65 536 sensors; quantiles are means over cases; which tolerance to tighten is decided on one case a tolerance.
 
 use super::answer::tolerance::{BatchAnswer, ToleranceAnswer};
-use super::work::{merged, write};
+use super::work::{check_memory, merged, write};
 use super::{Finished, SensorText, StudyError, Work, page};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -16,6 +16,9 @@ use truegap_sweep::Sweep;
 
 /// Name of the study in a sweep's folder.
 pub const STUDY: &str = concat!("truegap.tolerance/1 of ", env!("CARGO_PKG_VERSION"));
+
+/// Memory of a batch, bytes: what it is, its name, and seven metrics with their quantiles.
+const MEMORY_OF_A_BATCH: f64 = 4e3;
 
 /// An end or both of what a metric may be.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -95,6 +98,8 @@ impl ToleranceRequest {
             }
             truegap_design::metrics(sensor, MetricOptions::default())?;
         }
+        let cases = self.samples.div_ceil(BATCH) as f64 * sensors.len() as f64;
+        check_memory("--samples", cases, &format!("batches of {BATCH} sensors"), MEMORY_OF_A_BATCH)?;
         let options = BatchOptions { samples: self.samples, seed: self.seed, ..Default::default() };
         let sweep = Sweep::new(STUDY, self, self.cases(&sensors))?;
         Ok(Checked { sensors, specification, options, sweep })

@@ -4,8 +4,11 @@
 
 use super::StudyError;
 use serde::{Serialize, de::DeserializeOwned};
-use std::path::Path;
-use truegap_sweep::{Control, Ran, Shard, Sweep, write_atomically};
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use truegap_limits::Need;
+use truegap_sweep::{Control, Ran, Shard, Sweep};
 
 /// How a study is carried out.
 #[derive(Clone, Copy)]
@@ -50,7 +53,16 @@ impl Work<'_> {
             }
             None => return Err(StudyError::NoFolder { shard: self.shard.to_string() }),
             Some(folder) => {
-                let ran = sweep.run(folder, self.shard, self.control, solve)?;
+                let (was_there, was_claimed) = (folder.exists(), folder.join("sweep.json").exists());
+                let ran = sweep.run(folder, self.shard, self.control, solve);
+                let in_vain = ran.as_ref().map_or(true, |ran| !ran.failed.is_empty() && ran.found + ran.computed == 0);
+                if in_vain && !was_claimed {
+                    release(folder, was_there);
+                }
+                let ran = ran?;
+                if let Some((_, reason)) = ran.failed.first() {
+                    return Err(StudyError::Case { reason: reason.clone() });
+                }
                 let answers = if whole { Some(there(sweep, folder)?) } else { None };
                 (ran, answers)
             }
@@ -63,6 +75,12 @@ impl Work<'_> {
         }
         Ok((ran, answers))
     }
+}
+
+/// Refuses a study whose cases, or their answers, do not fit into the memory there is.
+pub(super) fn check_memory(place: &str, cases: f64, things: &str, bytes: f64) -> Result<(), StudyError> {
+    let need = Need { place, asked: &format!("{cases} {things}"), bytes: cases * bytes, remedy: "ask for fewer" };
+    Ok(truegap_limits::check(need)?)
 }
 
 /// Answers that a folder holds, `None` for those that it does not.
@@ -87,10 +105,74 @@ pub(super) fn merged<C: Serialize + Sync, R: DeserializeOwned>(
     Ok(sweep.merge(folder)?.complete()?.into_iter().map(Some).collect())
 }
 
-/// Writes files of results, the page last.
+/// Writes files of results: all of them, or none. A name may come from a sensor's, so it is made one that stays in the folder.
 pub(super) fn write(folder: &Path, files: &[(String, String)]) -> Result<(), StudyError> {
-    for (name, text) in files {
-        write_atomically(&folder.join(name), text.as_bytes())?;
+    let failed = |path: &Path, source| StudyError::Write { path: path.to_owned(), source };
+    let is_new = !folder.exists();
+    fs::create_dir_all(folder).map_err(|source| failed(folder, source))?;
+    let mut parts: Vec<(PathBuf, PathBuf)> = Vec::new();
+    let written = files.iter().try_for_each(|(name, text)| {
+        let file = folder.join(name);
+        let part = folder.join(format!("{name}.{}.part", std::process::id()));
+        parts.push((part.clone(), file.clone()));
+        // to the disk before anything takes its name: a full one may say so no earlier
+        let put = fs::File::create(&part).and_then(|mut out| out.write_all(text.as_bytes()).and_then(|()| out.sync_all()));
+        put.map_err(|source| failed(&file, source))
+    });
+    let moved = || parts.iter().try_for_each(|(part, file)| fs::rename(part, file).map_err(|source| failed(file, source)));
+    written.and_then(|()| moved()).inspect_err(|_| {
+        // nothing more can be done where even removing fails
+        parts.iter().for_each(|(part, _)| drop(fs::remove_file(part)));
+        if is_new {
+            drop(fs::remove_dir(folder));
+        }
+    })
+}
+
+/// A part of a file's name made from `name`: letters, digits, `.`, `-` and `_` as they are, anything else as `_`.
+pub(super) fn file_stem(name: &str) -> String {
+    let plain = |c: char| if c.is_alphanumeric() || matches!(c, '.' | '-' | '_') { c } else { '_' };
+    let stem: String = name.trim_start_matches('.').chars().map(plain).take(80).collect();
+    if stem.is_empty() { "sensor".into() } else { stem }
+}
+
+/// Takes back the claim of a folder in which no case has got an answer, so that a corrected request finds it free.
+fn release(folder: &Path, was_there: bool) {
+    // a folder that holds anything is not removed, so cases of another process keep theirs
+    let empty = |path: &Path| !path.exists() || fs::remove_dir(path).is_ok();
+    if !empty(&folder.join("cases")) {
+        return;
     }
-    Ok(())
+    drop(fs::remove_file(folder.join("sweep.json")));
+    if !was_there {
+        drop(fs::remove_dir(folder));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_name_of_a_sensor_stays_in_the_folder() {
+        assert_eq!(file_stem("singletact-s15-4.5n"), "singletact-s15-4.5n");
+        assert_eq!(file_stem("../../escaped"), "_.._escaped");
+        assert_eq!(file_stem("/etc/passwd"), "_etc_passwd");
+        assert_eq!(file_stem(".."), "sensor");
+        assert_eq!(file_stem(&"x".repeat(500)).len(), 80);
+    }
+
+    #[test]
+    fn an_answer_that_cannot_be_written_leaves_nothing() {
+        let place = std::env::temp_dir().join(format!("truegap-work-{}", std::process::id()));
+        let files = |last: &str| vec![("a.json".to_owned(), "1".to_owned()), (last.to_owned(), "2".to_owned())];
+        assert!(matches!(write(&place, &files("no/such/folder")), Err(StudyError::Write { .. })));
+        assert!(!place.exists());
+        write(&place, &files("b.json")).unwrap();
+        assert!(write(&place, &files("no/such/folder")).is_err());
+        let mut names: Vec<_> = fs::read_dir(&place).unwrap().map(|e| e.unwrap().file_name()).collect();
+        names.sort();
+        assert_eq!(names, ["a.json", "b.json"]);
+        fs::remove_dir_all(&place).unwrap();
+    }
 }

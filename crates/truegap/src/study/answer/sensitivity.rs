@@ -2,6 +2,7 @@
 //!
 //! Limits: plain data.
 
+use crate::cells::cell;
 use serde::Serialize;
 use std::fmt::Write;
 use truegap_design::sensitivity::{LocalSensitivity, OneAtATime, ToleranceIndices};
@@ -42,7 +43,7 @@ impl SensitivityAnswer {
                     let sobol = index.map_or_else(|| ",".to_owned(), |q| format!("{},{}", q.first[i].value, q.total[i].value));
                     let numbers = format!("{},{},{}", row.down[i], row.up[i], slope.per_percent[i]);
                     // a String takes everything
-                    let _ = writeln!(text, "{},{},{metric},{},{numbers},{sobol}", of.sensor, row.quantity, metric.unit());
+                    let _ = writeln!(text, "{},{},{metric},{},{numbers},{sobol}", cell(&of.sensor), row.quantity, metric.unit());
                 }
             }
         }

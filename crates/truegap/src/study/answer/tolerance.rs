@@ -2,6 +2,7 @@
 //!
 //! Limits: plain data.
 
+use crate::cells::cell;
 use serde::Serialize;
 use std::fmt::Write;
 use truegap_design::METRICS;
@@ -45,7 +46,8 @@ impl ToleranceAnswer {
             for s in &batch.scatter {
                 let quantiles = s.quantiles.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
                 // a String takes everything
-                let _ = writeln!(text, "{},{},{},{},{},{quantiles}", batch.sensor, s.metric, s.metric.unit(), s.mean, s.sd);
+                let _ =
+                    writeln!(text, "{},{},{},{},{},{quantiles}", cell(&batch.sensor), s.metric, s.metric.unit(), s.mean, s.sd);
             }
         }
         text

@@ -5,6 +5,7 @@
 use super::{header, row, spoken};
 use crate::study::StudyError;
 use crate::study::answer::sensitivity::{SensitivityAnswer, SensorSensitivity};
+use crate::study::work::file_stem;
 use truegap_design::sensitivity::{QuantityIndices, ToleranceIndices, ranked};
 use truegap_design::{METRICS, Metric};
 use truegap_scene::figure::{Bars, FigureError};
@@ -13,9 +14,12 @@ use truegap_scene::page::{Page, Table};
 /// One figure a sensor and metric.
 pub(in crate::study) fn figures(answer: &SensitivityAnswer) -> Result<Vec<(String, String)>, StudyError> {
     let mut files = Vec::new();
-    for of in &answer.sensors {
+    for (number, of) in answer.sensors.iter().enumerate() {
+        let stem = file_stem(&of.sensor);
+        let is_taken = answer.sensors[..number].iter().any(|other| file_stem(&other.sensor) == stem);
+        let stem = if is_taken { format!("{stem}-{}", number + 1) } else { stem };
         for metric in METRICS {
-            files.push((format!("{}_{metric}.svg", of.sensor), bars(of, metric, answer.change_pct)?));
+            files.push((format!("{stem}_{metric}.svg"), bars(of, metric, answer.change_pct)?));
         }
     }
     Ok(files)

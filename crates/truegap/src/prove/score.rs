@@ -6,7 +6,7 @@ use super::answers::{Answered, place};
 use super::controls::RULES;
 use super::error::{ProveError, json, read, write};
 use super::plan::Plan;
-use super::result::{CaseScore, Control, Score};
+use super::result::{CaseScore, Control, Score, Worded};
 use super::{document, fresh};
 use serde_json::Value;
 use std::path::Path;
@@ -110,6 +110,7 @@ fn case_score(case: &Scored) -> CaseScore {
         verdict: case.claim.verdict.clone(),
         named: case.claim.findings.clone(),
         outcome: outcome(case.outcome).to_owned(),
+        words: mechanisms::judged(case).map(|right| Worded { said: case.claim.mechanism.clone(), right }),
         fresh_misfit_removed: case.fresh_misfit_removed,
         seconds: case.seconds,
     }

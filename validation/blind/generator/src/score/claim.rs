@@ -2,6 +2,7 @@
 //!
 //! Limits: the contract of `design.md`, schema `truegap.diagnosis/1`; unknown fields are ignored.
 
+use serde::Serialize;
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -24,7 +25,7 @@ pub struct Claim {
 }
 
 /// A mechanism composed of words: the likeliest value of each.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Composed {
     /// Where.
     pub place: String,

@@ -7,10 +7,11 @@ use super::claim::Composed;
 use super::judge::Outcome;
 use super::targets::{Row, Target, line, middle, share};
 use super::words::Words;
+use serde::Serialize;
 use std::fmt::Write;
 
 /// What a mechanism is judged by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct Judged {
     /// Driver and kinetics are right together.
     pub law: bool,

@@ -6,6 +6,7 @@
 //! ```text
 //! DIR/commitments.txt            salted SHA-256 of every answer, written before the first diagnosis
 //! DIR/case-001/recording.*       what the diagnosis gets
+//! DIR/case-001/without.txt       the effect that it is to do without, where one is left out
 //! DIR/key/                       answers, and the plan with its seed
 //! DIR/diagnoses/case-001/        diagnosis.json, augmented.toml, controls.json (what simpler methods say of the same residual)
 //! DIR/score.json, DIR/score.md   once every case has its diagnosis
@@ -25,7 +26,7 @@ mod sparse;
 pub use answers::{Answered, Told, answer, cases};
 pub use error::ProveError;
 pub use plan::{Plan, Sort, begin, entropy, resume};
-pub use result::{CaseScore, Control, Score};
+pub use result::{CaseScore, Control, Score, Worded};
 pub use score::score;
 pub use truegap_generator::protocol::Kind;
 pub use truegap_generator::score::targets::Row;

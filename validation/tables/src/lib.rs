@@ -17,6 +17,7 @@ mod sources;
 mod speed;
 mod study;
 mod table;
+mod worded;
 
 pub use collect::collect;
 pub use error::TablesError;

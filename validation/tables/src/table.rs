@@ -2,10 +2,10 @@
 //!
 //! Limits: every table is made from files of this repository.
 
-use crate::{csv, error::TablesError, front, real::Real, sources, speed, study};
+use crate::{csv, error::TablesError, front, real::Real, sources, speed, study, worded};
 use std::path::Path;
 
-/// Names that may stand in a mark, beside `csv PATH`.
+/// Names that may stand in a mark, beside `csv PATH`, `mechanisms PATH` and `mechanism-counts PATH`.
 pub(crate) const NAMES: [&str; 8] = ["front", "study", "study-size", "study-causes", "real", "speed", "crates", "stages"];
 
 /// The text of a table; `line` is that of its mark, for messages.
@@ -15,6 +15,12 @@ pub(crate) const NAMES: [&str; 8] = ["front", "study", "study-size", "study-caus
 pub(crate) fn table(root: &Path, name: &str, line: usize) -> Result<String, TablesError> {
     if let Some(path) = name.strip_prefix("csv ") {
         return Ok(csv::read(&root.join(path))?.text());
+    }
+    if let Some(path) = name.strip_prefix("mechanisms ") {
+        return Ok(worded::one_by_one(&root.join(path))?.text());
+    }
+    if let Some(path) = name.strip_prefix("mechanism-counts ") {
+        return Ok(worded::counts(&root.join(path))?.text());
     }
     let table = match name {
         "front" => front::table(root)?,

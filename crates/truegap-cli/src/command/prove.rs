@@ -22,12 +22,18 @@ pub struct Prove {
     /// Folder for the study, the diagnoses, score.json and score.md
     #[arg(long, short, value_name = "DIR", default_value = "study")]
     output: PathBuf,
-    /// Conceal one sort of thing only, to count it well: nulls, singles, pairs, strangers, loggers (nothing concealed, the troubles of measuring chains in turn)
+    /// Conceal one sort of thing only, to count it well: nulls, singles, pairs, strangers, loggers (nothing concealed, the troubles of measuring chains in turn), wild (protocols nobody planned, loggers as they are, a bath of weak imperfections, causes outside the library)
     #[arg(long, value_name = "SORT", value_parser = named::<Sort>, conflicts_with = "resume")]
     only: Option<Sort>,
-    /// Protocols to draw from: full, thermal, mechanical, short, bench, uneven, worn; all where not given
+    /// Protocols to draw from: full, thermal, mechanical, short, bench, uneven, worn; hand, grasps, shelf, oven, shaker, table; the first seven where not given, the others where the study is wild
     #[arg(long, value_name = "A,B,C", value_delimiter = ',', value_parser = named::<Kind>, conflicts_with = "resume")]
     protocols: Vec<Kind>,
+    /// Leave each effect out of the library in turn and diagnose a recording that conceals just this one: what do the words say of it?
+    #[arg(long, conflicts_with_all = ["resume", "only", "cases", "protocols"])]
+    without_each: bool,
+    /// Recordings for each effect that is left out
+    #[arg(long, value_name = "N", default_value_t = 1, requires = "without_each", value_parser = clap::value_parser!(u16).range(1..=1000))]
+    each: u16,
     /// Go on with the study in the folder
     #[arg(long)]
     resume: bool,
@@ -71,12 +77,19 @@ impl Prove {
             prove::resume(&self.output, self.seed, self.cases.map(|n| n as usize), made)
         } else {
             let seed = self.seed.unwrap_or_else(prove::entropy);
-            let only = self.only.unwrap_or_default();
-            let plan = Plan { seed, cases: self.cases.unwrap_or(480) as usize, only, protocols: self.protocols.clone() };
+            let plan = self.plan(seed);
             prove::begin(&plan, &self.output, made).map(|()| plan)
         };
         bar.finish_and_clear();
         Ok(plan?)
+    }
+
+    fn plan(&self, seed: u64) -> Plan {
+        if self.without_each {
+            return Plan::without_each(seed, usize::from(self.each));
+        }
+        let only = self.only.unwrap_or_default();
+        Plan { seed, cases: self.cases.unwrap_or(480) as usize, only, protocols: self.protocols.clone() }
     }
 
     /// What binds the study to its answers, before anything is diagnosed.
@@ -103,6 +116,11 @@ impl Prove {
     /// The command that makes the same study again.
     fn command(&self, plan: &Plan) -> String {
         let word = |value: serde_json::Value| value.as_str().unwrap_or_default().to_owned();
+        if plan.only == Sort::WithoutEach {
+            let each = Plan::without_each(plan.seed, 1).cases;
+            let each = plan.cases / each.max(1);
+            return format!("truegap prove --without-each --each {each} --seed {} -o {}", plan.seed, self.output.display());
+        }
         let mut command = format!("truegap prove --cases {} --seed {} -o {}", plan.cases, plan.seed, self.output.display());
         if plan.only != Sort::Everything {
             command += &format!(" --only {}", word(serde_json::json!(plan.only)));

@@ -10,6 +10,7 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use truegap_core::Recording;
+use truegap_generator::study::WITHOUT;
 
 /// One case is done.
 #[derive(Clone, Debug)]
@@ -131,9 +132,36 @@ fn controls(diagnosed: &Diagnosed) -> serde_json::Value {
     })
 }
 
+/// What is asked of a case: all effects, or all but the one that a file beside the recording names.
+fn request(path: &Path) -> Request {
+    let mut request = Request { command: "truegap prove".into(), ..Request::default() };
+    if let Ok(without) = std::fs::read_to_string(path.with_file_name(WITHOUT)) {
+        let ids = request.library.ids();
+        request.effects = ids.into_iter().filter(|id| *id != without.trim()).map(str::to_owned).collect();
+    }
+    request
+}
+
 fn recorded(path: &Path, stop: &AtomicBool) -> Result<Diagnosed, crate::diagnosis::DiagnosisError> {
     let recording = Recording::open(path)?;
     let files = vec![(path.display().to_string(), recording.sha256.clone())];
-    let request = Request { command: "truegap prove".into(), ..Request::default() };
+    let request = request(path);
     diagnose(open(vec![recording], &request)?, files, &request, &|_| (), stop)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_effect_named_beside_a_recording_is_the_only_one_that_is_not_tried() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("recording.toml");
+        assert!(request(&path).effects.is_empty());
+        std::fs::write(path.with_file_name(WITHOUT), "thermal_lag\n").unwrap();
+        let request = request(&path);
+        let all = request.library.ids();
+        assert_eq!(request.effects.len() + 1, all.len());
+        assert!(all.contains(&"thermal_lag") && !request.effects.iter().any(|id| id == "thermal_lag"));
+    }
 }

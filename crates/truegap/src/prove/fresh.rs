@@ -5,9 +5,9 @@
 use super::answers::place;
 use crate::model_file::ModelFile;
 use std::path::Path;
-use truegap_core::Inputs;
+use truegap_core::{Driver, Inputs};
 use truegap_generator::Study;
-use truegap_generator::recording::Recording;
+use truegap_generator::recording::{Column, Recording};
 use truegap_generator::score::misfit::misfit_removed;
 
 /// Share of the misfit that `case` of `study` loses on a fresh history by its diagnosis; the reason where there is no such share.
@@ -21,6 +21,10 @@ pub(super) fn misfit(folder: &Path, study: &Study, case: &str) -> Result<f64, St
     misfit_removed(&fresh.truth_pf, &fresh.base_pf, &after).ok_or_else(|| "nothing to remove".into())
 }
 
+fn driver(column: &Column) -> Driver {
+    Driver { name: column.name.clone(), unit: column.unit.clone(), values: column.values.clone() }
+}
+
 fn inputs(recording: &Recording) -> Inputs {
     Inputs {
         run: recording.run.clone(),
@@ -28,6 +32,7 @@ fn inputs(recording: &Recording) -> Inputs {
         force_n: Some(recording.force_n.clone()),
         temperature_c: Some(recording.temperature_c.clone()),
         humidity_pct: recording.humidity_pct.clone(),
+        drivers: recording.driver.iter().map(driver).collect(),
         ..Inputs::default()
     }
 }

@@ -6,6 +6,7 @@ use super::error::{ProveError, json, write};
 use serde::{Deserialize, Serialize};
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::Path;
+use truegap_generator::causes::{FURTHER, LIBRARY};
 use truegap_generator::protocol::Kind;
 use truegap_generator::settings::Only;
 use truegap_generator::{Options, Study};
@@ -22,7 +23,14 @@ pub enum Sort {
     Pairs,
     Strangers,
     Loggers,
+    WithoutEach,
+    Wild,
 }
+
+/// Detectability of effects that are left out: far above the noise, so that what is said of them is a matter of words.
+const LEFT_OUT: (f64, f64) = (25.0, 36.0);
+/// Detectability of wild causes.
+const WILD: (f64, f64) = (16.0, 120.0);
 
 /// A study before it is made.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -53,8 +61,22 @@ impl Plan {
             Sort::Pairs => Only::Pairs,
             Sort::Strangers => Only::Strangers,
             Sort::Loggers => Only::Loggers,
+            Sort::WithoutEach => Only::WithoutEach,
+            Sort::Wild => Only::Wild,
         };
-        Ok(Study::new(self.seed, self.cases, Options { only, protocols: self.protocols.clone(), ..Options::default() })?)
+        let mut options = Options { only, protocols: self.protocols.clone(), ..Options::default() };
+        let range = match self.only {
+            Sort::WithoutEach => LEFT_OUT,
+            Sort::Wild => WILD,
+            _ => (options.detectability_from, options.detectability_to),
+        };
+        (options.detectability_from, options.detectability_to) = range;
+        Ok(Study::new(self.seed, self.cases, options)?)
+    }
+
+    /// Every effect that can be left out, `each` times.
+    pub fn without_each(seed: u64, each: usize) -> Self {
+        Self { seed, cases: each * (LIBRARY.len() + FURTHER.len()), only: Sort::WithoutEach, protocols: Vec::new() }
     }
 
     pub(super) fn read(folder: &Path) -> Result<Self, ProveError> {

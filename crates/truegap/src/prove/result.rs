@@ -4,6 +4,8 @@
 
 use super::plan::Plan;
 use serde::Serialize;
+use truegap_generator::score::claim::Composed;
+use truegap_generator::score::mechanisms::Judged;
 use truegap_generator::score::targets::Row;
 
 /// What a study comes to.
@@ -60,10 +62,22 @@ pub struct CaseScore {
     pub named: Vec<(String, Option<f64>)>,
     /// how good that was
     pub outcome: String,
+    /// what the words say, where the cause is in no library that the diagnosis had
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub words: Option<Worded>,
     /// share of the misfit removed on a fresh history
     pub fresh_misfit_removed: Option<f64>,
     /// wall-clock time of the diagnosis, s
     pub seconds: Option<f64>,
+}
+
+/// A mechanism composed of words, and which of them are right.
+#[derive(Clone, Debug, Serialize)]
+pub struct Worded {
+    /// the likeliest words; none where no mechanism was listed
+    pub said: Option<Composed>,
+    /// which are right
+    pub right: Judged,
 }
 
 impl Score {

@@ -6,14 +6,15 @@ use super::answers::{Answered, place};
 use super::controls::RULES;
 use super::error::{ProveError, json, read, write};
 use super::plan::Plan;
-use super::result::{CaseScore, Control, Score};
+use super::result::{CaseScore, Control, Score, Worded};
 use super::{document, fresh};
 use serde_json::Value;
 use std::path::Path;
 use truegap_generator::commitment::sha256;
 use truegap_generator::score::folder::score_folder;
 use truegap_generator::score::judge::Outcome;
-use truegap_generator::score::targets::{by_detectability, rows};
+use truegap_generator::score::mechanisms;
+use truegap_generator::score::targets::{Row, by_detectability, rows};
 use truegap_generator::score::{Scored, score as judged, table};
 
 /// Detectability from which a model is tried on a fresh history, as the target has it.
@@ -33,7 +34,10 @@ pub fn score(folder: &Path, answered: &Answered, command: &str) -> Result<Score,
     for case in &mut scored {
         let diagnosis: Value = json(&place(folder, &case.truth.case).join("diagnosis.json"))?;
         case.seconds = diagnosis["seconds"].as_f64();
-        if !case.truth.causes.is_empty() && case.truth.detectability >= STRONG {
+        if !case.truth.is_null()
+            && (case.truth.stranger.is_none() || case.truth.words.is_some())
+            && case.truth.detectability >= STRONG
+        {
             match fresh::misfit(folder, &study, &case.truth.case) {
                 Ok(share) => case.fresh_misfit_removed = Some(share),
                 Err(reason) => not_tried_afresh.push((case.truth.case.clone(), reason)),
@@ -46,7 +50,7 @@ pub fn score(folder: &Path, answered: &Answered, command: &str) -> Result<Score,
         plan,
         version: env!("CARGO_PKG_VERSION"),
         commitments_sha256: sha256(&read(&folder.join("commitments.txt"))?),
-        targets: rows(&scored),
+        targets: targets(&scored),
         by_detectability: by_detectability(&scored),
         controls: controls(folder, &scored, &diagnoses, &others)?,
         process_misfit_removed: process_median(&scored, &others),
@@ -60,6 +64,11 @@ pub fn score(folder: &Path, answered: &Answered, command: &str) -> Result<Score,
     write(&path, &(text + "\n"))?;
     write(&folder.join("score.md"), &document::markdown(&score, command))?;
     Ok(score)
+}
+
+/// The targets of any study, then those of baths and mechanisms where there are some.
+fn targets(scored: &[Scored]) -> Vec<Row> {
+    rows(scored).into_iter().chain(mechanisms::rows(scored)).collect()
 }
 
 /// The controls that claim a share; medians and probabilities are not theirs.
@@ -101,6 +110,7 @@ fn case_score(case: &Scored) -> CaseScore {
         verdict: case.claim.verdict.clone(),
         named: case.claim.findings.clone(),
         outcome: outcome(case.outcome).to_owned(),
+        words: mechanisms::judged(case).map(|right| Worded { said: case.claim.mechanism.clone(), right }),
         fresh_misfit_removed: case.fresh_misfit_removed,
         seconds: case.seconds,
     }

@@ -8,6 +8,7 @@ use crate::noise::Noise;
 use crate::protocol::Kind;
 use crate::sensor::Sensor;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// What is concealed in a case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -20,7 +21,13 @@ pub struct Answer {
     pub effects: Vec<String>,
     /// A cause that no library holds.
     pub stranger: Option<String>,
-    /// Detectability of all causes together; 0 where there is none.
+    /// Weak imperfections under them, each with its detectability; naming one of them is not wrong.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub bath: BTreeMap<String, f64>,
+    /// The effect that the diagnosis is to do without; it stands under `stranger`, since that is what it then is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub without: Option<String>,
+    /// Detectability of all causes together, without the bath; 0 where there is none.
     pub detectability: f64,
     /// The same with the noise of the recorded inputs counted; absent in studies before it was.
     #[serde(default)]

@@ -3,7 +3,8 @@
 //! Limits: causes that a protocol cannot show at a believable size are drawn again, so poor protocols hold fewer kinds of cause.
 
 use crate::answer::Answer;
-use crate::causes::{Bench, LIBRARY, STRANGERS, SizeError};
+use crate::bath::bath;
+use crate::causes::{Bench, DrawShape, LIBRARY, STRANGERS, SizeError, WILD, left_out};
 use crate::chain::{Act, simulate};
 use crate::detectability::input_error;
 use crate::draws::Draws;
@@ -18,9 +19,12 @@ use crate::sensor::Sensor;
 use crate::settings::{Only, Settings, Shares};
 use crate::state::{PlatesTouch, Scene};
 use serde_json::Value;
+use std::collections::BTreeMap;
 
 /// Draws of causes before less is asked of them.
 const TRIES: usize = 12;
+/// Least detectability at which an effect that is left out is still posed.
+const LEAST: f64 = 0.5;
 
 /// A case: what the tool gets, and what is concealed.
 #[derive(Debug, Clone)]
@@ -62,10 +66,30 @@ pub enum CaseError {
 }
 
 /// How many causes and of which sort.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 enum Makeup {
     Library(usize),
     Stranger,
+    /// Of those that words describe.
+    Wild,
+    /// One that the diagnosis is to do without.
+    LeftOut(DrawShape),
+}
+
+impl Makeup {
+    fn drawn(settings: &Settings, index: usize, draws: &mut Draws) -> Self {
+        match (settings.options.only, draws.weighted(&settings.shares.makeup)) {
+            (Only::WithoutEach, _) => Self::LeftOut(left_out(index).1),
+            (Only::Wild, 4) => Self::Wild,
+            (_, 4) => Self::Stranger,
+            (_, count) => Self::Library(count),
+        }
+    }
+
+    /// Whether it is in no library, or in none that the diagnosis has.
+    fn is_outside(self) -> bool {
+        !matches!(self, Self::Library(_))
+    }
 }
 
 /// What is fixed before the causes are drawn.
@@ -81,6 +105,7 @@ struct Setting {
 /// Causes with the base model they are posed in.
 struct Posed {
     acts: Vec<Act>,
+    bath: Vec<Act>,
     declared: Declared,
 }
 
@@ -89,15 +114,19 @@ impl BlindCase {
         let case = format!("case-{:03}", index + 1);
         let stream = |purpose: &str| Draws::of(settings.seed, &format!("{case}/{purpose}"));
         let shares = &settings.shares;
-        let logger = (settings.options.only == Only::Loggers).then(|| Logger::ALL[index % Logger::ALL.len()]);
+        let logger = match settings.options.only {
+            Only::Loggers => Some(Logger::ALL[index % Logger::ALL.len()]),
+            Only::Wild => Some(Logger::WILD[stream("logger").index(Logger::WILD.len())]),
+            _ => None,
+        };
         let setting = Setting::drawn(case.clone(), shares, stream).with_logger(logger);
         let draws = &mut stream("causes");
-        let makeup = match draws.weighted(&shares.makeup) {
-            4 => Makeup::Stranger,
-            count => Makeup::Library(count),
-        };
+        let makeup = Makeup::drawn(settings, index, draws);
         let asked = draws.log_between(settings.options.detectability_from, settings.options.detectability_to);
-        let posed = setting.pose(makeup, asked, settings, draws)?;
+        let mut posed = setting.pose(makeup, asked, settings, draws)?;
+        if settings.options.only == Only::Wild {
+            posed.bath = bath(&setting.bench(posed.declared.warp)?, &posed.acts, posed.declared, &mut stream("bath"));
+        }
         let salt = format!("{:016x}{:016x}", stream("salt").bits(), stream("more salt").bits());
         setting.finish(posed, makeup, salt, settings.seed, &mut stream("noise"))
     }
@@ -141,7 +170,9 @@ impl Setting {
         let flat = draws.chance(shares.flat);
         let mut benches: [Option<Bench>; 2] = [None, None];
         let mut asked = asked;
-        while asked >= settings.options.detectability_from * 0.99 {
+        // what is left out is posed as large as it can be believed, however little that is: it has no substitute
+        let least = if matches!(makeup, Makeup::LeftOut(_)) { LEAST } else { 0.99 * settings.options.detectability_from };
+        while asked >= least {
             for _ in 0..TRIES {
                 let causes = drawn_causes(makeup, shares, draws);
                 let Some(needs) = together(&causes) else { continue };
@@ -152,7 +183,11 @@ impl Setting {
                 }
                 let Some(bench) = &benches[slot] else { continue };
                 if let Ok(acts) = sized(bench, causes, asked, draws) {
-                    return Ok(Posed { acts, declared: Declared { warp, humidity: humidity || needs.humidity } });
+                    return Ok(Posed {
+                        acts,
+                        bath: Vec::new(),
+                        declared: Declared { warp, humidity: humidity || needs.humidity },
+                    });
                 }
             }
             asked *= 0.7;
@@ -162,27 +197,29 @@ impl Setting {
 
     fn finish(self, posed: Posed, makeup: Makeup, salt: String, seed: u64, noise: &mut Draws) -> Result<BlindCase, CaseError> {
         let closed = |source| CaseError::Closed { case: self.case.clone(), source };
-        let Posed { acts, declared } = posed;
+        let Posed { acts, bath, declared } = posed;
         let bench = self.bench(declared.warp)?;
-        let truth_pf = simulate(self.scene(), declared.warp, &acts).map_err(closed)?;
+        let all: Vec<Act> = acts.iter().chain(&bath).cloned().collect();
+        let truth_pf = simulate(self.scene(), declared.warp, &all).map_err(closed)?;
         let base_pf = simulate(self.scene(), declared.warp, &[]).map_err(closed)?;
         let left = bench.leftover(&acts).map_err(closed)?;
         let noisy = input_error(self.scene(), declared.warp, &self.noise).map_err(closed)?;
         let noisy = Bench::with_noise(self.scene(), declared.warp, noisy).map_err(closed)?;
         let beside_input_noise = noisy.leftover(&acts).map_err(closed)?.detectability;
-        let mut each = Vec::new();
-        for act in &acts {
-            let alone = bench.leftover(std::slice::from_ref(act)).map_err(closed)?;
-            each.push(alone.detectability);
-        }
+        let alone = |act: &Act| bench.leftover(std::slice::from_ref(act)).map(|left| left.detectability).map_err(closed);
+        let each = acts.iter().map(alone).collect::<Result<Vec<f64>, _>>()?;
+        let weak = bath.iter().map(|act| Ok((act.mechanism.id().to_owned(), alone(act)?)));
+        let weak = weak.collect::<Result<BTreeMap<_, _>, _>>()?;
         let names: Vec<String> = acts.iter().map(|act| act.mechanism.id().to_owned()).collect();
         let numbers = |act: &Act| (act.mechanism.id().to_owned(), Value::from(act.mechanism.numbers(act.size)));
-        let stranger = makeup == Makeup::Stranger;
+        let stranger = makeup.is_outside();
         let answer = Answer {
             case: self.case.clone(),
             salt,
             effects: if stranger { Vec::new() } else { names.clone() },
             stranger: names.first().filter(|_| stranger).cloned(),
+            bath: weak,
+            without: names.first().filter(|_| matches!(makeup, Makeup::LeftOut(_))).cloned(),
             detectability: left.detectability,
             detectability_beside_input_noise: Some(beside_input_noise),
             apart: bench.apart(&acts).map_err(closed)?,
@@ -195,22 +232,27 @@ impl Setting {
             logger: self.logger,
             warp_declared: declared.warp,
             humidity_column: declared.humidity,
-            parameters: acts.iter().map(numbers).collect(),
+            parameters: all.iter().map(numbers).collect(),
             sensor: self.sensor,
         };
         let recording = Recording::noisy(&self.history, &truth_pf, &self.noise, declared, noise);
+        let driver = acts.iter().find_map(|act| act.mechanism.records(&self.history));
+        let recording = Recording { driver, ..recording };
         let recording = match self.logger {
             Some(logger) => logger.written(recording, &truth_pf, noise),
             None => recording,
         };
-        Ok(BlindCase { recording, answer, acts, truth_pf, base_pf, seed })
+        Ok(BlindCase { recording, answer, acts: all, truth_pf, base_pf, seed })
     }
 }
 
 /// Shapes of as many causes as `makeup` says, of different families.
 fn drawn_causes(makeup: Makeup, shares: &Shares, draws: &mut Draws) -> Vec<Box<dyn Mechanism>> {
-    let Makeup::Library(count) = makeup else {
-        return vec![STRANGERS[draws.weighted(&shares.strangers)].1(draws)];
+    let count = match makeup {
+        Makeup::Library(count) => count,
+        Makeup::Stranger => return vec![STRANGERS[draws.weighted(&shares.strangers)].1(draws)],
+        Makeup::Wild => return vec![WILD[draws.weighted(&shares.wild)].1(draws)],
+        Makeup::LeftOut(shape) => return vec![shape(draws)],
     };
     let mut causes: Vec<Box<dyn Mechanism>> = Vec::new();
     while causes.len() < count {

@@ -37,8 +37,10 @@ impl BlindCase {
                 .map_err(|source| CaseError::Closed { case: self.answer.case.clone(), source })
         };
         let (truth_pf, base_pf) = (run(&self.acts)?, run(&[])?);
+        let driver = self.acts.iter().find_map(|act| act.mechanism.records(&history));
         let declared = Declared { warp: self.answer.warp_declared, humidity: self.answer.humidity_column };
         let recording = Recording::noisy(&history, &truth_pf, &self.answer.noise, declared, &mut stream("noise"));
+        let recording = Recording { driver, ..recording };
         let quiet = Recording {
             force_n: history.force.clone(),
             temperature_c: history.temperature.clone(),

@@ -5,6 +5,7 @@
 //! only, and says nothing about how a diagnosis should be found.
 
 pub mod answer;
+mod bath;
 pub mod case;
 pub mod causes;
 pub mod chain;
@@ -25,6 +26,7 @@ pub mod settings;
 pub mod state;
 pub mod stranger;
 pub mod study;
+pub mod wild;
 
 pub use answer::Answer;
 pub use case::{BlindCase, CaseError};

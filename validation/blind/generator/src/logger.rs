@@ -56,6 +56,8 @@ pub enum Logger {
     LoadFive,
     /// Load in steps of 20 mN and temperature in steps of 0.5 K.
     LoadAndTemperature,
+    /// One row in thirty is lost, and two stretches of a fiftieth of the recording each.
+    LostRows,
 }
 
 impl Logger {
@@ -82,6 +84,24 @@ impl Logger {
         Self::LoadTwenty,
         Self::LoadFive,
         Self::LoadAndTemperature,
+    ];
+
+    /// Those that a wild study draws from: what ordinary benches do, in no order of merit.
+    pub const WILD: [Self; 14] = [
+        Self::White,
+        Self::ConverterCoarse,
+        Self::Proportional,
+        Self::StudentT,
+        Self::Flicker,
+        Self::Autoregressive,
+        Self::AliasedMains,
+        Self::LargeSpikes,
+        Self::SmallSpikes,
+        Self::StuckRows,
+        Self::TemperatureQuarter,
+        Self::LoadTwenty,
+        Self::LostRows,
+        Self::JitteredStamps,
     ];
 
     /// Name in files and tables.
@@ -119,6 +139,9 @@ impl Logger {
         self.reading(&mut recording.capacitance_pf, truth_pf, draws);
         if self == Self::StuckRows {
             stick(&mut recording, draws);
+        }
+        if self == Self::LostRows {
+            lose(&mut recording, draws);
         }
         recording
     }
@@ -217,6 +240,24 @@ fn stick(recording: &mut Recording, draws: &mut Draws) {
     }
 }
 
+/// Takes away one row in thirty and two stretches of a fiftieth of the rows.
+fn lose(recording: &mut Recording, draws: &mut Draws) {
+    let rows = recording.run.len();
+    let stretches = [0, 1].map(|_| draws.index(rows));
+    let lost = |row: usize, draws: &mut Draws| {
+        stretches.iter().any(|start| (*start..start + rows / 50).contains(&row)) || draws.chance(1.0 / 30.0)
+    };
+    let keep: Vec<usize> = (0..rows).filter(|row| !lost(*row, draws)).collect();
+    let kept = |values: &mut Vec<f64>| *values = keep.iter().map(|row| values[*row]).collect();
+    recording.run = keep.iter().map(|row| recording.run[*row]).collect();
+    kept(&mut recording.time_s);
+    kept(&mut recording.force_n);
+    kept(&mut recording.temperature_c);
+    kept(&mut recording.capacitance_pf);
+    recording.humidity_pct.iter_mut().for_each(kept);
+    recording.driver.iter_mut().for_each(|driver| kept(&mut driver.values));
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -229,6 +270,7 @@ mod tests {
             force_n: (0..rows).map(|i| 1e-3 * i as f64).collect(),
             temperature_c: (0..rows).map(|i| 20.0 + 0.01 * i as f64).collect(),
             humidity_pct: None,
+            driver: None,
             capacitance_pf: truth.clone(),
             warp: true,
         };
@@ -258,6 +300,18 @@ mod tests {
         let grown = |n: usize| noise.windows(n + 1).map(|w| (w[n] - w[0]).powi(2)).sum::<f64>() / noise.len() as f64;
         let (first, second) = (grown(16) - grown(4), grown(64) - grown(16));
         assert!((first / second - 1.0).abs() < 0.2, "{first} {second}");
+    }
+
+    #[test]
+    fn lost_rows_leave_the_others_as_they_were() {
+        let (recording, truth) = recorded(3000);
+        let written = Logger::LostRows.written(recording.clone(), &truth, &mut Draws::of(3, "test"));
+        let left = written.run.len();
+        // a thirtieth of 3000 is 100, give or take 30; the stretches are 60 rows each and may overlap or end with the recording
+        assert!((2750..2950).contains(&left), "{left}");
+        assert!(written.time_s.windows(2).all(|t| t[1] > t[0]) && written.capacitance_pf.len() == left);
+        // the clock of the test is half a second a row
+        assert!((0..left).all(|row| written.force_n[row] == recording.force_n[(2.0 * written.time_s[row]) as usize]));
     }
 
     #[test]

@@ -61,6 +61,8 @@ enum Sort {
     Pairs,
     Strangers,
     Loggers,
+    WithoutEach,
+    Wild,
 }
 
 impl From<Sort> for Only {
@@ -72,6 +74,8 @@ impl From<Sort> for Only {
             Sort::Pairs => Self::Pairs,
             Sort::Strangers => Self::Strangers,
             Sort::Loggers => Self::Loggers,
+            Sort::WithoutEach => Self::WithoutEach,
+            Sort::Wild => Self::Wild,
         }
     }
 }

@@ -20,10 +20,23 @@ pub struct Recording {
     pub temperature_c: Vec<f64>,
     /// Relative humidity, %, where it was recorded.
     pub humidity_pct: Option<Vec<f64>>,
+    /// A further column, where a cause brings one.
+    pub driver: Option<Column>,
     /// Capacitance as recorded, pF.
     pub capacitance_pf: Vec<f64>,
     /// Whether the declared base model has the warp.
     pub warp: bool,
+}
+
+/// A recorded column of any quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Name under `[drivers]`.
+    pub name: String,
+    /// Unit.
+    pub unit: String,
+    /// One entry a row.
+    pub values: Vec<f64>,
 }
 
 impl Recording {
@@ -38,6 +51,7 @@ impl Recording {
             force_n: force,
             temperature_c: temperature,
             humidity_pct: declared.humidity.then(|| history.humidity.iter().map(|h| rounded(*h, 1e2)).collect()),
+            driver: None,
             capacitance_pf: truth_pf.iter().zip(capacitance).map(|(c, n)| rounded(c + n, 1e3)).collect(),
             warp: declared.warp,
         }
@@ -46,13 +60,15 @@ impl Recording {
     /// The CSV with its header.
     pub fn csv(&self) -> String {
         let humidity = if self.humidity_pct.is_some() { "humidity_pct," } else { "" };
-        let mut text = format!("run,time_s,force_n,temperature_c,{humidity}capacitance_pf\n");
+        let driver = self.driver.as_ref().map(|d| format!("{},", d.name)).unwrap_or_default();
+        let mut text = format!("run,time_s,force_n,temperature_c,{humidity}{driver}capacitance_pf\n");
         for row in 0..self.run.len() {
             let humidity = self.humidity_pct.as_ref().map(|h| format!("{:.2},", h[row])).unwrap_or_default();
+            let driver = self.driver.as_ref().map(|d| format!("{:.4},", d.values[row])).unwrap_or_default();
             // Writing to a string cannot fail.
             let _ = writeln!(
                 text,
-                "{},{:.3},{:.4},{:.3},{humidity}{:.4}",
+                "{},{:.3},{:.4},{:.3},{humidity}{driver}{:.4}",
                 self.run[row], self.time_s[row], self.force_n[row], self.temperature_c[row], self.capacitance_pf[row]
             );
         }
@@ -62,7 +78,9 @@ impl Recording {
     /// The TOML beside it; the columns have the default names of the contract, `humidity_pct` included.
     pub fn toml(&self) -> String {
         let base = format!("model = \"stack\"\nsensor = \"singletact-s15-4.5n\"\nwarp = {}\n", self.warp);
-        format!("schema = \"truegap.recording/1\"\nfile = \"recording.csv\"\n\n[base]\n{base}")
+        let column = |d: &Column| format!("[drivers]\n{0} = {{ column = \"{0}\", unit = \"{1}\" }}\n\n", d.name, d.unit);
+        let drivers = self.driver.as_ref().map(column).unwrap_or_default();
+        format!("schema = \"truegap.recording/1\"\nfile = \"recording.csv\"\n\n{drivers}[base]\n{base}")
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Limits: nobody is told the shares before the key is opened.
 
-use crate::causes::{LIBRARY, STRANGERS};
+use crate::causes::{LIBRARY, STRANGERS, WILD};
 use crate::draws::Draws;
 use crate::protocol::Kind;
 
@@ -49,6 +49,10 @@ pub enum Only {
     Strangers,
     /// Nothing is concealed, and the measuring chain is at fault: the loggers of [`crate::logger`] in turn.
     Loggers,
+    /// Each effect of the library in turn, to be diagnosed without it.
+    WithoutEach,
+    /// As a workshop records: protocols nobody planned, loggers as they are, a bath of weak imperfections, causes outside the library.
+    Wild,
 }
 
 impl Default for Options {
@@ -66,6 +70,8 @@ pub struct Shares {
     pub library: Vec<f64>,
     /// Weights of the strangers.
     pub strangers: Vec<f64>,
+    /// Weights of the wild causes.
+    pub wild: Vec<f64>,
     /// Weights of the protocols.
     pub protocols: Vec<(Kind, f64)>,
     /// Share of recordings with strongly autocorrelated noise.
@@ -85,7 +91,12 @@ impl Shares {
         let three = draws.between(0.0, 0.03);
         let weights =
             |count: usize, draws: &mut Draws| (0..count).map(|_| (0.4 * draws.truncated_normal(2.0)).exp()).collect::<Vec<f64>>();
-        let kinds: &[Kind] = if options.protocols.is_empty() { &Kind::ALL } else { &options.protocols };
+        let own: &[Kind] = match options.only {
+            Only::Wild => &Kind::WILD,
+            Only::WithoutEach => &[Kind::Full],
+            _ => &Kind::ALL,
+        };
+        let kinds: &[Kind] = if options.protocols.is_empty() { own } else { &options.protocols };
         let rich = |kind: &Kind| if matches!(kind, Kind::Full | Kind::Thermal | Kind::Mechanical) { 3.0 } else { 1.0 };
         Self {
             makeup: match options.only {
@@ -94,9 +105,12 @@ impl Shares {
                 Only::Singles => [0.0, 1.0, 0.0, 0.0, 0.0],
                 Only::Pairs => [0.0, 0.0, 1.0, 0.0, 0.0],
                 Only::Strangers => [0.0, 0.0, 0.0, 0.0, 1.0],
+                Only::WithoutEach => [0.0, 1.0, 0.0, 0.0, 0.0],
+                Only::Wild => [0.15, 0.28, 0.17, 0.08, 0.32],
             },
             library: weights(LIBRARY.len(), draws),
             strangers: weights(STRANGERS.len(), draws),
+            wild: vec![1.0; WILD.len()],
             protocols: kinds.iter().map(|kind| (*kind, rich(kind) * (0.3 * draws.normal()).exp())).collect(),
             coloured: draws.between(0.15, 0.4),
             humidity: draws.between(0.2, 0.5),

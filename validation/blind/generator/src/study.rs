@@ -8,6 +8,9 @@ use crate::commitment::{self, CommitmentError};
 use crate::settings::{Options, Settings, Shares};
 use std::path::{Path, PathBuf};
 
+/// File beside a recording that names the effect which the diagnosis is to do without.
+pub const WITHOUT: &str = "without.txt";
+
 /// Many blind cases from one seed.
 #[derive(Debug, Clone)]
 pub struct Study {
@@ -102,6 +105,9 @@ impl Study {
             put(&folder.join("key").join(format!("{name}.json")), &text)?;
             put(&folder.join(name).join("recording.csv"), &case.recording.csv())?;
             put(&folder.join(name).join("recording.toml"), &case.recording.toml())?;
+            if let Some(effect) = &case.answer.without {
+                put(&folder.join(name).join(WITHOUT), effect)?;
+            }
             commitments += &commitment::line(name, &text);
             made(index);
         }

@@ -1,6 +1,6 @@
 //! Every cause is nothing at zero size and shows when it should.
 
-use truegap_generator::causes::{Bench, LIBRARY, STRANGERS, SizeError};
+use truegap_generator::causes::{Bench, FURTHER, LIBRARY, STRANGERS, SizeError, WILD};
 use truegap_generator::chain::{Act, simulate};
 use truegap_generator::detectability::input_error;
 use truegap_generator::draws::Draws;
@@ -20,7 +20,7 @@ fn every_cause_is_the_identity_at_zero_size_and_nearly_so_at_a_small_one() {
     let (sensor, history) = (Sensor::singletact_s15(), history());
     let scene = Scene { sensor: &sensor, history: &history };
     let base = simulate(scene, true, &[]).expect("base");
-    for (id, shape) in LIBRARY.iter().chain(&STRANGERS) {
+    for (id, shape) in LIBRARY.iter().chain(&STRANGERS).chain(&FURTHER).chain(&WILD) {
         let mechanism = shape(&mut Draws::of(7, id));
         assert_eq!(mechanism.id(), *id);
         let apart = |size: f64| {
@@ -42,7 +42,7 @@ fn a_cause_sized_for_ten_is_seen_at_ten_and_changes_the_reading() {
     let scene = Scene { sensor: &sensor, history: &history };
     let benches = [false, true].map(|warp| Bench::new(scene, warp, 0.004).expect("bench"));
     let mut unseen = Vec::new();
-    for (id, shape) in LIBRARY.iter().chain(&STRANGERS) {
+    for (id, shape) in LIBRARY.iter().chain(&STRANGERS).chain(&FURTHER).chain(&WILD) {
         let mechanism = shape(&mut Draws::of(13, id));
         let bench = &benches[usize::from(!mechanism.needs().no_warp)];
         let act = match bench.sized(mechanism, 10.0) {
@@ -63,7 +63,7 @@ fn a_cause_sized_for_ten_is_seen_at_ten_and_changes_the_reading() {
         assert!(change > 0.004 * 10.0 / (history.rows() as f64).sqrt(), "{id}: {change} pF");
     }
     // What calibration takes away almost wholly may stay below ten at a believable size; nothing else may.
-    assert!(unseen.iter().all(|(id, _)| ["fringing_field"].contains(id)), "{unseen:?}");
+    assert!(unseen.iter().all(|(id, _)| ["fringing_field", "rim_field", "held_warp"].contains(id)), "{unseen:?}");
 }
 
 #[test]

@@ -3,17 +3,23 @@
 //! A mechanism has a *shape*, drawn once, and a *size*, set by how detectable it has to be. Size 0 is the base model exactly.
 //! Limits: a size beyond `size_limit` would not be believed of a real sensor; causes that cannot be seen below it are not posed.
 
+use crate::history::History;
+use crate::recording::Column;
 use crate::state::{Scene, State};
 use serde_json::{Map, Value};
 use std::fmt::Debug;
 
 pub mod ageing;
+pub mod bonded_layers;
+pub mod clock_rate;
 pub mod contact_toe_in;
 pub mod dead_gap;
+pub mod driver_coefficient;
 pub mod eccentric_load;
 pub mod electrode_warp;
 pub mod fringing_field;
 pub mod gain_drift;
+pub mod held_warp;
 pub mod humidity_uptake;
 pub mod load_cell_error;
 pub mod mullins_softening;
@@ -24,6 +30,7 @@ pub mod permittivity_temperature;
 pub mod plate_bending;
 pub mod rate_independent_hysteresis;
 pub mod readout_lag;
+pub mod rim_field;
 pub mod saturation;
 pub mod strain_stiffening;
 pub mod thermal_hysteresis;
@@ -59,6 +66,10 @@ pub trait Mechanism: Debug + MechanismClone {
     /// What it needs.
     fn needs(&self) -> Needs {
         Needs::default()
+    }
+    /// A column that is recorded because of it, one entry a row.
+    fn records(&self, _history: &History) -> Option<Column> {
+        None
     }
     /// Load path and thermal path: `state.force`, `state.temperature`.
     fn inputs(&self, _size: f64, _scene: Scene, _state: &mut State) {}

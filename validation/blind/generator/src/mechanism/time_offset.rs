@@ -43,7 +43,7 @@ impl Mechanism for TimeOffset {
 }
 
 /// `values` at `then`, linear between the rows of `run`.
-fn at(time: &[f64], values: &[f64], run: Range<usize>, then: f64) -> f64 {
+pub(crate) fn at(time: &[f64], values: &[f64], run: Range<usize>, then: f64) -> f64 {
     let after = run.start + time[run.clone()].partition_point(|t| *t < then);
     if after == run.start {
         return values[run.start];

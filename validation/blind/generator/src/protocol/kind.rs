@@ -22,9 +22,23 @@ pub enum Kind {
     Uneven,
     /// Worn: load and temperature wander; no staircase, nothing repeated.
     Worn,
+    /// Presses by hand.
+    Hand,
+    /// Grasps of a gripper.
+    Grasps,
+    /// Three days on a shelf.
+    Shelf,
+    /// An oven that is set again and again.
+    Oven,
+    /// A shaker.
+    Shaker,
+    /// Points of a technician's table, in no order.
+    Table,
 }
 
 impl Kind {
-    /// All of them.
+    /// Those that nobody planned.
+    pub const WILD: [Self; 6] = [Self::Hand, Self::Grasps, Self::Shelf, Self::Oven, Self::Shaker, Self::Table];
+    /// Those with a plan.
     pub const ALL: [Self; 7] = [Self::Full, Self::Thermal, Self::Mechanical, Self::Short, Self::Bench, Self::Uneven, Self::Worn];
 }

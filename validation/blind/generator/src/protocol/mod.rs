@@ -9,6 +9,7 @@ use std::f64::consts::TAU;
 pub mod kind;
 pub mod piece;
 pub mod plans;
+mod unplanned;
 
 pub use kind::Kind;
 
@@ -65,7 +66,7 @@ mod tests {
     #[test]
     fn every_protocol_stays_in_range_and_runs_forward() {
         for seed in 0..20 {
-            for kind in Kind::ALL {
+            for kind in Kind::ALL.into_iter().chain(Kind::WILD) {
                 let history = kind.history(true, &mut Draws::of(seed, "range"));
                 assert!(history.time.windows(2).all(|w| w[1] > w[0]), "{kind:?}");
                 assert!(history.force.iter().all(|f| (0.0..=4.5 + 1e-9).contains(f)), "{kind:?}");

@@ -6,7 +6,7 @@ use crate::draws::Draws;
 use crate::history::History;
 
 /// Fills a run of `rows` samples `dt` apart from load and temperature by row.
-fn run(rows: usize, dt: f64, force: impl Fn(usize) -> f64, temperature: impl Fn(usize) -> f64) -> History {
+pub(super) fn run(rows: usize, dt: f64, force: impl Fn(usize) -> f64, temperature: impl Fn(usize) -> f64) -> History {
     History {
         run: vec![1; rows],
         time: (0..rows).map(|row| row as f64 * dt).collect(),

@@ -4,6 +4,7 @@
 
 use super::kind::Kind;
 use super::piece::{rest, staircase, sweep, triangles, uneven, worn};
+use super::unplanned;
 use crate::draws::Draws;
 use crate::history::History;
 
@@ -21,6 +22,7 @@ pub fn plan(kind: Kind, vary: bool, draws: &mut Draws) -> Vec<History> {
         Kind::Bench => bench(&mut tune),
         Kind::Uneven => random_moments(&mut tune),
         Kind::Worn => wearing(&mut tune),
+        Kind::Hand | Kind::Grasps | Kind::Shelf | Kind::Oven | Kind::Shaker | Kind::Table => unplanned::plan(kind, tune.draws),
     }
 }
 

@@ -2,6 +2,7 @@
 //!
 //! Limits: the contract of `design.md`, schema `truegap.diagnosis/1`; unknown fields are ignored.
 
+use serde::Serialize;
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -19,6 +20,52 @@ pub struct Claim {
     pub ambiguity: Vec<BTreeSet<String>>,
     /// Share of the reproducible held-out misfit removed, as stated.
     pub misfit_removed: Option<f64>,
+    /// The first mechanism composed of words, named or listed only.
+    pub mechanism: Option<Composed>,
+}
+
+/// A mechanism composed of words: the likeliest value of each.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Composed {
+    /// Where.
+    pub place: String,
+    /// What it follows.
+    pub driver: String,
+    /// How in time.
+    pub kinetics: String,
+    /// Whether the verdict stands behind it.
+    pub named: bool,
+    /// Share of the reproducible misfit that it removes on rows left out; none where there was nothing to remove.
+    pub misfit_removed: Option<f64>,
+}
+
+impl Composed {
+    /// The first of `discovered`; `floor` is the noise, in the unit of its errors.
+    fn first(diagnosis: &Value) -> Option<Self> {
+        let first = diagnosis["discovered"].as_array()?.first()?;
+        let floor = diagnosis["fit"]["noise_floor"].as_f64().unwrap_or(0.0);
+        Some(Self {
+            place: likeliest(first, "place")?,
+            driver: likeliest(first, "driver")?,
+            kinetics: likeliest(first, "kinetics")?,
+            named: first["named"].as_bool().unwrap_or(false),
+            misfit_removed: removed(&first["held_out"], floor),
+        })
+    }
+}
+
+/// The value of a word with the largest probability; that of the best sentence where none are given.
+fn likeliest(mechanism: &Value, word: &str) -> Option<String> {
+    let all = mechanism["probability"][word].as_object();
+    let best = all.and_then(|all| all.iter().max_by(|a, b| a.1.as_f64().unwrap_or(0.0).total_cmp(&b.1.as_f64().unwrap_or(0.0))));
+    best.map(|(value, _)| value.clone()).or_else(|| mechanism[word].as_str().map(str::to_owned))
+}
+
+/// `1 - (after^2 - floor^2) / (before^2 - floor^2)`; none where the error before is within a hundredth of the noise.
+fn removed(held_out: &Value, floor: f64) -> Option<f64> {
+    let (before, after) = (held_out["rmse_before"].as_f64()?, held_out["rmse_after"].as_f64()?);
+    let there = before * before - floor * floor;
+    (there > 0.02 * floor * floor).then(|| 1.0 - (after * after - floor * floor) / there)
 }
 
 /// Why a diagnosis cannot be scored.
@@ -58,7 +105,12 @@ impl Claim {
         let misfit_removed = diagnosis["fit"]["held_out"]["misfit_removed"].as_f64();
         // `unexplained` may stand in the list as a flexible term; it names no physics.
         let findings = findings.into_iter().filter(|(effect, _)| effect != "unexplained").collect();
-        Ok(Self { verdict, findings, ambiguity, misfit_removed })
+        Ok(Self { verdict, findings, ambiguity, misfit_removed, mechanism: Composed::first(diagnosis) })
+    }
+
+    /// The effects of a library that are named: all but mechanisms composed of words.
+    pub fn of_library(&self) -> BTreeSet<&str> {
+        self.named().into_iter().filter(|name| !name.starts_with("discovered")).collect()
     }
 
     /// The effects named.

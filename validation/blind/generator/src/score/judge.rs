@@ -26,20 +26,22 @@ pub enum Outcome {
 
 /// Judges `claim` against `truth`.
 pub fn judge(truth: &Truth, claim: &Claim) -> Outcome {
-    let named = claim.named();
+    // the bath is there as well: naming it is neither asked for nor wrong
+    let named: BTreeSet<&str> = claim.named().into_iter().filter(|name| !truth.bath.contains(*name)).collect();
     let agrees = claim.verdict == "agrees";
     match (&truth.stranger, truth.is_null()) {
-        (_, true) => nothing(agrees, &named),
+        (_, true) => nothing(agrees, &named, !claim.findings.is_empty()),
         (Some(stranger), _) => outsider(stranger, claim, &named),
         _ if agrees && named.is_empty() => Outcome::Missed,
         _ => library(truth, claim, &named),
     }
 }
 
-fn nothing(agrees: bool, named: &BTreeSet<&str>) -> Outcome {
+fn nothing(agrees: bool, named: &BTreeSet<&str>, named_only_bath: bool) -> Outcome {
     match (named.is_empty(), agrees) {
         (false, _) => Outcome::Wrong,
         (true, true) => Outcome::Right,
+        (true, false) if named_only_bath => Outcome::Right,
         (true, false) => Outcome::Unnamed,
     }
 }
@@ -50,6 +52,8 @@ fn outsider(stranger: &str, claim: &Claim, named: &BTreeSet<&str>) -> Outcome {
         return Outcome::Right;
     }
     match claim.verdict.as_str() {
+        // words for what no library lists are no name of one
+        _ if !named.is_empty() && named.iter().all(|name| name.starts_with("discovered")) => Outcome::Right,
         _ if !named.is_empty() => Outcome::Wrong,
         "unexplained" | "undecided" => Outcome::Right,
         "agrees" => Outcome::Missed,
@@ -93,6 +97,20 @@ mod tests {
     }
 
     #[test]
+    fn a_member_of_the_bath_is_neither_wrong_nor_asked_for() {
+        let truth = json!({"effects": [], "detectability": 0.0, "protocol": "hand", "bath": {"ageing": 2.0}, "mechanism": {}});
+        let truth = Truth::of_shared("case", &truth).expect("truth");
+        let said = |verdict: &str, names: &[&str]| {
+            let findings: Vec<_> = names.iter().map(|n| json!({"effect": n, "probability": 0.9})).collect();
+            judge(&truth, &Claim::read(&json!({"verdict": verdict, "findings": findings})).expect("claim"))
+        };
+        assert_eq!(said("explained", &["ageing"]), Outcome::Right);
+        assert_eq!(said("explained", &["ageing", "dead_gap"]), Outcome::Wrong);
+        assert_eq!(said("explained", &["discovered"]), Outcome::Wrong);
+        assert_eq!(said("unexplained", &[]), Outcome::Unnamed);
+    }
+
+    #[test]
     fn the_readme_s_rules_hold() {
         let says = |verdict: &str, names: &[&str]| {
             let findings: Vec<_> = names.iter().map(|n| json!({"effect": n, "probability": 0.9})).collect();
@@ -109,6 +127,8 @@ mod tests {
         assert_eq!(outcome(&["ageing"], says("ambiguous", &["readout_lag"])), Outcome::Wrong);
         assert_eq!(outcome(&["unlisted:hum"], says("unexplained", &[])), Outcome::Right);
         assert_eq!(outcome(&["unlisted:hum"], says("explained", &["ageing"])), Outcome::Wrong);
+        assert_eq!(outcome(&["unlisted:hum"], says("explained", &["discovered"])), Outcome::Right);
+        assert_eq!(outcome(&["ageing"], says("explained", &["discovered"])), Outcome::Wrong);
         assert_eq!(outcome(&["unlisted:steps"], says("explained", &["offset_steps"])), Outcome::Right);
     }
 }

@@ -8,11 +8,13 @@ pub mod family;
 pub mod folder;
 pub mod interval;
 pub mod judge;
+pub mod mechanisms;
 pub mod misfit;
 pub mod table;
 pub mod targets;
 pub mod told;
 pub mod truth;
+pub mod words;
 
 use claim::{Claim, ClaimError};
 use judge::{Outcome, judge};

@@ -4,7 +4,8 @@
 
 use super::Scored;
 use super::judge::Outcome;
-use super::targets::{Row, by_detectability, rows};
+use super::mechanisms;
+use super::targets::{by_detectability, line, rows};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -22,16 +23,9 @@ pub fn table(cases: &[Scored]) -> String {
     text.push('\n');
     text += &by_cause(cases);
     text += &by_logger(cases);
+    text += &mechanisms::table(cases);
     text += &wrong_claims(cases);
     text
-}
-
-fn line(row: &Row) -> String {
-    let count = row.hits.map_or(format!("n={}", row.of), |hits| format!("{hits}/{}", row.of));
-    let value = row.value.map_or("-".to_owned(), |value| format!("{value:.3}"));
-    let interval = row.value.map_or(String::new(), |_| format!("{:.3} to {:.3}", row.interval[0], row.interval[1]));
-    let met = row.met.map_or("", |met| if met { "yes" } else { "NO" });
-    format!("{:<52} {:>8} {count:>9} {value:>8}  {interval:<17} {met}", row.says, row.target)
 }
 
 fn by_cause(cases: &[Scored]) -> String {

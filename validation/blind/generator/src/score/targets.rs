@@ -29,9 +29,18 @@ pub struct Row {
     pub met: Option<bool>,
 }
 
+/// A row as text in fixed-width columns.
+pub(super) fn line(row: &Row) -> String {
+    let count = row.hits.map_or(format!("n={}", row.of), |hits| format!("{hits}/{}", row.of));
+    let value = row.value.map_or("-".to_owned(), |value| format!("{value:.3}"));
+    let interval = row.value.map_or(String::new(), |_| format!("{:.3} to {:.3}", row.interval[0], row.interval[1]));
+    let met = row.met.map_or("", |met| if met { "yes" } else { "NO" });
+    format!("{:<52} {:>8} {count:>9} {value:>8}  {interval:<17} {met}", row.says, row.target)
+}
+
 /// Which way a target points.
 #[derive(Debug, Clone, Copy)]
-enum Target {
+pub(super) enum Target {
     AtMost(f64),
     AtLeast(f64),
     None,
@@ -55,7 +64,13 @@ impl Target {
 }
 
 /// Share of the cases that pass `of` which also pass `hit`.
-fn share(says: &str, target: Target, cases: &[Scored], of: impl Fn(&Scored) -> bool, hit: impl Fn(&Scored) -> bool) -> Row {
+pub(super) fn share(
+    says: &str,
+    target: Target,
+    cases: &[Scored],
+    of: impl Fn(&Scored) -> bool,
+    hit: impl Fn(&Scored) -> bool,
+) -> Row {
     let chosen: Vec<&Scored> = cases.iter().filter(|case| of(case)).collect();
     let hits = chosen.iter().filter(|case| hit(case)).count();
     let value = (!chosen.is_empty()).then(|| hits as f64 / chosen.len() as f64);
@@ -145,6 +160,11 @@ fn claims(cases: &[Scored]) -> Vec<Row> {
     ]
 }
 
+/// Findings that are effects of a library; the bath is left out, since naming it is neither right nor wrong.
+fn of_library(case: &Scored) -> impl Iterator<Item = &(String, Option<f64>)> {
+    case.claim.findings.iter().filter(|(effect, _)| !effect.starts_with("discovered") && !case.truth.bath.contains(effect))
+}
+
 /// The families named, as a reader is told them, are those of the causes.
 fn same_family(case: &Scored) -> bool {
     let named: BTreeSet<_> = case.claim.named().into_iter().map(told_family).collect();
@@ -161,7 +181,7 @@ fn calibration(cases: &[Scored]) -> [Row; 2] {
     let target = Target::AtMost(0.05);
     let stated: Vec<(f64, bool)> = cases
         .iter()
-        .flat_map(|case| case.claim.findings.iter().map(|(effect, p)| (*p, case.truth.causes.contains(effect))))
+        .flat_map(|case| of_library(case).map(|(effect, p)| (*p, case.truth.causes.contains(effect))))
         .filter_map(|(probability, right)| Some((probability?, right)))
         .collect();
     let value = (!stated.is_empty()).then(|| expected_calibration_error(&stated));
@@ -199,7 +219,7 @@ fn medians(cases: &[Scored]) -> [Row; 3] {
     ]
 }
 
-fn middle(says: &str, target: Target, values: Vec<f64>) -> Row {
+pub(super) fn middle(says: &str, target: Target, values: Vec<f64>) -> Row {
     let found = median(&values);
     let value = found.map(|(middle, _)| middle);
     Row {

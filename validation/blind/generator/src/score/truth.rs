@@ -2,6 +2,7 @@
 //!
 //! Limits: an open `truth.json` does not say whether the noise was coloured; such cases count in neither column of false alarms.
 
+use super::words::{Words, words_of};
 use crate::answer::Answer;
 use crate::logger::Logger;
 use serde_json::Value;
@@ -30,6 +31,12 @@ pub struct Truth {
     pub logger: Option<Logger>,
     /// Kind of protocol.
     pub protocol: String,
+    /// Weak imperfections under the causes.
+    pub bath: BTreeSet<String>,
+    /// The words that describe it, where the cause is in no library (or was taken out of it).
+    pub words: Option<Words>,
+    /// Whether the diagnosis did without the effect at work.
+    pub left_out: bool,
 }
 
 impl Truth {
@@ -43,10 +50,15 @@ impl Truth {
         let effects: Vec<&str> = truth["effects"].as_array()?.iter().map(Value::as_str).collect::<Option<_>>()?;
         let (unlisted, causes): (Vec<&str>, Vec<&str>) = effects.into_iter().partition(|e| e.starts_with("unlisted:"));
         let detectability = truth["detectability"].as_f64()?;
+        let of_words = Words::of_shared(&truth["mechanism"]);
+        let unlisted = unlisted.first().map(|name| name.trim_start_matches("unlisted:").to_owned());
         Some(Self {
             case: case.to_owned(),
             causes: causes.into_iter().map(str::to_owned).collect(),
-            stranger: unlisted.first().map(|name| name.trim_start_matches("unlisted:").to_owned()),
+            stranger: unlisted.or_else(|| truth["mechanism"]["kind"].as_str().map(str::to_owned)),
+            bath: truth["bath"].as_object().into_iter().flatten().map(|(name, _)| name.clone()).collect(),
+            words: of_words,
+            left_out: false,
             detectability,
             beside_input_noise: None,
             weakest: detectability,
@@ -70,6 +82,9 @@ impl From<&Answer> for Truth {
             weakest_apart: answer.apart.iter().chain(&answer.each).copied().reduce(f64::min).unwrap_or(0.0),
             coloured: Some(answer.noise.is_coloured()),
             logger: answer.logger,
+            bath: answer.bath.keys().cloned().collect(),
+            words: answer.stranger.as_deref().and_then(words_of),
+            left_out: answer.without.is_some(),
             protocol: format!("{:?}", answer.protocol).to_lowercase(),
         }
     }

@@ -8,6 +8,9 @@ use crate::mesh::Mesh;
 
 /// Refuses a mesh of which a part touches neither a conductor nor the open boundary: its potential may be anything.
 pub(super) fn check_held(problem: &Problem, mesh: &Mesh) -> Result<(), ElectrostaticsError> {
+    if problem.conductors.is_empty() {
+        return Ok(()); // which is refused where the conductors are looked at
+    }
     let mut parent: Vec<u32> = (0..mesh.points.len() as u32).collect();
     for [a, b, c] in &mesh.triangles {
         for other in [b, c] {

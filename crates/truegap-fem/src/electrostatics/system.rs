@@ -67,7 +67,6 @@ impl<'a> Solved<'a> {
         if problem.symmetry == Symmetry::Axisymmetric {
             mesh.check_axis()?;
         }
-        check_held(problem, mesh)?;
         let topology = Topology::new(mesh);
         let nodes = Nodes::new(mesh, &topology);
         let permittivity = permittivities(problem, mesh)?;
@@ -75,6 +74,7 @@ impl<'a> Solved<'a> {
         let exterior = Exterior::new(mesh, &topology, problem.symmetry, &open)?;
         let (dofs, sites) = unknowns(&nodes, &topology, exterior.as_ref());
         let (owner, junctions) = owners(problem, mesh, &nodes, &topology, &dofs, sites.as_ref())?;
+        check_held(problem, mesh)?;
         let far = match (&exterior, problem.symmetry) {
             // In three dimensions the potential vanishes at infinity; in two it floats unless a conductor goes there.
             (Some(_), Symmetry::Axisymmetric) => dofs.count - 1,

@@ -81,7 +81,7 @@ impl<C: Serialize> Sweep<C> {
     }
 
     fn other(&self, folder: &Path, there: &Described) -> SweepError {
-        let told = |study: &str, name: &str| format!("{study} {}", &name[..name.len().min(12)]);
+        let told = |study: &str, name: &str| format!("{study} {}", name.chars().take(12).collect::<String>());
         SweepError::OtherSweep {
             folder: folder.to_owned(),
             has: told(&there.study, &there.name),

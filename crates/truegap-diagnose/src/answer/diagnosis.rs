@@ -184,6 +184,8 @@ pub struct NoiseFacts {
     pub ar_sd: f64,
     /// its correlation from row to row
     pub ar_correlation: f64,
+    /// standard deviation of what lasts beside these, response unit: slow noise like 1/f, or steps of the converter; 0 where there is none
+    pub lasting_sd: f64,
     /// standard deviation of the recorded load, SI (N or Pa)
     pub load_sd: f64,
     /// standard deviation of the recorded temperature, K

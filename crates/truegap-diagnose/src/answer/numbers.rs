@@ -98,6 +98,7 @@ pub(crate) fn noise(found: &Found<'_>) -> NoiseFacts {
         white_sd: n.response.white_sd,
         ar_sd: n.response.ar_sd,
         ar_correlation: n.response.ar_correlation,
+        lasting_sd: n.lasting_sd(),
         load_sd: n.inputs.load * found.search.problem.simulator.full_load().unwrap_or(0.0),
         temperature_sd: n.inputs.temperature,
         measured: n.measured,

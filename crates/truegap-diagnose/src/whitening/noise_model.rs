@@ -67,6 +67,12 @@ impl NoiseModel {
         self.input_error.lasting.iter().any(|lasting| lasting.of_reading)
     }
 
+    /// Standard deviation of the part of the reading's own noise that lasts: root of its mean variance over the rows; 0 where none does.
+    pub fn lasting_sd(&self) -> f64 {
+        let own = self.input_error.lasting.iter().filter(|lasting| lasting.of_reading);
+        own.map(|l| l.variance.iter().sum::<f64>() / l.variance.len().max(1) as f64).sum::<f64>().sqrt()
+    }
+
     /// The recording that a row belongs to, where there are several.
     fn recording_at(&self, row: usize) -> Option<&RecordingNoise> {
         self.recordings.iter().find(|r| r.rows.contains(&row))

@@ -33,6 +33,9 @@ fn noise_table(noise: &NoiseFacts, subject: &Subject<'_>) -> Table {
     let mut table = Table::new(&["part", "standard deviation"])
         .row(&["white, of each reading".to_owned(), scale.text(noise.white_sd)])
         .row(&[format!("correlated from row to row ({} a row)", significant(noise.ar_correlation, 2)), scale.text(noise.ar_sd)]);
+    if noise.lasting_sd > 0.0 {
+        table = table.row(&["lasting, slow or held from step to step".to_owned(), scale.text(noise.lasting_sd)]);
+    }
     if noise.load_sd > 0.0 {
         let unit = load_unit(subject);
         table = table.row(&["recorded load".to_owned(), Scale::of(unit, noise.load_sd).text(noise.load_sd)]);

@@ -146,6 +146,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             white_sd: NOISE,
             ar_sd: 0.001,
             ar_correlation: 0.6,
+            lasting_sd: 0.0,
             load_sd: 0.005,
             temperature_sd: 0.05,
             measured: true,

@@ -3,12 +3,19 @@
 use super::{
     World,
     effects::{Line, course},
+    exact::Exact,
 };
 use crate::{Library, Options, Problem, RecordingFacts, Verdict, answer::NoiseFacts, calibration::Noise, diagnose};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::sync::atomic::AtomicBool;
+
+/// Covariance of slow noise of this standard deviation: four parts of one size, with memories of 1.5 x 8^k rows, of each run anew.
+fn slow(run: &[u32], sd: f64) -> DMatrix<f64> {
+    let alike = |i: usize, j: usize| (0..4).map(|k| (-(i.abs_diff(j) as f64) / (1.5 * 8_f64.powi(k))).exp() / 4.0).sum::<f64>();
+    DMatrix::from_fn(run.len(), run.len(), |i, j| if run[i] == run[j] { sd * sd * alike(i, j) } else { 0.0 })
+}
 
 /// A level and one term, noise that is measured: values and deviations are those of the covariance of all rows at the noise that is stated.
 #[test]
@@ -24,9 +31,13 @@ fn values_and_deviations_are_stated_in_their_units() {
     let found = diagnose(&problem, facts, &options, &|_| (), &AtomicBool::new(false)).unwrap().diagnosis;
     assert_eq!(found.verdict, Verdict::Explained, "{}", found.says);
     // nothing rests here, so that part of the term is taken for slow noise: deviations are right for the noise that is stated
-    let NoiseFacts { white_sd, ar_sd, ar_correlation, .. } = found.noise;
+    let NoiseFacts { white_sd, ar_sd, ar_correlation, lasting_sd, .. } = found.noise;
     world.noise = Noise { white_sd, ar_sd, ar_correlation };
-    let exact = world.exact(&[0], &y);
+    let exact = |terms: &[usize]| {
+        let noise = world.noise_covariance() + slow(&world.inputs.run, lasting_sd);
+        Exact::new(noise, world.columns(terms), DVector::from_column_slice(&y))
+    };
+    let (alone, exact) = (exact(&[]).mean()[0], exact(&[0]));
     let (mean, covariance) = (exact.mean(), exact.covariance());
     let (level, size) = (&found.base.parameters_after[0], &found.findings[0].parameters[0]);
     for (facts, k, unit) in [(level, 0, 5.0), (size, 1, 3.0)] {
@@ -34,7 +45,6 @@ fn values_and_deviations_are_stated_in_their_units() {
         // the base model's prior is a little wider than its Gaussian, which 1 / sd^2 of some thousand does not feel
         approx::assert_relative_eq!(facts.sd, unit * covariance[(k, k)].sqrt(), max_relative = 1e-3);
     }
-    let alone = world.exact(&[], &y).mean()[0];
     approx::assert_abs_diff_eq!(found.base.parameters[0].value, 5.0 * alone, epsilon = 0.02 * level.sd);
     let fit = &found.fit;
     let left = |p: &[f64]| p.iter().zip(&y).map(|(p, y)| (p - y).powi(2)).sum::<f64>() / y.len() as f64;

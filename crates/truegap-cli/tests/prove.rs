@@ -64,5 +64,7 @@ fn a_study_is_not_begun_where_something_lies_nor_gone_on_with_where_there_is_non
     bench.refuses(&["prove", "--resume", "-o", "s"], &["no study", "leave --resume out"]);
     fs::write(bench.path("s/thesis.tex"), "mine").unwrap();
     bench.refuses(&STUDY, &["thesis.tex", "--resume"]);
-    bench.refuses(&["prove", "--cases", "0", "-o", "new"], &["--cases", "0 is not in 1..=100000"]);
+    let none = bench.run(&["prove", "--cases", "0", "-o", "new"]);
+    assert!(none.code == 2 && none.err.contains("'--cases <N>': 0 is not in 1..=100000"), "{}", none.err);
+    assert!(!bench.path("new").exists());
 }

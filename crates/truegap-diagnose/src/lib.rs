@@ -107,7 +107,7 @@ pub mod mechanism {
             effect::Composed,
             file::{Known, MechanismError, MechanismFile, SCHEMA},
             mechanism::{Mechanism, Numbers, Sentence, Sum},
-            words::{Action, Driver, Form, Kinetics, Place, Quantity},
+            words::{Action, Driver, Form, InWords, Kinetics, Place, Quantity},
         },
     };
 }

@@ -100,3 +100,13 @@ fn the_page_of_effects_has_a_section_for_it_and_the_library_keeps_the_order_of_t
     assert_eq!(library.clone().with(Box::new(GainRipple)), library);
     assert_eq!(library.ids().len(), Library::default().ids().len() + 1);
 }
+
+/// Words are those of the grammar of mechanisms; a constant follows nothing.
+#[test]
+fn every_effect_but_a_constant_says_what_it_is_in_words() {
+    let (inputs, plate) = (recording(), Plate::new(Some(true)));
+    let context = Context::new(&inputs, &plate, 2.0, 0.004);
+    let library = Library::default();
+    let silent: Vec<_> = library.iter().filter(|e| e.in_words(&context).is_none()).map(|e| e.id().0).collect();
+    assert_eq!(silent, ["parasitic_capacitance"]);
+}

@@ -13,6 +13,7 @@ use crate::{
         fit_facts::{BeforeAfterUnit, FitFacts, PredictionOnly},
         parameter_facts::ParameterFacts,
     },
+    discovery::marginals::WordProbabilities,
     explain::{
         conflicts::Conflict, hidden_input::slow_input::ConcealedColumn, locate::Mismatch, next_experiment::NextExperiment,
     },
@@ -229,6 +230,10 @@ pub struct Finding {
     pub held_out: BeforeAfterUnit,
     /// effects that this recording cannot quite exclude in its place
     pub rivals: Vec<String>,
+    /// what it is whatever its name: where it acts, what it follows, how in time, each with the probability that it and its rivals share out; empty where no words
+    /// say it
+    #[serde(skip_serializing_if = "WordProbabilities::is_empty")]
+    pub words: WordProbabilities,
 }
 
 /// One effect tried alone.

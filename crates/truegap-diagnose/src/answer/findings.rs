@@ -11,6 +11,7 @@ use crate::{
         found::Found,
         numbers::{fitted, parameters},
     },
+    discovery::marginals::WordProbabilities,
     effects::sentence::{nothing_stands_out, sentence},
     selection::detectability::detectability,
     text::significant,
@@ -54,6 +55,20 @@ fn finding(found: &Found<'_>, index: usize, before: &HeldOutFit, after: &HeldOut
             unit: found.search.problem.simulator.unit().into(),
         },
         rivals: rivals.unwrap_or_default(),
+        words: in_words(found, index),
+    }
+}
+
+/// What a finding is in words, its name open among those that may stand in its place.
+fn in_words(found: &Found<'_>, index: usize) -> WordProbabilities {
+    let own = found.chosen().effects[index];
+    let set = found.decision.sets.get(index).filter(|set| set.contains(&own)).cloned().unwrap_or_else(|| vec![own]);
+    let said = |e: &usize| found.search.library[*e].in_words(found.search.context);
+    let each: Vec<_> = set.iter().map(|e| (said(e), found.selection.effect_probability[*e])).collect();
+    if each.iter().any(|(_, weight)| *weight > 0.0) {
+        WordProbabilities::of_effects(&each)
+    } else {
+        WordProbabilities::of_effects(&[(said(&own), 1.0)])
     }
 }
 

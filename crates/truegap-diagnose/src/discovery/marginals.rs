@@ -2,7 +2,11 @@
 //!
 //! Limits: sentences that no recording could tell apart keep equal shares; a word is as sure as the sentences that hold it together.
 
-use crate::{discovery::screen::Screened, effects::composed::mechanism::Sentence, stats::log_sum_exp};
+use crate::{
+    discovery::screen::Screened,
+    effects::composed::{mechanism::Sentence, words::InWords},
+    stats::log_sum_exp,
+};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -15,9 +19,11 @@ pub struct WordProbabilities {
     pub driver: BTreeMap<String, f64>,
     /// how in time
     pub kinetics: BTreeMap<String, f64>,
-    /// the law
+    /// the law; empty where only the words of an effect of the library are known
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub form: BTreeMap<String, f64>,
-    /// how it acts
+    /// how it acts; empty as the law
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub action: BTreeMap<String, f64>,
 }
 
@@ -82,6 +88,25 @@ pub fn marginals(sentences: &[Screened], temper: f64) -> WordProbabilities {
 }
 
 impl WordProbabilities {
+    /// Words of effects of the library that stand in one another's place, each with its weight; effects that no words say count as none of them.
+    pub fn of_effects(rivals: &[(Option<InWords>, f64)]) -> Self {
+        let total: f64 = rivals.iter().map(|(_, weight)| weight).sum();
+        let mut words = Self::default();
+        let said = rivals.iter().filter_map(|(said, weight)| Some((said.as_ref()?, weight / total)));
+        for (said, p) in said.filter(|(_, p)| *p >= LISTED) {
+            let add = |word: &mut BTreeMap<String, f64>, value: String| *word.entry(value).or_insert(0.0) += p;
+            add(&mut words.place, said.place.word().into());
+            add(&mut words.driver, said.driver.word());
+            add(&mut words.kinetics, said.kinetics.word().into());
+        }
+        words
+    }
+
+    /// Whether nothing is said.
+    pub fn is_empty(&self) -> bool {
+        self.driver.is_empty()
+    }
+
     /// Place, driver and kinetics with their probabilities, for a reader.
     pub fn says(&self) -> String {
         let of = |name: &str, word: &BTreeMap<String, f64>| {
@@ -108,5 +133,22 @@ impl WordProbabilities {
     /// Whether place, driver and kinetics are each at least this probable.
     pub fn sure(&self, least: f64) -> bool {
         [&self.place, &self.driver, &self.kinetics].iter().all(|word| !Self::values(word, least).is_empty())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::composed::words::{Driver, Kinetics, Place};
+
+    #[test]
+    fn rivals_of_one_driver_leave_no_doubt_of_it_whatever_the_name() {
+        let said = |place, kinetics| Some(InWords { place, driver: Driver::Load, kinetics });
+        let rivals = [(said(Place::Inputs, Kinetics::Static), 0.6), (said(Place::Geometry, Kinetics::Static), 0.3), (None, 0.1)];
+        let words = WordProbabilities::of_effects(&rivals);
+        let told = |word: &BTreeMap<String, f64>| word.iter().map(|(v, p)| format!("{v} {p:.2}")).collect::<Vec<_>>();
+        assert_eq!((told(&words.driver), told(&words.kinetics)), (vec!["load 0.90".into()], vec!["static 0.90".into()]));
+        assert_eq!(told(&words.place), ["geometry 0.30", "inputs 0.60"]);
+        assert!(WordProbabilities::of_effects(&[(None, 1.0)]).is_empty());
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
         memory::elapsed_s,
@@ -59,6 +60,9 @@ impl Effect for Ageing {
     }
     fn family(&self) -> Family {
         Family::MechanicalMemory
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Mechanics, driver: Driver::Time, kinetics: Kinetics::Static })
     }
     fn about(&self) -> About {
         About {

@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
         foreseen::{share, stage},
@@ -83,6 +84,9 @@ impl Effect for BondedLayers {
     }
     fn family(&self) -> Family {
         Family::StaticMechanics
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Mechanics, driver: Driver::Load, kinetics: Kinetics::Static })
     }
     fn foreseen(&self) -> bool {
         true

@@ -2,7 +2,11 @@
 //!
 //! Limits: one column; a second driver is followed by a second effect of the kind.
 
-use crate::{data::context::Context, effects::memory::walk, stats::spread};
+use crate::{
+    data::context::Context,
+    effects::{composed::words::Driver, memory::walk},
+    stats::spread,
+};
 use truegap_core::Drive;
 
 /// A column that moves a reading.
@@ -53,6 +57,18 @@ impl Course {
         let values: Vec<f64> = context.simulator.parameters().iter().map(|p| p.prior.at(1.0)).collect();
         let respond = |inputs| context.simulator.respond(&values, inputs, &[]);
         matches!((respond(context.inputs), respond(&moved)), (Ok(here), Ok(there)) if here != there)
+    }
+
+    /// What it is in words.
+    pub fn driver(self, context: &Context<'_>) -> Driver {
+        match self {
+            Self::Driver(index) => {
+                Driver::Recorded(context.inputs.drivers.get(index).map(|d| d.name.clone()).unwrap_or_default())
+            }
+            Self::Load => Driver::Load,
+            Self::Gap => Driver::Recorded("gap".into()),
+            Self::Simulated => Driver::Reading,
+        }
     }
 
     /// The column as the stages see it; `None` where it was not recorded.

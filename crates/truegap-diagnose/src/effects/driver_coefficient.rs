@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{InWords, Kinetics, Place},
     effects::{
         course::Course,
         effect::{About, Effect, Family, FittedParameter},
@@ -60,6 +61,10 @@ impl Effect for DriverCoefficient {
     }
     fn family(&self) -> Family {
         Family::Environment
+    }
+    fn in_words(&self, context: &Context<'_>) -> Option<InWords> {
+        let driver = Course::of(context, self.0)?.driver(context);
+        Some(InWords { place: Place::Readout, driver, kinetics: Kinetics::Static })
     }
     fn about(&self) -> About {
         About {

@@ -4,6 +4,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::InWords,
     effects::effect::{About, Effect, Family, FittedParameter, Separation, ZeroCourse},
     text::listed,
 };
@@ -73,6 +74,9 @@ impl<E: Effect> Effect for EachRecording<E> {
     }
     fn family(&self) -> Family {
         self.inner.family()
+    }
+    fn in_words(&self, context: &Context<'_>) -> Option<InWords> {
+        self.inner.in_words(context)
     }
     fn about(&self) -> About {
         self.inner.about()

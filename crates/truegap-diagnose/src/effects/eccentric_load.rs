@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
         scale::full_strain,
@@ -61,6 +62,9 @@ impl Effect for EccentricLoad {
     }
     fn family(&self) -> Family {
         Family::StaticMechanics
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Geometry, driver: Driver::Load, kinetics: Kinetics::Static })
     }
     fn about(&self) -> About {
         About {

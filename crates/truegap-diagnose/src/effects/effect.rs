@@ -2,7 +2,10 @@
 //!
 //! Limits: an effect knows the inputs and the chain, never the recorded response.
 
-use crate::{data::context::Context, effects::composed::mechanism::Mechanism};
+use crate::{
+    data::context::Context,
+    effects::composed::{mechanism::Mechanism, words::InWords},
+};
 use truegap_core::{EffectId, Parameter, Stage, simulator::StageName};
 
 /// Groups of effects that a reader would call the same kind of thing; a claim may be right about the family and wrong about the member.
@@ -83,6 +86,10 @@ pub trait Effect: Send + Sync {
     fn stage(&self) -> StageName;
     /// Kind of thing.
     fn family(&self) -> Family;
+    /// The words that a mechanism of its kind is composed of: where it acts, what it follows, how in time; `None` where no words say it.
+    fn in_words(&self, _context: &Context<'_>) -> Option<InWords> {
+        None
+    }
     /// What a reader should know.
     fn about(&self) -> About;
     /// Free parameters with unit, prior and bounds; the first is the size, whose prior is centred on 0 unless it is

@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{InWords, Kinetics, Place},
     effects::{
         course::Course,
         effect::{About, Effect, Family, FittedParameter},
@@ -87,6 +88,10 @@ impl Effect for Friction {
     }
     fn family(&self) -> Family {
         Family::MechanicalMemory
+    }
+    fn in_words(&self, context: &Context<'_>) -> Option<InWords> {
+        let driver = Course::of(context, self.0)?.driver(context);
+        Some(InWords { place: Place::Readout, driver, kinetics: Kinetics::RateIndependent })
     }
     fn about(&self) -> About {
         About {

@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::effect::{About, Effect, Family, FittedParameter, Separation},
     text::with_sd,
 };
@@ -48,6 +49,9 @@ impl Effect for GainDrift {
     }
     fn family(&self) -> Family {
         Family::Readout
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Readout, driver: Driver::Temperature, kinetics: Kinetics::Static })
     }
     fn about(&self) -> About {
         About {

@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
         foreseen::{share, stage},
@@ -67,6 +68,9 @@ impl Effect for HeldWarp {
     }
     fn family(&self) -> Family {
         Family::Thermal
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Geometry, driver: Driver::Temperature, kinetics: Kinetics::Static })
     }
     fn foreseen(&self) -> bool {
         true

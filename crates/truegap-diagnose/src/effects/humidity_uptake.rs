@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
         memory::lag_through_runs,
@@ -68,6 +69,9 @@ impl Effect for HumidityUptake {
     }
     fn family(&self) -> Family {
         Family::Environment
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Dielectric, driver: Driver::Recorded("humidity".into()), kinetics: Kinetics::FirstOrder })
     }
     fn about(&self) -> About {
         About {

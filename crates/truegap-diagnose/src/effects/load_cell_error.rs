@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter, Separation},
         memory::play_set,
@@ -71,6 +72,9 @@ impl Effect for LoadCellError {
     }
     fn family(&self) -> Family {
         Family::StaticMechanics
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Inputs, driver: Driver::Load, kinetics: Kinetics::Static })
     }
     fn about(&self) -> About {
         About {

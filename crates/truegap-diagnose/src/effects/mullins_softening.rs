@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
         memory::greatest_so_far,
@@ -71,6 +72,9 @@ impl Effect for MullinsSoftening {
     }
     fn family(&self) -> Family {
         Family::MechanicalMemory
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Mechanics, driver: Driver::LoadHistory, kinetics: Kinetics::Accumulating })
     }
     fn about(&self) -> About {
         About {

@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter, Separation, ZeroCourse},
         memory::elapsed_s,
@@ -64,6 +65,9 @@ impl Effect for OffsetDrift {
     }
     fn family(&self) -> Family {
         Family::Readout
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Readout, driver: Driver::Time, kinetics: Kinetics::Static })
     }
     fn about(&self) -> About {
         About {

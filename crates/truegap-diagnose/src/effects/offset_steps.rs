@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::effect::{About, Effect, Family, FittedParameter, ZeroCourse},
     text::{rounded, with_sd},
 };
@@ -79,6 +80,9 @@ impl Effect for OffsetSteps {
     }
     fn family(&self) -> Family {
         Family::Readout
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Readout, driver: Driver::Time, kinetics: Kinetics::Event })
     }
     fn free_form(&self) -> bool {
         true

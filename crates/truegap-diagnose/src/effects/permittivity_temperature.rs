@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
         scale,
@@ -81,6 +82,9 @@ impl Effect for PermittivityTemperature {
     }
     fn family(&self) -> Family {
         Family::Thermal
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Dielectric, driver: Driver::Temperature, kinetics: Kinetics::Static })
     }
     fn about(&self) -> About {
         About {

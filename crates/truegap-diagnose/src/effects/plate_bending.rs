@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::effect::{About, Effect, Family, FittedParameter},
     text::{percent_with_sd, significant},
 };
@@ -57,6 +58,9 @@ impl Effect for PlateBending {
     }
     fn family(&self) -> Family {
         Family::Field
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Geometry, driver: Driver::Load, kinetics: Kinetics::Static })
     }
     fn about(&self) -> About {
         About {

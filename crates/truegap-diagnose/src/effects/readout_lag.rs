@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter, Separation},
         memory::first_order_lag,
@@ -43,6 +44,9 @@ impl Effect for ReadoutLag {
     }
     fn family(&self) -> Family {
         Family::Readout
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Readout, driver: Driver::Reading, kinetics: Kinetics::FirstOrder })
     }
     fn about(&self) -> About {
         About {

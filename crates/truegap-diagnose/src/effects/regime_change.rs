@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         course::Course,
         effect::{About, Effect, Family, FittedParameter},
@@ -171,6 +172,9 @@ impl Effect for RegimeChange {
     }
     fn family(&self) -> Family {
         Family::Readout
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Readout, driver: Driver::Time, kinetics: Kinetics::Event })
     }
     fn about(&self) -> About {
         About {

@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
         foreseen::{share, stage},
@@ -59,6 +60,9 @@ impl Effect for RimField {
     }
     fn family(&self) -> Family {
         Family::Field
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Geometry, driver: Driver::Load, kinetics: Kinetics::Static })
     }
     fn foreseen(&self) -> bool {
         true

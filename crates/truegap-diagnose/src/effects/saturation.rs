@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::effect::{About, Effect, Family, FittedParameter},
     stats::spread,
     text::{percent_of, percent_with_sd, with_sd},
@@ -71,6 +72,9 @@ impl Effect for Saturation {
     }
     fn family(&self) -> Family {
         Family::Readout
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Readout, driver: Driver::Reading, kinetics: Kinetics::Static })
     }
     fn about(&self) -> About {
         About {

@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         delay::{Delay, reads_temperature},
         effect::{About, Effect, Family, FittedParameter},
@@ -80,6 +81,9 @@ impl Effect for SlowResponse {
     }
     fn family(&self) -> Family {
         Family::Readout
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Readout, driver: Driver::Reading, kinetics: Kinetics::FirstOrder })
     }
     fn about(&self) -> About {
         About {

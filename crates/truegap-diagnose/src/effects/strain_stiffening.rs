@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::effect::{About, Effect, Family, FittedParameter},
     text::percent_with_sd,
 };
@@ -47,6 +48,9 @@ impl Effect for StrainStiffening {
     }
     fn family(&self) -> Family {
         Family::StaticMechanics
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Mechanics, driver: Driver::Load, kinetics: Kinetics::Static })
     }
     fn about(&self) -> About {
         About {

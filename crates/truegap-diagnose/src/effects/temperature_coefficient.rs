@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::effect::{About, Effect, Family, FittedParameter},
     text::{percent_with_sd, with_sd},
 };
@@ -51,6 +52,9 @@ impl Effect for TemperatureCoefficient {
     }
     fn family(&self) -> Family {
         Family::Thermal
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Readout, driver: Driver::Temperature, kinetics: Kinetics::Static })
     }
     fn about(&self) -> About {
         About {

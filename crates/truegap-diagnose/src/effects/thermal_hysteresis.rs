@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
         memory::{Play, play_set, walk},
@@ -76,6 +77,9 @@ impl Effect for ThermalHysteresis {
     }
     fn family(&self) -> Family {
         Family::Thermal
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Geometry, driver: Driver::Temperature, kinetics: Kinetics::RateIndependent })
     }
     fn about(&self) -> About {
         About {

@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         delay::reads_temperature,
         effect::{About, Effect, Family, FittedParameter},
@@ -59,6 +60,9 @@ impl Effect for ThermalLag {
     }
     fn family(&self) -> Family {
         Family::Thermal
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Inputs, driver: Driver::Temperature, kinetics: Kinetics::FirstOrder })
     }
     fn about(&self) -> About {
         About {

@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         each_recording::EachRecording,
         effect::{About, Effect, Family, FittedParameter, Separation},
@@ -47,6 +48,9 @@ impl Effect for TimeOffset {
     }
     fn family(&self) -> Family {
         Family::Readout
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Inputs, driver: Driver::LoadRate, kinetics: Kinetics::Static })
     }
     fn about(&self) -> About {
         About {

@@ -2,6 +2,7 @@
 
 use crate::{
     data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
         memory::{Lag, walk},
@@ -45,6 +46,9 @@ impl Effect for TrappedAirStiffness {
     }
     fn family(&self) -> Family {
         Family::MechanicalMemory
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Mechanics, driver: Driver::Load, kinetics: Kinetics::FirstOrder })
     }
     fn about(&self) -> About {
         About {

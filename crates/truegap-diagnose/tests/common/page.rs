@@ -67,7 +67,12 @@ fn section(page: &mut String, effect: &dyn Effect, context: &Context<'_>) {
     let impostors: Vec<String> = about.impostors.iter().map(|id| format!("`{id}`")).collect();
     let _ = write!(page, "\n## {}\n\n{}.\n\n    {}\n\n", effect.id(), about.physics, about.equation);
     let _ = writeln!(page, "- **Needs:** {}.\n- **Mistaken for:** {}.", about.excitation, impostors.join(", "));
-    let _ = writeln!(page, "- **Told apart by:** {}.\n- **Source:** {}.\n", about.separates, about.source);
+    let _ = writeln!(page, "- **Told apart by:** {}.\n- **Source:** {}.", about.separates, about.source);
+    let words = effect.in_words(context).map_or_else(
+        || "none say it".into(),
+        |words| format!("follows the {}, {}, at the {}", name(words.driver.word()), name(words.kinetics), name(words.place)),
+    );
+    let _ = writeln!(page, "- **In words:** {words}.\n");
     page.push_str("| parameter | unit | meaning |\n|---|---|---|\n");
     let parameters = effect.parameters(context);
     for p in parameters.iter().take(LISTED) {

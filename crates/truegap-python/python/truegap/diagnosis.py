@@ -60,6 +60,8 @@ class Finding:
     #: error on rows left out, without and with it; ``None`` where there is none
     rmse_before: float | None
     rmse_after: float | None
+    #: what it is whatever its name: ``place``, ``driver`` and ``kinetics``, each value with its probability; empty where no words say it
+    words: Mapping[str, Mapping[str, float]]
 
     @classmethod
     def of(cls, raw: Mapping[str, Any]) -> Finding:
@@ -74,6 +76,7 @@ class Finding:
             tuple(raw["rivals"]),
             held["rmse_before"],
             held["rmse_after"],
+            raw.get("words", {}),
         )
 
 

@@ -48,6 +48,9 @@ fn one(page: Page, subject: &Subject<'_>, finding: &Finding) -> Page {
     if !finding.rivals.is_empty() {
         page = page.text(&format!("Not quite excluded in its place: {}.", wording::one_of(&finding.rivals)));
     }
+    if !finding.words.is_empty() {
+        page = page.text(&format!("In words, whatever its name: {}.", spoken(&finding.words.says())));
+    }
     match about(subject, &finding.effect) {
         None => page,
         Some(about) => {

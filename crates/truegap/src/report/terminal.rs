@@ -17,6 +17,9 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
     for finding in &diagnosis.findings {
         lines.push(format!("  {}: {}", spoken(&finding.effect), finding.says));
         lines.push(format!("    {}", wording::how_sure(finding)));
+        if !finding.rivals.is_empty() && !finding.words.is_empty() {
+            lines.push(format!("    whatever its name: {}", finding.words.says().replace('_', " ")));
+        }
     }
     for mechanism in &diagnosis.discovered {
         if !mechanism.named {

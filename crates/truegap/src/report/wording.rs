@@ -159,6 +159,7 @@ mod tests {
                 unit: "pF".into(),
             },
             rivals: Vec::new(),
+            words: Default::default(),
         }
     }
 

@@ -179,6 +179,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             parameters: vec![parameter("tau", "s", [0.0, 120.0], 120.0, 6.0)],
             held_out: BeforeAfterUnit { rmse_before: Some(before), rmse_after: Some(after), unit: "pF".into() },
             rivals: vec!["readout_lag".into()],
+            words: Default::default(),
         }],
         candidates: vec![
             Candidate { effect: "thermal_lag".into(), probability: 0.98, score: 480.0, chi2_drop: 970.0, freedom: 1 },

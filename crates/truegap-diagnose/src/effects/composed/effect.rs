@@ -10,7 +10,7 @@ use crate::{
         mechanism::{Mechanism, Numbers, Sentence},
         signal::{available, column},
         units::{driver_unit, size_unit},
-        words::{Driver, Form, Kinetics, Quantity},
+        words::{Driver, Form, InWords, Kinetics, Quantity},
     },
     effects::effect::{About, Effect, Family, FittedParameter, ZeroCourse},
 };
@@ -140,6 +140,10 @@ impl Effect for Composed {
     }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         self.parameters.clone()
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        let Sentence { quantity, driver, kinetics, .. } = &self.sentence;
+        Some(InWords { place: quantity.place(), driver: driver.clone(), kinetics: *kinetics })
     }
     fn words(&self) -> Option<Mechanism> {
         Some(Mechanism { sentence: self.sentence.clone(), numbers: self.start })

@@ -108,6 +108,17 @@ pub enum Form {
     Saturating,
 }
 
+/// What an effect is in words, whatever its name and its equation.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+pub struct InWords {
+    /// where in the chain
+    pub place: Place,
+    /// what it follows
+    pub driver: Driver,
+    /// how in time
+    pub kinetics: Kinetics,
+}
+
 impl Place {
     /// As in files.
     pub fn word(self) -> &'static str {

@@ -22,6 +22,8 @@ pub struct Claim {
     pub misfit_removed: Option<f64>,
     /// The first mechanism composed of words, named or listed only.
     pub mechanism: Option<Composed>,
+    /// What the answer is in words: that mechanism, or where there is none the effect named that stands out most, by the words of all that may stand in its place.
+    pub in_words: Option<Composed>,
 }
 
 /// A mechanism composed of words: the likeliest value of each.
@@ -43,20 +45,32 @@ impl Composed {
     /// The first of `discovered`; `floor` is the noise, in the unit of its errors.
     fn first(diagnosis: &Value) -> Option<Self> {
         let first = diagnosis["discovered"].as_array()?.first()?;
+        Self::of(first, "probability", first["named"].as_bool().unwrap_or(false), diagnosis)
+    }
+
+    /// The words of the finding that stands out most.
+    fn clearest(diagnosis: &Value) -> Option<Self> {
+        let stands_out = |finding: &&Value| finding["detectability"].as_f64().unwrap_or(0.0);
+        let clearest = diagnosis["findings"].as_array()?.iter().max_by(|a, b| stands_out(a).total_cmp(&stands_out(b)))?;
+        Self::of(clearest, "words", true, diagnosis)
+    }
+
+    /// The likeliest words under `key`.
+    fn of(said: &Value, key: &str, named: bool, diagnosis: &Value) -> Option<Self> {
         let floor = diagnosis["fit"]["noise_floor"].as_f64().unwrap_or(0.0);
         Some(Self {
-            place: likeliest(first, "place")?,
-            driver: likeliest(first, "driver")?,
-            kinetics: likeliest(first, "kinetics")?,
-            named: first["named"].as_bool().unwrap_or(false),
-            misfit_removed: removed(&first["held_out"], floor),
+            place: likeliest(said, key, "place")?,
+            driver: likeliest(said, key, "driver")?,
+            kinetics: likeliest(said, key, "kinetics")?,
+            named,
+            misfit_removed: removed(&said["held_out"], floor),
         })
     }
 }
 
 /// The value of a word with the largest probability; that of the best sentence where none are given.
-fn likeliest(mechanism: &Value, word: &str) -> Option<String> {
-    let all = mechanism["probability"][word].as_object();
+fn likeliest(mechanism: &Value, key: &str, word: &str) -> Option<String> {
+    let all = mechanism[key][word].as_object();
     let best = all.and_then(|all| all.iter().max_by(|a, b| a.1.as_f64().unwrap_or(0.0).total_cmp(&b.1.as_f64().unwrap_or(0.0))));
     best.map(|(value, _)| value.clone()).or_else(|| mechanism[word].as_str().map(str::to_owned))
 }
@@ -105,7 +119,9 @@ impl Claim {
         let misfit_removed = diagnosis["fit"]["held_out"]["misfit_removed"].as_f64();
         // `unexplained` may stand in the list as a flexible term; it names no physics.
         let findings = findings.into_iter().filter(|(effect, _)| effect != "unexplained").collect();
-        Ok(Self { verdict, findings, ambiguity, misfit_removed, mechanism: Composed::first(diagnosis) })
+        let mechanism = Composed::first(diagnosis);
+        let in_words = mechanism.clone().or_else(|| Composed::clearest(diagnosis));
+        Ok(Self { verdict, findings, ambiguity, misfit_removed, mechanism, in_words })
     }
 
     /// The effects of a library that are named: all but mechanisms composed of words.

@@ -29,14 +29,22 @@ pub struct Judged {
 /// Judges the mechanism of a case; all false where none is listed, nothing where no words are asked for.
 pub fn judged(case: &Scored) -> Option<Judged> {
     let words = case.truth.words.as_ref()?;
-    Some(case.claim.mechanism.as_ref().map_or(Judged { law: false, place: false, driver: false, kinetics: false }, |said| {
-        Judged {
-            law: words.laws.contains(&(said.driver.clone(), said.kinetics.clone())),
-            place: words.places.contains(&said.place),
-            driver: words.has_driver(&said.driver),
-            kinetics: words.has_kinetics(&said.kinetics),
-        }
-    }))
+    Some(words_right(case.claim.mechanism.as_ref(), words))
+}
+
+/// The same of the whole answer in words, whether a mechanism says them or an effect of the library under another name.
+fn in_words(case: &Scored) -> Option<Judged> {
+    let words = case.truth.words.as_ref()?;
+    Some(words_right(case.claim.in_words.as_ref(), words))
+}
+
+fn words_right(said: Option<&Composed>, words: &Words) -> Judged {
+    said.map_or(Judged { law: false, place: false, driver: false, kinetics: false }, |said| Judged {
+        law: words.laws.contains(&(said.driver.clone(), said.kinetics.clone())),
+        place: words.places.contains(&said.place),
+        driver: words.has_driver(&said.driver),
+        kinetics: words.has_kinetics(&said.kinetics),
+    })
 }
 
 /// The rows of the wild tier, or of a study that leaves one effect out at a time; only those of words where a stranger has some.
@@ -82,6 +90,9 @@ fn words(cases: &[Scored], of: impl Fn(&Scored) -> bool + Copy, wanted: [f64; 4]
         share("mechanisms: kinetics right", target(wanted[2]), cases, of, holds(|j| j.kinetics)),
         share("mechanisms: place right", target(wanted[3]), cases, of, holds(|j| j.place)),
     ];
+    let whole = |part: fn(Judged) -> bool| move |case: &Scored| in_words(case).is_some_and(part);
+    rows.push(share("words of the whole answer: driver and kinetics right", Target::None, cases, of, whole(|j| j.law)));
+    rows.push(share("words of the whole answer: place right", Target::None, cases, of, whole(|j| j.place)));
     rows.push(middle("mechanisms: misfit removed on rows left out (median)", Target::AtLeast(0.9), removed.collect()));
     rows
 }

@@ -12,6 +12,7 @@ use crate::{
     explain::hidden_input::slow_input::{Hidden, SlowInput},
     selection::{
         candidates::{Search, Tried},
+        effect_set::EffectSet,
         posterior::Selection,
         verdict::{Decision, Verdict},
     },
@@ -53,6 +54,8 @@ pub struct Found<'a> {
     pub slow: Option<(&'a SlowInput, &'a Hidden)>,
     /// mechanisms from outside the library, whether they are named or not
     pub mechanisms: &'a [Discovery],
+    /// standard deviations of the coordinates of the models that numbers are told of, with what is not named counted in
+    pub(crate) widened: Vec<(EffectSet, Vec<f64>)>,
     /// whether the search was stopped before its end
     pub interrupted: bool,
 }
@@ -72,6 +75,12 @@ impl Found<'_> {
     /// The model stood behind.
     pub fn chosen(&self) -> &Tried {
         &self.selection.models[self.decision.model]
+    }
+
+    /// Standard deviations of the coordinates of a model, with what is not named counted in where that was computed.
+    pub fn sd<'t>(&'t self, tried: &'t Tried) -> &'t [f64] {
+        let own = self.widened.iter().find(|(key, sd)| *key == tried.key() && sd.len() == tried.fit.sd.len());
+        own.map_or(&tried.fit.sd, |(_, sd)| sd)
     }
 
     /// Name of an effect of the library searched.

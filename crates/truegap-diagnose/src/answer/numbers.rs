@@ -18,10 +18,11 @@ use std::ops::Range;
 /// Parameters of a fitted model.
 pub(crate) fn fitted(found: &Found<'_>, tried: &Tried, range: Range<usize>) -> Vec<FittedParameter> {
     let model = found.search.model(&tried.effects);
+    let sd = found.sd(tried);
     range
         .map(|i| {
             let parameter = model.parameters[i].clone();
-            let (z, sd) = (tried.fit.z[i], tried.fit.sd[i]);
+            let (z, sd) = (tried.fit.z[i], sd[i]);
             FittedParameter {
                 value: parameter.prior.at(z),
                 sd: parameter.prior.slope(z) * sd,
@@ -34,16 +35,18 @@ pub(crate) fn fitted(found: &Found<'_>, tried: &Tried, range: Range<usize>) -> V
 
 /// The same for the record.
 pub(crate) fn parameters(found: &Found<'_>, tried: &Tried, range: Range<usize>) -> Vec<ParameterFacts> {
-    let facts = |f: FittedParameter| ParameterFacts {
+    let alone = range.clone().map(|i| tried.fit.sd[i] / found.sd(tried)[i]);
+    let facts = |(f, alone): (FittedParameter, f64)| ParameterFacts {
         name: f.parameter.name.clone(),
         unit: f.parameter.unit.clone(),
         prior: [f.parameter.centre(), f.parameter.sd()],
         value: f.value,
         sd: f.sd,
+        sd_of_fit: f.sd * alone,
         at_limit: f.at_limit,
         meaning: f.parameter.meaning,
     };
-    fitted(found, tried, range).into_iter().map(facts).collect()
+    fitted(found, tried, range).into_iter().zip(alone).map(facts).collect()
 }
 
 /// The model that the diagnosis ends with.

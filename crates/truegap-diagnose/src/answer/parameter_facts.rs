@@ -15,8 +15,10 @@ pub struct ParameterFacts {
     pub prior: [f64; 2],
     /// most probable value
     pub value: f64,
-    /// standard deviation
+    /// standard deviation: noise, prior, and what effects too weak to be named or the equations of those that are named may have done to it
     pub sd: f64,
+    /// the part of it that noise and prior make where the model is right in every respect
+    pub sd_of_fit: f64,
     /// on a bound
     pub at_limit: bool,
     /// what it is, for a reader

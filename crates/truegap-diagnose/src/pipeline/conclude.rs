@@ -19,6 +19,7 @@ use crate::{
         examine::{Examined, judge},
         posterior::Selection,
         verdict::{Decision, Verdict, interrupted},
+        weak_effects::widened,
     },
     validation::{
         cross_validation::{AllRows, held_out},
@@ -82,6 +83,8 @@ pub(crate) fn conclude(
     let (decision, kept_back) = reserved(decision, selection, slow.as_ref().map(|(slow, _)| slow), told.options);
     let all = AllRows { problem: prepared.problem, first: prepared.averages.as_ref().map(|t| t.first.as_slice()) };
     let (unseen, decision, vetoed) = predicted(prepared, search, all, selection, decision);
+    let told_of = [selection.base(), &selection.models[decision.model]].into_iter().chain(composition.as_ref().map(|c| &c.tried));
+    let widened = told_of.map(|tried| (tried.key(), widened(search, selection, tried))).collect();
     let found = Found {
         search,
         noise: &prepared.noise,
@@ -99,6 +102,7 @@ pub(crate) fn conclude(
         reserved: kept_back.or(vetoed),
         slow: slow.as_ref().map(|(slow, hidden)| (slow, *hidden)),
         mechanisms,
+        widened,
         interrupted: told.asked.load(Ordering::Relaxed),
     };
     outcome(&found, known, prepared.not_testable.clone(), started)

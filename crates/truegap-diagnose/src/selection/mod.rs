@@ -13,3 +13,4 @@ pub(crate) mod tempering;
 pub(crate) mod tuning;
 pub(crate) mod unmodelled;
 pub(crate) mod verdict;
+pub(crate) mod weak_effects;

@@ -127,3 +127,11 @@ pub(crate) const RIVAL: f64 = 0.05;
 /// Share of the misfit that an adequate equation removes: what is left has a tenth of its size, half of what a right equation in another form may leave
 /// (`FORM_ERROR`). Instruments and equations are rarely better, and the tests of lack of fit see a thousandth of a large misfit; the rest is described beside the answer.
 pub(crate) const ADEQUATE: f64 = 0.99;
+
+// weak_effects.rs
+
+/// Probability that an effect which a model does not hold acts all the same, too weakly to be named: of some thirty, one or two do.
+pub(crate) const WEAK: f64 = 0.05;
+
+/// Noise deviations by which such an effect stands out of what calibration leaves of it, where it acts: any of these, from what nobody can see to what is plain.
+pub(crate) const VISIBLE_BY: [f64; 9] = [0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0];

@@ -107,6 +107,7 @@ pub fn parameter(name: &str, unit: &str, prior: [f64; 2], value: f64, sd: f64) -
         prior,
         value,
         sd,
+        sd_of_fit: sd,
         at_limit: false,
         meaning: format!("what {name} means"),
     }

@@ -29,8 +29,10 @@ const STEP: f64 = 0.02;
 pub(crate) fn widened(search: &Search<'_>, selection: &Selection, tried: &Tried) -> Vec<f64> {
     let model = search.model(&tried.effects);
     let left_out = (0..search.library.len()).filter(|e| !tried.effects.contains(e) && !search.library[*e].free_form());
-    let columns: Vec<Column> =
-        left_out.filter_map(|e| left_out_column(search, selection, tried, e)).chain(of_equations(search, &model, &tried.fit)).collect();
+    let columns: Vec<Column> = left_out
+        .filter_map(|e| left_out_column(search, selection, tried, e))
+        .chain(of_equations(search, &model, &tried.fit))
+        .collect();
     with_columns(&tried.fit, &columns)
 }
 

@@ -87,6 +87,25 @@ fn words_are_right_together_and_a_library_name_is_wrong() {
     assert!((removed - 75.0 / 84.0).abs() < 1e-12, "{removed}");
 }
 
+/// No mechanism is listed, and another effect of the library stands in: its words are those of the answer, with those of its rivals.
+#[test]
+fn an_answer_under_another_name_is_judged_by_its_words() {
+    let answers = study(Only::WithoutEach, 1, vec![Kind::Bench]);
+    let mut diagnosis = says("ambiguous", &["strain_stiffening", "offset_drift"], None);
+    let words = |place: &str, driver: &str| json!({"place": {place: 0.9}, "driver": {driver: 0.9, "reading": 0.1}, "kinetics": {"static": 1.0}});
+    for (k, (stands_out, words)) in [(30.0, words("mechanics", "load")), (4.0, words("readout", "time"))].into_iter().enumerate()
+    {
+        diagnosis["findings"][k]["detectability"] = json!(stands_out);
+        diagnosis["findings"][k]["words"] = words;
+    }
+    let case = score(Truth::from(&answers[0]), &diagnosis).expect("scored");
+    let row = |says: &str| rows(std::slice::from_ref(&case)).into_iter().find(|row| row.says.contains(says)).expect("row").hits;
+    assert_eq!(
+        [row("whole answer: driver"), row("whole answer: place"), row("mechanisms: driver and")],
+        [Some(1), Some(1), Some(0)]
+    );
+}
+
 #[test]
 fn an_oracle_meets_the_rows_of_the_wild_tier_and_silence_does_not() {
     let all = |speaks: bool| -> Vec<Scored> {
@@ -103,7 +122,7 @@ fn an_oracle_meets_the_rows_of_the_wild_tier_and_silence_does_not() {
     };
     let oracle = rows(&all(true));
     let misses: Vec<_> = oracle.iter().filter(|row| row.met == Some(false) && !row.says.contains("misfit removed")).collect();
-    assert!(misses.is_empty() && oracle.len() == 13, "{misses:#?}");
+    assert!(misses.is_empty() && oracle.len() == 15, "{misses:#?}");
     let silent = rows(&all(false));
     let row = |says: &str| silent.iter().find(|row| row.says.contains(says)).unwrap_or_else(|| panic!("{says}"));
     assert_eq!(row("single causes").met, Some(false));

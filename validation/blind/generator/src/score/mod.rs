@@ -1,9 +1,10 @@
 //! The scorer: diagnoses against opened answers, by the rules of the README of the shared blind recordings.
 //!
-//! Limits: reads `verdict`, `findings`, `ambiguity` and `fit.held_out.misfit_removed` of a diagnosis, and nothing else of it.
+//! Limits: reads the verdict, findings, sets, mechanisms, stated numbers and held-out errors of a diagnosis, and nothing else of it.
 
 pub mod calibration;
 pub mod claim;
+pub mod coverage;
 pub mod family;
 pub mod folder;
 pub mod interval;
@@ -17,6 +18,7 @@ pub mod truth;
 pub mod words;
 
 use claim::{Claim, ClaimError};
+use coverage::{Number, numbers};
 use judge::{Outcome, judge};
 use serde_json::Value;
 use truth::Truth;
@@ -34,11 +36,14 @@ pub struct Scored {
     pub fresh_misfit_removed: Option<f64>,
     /// Seconds that the diagnosis took, where somebody measured it.
     pub seconds: Option<f64>,
+    /// Numbers stated, beside what was drawn.
+    pub numbers: Vec<Number>,
 }
 
 /// Scores `diagnosis` (the content of a `diagnosis.json`) against `truth`.
 pub fn score(truth: Truth, diagnosis: &Value) -> Result<Scored, ClaimError> {
     let claim = Claim::read(diagnosis)?;
     let outcome = judge(&truth, &claim);
-    Ok(Scored { truth, claim, outcome, fresh_misfit_removed: None, seconds: None })
+    let numbers = numbers(&truth.drawn, diagnosis);
+    Ok(Scored { truth, claim, outcome, fresh_misfit_removed: None, seconds: None, numbers })
 }

@@ -2,11 +2,11 @@
 //!
 //! Limits: "met" compares the estimate with the target; the interval says how sure that is. Times are not scored here.
 
-use super::Scored;
 use super::calibration::{by_chance, expected_calibration_error, interval};
 use super::interval::{median, wilson};
 use super::judge::Outcome;
 use super::told::told_family;
+use super::{Scored, coverage};
 use serde::Serialize;
 use std::collections::BTreeSet;
 
@@ -47,14 +47,14 @@ pub(super) enum Target {
 }
 
 impl Target {
-    fn text(self) -> String {
+    pub(super) fn text(self) -> String {
         match self {
             Self::AtMost(limit) => format!("<= {limit}"),
             Self::AtLeast(limit) => format!(">= {limit}"),
             Self::None => String::new(),
         }
     }
-    fn met(self, value: Option<f64>) -> Option<bool> {
+    pub(super) fn met(self, value: Option<f64>) -> Option<bool> {
         match self {
             Self::AtMost(limit) => value.map(|v| v <= limit),
             Self::AtLeast(limit) => value.map(|v| v >= limit),
@@ -92,6 +92,7 @@ pub fn rows(cases: &[Scored]) -> Vec<Row> {
     rows.extend(claims(cases));
     rows.extend(calibration(cases));
     rows.extend(medians(cases));
+    rows.extend(coverage::rows(cases));
     rows
 }
 

@@ -2,6 +2,7 @@
 //!
 //! Limits: an open `truth.json` does not say whether the noise was coloured; such cases count in neither column of false alarms.
 
+use super::coverage::{Drawn, drawn};
 use super::words::{Words, words_of};
 use crate::answer::Answer;
 use crate::logger::Logger;
@@ -37,6 +38,8 @@ pub struct Truth {
     pub words: Option<Words>,
     /// Whether the diagnosis did without the effect at work.
     pub left_out: bool,
+    /// Numbers of the sensor and of what is concealed, by the names that a diagnosis states.
+    pub drawn: Drawn,
 }
 
 impl Truth {
@@ -59,6 +62,7 @@ impl Truth {
             bath: truth["bath"].as_object().into_iter().flatten().map(|(name, _)| name.clone()).collect(),
             words: of_words,
             left_out: false,
+            drawn: drawn(&truth["sensor"], &truth["parameters"]),
             detectability,
             beside_input_noise: None,
             weakest: detectability,
@@ -85,7 +89,14 @@ impl From<&Answer> for Truth {
             bath: answer.bath.keys().cloned().collect(),
             words: answer.stranger.as_deref().and_then(words_of),
             left_out: answer.without.is_some(),
+            drawn: of_answer(answer),
             protocol: format!("{:?}", answer.protocol).to_lowercase(),
         }
     }
+}
+
+/// Both sides of an answer are plain data.
+fn of_answer(answer: &Answer) -> Drawn {
+    let value = |part: serde_json::Result<Value>| part.unwrap_or_default();
+    drawn(&value(serde_json::to_value(&answer.sensor)), &value(serde_json::to_value(&answer.parameters)))
 }

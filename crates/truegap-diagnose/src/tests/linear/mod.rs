@@ -11,6 +11,7 @@ mod held_out;
 mod outside;
 mod probabilities;
 mod tempered;
+mod weak;
 mod whole;
 mod words;
 

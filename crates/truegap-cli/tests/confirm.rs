@@ -72,3 +72,22 @@ fn where_nothing_is_named_there_is_nothing_to_confirm() {
     let refused = diagnosis["confirmation"]["refused"].as_str().unwrap();
     assert!(refused.contains("nothing to confirm") && said.out.contains(refused), "{refused}");
 }
+
+/// The example has one cause that every run shows: it is named without each of them, and the error of those choices stands beside that of the one choice.
+#[test]
+fn what_is_named_is_chosen_again_without_each_part() {
+    let bench = Bench::new();
+    in_two_folders(&bench);
+    let said = bench.run(&["-q", "diagnose", "a", "--select-in-folds", "--library-only", "-o", "out"]);
+    let diagnosis: Value = serde_json::from_str(&std::fs::read_to_string(bench.path("out/diagnosis.json")).unwrap()).unwrap();
+    let again = &diagnosis["fit"]["held_out"]["selected_again"];
+    let parts = again["parts"].as_array().unwrap();
+    let named = |part: &&Value| part["named"] == serde_json::json!(["thermal_lag"]);
+    assert_eq!((parts.len(), parts.iter().filter(named).count() as u64), (4, again["same"].as_u64().unwrap()));
+    assert!(again["same"].as_u64().unwrap() >= 3, "{again}");
+    assert!(said.out.contains(again["says"].as_str().unwrap()), "{}", said.out);
+    let [chosen_again, once] = [&again["rmse"], &diagnosis["fit"]["held_out"]["rmse_after"]].map(|e| e.as_f64().unwrap());
+    assert!((0.99..1.5).contains(&(chosen_again / once)), "{chosen_again} {once}");
+    let page = std::fs::read_to_string(bench.path("out/report.html")).unwrap();
+    assert!(page.contains("What is named without each part"));
+}

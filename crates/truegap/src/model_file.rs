@@ -103,13 +103,12 @@ impl ModelFile {
     /// [`ModelFileError::SensorFile`] where the sensor's own file has gone.
     pub fn of(outcome: &Outcome, base: &BaseModel, folder: Option<&Path>) -> Result<Self, ModelFileError> {
         let (diagnosis, augmented) = (&outcome.diagnosis, &outcome.augmented);
-        let verdict = serde_json::to_value(diagnosis.verdict).ok().and_then(|v| v.as_str().map(str::to_owned));
         Ok(Self {
             schema: SCHEMA.into(),
             made_by: format!("truegap {}", diagnosis.version),
             recording: diagnosis.recording.source.clone(),
             sha256: diagnosis.recording.sha256.clone(),
-            verdict: verdict.unwrap_or_default(),
+            verdict: diagnosis.verdict.word().into(),
             unit: diagnosis.fit.unit.clone(),
             sensor: base.sensor().map(|name| sensor_text(name, folder)).transpose()?,
             base: base.clone(),

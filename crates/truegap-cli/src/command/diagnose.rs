@@ -48,6 +48,9 @@ pub struct Diagnose {
     /// Try no mechanisms beyond the library
     #[arg(long)]
     library_only: bool,
+    /// Choose what is missing again without each part of the recording: is the same named, and how well does that predict the part? Takes as many searches as there are parts
+    #[arg(long)]
+    select_in_folds: bool,
     /// Hide an input column, to see what its absence does: temperature, humidity, force, pressure, gap
     #[arg(long, value_delimiter = ',', value_name = "COLUMN")]
     conceal: Vec<String>,
@@ -154,6 +157,7 @@ impl Diagnose {
             base: self.base.clone(),
             library,
             library_only: self.library_only,
+            select_in_folds: self.select_in_folds,
             no_warp: self.no_warp,
             effects: self.effects.clone(),
             conceal: self.conceal.clone(),

@@ -5,19 +5,21 @@
 use crate::{
     answer::tuning::{LIKE_NOISE, MOSTLY_ABSORBED},
     answer::{
-        fit_facts::{BeforeAfter, FitFacts, HeldOut, RecordingError},
+        fit_facts::{BeforeAfter, FitFacts, HeldOut, RecordingError, SelectedAgain, SelectedWithout},
         found::Found,
     },
     explain::conflicts::Conflict,
     fit::model::Model,
     selection::{
         candidates::{Tried, zero_size},
+        effect_set::EffectSet,
         verdict::Verdict,
     },
     stats::{rmse, rmse_of_both},
     validation::{
         cross_validation::{HeldOutFit, compared, held_out, misfit_removed},
         permutation::permuted,
+        selected_again::ChosenWithout,
     },
 };
 use truegap_core::SimulationError;
@@ -65,9 +67,33 @@ pub(crate) fn fit_facts(found: &Found<'_>, in_sample: BeforeAfter, before: &Held
             permutation_control: if named { permutation_control(found, found.chosen()) } else { None },
             parts: both.map(|c| c.parts).unwrap_or_default(),
             recordings: by_recording(found, before, after),
+            selected_again: found.selected_again.as_deref().map(|chosen| selected_again(found, chosen)),
         },
         noise_floor: floor,
         unit: found.search.problem.simulator.unit().to_owned(),
+    }
+}
+
+/// The choices made without each part, counted and with their errors.
+fn selected_again(found: &Found<'_>, chosen: &[ChosenWithout]) -> SelectedAgain {
+    let response = found.all.problem.response;
+    let squares = |rows: &[(usize, f64)]| rows.iter().map(|(row, value)| (value - response[*row]).powi(2)).sum::<f64>();
+    let error = |rows: &[(usize, f64)]| (!rows.is_empty()).then(|| (squares(rows) / rows.len() as f64).sqrt());
+    let stood_behind = found.chosen().key();
+    let same = chosen.iter().filter(|c| EffectSet::from(c.effects.as_slice()) == stood_behind).count();
+    let part = |c: &ChosenWithout| SelectedWithout {
+        part: c.name.clone(),
+        verdict: c.verdict,
+        named: c.effects.iter().map(|e| found.id(*e)).collect(),
+        rmse: c.prediction.as_deref().and_then(error),
+    };
+    let all: Vec<(usize, f64)> = chosen.iter().filter_map(|c| c.prediction.as_deref()).flatten().copied().collect();
+    let what = if stood_behind.is_empty() { "nothing is named" } else { "the same is named" };
+    SelectedAgain {
+        says: format!("chosen again without each part of the recording, {what} {same} of {} times", chosen.len()),
+        same,
+        rmse: error(&all),
+        parts: chosen.iter().map(part).collect(),
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Limits: plain data.
 
-use crate::{answer::parameter_facts::ParameterFacts, explain::locate::Mismatch};
+use crate::{answer::parameter_facts::ParameterFacts, explain::locate::Mismatch, selection::verdict::Verdict};
 use serde::Serialize;
 
 /// Errors before and after.
@@ -46,6 +46,35 @@ pub struct HeldOut {
     /// of each of several recordings
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub recordings: Vec<RecordingError>,
+    /// the choice made again without each part, where that was asked for
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub selected_again: Option<SelectedAgain>,
+}
+
+/// What is named where each part of the recording is left out of the choice as well, and the errors of that choice on it.
+#[derive(Clone, Debug, Serialize)]
+pub struct SelectedAgain {
+    /// sentence with the counts
+    pub says: String,
+    /// parts without which the same effects are named as with all rows
+    pub same: usize,
+    /// error over all parts that could be predicted, each by what was chosen without it; absent (null) where there is none
+    pub rmse: Option<f64>,
+    /// each part left out
+    pub parts: Vec<SelectedWithout>,
+}
+
+/// The choice without one part.
+#[derive(Clone, Debug, Serialize)]
+pub struct SelectedWithout {
+    /// the part
+    pub part: String,
+    /// what was decided without it
+    pub verdict: Verdict,
+    /// effects named without it
+    pub named: Vec<String>,
+    /// error on its rows; absent (null) where they could not be predicted
+    pub rmse: Option<f64>,
 }
 
 /// Errors on rows left out of one of several recordings.

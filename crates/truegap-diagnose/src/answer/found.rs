@@ -16,7 +16,7 @@ use crate::{
         posterior::Selection,
         verdict::{Decision, Verdict},
     },
-    validation::{cross_validation::AllRows, recovery::confusion::Bank, veto::Unseen},
+    validation::{cross_validation::AllRows, recovery::confusion::Bank, selected_again::ChosenWithout, veto::Unseen},
     whitening::noise_model::NoiseModel,
 };
 
@@ -54,6 +54,8 @@ pub struct Found<'a> {
     pub slow: Option<(&'a SlowInput, &'a Hidden)>,
     /// mechanisms from outside the library, whether they are named or not
     pub mechanisms: &'a [Discovery],
+    /// what is chosen without each part of the recording, where that was asked for
+    pub(crate) selected_again: Option<Vec<ChosenWithout>>,
     /// standard deviations of the coordinates of the models that numbers are told of, with what is not named counted in
     pub(crate) widened: Vec<(EffectSet, Vec<f64>)>,
     /// whether the search was stopped before its end

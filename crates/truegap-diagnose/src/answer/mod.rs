@@ -49,7 +49,9 @@ pub use augmented::{AddedEffect, Augmented, NamedValue, Scales, UnknownEffect};
 pub use confirmation::{Confirmation, Confirmed, Errors, ModelFacts, OtherFacts};
 pub use diagnosis::*;
 pub use discovered_facts::DiscoveredFacts;
-pub use fit_facts::{BeforeAfter, BeforeAfterUnit, FitFacts, FlexibleTerm, HeldOut, PredictionOnly, RecordingError};
+pub use fit_facts::{
+    BeforeAfter, BeforeAfterUnit, FitFacts, FlexibleTerm, HeldOut, PredictionOnly, RecordingError, SelectedAgain, SelectedWithout,
+};
 pub(crate) use found::{Found, Reserved};
 pub use known::Known;
 pub use outcome::Outcome;

@@ -61,6 +61,7 @@ mod tests {
                 permutation_control: None,
                 parts: Vec::new(),
                 recordings: Vec::new(),
+                selected_again: None,
             },
             noise_floor: 0.1,
             unit: "pF".into(),

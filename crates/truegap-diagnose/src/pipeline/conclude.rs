@@ -27,6 +27,7 @@ use crate::{
             confusion::Bank,
             fill::{Whole, fill},
         },
+        selected_again::selected_again,
         veto::Unseen,
     },
 };
@@ -85,6 +86,10 @@ pub(crate) fn conclude(
     let (unseen, decision, vetoed) = predicted(prepared, search, all, selection, decision);
     let told_of = [selection.base(), &selection.models[decision.model]].into_iter().chain(composition.as_ref().map(|c| &c.tried));
     let widened = told_of.map(|tried| (tried.key(), widened(search, selection, tried))).collect();
+    let again = told.options.select_in_folds && told.options.withheld.is_none();
+    let again = again.then(|| {
+        selected_again(&prepared.search(&searched, told.progress, told.stop), &prepared.searched_noise, &prepared.directions, all)
+    });
     let found = Found {
         search,
         noise: &prepared.noise,
@@ -103,6 +108,7 @@ pub(crate) fn conclude(
         slow: slow.as_ref().map(|(slow, hidden)| (slow, *hidden)),
         mechanisms,
         widened,
+        selected_again: again,
         interrupted: told.asked.load(Ordering::Relaxed),
     };
     outcome(&found, known, prepared.not_testable.clone(), started)

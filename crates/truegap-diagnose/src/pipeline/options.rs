@@ -18,6 +18,8 @@ pub struct Options {
     pub effects: Vec<String>,
     /// whether mechanisms are composed of words where the library leaves something
     pub compose: bool,
+    /// whether what is named is chosen again without each part of the recording, which takes as many searches as there are parts
+    pub select_in_folds: bool,
     /// columns that were hidden on purpose: the first is set beside the slow course that the recording asks for without it
     pub hidden: Vec<Hidden>,
     /// the only effects that may be named, where something is wrong with the recording
@@ -35,6 +37,7 @@ impl Default for Options {
             library: Library::default(),
             effects: Vec::new(),
             compose: true,
+            select_in_folds: false,
             hidden: Vec::new(),
             restricted: None,
             withheld: None,

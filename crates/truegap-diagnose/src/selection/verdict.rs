@@ -27,6 +27,20 @@ pub enum Verdict {
     Undecided,
 }
 
+impl Verdict {
+    /// As in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Agrees => "agrees",
+            Self::Explained => "explained",
+            Self::Ambiguous => "ambiguous",
+            Self::WrongForm => "wrong_form",
+            Self::Unexplained => "unexplained",
+            Self::Undecided => "undecided",
+        }
+    }
+}
+
 /// What was decided.
 #[derive(Clone, Debug)]
 pub struct Decision {

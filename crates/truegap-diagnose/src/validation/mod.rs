@@ -7,5 +7,6 @@ pub(crate) mod cross_validation;
 pub(crate) mod permutation;
 pub mod recovery;
 pub(crate) mod reference;
+pub(crate) mod selected_again;
 pub(crate) mod tuning;
 pub(crate) mod veto;

@@ -27,6 +27,8 @@ pub struct Request {
     pub library: Library,
     /// try no mechanisms beyond the library
     pub library_only: bool,
+    /// choose again without each part of the recording, to see whether the same is named and how well it predicts the part
+    pub select_in_folds: bool,
     /// effects to try; all where empty
     pub effects: Vec<String>,
     /// input columns to hide: role or name in the file

@@ -80,6 +80,7 @@ impl Run<'_> {
             library: self.request.library.clone(),
             effects: self.request.effects.clone(),
             compose: !self.request.library_only,
+            select_in_folds: self.request.select_in_folds,
             hidden: opened.hidden.clone(),
             bank: self.request.bank.map(bank_store::options),
             ..Options::default()

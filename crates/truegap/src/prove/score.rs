@@ -13,9 +13,9 @@ use std::path::Path;
 use truegap_generator::commitment::sha256;
 use truegap_generator::score::folder::score_folder;
 use truegap_generator::score::judge::Outcome;
-use truegap_generator::score::mechanisms;
 use truegap_generator::score::targets::{Row, by_detectability, rows};
 use truegap_generator::score::{Scored, score as judged, table};
+use truegap_generator::score::{coverage, mechanisms};
 
 /// Detectability from which a model is tried on a fresh history, as the target has it.
 const STRONG: f64 = 16.0;
@@ -66,9 +66,9 @@ pub fn score(folder: &Path, answered: &Answered, command: &str) -> Result<Score,
     Ok(score)
 }
 
-/// The targets of any study, then those of baths and mechanisms where there are some.
+/// The targets of any study, how often intervals cover, then the targets of baths and mechanisms where there are some.
 fn targets(scored: &[Scored]) -> Vec<Row> {
-    rows(scored).into_iter().chain(mechanisms::rows(scored)).collect()
+    rows(scored).into_iter().chain(coverage::rows(scored)).chain(mechanisms::rows(scored)).collect()
 }
 
 /// The controls that claim a share; medians and probabilities are not theirs.

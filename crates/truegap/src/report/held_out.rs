@@ -4,9 +4,9 @@
 
 use super::axis::Axis;
 use super::draw;
-use super::text::{percent, significant};
+use super::text::{capitalised, percent, significant, spoken};
 use super::{subject::Subject, summary, wording};
-use truegap_diagnose::answer::HeldOut;
+use truegap_diagnose::answer::{HeldOut, SelectedAgain};
 use truegap_scene::figure::{Bars, FigureError};
 use truegap_scene::page::{Page, Table};
 
@@ -30,7 +30,27 @@ pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
     } else {
         page.text("No row has a prediction by a fit that did not see it.")
     };
-    page.details("Errors per part left out").table(&table(subject, held)).end_details()
+    let page = page.details("Errors per part left out").table(&table(subject, held)).end_details();
+    match &held.selected_again {
+        None => page,
+        Some(again) => page
+            .text(&format!("{}.", capitalised(&wording::chosen_again(subject.diagnosis, again))))
+            .details("What is named without each part")
+            .table(&chosen_again(subject, again))
+            .end_details(),
+    }
+}
+
+/// What is named without each part, and the error of that choice on it.
+fn chosen_again(subject: &Subject<'_>, again: &SelectedAgain) -> Table {
+    let named = |ids: &[String]| {
+        if ids.is_empty() { "nothing".into() } else { ids.iter().map(|id| spoken(id)).collect::<Vec<_>>().join(", ") }
+    };
+    let table = Table::new(&["without", "verdict", "named", "error on it"]);
+    again.parts.iter().fold(table, |table, part| {
+        let error = wording::error_if_any(subject.diagnosis, part.rmse);
+        table.row(&[part.part.clone(), spoken(part.verdict.word()), named(&part.named), error])
+    })
 }
 
 fn sentence(subject: &Subject<'_>) -> String {

@@ -39,6 +39,9 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
         lines.extend(diagnosis.mismatch.iter().take(4).map(|m| format!("  {}", m.says)));
     }
     lines.extend(errors(diagnosis));
+    lines.extend(
+        diagnosis.fit.held_out.selected_again.iter().map(|again| format!("  {}", wording::chosen_again(diagnosis, again))),
+    );
     lines.extend(beside(diagnosis));
     lines.extend(diagnosis.confirmation.iter().map(confirmation::line));
     lines.extend(diagnosis.prediction_only.iter().map(|term| capitalised(&term.says)));

@@ -4,7 +4,7 @@
 
 use super::subject::error_scale;
 use super::text::{capitalised, detectability, listed, percent, spoken};
-use truegap_diagnose::answer::{Diagnosis, DiscoveredFacts, Finding, Verdict};
+use truegap_diagnose::answer::{Diagnosis, DiscoveredFacts, Finding, SelectedAgain, Verdict};
 
 /// Detectability from which an effect is called missing without a reserve.
 pub const SURE: f64 = 10.0;
@@ -107,6 +107,11 @@ pub(super) fn error(diagnosis: &Diagnosis, value: f64) -> String {
 /// The same of an error that there may be none of: no row was predicted.
 pub(super) fn error_if_any(diagnosis: &Diagnosis, value: Option<f64>) -> String {
     value.map_or_else(|| "–".to_owned(), |value| error(diagnosis, value))
+}
+
+/// The choice made again without each part, with its error.
+pub(super) fn chosen_again(diagnosis: &Diagnosis, again: &SelectedAgain) -> String {
+    format!("{}; error on those parts {}", again.says, error_if_any(diagnosis, again.rmse))
 }
 
 /// How sure a finding is, in words with the two numbers.

@@ -198,6 +198,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
                 misfit_removed: Some(0.97),
                 permutation_control: Some(0.01),
                 recordings: Vec::new(),
+                selected_again: None,
                 parts: vec![("run 1".into(), 0.005, 0.0042), ("run 2".into(), 0.05, 0.0043), ("run 3".into(), 0.1, 0.0045)],
             },
             noise_floor: NOISE,

@@ -3,7 +3,11 @@
 use super::{World, normals};
 use crate::{
     noise::several::measured,
-    validation::cross_validation::{AllRows, compared, held_out, misfit_removed},
+    selection::examine::examine,
+    validation::{
+        cross_validation::{AllRows, compared, held_out, misfit_removed},
+        selected_again::selected_again,
+    },
     whitening::noise_model::NoiseModel,
 };
 use nalgebra::{DMatrix, DVector};
@@ -95,4 +99,27 @@ fn the_misfit_removed_is_that_above_the_noise() {
     // a misfit that is not there to be removed: the square of a noise from 200 rows is known to a tenth
     assert!(misfit_removed(0.2 * 1.15, 0.2, floor, 200).is_none());
     assert!(misfit_removed(0.2 * 1.25, 0.2, floor, 200).is_some());
+}
+
+/// What a part reads is no part of the choice made without it: with nonsense in its rows, effects and predictions of it stay as they were to the last bit, and the choice
+/// with all rows does not.
+#[test]
+fn a_choice_made_without_a_part_does_not_see_it() {
+    let world = World::new(4, 30, &[3.0, 3.0]);
+    let y = world.drawn(&[0], &[1.2], &mut ChaCha8Rng::seed_from_u64(5));
+    let noise = noise(&world, &y);
+    let chosen = |y: &[f64]| {
+        world.search(y, |search, _| {
+            let all = AllRows { problem: search.problem, first: None };
+            selected_again(search, &noise, &[], all).swap_remove(2)
+        })
+    };
+    let mut nonsense = y.clone();
+    // the second term, at ten times its noise
+    nonsense.iter_mut().zip(world.columns(&[1]).column(0).iter()).skip(60).take(30).for_each(|(y, c)| *y = 10.0 * c);
+    let (seen, unseen) = (chosen(&y), chosen(&nonsense));
+    assert_eq!((&seen.name[..], &seen.effects[..]), ("run 3", &[0][..]));
+    assert_eq!((seen.effects, seen.prediction), (unseen.effects, unseen.prediction));
+    let whole = world.search(&nonsense, |search, lack_of_fit| examine(search, lack_of_fit).unwrap().selection.best().key());
+    assert!(whole.contains(&1), "{whole:?}");
 }

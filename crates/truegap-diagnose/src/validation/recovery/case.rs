@@ -46,7 +46,7 @@ impl BankCase {
         let ambiguous = decision.verdict == Verdict::Ambiguous;
         Self {
             truth,
-            verdict: serde_json::to_value(decision.verdict).ok().and_then(|v| v.as_str().map(str::to_owned)).unwrap_or_default(),
+            verdict: decision.verdict.word().to_owned(),
             named: names(&selection.models[decision.model].effects),
             sets: if ambiguous { decision.sets.iter().map(|s| names(s)).filter(|s| s.len() > 1).collect() } else { Vec::new() },
             models: models.filter(|(_, p)| *p > KEPT_LOG_PROBABILITY).collect(),

@@ -11,6 +11,7 @@ pub mod interval;
 pub mod judge;
 pub mod mechanisms;
 pub mod misfit;
+pub mod stated;
 pub mod table;
 pub mod targets;
 pub mod told;
@@ -18,9 +19,9 @@ pub mod truth;
 pub mod words;
 
 use claim::{Claim, ClaimError};
-use coverage::{Number, numbers};
 use judge::{Outcome, judge};
 use serde_json::Value;
+use stated::{Number, numbers};
 use truth::Truth;
 
 /// One case with its diagnosis.

@@ -4,15 +4,15 @@
 
 use super::Scored;
 use super::judge::Outcome;
-use super::mechanisms;
 use super::targets::{by_detectability, line, rows};
+use super::{coverage, mechanisms};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// Targets, naming against detectability, outcomes by cause, the wrong claims one by one.
 pub fn table(cases: &[Scored]) -> String {
     let mut text = format!("{:<52} {:>8} {:>9} {:>8}  {:<17} met\n", "target", "wanted", "count", "value", "95 % interval");
-    for row in rows(cases) {
+    for row in rows(cases).into_iter().chain(coverage::rows(cases)) {
         // Writing to a string cannot fail, here and below.
         let _ = writeln!(text, "{}", line(&row));
     }

@@ -2,11 +2,11 @@
 //!
 //! Limits: "met" compares the estimate with the target; the interval says how sure that is. Times are not scored here.
 
+use super::Scored;
 use super::calibration::{by_chance, expected_calibration_error, interval};
 use super::interval::{median, wilson};
 use super::judge::Outcome;
 use super::told::told_family;
-use super::{Scored, coverage};
 use serde::Serialize;
 use std::collections::BTreeSet;
 
@@ -92,7 +92,6 @@ pub fn rows(cases: &[Scored]) -> Vec<Row> {
     rows.extend(claims(cases));
     rows.extend(calibration(cases));
     rows.extend(medians(cases));
-    rows.extend(coverage::rows(cases));
     rows
 }
 

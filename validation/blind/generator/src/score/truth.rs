@@ -2,7 +2,7 @@
 //!
 //! Limits: an open `truth.json` does not say whether the noise was coloured; such cases count in neither column of false alarms.
 
-use super::coverage::{Drawn, drawn};
+use super::stated::{Drawn, drawn};
 use super::words::{Words, words_of};
 use crate::answer::Answer;
 use crate::logger::Logger;

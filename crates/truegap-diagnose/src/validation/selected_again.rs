@@ -1,0 +1,93 @@
+//! What is named, chosen anew without each part of the recording in turn, and how well that choice predicts the part.
+//!
+//! Rows left out say how well the numbers of a choice carry over; the choice itself was made with all rows. Here it is made without them as well: base model, candidates,
+//! evidence and verdict see nothing of the part. It takes as many searches as there are parts.
+//!
+//! Limits: noise, block averages and the scale of priors come from all rows; mechanisms composed of words are not looked for; the inputs of the part stay, since what a
+//! sensor remembers of them is part of the other rows.
+
+use crate::{
+    adequacy::{directions::Direction, lack_of_fit::LackOfFitTests},
+    fit::{model::Model, tuning::LOOSE},
+    selection::{candidates::Search, examine::examine, verdict::Verdict},
+    validation::cross_validation::{AllRows, Part, parts_of},
+    whitening::noise_model::NoiseModel,
+};
+use std::{ops::Range, sync::atomic::Ordering};
+
+/// A choice made without one part of the recording.
+pub(crate) struct ChosenWithout {
+    /// the part, for a reader
+    pub name: String,
+    /// what was decided without it
+    pub verdict: Verdict,
+    /// indices of the effects named without it, ascending
+    pub effects: Vec<usize>,
+    /// predictions of its rows; `None` where there is none
+    pub prediction: Option<Vec<(usize, f64)>>,
+}
+
+/// Chooses again without each part; `noise` is that of the rows that are searched. Ends early where it is asked to.
+pub(crate) fn selected_again(
+    search: &Search<'_>,
+    noise: &NoiseModel,
+    directions: &[Direction],
+    all: AllRows<'_>,
+) -> Vec<ChosenWithout> {
+    let one = |part: Part| {
+        let chosen = without(search, noise, directions, &part, all.first)?;
+        let (verdict, effects, z) = chosen;
+        let model = Model::new(all.problem, search.context, effects.iter().map(|e| search.library[*e]).collect());
+        let rows = || part.rows.iter().cloned().flatten();
+        let prediction = model.respond(&z).ok().map(|values| rows().map(|row| (row, values[row])).collect());
+        let mut effects = effects;
+        effects.sort_unstable();
+        Some(ChosenWithout { name: part.name.clone(), verdict, effects, prediction })
+    };
+    parts_of(all.problem).1.into_iter().map_while(|part| one(part).filter(|_| !search.stop.load(Ordering::Relaxed))).collect()
+}
+
+/// Verdict, effects and coordinates of the model stood behind without a part.
+fn without(
+    search: &Search<'_>,
+    noise: &NoiseModel,
+    directions: &[Direction],
+    part: &Part,
+    first: Option<&[usize]>,
+) -> Option<(Verdict, Vec<usize>, Vec<f64>)> {
+    let runs = search.problem.runs();
+    let source = |row: usize| first.map_or(row, |f| f[row]);
+    let keep: Vec<bool> =
+        (0..search.problem.response.len()).map(|row| !part.rows.iter().any(|r| r.contains(&source(row)))).collect();
+    let whitener = noise.whitener(&runs, Some(&keep));
+    let loose = noise.scaled(LOOSE).whitener(&runs, Some(&keep));
+    let lack_of_fit = LackOfFitTests::new(directions, &whitener, kept(&runs, &keep), noise.uncertainty);
+    let fewer = Search { whitener: &whitener, loose: &loose, library: search.library.clone(), ..*search };
+    let examined = examine(&fewer, &lack_of_fit).ok()?;
+    let model = &examined.selection.models[examined.decision.model];
+    Some((examined.decision.verdict, model.effects.clone(), model.fit.z.clone()))
+}
+
+/// The stretches of runs that are kept: the tests look for what lasts inside of each.
+fn kept(runs: &[Range<usize>], keep: &[bool]) -> Vec<Range<usize>> {
+    let of_run = |run: &Range<usize>| {
+        let alike = keep[run.clone()].chunk_by(|a, b| a == b).scan(run.start, |from, chunk| {
+            let rows = *from..*from + chunk.len();
+            *from = rows.end;
+            Some((chunk[0], rows))
+        });
+        alike.filter_map(|(kept, rows)| kept.then_some(rows)).collect::<Vec<_>>()
+    };
+    runs.iter().flat_map(of_run).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stretches_end_with_their_run_and_where_a_part_is_left_out() {
+        let keep: Vec<bool> = (0..12).map(|row| !(2..5).contains(&row) && !(8..10).contains(&row)).collect();
+        assert_eq!(kept(&[0..6, 6..10, 10..12], &keep), [0..2, 5..6, 6..8, 10..12]);
+    }
+}

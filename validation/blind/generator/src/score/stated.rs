@@ -22,18 +22,18 @@ const SENSOR: [[&str; 3]; 9] = [
     ["stray_capacitance", "stray", "c_stray"],
 ];
 
-/// Effect, number as stated, as concealed (here or in a shared truth), its power, factor to the stated unit.
-type Alike = (&'static str, &'static str, &'static [&'static str], i32, f64);
+/// Effect, number as stated, its power, and as concealed, here or in a shared truth, each with its factor to what is stated.
+type Alike = (&'static str, &'static str, i32, &'static [(&'static str, f64)]);
 
-/// Numbers of effects that mean the same on both sides, for all that the laws differ.
+/// Numbers of effects that mean the same on both sides, for all that the laws differ. A shared truth counts how early the reading is.
 const ALIKE: [Alike; 7] = [
-    ("readout_lag", "tau", &["delay_s", "tau"], 1, 1.0),
-    ("time_offset", "late", &["response_late_s", "s"], 1, 1.0),
-    ("trapped_air_stiffness", "tau", &["leak_time_s", "tau"], 1, 1.0),
-    ("eccentric_load", "arm_squared", &["offset_over_radius"], 2, 1.0),
-    ("parasitic_capacitance", "stray", &["capacitance_pf"], 1, 1.0),
-    ("gain_drift", "per_kelvin", &["per_kelvin"], 1, 1.0),
-    ("electrode_warp", "factor", &["share_of_free_curvature"], 1, 1.0),
+    ("readout_lag", "tau", 1, &[("delay_s", 1.0), ("tau", 1.0)]),
+    ("time_offset", "late", 1, &[("response_late_s", 1.0), ("s", -1.0)]),
+    ("trapped_air_stiffness", "tau", 1, &[("leak_time_s", 1.0), ("tau", 1.0)]),
+    ("eccentric_load", "arm_squared", 2, &[("offset_over_radius", 1.0)]),
+    ("parasitic_capacitance", "stray", 1, &[("capacitance_pf", 1.0)]),
+    ("gain_drift", "per_kelvin", 1, &[("per_kelvin", 1.0)]),
+    ("electrode_warp", "factor", 1, &[("share_of_free_curvature", 1.0)]),
 ];
 
 /// Numbers by name: of the sensor, and `effect.number` of effects, in the units and under the names that a diagnosis states.
@@ -46,9 +46,9 @@ pub fn drawn(sensor: &Value, parameters: &Value) -> Drawn {
         let value = sensor[here].as_f64().or_else(|| sensor[shared].as_f64())?;
         Some(((*stated).to_owned(), pf(stated, value)))
     });
-    let of_effects = ALIKE.iter().filter_map(|(effect, stated, concealed, power, factor)| {
-        let value = concealed.iter().find_map(|name| parameters[effect][name].as_f64())?;
-        Some((format!("{effect}.{stated}"), value.powi(*power) * factor))
+    let of_effects = ALIKE.iter().filter_map(|(effect, stated, power, concealed)| {
+        let value = concealed.iter().find_map(|(name, factor)| Some(factor * parameters[effect][name].as_f64()?))?;
+        Some((format!("{effect}.{stated}"), value.powi(*power)))
     });
     own.chain(of_effects).collect()
 }

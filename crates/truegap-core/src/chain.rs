@@ -109,6 +109,13 @@ pub trait Stage: Send + Sync {
     }
     /// Load path: turns recorded load into load on the dielectric, in units of `full_load`.
     fn load(&self, inputs: &Inputs, load: &mut [f64]) {}
+    /// Whether [`Stage::feedback`] acts.
+    fn feeds_back(&self) -> bool {
+        false
+    }
+    /// Load that the model's own response takes from what acts on it or adds to it, in units of `full_load`: for base models that say
+    /// [`Simulator::feeds_back`](crate::Simulator::feeds_back).
+    fn feedback(&self, drive: &Drive<'_>, response: &[f64], load: &mut [f64]) {}
     /// Thermal path: turns the thermometer's reading into the sensor's temperature, degrees Celsius.
     fn thermal(&self, inputs: &Inputs, temperature_c: &mut [f64]) {}
     /// Beads: factor on the Young's modulus, before the strain is known.

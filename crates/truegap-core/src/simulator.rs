@@ -41,6 +41,10 @@ pub trait Simulator: Send + Sync {
     fn has_insulator(&self) -> bool {
         false
     }
+    /// Whether effects that make the load depend on the model's own response ([`Stage::feedback`]) are to be tried: it is then asked many times for one answer.
+    fn feeds_back(&self) -> bool {
+        false
+    }
     /// Whether the model predicts any movement of the response; `false` for a value that should stay as it is, which shows no gain and does not clip.
     fn moves(&self) -> bool {
         true

@@ -15,6 +15,7 @@ fn plate_for(effect: &dyn Effect) -> Plate {
         Plate::new(Some(false)),
         Plate::new(Some(true)).without_dielectric(),
         Plate::new(Some(true)).without_beads(),
+        Plate::new(Some(true)).with_feedback(),
     ];
     let inputs = recording();
     let found = plates.into_iter().find(|plate| effect.testable(&Context::new(&inputs, plate, 2.0, 0.004)).is_ok());
@@ -45,11 +46,11 @@ fn for_each(check: impl Fn(&dyn Effect, &Context<'_>, &Plate)) {
 fn the_library_holds_every_id_of_the_contract_once() {
     let mut ids: Vec<&str> = library().iter().map(|effect| effect.id().0).collect();
     // 24 of the contract, `temperature_coefficient` for base models that have no place for temperature, `clock_rate`, and three that finite elements have
-    // computed; then coefficient and friction of two drivers, relaxation and lag of a reading, and a change of regime
-    assert_eq!(ids.len(), 36);
+    // computed; then coefficient and friction of two drivers, relaxation and lag of a reading, a change of regime, and a spring inside a simulator
+    assert_eq!(ids.len(), 37);
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 36);
+    assert_eq!(ids.len(), 37);
     let foreseen: Vec<&str> = library().iter().filter(|e| e.foreseen()).map(|e| e.id().0).collect();
     assert_eq!(foreseen, ["bonded_layers", "held_warp", "rim_field"]);
     assert!(ids.contains(&"temperature_coefficient"));
@@ -161,11 +162,14 @@ impl Columns {
         stage.dielectric(&drive, &mut factors);
         let (aspect, mut extra) = (vec![0.02; rows], vec![0.0; rows]);
         stage.field(&drive, &FieldView { aspect: &aspect, strain: &self.strain, plates: &self.value }, &mut extra);
+        let mut fed_back = self.load.clone();
+        stage.feedback(&drive, &self.value, &mut fed_back);
         let mut value = self.value.clone();
         stage.readout(&drive, &Readout { zero: 210.0, span: 5.0 / 3.0 }, &mut value);
         vec![
             (StageName::Inputs, vec![stage.late_s(0.0), stage.late_s(100.0)]),
             (StageName::LoadPath, load),
+            (StageName::LoadPath, fed_back),
             (StageName::ThermalPath, sensor),
             (StageName::Beads, modulus),
             (StageName::Beads, strain),
@@ -231,7 +235,11 @@ fn memory_does_not_depend_on_how_finely_time_is_divided() {
     let (finer, kept) = divided(&coarse.inputs);
     let fine = Columns::new(finer);
     for_each(|effect, context, _| {
-        for values in points(effect, context, 1.0) {
+        // what counts rows belongs to the steps of a simulator, which takes one a row
+        let rows: Vec<usize> =
+            effect.parameters(context).iter().enumerate().filter(|(_, p)| p.unit == "rows").map(|(k, _)| k).collect();
+        for mut values in points(effect, context, 1.0) {
+            rows.iter().for_each(|k| values[*k] = 0.0);
             let stage = effect.with(&values, context);
             for ((_, a), (_, b)) in coarse.after(stage.as_ref()).iter().zip(fine.after(stage.as_ref())) {
                 if a.len() < kept.len() {

@@ -402,6 +402,7 @@ fn a_black_box_is_asked_with_what_arrives() {
     let asked = Asked {
         who: Who::Function { name: "spring".into() },
         parameters: vec![Parameter::normal("k", "V/N", 2.0, 0.3, "stiffness")],
+        inside: false,
     };
     let options = BaseOptions { asked: Some(asked), ..BaseOptions::default() };
     let recorded = Recorded { inputs: &inputs, response: &[20.0, 19.0, 30.0], unit: "V" };

@@ -2,9 +2,9 @@
 
 Made here, so that the truth is known: m x'' + c x' + k x + k3 x^3 = F. What comes out, and what it is worth:
 
-1. With the linear simulator the diagnosis answers `wrong_form`: the names of the library (stiffening among them) act on the load before the simulator or on
-   the reading after it, and a cubic term *inside* an equation of motion is neither. The second recording does not bear them out.
-2. With the cubic term as one more parameter the same diagnosis agrees, finds its size, and predicts the second recording to its noise.
+1. With the linear simulator the diagnosis finds that a spring inside of it stiffens, and how much: the simulator is asked again with the load that such a spring
+   leaves, until load and response are at one. The second recording, which took no part, confirms it.
+2. With the cubic term as one more parameter of the simulator the same diagnosis agrees, finds the same size, and predicts the second recording to its noise.
 
 Run it: python stiffening_spring.py [FOLDER]
 """

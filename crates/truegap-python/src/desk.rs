@@ -89,7 +89,7 @@ impl PythonFunction {
         let parameters = parameters.iter().map(one).collect::<PyResult<Vec<Parameter>>>()?;
         let names = parameters.iter().map(|p| p.name.clone()).collect();
         let desk = Arc::new(Desk::default());
-        let asked = Asked { who: Who::Function { name }, parameters };
+        let asked = Asked { who: Who::Function { name }, parameters, inside: true };
         let responder = Arc::new(Remembered::new(Box::new(AtDesk(desk.clone()))));
         Ok(Self { call, names, desk, programs: Programs::with_function(Function { asked, responder }) })
     }

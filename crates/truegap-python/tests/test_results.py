@@ -21,13 +21,15 @@ def shaken():
     return stiffening_spring.main()
 
 
-def test_a_cubic_spring_is_not_in_the_library_and_no_name_is_stated_for_it(shaken):
+def test_a_cubic_spring_inside_the_simulator_is_found_and_confirmed_on_the_other_recording(shaken):
     before, confirmation, _ = shaken
-    fit = before.document["fit"]["in_sample"]
+    fit = before.document["fit"]["held_out"]
     assert fit["rmse_before"] > 3 * stiffening_spring.NOISE, "the recording shows what is missing"
-    # static stiffening of the load is part of it, and leaves some; what acts inside the equation of motion is not explained
-    assert before.verdict in ("wrong_form", "unexplained") and fit["rmse_after"] > stiffening_spring.NOISE
-    assert confirmation.verdict != "confirmed"
+    assert before.verdict == "explained" and [f.effect for f in before.findings] == ["inner_stiffening"], before.says
+    cubic = before.findings[0].parameters[0]
+    assert abs(cubic.value - stiffening_spring.K3) < 4 * cubic.sd and cubic.sd < 0.1 * stiffening_spring.K3, str(cubic)
+    assert fit["rmse_after"] < 1.2 * stiffening_spring.NOISE
+    assert confirmation.verdict == "confirmed", confirmation.says
 
 
 def test_the_simulator_with_the_cubic_term_agrees_and_predicts_the_other_recording(shaken):

@@ -23,7 +23,8 @@ use truegap_model::{
 };
 
 /// Keys that may stand under `[base]` beside model, sensor and warp.
-const KEYS: [&str; 10] = ["series", "driver", "order", "table", "free", "gain", "offset", "run", "parameters", "timeout"];
+const KEYS: [&str; 11] =
+    ["series", "driver", "order", "table", "free", "gain", "offset", "run", "parameters", "timeout", "inside"];
 /// Words for a driver.
 const DRIVER_WORDS: &str = "\"force\", \"pressure\", \"gap\", \"temperature\", \"humidity\", \"time\" or a name under [drivers]";
 

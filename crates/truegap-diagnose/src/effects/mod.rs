@@ -27,6 +27,7 @@ mod fringing_field;
 mod gain_drift;
 mod held_warp;
 mod humidity_uptake;
+mod inner_stiffening;
 mod load_cell_error;
 mod mullins_softening;
 mod offset_drift;
@@ -58,6 +59,7 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(load_cell_error::LoadCellError),
         Box::new(contact_toe_in::ContactToeIn),
         Box::new(eccentric_load::EccentricLoad),
+        Box::new(inner_stiffening::InnerStiffening),
         Box::new(thermal_lag::ThermalLag),
         Box::new(trapped_air_stiffness::TrappedAirStiffness),
         Box::new(rate_independent_hysteresis::RateIndependentHysteresis),

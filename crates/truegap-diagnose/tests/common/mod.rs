@@ -16,6 +16,7 @@ pub struct Plate {
     warps: Option<bool>,
     no_dielectric: bool,
     no_beads: bool,
+    feeds_back: bool,
     parameters: Vec<Parameter>,
     corrections: Arc<Corrections>,
 }
@@ -55,13 +56,19 @@ impl Plate {
             Parameter::normal("gain", "pF", 10.0, 1.0, "capacitance of the unloaded plates"),
             Parameter::log_normal("modulus", "full loads", 6.0, 0.3, "load that would close the gap"),
         ];
-        Self { warps, no_dielectric: false, no_beads: false, parameters, corrections: Arc::new(corrections()) }
+        Self { warps, no_dielectric: false, no_beads: false, feeds_back: false, parameters, corrections: Arc::new(corrections()) }
     }
 
     /// The same plate as a base model that has no place for permittivity.
     #[allow(dead_code)]
     pub fn without_dielectric(self) -> Self {
         Self { no_dielectric: true, ..self }
+    }
+
+    /// The same plate as a base model whose load may depend on its own response.
+    #[allow(dead_code)]
+    pub fn with_feedback(self) -> Self {
+        Self { feeds_back: true, ..self }
     }
 
     /// The same plate as a base model that has no place for memory of its own.
@@ -72,6 +79,42 @@ impl Plate {
 
     pub fn centre(&self) -> Vec<f64> {
         self.parameters.iter().map(Parameter::centre).collect()
+    }
+
+    /// The response where this load and temperature have arrived.
+    fn with_load(
+        &self,
+        values: &[f64],
+        inputs: &Inputs,
+        stages: &[&dyn Stage],
+        load: &[f64],
+        temperature_c: &[f64],
+    ) -> Result<Vec<f64>, SimulationError> {
+        let rows = inputs.len();
+        let drive = Drive { inputs, load, temperature_c, reference_c: 20.0, full_load: 4.5 };
+        let mut modulus: Vec<f64> = temperature_c.iter().map(|t| values[1] * (1.0 - 0.007 * (t - 20.0))).collect();
+        stages.iter().for_each(|s| s.modulus(&drive, &mut modulus));
+        let curve = stages.iter().map(|s| s.stiffening()).fold([0.0; 2], |sum, s| [sum[0] + s[0], sum[1] + s[1]]);
+        let mut strains: Vec<f64> = (0..rows).map(|row| strain(load[row], modulus[row], curve)).collect();
+        stages.iter().for_each(|s| s.strain(&drive, &mut strains));
+        let mut geometry = flat(&strains, temperature_c, f64::from(u8::from(self.warps == Some(true))));
+        stages.iter().for_each(|s| s.geometry(&drive, &mut geometry));
+        let mut factors = Dielectric { beads: vec![1.0; rows], insulator: vec![1.0; rows] };
+        stages.iter().for_each(|s| s.dielectric(&drive, &mut factors));
+        let (plates, aspect): (Vec<f64>, Vec<f64>) =
+            (0..rows).map(|row| self.row(values[0], &geometry, &factors, row)).map(|(plates, gap)| (plates, 0.024 * gap)).unzip();
+        let mut value: Vec<f64> = plates.iter().zip(&factors.insulator).map(|(p, i)| p + 200.0 * i).collect();
+        let mut extra = vec![0.0; rows];
+        stages
+            .iter()
+            .for_each(|s| s.field(&drive, &FieldView { aspect: &aspect, strain: &strains, plates: &plates }, &mut extra));
+        value.iter_mut().zip(&extra).for_each(|(value, extra)| *value += extra);
+        let span = values[0] / (1.0 - 1.0 / values[1]) - values[0];
+        stages.iter().for_each(|s| s.readout(&drive, &Readout { zero: values[0] + 200.0, span }, &mut value));
+        match value.iter().position(|v| !v.is_finite()) {
+            Some(row) => Err(SimulationError::NotFinite { row, value: value[row], parameters: values.to_vec() }),
+            None => Ok(value),
+        }
     }
 
     fn row(&self, gain: f64, geometry: &Geometry<'_>, factors: &Dielectric, row: usize) -> (f64, f64) {
@@ -124,6 +167,9 @@ impl Simulator for Plate {
     fn warps(&self) -> Option<bool> {
         self.warps
     }
+    fn feeds_back(&self) -> bool {
+        self.feeds_back
+    }
     fn has_insulator(&self) -> bool {
         true
     }
@@ -143,30 +189,17 @@ impl Simulator for Plate {
         stages.iter().for_each(|s| s.load(inputs, &mut load));
         let mut temperature_c = inputs.temperature_c.clone().unwrap_or_else(|| vec![20.0; rows]);
         stages.iter().for_each(|s| s.thermal(inputs, &mut temperature_c));
-        let drive = Drive { inputs, load: &load, temperature_c: &temperature_c, reference_c: 20.0, full_load: 4.5 };
-        let mut modulus: Vec<f64> = temperature_c.iter().map(|t| values[1] * (1.0 - 0.007 * (t - 20.0))).collect();
-        stages.iter().for_each(|s| s.modulus(&drive, &mut modulus));
-        let curve = stages.iter().map(|s| s.stiffening()).fold([0.0; 2], |sum, s| [sum[0] + s[0], sum[1] + s[1]]);
-        let mut strains: Vec<f64> = (0..rows).map(|row| strain(load[row], modulus[row], curve)).collect();
-        stages.iter().for_each(|s| s.strain(&drive, &mut strains));
-        let mut geometry = flat(&strains, &temperature_c, f64::from(u8::from(self.warps == Some(true))));
-        stages.iter().for_each(|s| s.geometry(&drive, &mut geometry));
-        let mut factors = Dielectric { beads: vec![1.0; rows], insulator: vec![1.0; rows] };
-        stages.iter().for_each(|s| s.dielectric(&drive, &mut factors));
-        let (plates, aspect): (Vec<f64>, Vec<f64>) =
-            (0..rows).map(|row| self.row(values[0], &geometry, &factors, row)).map(|(plates, gap)| (plates, 0.024 * gap)).unzip();
-        let mut value: Vec<f64> = plates.iter().zip(&factors.insulator).map(|(p, i)| p + 200.0 * i).collect();
-        let mut extra = vec![0.0; rows];
-        stages
-            .iter()
-            .for_each(|s| s.field(&drive, &FieldView { aspect: &aspect, strain: &strains, plates: &plates }, &mut extra));
-        value.iter_mut().zip(&extra).for_each(|(value, extra)| *value += extra);
-        let span = values[0] / (1.0 - 1.0 / values[1]) - values[0];
-        stages.iter().for_each(|s| s.readout(&drive, &Readout { zero: values[0] + 200.0, span }, &mut value));
-        match value.iter().position(|v| !v.is_finite()) {
-            Some(row) => Err(SimulationError::NotFinite { row, value: value[row], parameters: values.to_vec() }),
-            None => Ok(value),
+        let acting = load.clone();
+        let mut value = self.with_load(values, inputs, stages, &load, &temperature_c)?;
+        // repetition in short steps: a plate has no resonance, but may answer strongly
+        for _ in 0..if stages.iter().any(|s| s.feeds_back()) { 400 } else { 0 } {
+            let mut asked = acting.clone();
+            let drive = Drive { inputs, load: &acting, temperature_c: &temperature_c, reference_c: 20.0, full_load: 4.5 };
+            stages.iter().for_each(|s| s.feedback(&drive, &value, &mut asked));
+            load.iter_mut().zip(&asked).for_each(|(load, asked)| *load += 0.1 * (asked - *load));
+            value = self.with_load(values, inputs, stages, &load, &temperature_c)?;
         }
+        Ok(value)
     }
 }
 

@@ -1,9 +1,10 @@
 //! Somebody else's simulator that can be asked again: a function or a program that answers inputs and parameters with a response.
 //!
-//! Limits: omitted physics acts on what goes in (clock, load, temperature) and on what comes out (readout); what is inside cannot be changed. Deformation is
-//! taken in proportion to the load, as in a table.
+//! Limits: omitted physics acts on what goes in (clock, load, temperature), on what comes out (readout), and on the load by what comes out ([`super::fed_back`]); what is
+//! inside cannot be changed otherwise. Deformation is taken in proportion to the load, as in a table.
 
 use super::driver::{Driver, deformation};
+use super::fed_back::fed_back;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use truegap_core::{Drive, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, StageName, walk_without_plates};
@@ -29,6 +30,9 @@ pub struct BlackBoxFacts {
     pub load: Option<Driver>,
     /// numbers that calibration may adjust
     pub parameters: Vec<Parameter>,
+    /// whether it may be asked so often that physics inside of it is looked for
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub inside: bool,
 }
 
 /// Response of a [`Responder`].
@@ -94,13 +98,24 @@ impl Simulator for BlackBox {
         self.facts.load.map(|load| load.width)
     }
 
+    fn feeds_back(&self) -> bool {
+        self.facts.inside && self.facts.load.is_some()
+    }
+
     fn reference_c(&self) -> f64 {
         self.facts.reference_c
     }
 
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         walk_without_plates(self, values, inputs, stages, |drive| {
-            let value = self.responder.respond(values, &self.arrived(drive, stages)?)?;
+            let asked = |load: &[f64]| self.responder.respond(values, &self.arrived(&Drive { load, ..*drive }, stages)?);
+            let value = if self.facts.load.is_some() && stages.iter().any(|stage| stage.feeds_back()) {
+                let feedback =
+                    |response: &[f64], load: &mut [f64]| stages.iter().for_each(|stage| stage.feedback(drive, response, load));
+                fed_back(drive.load, feedback, asked)?
+            } else {
+                asked(drive.load)?
+            };
             let low = value.iter().copied().fold(f64::INFINITY, f64::min);
             let high = value.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             Ok((value, Readout { zero: low, span: high - low }))

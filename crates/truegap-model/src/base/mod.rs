@@ -6,6 +6,7 @@ mod black_box;
 mod constant;
 mod driver;
 mod external;
+mod fed_back;
 mod gap_plate;
 mod grid;
 mod linear;

@@ -33,6 +33,8 @@ pub struct Asked {
     pub who: Who,
     /// its parameters, with what is known of them
     pub parameters: Vec<Parameter>,
+    /// whether it may be asked so often that physics inside of it is looked for
+    pub inside: bool,
 }
 
 /// Who answers.

@@ -312,9 +312,9 @@ pub fn base_model(
 }
 
 fn asked(asked: Option<Asked>, recorded: Recorded<'_>, reference_c: f64, model: &'static str) -> Result<BaseModel, BaseError> {
-    let Asked { who, parameters } = asked.ok_or(BaseError::NobodyToAsk { model })?;
+    let Asked { who, parameters, inside } = asked.ok_or(BaseError::NobodyToAsk { model })?;
     let load = [Role::Force, Role::Pressure].into_iter().find_map(|role| Driver::of(recorded.inputs, role));
-    let simulator = BlackBoxFacts { unit: recorded.unit.to_owned(), parameters, load, reference_c };
+    let simulator = BlackBoxFacts { unit: recorded.unit.to_owned(), parameters, load, reference_c, inside };
     Ok(match who {
         Who::Command { run, folder, timeout_s } => BaseModel::Command { run, folder, timeout_s, simulator },
         Who::Function { name } => BaseModel::Function { name, simulator },

@@ -28,8 +28,12 @@ pub(super) fn command(base: &toml::Table, folder: &Path) -> Result<Option<Asked>
             seconds.ok_or(("timeout", "a time, as in timeout = \"60 s\"".to_owned()))?
         }
     };
+    let inside = match base.get("inside") {
+        None => false,
+        Some(value) => value.as_bool().ok_or(("inside", "true or false".to_owned()))?,
+    };
     let parameters = base.get("parameters").map_or(Ok(Vec::new()), parameters)?;
-    Ok(Some(Asked { who: Who::Command { run, folder: folder.to_owned(), timeout_s }, parameters }))
+    Ok(Some(Asked { who: Who::Command { run, folder: folder.to_owned(), timeout_s }, parameters, inside }))
 }
 
 fn parameters(value: &toml::Value) -> Result<Vec<Parameter>, (&'static str, String)> {
@@ -91,10 +95,12 @@ mod tests {
 
     #[test]
     fn a_program_is_read_with_its_parameters() {
-        let asked =
-            read("run = ['./sim', '-q']\ntimeout = '2 min'\n[parameters]\nk = { value = 2, sd = 0.3, unit = 'N/mm', low = 0 }\n");
+        let asked = read(
+            "run = ['./sim', '-q']\ntimeout = '2 min'\ninside = true\n[parameters]\nk = { value = 2, sd = 0.3, unit = 'N/mm', low = 0 }\n",
+        );
         let asked = asked.unwrap().unwrap();
         let run = vec!["./sim".to_owned(), "-q".to_owned()];
+        assert!(asked.inside);
         assert_eq!(asked.who, Who::Command { run, folder: "bench".into(), timeout_s: 120.0 });
         let k = &asked.parameters[0];
         assert_eq!(
@@ -109,6 +115,7 @@ mod tests {
         let fails = |text: &str| read(text).unwrap_err();
         assert_eq!(fails("run = 'sim'").0, "run");
         assert_eq!(fails("run = ['sim']\ntimeout = 5").0, "timeout");
+        assert_eq!(fails("run = ['sim']\ninside = 1").0, "inside");
         let why = |inner: &str| fails(&format!("run = ['sim']\nparameters = {{ k = {inner} }}")).1;
         assert!(why("2.0").contains("`k` is no table"));
         assert!(why("{ value = 1.0 }").contains("no sd"));

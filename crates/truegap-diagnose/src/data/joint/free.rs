@@ -102,6 +102,10 @@ impl Simulator for Freed<'_> {
         self.inner.has_insulator()
     }
 
+    fn feeds_back(&self) -> bool {
+        self.inner.feeds_back()
+    }
+
     fn moves(&self) -> bool {
         self.inner.moves()
     }

@@ -191,6 +191,10 @@ impl Simulator for Joint<'_> {
         self.parts.iter().any(|part| part.model.has_insulator())
     }
 
+    fn feeds_back(&self) -> bool {
+        self.parts.iter().all(|part| part.model.feeds_back())
+    }
+
     fn moves(&self) -> bool {
         self.parts.iter().any(|part| part.model.moves())
     }

@@ -5,7 +5,7 @@
 use crate::{csv, error::TablesError, front, real::Real, sources, speed, study, worded};
 use std::path::Path;
 
-/// Names that may stand in a mark, beside `csv PATH`, `mechanisms PATH` and `mechanism-counts PATH`.
+/// Names that may stand in a mark, beside `csv PATH`, `mechanisms PATH`, `mechanism-counts PATH` and `coverage PATH`.
 pub(crate) const NAMES: [&str; 8] = ["front", "study", "study-size", "study-causes", "real", "speed", "crates", "stages"];
 
 /// The text of a table; `line` is that of its mark, for messages.
@@ -20,7 +20,10 @@ pub(crate) fn table(root: &Path, name: &str, line: usize) -> Result<String, Tabl
         return Ok(worded::one_by_one(&root.join(path))?.text());
     }
     if let Some(path) = name.strip_prefix("mechanism-counts ") {
-        return Ok(worded::counts(&root.join(path))?.text());
+        return Ok(worded::counts(&root.join(path), &worded::OF_MECHANISMS)?.text());
+    }
+    if let Some(path) = name.strip_prefix("coverage ") {
+        return Ok(worded::counts(&root.join(path), &worded::OF_NUMBERS)?.text());
     }
     let table = match name {
         "front" => front::table(root)?,

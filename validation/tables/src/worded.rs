@@ -62,12 +62,16 @@ fn read(path: &Path) -> Result<Score, TablesError> {
     serde_json::from_str(&text).map_err(|source| TablesError::Json { path: path.to_owned(), source })
 }
 
-/// Rows of a score that are about mechanisms and what lies beside them: all that stand behind the general ones.
-pub(crate) fn counts(path: &Path) -> Result<Markdown, TablesError> {
+/// Begin of the rows of a score that are about mechanisms and what lies beside them.
+pub(crate) const OF_MECHANISMS: [&str; 6] = ["mechanisms", "words of", "nulls with", "single causes:", "pairs:", "triples:"];
+
+/// Begin of the rows of a score that say how often stated intervals cover.
+pub(crate) const OF_NUMBERS: [&str; 1] = ["numbers of"];
+
+/// Rows of a score that begin with one of these.
+pub(crate) fn counts(path: &Path, begin: &[&str]) -> Result<Markdown, TablesError> {
     let mut table = Markdown::new(&["question", "wanted", "result", "95 % interval", "met"]);
-    let ours = |row: &&Target| {
-        ["mechanisms", "nulls with", "single causes:", "pairs:", "triples:"].iter().any(|s| row.says.starts_with(s))
-    };
+    let ours = |row: &&Target| begin.iter().any(|s| row.says.starts_with(s));
     for row in read(path)?.targets.iter().filter(ours) {
         let value = row.value.map_or("-".to_owned(), |value| format!("{} %", whole_percent(value)));
         let result = row.hits.map_or(format!("{value} (of {})", row.of), |hits| format!("{hits} of {} ({value})", row.of));
@@ -146,7 +150,7 @@ mod tests {
         assert_eq!(rows.len(), 2);
         assert_eq!((rows[0][0].as_str(), rows[0][8].as_str()), ("`latch`", "dead_gap"));
         assert_eq!((rows[1][4].as_str(), rows[1][7].as_str(), rows[1][8].as_str()), ("time", "98 %", ""));
-        let counts = counts(&path).unwrap().rows;
+        let counts = counts(&path, &OF_MECHANISMS).unwrap().rows;
         assert_eq!(counts, [["mechanisms: driver right", ">= 0.8", "1 of 2 (50 %)", "10 to 90 %", "**no**"]]);
     }
 }

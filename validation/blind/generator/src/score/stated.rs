@@ -25,14 +25,13 @@ const SENSOR: [[&str; 3]; 9] = [
 /// Effect, number as stated, its power, and as concealed, here or in a shared truth, each with its factor to what is stated.
 type Alike = (&'static str, &'static str, i32, &'static [(&'static str, f64)]);
 
-/// Numbers of effects that mean the same on both sides, for all that the laws differ. A shared truth counts how early the reading is.
-const ALIKE: [Alike; 7] = [
+/// Numbers of effects that mean the same on both sides, for all that the laws differ. Truths count how late the reading is, the tool how late the load.
+const ALIKE: [Alike; 6] = [
     ("readout_lag", "tau", 1, &[("delay_s", 1.0), ("tau", 1.0)]),
-    ("time_offset", "late", 1, &[("response_late_s", 1.0), ("s", -1.0)]),
+    ("time_offset", "late", 1, &[("response_late_s", -1.0), ("s", -1.0)]),
     ("trapped_air_stiffness", "tau", 1, &[("leak_time_s", 1.0), ("tau", 1.0)]),
     ("eccentric_load", "arm_squared", 2, &[("offset_over_radius", 1.0)]),
     ("parasitic_capacitance", "stray", 1, &[("capacitance_pf", 1.0)]),
-    ("gain_drift", "per_kelvin", 1, &[("per_kelvin", 1.0)]),
     ("electrode_warp", "factor", 1, &[("share_of_free_curvature", 1.0)]),
 ];
 

@@ -55,7 +55,9 @@ pub fn headline(diagnosis: &Diagnosis) -> String {
         Verdict::WrongForm => {
             format!("Missing from the model is something like {}, but its equation is not adequate: misfit remains.", names())
         }
-        Verdict::Unexplained if diagnosis.adequacy.interference => "Something is in the reading that no sensor makes.".into(),
+        Verdict::Unexplained if diagnosis.adequacy.interference => {
+            "Something is in the reading that neither the model nor anything in the library makes.".into()
+        }
         Verdict::Unexplained => "Something real is missing from the model that nothing in the library explains.".into(),
         Verdict::Undecided => "Recording and model differ; the cause is not decided.".into(),
     }

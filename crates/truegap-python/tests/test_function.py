@@ -96,6 +96,9 @@ def test_nan_is_no_answer_at_these_values_and_no_failure(parameters):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent another way there")
 def test_ctrl_c_interrupts_a_simulator_in_the_middle_of_an_answer(parameters):
+    # whoever starts the tests in the background has SIGINT ignored, and Python then keeps it so
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
     def slow(inputs, values):
         time.sleep(30)
 

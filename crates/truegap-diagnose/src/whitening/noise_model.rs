@@ -70,7 +70,8 @@ impl NoiseModel {
     /// Standard deviation of the part of the reading's own noise that lasts: root of its mean variance over the rows; 0 where none does.
     pub fn lasting_sd(&self) -> f64 {
         let own = self.input_error.lasting.iter().filter(|lasting| lasting.of_reading);
-        own.map(|l| l.variance.iter().sum::<f64>() / l.variance.len().max(1) as f64).sum::<f64>().sqrt()
+        // the sum of nothing would be minus zero
+        own.map(|l| l.variance.iter().sum::<f64>() / l.variance.len().max(1) as f64).fold(0.0, |all, one| all + one).sqrt()
     }
 
     /// The recording that a row belongs to, where there are several.

@@ -14,11 +14,11 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 const ROWS: usize = 240;
-const DRAWS: usize = 120;
+const DRAWS: usize = 60;
 
 /// A base model whose one number takes up most of the first term: their courses differ by a third.
 fn confused() -> World {
-    let mut world = World::new(1, ROWS, &[10.0, 10.0, 10.0]);
+    let mut world = World::new(1, ROWS, &[10.0]);
     let own = course(0, ROWS).iter().zip(course(4, ROWS)).map(|(a, b)| a + 0.3 * b).collect();
     world.line = Line::with(vec![(50.0, own)]);
     world
@@ -53,11 +53,11 @@ fn covered(by: f64) -> [f64; 2] {
     held.map(|n| n as f64 / DRAWS as f64)
 }
 
-/// 120 draws: the share that an honest interval covers is 0.95 within 0.04.
+/// 60 draws: the share that an honest interval covers is 0.95 within 0.06.
 #[test]
 fn where_nothing_else_acts_a_fit_alone_covers_and_widening_costs_little() {
     let [alone, widened] = covered(0.0);
-    assert!((0.9..=0.99).contains(&alone) && widened >= alone, "{alone} {widened}");
+    assert!((0.88..1.0).contains(&alone) && widened >= alone, "{alone} {widened}");
 }
 
 /// Ten deviations off and more, where the fit alone is believed. What stands out by five noise deviations is all but known to act; by three it is an even chance that it
@@ -66,5 +66,5 @@ fn where_nothing_else_acts_a_fit_alone_covers_and_widening_costs_little() {
 fn a_number_that_a_weak_effect_has_moved_is_covered_as_far_as_the_effect_can_be_seen() {
     let [three, five] = [3.0, 5.0].map(covered);
     assert!(three[0] < 0.1 && five[0] < 0.1, "{three:?} {five:?}");
-    assert!(three[1] > 0.4 && five[1] > 0.88, "{three:?} {five:?}");
+    assert!(three[1] > 0.35 && five[1] > 0.85, "{three:?} {five:?}");
 }

@@ -6,7 +6,9 @@
 /// Family of the effect `id`, as `docs/effects.md` has it; `None` for what is in no library.
 pub fn told_family(id: &str) -> Option<&'static str> {
     Some(match id {
-        "load_cell_error" | "contact_toe_in" | "eccentric_load" | "strain_stiffening" | "bonded_layers" => "static_mechanics",
+        "load_cell_error" | "contact_toe_in" | "eccentric_load" | "inner_stiffening" | "strain_stiffening" | "bonded_layers" => {
+            "static_mechanics"
+        }
         "viscoelastic_creep"
         | "rate_independent_hysteresis"
         | "mullins_softening"

@@ -99,7 +99,7 @@ impl Effect for InnerStiffening {
         let load = context.load_span() * context.simulator.full_load().unwrap_or(1.0);
         let inputs = context.inputs;
         let load_unit = if inputs.pressure_pa.is_some() && inputs.force_n.is_none() { "Pa" } else { "N" };
-        let unit = format!("{load_unit}/{}3", context.simulator.unit());
+        let unit = format!("{load_unit}/{}³", context.simulator.unit());
         vec![
             Parameter::normal("cubic", &unit, 0.0, 0.5 * load / range.powi(3), "cubic part of the restoring force"),
             Parameter::normal(

@@ -168,7 +168,10 @@ pub fn measured(value: f64, sd: f64, unit: &str) -> String {
         return join(&format!("{} ± {}", significant(value, 6), significant(sd, 2)), &scale.unit);
     }
     let decimals = places.max(0) as usize;
-    join(&format!("{value:.decimals$} ± {sd:.decimals$}"), &scale.unit)
+    let rounded = format!("{value:.decimals$}");
+    // what rounds to nothing has no sign
+    let value = rounded.strip_prefix('-').filter(|digits| digits.chars().all(|c| c == '0' || c == '.')).unwrap_or(&rounded);
+    join(&format!("{value} ± {sd:.decimals$}"), &scale.unit)
 }
 
 /// `1.20 to 3.40 N`: both ends in the unit that fits the larger, with three significant digits of it.
@@ -285,6 +288,7 @@ mod tests {
             (0.0021, 0.0003, "pF", "2.10 ± 0.30 fF"),
             (2.341e-10, 0.0, "F", "234.1 pF"),
             (7200.0, 60.0, "s", "120.0 ± 1.0 min"),
+            (-3e-6, 0.245, "m", "0 ± 245 mm"),
             (2.0e-4, 1e-5, "1/K", "200 ± 10 ppm/K"),
             (0.25, 0.012, "1", "0.250 ± 0.012"),
             (-7.6e3, 1.1e3, "Pa/K", "-7.6 ± 1.1 kPa/K"),

@@ -17,7 +17,7 @@ use crate::{
     },
     stats::{rmse, rmse_of_both},
     validation::{
-        cross_validation::{HeldOutFit, compared, held_out, misfit_removed},
+        cross_validation::{HeldOutFit, PartError, compared, held_out, misfit_removed, part_error},
         permutation::permuted,
         selected_again::ChosenWithout,
     },
@@ -76,24 +76,22 @@ pub(crate) fn fit_facts(found: &Found<'_>, in_sample: BeforeAfter, before: &Held
 
 /// The choices made without each part, counted and with their errors.
 fn selected_again(found: &Found<'_>, chosen: &[ChosenWithout]) -> SelectedAgain {
-    let response = found.all.problem.response;
-    let squares = |rows: &[(usize, f64)]| rows.iter().map(|(row, value)| (value - response[*row]).powi(2)).sum::<f64>();
-    let error = |rows: &[(usize, f64)]| (!rows.is_empty()).then(|| (squares(rows) / rows.len() as f64).sqrt());
     let stood_behind = found.chosen().key();
     let same = chosen.iter().filter(|c| EffectSet::from(c.effects.as_slice()) == stood_behind).count();
-    let part = |c: &ChosenWithout| SelectedWithout {
-        part: c.name.clone(),
+    let error = |c: &ChosenWithout| part_error(&c.part, c.prediction.as_deref(), found.all.problem.response);
+    let errors: Vec<PartError> = chosen.iter().map(error).collect();
+    let part = |(c, error): (&ChosenWithout, &PartError)| SelectedWithout {
+        part: error.name.clone(),
         verdict: c.verdict,
         named: c.effects.iter().map(|e| found.id(*e)).collect(),
-        rmse: c.prediction.as_deref().and_then(error),
+        rmse: error.rmse(),
     };
-    let all: Vec<(usize, f64)> = chosen.iter().filter_map(|c| c.prediction.as_deref()).flatten().copied().collect();
     let what = if stood_behind.is_empty() { "nothing is named" } else { "the same is named" };
     SelectedAgain {
         says: format!("chosen again without each part of the recording, {what} {same} of {} times", chosen.len()),
         same,
-        rmse: error(&all),
-        parts: chosen.iter().map(part).collect(),
+        rmse: PartError::rmse_over(&errors),
+        parts: chosen.iter().zip(&errors).map(part).collect(),
     }
 }
 

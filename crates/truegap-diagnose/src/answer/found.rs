@@ -12,7 +12,6 @@ use crate::{
     explain::hidden_input::slow_input::{Hidden, SlowInput},
     selection::{
         candidates::{Search, Tried},
-        effect_set::EffectSet,
         posterior::Selection,
         verdict::{Decision, Verdict},
     },
@@ -57,7 +56,7 @@ pub struct Found<'a> {
     /// what is chosen without each part of the recording, where that was asked for
     pub(crate) selected_again: Option<Vec<ChosenWithout>>,
     /// standard deviations of the coordinates of the models that numbers are told of, with what is not named counted in
-    pub(crate) widened: Vec<(EffectSet, Vec<f64>)>,
+    pub(crate) widened: Vec<(&'a Tried, Vec<f64>)>,
     /// whether the search was stopped before its end
     pub interrupted: bool,
 }
@@ -81,7 +80,7 @@ impl Found<'_> {
 
     /// Standard deviations of the coordinates of a model, with what is not named counted in where that was computed.
     pub fn sd<'t>(&'t self, tried: &'t Tried) -> &'t [f64] {
-        let own = self.widened.iter().find(|(key, sd)| *key == tried.key() && sd.len() == tried.fit.sd.len());
+        let own = self.widened.iter().find(|(known, _)| known.effects == tried.effects);
         own.map_or(&tried.fit.sd, |(_, sd)| sd)
     }
 

@@ -35,18 +35,17 @@ pub(crate) fn fitted(found: &Found<'_>, tried: &Tried, range: Range<usize>) -> V
 
 /// The same for the record.
 pub(crate) fn parameters(found: &Found<'_>, tried: &Tried, range: Range<usize>) -> Vec<ParameterFacts> {
-    let alone = range.clone().map(|i| tried.fit.sd[i] / found.sd(tried)[i]);
-    let facts = |(f, alone): (FittedParameter, f64)| ParameterFacts {
+    let facts = |(f, i): (FittedParameter, usize)| ParameterFacts {
         name: f.parameter.name.clone(),
         unit: f.parameter.unit.clone(),
         prior: [f.parameter.centre(), f.parameter.sd()],
         value: f.value,
         sd: f.sd,
-        sd_of_fit: f.sd * alone,
+        sd_of_fit: f.parameter.prior.slope(tried.fit.z[i]) * tried.fit.sd[i],
         at_limit: f.at_limit,
         meaning: f.parameter.meaning,
     };
-    fitted(found, tried, range).into_iter().zip(alone).map(facts).collect()
+    fitted(found, tried, range.clone()).into_iter().zip(range).map(facts).collect()
 }
 
 /// The model that the diagnosis ends with.

@@ -38,6 +38,8 @@ pub struct Context<'a> {
     pub reference_c: f64,
     /// strain of a full load, once an effect has asked for it
     pub(crate) full_strain: OnceLock<f64>,
+    /// response where next to no load acts, once an effect has asked for it
+    pub(crate) unloaded: OnceLock<f64>,
 }
 
 fn range(column: &[f64]) -> (f64, f64) {
@@ -74,6 +76,7 @@ impl<'a> Context<'a> {
             runs: runs.len(),
             reference_c: simulator.reference_c(),
             full_strain: OnceLock::new(),
+            unloaded: OnceLock::new(),
         }
     }
 

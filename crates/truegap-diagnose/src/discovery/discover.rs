@@ -153,11 +153,11 @@ fn rival(
     temper: f64,
 ) -> Option<Rival> {
     let word = words.least_sure(SURE)?;
-    let own = word.of(&effect.sentence);
-    let differs = |sentence: &Sentence| word.of(sentence) != own;
+    let own = word.of(&effect.sentence.in_words());
+    let differs = |sentence: &Sentence| word.of(&sentence.in_words()) != own;
     let open = found.sentences.iter().enumerate().filter(|(_, s)| differs(&s.sentence) && s.beyond.is_finite());
     let (index, next) = open.max_by(|a, b| a.1.weight(temper).total_cmp(&b.1.weight(temper)))?;
-    let values = [own.clone(), word.of(&next.sentence)];
+    let values = [own.clone(), word.of(&next.sentence.in_words())];
     let known = fitted.into_iter().find(|f| f.index == index).map(|f| (f.effect, f.tried));
     let (effect, tried) = known.or_else(|| fit_of(search, from, next, effect.id))?;
     Some(Rival { word: word.name(), values, effect, tried })

@@ -2,11 +2,7 @@
 //!
 //! Limits: sentences that no recording could tell apart keep equal shares; a word is as sure as the sentences that hold it together.
 
-use crate::{
-    discovery::screen::Screened,
-    effects::composed::{mechanism::Sentence, words::InWords},
-    stats::log_sum_exp,
-};
+use crate::{discovery::screen::Screened, effects::composed::words::InWords, stats::log_sum_exp};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -51,12 +47,12 @@ impl Word {
         }
     }
 
-    /// Its value in a sentence.
-    pub fn of(self, sentence: &Sentence) -> String {
+    /// Its value.
+    pub fn of(self, said: &InWords) -> String {
         match self {
-            Self::Place => sentence.quantity.place().word().into(),
-            Self::Driver => sentence.driver.word(),
-            Self::Kinetics => sentence.kinetics.word().into(),
+            Self::Place => said.place.word().into(),
+            Self::Driver => said.driver.word(),
+            Self::Kinetics => said.kinetics.word().into(),
         }
     }
 }
@@ -74,17 +70,18 @@ pub fn marginals(sentences: &[Screened], temper: f64) -> WordProbabilities {
     let mut words = WordProbabilities::default();
     for (s, weight) in sentences.iter().zip(&weights) {
         let p = (weight - total).exp();
-        let add = |word: &mut BTreeMap<String, f64>, value: String| *word.entry(value).or_insert(0.0) += p;
-        add(&mut words.place, s.sentence.quantity.place().word().into());
-        add(&mut words.driver, s.sentence.driver.word());
-        add(&mut words.kinetics, s.sentence.kinetics.word().into());
-        add(&mut words.form, s.sentence.form.word().into());
-        add(&mut words.action, s.sentence.action.word().into());
+        words.count(&s.sentence.in_words(), p);
+        add(&mut words.form, s.sentence.form.word().into(), p);
+        add(&mut words.action, s.sentence.action.word().into(), p);
     }
     for word in [&mut words.place, &mut words.driver, &mut words.kinetics, &mut words.form, &mut words.action] {
         word.retain(|_, p| *p >= LISTED);
     }
     words
+}
+
+fn add(word: &mut BTreeMap<String, f64>, value: String, p: f64) {
+    *word.entry(value).or_insert(0.0) += p;
 }
 
 impl WordProbabilities {
@@ -94,12 +91,18 @@ impl WordProbabilities {
         let mut words = Self::default();
         let said = rivals.iter().filter_map(|(said, weight)| Some((said.as_ref()?, weight / total)));
         for (said, p) in said.filter(|(_, p)| *p >= LISTED) {
-            let add = |word: &mut BTreeMap<String, f64>, value: String| *word.entry(value).or_insert(0.0) += p;
-            add(&mut words.place, said.place.word().into());
-            add(&mut words.driver, said.driver.word());
-            add(&mut words.kinetics, said.kinetics.word().into());
+            words.count(said, p);
         }
         words
+    }
+
+    /// Adds a probability to the words that decide.
+    fn count(&mut self, said: &InWords, p: f64) {
+        for (value, word) in
+            [(Word::Place, &mut self.place), (Word::Driver, &mut self.driver), (Word::Kinetics, &mut self.kinetics)]
+        {
+            add(word, value.of(said), p);
+        }
     }
 
     /// Whether nothing is said.

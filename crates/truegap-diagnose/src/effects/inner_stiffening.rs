@@ -4,6 +4,7 @@ use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::effect::{About, Effect, Family, FittedParameter},
+    effects::scale::unloaded,
     text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Stage, simulator::StageName};
@@ -57,14 +58,6 @@ impl Stage for Levelling {
 fn range(context: &Context<'_>) -> f64 {
     let range = context.response_span.abs();
     if range > 0.0 { range } else { 1.0 }
-}
-
-/// What the simulator answers where next to no load acts; 0 where it has no answer.
-fn unloaded(context: &Context<'_>) -> f64 {
-    let Some(load) = context.simulator.load(context.inputs) else { return 0.0 };
-    let Some(least) = (0..load.len()).min_by(|a, b| load[*a].abs().total_cmp(&load[*b].abs())) else { return 0.0 };
-    let answer = context.simulator.respond(&context.simulator.centre(), &context.inputs.select(&[least]), &[]);
-    answer.ok().and_then(|answer| answer.first().copied()).unwrap_or(0.0)
 }
 
 fn spring(values: &[f64]) -> Spring {

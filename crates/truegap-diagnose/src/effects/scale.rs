@@ -1,6 +1,6 @@
-//! What effects are scaled by: the reading that one can move, where its coefficient says little to a reader, and the strain of a full load.
+//! What effects are scaled by: the reading that one can move, where its coefficient says little to a reader, the strain of a full load, and the response without load.
 //!
-//! Limits: both at the centre of the priors of the base model; the reading on a sample of the rows.
+//! Limits: all at the centre of the priors of the base model; the reading on a sample of the rows.
 
 use crate::data::context::Context;
 use std::sync::Mutex;
@@ -55,6 +55,18 @@ fn at_full_load(context: &Context<'_>) -> Option<f64> {
     context.simulator.respond(&context.simulator.centre(), &inputs, &[&seen]).ok()?;
     let seen = *seen.0.lock().ok()?;
     seen.filter(|strain| *strain > 0.0)
+}
+
+/// Response of the base model, at the centre of its priors, in the row where least load acts; 0 where no load is known or the model has no answer.
+pub(crate) fn unloaded(context: &Context<'_>) -> f64 {
+    *context.unloaded.get_or_init(|| at_least_load(context).unwrap_or(0.0))
+}
+
+fn at_least_load(context: &Context<'_>) -> Option<f64> {
+    let load = context.simulator.load(context.inputs)?;
+    let least = (0..load.len()).min_by(|a, b| load[*a].abs().total_cmp(&load[*b].abs()))?;
+    let answer = context.simulator.respond(&context.simulator.centre(), &context.inputs.select(&[least]), &[]).ok()?;
+    answer.first().copied()
 }
 
 /// Looks at the strain of the last row and changes nothing.

@@ -93,7 +93,10 @@ impl<'a> Model<'a> {
     /// # Errors
     /// Those of the simulator.
     pub fn respond(&self, z: &[f64]) -> Result<Vec<f64>, SimulationError> {
-        let stages = self.stages(z);
+        self.respond_through(&self.stages(z), z)
+    }
+
+    fn respond_through(&self, stages: &[Box<dyn Stage>], z: &[f64]) -> Result<Vec<f64>, SimulationError> {
         let borrowed: Vec<&dyn Stage> = stages.iter().map(AsRef::as_ref).collect();
         let values = self.values(&z[..self.base]);
         self.problem.simulator.respond(&values[..self.base], self.problem.inputs, &borrowed)
@@ -104,9 +107,13 @@ impl<'a> Model<'a> {
     /// # Errors
     /// Those of the simulator.
     pub fn misfit(&self, z: &[f64]) -> Result<Vec<f64>, SimulationError> {
-        let mut r = self.respond(z)?;
-        r.iter_mut().zip(self.problem.response).for_each(|(r, y)| *r = y - *r);
-        Ok(r)
+        Ok(self.left_by(self.respond(z)?))
+    }
+
+    /// Recorded less this response.
+    fn left_by(&self, mut response: Vec<f64>) -> Vec<f64> {
+        response.iter_mut().zip(self.problem.response).for_each(|(r, y)| *r = y - *r);
+        response
     }
 
     /// The same, whitened.
@@ -115,6 +122,21 @@ impl<'a> Model<'a> {
     /// Those of the simulator.
     pub fn residual(&self, z: &[f64], whitener: &Whitener) -> Result<Vec<f64>, SimulationError> {
         let mut r = self.misfit(z)?;
+        whitener.apply(&mut r);
+        Ok(r)
+    }
+
+    /// The same with other stages in place of the effects' own.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub(crate) fn residual_through(
+        &self,
+        stages: &[Box<dyn Stage>],
+        z: &[f64],
+        whitener: &Whitener,
+    ) -> Result<Vec<f64>, SimulationError> {
+        let mut r = self.left_by(self.respond_through(stages, z)?);
         whitener.apply(&mut r);
         Ok(r)
     }

@@ -84,8 +84,13 @@ pub(crate) fn conclude(
     let (decision, kept_back) = reserved(decision, selection, slow.as_ref().map(|(slow, _)| slow), told.options);
     let all = AllRows { problem: prepared.problem, first: prepared.averages.as_ref().map(|t| t.first.as_slice()) };
     let (unseen, decision, vetoed) = predicted(prepared, search, all, selection, decision);
-    let told_of = [selection.base(), &selection.models[decision.model]].into_iter().chain(composition.as_ref().map(|c| &c.tried));
-    let widened = told_of.map(|tried| (tried.key(), widened(search, selection, tried))).collect();
+    let mut told_of = vec![selection.base()];
+    for tried in [&selection.models[decision.model]].into_iter().chain(composition.as_ref().map(|c| &c.tried)) {
+        if told_of.iter().all(|known| known.effects != tried.effects) {
+            told_of.push(tried);
+        }
+    }
+    let widened = told_of.into_iter().map(|tried| (tried, widened(search, selection, tried))).collect();
     let again = told.options.select_in_folds && told.options.withheld.is_none();
     let again = again.then(|| {
         selected_again(&prepared.search(&searched, told.progress, told.stop), &prepared.searched_noise, &prepared.directions, all)

@@ -21,7 +21,7 @@ use crate::{
         tuning::UNMODELLED_PRIOR,
         verdict::Verdict,
     },
-    whitening::noise_model::NoiseModel,
+    whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
 use std::sync::atomic::Ordering;
 
@@ -46,17 +46,26 @@ pub(crate) fn slower<'a>(
     let accounts = accounts(selection, composition);
     let misfits = accounts.iter().map(|tried| misfit(prepared, tried, mechanisms)).collect::<Result<Vec<_>, _>>()?;
     let Some(least) = misfits.last() else { return Ok(None) };
-    let deviance = |noise: &NoiseModel| misfits.iter().map(|m| deviance(prepared, m, noise)).fold(f64::INFINITY, f64::min);
-    let rivals = slow_rivals(prepared.problem, least, &prepared.noise).into_iter().map(|noise| (deviance(&noise), noise));
+    let filter = |noise: &NoiseModel| noise.whitener(&prepared.problem.runs(), None);
+    let lowest = |noise: &NoiseModel| {
+        let filter = filter(noise);
+        misfits.iter().map(|m| deviance(&filter, m)).fold(f64::INFINITY, f64::min)
+    };
+    let rivals = slow_rivals(prepared.problem, least, &prepared.noise).into_iter().map(|noise| (lowest(&noise), noise));
     let Some((_, rival)) = rivals.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Ok(None) };
 
-    let taken = accounts.iter().zip(&misfits).map(|(tried, m)| evidence(prepared, tried, m) + unmodelled(selection, tried));
-    let taken = taken.fold(f64::NEG_INFINITY, f64::max);
+    let every_row = filter(&prepared.noise);
+    let of = |(tried, misfit): (&&Tried, &Vec<f64>)| {
+        evidence(prepared, tried, deviance(&every_row, misfit)) + unmodelled(selection, tried)
+    };
+    let taken = accounts.iter().zip(&misfits).map(of).fold(f64::NEG_INFINITY, f64::max);
     let slower = Prepared::new(prepared.problem, rival, told.options)?;
+    let every_row = filter(&slower.noise);
     let mut likeliest = f64::NEG_INFINITY;
     for tried in &accounts {
         let again = refitted(&slower, tried, mechanisms, told)?;
-        likeliest = likeliest.max(evidence(&slower, &again, &misfit(&slower, &again, mechanisms)?));
+        let misfit = misfit(&slower, &again, mechanisms)?;
+        likeliest = likeliest.max(evidence(&slower, &again, deviance(&every_row, &misfit)));
     }
     Ok((likeliest > taken + CLEARLY_COLOURED).then_some(slower))
 }
@@ -75,21 +84,20 @@ fn misfit(prepared: &Prepared<'_>, tried: &Tried, mechanisms: &[Discovery]) -> R
     Ok(Model::new(prepared.problem, &prepared.context, effects).misfit(&tried.fit.z)?)
 }
 
-/// Minus twice the log likelihood of what is left of every row.
-fn deviance(prepared: &Prepared<'_>, misfit: &[f64], noise: &NoiseModel) -> f64 {
-    let whitener = noise.whitener(&prepared.problem.runs(), None);
+/// Minus twice the log likelihood of what is left of every row, under the noise of this filter.
+fn deviance(every_row: &Whitener, misfit: &[f64]) -> f64 {
     let mut column = misfit.to_vec();
-    whitener.apply(&mut column);
-    whitener.deviance(&column)
+    every_row.apply(&mut column);
+    every_row.deviance(&column)
 }
 
-/// Log evidence and log prior of a model, by the likelihood of every row in place of that of the rows that are searched: the constant of the noise counts here. A
+/// Log evidence and log prior of a model, by the likelihood of every row (`deviance`) in place of that of the rows that are searched: the constant of the noise counts here. A
 /// mechanism composed of words is one of as many as there are sentences.
-fn evidence(prepared: &Prepared<'_>, tried: &Tried, misfit: &[f64]) -> f64 {
+fn evidence(prepared: &Prepared<'_>, tried: &Tried, deviance: f64) -> f64 {
     let library = prepared.testable.len();
     let composed = tried.effects.iter().filter(|e| **e >= library).count();
     let prior = log_prior(tried.effects.len(), library) - composed as f64 * (SENTENCES / library as f64).ln();
-    tried.fit.log_evidence + 0.5 * (tried.fit.chi2 - deviance(prepared, misfit, &prepared.noise)) + prior
+    tried.fit.log_evidence + 0.5 * (tried.fit.chi2 - deviance) + prior
 }
 
 /// What the likeliest unmodelled cause adds beside a model; 0 where it adds nothing.

@@ -234,11 +234,7 @@ impl<'a> Search<'a> {
         let from = launch.from;
         let zero = zero_size(model, model.effects.len() - 1);
         let size = if trial > 0.0 { (zero + trial).min(bounds.1) } else { (zero + trial).max(bounds.0) };
-        let mut z = from.fit.z.clone();
-        z.push(size);
-        z.extend_from_slice(shape);
-        let there = model.residual(&z, self.whitener_of(launch)).ok()?;
-        let column: Vec<f64> = from.fit.residual.iter().zip(&there).map(|(a, b)| (a - b) / (size - zero)).collect();
+        let (mut z, column) = with_one_more(model, &from.fit, size, shape, self.whitener_of(launch))?;
         let found = scores(launch.linearised, &DMatrix::from_column_slice(column.len(), 1, &column));
         let (score, variance) = (found.scores[0], found.covariance[(0, 0)]);
         let best =
@@ -281,6 +277,31 @@ struct Launch<'a> {
 struct Start {
     z: Vec<f64>,
     gain: f64,
+}
+
+/// The coordinates of `from` with the last effect of `model` behind them, in this size and shape, and the change of the whitened response for one unit of the size;
+/// `None` where the model has no answer.
+pub fn with_one_more(
+    model: &Model<'_>,
+    from: &Fit,
+    size: f64,
+    shape: &[f64],
+    whitener: &Whitener,
+) -> Option<(Vec<f64>, Vec<f64>)> {
+    let zero = zero_size(model, model.effects.len() - 1);
+    let mut z = from.z.clone();
+    z.push(size);
+    z.extend_from_slice(shape);
+    let there = model.residual(&z, whitener).ok()?;
+    let column = from.residual.iter().zip(&there).map(|(a, b)| (a - b) / (size - zero)).collect();
+    Some((z, column))
+}
+
+/// A size `step` from none, on the side that the bounds of the last effect of `model` leave open.
+pub fn small_size(model: &Model<'_>, step: f64) -> f64 {
+    let last = model.effects.len() - 1;
+    let zero = zero_size(model, last);
+    if zero + step <= model.bounds()[model.first_of(last)].1 { zero + step } else { zero - step }
 }
 
 /// Coordinate at which the size of effect `index` is 0.

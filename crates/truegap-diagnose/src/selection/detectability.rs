@@ -4,7 +4,7 @@
 
 use crate::{
     fit::optimum::Fit,
-    selection::candidates::{Search, Tried, zero_size},
+    selection::candidates::{Search, Tried, small_size, with_one_more, zero_size},
 };
 use nalgebra::{Cholesky, DMatrix, DVector};
 
@@ -35,16 +35,9 @@ pub fn left_over(fit: &Fit, others: &[usize], column: &[f64]) -> f64 {
 pub fn visible_size(search: &Search<'_>, base: &Tried, tried: &Tried, wanted: f64) -> Option<f64> {
     let model = search.model(&tried.effects);
     let first = model.first_of(0);
-    let zero = zero_size(&model, 0);
-    let bounds = model.bounds()[first];
-    let step = if zero + 0.01 <= bounds.1 { 0.01 } else { -0.01 };
-    let mut z = base.fit.z.clone();
-    z.push(zero + step);
-    z.extend_from_slice(&tried.fit.z[first + 1..]);
-    let there = model.residual(&z, search.whitener).ok()?;
-    let column: Vec<f64> = base.fit.residual.iter().zip(&there).map(|(a, b)| (a - b) / step).collect();
+    let (_, column) = with_one_more(&model, &base.fit, small_size(&model, 0.01), &tried.fit.z[first + 1..], search.whitener)?;
     let all: Vec<usize> = (0..base.fit.z.len()).collect();
     let per_unit = left_over(&base.fit, &all, &column).sqrt();
-    let size = wanted / per_unit * model.parameters[first].prior.slope(zero);
+    let size = wanted / per_unit * model.parameters[first].prior.slope(zero_size(&model, 0));
     (per_unit > 0.0 && size.is_finite()).then_some(size)
 }

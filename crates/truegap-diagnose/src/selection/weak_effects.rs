@@ -13,14 +13,13 @@
 use crate::{
     fit::{model::Model, optimum::Fit, score_test::scores},
     selection::{
-        candidates::{Search, Tried, zero_size},
+        candidates::{Search, Tried, small_size, with_one_more, zero_size},
         posterior::Selection,
         tuning::{VISIBLE_BY, WEAK},
     },
     stats::log_sum_exp,
 };
 use nalgebra::{Cholesky, DMatrix};
-use truegap_core::Stage;
 
 /// A size that is looked at, in prior standard deviations.
 const STEP: f64 = 0.02;
@@ -95,17 +94,10 @@ fn left_out_column(search: &Search<'_>, selection: &Selection, tried: &Tried, ef
         let starts = search.library[effect].starts(search.context);
         Some(parameters.iter().skip(1).zip(starts.first()?).map(|(p, v)| p.prior.z(*v)).collect())
     };
-    let shape = fitted(&with).or_else(|| fitted(&[effect])).or_else(start)?;
-    let zero = zero_size(&model, last);
-    let bounds = model.bounds()[model.first_of(last)];
-    let step = if zero + STEP <= bounds.1 { STEP } else { -STEP };
-    let mut z = tried.fit.z.clone();
-    z.push(zero + step);
-    z.extend(shape);
-    let there = model.residual(&z, search.whitener).ok()?;
-    let change = tried.fit.residual.iter().zip(&there).map(|(a, b)| (a - b) / step).collect();
+    let shape: Vec<f64> = fitted(&with).or_else(|| fitted(&[effect])).or_else(start)?;
+    let (_, change) = with_one_more(&model, &tried.fit, small_size(&model, STEP), &shape, search.whitener)?;
     // what was computed beforehand is expected at its computed size, which lies that far from 0
-    Some(Column { change, most: zero.abs().max(1.0) })
+    Some(Column { change, most: zero_size(&model, last).abs().max(1.0) })
 }
 
 /// The columns of named effects: by how much the reading changes where the equation is the sibling's.
@@ -115,11 +107,7 @@ fn of_equations(search: &Search<'_>, model: &Model<'_>, fit: &Fit) -> Vec<Column
         let sibling = model.effects[index].sibling(&values[model.range_of(index)], search.context)?;
         let mut stages = model.stages(&fit.z);
         *stages.get_mut(index)? = sibling;
-        let stages: Vec<&dyn Stage> = stages.iter().map(AsRef::as_ref).collect();
-        let problem = search.problem;
-        let mut there = problem.simulator.respond(&values[..model.base_count()], problem.inputs, &stages).ok()?;
-        there.iter_mut().zip(problem.response).for_each(|(there, y)| *there = y - *there);
-        search.whitener.apply(&mut there);
+        let there = model.residual_through(&stages, &fit.z, search.whitener).ok()?;
         Some(Column { change: fit.residual.iter().zip(&there).map(|(a, b)| a - b).collect(), most: 1.0 })
     };
     (0..model.effects.len()).filter_map(other).collect()

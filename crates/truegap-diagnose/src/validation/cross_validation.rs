@@ -58,12 +58,30 @@ pub fn compared(before: &HeldOutFit, after: &HeldOutFit) -> Option<Compared> {
     let (mut sums, mut rows, mut parts) = ([0.0; 2], 0, Vec::new());
     for (b, a) in before.parts.iter().zip(&after.parts) {
         let (Some(first), Some(second)) = (b.squares, a.squares) else { continue };
-        let rmse = |squares: f64| (squares / b.rows.max(1) as f64).sqrt();
-        parts.push((b.name.clone(), rmse(first), rmse(second)));
+        parts.push((b.name.clone(), rmse(first, b.rows), rmse(second, b.rows)));
         sums = [sums[0] + first, sums[1] + second];
         rows += b.rows;
     }
-    (rows > 0).then(|| Compared { rmse: sums.map(|sum| (sum / rows as f64).sqrt()), parts })
+    (rows > 0).then(|| Compared { rmse: sums.map(|sum| rmse(sum, rows)), parts })
+}
+
+/// Root-mean-square error of so many rows.
+fn rmse(squares: f64, rows: usize) -> f64 {
+    (squares / rows.max(1) as f64).sqrt()
+}
+
+impl PartError {
+    /// Root-mean-square error; `None` where it could not be predicted.
+    pub fn rmse(&self) -> Option<f64> {
+        self.squares.map(|squares| rmse(squares, self.rows))
+    }
+
+    /// The same over several parts, those that could be predicted; `None` where there is none.
+    pub fn rmse_over(parts: &[Self]) -> Option<f64> {
+        let predicted = parts.iter().filter_map(|part| Some((part.squares?, part.rows)));
+        let (squares, rows) = predicted.fold((0.0, 0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
+        (rows > 0).then(|| rmse(squares, rows))
+    }
 }
 
 /// How to leave out rows of these runs.
@@ -150,30 +168,32 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
     let model = Model::new(all.problem, search.context, tried.effects.iter().map(|e| search.library[*e]).collect());
     let predict = |part: &Part| model.respond(&without(search, noise, tried, part, all.first)?.z).ok();
     let predicted: Vec<Option<Vec<f64>>> = parts.par_iter().map(predict).collect();
-    let mut prediction = vec![f64::NAN; all.problem.response.len()];
-    let parts = parts.into_iter().zip(predicted).map(|(part, values)| judged(part, values, all, &mut prediction)).collect();
+    let response = all.problem.response;
+    let mut prediction = vec![f64::NAN; response.len()];
+    for (part, values) in parts.iter().zip(&predicted) {
+        let Some(values) = values else { continue };
+        part.rows.iter().for_each(|rows| prediction[rows.clone()].copy_from_slice(&values[rows.clone()]));
+    }
+    let parts = parts.iter().zip(&predicted).map(|(part, values)| part_error(part, values.as_deref(), response)).collect();
     HeldOutFit { how, prediction, parts }
 }
 
-/// The error of a part, whose rows are put into `prediction`.
-fn judged(part: Part, values: Option<Vec<f64>>, all: AllRows<'_>, prediction: &mut [f64]) -> PartError {
-    let rows = part.rows.iter().map(ExactSizeIterator::len).sum();
-    let squares = values.map(|values| {
-        let mut sum = 0.0;
-        for row in part.rows.iter().cloned().flatten() {
-            prediction[row] = values[row];
-            sum += (values[row] - all.problem.response[row]).powi(2);
-        }
-        sum
-    });
-    PartError { name: part.name, squares, rows }
+/// The error of a part, `values` the predictions of every row.
+pub(crate) fn part_error(part: &Part, values: Option<&[f64]>, response: &[f64]) -> PartError {
+    let rows = || part.rows.iter().cloned().flatten();
+    let squares = |values: &[f64]| rows().map(|row| (values[row] - response[row]).powi(2)).sum();
+    PartError { name: part.name.clone(), squares: values.map(squares), rows: rows().count() }
+}
+
+/// Which of the searched rows do not come from a part; `first` as in [`AllRows`].
+pub(crate) fn kept(part: &Part, searched: usize, first: Option<&[usize]>) -> Vec<bool> {
+    let source = |row: usize| first.map_or(row, |f| f[row]);
+    (0..searched).map(|row| !part.rows.iter().any(|r| r.contains(&source(row)))).collect()
 }
 
 /// The fit without one part.
 fn without(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, part: &Part, first: Option<&[usize]>) -> Option<Fit> {
-    let source = |row: usize| first.map_or(row, |f| f[row]);
-    let keep: Vec<bool> =
-        (0..search.problem.response.len()).map(|row| !part.rows.iter().any(|r| r.contains(&source(row)))).collect();
+    let keep = kept(part, search.problem.response.len(), first);
     let whitener = noise.whitener(&search.problem.runs(), Some(&keep));
     fit(&search.model(&tried.effects), &whitener, &tried.fit.z, &FitOptions::default()).ok()
 }

@@ -10,41 +10,40 @@ use crate::{
     adequacy::{directions::Direction, lack_of_fit::LackOfFitTests},
     fit::{model::Model, tuning::LOOSE},
     selection::{candidates::Search, examine::examine, verdict::Verdict},
-    validation::cross_validation::{AllRows, Part, parts_of},
+    validation::cross_validation::{AllRows, Part, kept, parts_of},
     whitening::noise_model::NoiseModel,
 };
 use std::{ops::Range, sync::atomic::Ordering};
 
 /// A choice made without one part of the recording.
 pub(crate) struct ChosenWithout {
-    /// the part, for a reader
-    pub name: String,
+    /// the part
+    pub part: Part,
     /// what was decided without it
     pub verdict: Verdict,
     /// indices of the effects named without it, ascending
     pub effects: Vec<usize>,
-    /// predictions of its rows; `None` where there is none
-    pub prediction: Option<Vec<(usize, f64)>>,
+    /// predictions of every row; `None` where there is none
+    pub prediction: Option<Vec<f64>>,
 }
 
-/// Chooses again without each part; `noise` is that of the rows that are searched. Ends early where it is asked to.
+/// Chooses again without each part; `noise` is that of the rows that are searched. Ends early where it is asked to, and leaves out a part without which nothing can be
+/// fitted.
 pub(crate) fn selected_again(
     search: &Search<'_>,
     noise: &NoiseModel,
     directions: &[Direction],
     all: AllRows<'_>,
 ) -> Vec<ChosenWithout> {
+    let going_on = || !search.stop.load(Ordering::Relaxed);
     let one = |part: Part| {
-        let chosen = without(search, noise, directions, &part, all.first)?;
-        let (verdict, effects, z) = chosen;
+        let (verdict, mut effects, z) = without(search, noise, directions, &part, all.first).filter(|_| going_on())?;
         let model = Model::new(all.problem, search.context, effects.iter().map(|e| search.library[*e]).collect());
-        let rows = || part.rows.iter().cloned().flatten();
-        let prediction = model.respond(&z).ok().map(|values| rows().map(|row| (row, values[row])).collect());
-        let mut effects = effects;
+        let prediction = model.respond(&z).ok();
         effects.sort_unstable();
-        Some(ChosenWithout { name: part.name.clone(), verdict, effects, prediction })
+        Some(ChosenWithout { part, verdict, effects, prediction })
     };
-    parts_of(all.problem).1.into_iter().map_while(|part| one(part).filter(|_| !search.stop.load(Ordering::Relaxed))).collect()
+    parts_of(all.problem).1.into_iter().take_while(|_| going_on()).filter_map(one).collect()
 }
 
 /// Verdict, effects and coordinates of the model stood behind without a part.
@@ -56,12 +55,10 @@ fn without(
     first: Option<&[usize]>,
 ) -> Option<(Verdict, Vec<usize>, Vec<f64>)> {
     let runs = search.problem.runs();
-    let source = |row: usize| first.map_or(row, |f| f[row]);
-    let keep: Vec<bool> =
-        (0..search.problem.response.len()).map(|row| !part.rows.iter().any(|r| r.contains(&source(row)))).collect();
+    let keep = kept(part, search.problem.response.len(), first);
     let whitener = noise.whitener(&runs, Some(&keep));
     let loose = noise.scaled(LOOSE).whitener(&runs, Some(&keep));
-    let lack_of_fit = LackOfFitTests::new(directions, &whitener, kept(&runs, &keep), noise.uncertainty);
+    let lack_of_fit = LackOfFitTests::new(directions, &whitener, stretches(&runs, &keep), noise.uncertainty);
     let fewer = Search { whitener: &whitener, loose: &loose, library: search.library.clone(), ..*search };
     let examined = examine(&fewer, &lack_of_fit).ok()?;
     let model = &examined.selection.models[examined.decision.model];
@@ -69,14 +66,10 @@ fn without(
 }
 
 /// The stretches of runs that are kept: the tests look for what lasts inside of each.
-fn kept(runs: &[Range<usize>], keep: &[bool]) -> Vec<Range<usize>> {
+fn stretches(runs: &[Range<usize>], keep: &[bool]) -> Vec<Range<usize>> {
     let of_run = |run: &Range<usize>| {
-        let alike = keep[run.clone()].chunk_by(|a, b| a == b).scan(run.start, |from, chunk| {
-            let rows = *from..*from + chunk.len();
-            *from = rows.end;
-            Some((chunk[0], rows))
-        });
-        alike.filter_map(|(kept, rows)| kept.then_some(rows)).collect::<Vec<_>>()
+        let rows: Vec<usize> = run.clone().filter(|row| keep[*row]).collect();
+        rows.chunk_by(|a, b| a + 1 == *b).map(|rows| rows[0]..rows[rows.len() - 1] + 1).collect::<Vec<_>>()
     };
     runs.iter().flat_map(of_run).collect()
 }
@@ -88,6 +81,6 @@ mod tests {
     #[test]
     fn stretches_end_with_their_run_and_where_a_part_is_left_out() {
         let keep: Vec<bool> = (0..12).map(|row| !(2..5).contains(&row) && !(8..10).contains(&row)).collect();
-        assert_eq!(kept(&[0..6, 6..10, 10..12], &keep), [0..2, 5..6, 6..8, 10..12]);
+        assert_eq!(stretches(&[0..6, 6..10, 10..12], &keep), [0..2, 5..6, 6..8, 10..12]);
     }
 }

@@ -12,15 +12,13 @@ use crate::{
     study::Study,
     swap::Swap,
 };
-use truegap_core::Sensor;
+use truegap_core::{Sensor, units::ABSOLUTE_ZERO_C};
 
 /// See the module.
 pub(super) struct LinearSoftening;
 
 /// Difference of the modulus at the hot end up to which the two laws say the same.
 const LIMIT: f64 = 0.05;
-/// Absolute zero, degrees Celsius.
-const ZERO_C: f64 = -273.15;
 
 impl Assumption for LinearSoftening {
     fn id(&self) -> &'static str {
@@ -45,7 +43,7 @@ impl Assumption for LinearSoftening {
         let (silicone, plates) = (&study.sensor.dielectric.layer.material, &study.sensor.conductor.material);
         let strain = (silicone.expansion - plates.expansion) * kelvin;
         let stiffer = heated_stiffness(&cell, strain, 0.05)?;
-        let network = 1.0 + kelvin / (study.sensor.reference_c - ZERO_C);
+        let network = 1.0 + kelvin / (study.sensor.reference_c - ABSOLUTE_ZERO_C);
         let (analytic, fem) = (1.0 + silicone.softening.value * kelvin / silicone.young.value, network * stiffer.value);
         let young = silicone.young.value;
         let swap = Swap::none().warm(move |warm| {

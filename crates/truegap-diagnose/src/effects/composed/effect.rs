@@ -142,8 +142,7 @@ impl Effect for Composed {
         self.parameters.clone()
     }
     fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
-        let Sentence { quantity, driver, kinetics, .. } = &self.sentence;
-        Some(InWords { place: quantity.place(), driver: driver.clone(), kinetics: *kinetics })
+        Some(self.sentence.in_words())
     }
     fn words(&self) -> Option<Mechanism> {
         Some(Mechanism { sentence: self.sentence.clone(), numbers: self.start })

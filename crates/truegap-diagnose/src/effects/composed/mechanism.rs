@@ -2,7 +2,7 @@
 //!
 //! Limits: one driver, one kinetics, one form; two mechanisms stand side by side.
 
-use crate::effects::composed::words::{Action, Driver, Form, Kinetics, Quantity};
+use crate::effects::composed::words::{Action, Driver, Form, InWords, Kinetics, Quantity};
 use serde::{Deserialize, Serialize};
 
 /// What adds up.
@@ -71,6 +71,11 @@ pub struct Numbers {
 }
 
 impl Sentence {
+    /// The words that decide what it is, whatever its law.
+    pub fn in_words(&self) -> InWords {
+        InWords { place: self.quantity.place(), driver: self.driver.clone(), kinetics: self.kinetics }
+    }
+
     /// A name for files: what follows what.
     pub fn name(&self) -> String {
         let driver = self.driver.word();

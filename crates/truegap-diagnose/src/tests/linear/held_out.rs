@@ -118,7 +118,7 @@ fn a_choice_made_without_a_part_does_not_see_it() {
     // the second term, at ten times its noise
     nonsense.iter_mut().zip(world.columns(&[1]).column(0).iter()).skip(60).take(30).for_each(|(y, c)| *y = 10.0 * c);
     let (seen, unseen) = (chosen(&y), chosen(&nonsense));
-    assert_eq!((&seen.name[..], &seen.effects[..]), ("run 3", &[0][..]));
+    assert_eq!((&seen.part.name[..], &seen.effects[..]), ("run 3", &[0][..]));
     assert_eq!((seen.effects, seen.prediction), (unseen.effects, unseen.prediction));
     let whole = world.search(&nonsense, |search, lack_of_fit| examine(search, lack_of_fit).unwrap().selection.best().key());
     assert!(whole.contains(&1), "{whole:?}");

@@ -3,9 +3,8 @@
 //! Limits: numbers of one recording are not independent, so that the intervals of the shares are too narrow.
 
 use super::Scored;
-use super::interval::wilson;
 use super::judge::Outcome;
-use super::targets::{Row, Target};
+use super::targets::{Row, Target, counted};
 
 /// Half width of the 95 % interval of a Gaussian, in standard deviations.
 const TWO_SIDED_95: f64 = 1.96;
@@ -25,23 +24,10 @@ pub fn rows(cases: &[Scored]) -> Vec<Row> {
                 continue;
             }
             for (level, width, target) in [("68", 1.0, Target::None), ("95", TWO_SIDED_95, Target::AtLeast(WANTED))] {
-                rows.push(row(format!("numbers of {kind} within {level} %, {answers}"), target, &off, width));
+                let hits = off.iter().filter(|off| off.abs() < width).count();
+                rows.push(counted(&format!("numbers of {kind} within {level} %, {answers}"), target, hits, off.len()));
             }
         }
     }
     rows
-}
-
-fn row(says: String, target: Target, off: &[f64], width: f64) -> Row {
-    let hits = off.iter().filter(|off| off.abs() < width).count();
-    let value = Some(hits as f64 / off.len() as f64);
-    Row {
-        says,
-        target: target.text(),
-        hits: Some(hits),
-        of: off.len(),
-        value,
-        interval: wilson(hits, off.len()),
-        met: target.met(value),
-    }
 }

@@ -47,14 +47,14 @@ pub(super) enum Target {
 }
 
 impl Target {
-    pub(super) fn text(self) -> String {
+    fn text(self) -> String {
         match self {
             Self::AtMost(limit) => format!("<= {limit}"),
             Self::AtLeast(limit) => format!(">= {limit}"),
             Self::None => String::new(),
         }
     }
-    pub(super) fn met(self, value: Option<f64>) -> Option<bool> {
+    fn met(self, value: Option<f64>) -> Option<bool> {
         match self {
             Self::AtMost(limit) => value.map(|v| v <= limit),
             Self::AtLeast(limit) => value.map(|v| v >= limit),
@@ -73,14 +73,19 @@ pub(super) fn share(
 ) -> Row {
     let chosen: Vec<&Scored> = cases.iter().filter(|case| of(case)).collect();
     let hits = chosen.iter().filter(|case| hit(case)).count();
-    let value = (!chosen.is_empty()).then(|| hits as f64 / chosen.len() as f64);
+    counted(says, target, hits, chosen.len())
+}
+
+/// The share that `hits` are of so many.
+pub(super) fn counted(says: &str, target: Target, hits: usize, of: usize) -> Row {
+    let value = (of > 0).then(|| hits as f64 / of as f64);
     Row {
         says: says.to_owned(),
         target: target.text(),
         hits: Some(hits),
-        of: chosen.len(),
+        of,
         value,
-        interval: wilson(hits, chosen.len()),
+        interval: wilson(hits, of),
         met: target.met(value),
     }
 }

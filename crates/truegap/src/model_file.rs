@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use truegap_core::sensor::{SensorError, builtin_sensors};
 use truegap_core::{Inputs, Sensor, SimulationError, Simulator};
 use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales, UnknownEffect};
-use truegap_diagnose::{Augmented, Context, Effect, Library, Outcome};
+use truegap_diagnose::{Augmented, Context, Effect, Library, Outcome, mechanism::Driver};
 use truegap_model::{BaseError, BaseModel};
 
 /// Identifier of the file format.
@@ -82,6 +82,11 @@ pub enum ModelFileError {
     /// An effect with more or fewer numbers than its equations have.
     #[error("the effect `{id}` has {expected} parameters, the model file gives {found}; list each with name, unit, value, sd")]
     ParameterCount { id: String, expected: usize, found: usize },
+    /// A column that an effect follows and the inputs do not have.
+    #[error(
+        "`{effect}` follows `{column}`, which the inputs do not have; name it under [drivers] as in the recording that the model was fitted to"
+    )]
+    MissingDriver { effect: String, column: String },
     /// An effect that the library does not have.
     #[error(transparent)]
     Effect(#[from] UnknownEffect),
@@ -112,7 +117,7 @@ impl ModelFile {
             unit: diagnosis.fit.unit.clone(),
             sensor: base.sensor().map(|name| sensor_text(name, folder)).transpose()?,
             base: base.clone(),
-            scales: augmented.scales,
+            scales: augmented.scales.clone(),
             parameters: augmented.parameters.clone(),
             base_alone: augmented.base_alone.clone(),
             effects: augmented.effects.clone(),
@@ -190,7 +195,7 @@ impl ModelFile {
             parameters: self.parameters.clone(),
             base_alone: self.base_alone.clone(),
             effects: self.effects.clone(),
-            scales: self.scales,
+            scales: self.scales.clone(),
         }
     }
 }
@@ -238,11 +243,37 @@ impl RunningModel {
     /// # Errors
     /// [`ModelFileError::Simulation`] where a row has no physical answer or a column is missing.
     pub fn respond(&self, inputs: &Inputs) -> Result<Vec<f64>, ModelFileError> {
+        let library = Library::default();
+        self.has_drivers(inputs, &library)?;
         let mut context = Context::new(inputs, self.simulator.as_ref(), 0.0, 0.0);
         self.augmented.apply_scales(&mut context);
-        let stages = self.augmented.stages(&Library::default(), &context)?;
+        let stages = self.augmented.stages(&library, &context)?;
         let stages: Vec<_> = stages.iter().map(AsRef::as_ref).collect();
         Ok(self.simulator.respond(&self.values, inputs, &stages)?)
+    }
+
+    /// `Ok` where every recorded driver that an added effect follows is among the inputs.
+    fn has_drivers(&self, inputs: &Inputs, library: &Library) -> Result<(), ModelFileError> {
+        let fitted = self.augmented.scales.moved.clone().unwrap_or_default();
+        self.as_fitted(&fitted.one_row(), |context| {
+            for added in &self.augmented.effects {
+                let driver = added.mechanism.as_ref().map(|m| m.sentence.driver.clone());
+                let in_words = || library.find(&added.id).and_then(|effect| effect.in_words(context)).map(|words| words.driver);
+                let Some(Driver::Recorded(column) | Driver::RateOf(column)) = driver.or_else(in_words) else { continue };
+                let is_driver = fitted.drivers.contains(&column);
+                if is_driver && inputs.drivers.iter().all(|driver| driver.name != column) {
+                    return Err(ModelFileError::MissingDriver { effect: added.id.clone(), column });
+                }
+            }
+            Ok(())
+        })
+    }
+
+    /// What `asked` says of the recording to which the effects were fitted, of which `row` has the drivers.
+    fn as_fitted<T>(&self, row: &Inputs, asked: impl FnOnce(&Context<'_>) -> T) -> T {
+        let mut context = Context::new(row, self.simulator.as_ref(), 0.0, 0.0);
+        self.augmented.apply_scales(&mut context);
+        asked(&context)
     }
 
     /// Whether the values are known that the base model had where it was calibrated alone.
@@ -268,13 +299,22 @@ impl RunningModel {
         bound.map(|effect| effect.id().to_string()).collect()
     }
 
-    /// The model without the added effects that belong to what recorded and not to what was recorded, such as clocks, and the ids of these.
+    /// The model for another recording, and the ids of the added effects that are left out.
+    ///
+    /// Out are effects that belong to what recorded and not to what was recorded, such as clocks; a number that says how the first recording began is 0.
     #[must_use]
-    pub fn without_recorder(mut self, library: &Library) -> (Self, Vec<String>) {
+    pub fn elsewhere(mut self, library: &Library) -> (Self, Vec<String>) {
         let of_recorder = |added: &AddedEffect| library.find(&added.id).is_some_and(Effect::of_recorder);
-        let (out, kept) = std::mem::take(&mut self.augmented.effects).into_iter().partition(of_recorder);
+        let (out, mut kept) = std::mem::take(&mut self.augmented.effects).into_iter().partition::<Vec<_>, _>(of_recorder);
+        let row = self.augmented.scales.moved.clone().unwrap_or_default().one_row();
+        self.as_fitted(&row, |context| {
+            for added in &mut kept {
+                let of_start = library.find(&added.id).map_or(&[][..], |effect| effect.of_start(context));
+                added.parameters.iter_mut().filter(|p| of_start.contains(&p.name.as_str())).for_each(|p| p.value = 0.0);
+            }
+        });
         self.augmented.effects = kept;
-        (self, out.into_iter().map(|added: AddedEffect| added.id).collect())
+        (self, out.into_iter().map(|added| added.id).collect())
     }
 
     /// The added effects that `inputs` could not show, each with the reason; `span` is the range of the response.
@@ -291,22 +331,22 @@ impl RunningModel {
 
     /// Every effect is known and has its numbers.
     fn check(&self) -> Result<(), ModelFileError> {
-        let inputs = Inputs { run: vec![1], ..Inputs::default() };
-        let mut context = Context::new(&inputs, self.simulator.as_ref(), 0.0, 0.0);
-        self.augmented.apply_scales(&mut context);
         let effects = Library::default();
-        for added in &self.augmented.effects {
-            let Some(effect) = effects.find(&added.id) else { continue };
-            let (expected, found) = (effect.parameters(&context).len(), added.parameters.len());
-            if expected != found {
-                return Err(ModelFileError::ParameterCount { id: added.id.clone(), expected, found });
+        let row = self.augmented.scales.moved.clone().unwrap_or_default().one_row();
+        self.as_fitted(&row, |context| {
+            for added in &self.augmented.effects {
+                let Some(effect) = effects.find(&added.id) else { continue };
+                let (expected, found) = (effect.parameters(context).len(), added.parameters.len());
+                if expected != found {
+                    return Err(ModelFileError::ParameterCount { id: added.id.clone(), expected, found });
+                }
             }
-        }
-        // an id that the library does not have is told with all that it has; nothing is walked here
-        let known = |added: &AddedEffect| effects.find(&added.id).is_some();
-        match self.augmented.effects.iter().all(known) {
-            true => Ok(()),
-            false => Ok(self.augmented.stages(&effects, &context).map(|_| ())?),
-        }
+            // an id that the library does not have is told with all that it has; nothing is walked here
+            let known = |added: &AddedEffect| effects.find(&added.id).is_some();
+            match self.augmented.effects.iter().all(known) {
+                true => Ok(()),
+                false => Ok(self.augmented.stages(&effects, context).map(|_| ())?),
+            }
+        })
     }
 }

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use std::path::Path;
-use truegap::core::{Inputs, Simulator, sensor::builtin_sensors};
+use truegap::core::{Driver, Inputs, Parameter, Simulator, sensor::builtin_sensors};
 use truegap::diagnose::answer::{AddedEffect, NamedValue, Scales};
 use truegap::diagnose::{Context, Effect, library};
 use truegap::model::{BaseModel, SeriesOrder, Stack, StackOptions};
@@ -66,6 +66,7 @@ fn file() -> ModelFile {
         base: BaseModel::Stack { sensor: builtin_sensors()[0].name.into(), warp: true, series: SeriesOrder::default() },
         scales: Scales {
             runs: None,
+            moved: None,
             longest_run_s: context.longest_run_s,
             shortest_step_s: 2.0,
             duration_s: context.duration_s,
@@ -130,4 +131,107 @@ fn what_does_not_fit_together_is_named() {
     assert!(changed(&|f| f.parameters.push(named("mass", "kg", 1.0))).contains("mass"));
     assert!(changed(&|f| f.sensor = None).contains("sensor"));
     assert!(read("schema = 1").is_err() && read("").is_err());
+}
+
+/// Heads of model files whose base models are no sensor stack.
+const CONSTANT: &str = r#"model = "constant"
+reference_c = 20.0
+scale = { unit = "ppm", centre = 0.0, range = 7.0, at_rest = 0.0, span = 7.0, gaps_m = [0.0, 0.0], response_times_gap = 1.0 }"#;
+const EXTERNAL: &str = r#"model = "external"
+reference_c = 20.0
+scale = { unit = "degC", centre = 25.0, range = 20.0, at_rest = 15.0, span = 20.0, gaps_m = [0.0, 0.0], response_times_gap = 1.0 }
+options = { offset = true }"#;
+
+/// A model file of this base, without effects.
+fn head(base: &str, unit: &str, parameter: &str) -> ModelFile {
+    let scales =
+        "longest_run_s = 1198.0\nshortest_step_s = 2.0\nduration_s = 1198.0\nresponse_span = 7.0\nnoise_sd = 0.01\nruns = 1";
+    let parameter = format!("name = \"{parameter}\"\nunit = \"{unit}\"\nvalue = 0.3\nsd = 0.1");
+    read(&format!(
+        "schema = \"{SCHEMA}\"\nmade_by = \"test\"\nrecording = \"a\"\nsha256 = \"b\"\nverdict = \"explained\"\nunit = \"{unit}\"\neffect = []\n\
+         [base]\n{base}\n[scales]\n{scales}\n[[parameter]]\n{parameter}\n[[base_alone]]\n{parameter}\n"
+    ))
+    .unwrap()
+}
+
+fn room(rows: usize) -> Inputs {
+    Inputs { force_n: None, ..inputs(rows) }
+}
+
+fn with_driver(rows: usize) -> Inputs {
+    let wave = |step: f64| (0..rows).map(|row| 5.0 * (row as f64 / step).sin()).collect();
+    let driver = |name: &str, step| Driver { name: name.into(), unit: "mm".into(), values: wave(step) };
+    // the first does not move, so the second is the one that is followed
+    let still = Driver { name: "supply".into(), unit: "V".into(), values: vec![5.0; rows] };
+    Inputs { temperature_c: None, drivers: vec![still, driver("position", 25.0)], ..room(rows) }
+}
+
+fn simulated(rows: usize) -> Inputs {
+    let values = (0..rows).map(|row| 22.0 + 8.0 * (row as f64 / 60.0).sin()).collect();
+    Inputs { simulated: Some(values), ..room(rows) }
+}
+
+/// Every effect that a recording can show is written, read again and means the same: on these inputs, and on others where other columns move.
+#[test]
+fn every_effect_is_read_again_as_it_was_written() {
+    let cases: [(&str, &str, &str, Inputs); 3] = [
+        (CONSTANT, "ppm", "level", room(600)),
+        (CONSTANT, "ppm", "level", with_driver(600)),
+        (EXTERNAL, "degC", "offset", simulated(600)),
+    ];
+    let mut seen = Vec::new();
+    for (base, unit, parameter, inputs) in cases {
+        let plain = head(base, unit, parameter);
+        let empty = plain.build().unwrap();
+        let context = Context::new(&inputs, empty.simulator(), 7.0, 0.01);
+        for effect in library().iter().filter(|e| e.testable(&context).is_ok()) {
+            let values = effect_values(effect.as_ref(), &context);
+            let named = |(p, v): (&Parameter, &f64)| named(&p.name, &p.unit, *v);
+            let added = AddedEffect {
+                id: effect.id().to_string(),
+                parameters: effect.parameters(&context).iter().zip(&values).map(named).collect(),
+                mechanism: None,
+            };
+            let scales = Scales { moved: Some(context.moved.clone()), ..plain.scales.clone() };
+            let text = ModelFile { effects: vec![added], scales, ..plain.clone() }.to_toml().unwrap();
+            let model = read(&text).unwrap().build().unwrap_or_else(|error| panic!("{error}"));
+            let by_file = model.respond(&inputs).unwrap();
+            let by_hand = empty.simulator().respond(&[0.3], &inputs, &[effect.with(&values, &context).as_ref()]).unwrap();
+            assert_eq!(by_file, by_hand, "{} beside {base}", effect.id());
+            seen.push(effect.id().to_string());
+        }
+    }
+    for id in ["thermal_lag", "regime_change", "friction", "driver_coefficient"] {
+        assert!(seen.iter().any(|s| s == id), "{id} was not among {seen:?}");
+    }
+}
+
+/// A temperature that hardly moves in another recording does not turn a coefficient of temperature into one of something else.
+#[test]
+fn what_an_effect_follows_is_that_of_the_recording_it_was_fitted_to() {
+    let plain = head(CONSTANT, "ppm", "level");
+    let empty = plain.build().unwrap();
+    let fitted_on = with_driver(600);
+    let context = Context::new(&fitted_on, empty.simulator(), 7.0, 0.01);
+    let library = library();
+    let friction = library.iter().find(|e| e.id().0 == "friction").unwrap();
+    let named = |(p, v): (&Parameter, f64)| named(&p.name, &p.unit, v);
+    let values = effect_values(friction.as_ref(), &context);
+    let added = AddedEffect {
+        id: "friction".into(),
+        parameters: friction.parameters(&context).iter().zip(values).map(named).collect(),
+        mechanism: None,
+    };
+    let scales = Scales { moved: Some(context.moved.clone()), ..plain.scales.clone() };
+    let model = ModelFile { effects: vec![added], scales, ..plain.clone() }.build().unwrap();
+    let here = model.respond(&fitted_on).unwrap();
+    // elsewhere the supply moves as well, and the columns stand in another order
+    let mut other = with_driver(600);
+    other.drivers[0].values.iter_mut().enumerate().for_each(|(row, v)| *v += row as f64);
+    assert_eq!(model.respond(&other).unwrap(), here);
+    other.drivers.reverse();
+    assert_eq!(model.respond(&other).unwrap(), here);
+    other.drivers.retain(|driver| driver.name != "position");
+    let error = model.respond(&other).unwrap_err().to_string();
+    assert!(error.contains("friction") && error.contains("position") && error.contains("[drivers]"), "{error}");
 }

@@ -3,7 +3,7 @@
 //! Limits: names and numbers only; whoever knows the base models rebuilds a simulator from it.
 
 use crate::{
-    data::context::Context,
+    data::{context::Context, moved::Moved},
     effects::{collection::Library, composed::mechanism::Mechanism},
 };
 use serde::{Deserialize, Serialize};
@@ -49,7 +49,7 @@ pub struct AddedEffect {
 }
 
 /// What an effect's equations take from the recording on which it was fitted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Scales {
     /// longest run, s
     pub longest_run_s: f64,
@@ -64,6 +64,9 @@ pub struct Scales {
     /// runs; an effect may have a number for each
     #[serde(default)]
     pub runs: Option<usize>,
+    /// columns that moved; a file of an earlier version has none, and what its effects follow is looked up in the inputs
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moved: Option<Moved>,
 }
 
 /// An effect that the library does not have.
@@ -102,5 +105,8 @@ impl Augmented {
         context.response_span = self.scales.response_span;
         context.noise_sd = self.scales.noise_sd;
         context.runs = self.scales.runs.unwrap_or(context.runs);
+        if let Some(moved) = &self.scales.moved {
+            context.moved.clone_from(moved);
+        }
     }
 }

@@ -81,6 +81,7 @@ pub(crate) fn augmented(found: &Found<'_>) -> Augmented {
             response_span: context.response_span,
             noise_sd: context.noise_sd,
             runs: Some(context.runs),
+            moved: Some(context.moved.clone()),
         },
     }
 }

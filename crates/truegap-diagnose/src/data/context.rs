@@ -2,6 +2,7 @@
 //!
 //! Limits: only inputs, never the response's course; the response gives nothing but its span and its level.
 
+use crate::data::moved::Moved;
 use std::sync::{Arc, OnceLock};
 use truegap_core::{Corrections, Inputs, Joined, Simulator, simulator::StageName};
 
@@ -36,6 +37,8 @@ pub struct Context<'a> {
     pub runs: usize,
     /// temperature at which the sensor is described, degrees Celsius
     pub reference_c: f64,
+    /// what moved in the recording to which effects were fitted: these inputs, or those of a model file
+    pub moved: Moved,
     /// strain of a full load, once an effect has asked for it
     pub(crate) full_strain: OnceLock<f64>,
     /// response where next to no load acts, once an effect has asked for it
@@ -75,6 +78,7 @@ impl<'a> Context<'a> {
             duration_s: clock.map_or(0.0, |t| duration(t, inputs, simulator)),
             runs: runs.len(),
             reference_c: simulator.reference_c(),
+            moved: Moved::of(inputs, simulator),
             full_strain: OnceLock::new(),
             unloaded: OnceLock::new(),
         }

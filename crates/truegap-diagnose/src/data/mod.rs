@@ -5,5 +5,6 @@
 pub(crate) mod context;
 pub(crate) mod error;
 pub mod joint;
+pub(crate) mod moved;
 pub(crate) mod pauses;
 pub(crate) mod problem;

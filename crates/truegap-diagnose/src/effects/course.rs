@@ -9,6 +9,9 @@ use crate::{
 };
 use truegap_core::Drive;
 
+/// Range of the load from which on it drives a reading, full loads.
+const LOADED: f64 = 0.05;
+
 /// A column that moves a reading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Course {
@@ -23,22 +26,23 @@ pub enum Course {
 }
 
 impl Course {
-    /// The recorded driver of this number where one was recorded and moves; where there is none at all, number 0 stands for load, gap or simulation.
+    /// The recorded driver of this number among those that moved; where none moved at all, number 0 stands for load, gap or simulation.
+    ///
+    /// `None` as well where it moved in the recording of a model file and these inputs do not have it.
     pub fn of(context: &Context<'_>, number: usize) -> Option<Self> {
-        let inputs = context.inputs;
-        let moves = |column: &[f64]| spread(column) > 0.0;
-        let mut moving = (0..inputs.drivers.len()).filter(|i| moves(&inputs.drivers[*i].values));
-        if let Some(index) = moving.nth(number) {
-            return Some(Self::Driver(index));
+        let moved = &context.moved;
+        if let Some(name) = moved.drivers.get(number) {
+            return context.inputs.drivers.iter().position(|driver| driver.name == *name).map(Self::Driver);
         }
-        if number > 0 || inputs.drivers.iter().any(|driver| moves(&driver.values)) {
+        if number > 0 || !moved.drivers.is_empty() {
             return None;
         }
-        if context.load_span() > 0.05 {
+        if moved.load > LOADED {
             return Some(Self::Load);
         }
-        let other = [(&inputs.gap_m, Self::Gap), (&inputs.simulated, Self::Simulated)];
-        other.into_iter().find(|(column, _)| column.as_deref().is_some_and(moves)).map(|(_, course)| course)
+        [(moved.gap, Self::Gap), (moved.simulated, Self::Simulated)]
+            .into_iter()
+            .find_map(|(moves, course)| moves.then_some(course))
     }
 
     /// Why there is no course of this number.

@@ -50,7 +50,7 @@ impl Delay {
 pub(crate) fn reads_temperature(context: &Context<'_>) -> bool {
     let unit = context.simulator.unit().to_lowercase();
     let is_temperature = matches!(unit.as_str(), "degc" | "°c" | "celsius" | "deg c" | "k" | "kelvin" | "degf" | "°f");
-    is_temperature && context.inputs.simulated.is_some()
+    is_temperature && context.moved.simulated
 }
 
 #[cfg(test)]

@@ -93,6 +93,9 @@ impl<E: Effect> Effect for EachRecording<E> {
     fn of_recorder(&self) -> bool {
         true
     }
+    fn of_start(&self, context: &Context<'_>) -> &'static [&'static str] {
+        self.inner.of_start(context)
+    }
     fn of_first(&self, fitted: Vec<FittedParameter>, context: &Context<'_>) -> Vec<FittedParameter> {
         let count = runs_before(context).len();
         match (fitted.len() - 1).checked_div(count) {

@@ -123,6 +123,10 @@ pub trait Effect: Send + Sync {
     fn of_recorder(&self) -> bool {
         false
     }
+    /// Names of the numbers that say how this recording began: another recording began in its own way.
+    fn of_start(&self, _context: &Context<'_>) -> &'static [&'static str] {
+        &[]
+    }
     /// Its numbers in the first of several recordings, from those fitted to all; the same where all have them in common.
     fn of_first(&self, fitted: Vec<FittedParameter>, _context: &Context<'_>) -> Vec<FittedParameter> {
         fitted

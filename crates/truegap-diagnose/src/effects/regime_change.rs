@@ -32,7 +32,7 @@ const WARMS: f64 = 2.0;
 
 impl Of {
     fn what_moves(context: &Context<'_>) -> Self {
-        if context.temperature_span() >= WARMS {
+        if context.moved.temperature_k >= WARMS {
             return Self::Temperature;
         }
         match Course::of(context, 0) {
@@ -192,6 +192,9 @@ impl Effect for RegimeChange {
             Of::Driver(_) => Some("driver_coefficient"),
             Of::Reading | Of::Nothing => None,
         }
+    }
+    fn of_recorder(&self) -> bool {
+        true
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let of = Of::what_moves(context);

@@ -56,6 +56,9 @@ pub(crate) fn late(values: &[f64]) -> Box<dyn Stage> {
     Box::new(Late(Delay::of_two(values[0], values[1], values[2], values[3])))
 }
 
+/// Number of a late reading that says how it stood before its first row.
+pub(crate) const BEFORE: &[&str] = &["before"];
+
 /// Share of the slow way below which it is not spoken of, in standard deviations.
 const SPOKEN_OF: f64 = 3.0;
 
@@ -97,6 +100,9 @@ impl Effect for SlowResponse {
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         parameters(context)
+    }
+    fn of_start(&self, _: &Context<'_>) -> &'static [&'static str] {
+        BEFORE
     }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
         starts()

@@ -86,6 +86,9 @@ impl Effect for ThermalLag {
             Parameter::log_normal("slower", "1", 10.0, 0.7, "its time constant over that of the quick part").within(2.0, 200.0),
         ]
     }
+    fn of_start(&self, context: &Context<'_>) -> &'static [&'static str] {
+        if reads_temperature(context) { slow_response::BEFORE } else { &[] }
+    }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         if reads_temperature(context) {
             return slow_response::starts();

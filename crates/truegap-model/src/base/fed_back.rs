@@ -40,7 +40,7 @@ pub(super) fn fed_back(
         if most <= SETTLED * scale {
             return Ok(response);
         }
-        if !(most < HOPELESS * scale) {
+        if most.is_nan() || most >= HOPELESS * scale {
             break;
         }
         let next = mixed(&load, &left, &loads, &lefts);

@@ -130,7 +130,7 @@ fn judge(
     free: Free,
     programs: &Programs,
 ) -> Result<Confirmed, ConfirmError> {
-    let (model, of_recorder) = written.build_with(programs)?.without_recorder(&Library::default());
+    let (model, of_recorder) = written.build_with(programs)?.elsewhere(&Library::default());
     if model.effects().is_empty() && !of_recorder.is_empty() {
         return Err(ConfirmError::OfRecorder { model: file.to_owned(), effects: spoken_list(&of_recorder) });
     }

@@ -1,0 +1,44 @@
+//! Which columns moved in a recording: what an effect follows is decided by these facts, so that it follows the same column on other inputs.
+//!
+//! Limits: whether and how far a column moves, not when.
+
+use crate::{data::context::load_column, stats::spread};
+use serde::{Deserialize, Serialize};
+use truegap_core::{Driver, Inputs, Simulator};
+
+/// Columns that moved.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Moved {
+    /// range of the temperature, K; 0 without a thermometer
+    pub temperature_k: f64,
+    /// range of the load, full loads; 0 where load plays no part
+    pub load: f64,
+    /// whether a gap was given that moves
+    pub gap: bool,
+    /// whether somebody's simulation was given that moves
+    pub simulated: bool,
+    /// names of the recorded drivers that move, in the order of the recording
+    pub drivers: Vec<String>,
+}
+
+impl Moved {
+    /// What moves in `inputs`.
+    pub fn of(inputs: &Inputs, simulator: &dyn Simulator) -> Self {
+        let range = |column: &[f64]| if column.is_empty() { 0.0 } else { spread(column) };
+        let moves = |column: &Option<Vec<f64>>| column.as_deref().is_some_and(|column| range(column) > 0.0);
+        let moving = inputs.drivers.iter().filter(|driver| range(&driver.values) > 0.0);
+        Self {
+            temperature_k: inputs.temperature_c.as_deref().map_or(0.0, range),
+            load: load_column(inputs, simulator).as_deref().map_or(0.0, range),
+            gap: moves(&inputs.gap_m),
+            simulated: moves(&inputs.simulated),
+            drivers: moving.map(|driver| driver.name.clone()).collect(),
+        }
+    }
+
+    /// One row of inputs that has these drivers, to ask an effect for its numbers where no recording is at hand.
+    pub fn one_row(&self) -> Inputs {
+        let driver = |name: &String| Driver { name: name.clone(), unit: "1".into(), values: vec![0.0] };
+        Inputs { run: vec![1], drivers: self.drivers.iter().map(driver).collect(), ..Inputs::default() }
+    }
+}

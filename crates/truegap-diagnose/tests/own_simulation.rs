@@ -6,8 +6,9 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use std::sync::atomic::AtomicBool;
-use truegap_core::{Drive, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName};
-use truegap_diagnose::{Diagnosis, Options, Problem, RecordingFacts, Verdict, diagnose};
+use truegap_core::{Drive, EffectId, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName};
+use truegap_diagnose::mechanism::{self, Action, Composed, Form, Kinetics, Numbers, Quantity, Sentence};
+use truegap_diagnose::{Context, Diagnosis, Effect, FittedParameter, Options, Problem, RecordingFacts, Verdict, diagnose};
 
 /// A reading that is given row by row, or 3 where none is, with a level to calibrate or without.
 struct Given {
@@ -123,4 +124,34 @@ fn a_response_alone_is_diagnosed() {
     let inputs = Inputs { run: vec![1; 400], ..Inputs::default() };
     let said = said(&Given::with_level(), &inputs, &noisy(4, |row| 3.0 + 0.002 * row as f64, 400));
     assert!(said.verdict != Verdict::Agrees && said.findings.is_empty() && said.mismatch.is_empty(), "{}", said.says);
+}
+
+#[test]
+fn a_threshold_of_the_reading_is_counted_from_its_least_and_so_is_what_it_makes() {
+    let base = Given::with_level();
+    let simulated: Vec<f64> = (0..100).map(|row| 5.0 + 0.04 * f64::from(row)).collect();
+    let inputs = Inputs { simulated: Some(simulated), run: vec![1; 100], ..Inputs::default() };
+    let context = Context::new(&inputs, &base, 4.0, 0.01);
+    let sentence = Sentence {
+        quantity: Quantity::Reading,
+        action: Action::Adds,
+        driver: mechanism::Driver::Reading,
+        kinetics: Kinetics::Static,
+        form: Form::Threshold,
+        even: false,
+        below: false,
+        passing: false,
+        sum: None,
+    };
+    let start = Numbers { threshold: 1.0, ..Numbers::default() };
+    let found = Composed::found(EffectId("composed"), sentence, start, 1.0, &context);
+    let fitted: Vec<FittedParameter> = found.parameters(&context).into_iter().zip([0.5, 1.0]).map(at).collect();
+    let told = found.told(&fitted, &context, &[]);
+    // the reading rises by 3.96 V above its least; 2.96 V of it lie above the threshold, and half of that is added
+    assert!(told.contains("1.00 V (sd 0.10) above its least"), "{told}");
+    assert!(told.contains("1.48 V"), "{told}");
+}
+
+fn at((parameter, value): (Parameter, f64)) -> FittedParameter {
+    FittedParameter { parameter, value, sd: 0.1, at_limit: false }
 }

@@ -17,15 +17,21 @@ use crate::{
 /// The sentence with its fitted numbers; with a recording, how much it makes there.
 pub fn describe(sentence: &Sentence, start: &Numbers, fitted: &[FittedParameter], context: Option<&Context<'_>>) -> String {
     let words = words(sentence);
-    let inner: Vec<String> = fitted.iter().skip(1).map(number).collect();
+    let inner: Vec<String> = fitted.iter().skip(1).map(|p| number(sentence, p)).collect();
     let numbers = if inner.is_empty() { String::new() } else { format!(" ({})", inner.join(", ")) };
     let most =
         context.and_then(|context| most(sentence, start, fitted, context)).map_or(String::new(), |most| format!(": {most}"));
     format!("{words}{numbers}{most}")
 }
 
-fn number(p: &FittedParameter) -> String {
-    format!("{} {}", p.parameter.meaning, with_sd(p.value, p.sd, &p.parameter.unit))
+/// A number with what it means; a threshold with what it is counted from.
+fn number(sentence: &Sentence, p: &FittedParameter) -> String {
+    let from = match (p.parameter.name.as_str(), &sentence.driver) {
+        ("threshold", Driver::Reading) => " above its least",
+        ("threshold", Driver::Temperature) => " above the reference temperature",
+        _ => "",
+    };
+    format!("{} {}{from}", p.parameter.meaning, with_sd(p.value, p.sd, &p.parameter.unit))
 }
 
 /// The words as a clause.
@@ -97,11 +103,17 @@ fn most(sentence: &Sentence, start: &Numbers, fitted: &[FittedParameter], contex
     let load = context.simulator.load(context.inputs);
     let above = |t: &Vec<f64>| t.iter().map(|t| t - context.reference_c).collect::<Vec<f64>>();
     let temperature = context.inputs.temperature_c.as_ref().map(above);
+    // the reading is followed above its zero, which is the least of a simulation
+    let from_least = |x: &Vec<f64>| {
+        let least = x.iter().copied().fold(f64::INFINITY, f64::min);
+        x.iter().map(|x| x - least).collect::<Vec<f64>>()
+    };
+    let reading = context.inputs.simulated.as_ref().map(from_least);
     let at = Courses {
         inputs: context.inputs,
         load: load.as_deref(),
         temperature: temperature.as_deref(),
-        reading: context.inputs.simulated.as_deref(),
+        reading: reading.as_deref(),
     };
     let u = column(sentence, &numbers, &at)?;
     let (low, high) = u.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), u| (l.min(*u), h.max(*u)));

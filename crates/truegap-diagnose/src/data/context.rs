@@ -132,6 +132,23 @@ impl<'a> Context<'a> {
         if self.inputs.gap_m.is_some() || self.inputs.simulated.is_some() { Ok(()) } else { self.needs_load() }
     }
 
+    /// `Ok` where the value of the base model moves: with a load, a gap, a simulation, or with whatever input it follows where it knows no load.
+    ///
+    /// # Errors
+    /// What is missing.
+    pub fn needs_movement(&self) -> Result<(), String> {
+        let course = self.needs_course();
+        if course.is_ok() || self.simulator.full_load().is_some() {
+            return course;
+        }
+        // off the centre of the priors, where a slope may be 0
+        let values: Vec<f64> = self.simulator.parameters().iter().map(|p| p.prior.at(1.0)).collect();
+        match self.simulator.respond(&values, self.inputs, &[]) {
+            Ok(value) if range(&value).0 < range(&value).1 => Ok(()),
+            _ => Err("nothing moves that the base model follows".into()),
+        }
+    }
+
     /// `Ok` where the temperature moves by more than `kelvin`.
     ///
     /// # Errors

@@ -3,14 +3,18 @@
 //! Limits: one column; a second driver is followed by a second effect of the kind.
 
 use crate::{
-    data::context::Context,
+    data::context::{Context, load_column},
     effects::{composed::words::Driver, memory::walk},
     stats::spread,
 };
+use std::borrow::Cow;
 use truegap_core::Drive;
 
 /// Range of the load from which on it drives a reading, full loads.
 const LOADED: f64 = 0.05;
+
+/// Part of its range by which a column must rise, and fall, so that the two ways can be told.
+const TURNED: f64 = 0.1;
 
 /// A column that moves a reading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,6 +100,30 @@ impl Course {
             Self::Simulated => inputs.simulated.as_deref().map(spread),
         };
         range.filter(|range| *range > 0.0).unwrap_or(1.0)
+    }
+
+    /// Whether the column goes up and down again inside the runs, by [`TURNED`] of its range each way.
+    pub fn turns(self, context: &Context<'_>) -> bool {
+        let inputs = context.inputs;
+        let load = || load_column(inputs, context.simulator);
+        let column: Option<Cow<'_, [f64]>> = match self {
+            Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice().into()),
+            Self::Load => load().map(Cow::Owned),
+            Self::Gap => inputs.gap_m.as_deref().map(Cow::Borrowed),
+            Self::Simulated => inputs.simulated.as_deref().map(Cow::Borrowed),
+        };
+        let Some(column) = column else { return false };
+        let least = TURNED * self.span(context);
+        let (mut rises, mut falls) = (false, false);
+        for run in inputs.runs() {
+            let (mut low, mut high) = (column[run.start], column[run.start]);
+            for value in &column[run] {
+                (low, high) = (low.min(*value), high.max(*value));
+                rises |= value - low >= least;
+                falls |= high - value >= least;
+            }
+        }
+        rises && falls
     }
 
     /// Mean speed of the column, in its unit a second (a row without a clock).

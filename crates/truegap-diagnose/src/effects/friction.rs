@@ -134,6 +134,9 @@ impl Effect for Friction {
         context.has(StageName::Readout)?;
         match Course::of(context, self.0) {
             None => Err(Course::missing(self.0)),
+            Some(course) if !course.turns(context) => {
+                Err(format!("{} goes one way only inside the runs; friction shows where it turns", course.name(context)))
+            }
             Some(Course::Driver(_)) => Ok(()),
             Some(_) if context.has(StageName::Beads).is_ok() => {
                 Err("the base model has a place for friction of its own (hysteresis of the strain)".into())

@@ -78,7 +78,7 @@ impl Effect for GainDrift {
         if !context.simulator.moves() {
             return Err("a value that does not move shows no gain".into());
         }
-        if context.inputs.gap_m.is_some() || context.inputs.simulated.is_some() { Ok(()) } else { context.needs_load() }
+        context.needs_movement()
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
         Box::new(Gain { per_k: values[0] })

@@ -30,6 +30,7 @@ mod humidity_uptake;
 mod inner_stiffening;
 mod load_cell_error;
 mod mullins_softening;
+mod nonlinearity;
 mod offset_drift;
 mod offset_steps;
 mod parasitic_capacitance;
@@ -79,6 +80,7 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(rim_field::RimField),
         Box::new(parasitic_capacitance::ParasiticCapacitance),
         Box::new(gain_drift::GainDrift),
+        Box::new(nonlinearity::Nonlinearity),
         Box::new(temperature_coefficient::TemperatureCoefficient),
         Box::new(driver_coefficient::DriverCoefficient(0)),
         Box::new(driver_coefficient::DriverCoefficient(1)),

@@ -104,7 +104,7 @@ impl Effect for Saturation {
         if !context.simulator.moves() {
             return Err("a value that does not move does not clip".into());
         }
-        if context.inputs.gap_m.is_some() || context.inputs.simulated.is_some() { Ok(()) } else { context.needs_load() }
+        context.needs_movement()
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
         Box::new(clip(values))

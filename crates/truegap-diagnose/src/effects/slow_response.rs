@@ -119,7 +119,7 @@ impl Effect for SlowResponse {
         if !context.simulator.moves() {
             return Err("a value that does not move is not late".into());
         }
-        context.needs_course()
+        context.needs_movement()
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
         late(values)

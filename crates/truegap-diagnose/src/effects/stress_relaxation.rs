@@ -116,7 +116,7 @@ impl Effect for StressRelaxation {
         if !context.simulator.moves() {
             return Err("a value that does not move does not relax".into());
         }
-        context.needs_course()
+        context.needs_movement()
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
         Box::new(fading(values))

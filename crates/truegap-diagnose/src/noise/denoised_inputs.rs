@@ -48,6 +48,10 @@ pub fn denoised_inputs(inputs: &Inputs, response: &[f64], simulator: &dyn Simula
         load_steps: None,
         temperature_steps: None,
     };
+    if time.is_none() {
+        // rows without a clock need not be evenly spaced: uneven steps of a table of set points are no noise
+        return out;
+    }
     let full = simulator.full_load().unwrap_or(1.0);
     // of the loads, the one that the simulator sees says how noisy it is
     let sd = simulator.load(inputs).filter(|_| !switching).map_or(0.0, |load| scatter(&load, time, &runs)) * full;

@@ -11,6 +11,7 @@ pub(crate) mod follows_drivers;
 pub(crate) mod input;
 pub(crate) mod input_error;
 pub(crate) mod louder;
+pub(crate) mod neighbours;
 pub(crate) mod reml;
 pub(crate) mod rescale;
 pub(crate) mod response;

@@ -41,6 +41,11 @@ impl Block {
         Self { course: vec![vec![1.0; rows.len()]], rows, ordered: false }
     }
 
+    /// Rows in any order, with the columns that are taken out of them.
+    pub fn unordered(rows: Vec<usize>, course: Vec<Vec<f64>>) -> Self {
+        Self { rows, course, ordered: false }
+    }
+
     fn with(rows: Range<usize>, course: impl Fn(usize) -> Vec<f64>, ordered: bool) -> Self {
         let table: Vec<Vec<f64>> = (0..rows.len()).map(&course).collect();
         let columns = table.first().map_or(0, Vec::len);

@@ -4,7 +4,8 @@
 
 use crate::{
     data::{context::load_column, problem::Problem},
-    noise::tuning::{ENOUGH_ROWS, FEWEST_REPLICATES, PLENTY_OF_ROWS, UNSEEN},
+    noise::neighbours::neighbours,
+    noise::tuning::{ENOUGH_ROWS, FEWEST_NEIGHBOURS, FEWEST_REPLICATES, PLENTY_OF_ROWS, UNSEEN},
     noise::{
         input_error::{Left, input_error},
         louder::Louder,
@@ -118,6 +119,14 @@ pub(crate) fn blocks(
     if problem.inputs.time_s.is_none() && repeated >= FEWEST_REPLICATES {
         let says = format!("from {repeated} rows measured again at the same inputs");
         return (replicates, true, says);
+    }
+    if problem.inputs.time_s.is_none() {
+        let alike = without_outliers(problem.response, neighbours(problem.inputs, load));
+        let rows: usize = alike.iter().map(|b| b.rows.len()).sum();
+        if rows >= FEWEST_NEIGHBOURS {
+            let says = format!("from {rows} rows at neighbouring inputs, since no clock says which rows follow one another");
+            return (alike, true, says);
+        }
     }
     let mut short = without_outliers(problem.response, rest::short_stretches(problem.inputs));
     keep_some(&mut short);

@@ -95,6 +95,17 @@ pub(crate) const ROWS_OF_A_GROUP: usize = 60;
 /// Squared correlation of scatter and reading over the groups from which noise grows along the reading.
 pub(crate) const GROWS_EVENLY: f64 = 0.8;
 
+// neighbours.rs
+
+/// Rows for each column that is taken out of neighbours: half of them are left to be noise.
+pub(crate) const NEIGHBOURS_OF_EACH: usize = 4;
+
+/// Rows from which on a run is compared with itself alone.
+pub(crate) const OWN_NEIGHBOURS: usize = 32;
+
+/// Fewest rows from which noise is taken in this way.
+pub(crate) const FEWEST_NEIGHBOURS: usize = 16;
+
 // reml.rs
 
 /// Fewest stretches among which one can be told to stand out.

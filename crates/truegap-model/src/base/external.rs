@@ -50,6 +50,8 @@ pub struct External {
     unit: String,
     reference_c: f64,
     adjusted: GainAndOffset,
+    /// where the reading begins and how far it goes, in the recording that the model is scaled by: the same in any other
+    readout: Readout,
     surface: Option<Surface>,
 }
 
@@ -57,7 +59,8 @@ impl External {
     /// A simulated column; `options` say what may be adjusted.
     pub fn new(scale: &ResponseScale, reference_c: f64, options: ExternalOptions) -> Self {
         let adjusted = GainAndOffset::new(scale, options, "the simulation");
-        Self { unit: scale.unit.clone(), reference_c, adjusted, surface: None }
+        let readout = Readout { zero: scale.centre - 0.5 * scale.range, span: scale.range };
+        Self { unit: scale.unit.clone(), reference_c, adjusted, readout, surface: None }
     }
 
     /// The same simulation, which follows load and temperature along a surface.
@@ -148,9 +151,7 @@ impl Simulator for External {
         walk_without_plates(self, values, inputs, stages, |drive| {
             let simulated = self.column(drive.inputs, Role::Simulated)?;
             let value: Vec<f64> = self.moved(simulated, drive, stages)?.iter().map(|value| offset + gain * value).collect();
-            let low = value.iter().copied().fold(f64::INFINITY, f64::min);
-            let high = value.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-            Ok((value, Readout { zero: low, span: high - low }))
+            Ok((value, self.readout))
         })
     }
 }

@@ -385,3 +385,20 @@ fn a_header_is_sketched_and_read_back() {
     assert!(sketch.toml.contains("# force = \"N\"") && sketch.toml.contains("one of: force, a, b"), "{}", sketch.toml);
     std::fs::remove_dir_all(&folder).unwrap();
 }
+
+#[test]
+fn remarks_above_the_header_are_left_out_and_a_header_behind_a_hash_is_not() {
+    let plain = "time_s,capacitance_pf\n0,210.1\n0.1,210.2\n0.2,210.4\n";
+    let remarks = csv(format!("# rig 3, load cell 20 N\n# operator JK\n{plain}# end\n")).unwrap();
+    assert_eq!(remarks.inputs.time_s.as_deref(), Some(&[0.0, 0.1, 0.2][..]));
+    // names of the columns behind a hash, as numpy writes them
+    let numpy = csv(format!("# {plain}")).unwrap();
+    assert_eq!((numpy.response, numpy.inputs), (remarks.response, remarks.inputs));
+}
+
+#[test]
+fn commas_are_told_of_only_where_one_was_read_as_a_point() {
+    let told = |text: &str| csv(text).unwrap().notes.contains(&Note::DecimalCommas);
+    assert!(!told("time_s;capacitance_pf\n0;210.1\n0.1;210.2\n"));
+    assert!(told("time_s;capacitance_pf\n0;210,1\n0,1;210,2\n"));
+}

@@ -47,10 +47,10 @@ fn the_library_holds_every_id_of_the_contract_once() {
     let mut ids: Vec<&str> = library().iter().map(|effect| effect.id().0).collect();
     // 24 of the contract, `temperature_coefficient` for base models that have no place for temperature, `clock_rate`, and three that finite elements have
     // computed; then coefficient and friction of two drivers, relaxation and lag of a reading, a change of regime, and a spring inside a simulator
-    assert_eq!(ids.len(), 37);
+    assert_eq!(ids.len(), 39);
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 37);
+    assert_eq!(ids.len(), 39);
     let foreseen: Vec<&str> = library().iter().filter(|e| e.foreseen()).map(|e| e.id().0).collect();
     assert_eq!(foreseen, ["bonded_layers", "held_warp", "rim_field"]);
     assert!(ids.contains(&"temperature_coefficient"));
@@ -305,6 +305,7 @@ fn a_reader_is_told_the_numbers() {
             .zip(values)
             .map(|(parameter, &value)| truegap_diagnose::FittedParameter {
                 sd: parameter.sd(),
+                sd_of_fit: parameter.sd(),
                 parameter,
                 value,
                 at_limit: false,

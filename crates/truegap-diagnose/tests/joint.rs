@@ -155,6 +155,7 @@ fn the_first_recording_alone_has_its_own_clock() {
         parameter,
         value: *value,
         sd: 0.0,
+        sd_of_fit: 0.0,
         at_limit: false,
     };
     let all: Vec<FittedParameter> = rate.parameters(&context).into_iter().zip(&values).map(fitted).collect();

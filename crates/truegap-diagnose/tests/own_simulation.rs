@@ -153,5 +153,5 @@ fn a_threshold_of_the_reading_is_counted_from_its_least_and_so_is_what_it_makes(
 }
 
 fn at((parameter, value): (Parameter, f64)) -> FittedParameter {
-    FittedParameter { parameter, value, sd: 0.1, at_limit: false }
+    FittedParameter { parameter, value, sd: 0.1, sd_of_fit: 0.1, at_limit: false }
 }

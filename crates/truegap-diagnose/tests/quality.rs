@@ -9,7 +9,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal, Uniform};
 use std::sync::atomic::AtomicBool;
-use truegap_core::{Inputs, Simulator};
+use truegap_core::{Inputs, Parameter, Simulator};
 use truegap_diagnose::quality::{Notice, NoticeKind, Rows, troubles};
 use truegap_diagnose::{Options, Problem, RecordingFacts, Verdict, diagnose};
 
@@ -119,4 +119,24 @@ fn an_input_that_switches_from_row_to_row_is_no_constant() {
     let said = diagnose(&problem, facts, &options, &|_| (), &AtomicBool::new(false)).unwrap().diagnosis;
     assert_eq!(said.verdict, Verdict::Agrees, "{}", said.says);
     assert!(said.noise.load_sd < 0.01, "{} N of noise on the load", said.noise.load_sd);
+}
+
+/// A simulation of the user's own, in millivolts where the reading is in volts, and one whose own gain may well be a thousand.
+#[test]
+fn a_power_of_a_thousand_is_a_unit_unless_a_number_of_the_simulator_can_make_it() {
+    let plate = |sd: f64| common::Line { parameters: vec![Parameter::normal("gain", "V/N", 2.0, sd, "gain")] };
+    let inputs = inputs((0..400).map(|row| 3.0 * cycle(row)).collect());
+    let mut noise = gaussian(4);
+    let response: Vec<f64> = (0..400).map(|row| 6000.0 * cycle(row) + 0.1 * noise()).collect();
+    let told = |sd: f64, factor: f64| {
+        let (simulator, response) = (plate(sd), response.iter().map(|v| v * factor).collect::<Vec<_>>());
+        let problem = Problem { inputs: &inputs, response: &response, simulator: &simulator };
+        let rows = Rows { inputs: &inputs, given: None, unit: "V" };
+        troubles(&problem, &rows).into_iter().find(|notice| notice.kind == NoticeKind::WrongUnit)
+    };
+    let wrong = told(0.1, 1.0).unwrap();
+    assert!(wrong.withholds && wrong.says.contains("6.00 V") && wrong.says.contains("unit"), "{}", wrong.says);
+    assert!(told(0.1, 1e-6).is_some());
+    // right, off by ten, and a gain of which nothing is known
+    assert!(told(0.1, 1e-3).is_none() && told(0.1, 1e-2).is_none() && told(1000.0, 1.0).is_none());
 }

@@ -80,6 +80,7 @@ fn fitted(effect: &dyn Effect, context: &Context<'_>, factor: f64, error: f64) -
         FittedParameter {
             value: value.clamp(low, high),
             sd: (value * error).abs(),
+            sd_of_fit: (value * error).abs(),
             at_limit: value <= low || value >= high,
             parameter,
         }
@@ -149,8 +150,11 @@ fn a_number_that_cannot_be_is_a_finding_about_the_fit() {
         limit.contains("ran to the limit of the time constant of the electronics, 40.0 s") && limit.ends_with(about_the_fit),
         "{limit}"
     );
-    let unsure = one("readout_lag", |size| (size.value, size.sd) = (0.2, 0.5));
+    let unsure = one("readout_lag", |size| (size.value, size.sd_of_fit) = (0.2, 0.5));
     assert!(unsure.contains("less sure than it is large, 200 ms (sd 500)") && unsure.ends_with(about_the_fit), "{unsure}");
+    // what else may act is told beside the number, and is no finding about the fit
+    let beside = one("readout_lag", |size| (size.value, size.sd) = (0.2, 0.5));
+    assert_eq!(beside, "the electronics follow with a time constant of 200 ms (sd 500)");
     let plain = one("readout_lag", |size| (size.value, size.sd) = (0.2, 0.01));
     assert_eq!(plain, "the electronics follow with a time constant of 200 ms (sd 10)");
     // a hard ceiling is the natural end of a saturation

@@ -135,7 +135,9 @@ pub fn base_options(recording: &Recording) -> Result<BaseOptions, BaseModelError
         let found = further.get(key).map(ToString::to_string).unwrap_or_default();
         BaseModelError::Word { recording: name(), key, found, use_: use_.to_owned() }
     };
-    let folder = recording.path.parent().unwrap_or(Path::new(""));
+    // a model file may be run from anywhere
+    let beside = recording.path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder = &std::path::absolute(beside).unwrap_or_else(|_| beside.to_owned());
     let series = match further.get("series") {
         None => SeriesOrder::default(),
         Some(value) => value.as_str().and_then(series_order).ok_or_else(|| wrong("series", "\"printed\" or \"exact\""))?,

@@ -100,7 +100,7 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
         rows.take(&mut table, &columns, &drivers, sensor.filter(|_| several).map(String::as_str))?;
         if pass == 0 {
             (bound, notes) = (columns, assumed);
-            notes.extend(table.decimal_comma.then_some(Note::DecimalCommas));
+            notes.extend(rows.commas.then_some(Note::DecimalCommas));
         } else {
             same_unit(origin.csv, &bound, &columns)?;
         }

@@ -43,6 +43,8 @@ pub(super) struct Rows {
     runs: Vec<u32>,
     missing: Option<Note>,
     repeated: Option<Note>,
+    /// whether a comma was read as a decimal point
+    pub commas: bool,
 }
 
 impl Rows {
@@ -98,7 +100,10 @@ impl Rows {
                 return self.leave_out(table, &column.name).map(|()| false);
             }
             match number(cell, table.decimal_comma) {
-                Ok(value) => row.push(value * column.scale.0 + column.scale.1),
+                Ok(value) => {
+                    self.commas |= cell.contains(&b',');
+                    row.push(value * column.scale.0 + column.scale.1);
+                }
                 Err(fault) => return Err(refuse(table, column.index, &column.name, fault)),
             }
             let value = row[row.len() - 1];
@@ -114,7 +119,10 @@ impl Rows {
                 return self.leave_out(table, &driver.name).map(|()| false);
             }
             match number(cell, table.decimal_comma) {
-                Ok(value) => row.push(value),
+                Ok(value) => {
+                    self.commas |= cell.contains(&b',');
+                    row.push(value);
+                }
                 Err(fault) => return Err(refuse(table, driver.index, &driver.name, fault)),
             }
         }

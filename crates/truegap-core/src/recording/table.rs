@@ -27,7 +27,8 @@ impl<R: Read + Seek> Table<R> {
         source.seek(SeekFrom::Start(0)).map_err(failed)?;
         let mut buffered = BufReader::with_capacity(1 << 16, source);
         let start = buffered.fill_buf().map_err(failed)?;
-        let first = first_line(start);
+        let comments = has_comments(start);
+        let first = first_line(start, comments);
         if first.is_empty() {
             return Err(RecordingError::Empty { file: file.to_owned() });
         }
@@ -38,6 +39,7 @@ impl<R: Read + Seek> Table<R> {
             .flexible(true)
             .trim(csv::Trim::All)
             .delimiter(separator)
+            .comment(comments.then_some(b'#'))
             .from_reader(Hashing { inner: buffered, hash: Sha256::new(), line: 0 });
         let record = csv::ByteRecord::new();
         let decimal_comma = separator != b',';
@@ -54,6 +56,10 @@ impl<R: Read + Seek> Table<R> {
             return Err(RecordingError::NoRows { file: self.file.clone() });
         }
         self.header = self.record.iter().map(|cell| String::from_utf8_lossy(cell).into_owned()).collect();
+        // names of columns behind a hash, as numpy writes them
+        if let Some(first) = self.header.first_mut() {
+            *first = first.trim_start_matches('#').trim_start().to_owned();
+        }
         if let Some(name) = self.header.iter().find(|name| name.contains(char::is_control)) {
             let (file, text) = (self.file.clone(), name.escape_debug().to_string().chars().take(40).collect());
             return Err(RecordingError::NotText { file, text });
@@ -111,11 +117,20 @@ pub(super) fn hexadecimal(hash: Sha256) -> String {
     hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// First line that is not blank, without a byte order mark.
-fn first_line(start: &[u8]) -> String {
+/// Whether lines that begin with `#` are remarks: not where such a line is all there is above the numbers, since it then holds the names of the columns.
+fn has_comments(start: &[u8]) -> bool {
+    let is_number = |cell: &str| cell.trim().replace(',', ".").parse::<f64>().is_ok();
+    let first = first_line(start, true);
+    let separator = char::from(separator(&first));
+    first_line(start, false).starts_with('#') && !first.is_empty() && !first.split(separator).all(is_number)
+}
+
+/// First line that is not blank, without a byte order mark; none that begins with `#` where those are `comments`.
+fn first_line(start: &[u8], comments: bool) -> String {
     let text = String::from_utf8_lossy(start);
     let text = text.trim_start_matches('\u{feff}');
-    text.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or_default().to_owned()
+    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !(comments && line.starts_with('#')));
+    lines.next().unwrap_or_default().to_owned()
 }
 
 /// The separator that the first line holds most of; a comma where there is none.

@@ -37,7 +37,8 @@ pub(crate) fn outcome(
     started: Instant,
 ) -> Result<Outcome, DiagnoseError> {
     let (base, chosen) = (found.selection.base(), found.chosen());
-    let (before, after) = (respond(found, base)?, respond(found, chosen)?);
+    let before = respond(found, found.base_alone)?;
+    let after = respond(found, found.told(chosen))?;
     let (unseen_before, unseen_after) = (&found.unseen.base, found.unseen.stood_behind());
     let in_sample =
         in_sample(found, &before, &after).ok_or(DiagnoseError::TooFewRows { rows: before.len(), needed: FEWEST_ROWS })?;
@@ -56,7 +57,8 @@ pub(crate) fn outcome(
     };
     let (concealed_column, course) =
         found.slow.map(|(slow, hidden)| slow.opened(found.search, base, found.all.problem, hidden)).unzip();
-    let remarks = found.interrupted.then(|| STOPPED.to_owned()).into_iter().chain(doubts(found.all.problem));
+    let stopped = found.interrupted.then(|| STOPPED.to_owned()).into_iter();
+    let remarks = stopped.chain(found.left_out.iter().cloned()).chain(doubts(found.all.problem));
     let traces = Traces {
         noise_sd: (0..before.len()).map(|row| found.noise.row_sd(row)).collect(),
         before,
@@ -76,8 +78,8 @@ pub(crate) fn outcome(
         base: BaseFacts {
             model: found.search.problem.simulator.name().into(),
             sensor: known.sensor,
-            parameters: parameters(found, base, 0..base.fit.z.len()),
-            parameters_after: parameters(found, chosen, 0..base.fit.z.len()),
+            parameters: parameters(found, found.base_alone, 0..base.fit.z.len()),
+            parameters_after: parameters(found, found.told(chosen), 0..base.fit.z.len()),
         },
         noise: noise(found),
         verdict: found.decision.verdict,

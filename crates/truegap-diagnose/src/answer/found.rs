@@ -39,6 +39,10 @@ pub struct Found<'a> {
     pub before: Adequacy,
     /// adequacy of the likeliest model
     pub after: Adequacy,
+    /// the base model calibrated by itself; that of `selection` where it is as near to the recording
+    pub(crate) base_alone: &'a Tried,
+    /// effects that are not claimed because the others predict rows left out better without them, for a reader
+    pub(crate) left_out: Vec<String>,
     /// bursts and a tone in what the model stood behind leaves
     pub interference: Interference,
     /// directions, whitened
@@ -73,6 +77,11 @@ pub struct Reserved {
 }
 
 impl Found<'_> {
+    /// A model as its numbers are told: the base model calibrated by itself in place of the base model.
+    pub(crate) fn told<'t>(&'t self, tried: &'t Tried) -> &'t Tried {
+        if tried.effects.is_empty() { self.base_alone } else { tried }
+    }
+
     /// The model stood behind.
     pub fn chosen(&self) -> &Tried {
         &self.selection.models[self.decision.model]

@@ -26,6 +26,7 @@ pub(crate) fn fitted(found: &Found<'_>, tried: &Tried, range: Range<usize>) -> V
             FittedParameter {
                 value: parameter.prior.at(z),
                 sd: parameter.prior.slope(z) * sd,
+                sd_of_fit: parameter.prior.slope(z) * tried.fit.sd[i],
                 at_limit: tried.fit.at_limit[i],
                 parameter,
             }
@@ -35,17 +36,17 @@ pub(crate) fn fitted(found: &Found<'_>, tried: &Tried, range: Range<usize>) -> V
 
 /// The same for the record.
 pub(crate) fn parameters(found: &Found<'_>, tried: &Tried, range: Range<usize>) -> Vec<ParameterFacts> {
-    let facts = |(f, i): (FittedParameter, usize)| ParameterFacts {
+    let facts = |f: FittedParameter| ParameterFacts {
         name: f.parameter.name.clone(),
         unit: f.parameter.unit.clone(),
         prior: [f.parameter.centre(), f.parameter.sd()],
         value: f.value,
         sd: f.sd,
-        sd_of_fit: f.parameter.prior.slope(tried.fit.z[i]) * tried.fit.sd[i],
+        sd_of_fit: f.sd_of_fit,
         at_limit: f.at_limit,
         meaning: f.parameter.meaning,
     };
-    fitted(found, tried, range.clone()).into_iter().zip(range).map(facts).collect()
+    fitted(found, tried, range).into_iter().map(facts).collect()
 }
 
 /// The model that the diagnosis ends with.
@@ -71,8 +72,8 @@ pub(crate) fn augmented(found: &Found<'_>) -> Augmented {
         own.iter().map(|i| named(all[*i].clone())).collect()
     };
     Augmented {
-        parameters: base_of(chosen),
-        base_alone: base_of(found.selection.base()),
+        parameters: base_of(found.told(chosen)),
+        base_alone: base_of(found.base_alone),
         effects: chosen.effects.iter().enumerate().map(effect).collect(),
         scales: Scales {
             longest_run_s: context.longest_run_s,

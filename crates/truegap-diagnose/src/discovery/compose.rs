@@ -65,7 +65,7 @@ pub fn compose(
     );
     let mut best: Option<Composition> = None;
     for from in launches {
-        let found = beside(search, selection, from, lack_of_fit, strained);
+        let found = beside(search, selection, from, lack_of_fit, strained.then_some(chosen));
         let better = |f: &Composition| best.as_ref().is_none_or(|b| f.log_odds > b.log_odds);
         best = found.filter(better).or(best);
         if best.as_ref().is_some_and(|b| !lack_of_fit.adequacy(&b.tried.fit).fires()) {
@@ -90,11 +90,13 @@ fn beside(
     selection: &Selection,
     from: &Tried,
     lack_of_fit: &LackOfFitTests,
-    strained: bool,
+    strained: Option<&Tried>,
 ) -> Option<Composition> {
     let scale = selection.temper * lack_of_fit.slack();
     let first = discover(search, from, scale, IDS[0])?;
     let tried = fitted(search, from, &first.effect)?;
+    // a law that does not hold is still the better description where the mechanism leaves more
+    let strained = strained.is_some_and(|strained| tried.fit.objective() <= strained.fit.objective());
     let log_odds = selection.log_odds_beside(from, first.gain, lack_of_fit.slack(), |m| !strained || m.effects.is_empty());
     let second = if lack_of_fit.adequacy(&tried.fit).fires() { second(search, &tried, &first, scale) } else { None };
     let (mut mechanisms, mut whole, mut log_odds) = (vec![first], tried, log_odds);
@@ -129,7 +131,9 @@ pub fn is_strained(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: &Tri
         let beyond = |i: usize| leaves_misfit || tried.fit.pull(i) > CLEARLY_BEYOND;
         model.range_of(*index).skip(1).any(|i| tried.fit.at_limit[i] && !special(values[i]) && beyond(i))
     };
-    let carried: f64 = (0..tried.effects.len()).filter(at_limit).map(|index| detectability(search, tried, index).powi(2)).sum();
+    let law = |index: &usize| !search.library[tried.effects[*index]].describes();
+    let carried: f64 =
+        (0..tried.effects.len()).filter(law).filter(at_limit).map(|index| detectability(search, tried, index).powi(2)).sum();
     let explained = 2.0 * (base.fit.objective() - tried.fit.objective());
     carried > 0.0 && carried > (1.0 - RIGHT_FAMILY) * explained
 }

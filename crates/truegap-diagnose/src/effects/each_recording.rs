@@ -55,8 +55,13 @@ impl<E: Effect> EachRecording<E> {
         let mut numbers = fitted[1 + k * own..1 + (k + 1) * own].to_vec();
         let (size, factor) = (&fitted[0], &numbers[0]);
         let at_limit = factor.at_limit || size.at_limit;
-        numbers[0] =
-            FittedParameter { value: size.value * factor.value, sd: size.value.abs() * factor.sd, at_limit, ..size.clone() };
+        numbers[0] = FittedParameter {
+            value: size.value * factor.value,
+            sd: size.value.abs() * factor.sd,
+            sd_of_fit: size.value.abs() * factor.sd_of_fit,
+            at_limit,
+            ..size.clone()
+        };
         let suffix = format!("_{}", k + 1);
         for number in &mut numbers[1..] {
             number.parameter.name = number.parameter.name.trim_end_matches(&suffix).to_owned();

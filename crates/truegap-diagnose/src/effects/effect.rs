@@ -70,8 +70,10 @@ pub struct FittedParameter {
     pub parameter: Parameter,
     /// most probable value, in the parameter's unit
     pub value: f64,
-    /// standard deviation, in the parameter's unit
+    /// standard deviation, in the parameter's unit, with physics that may act beside what is named
     pub sd: f64,
+    /// part of it that the fit itself has, from noise and prior
+    pub sd_of_fit: f64,
     /// whether the value lies on a bound
     pub at_limit: bool,
 }
@@ -117,6 +119,10 @@ pub trait Effect: Send + Sync {
     }
     /// Whether it has no equation that could be wrong, but a number for whatever happens; what it leaves is then another cause.
     fn free_form(&self) -> bool {
+        false
+    }
+    /// Whether its shape describes a curve and is no law: a shape on a bound then says nothing against it.
+    fn describes(&self) -> bool {
         false
     }
     /// Whether it belongs to what recorded and not to what was recorded, as a clock does: its numbers mean nothing in another recording.

@@ -11,29 +11,70 @@ use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageN
 /// A smooth bend of the characteristic between the ends of the span, where it is none.
 pub struct Nonlinearity;
 
-/// Bend over the span, and the weights of Legendre's first polynomials that lean and crowd it.
+/// Places at which the mean square of a departure is taken.
+const PLACES: usize = 48;
+
+/// Root mean square that is added to that of a shape, so that none is blown up to be one.
+const LEAST: f64 = 0.02;
+
+/// Where the characteristic is steep, and by how much it departs from the straight line between its ends.
 struct Bend {
-    size: f64,
+    /// factor on the shape
+    scale: f64,
+    /// place, in spans, where a warped scale is widest
+    middle: f64,
+    /// width of that place, in spans; a wide one warps nothing
+    width: f64,
+    /// weights of Legendre's first polynomials along the warped scale
     weights: [f64; 3],
+    /// what warps the scale
+    warp: Warp,
+}
+
+/// An odd function that grows like a logarithm, and its slope.
+type Warp = fn(f64) -> (f64, f64);
+
+fn asinh(u: f64) -> (f64, f64) {
+    (u.asinh(), u.hypot(1.0).recip())
+}
+
+/// For the sibling: the same straight beginning and nearly the same end.
+fn logarithm(u: f64) -> (f64, f64) {
+    (u.signum() * u.abs().ln_1p(), (1.0 + u.abs()).recip())
 }
 
 impl Bend {
-    fn of(values: &[f64]) -> Self {
-        Self { size: values[0], weights: [values[1], values[2], values[3]] }
+    fn of(values: &[f64], warp: Warp) -> Self {
+        let shape = Self { scale: 1.0, middle: values[1], width: values[2], weights: [values[3], values[4], values[5]], warp };
+        let places = (0..PLACES).map(|k| (k as f64 + 0.5) / PLACES as f64);
+        let square = places.map(|x| shape.at(x).powi(2)).sum::<f64>() / PLACES as f64;
+        Self { scale: values[0] / square.sqrt().hypot(LEAST), ..shape }
+    }
+
+    /// The warped scale, 0 at 0 and 1 at 1, and its slope.
+    fn warped(&self, x: f64) -> (f64, f64) {
+        let at = |x: f64| (self.warp)((x - self.middle) / self.width);
+        let ((first, _), (here, slope), (last, _)) = (at(0.0), at(x), at(1.0));
+        let all = last - first;
+        ((here - first) / all, slope / (self.width * all))
     }
 
     /// Departure from the straight line between the ends, over the span, `x` of the span above the zero; straight on beyond the ends.
     fn at(&self, x: f64) -> f64 {
         let inside = x.clamp(0.0, 1.0);
-        let law = |x: f64| 4.0 * x * (1.0 - x) * self.crowded(2.0 * x - 1.0);
-        // the slope at the ends, where 4 x (1 - x) has 4 and -4
-        let slope = if x > 1.0 { -4.0 * self.crowded(1.0) } else { 4.0 * self.crowded(-1.0) };
-        self.size * (law(inside) + slope * (x - inside))
+        let (w, slope) = self.warped(inside);
+        let departure = w - inside + 4.0 * w * (1.0 - w) * self.weighted(2.0 * w - 1.0);
+        if x == inside {
+            return self.scale * departure;
+        }
+        // of 4 w (1 - w), the slope at the ends is 4 and -4
+        let of_arch = if x > 1.0 { -4.0 * self.weighted(1.0) } else { 4.0 * self.weighted(-1.0) };
+        self.scale * (departure + (slope * (1.0 + of_arch) - 1.0) * (x - inside))
     }
 
-    fn crowded(&self, u: f64) -> f64 {
-        let [lean, crowd, more] = self.weights;
-        1.0 + lean * u + crowd * 0.5 * (3.0 * u * u - 1.0) + more * 0.5 * u * (5.0 * u * u - 3.0)
+    fn weighted(&self, u: f64) -> f64 {
+        let [even, lean, crowd] = self.weights;
+        even + lean * u + crowd * 0.5 * (3.0 * u * u - 1.0)
     }
 
     /// Greatest departure between the ends, and where it is: shares of the span.
@@ -46,7 +87,7 @@ impl Bend {
 
 impl Stage for Bend {
     fn readout(&self, _: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
-        bent(readout, value, self.size, |x| self.at(x));
+        bent(readout, value, self.scale, |x| self.at(x));
     }
 }
 
@@ -56,19 +97,6 @@ fn bent(readout: &Readout, value: &mut [f64], size: f64, law: impl Fn(f64) -> f6
     }
     for value in value {
         *value += readout.span * law((*value - readout.zero) / readout.span);
-    }
-}
-
-/// Sibling: a sine between the ends instead of a parabola.
-struct Arch(Bend);
-
-impl Stage for Arch {
-    fn readout(&self, _: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
-        let law = |x: f64| {
-            let inside = x.clamp(0.0, 1.0);
-            self.0.size * (std::f64::consts::PI * inside).sin() * self.0.crowded(2.0 * inside - 1.0)
-        };
-        bent(readout, value, self.0.size, law);
     }
 }
 
@@ -88,12 +116,15 @@ impl Effect for Nonlinearity {
     fn about(&self) -> About {
         About {
             physics: "the characteristic is bent where the base model has a straight one: linearity error of a sensor, an amplifier, a law of nature",
-            equation: "value = true + b S 4 x (1 - x) [1 + c1 P1(u) + c2 P2(u) + c3 P3(u)], x the reading above its zero over the span S, u = 2 x - 1, P Legendre's polynomials; straight on beyond the ends",
+            equation: "value = true + b S g / rms(g), g = w - x + 4 w (1 - w) [c0 + c1 u + c2 (3 u^2 - 1) / 2], x the reading above its zero over the span S, w(x) from asinh((x - m) / h) with w(0) = 0 and w(1) = 1, u = 2 w - 1; straight on beyond the ends",
             excitation: "readings all over the span",
             impostors: &["saturation", "temperature_coefficient", "driver_coefficient", "offset_drift"],
             separates: "one curve, up and down, slow and fast, today and tomorrow",
             source: "terminal-based nonlinearity, IEC 61298-2; Pallas-Areny & Webster, Sensors and Signal Conditioning, sec. 1.3",
         }
+    }
+    fn describes(&self) -> bool {
+        true
     }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         let weight =
@@ -104,15 +135,19 @@ impl Effect for Nonlinearity {
                 "spans",
                 0.0,
                 0.1,
-                "departure midway from the straight line between the ends, over the span",
+                "departure from the straight line between the ends, root mean square over the span",
             ),
-            weight("lean", 1.0, "how far the bend leans to the upper end"),
-            weight("crowd", 0.7, "how far it crowds to both ends"),
-            weight("more", 0.5, "how far it turns"),
+            Parameter::normal("middle", "spans", 0.5, 0.5, "place where the curve is steepest or flattest").within(-0.5, 1.5),
+            Parameter::log_normal("width", "spans", 1.0, 1.5, "width of that place").within(3e-3, 30.0),
+            weight("even", 1.0, "part that is the same to both sides of the middle"),
+            weight("lean", 0.7, "part that leans to the upper end"),
+            weight("crowd", 0.5, "part that crowds to both ends"),
         ]
     }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
-        vec![vec![0.0, 0.0, 0.0], vec![2.0, 0.5, 0.0], vec![-2.0, 0.5, 0.0]]
+        let plain = |even: f64, lean: f64| vec![0.5, 5.0, even, lean, 0.0];
+        let steep = |middle: f64| vec![middle, 0.08, 0.0, 0.0, 0.0];
+        vec![plain(1.0, 0.0), steep(0.0), steep(1.0), steep(0.5), plain(0.0, 1.0)]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
@@ -122,17 +157,21 @@ impl Effect for Nonlinearity {
         if !context.simulator.moves() {
             return Err("a value that does not move is not bent".into());
         }
+        let moved = &context.moved;
+        if moved.temperature_k == 0.0 && moved.load == 0.0 && !moved.gap && !moved.simulated && moved.drivers.is_empty() {
+            return Err("the base model follows time alone; a bend in time is a drift, a decay or a lag".into());
+        }
         context.needs_movement()
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(Bend::of(values))
+        Box::new(Bend::of(values, asinh))
     }
     fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Arch(Bend::of(values))))
+        Some(Box::new(Bend::of(values, logarithm)))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let values: Vec<f64> = fitted.iter().map(|p| p.value).collect();
-        let (most, at) = Bend::of(&values).most();
+        let (most, at) = Bend::of(&values, asinh).most();
         // the greatest departure is in proportion to the size
         let sd = if fitted[0].value == 0.0 { fitted[0].sd } else { fitted[0].sd * (most / fitted[0].value).abs() };
         let side = if most < 0.0 { "below" } else { "above" };
@@ -149,18 +188,28 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_ends_stay_and_the_middle_departs_by_the_size() {
-        let bend = Bend::of(&[0.1, 0.0, 0.0, 0.0]);
+    fn without_a_steep_place_it_is_a_parabola_through_the_ends() {
+        // so wide that the scale departs from a straight one by less than 1 / (6 h^2); the parabola 4 x (1 - x) has the root mean square sqrt(8 / 15)
+        let bend = Bend::of(&[0.1, 0.5, 1e4, 1.0, 0.0, 0.0], asinh);
         assert_eq!((bend.at(0.0), bend.at(1.0)), (0.0, 0.0));
-        approx::assert_relative_eq!(bend.at(0.5), 0.1);
-        // a parabola is its own closed form: 4 b x (1 - x)
-        approx::assert_relative_eq!(bend.at(0.2), 0.4 * 0.2 * 0.8);
-        approx::assert_relative_eq!(bend.most().0, 0.1);
+        let scale = 0.1 / (8.0f64 / 15.0).sqrt().hypot(LEAST);
+        // midpoint rule with 48 places: 1e-4
+        approx::assert_relative_eq!(bend.at(0.2), scale * 4.0 * 0.2 * 0.8, max_relative = 1e-3);
+        approx::assert_relative_eq!(bend.most().0, scale, max_relative = 1e-3);
+    }
+
+    #[test]
+    fn a_narrow_place_at_the_lower_end_is_a_logarithm() {
+        let bend = Bend { scale: 1.0, middle: 0.0, width: 1e-3, weights: [0.0; 3], warp: asinh };
+        // asinh(x / h) is ln(2 x / h) far above h: straight line and departure together are 1 + ln(x) / ln(2 / h)
+        for x in [0.05, 0.3, 0.8] {
+            approx::assert_relative_eq!(x + bend.at(x), 1.0 + x.ln() / 2e3_f64.ln(), epsilon = 1e-4);
+        }
     }
 
     #[test]
     fn it_goes_straight_on_beyond_the_ends_without_a_kink() {
-        let bend = Bend::of(&[0.1, 1.5, -0.4, 0.3]);
+        let bend = Bend::of(&[0.1, 0.3, 0.2, 1.5, -0.4, 0.3], asinh);
         for end in [0.0, 1.0] {
             let step = 1e-6;
             let (inside, outside) = if end == 0.0 { (step, -step) } else { (1.0 - step, 1.0 + step) };
@@ -168,29 +217,5 @@ mod tests {
             approx::assert_abs_diff_eq!(bend.at(inside) + bend.at(outside), 2.0 * bend.at(end), epsilon = 1e-10);
         }
         approx::assert_relative_eq!(bend.at(1.4), 4.0 * bend.at(1.1), max_relative = 1e-12);
-    }
-
-    /// Legendre's polynomials are 1 at 1 and (-1)^k at -1, and orthogonal on -1 to 1: two facts that share no code with the sums above.
-    #[test]
-    fn the_weights_are_those_of_legendres_polynomials() {
-        let alone = |k: usize| {
-            let mut values = [1.0, 0.0, 0.0, 0.0];
-            values[k] = 1.0;
-            let with = Bend::of(&values);
-            let without = Bend::of(&[1.0, 0.0, 0.0, 0.0]);
-            move |u: f64| with.crowded(u) - without.crowded(u)
-        };
-        for k in 1..=3 {
-            approx::assert_relative_eq!(alone(k)(1.0), 1.0);
-            approx::assert_relative_eq!(alone(k)(-1.0), if k % 2 == 0 { 1.0 } else { -1.0 });
-            for other in (1..=3).filter(|other| *other != k) {
-                let steps = 4000;
-                let at = |i: usize| 2.0 * (i as f64 + 0.5) / f64::from(steps) - 1.0;
-                let product: f64 =
-                    (0..steps as usize).map(|i| alone(k)(at(i)) * alone(other)(at(i))).sum::<f64>() / f64::from(steps);
-                // midpoint rule: an error of second order in 1/2000
-                approx::assert_abs_diff_eq!(product, 0.0, epsilon = 1e-6);
-            }
-        }
     }
 }

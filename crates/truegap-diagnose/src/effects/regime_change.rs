@@ -13,8 +13,22 @@ use crate::{
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
-/// A temperature coefficient (or that of a driver, or the gain) and a zero that change at one time.
-pub struct RegimeChange;
+/// A coefficient and a zero that change at one time.
+pub enum RegimeChange {
+    /// that of the temperature, else of a driver, else the gain
+    OfWhatMoves,
+    /// the gain, where the coefficient of something else could have changed as well
+    OfTheGain,
+}
+
+impl RegimeChange {
+    fn of(&self, context: &Context<'_>) -> Of {
+        match self {
+            Self::OfWhatMoves => Of::what_moves(context),
+            Self::OfTheGain => Of::Reading,
+        }
+    }
+}
 
 /// What the coefficient is of.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -123,8 +137,7 @@ fn length(context: &Context<'_>) -> f64 {
     if context.shortest_step_s.is_some() { context.duration_s } else { context.inputs.len() as f64 }
 }
 
-fn switch(values: &[f64], context: &Context<'_>) -> Switch {
-    let of = Of::what_moves(context);
+fn switch(values: &[f64], of: Of) -> Switch {
     let jump = if of == Of::Nothing { 1.0 } else { values[3] };
     Switch { of, change: values[0], when_s: values[1], takes_s: values[2], jump }
 }
@@ -165,7 +178,10 @@ const AT_FIRST: f64 = 0.15;
 
 impl Effect for RegimeChange {
     fn id(&self) -> EffectId {
-        EffectId("regime_change")
+        EffectId(match self {
+            Self::OfWhatMoves => "regime_change",
+            Self::OfTheGain => "gain_change",
+        })
     }
     fn stage(&self) -> StageName {
         StageName::Readout
@@ -181,13 +197,20 @@ impl Effect for RegimeChange {
             physics: "something is switched inside the recording (a compensation, a repair, a new firmware): zero and coefficient are others afterwards",
             equation: "value = true + q h(t) (x + z), h from 0 to 1 at t_c, straight over w; x is T_s - T0, else a driver, else the reading; the coefficient before is that of `temperature_coefficient` (or `driver_coefficient`) beside it",
             excitation: "temperature (or a driver) that moves before and after the change",
-            impostors: &["temperature_coefficient", "driver_coefficient", "offset_drift", "offset_steps", "gain_drift"],
+            impostors: &[
+                "temperature_coefficient",
+                "driver_coefficient",
+                "offset_drift",
+                "offset_steps",
+                "gain_drift",
+                "nonlinearity",
+            ],
             separates: "one law before and one law after a time, each the same throughout",
             source: "Basseville & Nikiforov, Detection of Abrupt Changes, ch. 2; Quandt, J. Am. Stat. Assoc. 53 (1958) 873 (switching regressions)",
         }
     }
     fn beside(&self, context: &Context<'_>) -> Option<&'static str> {
-        match Of::what_moves(context) {
+        match self.of(context) {
             Of::Temperature => Some("temperature_coefficient"),
             Of::Driver(_) => Some("driver_coefficient"),
             Of::Reading | Of::Nothing => None,
@@ -197,7 +220,7 @@ impl Effect for RegimeChange {
         true
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let of = Of::what_moves(context);
+        let of = self.of(context);
         let (span, length) = (of.span(context).max(f64::MIN_POSITIVE), length(context).max(1.0));
         let size = if of == Of::Nothing { context.response_span.abs() } else { context.response_span.abs() / span };
         let step = context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0).min(0.01 * length);
@@ -218,7 +241,7 @@ impl Effect for RegimeChange {
         list
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        let (of, length) = (Of::what_moves(context), length(context).max(1.0));
+        let (of, length) = (self.of(context), length(context).max(1.0));
         let (earliest, latest) = told_apart(context, of).unwrap_or((0.0, length));
         let times = (0..LOOKED_AT).map(|k| earliest + (latest - earliest) * (k as f64 + 0.5) / LOOKED_AT as f64);
         let shape = |t: f64| match of {
@@ -231,7 +254,19 @@ impl Effect for RegimeChange {
         context.has(StageName::Readout)?;
         // it is said when something was switched, which rows without a clock cannot say
         context.needs_clock()?;
-        if context.has(StageName::Dielectric).is_ok() && !matches!(Of::what_moves(context), Of::Driver(_)) {
+        if matches!(self, Self::OfTheGain) {
+            if context.has(StageName::Dielectric).is_ok() {
+                return Err("the base model has places for a change of its own".into());
+            }
+            if Of::what_moves(context) == Of::Reading {
+                return Err("the same as a change of regime here".into());
+            }
+            if !context.simulator.moves() {
+                return Err("a value that does not move shows no gain".into());
+            }
+            context.needs_movement()?;
+        }
+        if context.has(StageName::Dielectric).is_ok() && !matches!(self.of(context), Of::Driver(_)) {
             return Err(
                 "the base model has places for temperature and history of its own; jumps between runs are offset_steps".into()
             );
@@ -243,23 +278,23 @@ impl Effect for RegimeChange {
         if rows < FEWEST {
             return Err(format!("{rows} rows only, too few for two laws"));
         }
-        match told_apart(context, Of::what_moves(context)) {
+        match told_apart(context, self.of(context)) {
             None => Err("what the coefficient is of does not move both before and after any time".into()),
             Some(_) => Ok(()),
         }
     }
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(switch(values, context))
+        Box::new(switch(values, self.of(context)))
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Settling(switch(values, context))))
+        Some(Box::new(Settling(switch(values, self.of(context)))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         said(fitted, "its input", None)
     }
     fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, beside: &[(EffectId, Vec<FittedParameter>)]) -> String {
         let before = |id: &str| beside.iter().find(|(effect, _)| effect.0 == id).and_then(|(_, f)| f.first());
-        match Of::what_moves(context) {
+        match self.of(context) {
             Of::Temperature => said(fitted, "temperature", before("temperature_coefficient")),
             Of::Driver(course) => said(fitted, course.name(context), before("driver_coefficient")),
             Of::Reading | Of::Nothing => said(fitted, "its input", None),

@@ -34,7 +34,8 @@ pub fn sentence(
     }
     let told = effect.told(fitted, context, beside);
     let further = &fitted[1..];
-    let at_limit: Vec<String> = further.iter().filter(|f| f.at_limit && !is_natural(f.value)).map(limit).collect();
+    let at_limit: Vec<String> =
+        further.iter().filter(|f| f.at_limit && !is_natural(f.value) && !effect.describes()).map(limit).collect();
     let no_number: Vec<String> = further.iter().filter(|f| !f.value.is_finite()).map(value).collect();
     match (at_limit.as_slice(), no_number.as_slice()) {
         ([], []) => told,
@@ -68,9 +69,10 @@ fn about_the_fit(effect: &dyn Effect, size: &FittedParameter) -> Option<String> 
         return Some(format!("{name} is asked for, but the fit ran to the limit of {}", limit(size)));
     }
     // typical sizes of numbers that are free one by one are as sure as those numbers are many
-    let unsure = size.sd.is_nan() || size.sd > size.value.abs();
+    // what else may act is told in the deviation beside the number; here it is the fit that does not know it
+    let unsure = size.sd_of_fit.is_nan() || size.sd_of_fit > size.value.abs();
     (unsure && !effect.free_form()).then(|| {
-        let told = with_sd(size.value, size.sd, &size.parameter.unit);
+        let told = with_sd(size.value, size.sd_of_fit, &size.parameter.unit);
         format!("{name} is asked for, but its size is less sure than it is large, {told}")
     })
 }
@@ -102,7 +104,8 @@ fn value(number: &FittedParameter) -> String {
     format!("{} for {}", rounded(number.value, &number.parameter.unit), called(number))
 }
 
-fn called(number: &FittedParameter) -> String {
+/// `the size of the change`: what a number means, with its article.
+pub(crate) fn called(number: &FittedParameter) -> String {
     let meaning = uncapitalised(&number.parameter.meaning);
     format!("the {}", meaning.strip_prefix("its ").unwrap_or(&meaning))
 }

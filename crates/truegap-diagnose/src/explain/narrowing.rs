@@ -4,12 +4,13 @@
 
 use crate::{
     effects::effect::FittedParameter,
+    effects::sentence::called,
     explain::{
         next_experiment::{ExperimentOption, NextExperiment, by_worth, playable},
         play::left_of,
     },
     selection::candidates::{Search, Tried},
-    text::{listed, significant, spoken, uncapitalised, with_sd},
+    text::{listed, significant, spoken, with_sd},
 };
 
 /// Relative error up to which a number needs no further run.
@@ -37,8 +38,8 @@ pub(crate) fn narrowing(search: &Search<'_>, best: &Tried, least_sure: Option<Le
     };
     let number = &least.number;
     let says = format!(
-        "{settled}; least sure of its numbers is the {} ({}), {}",
-        uncapitalised(&number.parameter.meaning),
+        "{settled}; least sure of its numbers is {} ({}), {}",
+        called(number),
         spoken(&least.effect),
         with_sd(number.value, number.sd, &number.parameter.unit)
     );

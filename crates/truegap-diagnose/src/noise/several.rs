@@ -13,9 +13,10 @@ use crate::{
         rescale::not_above,
         response::{beside_louder_rows, from_misfit, noise_model},
         switching::load_switches,
+        tuning::CARRIED_ANEW,
     },
     whitening::{
-        noise_model::{NoiseModel, RecordingNoise},
+        noise_model::{InputNoise, NoiseModel, RecordingNoise},
         whitener::Lasting,
     },
 };
@@ -44,10 +45,28 @@ fn of_one(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseError> 
         load_steps: load_steps.as_ref(),
         temperature_steps: temperature_steps.as_ref(),
     };
-    let noise = noise_model(&still, &still.simulator.centre(), noise, &left)?;
+    let inputs_noise = noise;
+    let noise = noise_model(&still, &still.simulator.centre(), inputs_noise, &left)?;
+    let noise = match far_from_the_prior(&still, &noise)? {
+        Some(values) => noise_model(&still, &values, inputs_noise, &left)?,
+        None => noise,
+    };
     let noise = without_rest(&still, noise)?;
     let noise = with_louder_rows(&still, noise)?;
     Ok((inputs, noise))
+}
+
+/// The calibrated numbers of the base model, where calibration drives one far: the error of the inputs is then carried through another slope than foreseen.
+fn far_from_the_prior(problem: &Problem<'_>, noise: &NoiseModel) -> Result<Option<Vec<f64>>, DiagnoseError> {
+    if noise.inputs == InputNoise::default() {
+        return Ok(None);
+    }
+    let context = problem.context(problem.span(), noise.floor());
+    let model = Model::new(problem, &context, Vec::new());
+    let runs = problem.runs();
+    let calibrated = lowest(&model, &noise.whitener(&runs, None), &noise.scaled(LOOSE).whitener(&runs, None))?;
+    let far = calibrated.z.iter().any(|z| z.abs() > CARRIED_ANEW);
+    Ok(far.then(|| model.values(&calibrated.z)))
 }
 
 fn of_several(problem: &Problem<'_>, joined: &dyn Joined) -> Result<(Inputs, NoiseModel), DiagnoseError> {

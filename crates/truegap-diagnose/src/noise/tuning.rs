@@ -223,3 +223,8 @@ pub(crate) const LATEST_ROW: usize = 8;
 
 /// Standard deviations beyond which a correlation of changes is none of chance, many rows and several delays tried.
 pub(crate) const BY_CHANCE: f64 = 8.0;
+
+// several.rs
+
+/// Prior standard deviations from which on the error of the inputs is carried through the calibrated numbers instead of the foreseen ones.
+pub(crate) const CARRIED_ANEW: f64 = 4.0;

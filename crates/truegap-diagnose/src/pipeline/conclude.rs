@@ -2,9 +2,12 @@
 //!
 //! Limits: the last stage of the pipeline; nothing is changed after it.
 
-use crate::text::significant;
+use crate::text::{significant, spoken};
 use crate::{
-    adequacy::{interference::every_row::Interference, lack_of_fit::LackOfFitTests},
+    adequacy::{
+        interference::every_row::Interference,
+        lack_of_fit::{Adequacy, LackOfFitTests},
+    },
     answer::{Found, Known, Outcome, Reserved, outcome},
     data::error::DiagnoseError,
     discovery::{
@@ -13,12 +16,16 @@ use crate::{
     },
     explain::hidden_input::slow_input::SlowInput,
     fit::model::Model,
-    pipeline::{options::Options, prepare::Prepared},
+    pipeline::{
+        alone::{Alone, alone},
+        options::Options,
+        prepare::Prepared,
+    },
     selection::{
-        candidates::{Progress, Search},
+        candidates::{Progress, Search, Tried},
         examine::{Examined, judge},
         posterior::Selection,
-        verdict::{Decision, Verdict, interrupted},
+        verdict::{Decision, Verdict, interrupted, stepped_back},
         weak_effects::widened,
     },
     validation::{
@@ -28,6 +35,7 @@ use crate::{
             fill::{Whole, fill},
         },
         selected_again::selected_again,
+        step_back::{LeftOut, step_back},
         veto::Unseen,
     },
 };
@@ -83,8 +91,12 @@ pub(crate) fn conclude(
     let (interference, decision) = with_interference(prepared, search, &examined)?;
     let (decision, kept_back) = reserved(decision, selection, slow.as_ref().map(|(slow, _)| slow), told.options);
     let all = AllRows { problem: prepared.problem, first: prepared.averages.as_ref().map(|t| t.first.as_slice()) };
-    let (unseen, decision, vetoed) = predicted(prepared, search, all, selection, decision);
-    let mut told_of = vec![selection.base()];
+    let missing = decision.verdict != Verdict::Agrees;
+    let alone = missing.then(|| alone(prepared, search, all, selection.base())).flatten();
+    let Predicted { unseen, decision, after, vetoed, left_out } =
+        predicted(prepared, search, all, selection, decision, alone.as_ref());
+    let base = alone.as_ref().map_or(selection.base(), |alone| &alone.tried);
+    let mut told_of = vec![base];
     for tried in [&selection.models[decision.model]].into_iter().chain(composition.as_ref().map(|c| &c.tried)) {
         if told_of.iter().all(|known| known.effects != tried.effects) {
             told_of.push(tried);
@@ -104,7 +116,9 @@ pub(crate) fn conclude(
         decision: &decision,
         bank: bank.as_ref(),
         before: examined.before,
-        after: examined.after,
+        after: after.unwrap_or(examined.after),
+        base_alone: base,
+        left_out,
         interference,
         unseen,
         lack_of_fit: &prepared.lack_of_fit,
@@ -139,30 +153,71 @@ fn counted(composition: &Composition, examined: Examined, lack_of_fit: &LackOfFi
     Examined { selection, decision, after: after.unwrap_or(examined.after), ..examined }
 }
 
-/// Predictions of rows left out, and the decision with them counted: what predicts much worse than the base model is not claimed.
+/// The decision with predictions of rows left out counted.
+struct Predicted {
+    unseen: Unseen,
+    decision: Decision,
+    /// adequacy of the model stood behind, where it is another one now
+    after: Option<Adequacy>,
+    vetoed: Option<Reserved>,
+    /// what is not claimed beside the rest, for a reader
+    left_out: Vec<String>,
+}
+
+/// Predicts rows left out: what predicts them much worse than the base model is not claimed, nor an effect without which the others predict them better.
 fn predicted(
     prepared: &Prepared<'_>,
     search: &Search<'_>,
     all: AllRows<'_>,
     selection: &Selection,
     decision: Decision,
-) -> (Unseen, Decision, Option<Reserved>) {
-    let of = |tried| held_out(search, &prepared.searched_noise, tried, all);
-    let chosen = &selection.models[decision.model];
-    let named = (!chosen.effects.is_empty()).then(|| of(chosen));
-    let unseen = Unseen { base: of(selection.base()), named };
-    let foretells = chosen.effects.iter().all(|e| !search.library[*e].free_form());
-    let Some([base, named]) = unseen.worse().filter(|_| foretells) else { return (unseen, decision, None) };
-    let ids = chosen.effects.iter().map(|e| search.library[*e].id().to_string()).collect::<Vec<_>>().join(" and ");
-    let says = format!(
-        "there is a mismatch, but its cause is not decided: {ids} would fit it, and predicts rows left out worse than the calibrated model does \
-         ({} against {} {})",
-        significant(named, 3),
-        significant(base, 3),
-        search.problem.simulator.unit()
-    );
-    let reserved = Reserved { says, withheld: false, input_missing: false };
-    (Unseen { named: None, ..unseen }, Decision::nothing(Verdict::Undecided, selection.base), Some(reserved))
+    alone: Option<&Alone>,
+) -> Predicted {
+    let of = |tried: &Tried| held_out(search, &prepared.searched_noise, tried, all);
+    let base = alone.map_or_else(|| of(selection.base()), |alone| held_out(search, &alone.noise, &alone.tried, all));
+    let nothing = |decision| (Unseen { base: base.clone(), named: None }, decision);
+    if selection.models[decision.model].effects.is_empty() {
+        let (unseen, decision) = nothing(decision);
+        return Predicted { unseen, decision, after: None, vetoed: None, left_out: Vec::new() };
+    }
+    let free_form = |e: usize| search.library[e].free_form();
+    let start = (decision.model, of(&selection.models[decision.model]));
+    let (model, named, left_out) = step_back(selection, start, of, free_form);
+    let unit = search.problem.simulator.unit();
+    let id = |e: usize| search.library[e].id().to_string();
+    let told = |left: &LeftOut| {
+        format!(
+            "{} would fit as well, but without it rows left out are predicted better ({} against {} {unit}), so it is not claimed",
+            spoken(&id(left.effect)),
+            significant(left.errors[0], 3),
+            significant(left.errors[1], 3)
+        )
+    };
+    let told: Vec<String> = left_out.iter().map(told).collect();
+    let (decision, after) = if left_out.is_empty() {
+        (decision, None)
+    } else {
+        let after = prepared.lack_of_fit.adequacy(&selection.models[model].fit);
+        (stepped_back(selection, &decision, model, &after), Some(after))
+    };
+    let chosen = &selection.models[model];
+    let unseen = Unseen { base: base.clone(), named: Some(named) };
+    let foretells = chosen.effects.iter().all(|e| !free_form(*e));
+    if let Some([without, with]) = unseen.worse().filter(|_| foretells) {
+        let ids = chosen.effects.iter().map(|e| id(*e)).collect::<Vec<_>>().join(" and ");
+        let says = format!(
+            "there is a mismatch, but its cause is not decided: {ids} would fit it, and predicts rows left out worse than the calibrated model does \
+             ({} against {} {unit})",
+            significant(with, 3),
+            significant(without, 3),
+        );
+        let (unseen, decision) = nothing(Decision::nothing(Verdict::Undecided, selection.base));
+        let vetoed = Some(Reserved { says, withheld: false, input_missing: false });
+        return Predicted { unseen, decision, after: None, vetoed, left_out: told };
+    }
+    // a verdict that names nothing has no model whose predictions could be told
+    let named = unseen.named.filter(|_| decision.model == model);
+    Predicted { unseen: Unseen { base, named }, decision, after, vetoed: None, left_out: told }
 }
 
 /// The recovery bank, where it is wanted; where nothing may be named, there is nothing to be right or wrong about.

@@ -2,6 +2,7 @@
 //!
 //! Limits: one recording (or several joined into one simulator) at a time.
 
+mod alone;
 mod conclude;
 mod noise_choice;
 mod options;

@@ -14,6 +14,7 @@ pub(crate) mod rows;
 pub(crate) mod screen;
 pub(crate) mod tuning;
 pub(crate) mod wrong_sensor;
+pub(crate) mod wrong_unit;
 
 pub use crate::data::error::FEWEST_ROWS;
 pub use clipped::clipped_rows;

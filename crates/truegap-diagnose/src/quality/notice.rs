@@ -28,6 +28,8 @@ pub enum NoticeKind {
     Gap,
     /// the base model foresees something else altogether
     WrongSensor,
+    /// the simulation moves a power of a thousand as far as the reading
+    WrongUnit,
     /// nothing that drives the model changes
     ConstantInput,
 }

@@ -136,5 +136,8 @@ pub(crate) const LOADED: f64 = 0.3;
 /// Correlation with the foreseen readings from which they move together.
 pub(crate) const MOVES_WITH: f64 = 0.9;
 
+/// Prior standard deviations within which a number of the base model itself may make such a difference.
+pub(crate) const REACHED_BY: f64 = 3.0;
+
 /// Relative distance from a power of a thousand within which a unit was mistaken.
 pub(crate) const POWER_OF_A_THOUSAND: f64 = 0.3;

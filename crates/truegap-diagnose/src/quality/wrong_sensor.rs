@@ -84,7 +84,8 @@ fn tolerance(problem: &Problem<'_>, expected: f64) -> f64 {
     problem.simulator.parameters().iter().enumerate().filter_map(moved).sum::<f64>().sqrt()
 }
 
-fn correlation(a: &[f64], b: &[f64]) -> f64 {
+/// Of two columns of one length; 0 where one does not move.
+pub(super) fn correlation(a: &[f64], b: &[f64]) -> f64 {
     let n = a.len() as f64;
     let mean = |c: &[f64]| c.iter().sum::<f64>() / n;
     let (ma, mb) = (mean(a), mean(b));

@@ -135,6 +135,24 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_f
     Decision { verdict, model, sets, removed, unmodelled: None, unmodelled_rivals }
 }
 
+/// The decision for a smaller model than the one stood behind, some of whose effects are not claimed; `after` is the adequacy of the smaller one.
+pub(crate) fn stepped_back(selection: &Selection, decision: &Decision, model: usize, after: &Adequacy) -> Decision {
+    let (fuller, smaller) = (&selection.models[decision.model], &selection.models[model]);
+    let set = |effect: &usize| {
+        let place = fuller.effects.iter().position(|e| e == effect);
+        place.and_then(|place| decision.sets.get(place)).cloned().unwrap_or_else(|| vec![*effect])
+    };
+    let sets: Vec<Vec<usize>> = smaller.effects.iter().map(set).collect();
+    let removed = removed_by(2.0 * (selection.base().fit.objective() - smaller.fit.objective()), after);
+    let verdict = match after.fires() {
+        true if removed < RIGHT_FAMILY => return Decision { removed, ..Decision::nothing(Verdict::Unexplained, selection.base) },
+        _ if sets.iter().any(|set| set.len() > 1) => Verdict::Ambiguous,
+        true if removed < ADEQUATE => Verdict::WrongForm,
+        _ => Verdict::Explained,
+    };
+    Decision { verdict, model, sets, removed, ..decision.clone() }
+}
+
 /// An unmodelled cause is likelier than all of it. What it stands beside is not named: it would be a smaller part of what is missing.
 fn unmodelled_instead(selection: &Selection, unmodelled: &Unmodelled) -> Decision {
     let beside = selection.with(&unmodelled.effects).unwrap_or(selection.base());
@@ -285,5 +303,21 @@ mod tests {
         let two: &[(&[usize], f64)] = &[(&[0, 1], 0.6), (&[0], 0.39), (&[], 0.01)];
         let found = decided(two, 0.0, 0.0);
         assert_eq!((found.verdict, found.sets, found.model), (Verdict::Explained, vec![vec![0]], 1));
+    }
+
+    /// Two effects were stood behind; the second is not claimed any more. What is left decides on the form as before, and a set stays with its effect.
+    #[test]
+    fn a_smaller_model_takes_over_with_its_own_sets_and_form() {
+        let models: &[(&[usize], f64)] = &[(&[0, 1], 0.99), (&[0], 0.005), (&[], 0.005)];
+        let selection = selection(3000.0, models);
+        let fuller =
+            Decision { verdict: Verdict::Explained, sets: vec![vec![0], vec![1, 2]], ..Decision::nothing(Verdict::Explained, 0) };
+        let of = |excess: f64| stepped_back(&selection, &fuller, 1, &left(excess));
+        assert_eq!((of(0.0).verdict, of(0.0).model, of(0.0).sets), (Verdict::Explained, 1, vec![vec![0]]));
+        assert_eq!(of(300.0).verdict, Verdict::WrongForm);
+        let little = of(5000.0);
+        assert_eq!((little.verdict, little.model), (Verdict::Unexplained, 2));
+        let other = Decision { sets: vec![vec![0, 2], vec![1]], ..fuller.clone() };
+        assert_eq!(stepped_back(&selection, &other, 1, &left(0.0)).verdict, Verdict::Ambiguous);
     }
 }

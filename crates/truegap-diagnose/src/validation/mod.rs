@@ -8,5 +8,6 @@ pub(crate) mod permutation;
 pub mod recovery;
 pub(crate) mod reference;
 pub(crate) mod selected_again;
+pub(crate) mod step_back;
 pub(crate) mod tuning;
 pub(crate) mod veto;

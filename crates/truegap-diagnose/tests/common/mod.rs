@@ -267,3 +267,41 @@ pub fn recording() -> Inputs {
     run(240, 0.5, &|t| (4.5 * (t / 5.0).clamp(0.0, 1.0) * ((115.0 - t) / 5.0).clamp(0.0, 1.0), 20.0));
     inputs
 }
+
+/// A reading in proportion to the force: somebody's own simulator, of which plates and stages are not known.
+pub struct Line {
+    pub parameters: Vec<Parameter>,
+}
+
+impl Simulator for Line {
+    fn name(&self) -> &str {
+        "line"
+    }
+    fn unit(&self) -> &str {
+        "V"
+    }
+    fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+    fn needs(&self) -> &[Role] {
+        &[Role::Force]
+    }
+    fn lacks(&self, stage: StageName) -> Option<&'static str> {
+        (stage != StageName::Readout).then_some("nothing is known of it")
+    }
+    fn full_load(&self) -> Option<f64> {
+        Some(3.0)
+    }
+    fn load(&self, inputs: &Inputs) -> Option<Vec<f64>> {
+        Some(inputs.force_n.as_ref()?.iter().map(|force| force / 3.0).collect())
+    }
+    fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
+        let force = inputs.force_n.clone().unwrap_or_default();
+        let load: Vec<f64> = force.iter().map(|force| force / 3.0).collect();
+        let temperature = vec![20.0; inputs.len()];
+        let mut value: Vec<f64> = force.iter().map(|force| values[0] * force).collect();
+        let drive = Drive { inputs, load: &load, temperature_c: &temperature, reference_c: 20.0, full_load: 3.0 };
+        stages.iter().for_each(|stage| stage.readout(&drive, &Readout { zero: 0.0, span: 3.0 * values[0] }, &mut value));
+        Ok(value)
+    }
+}

@@ -3,10 +3,11 @@
 use super::{World, normals};
 use crate::{
     noise::several::measured,
-    selection::examine::examine,
+    selection::{candidates::Tried, examine::examine},
     validation::{
-        cross_validation::{AllRows, compared, held_out, misfit_removed},
+        cross_validation::{AllRows, HeldOutFit, PartError, compared, held_out, misfit_removed},
         selected_again::selected_again,
+        step_back::step_back,
     },
     whitening::noise_model::NoiseModel,
 };
@@ -122,4 +123,31 @@ fn a_choice_made_without_a_part_does_not_see_it() {
     assert_eq!((seen.effects, seen.prediction), (unseen.effects, unseen.prediction));
     let whole = world.search(&nonsense, |search, lack_of_fit| examine(search, lack_of_fit).unwrap().selection.best().key());
     assert!(whole.contains(&1), "{whole:?}");
+}
+
+/// Predictions whose error depends on the effects alone: the second effect costs what it is told to.
+#[test]
+fn an_effect_without_which_the_rest_predicts_better_is_not_claimed() {
+    let world = World::new(4, 30, &[3.0, 3.0]);
+    let y = world.drawn(&[0, 1], &[1.2, 0.9], &mut ChaCha8Rng::seed_from_u64(7));
+    world.search(&y, |search, lack_of_fit| {
+        let selection = examine(search, lack_of_fit).unwrap().selection;
+        let index = |effects: &[usize]| selection.models.iter().position(|m| m.key() == effects.into()).unwrap();
+        let told = |second: f64, free: bool| {
+            let unseen = |tried: &Tried| {
+                let error = if tried.effects.contains(&1) { second } else { 1.0 };
+                let part = |name: &str| PartError { name: name.into(), squares: Some(30.0 * error * error), rows: 30 };
+                HeldOutFit { how: String::new(), prediction: Vec::new(), parts: ["a", "b", "c"].map(part).to_vec() }
+            };
+            let start = (index(&[0, 1]), unseen(&selection.models[index(&[0, 1])]));
+            let (model, named, left_out) = step_back(&selection, start, unseen, |_| free);
+            (model, named.parts[0].rmse(), left_out)
+        };
+        let (model, error, left_out) = told(3.0, false);
+        assert_eq!((model, error), (index(&[0]), Some(1.0)));
+        assert_eq!((left_out[0].effect, left_out[0].errors), (1, [1.0, 3.0]));
+        // what predicts as well stays, and so does a number for whatever happens
+        assert_eq!(told(0.5, false).0, index(&[0, 1]));
+        assert_eq!(told(3.0, true).0, index(&[0, 1]));
+    });
 }

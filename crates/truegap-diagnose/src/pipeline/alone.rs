@@ -1,0 +1,69 @@
+//! The base model as well as it can be calibrated by itself, where something is missing from it.
+//!
+//! A fit under the noise follows what the noise lets it see: where noise is correlated over many rows these are the changes from row to row, and the level of a model that lacks
+//! something may end far from the recording. What is added must not be praised for mending that. So the base model alone is calibrated by least squares, under white noise
+//! as large as what it leaves over; what is known of its numbers counts as before.
+//!
+//! Limits: one size of the misfit for the whole recording; what the search compares is the fit under the noise.
+
+use crate::{
+    fit::{model::Model, several_starts::lowest, tuning::LOOSE},
+    pipeline::prepare::Prepared,
+    selection::candidates::{Search, Tried},
+    validation::cross_validation::AllRows,
+    whitening::{
+        noise_model::{NoiseModel, RecordingNoise},
+        whitener::{InputError, Noise},
+    },
+};
+
+/// Share by which the error must fall for another calibration to be told.
+const LOWER: f64 = 1e-3;
+
+/// Times that the size of the misfit is taken anew.
+const ROUNDS: usize = 4;
+
+/// The base model calibrated by least squares, and the noise under which that is so.
+pub(crate) struct Alone {
+    /// no effects, its fit
+    pub tried: Tried,
+    /// white noise as large as what it leaves over
+    pub noise: NoiseModel,
+}
+
+/// The base model calibrated by itself; `None` where `base`, its fit under the noise, is as near to the recording.
+pub(crate) fn alone(prepared: &Prepared<'_>, search: &Search<'_>, all: AllRows<'_>, base: &Tried) -> Option<Alone> {
+    let model = search.model(&[]);
+    let runs = search.problem.runs();
+    let error = |z: &[f64]| {
+        let every = Model::new(all.problem, search.context, Vec::new());
+        let misfit = every.misfit(z).ok()?;
+        Some((misfit.iter().map(|m| m * m).sum::<f64>() / misfit.len().max(1) as f64).sqrt())
+    };
+    let before = error(&base.fit.z)?;
+    let mut best: Option<(f64, Alone)> = None;
+    let mut size = before;
+    for _ in 0..ROUNDS {
+        let noise = white(&prepared.searched_noise, size);
+        let fit = lowest(&model, &noise.whitener(&runs, None), &noise.scaled(LOOSE).whitener(&runs, None)).ok()?;
+        let found = error(&fit.z)?;
+        let settled = (found - size).abs() <= LOWER * size;
+        if best.as_ref().is_none_or(|(least, _)| found < *least) {
+            best = Some((found, Alone { tried: Tried { effects: Vec::new(), fit }, noise }));
+        }
+        if settled || found == 0.0 {
+            break;
+        }
+        size = found;
+    }
+    best.filter(|(found, _)| *found < (1.0 - LOWER) * before).map(|(_, alone)| alone)
+}
+
+/// White noise of this size in place of what the reading and its inputs have; rows that are louder stay so.
+fn white(noise: &NoiseModel, size: f64) -> NoiseModel {
+    let response = Noise { white_sd: size, ar_sd: 0.0, ar_correlation: 0.0 };
+    let recordings = noise.recordings.iter().map(|r| RecordingNoise { response, ..r.clone() }).collect();
+    let input_error =
+        InputError { louder: noise.input_error.louder.clone(), ..InputError::white(vec![0.0; noise.input_error.variance.len()]) };
+    NoiseModel { response, recordings, input_error, ..noise.clone() }
+}

@@ -1,0 +1,50 @@
+//! An effect without which the others predict rows left out better is not claimed beside them.
+//!
+//! A fuller model is likelier because it fits the rows that it has seen. Where the physics is right it foretells the others, too. One effect is left out after another,
+//! each time the one that costs most, by the rule of [`crate::validation::veto`]; the smaller model takes the place that the base model has there.
+//!
+//! Limits: only models that the search has fitted; a number for whatever happens foretells nothing and is not judged.
+
+use crate::{
+    selection::{candidates::Tried, posterior::Selection},
+    validation::{cross_validation::HeldOutFit, veto::Unseen},
+};
+
+/// An effect that is not claimed.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct LeftOut {
+    /// index into the library
+    pub effect: usize,
+    /// error on rows left out without it and with it
+    pub errors: [f64; 2],
+}
+
+/// The model to stand behind instead of `start`, its predictions of rows left out, and what was left out on the way.
+pub(crate) fn step_back(
+    selection: &Selection,
+    start: (usize, HeldOutFit),
+    unseen: impl Fn(&Tried) -> HeldOutFit,
+    free_form: impl Fn(usize) -> bool,
+) -> (usize, HeldOutFit, Vec<LeftOut>) {
+    let ((mut model, mut named), mut left_out) = (start, Vec::new());
+    loop {
+        let effects = &selection.models[model].effects;
+        let smaller = |effect: &usize| {
+            let others: Vec<usize> = effects.iter().copied().filter(|e| e != effect).collect();
+            let place = selection.models.iter().position(|m| m.key() == others.as_slice().into())?;
+            (!others.is_empty() && !free_form(*effect)).then_some((*effect, place))
+        };
+        let judged = effects.iter().filter_map(smaller).filter_map(|(effect, place)| {
+            let without = unseen(&selection.models[place]);
+            let both = Unseen { base: without, named: Some(named.clone()) };
+            let errors = both.worse()?;
+            Some((place, both.base, LeftOut { effect, errors }))
+        });
+        let cost = |left: &LeftOut| left.errors[1] / left.errors[0];
+        let Some((place, without, left)) = judged.max_by(|a, b| cost(&a.2).total_cmp(&cost(&b.2))) else {
+            return (model, named, left_out);
+        };
+        (model, named) = (place, without);
+        left_out.push(left);
+    }
+}

@@ -31,6 +31,8 @@ pub enum OutputError {
 pub struct OutputFolder {
     target: PathBuf,
     part: PathBuf,
+    /// names that an earlier result may hold and this one not
+    replaced: Vec<String>,
     published: bool,
 }
 
@@ -45,9 +47,16 @@ impl OutputFolder {
             return Err(OutputError::NotAFolder { folder: target });
         }
         let part = beside(&target, "part");
-        let made = Self { target, part, published: false };
+        let made = Self { target, part, replaced: Vec::new(), published: false };
         remove(&made.part).and_then(|()| fs::create_dir_all(&made.part)).map_err(|source| made.failed(&made.part, source))?;
         Ok(made)
+    }
+
+    /// The same folder; files of these names are of an earlier result and go with it, whether this one writes them or not.
+    #[must_use]
+    pub fn replacing(mut self, files: &[&str]) -> Self {
+        self.replaced.extend(files.iter().map(|file| (*file).to_owned()));
+        self
     }
 
     /// Whether `target` could be written now and hold `files` at its top, without leaving anything behind: asked before the work begins.
@@ -123,7 +132,8 @@ impl OutputFolder {
     fn check_replaceable(&self) -> Result<(), OutputError> {
         let new = entries(&self.part).map_err(|source| self.failed(&self.part, source))?;
         let old = entries(&self.target).map_err(|source| self.failed(&self.target, source))?;
-        match old.into_iter().find(|entry| !new.contains(entry)) {
+        let earlier = |entry: &std::ffi::OsString| self.replaced.iter().any(|file| *entry == **file);
+        match old.into_iter().find(|entry| !new.contains(entry) && !earlier(entry)) {
             Some(entry) => Err(OutputError::Foreign { folder: self.target.clone(), entry: entry.to_string_lossy().into_owned() }),
             None => Ok(()),
         }
@@ -243,6 +253,23 @@ mod tests {
         assert!(
             matches!(OutputFolder::check(place.join("old"), &files), Err(OutputError::Foreign { entry, .. }) if entry == "thesis.tex")
         );
+        remove(&place).unwrap();
+    }
+
+    /// A second result with fewer files than the first: found by running a diagnosis twice into one folder, once with a mechanism and once without.
+    #[test]
+    fn a_result_with_fewer_files_replaces_an_earlier_one() {
+        let place = place("fewer");
+        let write = |files: &[&str]| {
+            let folder = OutputFolder::begin(place.join("out")).unwrap().replacing(&["a", "b"]);
+            files.iter().for_each(|file| folder.write(file, "x").unwrap());
+            folder.publish()
+        };
+        write(&["a", "b"]).unwrap();
+        write(&["a"]).unwrap();
+        assert_eq!(entries(&place.join("out")).unwrap(), ["a"]);
+        fs::write(place.join("out/thesis.tex"), "x").unwrap();
+        assert!(matches!(write(&["a"]), Err(OutputError::Foreign { entry, .. }) if entry == "thesis.tex"));
         remove(&place).unwrap();
     }
 

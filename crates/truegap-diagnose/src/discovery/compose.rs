@@ -65,7 +65,7 @@ pub fn compose(
     );
     let mut best: Option<Composition> = None;
     for from in launches {
-        let found = beside(search, selection, from, lack_of_fit, strained.then_some(chosen));
+        let found = beside(search, selection, from, lack_of_fit, strained);
         let better = |f: &Composition| best.as_ref().is_none_or(|b| f.log_odds > b.log_odds);
         best = found.filter(better).or(best);
         if best.as_ref().is_some_and(|b| !lack_of_fit.adequacy(&b.tried.fit).fires()) {
@@ -90,13 +90,11 @@ fn beside(
     selection: &Selection,
     from: &Tried,
     lack_of_fit: &LackOfFitTests,
-    strained: Option<&Tried>,
+    strained: bool,
 ) -> Option<Composition> {
     let scale = selection.temper * lack_of_fit.slack();
     let first = discover(search, from, scale, IDS[0])?;
     let tried = fitted(search, from, &first.effect)?;
-    // a law that does not hold is still the better description where the mechanism leaves more
-    let strained = strained.is_some_and(|strained| tried.fit.objective() <= strained.fit.objective());
     let log_odds = selection.log_odds_beside(from, first.gain, lack_of_fit.slack(), |m| !strained || m.effects.is_empty());
     let second = if lack_of_fit.adequacy(&tried.fit).fires() { second(search, &tried, &first, scale) } else { None };
     let (mut mechanisms, mut whole, mut log_odds) = (vec![first], tried, log_odds);

@@ -62,7 +62,7 @@ impl Diagnosed {
     /// # Errors
     /// [`DiagnosisError`] where the disk refuses or the model cannot be written.
     pub fn write(&self, folder: &Path) -> Result<PathBuf, DiagnosisError> {
-        let out = OutputFolder::begin(folder)?;
+        let out = OutputFolder::begin(folder)?.replacing(&FILES);
         let json = serde_json::to_string_pretty(&self.outcome.diagnosis)?;
         out.write("diagnosis.json", json + "\n")?;
         out.write("augmented.toml", self.model_file()?.to_toml()?)?;

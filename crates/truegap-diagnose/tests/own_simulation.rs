@@ -6,9 +6,13 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use std::sync::atomic::AtomicBool;
-use truegap_core::{Drive, EffectId, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName};
+use truegap_core::{
+    Drive, Driver, EffectId, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName,
+};
 use truegap_diagnose::mechanism::{self, Action, Composed, Form, Kinetics, Numbers, Quantity, Sentence};
-use truegap_diagnose::{Context, Diagnosis, Effect, FittedParameter, Options, Problem, RecordingFacts, Verdict, diagnose};
+use truegap_diagnose::{
+    Context, Diagnosis, Effect, FittedParameter, Options, Problem, RecordingFacts, Verdict, diagnose, library,
+};
 
 /// A reading that is given row by row, or 3 where none is, with a level to calibrate or without.
 struct Given {
@@ -154,4 +158,45 @@ fn a_threshold_of_the_reading_is_counted_from_its_least_and_so_is_what_it_makes(
 
 fn at((parameter, value): (Parameter, f64)) -> FittedParameter {
     FittedParameter { parameter, value, sd: 0.1, sd_of_fit: 0.1, at_limit: false }
+}
+
+/// A level that jumps by 1 V after a fifth of the rows, under noise with a long memory. Under that noise a fit follows changes from row to row and ends midway between the ends of
+/// the recording, 0.5 V off at each; by least squares the level is the mean, and what it leaves is the scatter about it.
+#[test]
+fn the_base_model_alone_is_calibrated_by_least_squares() {
+    let base = Given::with_level();
+    let mut random = ChaCha8Rng::seed_from_u64(12);
+    let mut slow = 0.0;
+    let mut noisy = |row: usize| {
+        let unit: f64 = StandardNormal.sample(&mut random);
+        slow = 0.97 * slow + 0.005 * unit;
+        3.0 + slow + f64::from(u8::from(row >= 160))
+    };
+    let response: Vec<f64> = (0..800).map(&mut noisy).collect();
+    let time = (0..800).map(f64::from).collect();
+    let inputs = Inputs { time_s: Some(time), run: vec![1; 800], ..Inputs::default() };
+    let problem = Problem { inputs: &inputs, response: &response, simulator: &base };
+    let facts = RecordingFacts { rows: 800, runs: 1, ..RecordingFacts::default() };
+    let found = diagnose(&problem, facts, &Options::default(), &|_| (), &AtomicBool::new(false)).unwrap().diagnosis;
+    let mean = response.iter().sum::<f64>() / 800.0;
+    let scatter = (response.iter().map(|y| (y - mean).powi(2)).sum::<f64>() / 800.0).sqrt();
+    assert_ne!(found.verdict, Verdict::Agrees, "{}", found.says);
+    // the prior of the level, 5 V wide, weighs nothing beside 800 rows; iterations end within a thousandth
+    approx::assert_relative_eq!(found.fit.in_sample.rmse_before, scatter, max_relative = 2e-3);
+}
+
+#[test]
+fn friction_is_not_looked_for_where_nothing_turns() {
+    let base = Given::with_level();
+    let asked = |x: &dyn Fn(f64) -> f64| {
+        let values = (0..200).map(|row| x(f64::from(row) / 200.0)).collect();
+        let driver = Driver { name: "stage".into(), unit: "m".into(), values };
+        let time = (0..200).map(f64::from).collect();
+        let inputs = Inputs { time_s: Some(time), run: vec![1; 200], drivers: vec![driver], ..Inputs::default() };
+        let context = Context::new(&inputs, &base, 1.0, 0.01);
+        library().iter().find(|effect| effect.id().0 == "friction").unwrap().testable(&context)
+    };
+    let one_way = asked(&|t| 3.0 * t + 0.02 * (300.0 * t).sin()).unwrap_err();
+    assert!(one_way.contains("stage") && one_way.contains("one way"), "{one_way}");
+    assert!(asked(&|t| (7.0 * t).sin()).is_ok());
 }

@@ -52,7 +52,7 @@ pub enum SimulationError {
     },
     /// A number that is not finite came out.
     #[error(
-        "row {row}: the model has no finite response there{}; check load and temperature of the row, and the description of the sensor",
+        "row {row}: the model has no finite response there{}; check load and temperature of the row, and the sensor's file or the simulator that was asked",
         parameters_told(parameters)
     )]
     NotFinite {

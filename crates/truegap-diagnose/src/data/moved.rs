@@ -36,6 +36,11 @@ impl Moved {
         }
     }
 
+    /// Whether anything but time moved.
+    pub fn anything(&self) -> bool {
+        self.temperature_k > 0.0 || self.load > 0.0 || self.gap || self.simulated || !self.drivers.is_empty()
+    }
+
     /// One row of inputs that has these drivers, to ask an effect for its numbers where no recording is at hand.
     pub fn one_row(&self) -> Inputs {
         let driver = |name: &String| Driver { name: name.clone(), unit: "1".into(), values: vec![0.0] };

@@ -2,7 +2,10 @@
 //!
 //! Limits: immutable; the same rows throughout (rows are left out by weight, so that memory sees the whole history).
 
-use crate::{data::context::Context, stats::spread};
+use crate::{
+    data::{context::Context, moved::Moved},
+    stats::spread,
+};
 use std::ops::Range;
 use truegap_core::{Inputs, Joined, Simulator};
 
@@ -20,6 +23,12 @@ impl Problem<'_> {
     /// Runs, as row ranges.
     pub fn runs(&self) -> Vec<Range<usize>> {
         self.inputs.runs()
+    }
+
+    /// The runs in which rows that follow one another belong together: all of them, or none where no clock says so and inputs that move were written in any order.
+    pub fn runs_in_order(&self) -> Vec<Range<usize>> {
+        let follow = self.inputs.time_s.is_some() || !Moved::of(self.inputs, self.simulator).anything();
+        if follow { self.runs() } else { Vec::new() }
     }
 
     /// Range of the response; the widest of one recording where there are several.

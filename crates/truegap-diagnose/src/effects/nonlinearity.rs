@@ -157,8 +157,7 @@ impl Effect for Nonlinearity {
         if !context.simulator.moves() {
             return Err("a value that does not move is not bent".into());
         }
-        let moved = &context.moved;
-        if moved.temperature_k == 0.0 && moved.load == 0.0 && !moved.gap && !moved.simulated && moved.drivers.is_empty() {
+        if !context.moved.anything() {
             return Err("the base model follows time alone; a bend in time is a drift, a decay or a lag".into());
         }
         context.needs_movement()

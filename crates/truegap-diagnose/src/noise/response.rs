@@ -38,6 +38,8 @@ pub fn noise_model(
     let (blocks, measured, says) = blocks(problem, load.as_deref(), &inputs, !left.shapes.is_empty());
     let rows = blocks.iter().map(|b| b.rows.len()).sum();
     let (response, uncertainty) = estimate(problem.response, &blocks);
+    // one white noise for all rows is all that neighbours can tell
+    let uncertainty = if problem.runs_in_order().is_empty() { uncertainty.max(UNSEEN) } else { uncertainty };
     let response = no_finer_than_read(response, problem);
     let recordings = Vec::new();
     let (response, input_error) = read_in_steps(problem, response, input_error);

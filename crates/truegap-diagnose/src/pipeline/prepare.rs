@@ -75,7 +75,8 @@ impl<'a> Prepared<'a> {
         let whitener = searched_noise.whitener(&runs, None);
         let loose = searched_noise.scaled(LOOSE).whitener(&runs, None);
         let directions = directions(inputs, problem.simulator);
-        let lack_of_fit = LackOfFitTests::new(&directions, &whitener, runs, searched_noise.uncertainty);
+        let in_order = if problem.runs_in_order().is_empty() { Vec::new() } else { runs };
+        let lack_of_fit = LackOfFitTests::new(&directions, &whitener, in_order, searched_noise.uncertainty);
         Ok(Self {
             problem,
             context,

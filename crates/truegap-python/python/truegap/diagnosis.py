@@ -42,7 +42,8 @@ class Value:
         return cls(raw["name"], raw["unit"], raw["value"], raw["sd"], (centre, sd), raw["at_limit"])
 
     def __str__(self) -> str:
-        return f"{self.name} = {self.value:.5g} {self.unit} (sd {self.sd:.2g})".replace("  ", " ")
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        return f"{self.name} = {self.value:.5g}{unit} (sd {self.sd:.2g})"
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from .diagnosis import Column, Diagnosis
 
 #: Colours that a colour-blind reader tells apart (Okabe & Ito 2008).
-RECORDED, BASE, AUGMENTED = "#000000", "#D55E00", "#0072B2"
+RECORDED, BASE, AUGMENTED = "#000000", "#0072B2", "#D55E00"
 
 
 def figure(d: Diagnosis) -> Figure:

@@ -32,6 +32,7 @@ impl Interference {
     pub fn in_what_is_left(model: &Model<'_>, z: &[f64], noise: &NoiseModel, slack: f64) -> Result<Self, SimulationError> {
         let runs = model.problem.runs();
         let residual = model.residual(z, &noise.whitener(&runs, None))?;
+        let runs = model.problem.runs_in_order();
         let tone = Tone::strongest(&residual, model.problem.inputs.time_s.as_deref(), &runs);
         Ok(Self { burst: Burst::loudest(&residual, &runs, slack), tone })
     }

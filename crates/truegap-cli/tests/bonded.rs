@@ -39,7 +39,7 @@ fn what_finite_elements_foresee_is_found_in_a_recording_that_they_made() {
     assert!(young("parameters").0 > 3.0 * TRUE_YOUNG, "{:?}", young("parameters"));
     let right = young("parameters_after");
     assert!((right.0 - TRUE_YOUNG).abs() < 3.0 * right.1 && right.1 < 0.05 * TRUE_YOUNG, "{right:?}");
-    // a base model that bends all its numbers still misses by several times the noise; 1440 rows: the noise is known to 2 %
+    // a base model that bends all its numbers, by least squares, still misses by half the noise more; 1440 rows: the noise is known to 2 %
     let (fit, floor) = (&diagnosis["fit"]["held_out"], number(&diagnosis["fit"]["noise_floor"]));
-    assert!(number(&fit["rmse_before"]) > 5.0 * floor && number(&fit["rmse_after"]) < 1.06 * floor, "{fit}");
+    assert!(number(&fit["rmse_before"]) > 1.4 * floor && number(&fit["rmse_after"]) < 1.06 * floor, "{fit}");
 }

@@ -28,7 +28,7 @@ fn a_report_holds_every_part_of_the_answer() {
     let page = html(&fixture.subject());
     let parts = [
         "12 rows repeat the value before them",
-        "lag first-order; s the slow share",
+        "lag first-order, tau = (1 - s) q + s r q",
         "Incropera",
         "readout lag",
         "the reading is behind while the temperature moves",

@@ -2,6 +2,8 @@
 //!
 //! Limits: only inputs, never the response's course; the response gives nothing but its span and its level.
 
+pub use crate::data::load::load_column;
+
 use crate::data::moved::Moved;
 use std::sync::{Arc, OnceLock};
 use truegap_core::{Corrections, Inputs, Joined, Simulator, simulator::StageName};
@@ -184,13 +186,4 @@ impl<'a> Context<'a> {
             Some(_) => Err("the time column stands still".into()),
         }
     }
-}
-
-/// What drives the sensor, as a share of its greatest value: load over full load, or the closing of the gap where the gap is given.
-pub fn load_column(inputs: &Inputs, simulator: &dyn Simulator) -> Option<Vec<f64>> {
-    simulator.load(inputs).or_else(|| {
-        let gap = inputs.gap_m.as_ref()?;
-        let widest = gap.iter().copied().fold(0.0, f64::max);
-        Some(gap.iter().map(|g| 1.0 - g / widest).collect())
-    })
 }

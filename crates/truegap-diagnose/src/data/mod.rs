@@ -5,6 +5,7 @@
 pub(crate) mod context;
 pub(crate) mod error;
 pub mod joint;
+pub(crate) mod load;
 pub(crate) mod moved;
 pub(crate) mod pauses;
 pub(crate) mod problem;

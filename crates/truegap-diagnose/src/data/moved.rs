@@ -2,7 +2,7 @@
 //!
 //! Limits: whether and how far a column moves, not when.
 
-use crate::{data::context::load_column, stats::spread};
+use crate::{data::load::load_column, stats::spread};
 use serde::{Deserialize, Serialize};
 use truegap_core::{Driver, Inputs, Simulator};
 

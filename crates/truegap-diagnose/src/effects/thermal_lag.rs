@@ -22,9 +22,10 @@ struct Lag {
 }
 
 impl Lag {
-    /// A part with the time constant `tau_s` and a part, `share` of the whole, that follows `slower` times more slowly.
+    /// A quick part and a part, `share` of the whole, that follows `slower` times more slowly; `tau_s` is the mean of both time constants.
     fn of_two(tau_s: f64, share: f64, slower: f64) -> Self {
-        Self { parts: vec![(tau_s, 1.0 - share), (tau_s * slower, share)] }
+        let quick = tau_s / (1.0 - share + share * slower);
+        Self { parts: vec![(quick, 1.0 - share), (quick * slower, share)] }
     }
 }
 
@@ -66,7 +67,7 @@ impl Effect for ThermalLag {
     fn about(&self) -> About {
         About {
             physics: "heat takes time to arrive, so what is read is behind the temperature beside it",
-            equation: "T_s = (1 - s) lag(T; tau) + s lag(T; r tau), lag first-order; s the slow share, r how much slower; s = 0 is a single time constant",
+            equation: "T_s = (1 - s) lag(T; q) + s lag(T; r q), lag first-order, tau = (1 - s) q + s r q; s = 0 is a single time constant",
             excitation: "temperature that changes faster than the sensor can follow, with a clock",
             impostors: &["thermal_hysteresis", "offset_drift", "readout_lag"],
             separates: "the loop over temperature grows with the rate of heating and closes in a hold",
@@ -79,7 +80,7 @@ impl Effect for ThermalLag {
         }
         let scale = (0.2 * context.longest_run_s).max(1.0);
         vec![
-            Parameter::normal("tau", "s", 0.0, scale, "time constant of the thermal path, of its quick part where there are two")
+            Parameter::normal("tau", "s", 0.0, scale, "time constant of the thermal path, mean of both parts")
                 .within(0.0, 2.0 * context.longest_run_s),
             Parameter::normal("slow_share", "1", 0.0, 0.4, "part that follows more slowly").within(0.0, 0.95),
             Parameter::log_normal("slower", "1", 10.0, 0.7, "its time constant over that of the quick part").within(2.0, 200.0),
@@ -141,8 +142,7 @@ mod tests {
     fn the_mean_time_constant_is_what_a_long_ramp_shows_whatever_the_parts() {
         for (share, slower) in [(0.0, 10.0), (0.5, 24.0), (0.85, 9.0)] {
             // the slowest part has a time constant of 96 s: e^-40 of the start is left
-            let quick = 50.0 / (1.0 - share + share * slower);
-            approx::assert_relative_eq!(behind_a_ramp(&Lag::of_two(quick, share, slower)), 50.0, max_relative = 1e-12);
+            approx::assert_relative_eq!(behind_a_ramp(&Lag::of_two(50.0, share, slower)), 50.0, max_relative = 1e-12);
         }
     }
 

@@ -48,7 +48,8 @@ fn of_one(problem: &Problem<'_>) -> Result<(Inputs, NoiseModel), DiagnoseError> 
     let inputs_noise = noise;
     let noise = noise_model(&still, &still.simulator.centre(), inputs_noise, &left)?;
     let noise = match far_from_the_prior(&still, &noise)? {
-        Some(values) => noise_model(&still, &values, inputs_noise, &left)?,
+        // a model that has no answer beside its calibrated numbers keeps what was foreseen
+        Some(values) => noise_model(&still, &values, inputs_noise, &left).unwrap_or(noise),
         None => noise,
     };
     let noise = without_rest(&still, noise)?;

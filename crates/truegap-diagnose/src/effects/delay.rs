@@ -18,10 +18,9 @@ pub struct Delay {
 }
 
 impl Delay {
-    /// A quick part and a part, `share` of the whole, that is `slower` times slower; `tau_s` is the mean of both time constants.
+    /// A part with the time constant `tau_s` and a part, `share` of the whole, that is `slower` times slower.
     pub fn of_two(tau_s: f64, share: f64, slower: f64, before: f64) -> Self {
-        let quick = tau_s / (1.0 - share + share * slower);
-        Self { parts: vec![(quick, 1.0 - share), (quick * slower, share)], before }
+        Self { parts: vec![(tau_s, 1.0 - share), (tau_s * slower, share)], before }
     }
 
     /// The delayed column, in place; time constants of 0 are the identity.
@@ -62,7 +61,8 @@ mod tests {
         let time: Vec<f64> = (0..50).map(|i| 7.0 * f64::from(i)).collect();
         let inputs = Inputs { time_s: Some(time.clone()), run: vec![1; 50], ..Inputs::default() };
         let mut value: Vec<f64> = time.iter().map(|t| 20.0 + 0.02 * t).collect();
-        Delay::of_two(300.0, 0.4, 10.0, 0.02).apply(&inputs, &mut value);
+        // the mean of both is 0.6 q + 0.4 x 10 q
+        Delay::of_two(300.0 / 4.6, 0.4, 10.0, 0.02).apply(&inputs, &mut value);
         // 0.02 a second times 300 s
         time.iter().zip(&value).for_each(|(t, v)| approx::assert_abs_diff_eq!(*v, 14.0 + 0.02 * t, epsilon = 1e-9));
     }

@@ -41,7 +41,8 @@ pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
     let middle = 0.3 * (context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0) * run).sqrt();
     let rate = 5.0 * context.response_span.abs() / run;
     vec![
-        Parameter::normal("tau", "s", 0.0, middle, "time constant of the reading, mean of both ways").within(0.0, run),
+        Parameter::normal("tau", "s", 0.0, middle, "time constant of the reading, of its quick way where there are two")
+            .within(0.0, run),
         Parameter::normal("slow_share", "1", 0.0, 0.4, "part that follows by the slower way").within(0.0, 0.95),
         Parameter::log_normal("slower", "1", 10.0, 0.7, "its time constant over that of the quick way").within(2.0, 200.0),
         Parameter::normal("before", &format!("{}/s", context.simulator.unit()), 0.0, rate, "change before the first row"),
@@ -62,7 +63,18 @@ pub(crate) const BEFORE: &[&str] = &["before"];
 /// Share of the slow way below which it is not spoken of, in standard deviations.
 const SPOKEN_OF: f64 = 3.0;
 
-/// `a time constant of 4.20 ± 0.10 min`, with both ways where there are two.
+/// `a time constant of 4.20 min (sd 0.10)` of the quick way, with the slow one where there is one.
+pub(crate) fn quick_and_slow(fitted: &[FittedParameter]) -> String {
+    let [tau, share, slower] = [0, 1, 2].map(|i| fitted[i].value);
+    let apart = if share > SPOKEN_OF * fitted[1].sd {
+        format!(" for {} of a change, the rest with {}", percent_of(1.0 - share), crate::text::rounded(slower * tau, "s"))
+    } else {
+        String::new()
+    };
+    format!("a time constant of {}{apart}", with_sd(tau, fitted[0].sd, "s"))
+}
+
+/// The same where the number is the mean of both time constants.
 pub(crate) fn time_constants(fitted: &[FittedParameter]) -> String {
     let [tau, share, slower] = [0, 1, 2].map(|i| fitted[i].value);
     let quick = tau / (1.0 - share + share * slower);
@@ -91,7 +103,7 @@ impl Effect for SlowResponse {
     fn about(&self) -> About {
         About {
             physics: "the reading follows what it measures with a time constant, by a quick way (a vent, a surface) and a slow one (a housing, a core)",
-            equation: "value = (1 - s) lag(true; q) + s lag(true; r q), tau = (1 - s) q + s r q; `before` is the rate of the true value before the first row",
+            equation: "value = (1 - s) lag(true; tau) + s lag(true; r tau), s the slow share, r how much slower; `before` is the rate of the true value before the first row",
             excitation: "a simulated value or gap that changes faster than the reading can follow, with a clock",
             impostors: &["readout_lag", "time_offset", "offset_drift", "friction", "stress_relaxation"],
             separates: "behind on the way up and on the way down, by more the faster it goes, and there in the end",
@@ -128,6 +140,6 @@ impl Effect for SlowResponse {
         Some(Box::new(OneAfterTheOther(values[0])))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!("the reading follows late, with {}", time_constants(fitted))
+        format!("the reading follows late, with {}", quick_and_slow(fitted))
     }
 }

@@ -120,7 +120,7 @@ impl Effect for ThermalLag {
     }
     fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
         if reads_temperature(context) {
-            return format!("the thermometer follows the temperature with {}", slow_response::time_constants(fitted));
+            return format!("the thermometer follows the temperature with {}", slow_response::quick_and_slow(fitted));
         }
         self.says(fitted)
     }

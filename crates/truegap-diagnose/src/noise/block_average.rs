@@ -43,6 +43,7 @@ impl BlockAverages {
                 variance: means(&noise.input_error.variance),
                 level: means(&noise.input_error.level),
                 shapes: noise.input_error.shapes.iter().map(|shape| means(shape)).collect(),
+                wanders: noise.input_error.wanders,
                 lasting: noise.input_error.lasting.iter().map(|lasting| lasting.of_means(&self.first)).collect(),
                 louder: if noise.input_error.louder.is_empty() { Vec::new() } else { means(&noise.input_error.louder) },
             },

@@ -44,6 +44,7 @@ pub fn input_error(
         let slope: Vec<f64> = there.iter().zip(&here).map(|(a, b)| (a - b) / step).collect();
         let carried = |shape: &Vec<f64>| shape.iter().zip(&slope).map(|(s, slope)| s * slope).collect();
         error.shapes = left.shapes.iter().map(carried).collect();
+        error.wanders = !left.shapes.is_empty();
         add(&mut error, (&there, &here), step, noise.load, (left.load, left.load_steps));
     }
     if noise.temperature > 0.0 && problem.inputs.temperature_c.is_some() {
@@ -60,13 +61,14 @@ fn add(error: &mut InputError, (there, here): (&[f64], &[f64]), step: f64, sd: f
     for (row, (a, b)) in there.iter().zip(here).enumerate() {
         let recorded = ((a - b) * ratio).powi(2);
         // where a column stands still in its steps, most of its error does too
-        let alone = steps.filter(|steps| steps.held[row] > 0.0).map_or(1.0, |steps| (steps.white / (sd * sd)).min(1.0));
+        let alone = steps.filter(|steps| steps.stays(row) > 0.0).map_or(1.0, |steps| (steps.white / (sd * sd)).min(1.0));
         error.variance[row] += recorded * alone * left[row];
         error.level[row] += recorded * alone;
     }
     if let Some(steps) = steps {
-        let slopes = there.iter().zip(here).map(|(a, b)| ((a - b) / step).powi(2));
-        let variance = slopes.zip(&steps.held).map(|(slope, held)| slope * held).collect();
+        let slopes: Vec<f64> = there.iter().zip(here).map(|(a, b)| (a - b) / step).collect();
+        let variance = slopes.iter().zip(&steps.held).map(|(slope, held)| slope * slope * held).collect();
+        error.shapes.extend(steps.same.iter().map(|level| level.iter().zip(&slopes).map(|(sd, slope)| sd * slope).collect()));
         error.lasting.push(Lasting { variance, memory: steps.memory.clone(), of_reading: false });
     }
 }

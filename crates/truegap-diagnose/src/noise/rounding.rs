@@ -3,14 +3,14 @@
 //! A load of 1.012 N that is written as 1.00 N errs by 12 mN in every row of the hold: the mean of many rows knows it no better than one. A staircase somebody commanded
 //! looks the same, but its reading jumps with it; a rounded ramp's does not.
 //!
-//! Limits: one step for a whole column; errors of the same level in two holds count as independent.
+//! Limits: one step for a whole column; holds on one level err alike, ramps through the same steps count as independent.
 //!
 //! **Source:** Widrow and Kollar, Quantization Noise (2008), sections 4.1 (variance of a step, `q^2 / 12`) and 5.4 (noise before rounding makes its error independent).
 
 use crate::{
     noise::tuning::{
-        ALL_ALIKE, COARSE, COMMANDED, FEWEST_LEVELS, LONGER_PLATEAU, MEMORIES_IN_A_HOLD, MEMORIES_ON_A_COURSE, OFF_GRID,
-        REAL_CHANGE,
+        ALL_ALIKE, COARSE, COMMANDED, FEWEST_LEVELS, LONGER_PLATEAU, MEMORIES_IN_A_HOLD, MEMORIES_ON_A_COURSE, MOST_LEVELS,
+        OFF_GRID, ONE_LEVEL, REAL_CHANGE,
     },
     stats::median,
 };
@@ -27,6 +27,8 @@ pub struct Rounded {
     pub held: Vec<f64>,
     /// correlation of the held error with the row before
     pub memory: Vec<f64>,
+    /// standard deviation of the error that holds on one level have in common, row by row; a column for each level that is held again
+    pub same: Vec<Vec<f64>>,
 }
 
 impl Rounded {
@@ -36,7 +38,13 @@ impl Rounded {
         self.step /= unit;
         self.white /= unit * unit;
         self.held.iter_mut().for_each(|v| *v /= unit * unit);
+        self.same.iter_mut().flatten().for_each(|v| *v /= unit);
         self
+    }
+
+    /// Variance of the error that stays, in this row.
+    pub fn stays(&self, row: usize) -> f64 {
+        self.held[row] + self.same.iter().map(|level| level[row] * level[row]).sum::<f64>()
     }
 }
 
@@ -52,10 +60,10 @@ pub fn rounded(column: &[f64], runs: &[Range<usize>], answer: Option<&[f64]>, sm
     if answer.is_some_and(|answer| jumps_with(column, runs, step, answer)) {
         return None;
     }
-    let white = flicker(column, runs, step) / pairs.len().max(1) as f64;
-    // noise of a step's size makes the whole error independent from row to row
-    let stays = step * step / 12.0 * (1.0 - 6.0 * white / (step * step)).max(0.0);
+    let white = flicker(column, runs, step);
+    let stays = step * step * bias(white / (step * step));
     let (mut held, mut memory) = (vec![0.0; column.len()], vec![0.0; column.len()]);
+    let mut holds = Vec::new();
     for run in runs {
         let all = plateaus(column, run, step);
         for (k, plateau) in all.iter().enumerate() {
@@ -72,21 +80,61 @@ pub fn rounded(column: &[f64], runs: &[Range<usize>], answer: Option<&[f64]>, sm
             if came || longer {
                 memory[plateau.start] = 0.0;
             }
+            if held_still && plateau.len() > 2 {
+                let mean = column[plateau.clone()].iter().sum::<f64>() / plateau.len() as f64;
+                holds.push((mean, plateau.clone()));
+            }
         }
     }
-    Some(Rounded { step, white, held, memory })
+    let same = of_one_level(holds, step, (0.5 * stays).sqrt(), column.len());
+    same.iter().for_each(|level| held.iter_mut().zip(level).for_each(|(held, sd)| *held -= sd * sd));
+    Some(Rounded { step, white, held, memory, same })
 }
 
-/// Half the squares of changes to and fro: what noise makes of a column that stands between two values.
+/// Columns of the error of holds on one level: what was rounded was about the same each time, and so was the error. Half of its variance is taken for common, half
+/// for each hold's own: two holds in one step need not be at one place in it.
+fn of_one_level(mut holds: Vec<(f64, Range<usize>)>, step: f64, sd: f64, rows: usize) -> Vec<Vec<f64>> {
+    holds.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut levels = holds.chunk_by(|a, b| b.0 - a.0 < ONE_LEVEL * step).filter(|level| level.len() > 1).collect::<Vec<_>>();
+    let length = |level: &&[(f64, Range<usize>)]| level.iter().map(|(_, rows)| rows.len()).sum::<usize>();
+    levels.sort_by_key(|level| std::cmp::Reverse(length(level)));
+    let column = |level: &[(f64, Range<usize>)]| {
+        let mut column = vec![0.0; rows];
+        level.iter().for_each(|(_, rows)| column[rows.clone()].fill(sd));
+        column
+    };
+    levels.into_iter().take(MOST_LEVELS).map(column).collect()
+}
+
+/// Variance of what noise makes of a column that stands between two values, by changes to and fro: the mean over the plateaus, each of which stands somewhere else in
+/// a step. One long plateau on the edge of a step flickers all the time and says nothing of the others.
 fn flicker(column: &[f64], runs: &[Range<usize>], step: f64) -> f64 {
-    let mut squares = 0.0;
-    for run in runs {
-        let changes: Vec<f64> = column[run.clone()].windows(2).map(|w| w[1] - w[0]).filter(|c| c.abs() > 0.5 * step).collect();
-        let single = |c: f64| c.abs() < 1.5 * step;
-        squares +=
-            changes.windows(2).filter(|w| w[0] * w[1] < 0.0 && single(w[0]) && single(w[1])).map(|w| w[1] * w[1]).sum::<f64>();
+    let (mut all, mut count) = (0.0, 0usize);
+    for plateau in runs.iter().flat_map(|run| plateaus(column, run, step)).filter(|plateau| plateau.len() > 2) {
+        let changes: Vec<f64> =
+            column[plateau.clone()].windows(2).map(|w| w[1] - w[0]).filter(|c| c.abs() > 0.5 * step).collect();
+        let to_and_fro = changes.windows(2).filter(|w| w[0] * w[1] < 0.0).map(|w| 0.5 * w[1] * w[1]).sum::<f64>();
+        (all, count) = (all + to_and_fro / plateau.len() as f64, count + 1);
     }
-    0.5 * squares
+    all / count.max(1) as f64
+}
+
+/// Variance of the part of the error of rounding that stays, in steps squared, where noise before rounding makes `white` of it independent from row to row.
+///
+/// Over all places in a step the mean of the rounded column departs from what was rounded by a sawtooth, whose harmonics the noise damps; the whole error has the
+/// variance of the noise and of a step (sections 4.1 and 5.4).
+fn bias(white: f64) -> f64 {
+    use std::f64::consts::PI;
+    let sawtooth = |sd: f64| {
+        let harmonic = |k: u32| (-(2.0 * PI * f64::from(k) * sd).powi(2)).exp() / (2.0 * (PI * f64::from(k)).powi(2));
+        (1..200).map(harmonic).sum::<f64>()
+    };
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..40 {
+        let sd: f64 = 0.5 * (low + high);
+        if sd * sd + 1.0 / 12.0 - sawtooth(sd) < white { low = sd } else { high = sd }
+    }
+    sawtooth(low)
 }
 
 /// Stretches of a run within two neighbouring values.
@@ -195,9 +243,39 @@ mod tests {
         let found = rounded(&column, &[0..1200], Some(&truth), 0.0).unwrap();
         approx::assert_relative_eq!(found.step, 0.05, max_relative = 1e-6);
         // noise of a tenth of a step leaves two thirds of the error as it is (section 5.4: exp(-0.39))
-        let held = found.held[90] / (0.05f64.powi(2) / 12.0);
+        let held = found.stays(90) / (0.05f64.powi(2) / 12.0);
         assert!((0.5..1.0).contains(&held), "{held}");
         assert!((40..100).all(|row| found.memory[row] > 0.99));
+        // all levels but the highest are held on the way up and on the way down
+        assert_eq!(found.same.len(), 5);
+        assert!(found.same.iter().any(|level| level[90] > 0.0 && level[1190] > 0.0 && level[250] == 0.0));
+    }
+
+    /// A column that rests on the edge of a step flickers there; that does not make its other holds err less.
+    #[test]
+    fn one_hold_on_an_edge_does_not_speak_for_the_others() {
+        let level = |hold: usize| if hold == 3 { 1.025 } else { 0.313 * hold as f64 };
+        let truth: Vec<f64> = (0..4000).map(|row| level(if row < 3000 { 3 } else { row / 100 % 10 })).collect();
+        let found = rounded(&written(&truth, 0.05, 0.002, 5), &[0..4000], Some(&truth), 0.0).unwrap();
+        // two more of the ten flicker now and then
+        let held = found.stays(3910) / (0.05f64.powi(2) / 12.0);
+        assert!((0.3..1.0).contains(&held), "{held}");
+    }
+
+    #[test]
+    fn the_error_that_stays_is_that_of_a_sawtooth_damped_by_noise() {
+        approx::assert_relative_eq!(bias(0.0), 1.0 / 12.0, max_relative = 0.01);
+        // drawn: noise of a quarter of a step, over all places in the step
+        let places: Vec<f64> = (0..400).map(|k| (f64::from(k) + 0.5) / 400.0).collect();
+        let (mut stays, mut white) = (0.0, 0.0);
+        for (k, place) in places.iter().enumerate() {
+            let column = written(&[*place; 4000], 1.0, 0.25, k as u64);
+            let mean = column.iter().sum::<f64>() / 4000.0;
+            stays += (mean - place).powi(2) / 400.0;
+            white += column.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / 4000.0 / 400.0;
+        }
+        // 4000 rows leave 0.14 / 4000 of the independent part in each mean, 1 % of what stays
+        approx::assert_relative_eq!(bias(white), stays, max_relative = 0.05);
     }
 
     #[test]

@@ -49,6 +49,8 @@ pub struct InputError {
     pub level: Vec<f64>,
     /// courses that the error follows with a weight not known beforehand, each as large as one standard deviation of that weight makes it
     pub shapes: Vec<Vec<f64>>,
+    /// whether the load wanders, so that its error is known by such courses only
+    pub wanders: bool,
     /// errors that last over many rows, each a state of the filter
     pub lasting: Vec<Lasting>,
     /// variance of the reading's own noise above its usual one, in rows that are louder; empty where none is

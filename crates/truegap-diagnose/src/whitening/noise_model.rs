@@ -59,7 +59,7 @@ impl NoiseModel {
 
     /// Whether the load wanders, so that its error is known by its shape only.
     pub fn load_wanders(&self) -> bool {
-        !self.input_error.shapes.is_empty()
+        self.input_error.wanders
     }
 
     /// Whether part of the reading's own noise lasts: slow noise, or steps of its converter.
@@ -72,6 +72,16 @@ impl NoiseModel {
         let own = self.input_error.lasting.iter().filter(|lasting| lasting.of_reading);
         // the sum of nothing would be minus zero
         own.map(|l| l.variance.iter().sum::<f64>() / l.variance.len().max(1) as f64).fold(0.0, |all, one| all + one).sqrt()
+    }
+
+    /// A misfit whose louder rows are lowered to what they would be without what makes them louder.
+    pub(crate) fn with_rows_alike(&self, misfit: &[f64]) -> Vec<f64> {
+        let of = |(row, misfit): (usize, &f64)| {
+            let (noise, louder) = (self.response_at(row), self.input_error.louder.get(row).copied().unwrap_or(0.0));
+            let usual = noise.white_sd.powi(2) + noise.ar_sd.powi(2);
+            if louder > 0.0 { misfit * (usual / (usual + louder)).sqrt() } else { *misfit }
+        };
+        misfit.iter().enumerate().map(of).collect()
     }
 
     /// The recording that a row belongs to, where there are several.
@@ -110,6 +120,7 @@ impl NoiseModel {
             variance: scale(&self.input_error.variance),
             level: scale(&self.input_error.level),
             shapes: self.input_error.shapes.iter().map(shape).collect(),
+            wanders: self.input_error.wanders,
             lasting: self.input_error.lasting.iter().map(lasting).collect(),
             louder: self.input_error.louder.iter().map(|v| v * response * response).collect(),
         };

@@ -35,6 +35,8 @@ pub struct Adequacy {
     pub line_p_value: f64,
     /// run with the strongest line, and its frequency in cycles a row
     pub line_at: (usize, f64),
+    /// root mean square of what is left of a row, over its noise
+    pub left_over_noise: f64,
 }
 
 impl Adequacy {
@@ -82,7 +84,8 @@ impl LackOfFitTests {
     pub fn adequacy(&self, fit: &Fit) -> Adequacy {
         let (smooth, stretches) = self.smooth_and_stretches(fit);
         let (line_p_value, line_at) = strongest_line(&fit.residual, &self.runs);
-        Adequacy { smooth, stretches, line_p_value, line_at }
+        let left_over_noise = (fit.chi2 / fit.residual.len().max(1) as f64).sqrt();
+        Adequacy { smooth, stretches, line_p_value, line_at, left_over_noise }
     }
 
     /// The two tests of what calibration leaves.

@@ -4,7 +4,7 @@
 
 use crate::{
     adequacy::lack_of_fit::Adequacy,
-    selection::tuning::{ADEQUATE, AGREED, DETECTED, RIVAL, SURE},
+    selection::tuning::{ADEQUATE, AGREED, DETECTED, LOUD_REST, RIVAL, SURE},
     selection::{effect_set::EffectSet, posterior::Selection, tuning::RIGHT_FAMILY, unmodelled::Unmodelled},
 };
 use serde::Serialize;
@@ -73,7 +73,7 @@ impl Decision {
 
     /// Whether what is left beside a model that removes this share of the misfit is no reason to doubt it.
     pub(crate) fn adequate(removed: f64, after: &Adequacy) -> bool {
-        !after.fires() || removed >= ADEQUATE
+        !after.fires() || (removed >= ADEQUATE && after.left_over_noise < LOUD_REST)
     }
 
     /// A verdict that names nothing, where model `base` is the base model.
@@ -124,12 +124,11 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_f
         return Decision { removed, ..nothing(Verdict::Unexplained) };
     }
     let unmodelled_rivals = !sure && selection.probability_unmodelled() > 1.0 - SURE;
-    let verdict = match (sure && !rivals, after.fires()) {
-        (true, false) => Verdict::Explained,
-        (true, true) if removed >= ADEQUATE => Verdict::Explained,
-        (true, true) => Verdict::WrongForm,
-        (false, _) if rivals || unmodelled_rivals => Verdict::Ambiguous,
-        (false, _) => Verdict::Undecided,
+    let verdict = match sure && !rivals {
+        true if Decision::adequate(removed, after) => Verdict::Explained,
+        true => Verdict::WrongForm,
+        false if rivals || unmodelled_rivals => Verdict::Ambiguous,
+        false => Verdict::Undecided,
     };
     let model = if verdict == Verdict::Undecided { selection.base } else { best };
     Decision { verdict, model, sets, removed, unmodelled: None, unmodelled_rivals }
@@ -147,8 +146,8 @@ pub(crate) fn stepped_back(selection: &Selection, decision: &Decision, model: us
     let verdict = match after.fires() {
         true if removed < RIGHT_FAMILY => return Decision { removed, ..Decision::nothing(Verdict::Unexplained, selection.base) },
         _ if sets.iter().any(|set| set.len() > 1) => Verdict::Ambiguous,
-        true if removed < ADEQUATE => Verdict::WrongForm,
-        _ => Verdict::Explained,
+        _ if Decision::adequate(removed, after) => Verdict::Explained,
+        _ => Verdict::WrongForm,
     };
     Decision { verdict, model, sets, removed, ..decision.clone() }
 }
@@ -242,6 +241,7 @@ mod tests {
             stretches: JointTest { statistic: 0.0, freedom: 0, p_value: 1.0 },
             line_p_value: 1.0,
             line_at: (0, 0.0),
+            left_over_noise: 1.0,
         }
     }
 
@@ -295,6 +295,16 @@ mod tests {
         assert_eq!(wrong.verdict, Verdict::WrongForm);
         approx::assert_relative_eq!(wrong.removed, 1000.0 / 1300.0, max_relative = 1e-12);
         assert_eq!(decided(one, 0.0, 500.0).verdict, Verdict::Unexplained);
+    }
+
+    /// All but 0.5 % of a misfit is removed, and what is left stands a hundred times out of the noise: there is more to be found.
+    #[test]
+    fn a_loud_rest_is_no_adequate_equation() {
+        let one: &[(&[usize], f64)] = &[(&[0], 0.99), (&[], 0.01)];
+        let decided =
+            |left_over_noise| decide(&selection(2000.0, one), &left(0.0), &Adequacy { left_over_noise, ..left(5.0) }, |_| false);
+        assert_eq!(decided(3.0).verdict, Verdict::Explained);
+        assert_eq!(decided(100.0).verdict, Verdict::WrongForm);
     }
 
     /// The likeliest model holds an effect that is not sure and has no rival: the smaller one is stated.

@@ -4,10 +4,11 @@
 
 use crate::{
     effects::memory::{play, rates},
-    noise::tuning::DRIVER_WIDTHS,
+    noise::tuning::{BESIDE, DRIVER_WIDTHS},
     stats::spread,
 };
 use nalgebra::{DMatrix, DVector};
+use std::ops::Range;
 use truegap_core::Inputs;
 
 /// Ridge against columns that are alike, over the mean square of a column.
@@ -21,19 +22,45 @@ pub(crate) fn without_what_follows_drivers(inputs: &Inputs, mut misfit: Vec<f64>
     }
     let rows = misfit.len();
     let all = DMatrix::from_fn(rows, columns.len() + 1, |row, k| columns.get(k).map_or(1.0, |column| column[row]));
-    let mut normal = all.tr_mul(&all);
-    for k in 0..normal.nrows() {
-        normal[(k, k)] += RIDGE * rows as f64;
-    }
-    let target = DVector::from_column_slice(&misfit);
-    let Some(factor) = normal.cholesky() else { return misfit };
-    let followed = &all * factor.solve(&all.tr_mul(&target));
+    let Some(shares) = least_squares(&all, &misfit) else { return misfit };
+    let followed = &all * shares;
     misfit.iter_mut().zip(followed.iter()).for_each(|(left, followed)| *left -= followed);
     misfit
 }
 
-/// Size, way and speed of a driver, each of order 1.
-fn laws(inputs: &Inputs, column: &[f64]) -> Vec<Vec<f64>> {
+/// A misfit without its shares of `columns`, which are those that fit best from row to row: beside the means of the rows about each.
+pub(crate) fn without(columns: &[Vec<f64>], misfit: &[f64], runs: &[Range<usize>]) -> Vec<f64> {
+    let quick = |column: &[f64]| {
+        let mut left = column.to_vec();
+        for run in runs {
+            for row in run.clone() {
+                let about = &column[row.saturating_sub(BESIDE).max(run.start)..(row + 1 + BESIDE).min(run.end)];
+                left[row] -= about.iter().sum::<f64>() / about.len() as f64;
+            }
+        }
+        left
+    };
+    let moving: Vec<(f64, Vec<f64>)> = columns.iter().map(|column| (spread(column), quick(column))).collect();
+    let all = DMatrix::from_fn(misfit.len(), columns.len(), |row, k| moving[k].1[row] / moving[k].0.max(f64::MIN_POSITIVE));
+    let Some(shares) = least_squares(&all, &quick(misfit)) else { return misfit.to_vec() };
+    let mut left = misfit.to_vec();
+    for ((column, (size, _)), share) in columns.iter().zip(&moving).zip(shares.iter()).filter(|((_, (size, _)), _)| *size > 0.0) {
+        left.iter_mut().zip(column).for_each(|(left, value)| *left -= share * value / size);
+    }
+    left
+}
+
+/// Shares of columns of order 1 in a target, with a ridge against columns that are alike.
+fn least_squares(columns: &DMatrix<f64>, target: &[f64]) -> Option<DVector<f64>> {
+    let mut normal = columns.tr_mul(columns);
+    for k in 0..normal.nrows() {
+        normal[(k, k)] += RIDGE * columns.nrows() as f64;
+    }
+    Some(normal.cholesky()?.solve(&columns.tr_mul(&DVector::from_column_slice(target))))
+}
+
+/// Size, way and speed of a driver or another column, each of order 1.
+pub(crate) fn laws(inputs: &Inputs, column: &[f64]) -> Vec<Vec<f64>> {
     let range = spread(column);
     if range <= 0.0 {
         return Vec::new();

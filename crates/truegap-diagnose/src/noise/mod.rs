@@ -2,12 +2,14 @@
 //!
 //! Limits: one noise for a whole recording.
 
+pub(crate) mod apart;
 pub(crate) mod block_average;
 pub(crate) mod crossings;
 pub(crate) mod denoise;
 pub(crate) mod denoised_inputs;
 pub(crate) mod errors_in_load;
 pub(crate) mod follows_drivers;
+pub(crate) mod grows;
 pub(crate) mod input;
 pub(crate) mod input_error;
 pub(crate) mod louder;

@@ -23,7 +23,7 @@ pub fn quieter_than(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -
         } else if noise.measured {
             let load = load_column(problem.inputs, problem.simulator);
             let (blocks, _, says) = blocks(problem, load.as_deref(), &noise.inputs, noise.load_wanders());
-            let (response, uncertainty) = estimate(misfit, &blocks);
+            let (response, uncertainty) = estimate(&noise.with_rows_alike(misfit), &blocks);
             let says = format!("{says}, beside what a model explains");
             NoiseModel { response: no_finer_than_read(response, problem), uncertainty, says, ..noise.clone() }
         } else {

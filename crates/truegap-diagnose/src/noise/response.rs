@@ -57,13 +57,15 @@ pub fn noise_model(
 /// Noise of a recording that never rests, from what a calibrated model leaves over inside short stretches: there a slow misfit is taken out with the cubic,
 /// and a fast one counts as noise.
 pub fn from_misfit(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> NoiseModel {
+    let misfit = &noise.with_rows_alike(misfit);
     let mut short = without_outliers(misfit, rest::short_stretches(problem.inputs));
     keep_some(&mut short);
     let rows = short.iter().map(|b| b.rows.len()).sum();
     let (response, uncertainty) = estimate(misfit, &short);
     let response = no_finer_than_read(response, problem);
+    let louder = if noise.input_error.louder.is_empty() { "" } else { "; louder rows weigh less" };
     let says = format!(
-        "no rest record: from what the calibrated model leaves over in {rows} rows of short stretches; slow noise would go unseen"
+        "no rest record: from what the calibrated model leaves over in {rows} rows of short stretches; slow noise would go unseen{louder}"
     );
     NoiseModel { response, rows, uncertainty: uncertainty.max(UNSEEN), says, ..noise.clone() }
 }
@@ -73,7 +75,9 @@ fn read_in_steps(problem: &Problem<'_>, noise: Noise, mut error: InputError) -> 
     let Some(steps) = rounded(problem.response, &problem.runs(), None, 0.0) else { return (noise, error) };
     let alone = steps.step * steps.step / 12.0;
     // rows on the way have the error of the step each by itself
-    error.louder = steps.held.iter().map(|held| if *held > 0.0 { 0.0 } else { (alone - steps.white).max(0.0) }).collect();
+    let moving = |row| if steps.stays(row) > 0.0 { 0.0 } else { (alone - steps.white).max(0.0) };
+    error.louder = (0..steps.held.len()).map(moving).collect();
+    error.shapes.extend(steps.same);
     error.lasting.push(Lasting { variance: steps.held, memory: steps.memory, of_reading: true });
     let white_sd = steps.white.sqrt().max(0.3 * alone.sqrt());
     (Noise { white_sd, ar_sd: 0.0, ar_correlation: 0.0 }, error)

@@ -8,6 +8,7 @@ use crate::{
     noise::{
         denoised_inputs::{DenoisedInputs, denoised_inputs},
         follows_drivers::without_what_follows_drivers,
+        grows::Beside,
         input_error::Left,
         louder::louder,
         rescale::not_above,
@@ -91,6 +92,7 @@ fn of_several(problem: &Problem<'_>, joined: &dyn Joined) -> Result<(Inputs, Noi
             joint.input_error.level.extend(&noise.input_error.level);
             joint.uncertainty = joint.uncertainty.max(noise.uncertainty);
             joint.measured &= noise.measured;
+            joint.input_error.wanders |= noise.input_error.wanders;
             joint.says += "; ";
         }
         shapes.extend(noise.input_error.shapes.iter().map(|own| {
@@ -172,7 +174,11 @@ fn with_louder_rows(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseMod
     let calibrated = lowest(&model, &noise.whitener(&runs, None), &noise.scaled(LOOSE).whitener(&runs, None))?;
     let misfit = model.misfit(&calibrated.z)?;
     let load = load_column(problem.inputs, problem.simulator);
-    let found = louder(&misfit, &problem.runs(), load.as_deref(), problem.response);
+    let value: Vec<f64> = problem.response.iter().zip(&misfit).map(|(reading, misfit)| reading - misfit).collect();
+    let beside = Beside { inputs: problem.inputs, runs: &runs, value: &value, misfit: &misfit, reading: problem.response };
+    let drivers = problem.inputs.drivers.iter().map(|driver| driver.values.as_slice());
+    let jumping: Vec<&[f64]> = drivers.chain(load.as_deref()).chain(problem.inputs.simulated.as_deref()).collect();
+    let found = louder(&beside, &jumping);
     Ok(found.map_or_else(|| noise.clone(), |found| beside_louder_rows(problem, &noise, found)))
 }
 

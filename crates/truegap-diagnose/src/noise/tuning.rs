@@ -83,7 +83,9 @@ pub(crate) const WEIGHS_LESS: f64 = 2.5;
 /// Degrees of freedom of the t distribution whose weights are taken.
 pub(crate) const TAIL_FREEDOM: f64 = 3.0;
 
-/// Groups of rows, by their reading, among which scatter is compared.
+// grows.rs
+
+/// Groups of rows, by their reading or its speed, among which scatter is compared.
 pub(crate) const READING_GROUPS: usize = 6;
 
 /// Ratio of scatters of the loudest and the quietest group from which on noise grows: five standard deviations of 3000 rows.
@@ -94,6 +96,9 @@ pub(crate) const ROWS_OF_A_GROUP: usize = 60;
 
 /// Squared correlation of scatter and reading over the groups from which noise grows along the reading.
 pub(crate) const GROWS_EVENLY: f64 = 0.8;
+
+/// Ratio of the scatter of a group and of the law along the speed from which on it is none: a group of 60 rows has its scatter to 10 %, and laws of two parts bend.
+pub(crate) const EVEN_SPEEDS: f64 = 1.6;
 
 // neighbours.rs
 
@@ -187,6 +192,12 @@ pub(crate) const MEMORIES_IN_A_HOLD: f64 = 0.05;
 
 /// The same on a slow course.
 pub(crate) const MEMORIES_ON_A_COURSE: f64 = 4.0;
+
+/// Difference of two holds, in steps, below which they stand on one level.
+pub(crate) const ONE_LEVEL: f64 = 0.25;
+
+/// Most levels whose errors are kept apart, the longest first.
+pub(crate) const MOST_LEVELS: usize = 24;
 
 /// Times as long as its neighbours, from which on a plateau is a hold.
 pub(crate) const LONGER_PLATEAU: usize = 4;

@@ -42,7 +42,7 @@ pub(crate) fn discovered(found: &Found<'_>, before: &HeldOutFit, after: Option<&
             file: MechanismFile::of(&mechanism.effect, &values),
             clause: clause(words),
             says,
-            could_be: could_be(words),
+            could_be: could_be(words, &mechanism.effect.start),
             parameters: parameters(found, tried, own),
             held_out: BeforeAfterUnit {
                 rmse_before: both.as_ref().map(|c| c.rmse[0]),

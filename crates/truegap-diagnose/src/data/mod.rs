@@ -2,6 +2,7 @@
 //!
 //! Limits: no equation, no noise.
 
+pub(crate) mod angle;
 pub(crate) mod context;
 pub(crate) mod error;
 pub mod joint;

@@ -2,7 +2,10 @@
 //!
 //! Limits: whether and how far a column moves, not when.
 
-use crate::{data::load::load_column, stats::spread};
+use crate::{
+    data::{angle::begins_anew, load::load_column},
+    stats::spread,
+};
 use serde::{Deserialize, Serialize};
 use truegap_core::{Driver, Inputs, Simulator};
 
@@ -17,8 +20,11 @@ pub struct Moved {
     pub gap: bool,
     /// whether somebody's simulation was given that moves
     pub simulated: bool,
-    /// names of the recorded drivers that move, in the order of the recording
+    /// names of the recorded drivers that move up and down, in the order of the recording
     pub drivers: Vec<String>,
+    /// names of those that are angles and begin anew after each turn: to rise and to fall means nothing there
+    #[serde(default)]
+    pub round: Vec<String>,
 }
 
 impl Moved {
@@ -27,18 +33,26 @@ impl Moved {
         let range = |column: &[f64]| if column.is_empty() { 0.0 } else { spread(column) };
         let moves = |column: &Option<Vec<f64>>| column.as_deref().is_some_and(|column| range(column) > 0.0);
         let moving = inputs.drivers.iter().filter(|driver| range(&driver.values) > 0.0);
+        let (round, straight): (Vec<&Driver>, Vec<&Driver>) = moving.partition(|driver| begins_anew(driver));
+        let names = |drivers: Vec<&Driver>| drivers.into_iter().map(|driver| driver.name.clone()).collect();
         Self {
             temperature_k: inputs.temperature_c.as_deref().map_or(0.0, range),
             load: load_column(inputs, simulator).as_deref().map_or(0.0, range),
             gap: moves(&inputs.gap_m),
             simulated: moves(&inputs.simulated),
-            drivers: moving.map(|driver| driver.name.clone()).collect(),
+            drivers: names(straight),
+            round: names(round),
         }
     }
 
     /// Whether anything but time moved.
     pub fn anything(&self) -> bool {
-        self.temperature_k > 0.0 || self.load > 0.0 || self.gap || self.simulated || !self.drivers.is_empty()
+        self.temperature_k > 0.0
+            || self.load > 0.0
+            || self.gap
+            || self.simulated
+            || !self.drivers.is_empty()
+            || !self.round.is_empty()
     }
 
     /// One row of inputs that has these drivers, to ask an effect for its numbers where no recording is at hand.

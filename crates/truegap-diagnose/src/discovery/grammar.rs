@@ -21,6 +21,17 @@ pub struct Range {
     pub high: f64,
     /// its usual size, for a rate: exceeded in one row of ten
     pub usual: f64,
+    /// what it is of a turn, where it is an angle
+    pub angle: Option<Angle>,
+}
+
+/// An angle that covers most of a turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Angle {
+    /// a whole turn, driver's unit
+    pub turn: f64,
+    /// whether its number begins anew after each turn, so that it neither rises nor falls
+    pub round: bool,
 }
 
 /// Clock of a recording.
@@ -87,9 +98,10 @@ fn plain(driver: &Driver, kinetics: Kinetics, form: Form) -> Sentence {
 }
 
 fn of_driver(range: &Range, times: &Times) -> Vec<Weighed> {
-    let mut laws = match (&range.driver, range.driver.is_rate()) {
-        (Driver::Time, _) => of_time(times),
-        (_, true) => of_rate(range, times),
+    let mut laws = match (&range.driver, range.driver.is_rate(), range.angle) {
+        (Driver::Time, ..) => of_time(times),
+        (_, true, _) => of_rate(range, times),
+        (_, _, Some(angle)) if angle.round => of_turn(&range.driver, angle.turn),
         _ => of_course(range, times),
     };
     // the members of one kinetics share what it is worth
@@ -143,7 +155,13 @@ fn of_course(range: &Range, times: &Times) -> Vec<Weighed> {
         }
         let widths = [0.01, 0.03, 0.1, 0.3].map(|s| Numbers { width: s * span, ..Numbers::default() }).to_vec();
         laws.push((plain(d, Kinetics::RateIndependent, Form::Linear), widths, 1.0));
-        laws.push((plain(d, Kinetics::Periodic, Form::Linear), periods(span, &HARMONICS), 1.0));
+        match range.angle {
+            Some(angle) => laws.extend(of_turn(d, angle.turn)),
+            None => laws.push((plain(d, Kinetics::Periodic, Form::Linear), periods(span, &HARMONICS), 1.0)),
+        }
+        if matches!(d, Driver::Recorded(_)) && range.angle.is_none() {
+            laws.push((plain(d, Kinetics::Static, Form::Peak), peaks(range.low, span, 0.0), BENT));
+        }
     }
     if *d != Driver::Load {
         laws.extend(accumulating(range, times));
@@ -160,6 +178,29 @@ fn periods(span: f64, counts: &[f64]) -> Vec<Numbers> {
     let phase = |k: usize| std::f64::consts::PI * k as f64 / PHASES as f64;
     let of = |count: f64| (0..PHASES).map(move |k| Numbers { period: span / count, phase: phase(k), ..Numbers::default() });
     if span > 0.0 { counts.iter().flat_map(|count| of(*count)).collect() } else { Vec::new() }
+}
+
+/// Laws that are the same again after a turn: waves of a whole part of it, and a peak about one direction.
+fn of_turn(driver: &Driver, turn: f64) -> Vec<Weighed> {
+    let waves = periods(turn, &PARTS_OF_A_TURN).into_iter().map(|numbers| Numbers { turn, ..numbers }).collect();
+    vec![
+        (plain(driver, Kinetics::Periodic, Form::Linear), waves, 1.0),
+        (plain(driver, Kinetics::Static, Form::Peak), peaks(0.0, turn, turn), 1.0),
+    ]
+}
+
+/// Waves to a turn.
+const PARTS_OF_A_TURN: [f64; 8] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 12.0];
+/// Half widths of a peak, as shares of a range, each with its places so near to one another that none lies between two.
+const PEAKS: [f64; 3] = [0.02, 0.05, 0.12];
+
+fn peaks(low: f64, span: f64, turn: f64) -> Vec<Numbers> {
+    let of = |share: f64| {
+        let places = (0.5 / share).ceil() as usize;
+        let at = move |k: usize| low + span * (k as f64 + 0.5) / places as f64;
+        (0..places).map(move |k| Numbers { threshold: at(k), scale: share * span, turn, ..Numbers::default() })
+    };
+    PEAKS.into_iter().flat_map(of).collect()
 }
 
 /// What adds up: each sum in proportion, by a root and levelling off.
@@ -199,7 +240,7 @@ fn of_rate(range: &Range, times: &Times) -> Vec<Weighed> {
 /// Time itself.
 fn of_time(times: &Times) -> Vec<Weighed> {
     let d = &Driver::Time;
-    let range = Range { driver: Driver::Time, low: 0.0, high: times.duration_s, usual: times.duration_s };
+    let range = Range { driver: Driver::Time, low: 0.0, high: times.duration_s, usual: times.duration_s, angle: None };
     let mut laws: Vec<Weighed> = Vec::new();
     for (form, below, grid, worth) in forms(&range, &LEVELS).into_iter().filter(|(_, below, _, _)| !below) {
         laws.push((Sentence { below, ..plain(d, Kinetics::Static, form) }, grid, worth));
@@ -232,7 +273,7 @@ mod tests {
 
     #[test]
     fn what_all_laws_are_worth_adds_up_to_one_with_every_word_among_them() {
-        let range = |driver: Driver, low: f64| Range { driver, low, high: 1.0, usual: 0.1 };
+        let range = |driver: Driver, low: f64| Range { driver, low, high: 1.0, usual: 0.1, angle: None };
         let drivers = [Driver::Load, Driver::LoadHistory, Driver::LoadRate, Driver::Temperature, Driver::Time];
         let ranges: Vec<Range> = drivers.iter().map(|d| range(d.clone(), if d.is_rate() { -1.0 } else { 0.0 })).collect();
         let times = Times { step_s: 0.1, duration_s: 600.0, moments_s: vec![100.0, 300.0], periods_s: vec![50.0] };
@@ -247,7 +288,7 @@ mod tests {
 
     #[test]
     fn without_a_clock_nothing_is_late() {
-        let range = Range { driver: Driver::Load, low: 0.0, high: 1.0, usual: 1.0 };
+        let range = Range { driver: Driver::Load, low: 0.0, high: 1.0, usual: 1.0, angle: None };
         assert!(laws(&[range], &Times::default()).iter().all(|law| law.sentence.kinetics != Kinetics::FirstOrder));
     }
 }

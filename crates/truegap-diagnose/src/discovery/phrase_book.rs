@@ -3,14 +3,14 @@
 //! Limits: a hint from place, driver and kinetics alone; it never claims more than the words do.
 
 use crate::effects::composed::{
-    mechanism::{Sentence, Sum},
+    mechanism::{Numbers, Sentence, Sum},
     words::{Driver, Form, Kinetics, Place},
 };
 
 /// Physics that fits the words, each with a source.
-pub fn could_be(s: &Sentence) -> Vec<String> {
+pub fn could_be(s: &Sentence, numbers: &Numbers) -> Vec<String> {
     let place = s.quantity.place();
-    let entries: [(bool, &str); 19] = [
+    let entries: [(bool, &str); 22] = [
         (
             s.driver == Driver::TemperatureRate && place != Place::Inputs,
             "a temperature gradient across the stack while it heats or cools (Carslaw & Jaeger, Conduction of Heat in Solids, ch. 3)",
@@ -84,6 +84,18 @@ pub fn could_be(s: &Sentence) -> Vec<String> {
         (
             s.kinetics == Kinetics::RateIndependent && matches!(s.driver, Driver::Recorded(_)),
             "dry friction against the motion (Armstrong-Helouvry et al., Automatica 30 (1994) 1083)",
+        ),
+        (
+            s.form == Form::Peak && s.kinetics == Kinetics::Static && numbers.turn > 0.0,
+            "something in the way from one direction: the shadow of a mast, a wall, a mark (anemometers: IEC 61400-12-1, annex G)",
+        ),
+        (
+            s.form == Form::Peak && s.kinetics == Kinetics::Static && numbers.turn == 0.0,
+            "a resonance, an absorption line, a worn or soiled place",
+        ),
+        (
+            s.kinetics == Kinetics::Periodic && numbers.turn > 0.0,
+            "a disc or a scale off its centre (once a turn), or tilted or of several parts (twice and more; Ernst, Digital Linear and Angular Metrology, 1989)",
         ),
         (
             s.driver == Driver::Time && matches!(s.kinetics, Kinetics::FirstOrder | Kinetics::Static) && place == Place::Readout,

@@ -3,9 +3,12 @@
 //! Limits: linear in the size about the fit; the numbers inside a mechanism lie on a grid.
 
 use crate::{
-    data::problem::Problem,
+    data::{
+        angle::{begins_anew, turning},
+        problem::Problem,
+    },
     discovery::{
-        grammar::{Law, Range, Times, laws},
+        grammar::{Angle, Law, Range, Times, laws},
         levers::{Lever, Seen, levers},
     },
     effects::composed::{
@@ -154,9 +157,11 @@ fn ranges(at: &Courses<'_>) -> Vec<Range> {
         Driver::Time,
         Driver::Reading,
     ];
+    let round = |name: &str| at.inputs.drivers.iter().any(|driver| driver.name == name && begins_anew(driver));
     for (name, _, _) in recorded(at.inputs) {
         drivers.push(Driver::Recorded(name.clone()));
-        drivers.push(Driver::RateOf(name));
+        // where an angle begins anew, its number runs at no speed that means anything
+        drivers.extend((!round(&name)).then(|| Driver::RateOf(name)));
     }
     let of = |driver: Driver| {
         let mut x = course(&driver, at)?;
@@ -166,7 +171,15 @@ fn ranges(at: &Courses<'_>) -> Vec<Range> {
         let tenth = x.len().saturating_sub(1) * 9 / 10;
         let usual = *x.select_nth_unstable_by(tenth, f64::total_cmp).1;
         let usual = if usual > 0.0 { usual } else { high.abs().max(low.abs()) };
-        moves.then_some(Range { driver, low, high, usual })
+        let angle = match &driver {
+            Driver::Recorded(name) => recorded(at.inputs)
+                .into_iter()
+                .find(|(own, ..)| own == name)
+                .and_then(|(_, _, unit)| turning(&unit, low, high))
+                .map(|turn| Angle { turn, round: round(name) }),
+            _ => None,
+        };
+        moves.then_some(Range { driver, low, high, usual, angle })
     };
     drivers.into_iter().filter_map(of).collect()
 }

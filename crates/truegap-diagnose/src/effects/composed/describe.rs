@@ -27,6 +27,7 @@ pub fn describe(sentence: &Sentence, start: &Numbers, fitted: &[FittedParameter]
 /// A number with what it means; a threshold with what it is counted from.
 fn number(sentence: &Sentence, p: &FittedParameter) -> String {
     let from = match (p.parameter.name.as_str(), &sentence.driver) {
+        ("threshold", _) if sentence.form == Form::Peak => "",
         ("threshold", Driver::Reading) => " above its least",
         ("threshold", Driver::Temperature) => " above the reference temperature",
         _ => "",
@@ -94,6 +95,7 @@ fn form(s: &Sentence) -> &'static str {
         Form::Threshold if s.below => ", below a threshold",
         Form::Threshold => ", above a threshold",
         Form::Saturating => ", levelling off",
+        Form::Peak => ", about one place",
     }
 }
 

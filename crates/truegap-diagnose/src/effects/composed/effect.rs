@@ -78,8 +78,11 @@ fn inner(sentence: &Sentence, start: Numbers, unit: &str) -> Vec<Parameter> {
         Kinetics::FirstOrder => free.push(positive("tau", "s", start.tau_s, "time constant")),
         Kinetics::RateIndependent => free.push(positive("width", unit, start.width, "half width of the loop")),
         Kinetics::Periodic => {
-            let period = Parameter::log_normal("period", unit, start.period, 0.02, "period");
-            free.push(period.within(0.9 * start.period, 1.1 * start.period));
+            // a wave of a turn closes on itself: its period is known
+            if start.turn == 0.0 {
+                let period = Parameter::log_normal("period", unit, start.period, 0.02, "period");
+                free.push(period.within(0.9 * start.period, 1.1 * start.period));
+            }
             free.push(Parameter::normal("phase", "rad", start.phase, 0.8, "phase at 0"));
         }
         Kinetics::Static | Kinetics::Accumulating | Kinetics::Event => {}
@@ -97,6 +100,10 @@ fn inner(sentence: &Sentence, start: Numbers, unit: &str) -> Vec<Parameter> {
             free.push(Parameter::normal("threshold", unit, start.threshold, sd, "where it begins"));
         }
         Form::Saturating => free.push(positive("scale", unit, start.scale, "where it levels off")),
+        Form::Peak => {
+            free.push(Parameter::normal("threshold", unit, start.threshold, 2.0 * start.scale, "where it is"));
+            free.push(positive("scale", unit, start.scale, "half width"));
+        }
     }
     free
 }

@@ -13,7 +13,7 @@
 //! tau = { value = 30.0, sd = 20.0, unit = "s" }
 //! ```
 //!
-//! Limits: priors of positive numbers (tau, width, scale, period) are Gaussian in the logarithm, all others plain.
+//! Limits: priors of positive numbers (tau, width, scale, period, turn) are Gaussian in the logarithm, all others plain.
 
 use crate::effects::composed::{
     effect::Composed,
@@ -76,6 +76,9 @@ pub struct MechanismFile {
     /// phase, rad
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phase: Option<Known>,
+    /// a whole turn of a driver that is an angle, driver's unit
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turn: Option<Known>,
 }
 
 /// Why a mechanism's file says nothing that can be fitted.
@@ -98,10 +101,10 @@ pub enum MechanismError {
 }
 
 /// Numbers that are positive.
-const POSITIVE: [&str; 4] = ["tau", "width", "scale", "period"];
+const POSITIVE: [&str; 5] = ["tau", "width", "scale", "period", "turn"];
 
 impl MechanismFile {
-    fn numbers(&self) -> [(&'static str, &Option<Known>, &'static str); 7] {
+    fn numbers(&self) -> [(&'static str, &Option<Known>, &'static str); 8] {
         [
             ("tau", &self.tau, "time constant"),
             ("width", &self.width, "half width of the loop"),
@@ -110,6 +113,7 @@ impl MechanismFile {
             ("scale", &self.scale, "where it levels off"),
             ("period", &self.period, "period"),
             ("phase", &self.phase, "phase at 0"),
+            ("turn", &self.turn, "a whole turn"),
         ]
     }
 
@@ -155,7 +159,7 @@ impl MechanismFile {
                 name,
                 known,
                 positive && known.sd >= 0.0,
-                "give a finite value, above 0 for tau, width, scale and period, and an sd of 0 or more",
+                "give a finite value, above 0 for tau, width, scale, period and turn, and an sd of 0 or more",
             )?;
         }
         match self
@@ -194,6 +198,7 @@ impl MechanismFile {
             scale: or_fixed("scale"),
             period: or_fixed("period"),
             phase: or_fixed("phase"),
+            turn: or_fixed("turn"),
             size: Known { sd, ..size },
             sentence: composed.sentence.clone(),
         }

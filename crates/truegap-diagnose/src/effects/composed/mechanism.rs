@@ -53,13 +53,13 @@ pub struct Numbers {
     /// half width of the play, driver's unit
     #[serde(default)]
     pub width: f64,
-    /// threshold, driver's unit; of an event in time, its moment, s
+    /// threshold, driver's unit; of an event in time, its moment, s; the place of a peak
     #[serde(default)]
     pub threshold: f64,
     /// exponent
     #[serde(default)]
     pub exponent: f64,
-    /// scale at which it levels off, driver's unit
+    /// scale at which it levels off, driver's unit; half width of a peak, the standard deviation of its bell
     #[serde(default)]
     pub scale: f64,
     /// period, driver's unit
@@ -68,6 +68,9 @@ pub struct Numbers {
     /// phase, rad
     #[serde(default)]
     pub phase: f64,
+    /// a whole turn of a driver that is an angle, driver's unit; 0 of any other
+    #[serde(default)]
+    pub turn: f64,
 }
 
 impl Sentence {
@@ -99,6 +102,7 @@ impl Sentence {
                 Form::Power => needs.push(("exponent", "power")),
                 Form::Threshold => needs.push(("threshold", "threshold")),
                 Form::Saturating => needs.push(("scale", "saturating")),
+                Form::Peak => needs.extend([("threshold", "peak"), ("scale", "peak")]),
             }
         }
         needs
@@ -125,6 +129,7 @@ impl Numbers {
             "scale" => &mut self.scale,
             "period" => &mut self.period,
             "phase" => &mut self.phase,
+            "turn" => &mut self.turn,
             _ => return None,
         })
     }

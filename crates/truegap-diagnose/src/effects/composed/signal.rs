@@ -111,6 +111,13 @@ fn form(sentence: &Sentence, numbers: &Numbers, x: f64) -> f64 {
         Form::Threshold if sentence.below => (numbers.threshold - x).max(0.0),
         Form::Threshold => (x - numbers.threshold).max(0.0),
         Form::Saturating => x / (1.0 + x.abs() / numbers.scale),
+        Form::Peak => {
+            let mut from = x - numbers.threshold;
+            if numbers.turn > 0.0 {
+                from -= numbers.turn * (from / numbers.turn).round();
+            }
+            (-0.5 * (from / numbers.scale).powi(2)).exp()
+        }
     }
 }
 
@@ -203,6 +210,16 @@ mod tests {
         let way = column(&words, &Numbers { width: 2.0, ..Numbers::default() }, &at).unwrap();
         assert_eq!((way[10], way[20]), (1.0, -1.0));
         assert_eq!(way[12], 0.0);
+    }
+
+    #[test]
+    fn a_peak_of_an_angle_reaches_over_the_end_of_the_turn() {
+        let words = sentence(Driver::Recorded("direction".into()), Kinetics::Static, Form::Peak);
+        let numbers = Numbers { threshold: 350.0, scale: 20.0, turn: 360.0, ..Numbers::default() };
+        let at = |x: f64| of_course(&words, &numbers, &inputs(1), vec![x])[0];
+        approx::assert_relative_eq!(at(10.0), (-0.5f64).exp(), max_relative = 1e-12);
+        approx::assert_relative_eq!(at(330.0), at(10.0), max_relative = 1e-12);
+        assert!(at(170.0) < 1e-15);
     }
 
     #[test]

@@ -47,6 +47,7 @@ pub fn size_unit(sentence: &Sentence, context: &Context<'_>) -> String {
     let followed = match (sentence.kinetics, sentence.sum) {
         (Kinetics::RateIndependent | Kinetics::Periodic | Kinetics::Event, _) => return quantity_unit(sentence, context),
         (Kinetics::FirstOrder, _) if sentence.driver == Driver::Time => return quantity_unit(sentence, context),
+        (Kinetics::Static, _) if sentence.form == Form::Peak => return quantity_unit(sentence, context),
         (Kinetics::Accumulating, Some(Sum::Dose)) => format!("({driver} s)"),
         _ => format!("({driver})"),
     };

@@ -106,6 +106,8 @@ pub enum Form {
     Threshold,
     /// levels off
     Saturating,
+    /// about one place, a bell
+    Peak,
 }
 
 /// What an effect is in words, whatever its name and its equation.
@@ -212,6 +214,7 @@ impl Form {
             Self::Power => "power",
             Self::Threshold => "threshold",
             Self::Saturating => "saturating",
+            Self::Peak => "peak",
         }
     }
 }

@@ -58,6 +58,9 @@ fn duration(time: &[f64], inputs: &Inputs, simulator: &dyn Simulator) -> f64 {
     simulator.joined().map_or_else(|| elapsed(time), of)
 }
 
+/// Change of a temperature that a thermometer sees, K.
+const SOME_KELVIN: f64 = 0.2;
+
 impl<'a> Context<'a> {
     /// Facts of `inputs` under `simulator`; `response_span` and `noise_sd` in the response's unit.
     pub fn new(inputs: &'a Inputs, simulator: &'a dyn Simulator, response_span: f64, noise_sd: f64) -> Self {
@@ -149,6 +152,14 @@ impl<'a> Context<'a> {
             Ok(value) if range(&value).0 < range(&value).1 => Ok(()),
             _ => Err("nothing moves that the base model follows".into()),
         }
+    }
+
+    /// `Ok` where the temperature moves at all, beside a base model of which no usual size of a temperature effect is known.
+    ///
+    /// # Errors
+    /// What is missing.
+    pub fn needs_some_temperature(&self) -> Result<(), String> {
+        self.needs_temperature(SOME_KELVIN)
     }
 
     /// `Ok` where the temperature moves by more than `kelvin`.

@@ -7,6 +7,7 @@ use crate::{
     stats::spread,
 };
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use truegap_core::{Driver, Inputs, Simulator};
 
 /// Columns that moved.
@@ -25,6 +26,9 @@ pub struct Moved {
     /// names of those that are angles and begin anew after each turn: to rise and to fall means nothing there
     #[serde(default)]
     pub round: Vec<String>,
+    /// least and greatest value of each driver that moves up and down: a law over a range keeps the range of the recording that it was found in
+    #[serde(default)]
+    pub ranges: BTreeMap<String, [f64; 2]>,
 }
 
 impl Moved {
@@ -34,6 +38,8 @@ impl Moved {
         let moves = |column: &Option<Vec<f64>>| column.as_deref().is_some_and(|column| range(column) > 0.0);
         let moving = inputs.drivers.iter().filter(|driver| range(&driver.values) > 0.0);
         let (round, straight): (Vec<&Driver>, Vec<&Driver>) = moving.partition(|driver| begins_anew(driver));
+        let ends = |x: &[f64]| x.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(*x), high.max(*x)]);
+        let ranges = straight.iter().map(|driver| (driver.name.clone(), ends(&driver.values))).collect();
         let names = |drivers: Vec<&Driver>| drivers.into_iter().map(|driver| driver.name.clone()).collect();
         Self {
             temperature_k: inputs.temperature_c.as_deref().map_or(0.0, range),
@@ -42,6 +48,7 @@ impl Moved {
             simulated: moves(&inputs.simulated),
             drivers: names(straight),
             round: names(round),
+            ranges,
         }
     }
 

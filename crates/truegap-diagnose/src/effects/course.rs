@@ -5,7 +5,7 @@
 use crate::{
     data::context::{Context, load_column},
     effects::{composed::words::Driver, memory::walk},
-    stats::spread,
+    stats::{median, spread},
 };
 use std::borrow::Cow;
 use truegap_core::Drive;
@@ -15,6 +15,16 @@ const LOADED: f64 = 0.05;
 
 /// Part of its range by which a column must rise, and fall, so that the two ways can be told.
 const TURNED: f64 = 0.1;
+
+/// Part of its range that a column goes from row to row, at most, in half of the rows, so that rows in order are a way.
+const A_STEP: f64 = 0.1;
+
+/// Whether rows that follow one another are near one another: a table of set points in any order is no way.
+fn is_a_way(column: &[f64], runs: &[std::ops::Range<usize>]) -> bool {
+    let steps: Vec<f64> =
+        runs.iter().flat_map(|run| column[run.clone()].windows(2)).map(|pair| (pair[1] - pair[0]).abs()).collect();
+    median(&steps) <= A_STEP * spread(column)
+}
 
 /// A column that moves a reading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,6 +100,13 @@ impl Course {
         }
     }
 
+    /// Least and greatest value of a recorded driver, in the recording in which the effect was found; 0 and 1 of anything else.
+    pub fn ends(self, context: &Context<'_>) -> [f64; 2] {
+        let Self::Driver(index) = self else { return [0.0, 1.0] };
+        let name = context.inputs.drivers.get(index).map(|driver| driver.name.as_str());
+        name.and_then(|name| context.moved.ranges.get(name)).copied().unwrap_or([0.0, 1.0])
+    }
+
     /// Range of the column, in its unit; 1 where it does not move.
     pub fn span(self, context: &Context<'_>) -> f64 {
         let inputs = context.inputs;
@@ -113,6 +130,9 @@ impl Course {
             Self::Simulated => inputs.simulated.as_deref().map(Cow::Borrowed),
         };
         let Some(column) = column else { return false };
+        if inputs.time_s.is_none() && !is_a_way(&column, &inputs.runs()) {
+            return false;
+        }
         let least = TURNED * self.span(context);
         let (mut rises, mut falls) = (false, false);
         for run in inputs.runs() {

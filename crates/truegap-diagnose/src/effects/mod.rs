@@ -18,6 +18,7 @@ mod course;
 mod dead_gap;
 mod delay;
 mod driver_coefficient;
+mod driver_gain;
 mod each_recording;
 mod eccentric_load;
 mod electrode_warp;
@@ -80,6 +81,8 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(rim_field::RimField),
         Box::new(parasitic_capacitance::ParasiticCapacitance),
         Box::new(gain_drift::GainDrift),
+        Box::new(driver_gain::DriverGain(0)),
+        Box::new(driver_gain::DriverGain(1)),
         Box::new(friction::Friction(0)),
         Box::new(friction::Friction(1)),
         Box::new(nonlinearity::Nonlinearity),

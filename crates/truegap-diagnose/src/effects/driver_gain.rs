@@ -1,0 +1,162 @@
+//! The sensitivity changes with a recorded driver that the base model does not know.
+//!
+//! Limits: a law of two numbers, smooth and without a change of sign.
+
+use crate::{
+    data::context::Context,
+    effects::composed::words::{InWords, Kinetics, Place},
+    effects::{
+        course::Course,
+        effect::{About, Effect, Family, FittedParameter},
+    },
+};
+use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
+
+/// Gain of the reading by the moving driver of this number.
+pub struct DriverGain(pub usize);
+
+struct Gain {
+    /// log of the gain from the middle of the driver's range to its end
+    log_gain: f64,
+    /// the same for the square
+    bend: f64,
+    /// reading at which the gain changes nothing, spans above the zero
+    pivot: f64,
+    /// middle and half of the driver's range
+    range: [f64; 2],
+    course: Course,
+}
+
+impl Gain {
+    fn apply(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64], gain: impl Fn(f64) -> f64) {
+        let Some(x) = self.course.column(drive) else { return };
+        let pivot = readout.zero + self.pivot * readout.span;
+        let [middle, half] = self.range;
+        value.iter_mut().zip(x).for_each(|(value, x)| *value += (*value - pivot) * gain((x - middle) / half));
+    }
+}
+
+impl Stage for Gain {
+    fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
+        self.apply(drive, readout, value, |u| (u * (self.log_gain + self.bend * u)).exp_m1());
+    }
+}
+
+/// Sibling: a gain in proportion to the driver, without a logarithm; at least a tenth.
+struct Straight(Gain);
+
+impl Stage for Straight {
+    fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
+        self.0.apply(drive, readout, value, |u| (u * (self.0.log_gain + self.0.bend * u)).max(-0.9));
+    }
+}
+
+const IDS: [&str; 2] = ["driver_gain", "second_driver_gain"];
+
+impl DriverGain {
+    fn gain(&self, values: &[f64], context: &Context<'_>) -> Gain {
+        let course = Course::of(context, self.0).unwrap_or(Course::Load);
+        let [low, high] = course.ends(context);
+        let range = [0.5 * (low + high), (0.5 * (high - low)).max(f64::MIN_POSITIVE)];
+        Gain { log_gain: values[0], bend: values[1], pivot: values[2], range, course }
+    }
+}
+
+impl Effect for DriverGain {
+    fn id(&self) -> EffectId {
+        EffectId(IDS[self.0.min(1)])
+    }
+    fn stage(&self) -> StageName {
+        StageName::Readout
+    }
+    fn family(&self) -> Family {
+        Family::Environment
+    }
+    fn in_words(&self, context: &Context<'_>) -> Option<InWords> {
+        let driver = Course::of(context, self.0)?.driver(context);
+        Some(InWords { place: Place::Readout, driver, kinetics: Kinetics::Static })
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "the sensitivity changes with a recorded driver (a supply, a weight, a density, a direction of wear): a product of two quantities where the base model has one",
+            equation: "value = p + (true - p) exp(a u + b u^2), u from -1 to 1 over the range of the driver, p the reading that it leaves alone",
+            excitation: "a column under [drivers] that changes, at several values of what the base model follows",
+            impostors: &["driver_coefficient", "nonlinearity", "gain_change", "gain_drift"],
+            separates: "in proportion to the reading: nothing where the reading is at its pivot, most where it is far from it",
+            source: "modifying inputs, Doebelin & Manik, Measurement Systems, sec. 2.4; influence quantities, IEC 60359",
+        }
+    }
+    fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
+        vec![
+            Parameter::normal("log_gain", "1", 0.0, 0.3, "log of the gain from the middle of the driver's range to its end")
+                .within(-4.0, 4.0),
+            Parameter::normal("bend", "1", 0.0, 0.2, "the same for the square").within(-3.0, 3.0),
+            Parameter::normal("pivot", "spans", 0.0, 0.5, "reading that it leaves alone, above that without load")
+                .within(-5.0, 5.0),
+        ]
+    }
+    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
+        [0.0, -0.3, 0.5].map(|pivot| vec![0.0, pivot]).to_vec()
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Readout)?;
+        match Course::of(context, self.0) {
+            Some(course) if course.is_followed(context) => {
+                return Err("the base model follows this driver by itself; a bent law of it is a nonlinearity".into());
+            }
+            Some(Course::Driver(_)) => {}
+            _ => return Err(Course::missing(self.0)),
+        }
+        if !context.simulator.moves() {
+            return Err("a value that does not move shows no gain".into());
+        }
+        context.needs_movement()
+    }
+    fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(self.gain(values, context))
+    }
+    fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Straight(self.gain(values, context))))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        told(fitted, "the driver")
+    }
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
+        told(fitted, Course::of(context, self.0).map_or("the driver", |course| course.name(context)))
+    }
+}
+
+fn told(fitted: &[FittedParameter], name: &str) -> String {
+    // from one end of the range to the other
+    let (factor, relative) = ((2.0 * fitted[0].value).exp(), 2.0 * fitted[0].sd);
+    format!(
+        "the gain is {} times as large at the most of {name} as at its least",
+        crate::text::with_sd(factor, factor * relative, "")
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use truegap_core::{Driver, Inputs};
+
+    /// A viscometer: the time is in proportion to the viscosity over the weight; over a range of two the inverse is exp(a u + b u^2) to within 1 %.
+    #[test]
+    fn a_product_of_two_quantities_is_a_gain_about_a_pivot() {
+        let weights: Vec<f64> = (0..100).map(|k| 1.0 + f64::from(k % 10) / 9.0).collect();
+        let viscosity: Vec<f64> = (0..100).map(|k| 5.0 + f64::from(k / 10)).collect();
+        let drivers = vec![Driver { name: "weight".into(), unit: "kg".into(), values: weights.clone() }];
+        let inputs = Inputs { run: vec![1; 100], drivers, ..Inputs::default() };
+        let drive = Drive { inputs: &inputs, load: &[0.0; 100], temperature_c: &[20.0; 100], reference_c: 20.0, full_load: 1.0 };
+        // the base model reads 20 at the least viscosity: the pivot, a reading of 0, is 20 / 9 spans of 9 below that
+        let readout = Readout { zero: 5.0 / 1.5, span: 6.0 };
+        let log_gain = -0.5 * 2f64.ln();
+        let bend = (1.5 / 2f64.sqrt()).ln();
+        let gain = Gain { log_gain, bend, pivot: -(5.0 / 1.5) / 6.0, range: [1.5, 0.5], course: Course::Driver(0) };
+        let mut value: Vec<f64> = viscosity.iter().map(|v| v / 1.5).collect();
+        gain.readout(&drive, &readout, &mut value);
+        for row in 0..100 {
+            approx::assert_relative_eq!(value[row], viscosity[row] / weights[row], max_relative = 0.01);
+        }
+    }
+}

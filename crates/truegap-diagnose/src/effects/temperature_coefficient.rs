@@ -83,7 +83,7 @@ impl Effect for TemperatureCoefficient {
         if context.has(StageName::Dielectric).is_ok() {
             return Err("the base model has places for temperature of its own (permittivity, warp, modulus)".into());
         }
-        context.needs_temperature(2.0)
+        context.needs_some_temperature()
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
         Box::new(Parabola { per_k: values[0], bend_per_k: values[1] })

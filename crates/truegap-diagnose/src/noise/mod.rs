@@ -24,4 +24,5 @@ pub(crate) mod slow;
 pub(crate) mod slow_parts;
 pub(crate) mod slow_rivals;
 pub(crate) mod switching;
+pub(crate) mod tones;
 pub(crate) mod tuning;

@@ -14,6 +14,7 @@ use crate::{
         rescale::not_above,
         response::{beside_louder_rows, from_misfit, noise_model},
         switching::load_switches,
+        tones::without_tones,
         tuning::CARRIED_ANEW,
     },
     whitening::{
@@ -196,6 +197,7 @@ fn without_rest(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, 
     let mut known = noise;
     for _ in 0..2 {
         let misfit = without_what_follows_drivers(problem.inputs, model.misfit(&calibrated(&known)?.z)?);
+        let misfit = without_tones(problem.inputs, misfit);
         known = from_misfit(problem, &misfit, &known);
     }
     Ok(not_above(problem, &model.misfit(&calibrated(&known)?.z)?, known))

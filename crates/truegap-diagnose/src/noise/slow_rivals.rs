@@ -7,6 +7,7 @@ use crate::{
     noise::{
         response::{blocks, no_finer_than_read},
         slow::{Slow, allowed, beside},
+        tones::without_tones,
     },
     whitening::{noise_model::NoiseModel, whitener::Noise},
 };
@@ -19,8 +20,8 @@ pub fn slow_rivals(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) ->
     }
     let load = load_column(problem.inputs, problem.simulator);
     let (blocks, at_rest, _) = blocks(problem, load.as_deref(), &noise.inputs, noise.load_wanders());
-    let seen = if at_rest { problem.response } else { misfit };
-    allowed(seen, &blocks, &noise.response).into_iter().map(|slow| with(problem, noise, slow)).collect()
+    let left = if at_rest { problem.response.to_vec() } else { without_tones(problem.inputs, misfit.to_vec()) };
+    allowed(&left, &blocks, &noise.response).into_iter().map(|slow| with(problem, noise, slow)).collect()
 }
 
 /// The noise with this slow noise in place of its one memory.

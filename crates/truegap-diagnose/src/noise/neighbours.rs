@@ -9,8 +9,8 @@
 
 use crate::{
     noise::reml::Block,
-    noise::tuning::{NEIGHBOURS_OF_EACH, OWN_NEIGHBOURS},
-    stats::spread,
+    noise::tuning::{NEIGHBOURS_OF_EACH, OWN_NEIGHBOURS, ROWS_APART},
+    stats::{median, spread},
 };
 use truegap_core::Inputs;
 
@@ -26,6 +26,18 @@ pub fn neighbours(inputs: &Inputs, load: Option<&[f64]>) -> Vec<Block> {
         .flat_map(|rows| leaves(&moving, rows, leaf))
         .filter_map(|rows| block(&moving, rows))
         .collect()
+}
+
+/// Whether rows at neighbouring inputs lie apart in the file, as where the same inputs are passed again and again: noise that lasts from row to row can then be told
+/// from a curve over the inputs.
+pub fn lie_apart(blocks: &[Block]) -> bool {
+    let nearest = |block: &Block| {
+        let mut rows = block.rows.clone();
+        rows.sort_unstable();
+        rows.windows(2).map(|pair| (pair[1] - pair[0]) as f64).collect::<Vec<_>>()
+    };
+    let apart: Vec<f64> = blocks.iter().flat_map(nearest).collect();
+    !apart.is_empty() && median(&apart) >= ROWS_APART
 }
 
 /// The inputs that move, each over its range.
@@ -135,6 +147,14 @@ mod tests {
         let response = noisy(|row| 0.1 * force[row] + if row <= 120 { 0.0 } else { 1.0 }, 240, 5);
         let (noise, _) = estimate(&response, &neighbours(&inputs, Some(&force)));
         approx::assert_relative_eq!(noise.white_sd, 0.02, max_relative = 0.25);
+    }
+
+    #[test]
+    fn rows_at_one_input_lie_apart_where_it_is_passed_again_and_again() {
+        let sorted: Vec<f64> = (0..200).map(|row| 0.01 * f64::from(row)).collect();
+        let swept: Vec<f64> = (0..200).map(|row| f64::from(row % 5)).collect();
+        assert!(!lie_apart(&neighbours(&set_points(sorted.clone()), Some(&sorted))));
+        assert!(lie_apart(&neighbours(&set_points(swept.clone()), Some(&swept))));
     }
 
     #[test]

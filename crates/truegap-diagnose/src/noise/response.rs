@@ -4,7 +4,7 @@
 
 use crate::{
     data::{context::load_column, problem::Problem},
-    noise::neighbours::neighbours,
+    noise::neighbours::{lie_apart, neighbours},
     noise::tuning::{ENOUGH_ROWS, FEWEST_NEIGHBOURS, FEWEST_REPLICATES, PLENTY_OF_ROWS, UNSEEN},
     noise::{
         input_error::{Left, input_error},
@@ -43,7 +43,8 @@ pub fn noise_model(
     let response = no_finer_than_read(response, problem);
     let recordings = Vec::new();
     let (response, input_error) = read_in_steps(problem, response, input_error);
-    let (response, input_error, says) = match slow(problem.response, &blocks, &response).filter(|_| measured) {
+    let ordered = problem.inputs.time_s.is_some() || lie_apart(&blocks);
+    let (response, input_error, says) = match slow(problem.response, &blocks, &response).filter(|_| measured && ordered) {
         Some(slow) => {
             let mut error = input_error;
             beside(&mut error, problem.response.len(), slow);

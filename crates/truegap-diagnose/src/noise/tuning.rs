@@ -108,6 +108,9 @@ pub(crate) const NEIGHBOURS_OF_EACH: usize = 4;
 /// Rows from which on a run is compared with itself alone.
 pub(crate) const OWN_NEIGHBOURS: usize = 32;
 
+/// Rows from one at neighbouring inputs to the next, in half of them, from which on they lie apart in the file.
+pub(crate) const ROWS_APART: f64 = 3.0;
+
 /// Fewest rows from which noise is taken in this way.
 pub(crate) const FEWEST_NEIGHBOURS: usize = 16;
 
@@ -239,3 +242,17 @@ pub(crate) const BY_CHANCE: f64 = 8.0;
 
 /// Prior standard deviations from which on the error of the inputs is carried through the calibrated numbers instead of the foreseen ones.
 pub(crate) const CARRIED_ANEW: f64 = 4.0;
+
+// tones.rs
+
+/// Cycles of a run from which on a line is a tone.
+pub(crate) const FEWEST_CYCLES: usize = 6;
+
+/// Lines on each side of one that it is compared with.
+pub(crate) const BESIDE_A_LINE: usize = 12;
+
+/// Power over the mean of the lines beside it from which on a line stands out: noise passes it in one line of 3 million (`exp(-15)`).
+pub(crate) const LINE_STANDS_OUT: f64 = 15.0;
+
+/// Most tones that are taken out of a run.
+pub(crate) const MOST_TONES: usize = 3;

@@ -2,7 +2,7 @@
 //!
 //! Such rows hold no new measurement, and their noise is that of the row before: they are left out.
 //!
-//! Limits: readings fine enough that noise hardly ever gives the same value twice; short repeats only, longer ones are a dead channel, and at the ends of the range a
+//! Limits: recordings with a clock; readings fine enough that noise hardly ever gives the same value twice; short repeats only, longer ones are a dead channel, and at the ends of the range a
 //! clipped one.
 
 use crate::{
@@ -18,6 +18,8 @@ use std::ops::Range;
 
 /// A notice, and the rows that are to be left out.
 pub fn repeated(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<usize>)> {
+    // a table without a clock may hold what was found again and again
+    problem.inputs.time_s.as_ref()?;
     let (response, runs) = (problem.response, problem.inputs.runs());
     let step = resolution(response);
     let pairs: Vec<usize> = runs.iter().flat_map(|run| run.start + 1..run.end).collect();
@@ -28,7 +30,8 @@ pub fn repeated(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<u
     }
     let inputs = problem.inputs;
     let columns = [&inputs.force_n, &inputs.pressure_pa, &inputs.gap_m, &inputs.temperature_c];
-    let whole = |row: usize| columns.iter().all(|c| c.as_ref().is_none_or(|c| c[row] == c[row - 1]));
+    let drivers = |row: usize| inputs.drivers.iter().all(|driver| driver.values[row] == driver.values[row - 1]);
+    let whole = |row: usize| columns.iter().all(|c| c.as_ref().is_none_or(|c| c[row] == c[row - 1])) && drivers(row);
     let (lowest, highest) = ends(response, 0..response.len());
     let stretches: Vec<_> = equal_stretches(response, &runs)
         .into_iter()

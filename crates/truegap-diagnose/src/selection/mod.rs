@@ -9,6 +9,7 @@ pub(crate) mod examine;
 pub(crate) mod model_space;
 pub(crate) mod posterior;
 pub(crate) mod prior;
+pub(crate) mod rival_sets;
 pub(crate) mod tempering;
 pub(crate) mod tuning;
 pub(crate) mod unmodelled;

@@ -128,6 +128,9 @@ pub(crate) const RIVAL: f64 = 0.05;
 /// (`FORM_ERROR`). Instruments and equations are rarely better, and the tests of lack of fit see a thousandth of a large misfit; the rest is described beside the answer.
 pub(crate) const ADEQUATE: f64 = 0.99;
 
+/// Probability from which on an effect is told beside others that have rivals.
+pub(crate) const LIKELIER_THAN_NOT: f64 = 0.5;
+
 /// Root mean square of what is left, over the noise, from which on an equation is not adequate whatever it removes: 20 dB. Of the real recordings that are explained none
 /// leaves more than five times its noise; a magnetic loop whose curve alone was found leaves ninety times.
 pub(crate) const LOUD_REST: f64 = 10.0;

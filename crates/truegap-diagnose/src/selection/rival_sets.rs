@@ -1,0 +1,67 @@
+//! Which effects could stand in the place of one that a model holds.
+//!
+//! Limits: models that the search has fitted; in one place at most two effects.
+
+use crate::selection::{
+    posterior::Selection,
+    tuning::{RIVAL, SURE},
+};
+
+/// How many effects may stand in the place of one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Places {
+    One,
+    OneOrTwo,
+}
+
+/// For each effect of model `best`: itself, and those that stand in its place in models of at least [`RIVAL`] of its probability.
+pub(crate) fn rival_sets(selection: &Selection, best: usize, places: Places) -> Vec<Vec<usize>> {
+    let model = &selection.models[best];
+    let probability = selection.probability[best];
+    let most = model.effects.len() + usize::from(places == Places::OneOrTwo);
+    let place = |effect: &usize| {
+        let others: Vec<usize> = model.effects.iter().copied().filter(|e| e != effect).collect();
+        let mut set = vec![*effect];
+        let likely = selection.models.iter().zip(&selection.probability).filter(|(_, p)| **p > RIVAL * probability);
+        for (rival, _) in likely {
+            let replaces = !rival.effects.contains(effect) && others.iter().all(|o| rival.effects.contains(o));
+            if replaces && (model.effects.len()..=most).contains(&rival.effects.len()) {
+                let new = rival.effects.iter().filter(|e| !others.contains(e));
+                new.for_each(|e| {
+                    if !set.contains(e) {
+                        set.push(*e)
+                    }
+                });
+            }
+        }
+        set
+    };
+    model.effects.iter().map(place).collect()
+}
+
+/// Probability of each effect of model `best`, or of one of those that could stand in its place.
+pub(crate) fn in_its_place(selection: &Selection, best: usize) -> Vec<f64> {
+    let probability = |set: Vec<usize>| match set[..] {
+        [effect] => selection.effect_probability[effect],
+        _ => {
+            let all = selection.models.iter().zip(&selection.probability);
+            all.filter(|(tried, _)| tried.effects.iter().any(|e| set.contains(e))).map(|(_, p)| p).sum()
+        }
+    };
+    rival_sets(selection, best, Places::One).into_iter().map(probability).collect()
+}
+
+/// The sets that are told of `best`, which may be a smaller model than the likeliest: of such a one the larger ones that hold it are no rivals.
+///
+/// Two effects together are looked for in the place of one where no one effect stands there and the model is not sure.
+pub(crate) fn sets_told(selection: &Selection, best: usize) -> Vec<Vec<usize>> {
+    let told = &selection.models[best].effects;
+    let likeliest = selection.likeliest_named().unwrap_or(best);
+    let places = selection.models[likeliest].effects.iter().zip(rival_sets(selection, likeliest, Places::One));
+    let sets: Vec<Vec<usize>> = places.filter(|(effect, _)| told.contains(effect)).map(|(_, set)| set).collect();
+    let sure = told.iter().all(|e| selection.effect_probability[*e] >= SURE);
+    if sets.iter().any(|set| set.len() > 1) || likeliest != best || sure {
+        return sets;
+    }
+    rival_sets(selection, best, Places::OneOrTwo)
+}

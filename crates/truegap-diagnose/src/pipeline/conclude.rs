@@ -182,7 +182,7 @@ fn predicted(
     }
     let free_form = |e: usize| search.library[e].free_form();
     let start = (decision.model, of(&selection.models[decision.model]));
-    let (model, named, left_out) = step_back(selection, start, of, free_form);
+    let (model, named, left_out) = step_back(selection, start, &base, of, free_form);
     let unit = search.problem.simulator.unit();
     let id = |e: usize| search.library[e].id().to_string();
     let told = |left: &LeftOut| {

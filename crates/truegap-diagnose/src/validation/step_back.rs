@@ -1,13 +1,17 @@
 //! An effect without which the others predict rows left out better is not claimed beside them.
 //!
 //! A fuller model is likelier because it fits the rows that it has seen. Where the physics is right it foretells the others, too. One effect is left out after another,
-//! each time the one that costs most, by the rule of [`crate::validation::veto`]; the smaller model takes the place that the base model has there.
+//! each time the one that costs most, by the rule of [`crate::validation::veto`]; the smaller model takes the place that the base model has there. Where all of them
+//! together would be vetoed, one may be to blame: then it is enough that rows left out are predicted better without it.
 //!
 //! Limits: only models that the search has fitted; a number for whatever happens foretells nothing and is not judged.
 
 use crate::{
     selection::{candidates::Tried, posterior::Selection},
-    validation::{cross_validation::HeldOutFit, veto::Unseen},
+    validation::{
+        cross_validation::{HeldOutFit, compared},
+        veto::Unseen,
+    },
 };
 
 /// An effect that is not claimed.
@@ -23,12 +27,14 @@ pub(crate) struct LeftOut {
 pub(crate) fn step_back(
     selection: &Selection,
     start: (usize, HeldOutFit),
+    base: &HeldOutFit,
     unseen: impl Fn(&Tried) -> HeldOutFit,
     free_form: impl Fn(usize) -> bool,
 ) -> (usize, HeldOutFit, Vec<LeftOut>) {
     let ((mut model, mut named), mut left_out) = (start, Vec::new());
     loop {
         let effects = &selection.models[model].effects;
+        let vetoed = Unseen { base: base.clone(), named: Some(named.clone()) }.worse().is_some();
         let smaller = |effect: &usize| {
             let others: Vec<usize> = effects.iter().copied().filter(|e| e != effect).collect();
             let place = selection.models.iter().position(|m| m.key() == others.as_slice().into())?;
@@ -37,7 +43,9 @@ pub(crate) fn step_back(
         let judged = effects.iter().filter_map(smaller).filter_map(|(effect, place)| {
             let without = unseen(&selection.models[place]);
             let both = Unseen { base: without, named: Some(named.clone()) };
-            let errors = both.worse()?;
+            let better =
+                || compared(&both.base, both.named.as_ref()?).map(|both| both.rmse).filter(|[without, with]| without < with);
+            let errors = both.worse().or_else(|| if vetoed { better() } else { None })?;
             Some((place, both.base, LeftOut { effect, errors }))
         });
         let cost = |left: &LeftOut| left.errors[1] / left.errors[0];

@@ -133,21 +133,26 @@ fn an_effect_without_which_the_rest_predicts_better_is_not_claimed() {
     world.search(&y, |search, lack_of_fit| {
         let selection = examine(search, lack_of_fit).unwrap().selection;
         let index = |effects: &[usize]| selection.models.iter().position(|m| m.key() == effects.into()).unwrap();
-        let told = |second: f64, free: bool| {
-            let unseen = |tried: &Tried| {
-                let error = if tried.effects.contains(&1) { second } else { 1.0 };
-                let part = |name: &str| PartError { name: name.into(), squares: Some(30.0 * error * error), rows: 30 };
-                HeldOutFit { how: String::new(), prediction: Vec::new(), parts: ["a", "b", "c"].map(part).to_vec() }
-            };
+        let of_parts = |errors: [f64; 3]| {
+            let part = |error: f64| PartError { name: "run".into(), squares: Some(30.0 * error * error), rows: 30 };
+            HeldOutFit { how: String::new(), prediction: Vec::new(), parts: errors.map(part).to_vec() }
+        };
+        let of_all = |base: [f64; 3], one: [f64; 3], both: [f64; 3], free: bool| {
+            let unseen = |tried: &Tried| of_parts(if tried.effects.contains(&1) { both } else { one });
             let start = (index(&[0, 1]), unseen(&selection.models[index(&[0, 1])]));
-            let (model, named, left_out) = step_back(&selection, start, unseen, |_| free);
+            let (model, named, left_out) = step_back(&selection, start, &of_parts(base), unseen, |_| free);
             (model, named.parts[0].rmse(), left_out)
         };
+        let told = |second: f64, free: bool| of_all([2.0; 3], [1.0; 3], [second; 3], free);
         let (model, error, left_out) = told(3.0, false);
         assert_eq!((model, error), (index(&[0]), Some(1.0)));
         assert_eq!((left_out[0].effect, left_out[0].errors), (1, [1.0, 3.0]));
         // what predicts as well stays, and so does a number for whatever happens
         assert_eq!(told(0.5, false).0, index(&[0, 1]));
         assert_eq!(told(3.0, true).0, index(&[0, 1]));
+        // worse in one part of three is no reason to take an effect back, unless both together would be vetoed for it
+        let (one, both) = ([1.05, 1.05, 1.4], [1.0, 1.0, 2.0]);
+        assert_eq!(of_all([2.0; 3], one, both, false).0, index(&[0, 1]));
+        assert_eq!(of_all([0.8, 0.8, 1.8], one, both, false).0, index(&[0]));
     });
 }

@@ -129,7 +129,7 @@ fn has_comments(start: &[u8]) -> bool {
 fn first_line(start: &[u8], comments: bool) -> String {
     let text = String::from_utf8_lossy(start);
     let text = text.trim_start_matches('\u{feff}');
-    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !(comments && line.starts_with('#')));
+    let mut lines = text.lines().map(str::trim).filter(|line| !(line.is_empty() || comments && line.starts_with('#')));
     lines.next().unwrap_or_default().to_owned()
 }
 

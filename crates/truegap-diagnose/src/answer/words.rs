@@ -11,7 +11,7 @@ use crate::{
     },
     effects::memory::elapsed_s,
     selection::verdict::{Decision, Verdict},
-    text::share_left,
+    text::{rounded, share_left},
 };
 
 /// Said first among the doubts where the search was stopped.
@@ -93,15 +93,19 @@ fn line(found: &Found<'_>) -> String {
     format!("; run {} holds a line at {:.4} cycles a row", after.line_at.0 + 1, after.line_at.1)
 }
 
+/// Frequency below which a tone is told by its period, Hz.
+const SLOW_HZ: f64 = 0.01;
+
 /// The tone, or else the loudest burst, of what the model stood behind leaves, in words; `None` where there is neither.
 fn interference(found: &Found<'_>) -> Option<String> {
     let (tone, burst, inputs) = (found.interference.tone, found.interference.burst, found.all.problem.inputs);
     if tone.is_significant() {
-        let at = tone.frequency_hz.map_or_else(|| format!("{:.4} cycles a row", tone.per_row), |hz| format!("{hz:.4} Hz"));
-        return Some(format!(
-            "a tone at {at} (as sampled; it may be a faster one), {:.2} times as large as the noise",
-            tone.amplitude
-        ));
+        let at = match tone.frequency_hz {
+            None => format!("a tone at {:.4} cycles a row", tone.per_row),
+            Some(hz) if hz < SLOW_HZ => format!("a cycle of {}", rounded(hz.recip(), "s")),
+            Some(hz) => format!("a tone at {hz:.4} Hz"),
+        };
+        return Some(format!("{at} (as sampled; it may be a faster one), {:.2} times as large as the noise", tone.amplitude));
     }
     burst.is_significant().then(|| {
         let (run, time) = (inputs.run[burst.row], elapsed_s(inputs, burst.row));

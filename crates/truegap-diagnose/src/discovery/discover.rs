@@ -66,8 +66,8 @@ pub fn discover(search: &Search<'_>, from: &Tried, scale: f64, id: EffectId) -> 
     let model = search.model(&from.effects);
     let knows_lag = search.library.iter().any(|effect| effect.stage() == StageName::ThermalPath);
     let mut found = screen(&model, &from.fit.z, &from.fit.linearised(), search.whitener, knows_lag)?;
-    let clearest = found.sentences.iter().map(|s| s.deviance).fold(0.0, f64::max);
-    let control_p_value = found.control_p_value(clearest);
+    let first = found.sentences.iter().max_by(|a, b| a.deviance.total_cmp(&b.deviance))?;
+    let (clearest, control_p_value) = (first.deviance, found.control_p_value(&first.sentence, first.deviance));
     if control_p_value > BY_CHANCE {
         return None;
     }

@@ -80,7 +80,7 @@ pub fn could_be(s: &Sentence, numbers: &Numbers) -> Vec<String> {
             s.driver == Driver::Reading && s.kinetics == Kinetics::Static,
             "a bent characteristic of the electronics (integral nonlinearity, IEEE Std 1241)",
         ),
-        (s.driver == Driver::Time && s.kinetics == Kinetics::Periodic, "pickup of the mains, a fan, a daily cycle"),
+        (s.driver == Driver::Time && s.kinetics == Kinetics::Periodic, "pickup of the mains, a fan, a daily or a yearly cycle"),
         (
             s.kinetics == Kinetics::RateIndependent && matches!(s.driver, Driver::Recorded(_)),
             "dry friction against the motion (Armstrong-Helouvry et al., Automatica 30 (1994) 1083)",

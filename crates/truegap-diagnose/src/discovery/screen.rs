@@ -31,6 +31,8 @@ const LENGTHS: [f64; 7] = [3.0, 8.0, 20.0, 50.0, 130.0, 350.0, 1000.0];
 const ABSORBED: f64 = 1e-6;
 /// Turns of what is left against the histories, for the control.
 const PERMUTATIONS: usize = 99;
+/// Stretches of a recording whose signs are reversed for the control of a tone.
+const STRETCHES: f64 = 16.0;
 /// Cycles in a run from which something is called periodic.
 const CYCLES: usize = 8;
 /// Factor on the prior of electronics that follow the load itself: they are fed by the reading, and know of the load through it.
@@ -87,6 +89,8 @@ pub struct Screen {
     pub sentences: Vec<Screened>,
     /// greatest deviance of any sentence for each turn of the residual against the histories
     pub control: Vec<f64>,
+    /// the same where that of tones is taken with stretches of the residual reversed: a tone that is turned about is the same tone
+    pub control_of_tones: Vec<f64>,
     /// columns weighed
     pub columns: usize,
 }
@@ -102,10 +106,11 @@ impl Screen {
         (best.1 > weight).then_some(best.0)
     }
 
-    /// Probability that freedom alone does as well as `deviance`: the share of turns that reach it, the recording itself counted.
-    pub fn control_p_value(&self, deviance: f64) -> f64 {
-        let reached = self.control.iter().filter(|d| **d >= deviance).count();
-        (reached + 1) as f64 / (self.control.len() + 1) as f64
+    /// Probability that freedom alone does as well as `deviance`, which this sentence has: the share of turns that reach it, the recording itself counted.
+    pub fn control_p_value(&self, sentence: &Sentence, deviance: f64) -> f64 {
+        let control = if is_a_tone(sentence) { &self.control_of_tones } else { &self.control };
+        let reached = control.iter().filter(|d| **d >= deviance).count();
+        (reached + 1) as f64 / (control.len() + 1) as f64
     }
 }
 
@@ -121,7 +126,7 @@ pub fn screen(model: &Model<'_>, z: &[f64], linearised: &Linearised, whitener: &
     };
     let ranges = ranges(&at);
     let laws = laws(&ranges, &times(problem, linearised));
-    let turned = turned(&linearised.residual);
+    let (turned, reversed) = (turned(&linearised.residual), reversed(&linearised.residual));
     let places = places(&levers);
     let of_law = |law: &Law| {
         let Some(mut x) = course(&law.sentence.driver, &at) else { return Vec::new() };
@@ -131,15 +136,21 @@ pub fn screen(model: &Model<'_>, z: &[f64], linearised: &Linearised, whitener: &
         let followed: Vec<Vec<f64>> =
             law.grid.iter().map(|numbers| of_course(&law.sentence, numbers, problem.inputs, x.clone())).collect();
         let fits = levers.iter().filter(|lever| suits(lever, &law.sentence, knows_lag));
-        fits.filter_map(|lever| weighed(law, &followed, lever, &places, linearised, whitener, &turned)).collect::<Vec<_>>()
+        let mut by_chance = vec![&turned];
+        by_chance.extend(is_a_tone(&law.sentence).then_some(&reversed));
+        fits.filter_map(|lever| weighed(law, &followed, lever, &places, linearised, whitener, &by_chance)).collect::<Vec<_>>()
     };
-    let each: Vec<(Screened, Vec<f64>)> = laws.par_iter().flat_map_iter(of_law).collect();
-    let mut control = vec![0.0; PERMUTATIONS];
+    let each: Vec<(Screened, Vec<Vec<f64>>)> = laws.par_iter().flat_map_iter(of_law).collect();
+    let (mut control, mut control_of_tones) = (vec![0.0; PERMUTATIONS], vec![0.0; PERMUTATIONS]);
     for (_, most) in &each {
-        control.iter_mut().zip(most).for_each(|(c, m)| *c = f64::max(*c, *m));
+        let greatest = |control: &mut Vec<f64>, most: &Vec<f64>| {
+            control.iter_mut().zip(most).for_each(|(c, m)| *c = f64::max(*c, *m));
+        };
+        greatest(&mut control, &most[0]);
+        greatest(&mut control_of_tones, most.last().unwrap_or(&most[0]));
     }
     let columns = each.iter().map(|(s, _)| s.grid.len()).sum();
-    Some(Screen { sentences: each.into_iter().map(|(s, _)| s).collect(), control, columns })
+    Some(Screen { sentences: each.into_iter().map(|(s, _)| s).collect(), control, control_of_tones, columns })
 }
 
 fn seen_load<'s>(problem: &Problem<'_>, seen: &'s Seen) -> Option<&'s [f64]> {
@@ -161,7 +172,7 @@ fn ranges(at: &Courses<'_>) -> Vec<Range> {
     for (name, _, _) in recorded(at.inputs) {
         drivers.push(Driver::Recorded(name.clone()));
         // where an angle begins anew, its number runs at no speed that means anything
-        drivers.extend((!round(&name)).then(|| Driver::RateOf(name)));
+        drivers.extend((!round(&name)).then_some(Driver::RateOf(name)));
     }
     let of = |driver: Driver| {
         let mut x = course(&driver, at)?;
@@ -246,10 +257,10 @@ fn weighed(
     places: &[(Place, usize)],
     linearised: &Linearised,
     whitener: &Whitener,
-    turned: &DMatrix<f64>,
-) -> Option<(Screened, Vec<f64>)> {
+    by_chance: &[&DMatrix<f64>],
+) -> Option<(Screened, Vec<Vec<f64>>)> {
     let (mut grid, mut swings) = (Vec::with_capacity(followed.len()), Vec::with_capacity(followed.len()));
-    let mut control = vec![0.0; turned.ncols()];
+    let mut control: Vec<Vec<f64>> = by_chance.iter().map(|columns| vec![0.0; columns.ncols()]).collect();
     for u in followed {
         let mut b: Vec<f64> = u.iter().zip(&lever.of_row).map(|(u, s)| u * s).collect();
         swings.push(deviation(&b));
@@ -268,8 +279,10 @@ fn weighed(
         }
         grid.push((b.dot(&linearised.residual), variance));
         let off = &b - &linearised.taken * taken;
-        let scores = turned.tr_mul(&off);
-        control.iter_mut().zip(scores.iter()).for_each(|(c, s)| *c = f64::max(*c, s * s / variance));
+        for (control, columns) in control.iter_mut().zip(by_chance) {
+            let scores = columns.tr_mul(&off);
+            control.iter_mut().zip(scores.iter()).for_each(|(c, s)| *c = f64::max(*c, s * s / variance));
+        }
     }
     let deviance = |(score, variance): &(f64, f64)| score * score / variance;
     let best = (0..grid.len()).max_by(|a, b| deviance(&grid[*a]).total_cmp(&deviance(&grid[*b])))?;
@@ -299,6 +312,27 @@ fn deviation(x: &[f64]) -> f64 {
     (x.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / x.len().max(1) as f64).sqrt()
 }
 
+/// Whether it goes up and down with time, whatever else was done.
+fn is_a_tone(sentence: &Sentence) -> bool {
+    sentence.driver == Driver::Time && sentence.kinetics == Kinetics::Periodic
+}
+
+/// What is left, with the sign of stretches reversed by chance: each stays what it was, and no tone goes through all of them.
+fn reversed(residual: &DVector<f64>) -> DMatrix<f64> {
+    let rows = residual.len();
+    let mut random = ChaCha8Rng::seed_from_u64(18);
+    let mut reversed = DMatrix::zeros(rows, PERMUTATIONS);
+    for mut column in reversed.column_iter_mut() {
+        let (first, length) = (random.random_range(0.0..1.0), rows as f64 / STRETCHES);
+        let mut signs = [0.0; STRETCHES as usize + 2];
+        signs.iter_mut().for_each(|sign| *sign = if random.random() { 1.0 } else { -1.0 });
+        for row in 0..rows {
+            column[row] = residual[row] * signs[(row as f64 / length + first) as usize];
+        }
+    }
+    reversed
+}
+
 /// What is left, turned about by chance against the histories: columns of a control of equal freedom.
 fn turned(residual: &DVector<f64>) -> DMatrix<f64> {
     let rows = residual.len();
@@ -313,4 +347,23 @@ fn turned(residual: &DVector<f64>) -> DMatrix<f64> {
         }
     }
     turned
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tone_is_the_same_turned_about_and_falls_apart_reversed() {
+        let tone = DVector::from_fn(960, |row, _| (row as f64 * std::f64::consts::TAU / 12.0).sin());
+        let other = DVector::from_fn(960, |row, _| (row as f64 * std::f64::consts::TAU / 12.0).cos());
+        // power of the tone over its own
+        let kept = |all: &DMatrix<f64>| {
+            all.column_iter().map(|c| (c.dot(&tone).powi(2) + c.dot(&other).powi(2)) / 480f64.powi(2)).sum::<f64>()
+                / PERMUTATIONS as f64
+        };
+        approx::assert_abs_diff_eq!(kept(&turned(&tone)), 1.0, epsilon = 1e-9);
+        // 16 stretches of random sign keep one part in 16 on average
+        assert!(kept(&reversed(&tone)) < 0.1, "{}", kept(&reversed(&tone)));
+    }
 }

@@ -93,9 +93,13 @@ fn words_have_the_probabilities_of_their_sentences() {
 #[test]
 fn a_control_counts_the_recording_itself() {
     let control = (0..99).map(f64::from).collect();
-    let screen = Screen { sentences: Vec::new(), control, columns: 0 };
-    assert_eq!(screen.control_p_value(96.0), 0.04);
-    assert_eq!(screen.control_p_value(1e9), 0.01);
+    let screen = Screen { sentences: Vec::new(), control, control_of_tones: vec![0.0; 99], columns: 0 };
+    let law = sentence(Driver::Load, Kinetics::Static);
+    assert_eq!(screen.control_p_value(&law, 96.0), 0.04);
+    assert_eq!(screen.control_p_value(&law, 1e9), 0.01);
+    // a tone has a control of its own
+    let tone = sentence(Driver::Time, Kinetics::Periodic);
+    assert_eq!(screen.control_p_value(&tone, 96.0), 0.01);
 }
 
 /// Noise alone, and a reading that drifts with the clock.

@@ -60,7 +60,7 @@ pub(crate) fn fit_facts(found: &Found<'_>, in_sample: BeforeAfter, before: &Held
     FitFacts {
         in_sample,
         held_out: HeldOut {
-            how: before.how.clone(),
+            how: after.how.clone(),
             rmse_before: both.as_ref().map(|c| c.rmse[0]),
             rmse_after: both.as_ref().map(|c| c.rmse[1]),
             misfit_removed: removed.filter(|_| named),

@@ -35,11 +35,8 @@ pub(crate) struct Alone {
 pub(crate) fn alone(prepared: &Prepared<'_>, search: &Search<'_>, all: AllRows<'_>, base: &Tried) -> Option<Alone> {
     let model = search.model(&[]);
     let runs = search.problem.runs();
-    let error = |z: &[f64]| {
-        let every = Model::new(all.problem, search.context, Vec::new());
-        let misfit = every.misfit(z).ok()?;
-        Some((misfit.iter().map(|m| m * m).sum::<f64>() / misfit.len().max(1) as f64).sqrt())
-    };
+    let every = Model::new(all.problem, search.context, Vec::new());
+    let error = |z: &[f64]| left_over(&every, z);
     let before = error(&base.fit.z)?;
     let mut best: Option<(f64, Alone)> = None;
     let mut size = before;
@@ -59,8 +56,14 @@ pub(crate) fn alone(prepared: &Prepared<'_>, search: &Search<'_>, all: AllRows<'
     best.filter(|(found, _)| *found < (1.0 - LOWER) * before).map(|(_, alone)| alone)
 }
 
+/// Root mean square of what a model leaves over.
+pub(crate) fn left_over(model: &Model<'_>, z: &[f64]) -> Option<f64> {
+    let misfit = model.misfit(z).ok()?;
+    Some((misfit.iter().map(|m| m * m).sum::<f64>() / misfit.len().max(1) as f64).sqrt())
+}
+
 /// White noise of this size in place of what the reading and its inputs have; rows that are louder stay so.
-fn white(noise: &NoiseModel, size: f64) -> NoiseModel {
+pub(crate) fn white(noise: &NoiseModel, size: f64) -> NoiseModel {
     let response = Noise { white_sd: size, ar_sd: 0.0, ar_correlation: 0.0 };
     let recordings = noise.recordings.iter().map(|r| RecordingNoise { response, ..r.clone() }).collect();
     let input_error =

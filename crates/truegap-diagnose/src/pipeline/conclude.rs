@@ -2,12 +2,8 @@
 //!
 //! Limits: the last stage of the pipeline; nothing is changed after it.
 
-use crate::text::{significant, spoken};
 use crate::{
-    adequacy::{
-        interference::every_row::Interference,
-        lack_of_fit::{Adequacy, LackOfFitTests},
-    },
+    adequacy::{interference::every_row::Interference, lack_of_fit::LackOfFitTests},
     answer::{Found, Known, Outcome, Reserved, outcome},
     data::error::DiagnoseError,
     discovery::{
@@ -17,26 +13,25 @@ use crate::{
     explain::hidden_input::slow_input::SlowInput,
     fit::model::Model,
     pipeline::{
-        alone::{Alone, alone},
+        alone::alone,
         options::Options,
+        predicted::{Predicted, predicted},
         prepare::Prepared,
     },
     selection::{
-        candidates::{Progress, Search, Tried},
+        candidates::{Progress, Search},
         examine::{Examined, judge},
         posterior::Selection,
-        verdict::{Decision, Verdict, interrupted, stepped_back},
+        verdict::{Decision, Verdict, interrupted},
         weak_effects::widened,
     },
     validation::{
-        cross_validation::{AllRows, held_out},
+        cross_validation::AllRows,
         recovery::{
             confusion::Bank,
             fill::{Whole, fill},
         },
         selected_again::selected_again,
-        step_back::{LeftOut, step_back},
-        veto::Unseen,
     },
 };
 use std::{
@@ -151,73 +146,6 @@ fn counted(composition: &Composition, examined: Examined, lack_of_fit: &LackOfFi
     let decision = Decision { model: stood_behind.unwrap_or(selection.base), ..examined.decision };
     let (decision, after) = composition.decide(&selection, decision, lack_of_fit);
     Examined { selection, decision, after: after.unwrap_or(examined.after), ..examined }
-}
-
-/// The decision with predictions of rows left out counted.
-struct Predicted {
-    unseen: Unseen,
-    decision: Decision,
-    /// adequacy of the model stood behind, where it is another one now
-    after: Option<Adequacy>,
-    vetoed: Option<Reserved>,
-    /// what is not claimed beside the rest, for a reader
-    left_out: Vec<String>,
-}
-
-/// Predicts rows left out: what predicts them much worse than the base model is not claimed, nor an effect without which the others predict them better.
-fn predicted(
-    prepared: &Prepared<'_>,
-    search: &Search<'_>,
-    all: AllRows<'_>,
-    selection: &Selection,
-    decision: Decision,
-    alone: Option<&Alone>,
-) -> Predicted {
-    let of = |tried: &Tried| held_out(search, &prepared.searched_noise, tried, all);
-    let base = alone.map_or_else(|| of(selection.base()), |alone| held_out(search, &alone.noise, &alone.tried, all));
-    let nothing = |decision| (Unseen { base: base.clone(), named: None }, decision);
-    if selection.models[decision.model].effects.is_empty() {
-        let (unseen, decision) = nothing(decision);
-        return Predicted { unseen, decision, after: None, vetoed: None, left_out: Vec::new() };
-    }
-    let free_form = |e: usize| search.library[e].free_form();
-    let start = (decision.model, of(&selection.models[decision.model]));
-    let (model, named, left_out) = step_back(selection, start, &base, of, free_form);
-    let unit = search.problem.simulator.unit();
-    let id = |e: usize| search.library[e].id().to_string();
-    let told = |left: &LeftOut| {
-        format!(
-            "{} would fit as well, but without it rows left out are predicted better ({} against {} {unit}), so it is not claimed",
-            spoken(&id(left.effect)),
-            significant(left.errors[0], 3),
-            significant(left.errors[1], 3)
-        )
-    };
-    let told: Vec<String> = left_out.iter().map(told).collect();
-    let (decision, after) = if left_out.is_empty() {
-        (decision, None)
-    } else {
-        let after = prepared.lack_of_fit.adequacy(&selection.models[model].fit);
-        (stepped_back(selection, &decision, model, &after), Some(after))
-    };
-    let chosen = &selection.models[model];
-    let unseen = Unseen { base: base.clone(), named: Some(named) };
-    let foretells = chosen.effects.iter().all(|e| !free_form(*e));
-    if let Some([without, with]) = unseen.worse().filter(|_| foretells) {
-        let ids = chosen.effects.iter().map(|e| id(*e)).collect::<Vec<_>>().join(" and ");
-        let says = format!(
-            "there is a mismatch, but its cause is not decided: {ids} would fit it, and predicts rows left out worse than the calibrated model does \
-             ({} against {} {unit})",
-            significant(with, 3),
-            significant(without, 3),
-        );
-        let (unseen, decision) = nothing(Decision::nothing(Verdict::Undecided, selection.base));
-        let vetoed = Some(Reserved { says, withheld: false, input_missing: false });
-        return Predicted { unseen, decision, after: None, vetoed, left_out: told };
-    }
-    // a verdict that names nothing has no model whose predictions could be told
-    let named = unseen.named.filter(|_| decision.model == model);
-    Predicted { unseen: Unseen { base, named }, decision, after, vetoed: None, left_out: told }
 }
 
 /// The recovery bank, where it is wanted; where nothing may be named, there is nothing to be right or wrong about.

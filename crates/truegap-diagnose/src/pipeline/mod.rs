@@ -6,6 +6,7 @@ mod alone;
 mod conclude;
 mod noise_choice;
 mod options;
+mod predicted;
 mod prepare;
 
 pub use options::{Options, Restriction};

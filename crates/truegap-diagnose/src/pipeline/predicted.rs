@@ -1,0 +1,136 @@
+//! Rows left out are predicted, and what they say of the decision.
+//!
+//! Limits: models that the search has fitted; a number for whatever happens is not judged.
+
+use crate::{
+    adequacy::lack_of_fit::Adequacy,
+    answer::Reserved,
+    fit::model::Model,
+    pipeline::{
+        alone::{Alone, left_over, white},
+        prepare::Prepared,
+    },
+    selection::{
+        candidates::{Search, Tried},
+        posterior::Selection,
+        verdict::{Decision, Verdict, stepped_back},
+    },
+    text::{significant, spoken},
+    validation::{
+        cross_validation::{AllRows, HeldOutFit, compared, held_out},
+        step_back::{LeftOut, step_back},
+        veto::Unseen,
+    },
+    whitening::noise_model::NoiseModel,
+};
+
+/// The decision with predictions of rows left out counted.
+pub(crate) struct Predicted {
+    /// errors on rows left out
+    pub unseen: Unseen,
+    pub decision: Decision,
+    /// adequacy of the model stood behind, where it is another one now
+    pub after: Option<Adequacy>,
+    /// why nothing is named, where that is so
+    pub vetoed: Option<Reserved>,
+    /// what is not claimed beside the rest, for a reader
+    pub left_out: Vec<String>,
+}
+
+/// Predicts rows left out: what predicts them much worse than the base model is not claimed, nor an effect without which the others predict them better.
+pub(crate) fn predicted(
+    prepared: &Prepared<'_>,
+    search: &Search<'_>,
+    all: AllRows<'_>,
+    selection: &Selection,
+    decision: Decision,
+    alone: Option<&Alone>,
+) -> Predicted {
+    let noise = &prepared.searched_noise;
+    let base = match alone {
+        Some(alone) => held_out(search, &alone.noise, &alone.tried, all),
+        None => held_out(search, noise, selection.base(), all),
+    };
+    let of = |tried: &Tried| {
+        let squares = alone.and_then(|_| by_least_squares(search, noise, tried, all));
+        nearer(held_out(search, noise, tried, all), squares)
+    };
+    let nothing = |decision| (Unseen { base: base.clone(), named: None }, decision);
+    if selection.models[decision.model].effects.is_empty() {
+        let (unseen, decision) = nothing(decision);
+        return Predicted { unseen, decision, after: None, vetoed: None, left_out: Vec::new() };
+    }
+    let free_form = |e: usize| search.library[e].free_form();
+    let start = (decision.model, of(&selection.models[decision.model]));
+    let (model, named, left_out) = step_back(selection, start, &base, of, free_form);
+    let unit = search.problem.simulator.unit();
+    let id = |e: usize| search.library[e].id().to_string();
+    let told = |left: &LeftOut| {
+        format!(
+            "{} would fit as well, but without it rows left out are predicted better ({} against {} {unit}), so it is not claimed",
+            spoken(&id(left.effect)),
+            significant(left.errors[0], 3),
+            significant(left.errors[1], 3)
+        )
+    };
+    let told: Vec<String> = left_out.iter().map(told).collect();
+    let (decision, after) = if left_out.is_empty() {
+        (decision, None)
+    } else {
+        let after = prepared.lack_of_fit.adequacy(&selection.models[model].fit);
+        (stepped_back(selection, &decision, model, &after), Some(after))
+    };
+    let chosen = &selection.models[model];
+    let unseen = Unseen { base: base.clone(), named: Some(named) };
+    let foretells = chosen.effects.iter().all(|e| !free_form(*e));
+    if let Some([without, with]) = unseen.worse().filter(|_| foretells) {
+        let ids = chosen.effects.iter().map(|e| id(*e)).collect::<Vec<_>>().join(" and ");
+        let says = format!(
+            "there is a mismatch, but its cause is not decided: {ids} would fit it, and predicts rows left out worse than the calibrated model does \
+             ({} against {} {unit})",
+            significant(with, 3),
+            significant(without, 3),
+        );
+        let (unseen, decision) = nothing(Decision::nothing(Verdict::Undecided, selection.base));
+        let vetoed = Some(Reserved { says, withheld: false, input_missing: false });
+        return Predicted { unseen, decision, after: None, vetoed, left_out: told };
+    }
+    // a verdict that names nothing has no model whose predictions could be told
+    let named = unseen.named.filter(|_| decision.model == model);
+    Predicted { unseen: Unseen { base, named }, decision, after, vetoed: None, left_out: told }
+}
+
+/// Predictions of rows left out by a model that is calibrated by least squares: under white noise as large as what it leaves over.
+fn by_least_squares(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> Option<HeldOutFit> {
+    let effects = tried.effects.iter().map(|e| search.library[*e]).collect();
+    let size = left_over(&Model::new(all.problem, search.context, effects), &tried.fit.z)?;
+    let predicted = held_out(search, &white(noise, size), tried, all);
+    Some(HeldOutFit { how: format!("{}; calibrated by least squares", predicted.how), ..predicted })
+}
+
+/// What a model foretells, calibrated under the noise or, as the base model is where that is told alone, by least squares: else the two ways to calibrate would be compared, and not the
+/// two models.
+fn nearer(under_noise: HeldOutFit, squares: Option<HeldOutFit>) -> HeldOutFit {
+    let better = |squares: &HeldOutFit| compared(&under_noise, squares).is_some_and(|both| both.rmse[1] < both.rmse[0]);
+    squares.filter(better).unwrap_or(under_noise)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::validation::cross_validation::PartError;
+
+    fn predicted(squares: f64) -> HeldOutFit {
+        let part = PartError { name: "run 1".into(), squares: Some(squares), rows: 4 };
+        HeldOutFit { how: String::new(), prediction: Vec::new(), parts: vec![part] }
+    }
+
+    /// Calibrated by least squares, the base model leaves 4. A model that leaves 9 under the noise and 2 by least squares is no worse.
+    #[test]
+    fn where_least_squares_predict_better_they_are_told() {
+        let told = |under_noise, squares: Option<f64>| nearer(predicted(under_noise), squares.map(predicted)).parts[0].squares;
+        assert_eq!(told(9.0, Some(2.0)), Some(2.0));
+        assert_eq!(told(3.0, Some(4.0)), Some(3.0));
+        assert_eq!(told(9.0, None), Some(9.0));
+    }
+}

@@ -18,4 +18,13 @@ impl Symmetry {
             Symmetry::Planar => 1.0,
         }
     }
+
+    /// Change of the weight with the first coordinate (1/m): 2 pi, or 0.
+    #[inline]
+    pub fn weight_slope(self) -> f64 {
+        match self {
+            Symmetry::Axisymmetric => std::f64::consts::TAU,
+            Symmetry::Planar => 0.0,
+        }
+    }
 }

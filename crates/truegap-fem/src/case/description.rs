@@ -1,6 +1,7 @@
 //! A checked case: regions, materials, conditions, outputs. SI throughout.
 
 use super::temperature::Temperature;
+use crate::elasticity::PressureLoad;
 use crate::mesh::{Geometry, Point};
 use crate::symmetry::Symmetry;
 
@@ -56,6 +57,8 @@ pub struct Condition {
     pub displace: [Option<f64>; 2],
     /// Pressure on the surface, positive inwards (Pa).
     pub pressure: Option<f64>,
+    /// On which surface it acts, where the case says so.
+    pub pressure_load: Option<PressureLoad>,
 }
 
 /// How fine.

@@ -5,10 +5,10 @@
 use super::description::{Case, Law, Output, OutputKind};
 use super::error::CaseError;
 use super::first_mesh::mesh_case;
-use super::result::{CaseResult, MeshCounts, QuantityValue, SecondsSpent};
+use super::result::{CaseResult, MeshCounts, PressureActs, QuantityValue, SecondsSpent};
 use crate::elasticity::{
-    Accuracy, Answer, Component, Condition, Formulation, Goal, LawKind, Material, Order, Outcome, Place, Problem, Quantity,
-    Temperature, solve_goals, solve_goals_adaptive,
+    Accuracy, Acts, Answer, Body, Component, Condition, Formulation, Goal, LawKind, Material, Order, Outcome, Place,
+    PressureLoad, Problem, Quantity, Temperature, solve_goals, solve_goals_adaptive,
 };
 use crate::error::FemError;
 use crate::mesh::{BoundaryPath, Mesh};
@@ -20,12 +20,27 @@ pub(super) fn solve(case: &Case) -> Result<(CaseResult, Outcome), FemError> {
     let quantities = case.outputs.iter().map(|o| quantity(case, o)).collect::<Result<Vec<_>, _>>()?;
     let begin = Instant::now();
     let mut problem = problem(case, mesh_case(case)?)?;
+    check_following(case, &problem)?;
     let meshing = begin.elapsed().as_secs_f64();
     let outcome = match case.mesh.target_error {
         Some(target) => solve_goals_adaptive(&mut problem, &quantities, &Accuracy { target, ..Accuracy::default() })?,
         None => solve_goals(&problem, &quantities)?,
     };
     Ok((result(&outcome, meshing), outcome))
+}
+
+/// A pressure that is asked to follow must have a material that knows large strain behind all of it.
+fn check_following(case: &Case, problem: &Problem) -> Result<(), FemError> {
+    let body = Body::new(problem.clone())?;
+    let asked =
+        |name: &str| case.conditions.iter().any(|c| c.boundary == name && c.pressure_load == Some(PressureLoad::Following));
+    if let Some((boundary, ..)) = body.pressures().into_iter().find(|(b, _, acts)| *acts == Acts::SmallStrain && asked(b)) {
+        let what = "the material there has law = \"linear\", small strain, which knows only the undeformed surface; \
+                    leave pressure_load out, or give the material law = \"neo-hookean\"";
+        let place = format!("boundary `{boundary}`, pressure_load");
+        return Err(CaseError::Invalid { file: case.file.clone(), place, what: what.into() }.into());
+    }
+    Ok(())
 }
 
 fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
@@ -40,6 +55,11 @@ fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
     let body = outcome.solution.body();
     CaseResult {
         quantities: outcome.answers.iter().map(|a| (a.name.clone(), value(a))).collect(),
+        pressures: body
+            .pressures()
+            .into_iter()
+            .map(|(boundary, pressure_pa, acts)| PressureActs { boundary, pressure_pa, acts: acts.word() })
+            .collect(),
         mesh: MeshCounts { triangles: body.problem.mesh.triangles.len(), unknowns: body.numbering.free.len() },
         seconds: SecondsSpent {
             mesh: meshing + outcome.seconds[0],
@@ -114,7 +134,7 @@ fn condition(case: &Case, c: &super::Condition) -> Result<Vec<Condition>, CaseEr
         }
     }
     if let Some(pressure) = c.pressure {
-        out.push(Condition::pressure(&c.boundary, pressure));
+        out.push(Condition::Pressure { boundary: c.boundary.clone(), pressure, load: c.pressure_load.unwrap_or_default() });
     }
     Ok(out)
 }

@@ -38,6 +38,7 @@ fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
     let seconds = outcome.seconds;
     CaseResult {
         quantities: outcome.answers.iter().map(|a| (a.name.clone(), value(a))).collect(),
+        pressures: Vec::new(),
         mesh: MeshCounts { triangles: outcome.triangles, unknowns: outcome.unknowns },
         seconds: SecondsSpent { mesh: meshing + seconds.mesh, assemble: seconds.assemble, solve: seconds.solve },
     }

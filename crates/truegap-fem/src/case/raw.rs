@@ -74,6 +74,7 @@ pub(super) struct RawBoundary {
     #[serde(default)]
     pub displace: BTreeMap<String, toml::Value>,
     pub pressure: Option<toml::Value>,
+    pub pressure_load: Option<String>,
 }
 
 #[derive(Debug, Deserialize)]

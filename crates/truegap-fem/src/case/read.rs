@@ -6,6 +6,7 @@ use super::geometry::geometry;
 use super::raw::{RawBoundary, RawCase, RawMaterial, RawOutput, RawRadial};
 use super::temperature::{RadialTerm, Temperature};
 use super::units::{Dimension, parse_quantity, unit_factor};
+use crate::elasticity::PressureLoad;
 use crate::symmetry::Symmetry;
 use std::collections::BTreeMap;
 use truegap_limits::count;
@@ -216,13 +217,22 @@ impl Reader<'_> {
             displace[self.component(&place("displace"), c, symmetry)?] =
                 Some(self.quantity(&place("displace"), value, Dimension::Length)?);
         }
+        let pressure = self.optional(&place("pressure"), raw.pressure.as_ref(), Dimension::Pressure)?;
+        if raw.pressure_load.is_some() && pressure.is_none() {
+            return Err(
+                self.invalid(place("pressure_load"), "says on which surface a pressure acts, and there is none; add pressure")
+            );
+        }
+        let loads = [("following", PressureLoad::Following), ("dead", PressureLoad::Dead)];
+        let pressure_load = raw.pressure_load.as_deref().map(|w| self.word(&place("pressure_load"), w, &loads)).transpose()?;
         Ok(Condition {
             boundary: raw.name.clone(),
             potential: self.optional(&place("potential"), raw.potential.as_ref(), Dimension::Potential)?,
             open: raw.open,
             fix,
             displace,
-            pressure: self.optional(&place("pressure"), raw.pressure.as_ref(), Dimension::Pressure)?,
+            pressure,
+            pressure_load,
         })
     }
 

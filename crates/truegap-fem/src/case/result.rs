@@ -39,12 +39,27 @@ pub struct SecondsSpent {
     pub solve: f64,
 }
 
+/// A pressure, and on which surface it acted.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct PressureActs {
+    /// Boundary.
+    pub boundary: String,
+    /// Pressure, positive inwards (Pa).
+    pub pressure_pa: f64,
+    /// `following` (the deformed surface), `dead` (the undeformed one, as asked for), or `small strain` (a law that
+    /// does not tell the two apart).
+    pub acts: &'static str,
+}
+
 /// The result of a case.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct CaseResult {
     /// Quantities in the order of the outputs.
     #[serde(serialize_with = "as_map")]
     pub quantities: Vec<(String, QuantityValue)>,
+    /// Pressures on the body.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub pressures: Vec<PressureActs>,
     /// Size.
     pub mesh: MeshCounts,
     /// Time.

@@ -1,4 +1,4 @@
-//! A problem made discrete: nodes, unknowns, prescribed values and dead loads.
+//! A problem made discrete: nodes, unknowns, prescribed values, dead loads, and where pressures follow the surface.
 //!
 //! Unknowns are `2 node + component`, then one pressure for each corner of each mixed region: pressure may jump
 //! between regions.
@@ -6,6 +6,7 @@
 use super::error::ElasticityError;
 use super::loads::external_forces;
 use super::material::Formulation;
+use super::pressure::{Acts, Jump, LoadedEdge, jumps, loaded_edges};
 use super::problem::{Component, Condition, Place, Problem};
 use super::rigid::check_held;
 use crate::mesh::{Point, Topology};
@@ -32,8 +33,14 @@ pub struct Body {
     pub fixed: Vec<bool>,
     /// Prescribed values at load factor 1, zero where free (m).
     pub prescribed: Vec<f64>,
-    /// Forces of pressure and body force at load factor 1 (N, or N/m).
+    /// Dead forces of pressure and body force at load factor 1 (N, or N/m).
     pub external: Vec<f64>,
+    /// Edges with a pressure, dead or following.
+    pub(crate) pressures: Vec<LoadedEdge>,
+    /// Following pressures on the sides of an element, by element (Pa).
+    pub(crate) following: HashMap<usize, [f64; 3]>,
+    /// Nodes where a following pressure ends or changes.
+    pub(crate) jumps: Vec<Jump>,
     /// Displacement that the loads at factor 1 would cause in a free bar as long as the body (m): what "small" means
     /// where supports hold the body still.
     pub scale: f64,
@@ -53,10 +60,16 @@ impl Body {
         let (fixed, prescribed) = supports(&problem, &topology, &nodes, &dofs, active)?;
         check_parts(&problem, &nodes, &fixed, active)?;
         let numbering = Numbering::new(&fixed);
-        let external = external_forces(&problem, &topology, &nodes, &dofs)?;
+        let pressures = loaded_edges(&problem, &topology)?;
+        let mut following = HashMap::<usize, [f64; 3]>::new();
+        for edge in pressures.iter().filter(|e| e.follows) {
+            following.entry(edge.element).or_default()[edge.side] += edge.pressure;
+        }
         Ok(Body {
             scale: free_displacement(&problem, &nodes),
             displacements: 2 * active,
+            external: external_forces(&problem, &nodes, &dofs, &pressures),
+            jumps: jumps(&nodes, &pressures),
             problem,
             topology,
             nodes,
@@ -64,13 +77,42 @@ impl Body {
             numbering,
             fixed,
             prescribed,
-            external,
+            pressures,
+            following,
         })
     }
 
     /// Whether any region has pressure unknowns.
     pub(crate) fn is_mixed(&self) -> bool {
         self.dofs.count > self.displacements
+    }
+
+    /// On which surface each pressure acts: boundary, pressure at load factor 1 (Pa), and the surface, once each.
+    pub fn pressures(&self) -> Vec<(String, f64, Acts)> {
+        let mut out = Vec::new();
+        for edge in &self.pressures {
+            let Condition::Pressure { boundary, pressure, load } = &self.problem.conditions[edge.condition] else { continue };
+            let region = self.problem.mesh.triangle_regions[edge.element] as usize;
+            let acts = Acts::of(*load, self.problem.materials[region].law);
+            let one = (boundary.clone(), *pressure, acts);
+            if !out.contains(&one) {
+                out.push(one);
+            }
+        }
+        out
+    }
+
+    /// What to do where no equilibrium is found.
+    pub(crate) fn advice(&self) -> &'static str {
+        if !self.following.is_empty() {
+            "the pressure follows the deformed surface, and a body can have a greatest pressure of this kind (a balloon): \
+             look for it with less pressure, load in smaller steps, or give the pressure as a dead load on the undeformed surface"
+        } else if self.pressures.is_empty() {
+            "load in smaller steps, or look for an instability"
+        } else {
+            "the pressure is a dead load on the undeformed surface: load in smaller steps, look for an instability, or let the \
+             pressure follow the surface"
+        }
     }
 
     /// Nodes of a boundary that carry displacements, in no order, each once.
@@ -107,7 +149,7 @@ fn check(problem: &Problem) -> Result<(), ElasticityError> {
     for condition in &problem.conditions {
         let (place, value) = match condition {
             Condition::Displacement { place, value, .. } => (format!("{place:?}"), *value),
-            Condition::Pressure { boundary, pressure } => (boundary.clone(), *pressure),
+            Condition::Pressure { boundary, pressure, .. } => (boundary.clone(), *pressure),
             Condition::Obstacle { boundary, position, travel, .. } => (boundary.clone(), position + travel),
         };
         if !value.is_finite() {

@@ -92,7 +92,7 @@ pub enum ElasticityError {
     },
     /// Newton's method found no equilibrium.
     #[error(
-        "no equilibrium found between load factors {reached} and {wanted} (last relative correction {correction:.1e}); load in smaller steps, or look for an instability"
+        "no equilibrium found between load factors {reached} and {wanted} (last relative correction {correction:.1e}); {advice}"
     )]
     NotConverged {
         /// Last factor with an equilibrium.
@@ -101,6 +101,8 @@ pub enum ElasticityError {
         wanted: f64,
         /// Largest correction over largest displacement.
         correction: f64,
+        /// What to do, for the loads of the body.
+        advice: &'static str,
     },
     /// A linear solution that does not settle under refinement.
     #[error(

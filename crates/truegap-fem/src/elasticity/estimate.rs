@@ -7,17 +7,17 @@
 
 use super::body::Body;
 use super::element::{Tables, evaluate_at, evaluate_points, material};
+use super::following::{EdgeShape, OnEdge, add_tangent_of, field_on, push, push_change, surface};
 use super::kinematics::{R, Z, displacement_gradient, work};
 use super::laws::{Law, Tensor};
 use super::material::Formulation;
 use super::point::{At, Visitor};
-use super::problem::Condition;
 use super::quadrature_point::MappedQuadraturePoint;
 use super::solver::Solver;
 use crate::algebra::for_each_element;
 use crate::mesh::NONE;
 use crate::space::{ABOVE_QUADRATIC, bubbles_above_quadratic};
-use crate::space::{Element, Shape, edge_rule};
+use crate::space::{EdgePoint, Element, Shape, edge_rule};
 use nalgebra::{DMatrix, DVector};
 
 /// A field over all unknowns whose error is wanted.
@@ -47,13 +47,11 @@ pub(crate) fn estimate_pairs(solver: &Solver, fields: &[FieldRef], pairs: &[(usi
     out
 }
 
-/// Pressure on every edge at load factor 1 (Pa).
+/// Dead pressure on every edge at load factor 1 (Pa).
 fn edge_pressures(body: &Body) -> Vec<f64> {
     let mut out = vec![0.0; body.topology.edges.len()];
-    for condition in &body.problem.conditions {
-        let Condition::Pressure { boundary, pressure } = condition else { continue };
-        let Ok(id) = body.problem.mesh.boundary(boundary) else { continue };
-        body.problem.mesh.edges_of(id).filter_map(|[a, b]| body.topology.edge(a, b)).for_each(|e| out[e] += pressure);
+    for edge in body.pressures.iter().filter(|e| !e.follows) {
+        out[body.topology.triangle_edges[edge.element][edge.side] as usize] += edge.pressure;
     }
     out
 }
@@ -74,7 +72,8 @@ impl Local<'_> {
         let mut inside = Inside { local: self, t, matrix: vec![0.0; m * m], residuals: vec![vec![0.0; m]; self.fields.len()] };
         let (state, load) = (self.solver.state(), self.solver.load());
         evaluate_points(self.body, &self.tables, t, state, load, true, &mut inside);
-        let Inside { matrix, mut residuals, .. } = inside;
+        let Inside { mut matrix, mut residuals, .. } = inside;
+        add_tangent_of(self.body, t, state, load, 8, bubbles_on, (m, &mut matrix));
         for k in 0..3 {
             self.add_edge(t, k, &mut residuals);
         }
@@ -115,7 +114,7 @@ impl Local<'_> {
             }
             let reference = Element::edge_reference(k, s);
             let tractions = match other {
-                NONE => self.outer(edge, p.normal),
+                NONE => self.outer(edge, (t, k, s), &p),
                 other => {
                     let there = topology.triangle_edges[other as usize].iter().position(|&e| e as usize == edge).unwrap_or(0);
                     let here = self.tractions(t, reference, p.normal);
@@ -134,9 +133,21 @@ impl Local<'_> {
         }
     }
 
-    fn outer(&self, edge: usize, normal: [f64; 2]) -> Vec<[f64; 2]> {
-        let p = -self.pressure[edge] * self.solver.load();
-        let loaded = |f: &FieldRef| if matches!(f, FieldRef::Equilibrium) { normal.map(|n| p * n) } else { [0.0; 2] };
+    /// Given tractions per undeformed area; of a dual field, what the load stiffness makes of it.
+    fn outer(&self, edge: usize, (t, k, s): (usize, usize, f64), p: &EdgePoint) -> Vec<[f64; 2]> {
+        let (symmetry, load) = (self.body.problem.symmetry, self.solver.load());
+        let dead = -self.pressure[edge] * load;
+        let following = self.body.following.get(&t).map_or(0.0, |sides| sides[k]) * load;
+        let per_area = following / (p.speed * symmetry.weight(p.at[0]));
+        let x = if following == 0.0 { OnEdge::default() } else { surface(self.body, t, k, s, self.solver.state()) };
+        let loaded = |f: &FieldRef| match f {
+            FieldRef::Equilibrium => {
+                let moved = push(symmetry, x);
+                [0, 1].map(|c| dead * p.normal[c] + per_area * moved[c])
+            }
+            FieldRef::Dual(_) if following == 0.0 => [0.0; 2],
+            FieldRef::Dual(z) => push_change(symmetry, x, field_on(self.body, t, k, s, z)).map(|f| per_area * f),
+        };
         self.fields.iter().map(loaded).collect()
     }
 
@@ -156,6 +167,13 @@ impl Local<'_> {
         let p: f64 = s.pressures.iter().zip(p).map(|(n, p)| n * p).sum();
         (at.tangent(&h) + at.volume_slope() * p, at.volume_slope().dot(&h) - at.pressure_compliance() * p)
     }
+}
+
+/// The bubbles of a side, with their slopes along it.
+fn bubbles_on(side: usize, s: f64) -> Vec<EdgeShape> {
+    let (bubbles, along) =
+        (bubbles_above_quadratic(Element::edge_reference(side, s)), [[1.0, 0.0], [-1.0, 1.0], [0.0, -1.0]][side]);
+    [side, side + 3].map(|i| (i, bubbles[i].0, bubbles[i].1[0] * along[0] + bubbles[i].1[1] * along[1])).to_vec()
 }
 
 /// Gathers the local matrix and the residuals inside a triangle.

@@ -23,7 +23,7 @@ use std::time::Instant;
 #[non_exhaustive]
 pub enum Goal {
     /// Stored energy (J or J/m). Its estimate is half the energy of the error, which holds where a body is driven by
-    /// forces alone, or by displacements and heat alone.
+    /// dead forces alone, or by displacements and heat alone; under a following pressure it is that of the dual problem.
     Energy,
     /// Force of the supports on a boundary (N or N/m).
     Reaction {
@@ -208,6 +208,12 @@ fn functional(solver: &mut Solver, s: &Solution, goal: &Goal) -> Result<Function
     let mixed = s.body().problem.materials.iter().any(|m| m.formulation == Formulation::Mixed);
     let floor = if mixed { MIXED_FLOOR } else { CANCELLATION_FLOOR };
     match goal {
+        Goal::Energy if !s.body().following.is_empty() => {
+            // The energy is not stationary: its slope is the inner forces.
+            let dual = Some(solver.dual(&solver.inner_forces(), vec![0.0; count])?);
+            let value = s.energy();
+            Ok(Functional { value, unit: unit("J", "J/m"), scale: value.abs(), dual, factor: 1.0, extra: 0.0, floor })
+        }
         Goal::Energy => Ok(Functional {
             value: s.energy(),
             unit: unit("J", "J/m"),

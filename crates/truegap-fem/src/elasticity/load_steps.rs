@@ -47,8 +47,8 @@ impl Solver {
                     step *= 0.5;
                     if step < options.least_step {
                         return Err(match error {
-                            ElasticityError::NotConverged { correction, .. } => {
-                                ElasticityError::NotConverged { reached: from, wanted: to, correction }
+                            ElasticityError::NotConverged { correction, advice, .. } => {
+                                ElasticityError::NotConverged { reached: from, wanted: to, correction, advice }
                             }
                             other => other,
                         });

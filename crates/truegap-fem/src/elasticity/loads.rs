@@ -1,67 +1,43 @@
-//! Dead loads: pressure on the outer boundary and body force.
+//! Dead loads: pressure on the undeformed outer boundary and body force.
 //!
-//! Per undeformed area and volume.
+//! Per undeformed area and volume; `following` has the pressure on the deformed surface.
 
-use super::error::ElasticityError;
-use super::problem::{Condition, Problem};
+use super::pressure::LoadedEdge;
+use super::problem::Problem;
 use crate::algebra::assemble_vector;
-use crate::mesh::{Topology, plane::along};
 use crate::space::{ElementDofs, Nodes, Order, P1, P2, edge_rule, triangle_rule};
 
 /// Degree to which loads are integrated.
 const DEGREE: usize = 6;
 
 /// Forces at all unknowns (N, or N/m in planar bodies).
-pub(crate) fn external_forces(
-    problem: &Problem,
-    topology: &Topology,
-    nodes: &Nodes,
-    dofs: &ElementDofs,
-) -> Result<Vec<f64>, ElasticityError> {
+pub(crate) fn external_forces(problem: &Problem, nodes: &Nodes, dofs: &ElementDofs, pressures: &[LoadedEdge]) -> Vec<f64> {
     let mut force = match &problem.body_force {
         None => vec![0.0; dofs.count],
         Some(density) => body_forces(problem, nodes, dofs, density.as_ref()),
     };
-    for condition in &problem.conditions {
-        if let Condition::Pressure { boundary, pressure } = condition {
-            add_pressure(problem, topology, nodes, (boundary, *pressure), &mut force)?;
-        }
-    }
-    Ok(force)
+    pressures.iter().filter(|edge| !edge.follows).for_each(|edge| add_pressure(problem, nodes, edge, &mut force));
+    force
 }
 
 /// `int -p n . v dS`.
-fn add_pressure(
-    problem: &Problem,
-    topology: &Topology,
-    nodes: &Nodes,
-    (boundary, pressure): (&str, f64),
-    force: &mut [f64],
-) -> Result<(), ElasticityError> {
-    let id = problem.mesh.boundary(boundary)?;
-    for [a, b] in problem.mesh.edges_of(id) {
-        let side = topology.edge(a, b).and_then(|e| topology.outer_side(e));
-        let Some((t, k)) = side else {
-            let [a, b] = [a, b].map(|i| problem.mesh.points[i as usize]);
-            return Err(ElasticityError::PressureInside { boundary: boundary.into(), at: along(a, b, 0.5) });
+fn add_pressure(problem: &Problem, nodes: &Nodes, edge: &LoadedEdge, force: &mut [f64]) {
+    let (t, k) = (edge.element, edge.side);
+    let ends = nodes.triangles[t];
+    let three = [ends[k], ends[(k + 1) % 3], ends[k + 3]];
+    for (s, w) in edge_rule(DEGREE) {
+        let q = nodes.element(t).edge_point(k, s);
+        let (value, count) = match problem.order {
+            Order::Quadratic => (q.value, 3),
+            Order::Linear => ([1.0 - s, s, 0.0], 2),
         };
-        let ends = nodes.triangles[t];
-        let three = [ends[k], ends[(k + 1) % 3], ends[k + 3]];
-        for (s, w) in edge_rule(DEGREE) {
-            let q = nodes.element(t).edge_point(k, s);
-            let (value, count) = match problem.order {
-                Order::Quadratic => (q.value, 3),
-                Order::Linear => ([1.0 - s, s, 0.0], 2),
-            };
-            let weight = -pressure * w * q.speed * problem.symmetry.weight(q.at[0]);
-            for i in 0..count {
-                for c in 0..2 {
-                    force[2 * three[i] as usize + c] += weight * value[i] * q.normal[c];
-                }
+        let weight = -edge.pressure * w * q.speed * problem.symmetry.weight(q.at[0]);
+        for i in 0..count {
+            for c in 0..2 {
+                force[2 * three[i] as usize + c] += weight * value[i] * q.normal[c];
             }
         }
     }
-    Ok(())
 }
 
 fn body_forces(

@@ -48,8 +48,10 @@
 
 mod body;
 mod element;
+mod ends;
 mod error;
 mod estimate;
+mod following;
 mod goals;
 mod harmonic;
 pub mod kinematics;
@@ -60,6 +62,7 @@ mod material;
 mod newton;
 mod obstacle;
 mod point;
+mod pressure;
 mod problem;
 mod quadrature_point;
 mod recovery;
@@ -77,7 +80,8 @@ pub use error::ElasticityError;
 pub use goals::{Accuracy, Goal, Outcome, Quantity, solve_goals, solve_goals_adaptive};
 pub use material::{Formulation, Lame, LawKind, Material};
 pub use newton::NewtonOptions;
-pub use problem::{Component, Condition, Field, Place, Problem, Side, Temperature};
+pub use pressure::Acts;
+pub use problem::{Component, Condition, Field, Place, PressureLoad, Problem, Side, Temperature};
 pub use solution::{Components, Solution};
 pub use solver::{Counters, Solver};
 pub use stability::{Harmonic, Instability, Mode};

@@ -2,11 +2,9 @@
 //!
 //! One load step; `load_steps` cuts the steps.
 
-use super::element::{Tangent, evaluate_points};
 use super::error::ElasticityError;
 use super::solver::Solver;
 use super::vector::{add, dot, largest};
-use crate::algebra::element_residual;
 
 /// Settings of the search for equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,7 +53,8 @@ impl Solver {
 
     /// Newton's method at fixed prescribed values and multipliers; returns the iterations it took.
     fn equilibrate(&mut self, load: f64, options: &NewtonOptions) -> Result<usize, ElasticityError> {
-        let failed = |correction| ElasticityError::NotConverged { reached: load, wanted: load, correction };
+        let advice = self.body.advice();
+        let failed = |correction| ElasticityError::NotConverged { reached: load, wanted: load, correction, advice };
         let mut correction = f64::INFINITY;
         for iteration in 1..=options.iterations {
             let residual = self.unbalanced(&self.state, load);
@@ -86,12 +85,8 @@ impl Solver {
             return Ok(());
         }
         self.factorise(load)?;
-        let (body, tables, state) = (&self.body, &self.tables, &self.state);
-        let mut residual = self.unbalanced(state, load);
-        let follow = element_residual(&body.dofs, &jump, |e, out| {
-            evaluate_points(body, tables, e, state, load, true, &mut Tangent(out));
-        });
-        add(&mut residual, &follow, 1.0);
+        let mut residual = self.unbalanced(&self.state, load);
+        add(&mut residual, &self.tangent_product(&jump, load, 1.0), 1.0);
         let step = self.descend(&residual);
         add(&mut self.state, &step, 1.0);
         self.prescribe(load);

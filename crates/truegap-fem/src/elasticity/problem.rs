@@ -1,6 +1,6 @@
 //! The description of an elastic problem: mesh, materials, conditions, temperature, body force.
 //!
-//! Loads keep their direction and their size per *undeformed* area and volume, also in large deformation.
+//! A body force keeps its direction and its size per *undeformed* volume; of a pressure [`PressureLoad`] says on which surface it acts.
 
 use super::material::Material;
 use crate::mesh::{Mesh, Point};
@@ -43,6 +43,16 @@ pub enum Side {
     Below,
 }
 
+/// On which surface a pressure acts in large strain. In materials of small strain (`LawKind::Linear`) the two are the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PressureLoad {
+    /// On the deformed surface, along its normal, per deformed area: a gas or a liquid.
+    #[default]
+    Following,
+    /// On the undeformed surface, along its normal, per undeformed area: the total force and its direction are given.
+    Dead,
+}
+
 /// A condition on the body.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Condition {
@@ -61,6 +71,8 @@ pub enum Condition {
         boundary: String,
         /// Pressure (Pa), positive when it pushes.
         pressure: f64,
+        /// On which surface.
+        load: PressureLoad,
     },
     /// A rigid plane without friction that the boundary may touch and leave, not pass.
     Obstacle {
@@ -93,9 +105,14 @@ impl Condition {
         Condition::Displacement { place: Place::Point(point), component, value: 0.0 }
     }
 
-    /// Pressure on a boundary (Pa): a dead load, per undeformed area and along the undeformed normal.
+    /// Pressure on a boundary (Pa), which follows the surface in large strain.
     pub fn pressure(boundary: &str, pressure: f64) -> Condition {
-        Condition::Pressure { boundary: boundary.into(), pressure }
+        Condition::Pressure { boundary: boundary.into(), pressure, load: PressureLoad::Following }
+    }
+
+    /// Pressure on a boundary (Pa) as a dead load: per undeformed area and along the undeformed normal.
+    pub fn dead_pressure(boundary: &str, pressure: f64) -> Condition {
+        Condition::Pressure { boundary: boundary.into(), pressure, load: PressureLoad::Dead }
     }
 }
 

@@ -5,7 +5,9 @@
 
 use super::body::Body;
 use super::element::{Energy, Residual, Tables, Tangent, evaluate_points};
+use super::ends::{EndCorrection, add_product, ends};
 use super::error::ElasticityError;
+use super::following;
 use super::material::LawKind;
 use super::obstacle::{Stop, stops};
 use super::problem::Problem;
@@ -36,6 +38,7 @@ pub struct Solver {
     scatter: ScatterMap,
     matrix: CscMatrix<f64>,
     pub(super) direct: Option<Direct>,
+    ends: EndCorrection,
     pub(super) state: Vec<f64>,
     pub(super) load: f64,
     pub(super) correction: f64,
@@ -63,6 +66,7 @@ impl Solver {
             tables: Tables::new(),
             scatter,
             direct: None,
+            ends: EndCorrection::default(),
             state: vec![0.0; body.dofs.count],
             load: 0.0,
             correction: 0.0,
@@ -120,9 +124,17 @@ impl Solver {
     pub(crate) fn residual(&self, state: &[f64], load: f64) -> Vec<f64> {
         let mut forces = assemble_vector(&self.body.dofs, |e, out| {
             evaluate_points(&self.body, &self.tables, e, state, load, false, &mut Residual(out));
+            following::add_residual(&self.body, e, state, load, out);
         });
         forces.iter_mut().zip(&self.body.external).for_each(|(f, x)| *f -= load * x);
         forces
+    }
+
+    /// Inner forces at the present state, the slope of the stored energy; zero where there are pressure unknowns.
+    pub(crate) fn inner_forces(&self) -> Vec<f64> {
+        assemble_vector(&self.body.dofs, |e, out| {
+            evaluate_points(&self.body, &self.tables, e, &self.state, self.load, false, &mut Residual(out));
+        })
     }
 
     /// Residual with the forces of obstacles: zero at all free unknowns in equilibrium.
@@ -167,6 +179,7 @@ impl Solver {
         let (body, tables, state) = (&self.body, &self.tables, &self.state);
         self.scatter.assemble(&mut self.matrix, |e, out| {
             evaluate_points(body, tables, e, state, load, true, &mut Tangent(out));
+            following::add_tangent(body, e, state, load, out);
         });
         let offsets = self.matrix.col_offsets().to_vec();
         for (stop, multiplier) in self.stops.iter().zip(&self.multipliers) {
@@ -185,34 +198,48 @@ impl Solver {
             // Conditioning is judged by what refinement achieves, not by the probe of the assembled matrix.
             direct.factorise_unchecked(&self.matrix)?;
             self.counters.factorisations += 1;
+            self.ends = EndCorrection::new(body, &ends(body, state, load), |x| direct.apply_inverse(x));
         }
         Ok(())
     }
 
     /// Solution of the factorised system for minus the free entries of `residual`.
     pub(super) fn descend(&mut self, residual: &[f64]) -> Vec<f64> {
+        self.solve_factorised(residual, 1.0)
+    }
+
+    /// Product of the tangent at the present state (`way` 1) or of its transpose (`way` -1) with `x`, fixed unknowns included.
+    pub(super) fn tangent_product(&self, x: &[f64], load: f64, way: f64) -> Vec<f64> {
+        let (body, tables, state) = (&self.body, &self.tables, &self.state);
+        let mut out = element_residual(&body.dofs, x, |e, out| {
+            evaluate_points(body, tables, e, state, load, true, &mut Tangent(out));
+            following::add_tangent(body, e, state, load, out);
+        });
+        add_product(&ends(body, state, load), x, way, &mut out);
+        out
+    }
+
+    fn solve_factorised(&mut self, residual: &[f64], way: f64) -> Vec<f64> {
         let mut free = self.body.numbering.restrict(residual);
         free.iter_mut().for_each(|x| *x = -*x);
         if let Some(direct) = &mut self.direct {
             direct.apply_inverse(&mut free);
+            self.ends.apply(&mut free, way);
         }
         let mut all = vec![0.0; self.state.len()];
         self.body.numbering.scatter(&free, &mut all);
         all
     }
 
-    /// Solution of the problem linearised about the present state, with forces `rhs` and the `prescribed` values at the
+    /// Solution of the transposed problem linearised about the present state, with forces `rhs` and the `prescribed` values at the
     /// fixed unknowns (zero elsewhere).
     pub(crate) fn dual(&mut self, rhs: &[f64], mut prescribed: Vec<f64>) -> Result<Vec<f64>, ElasticityError> {
         if self.direct.is_none() {
             self.factorise(self.load)?;
         }
-        let (body, tables, state, load) = (&self.body, &self.tables, &self.state, self.load);
-        let mut residual = element_residual(&body.dofs, &prescribed, |e, out| {
-            evaluate_points(body, tables, e, state, load, true, &mut Tangent(out));
-        });
+        let mut residual = self.tangent_product(&prescribed, self.load, -1.0);
         add(&mut residual, rhs, -1.0);
-        let step = self.descend(&residual);
+        let step = self.solve_factorised(&residual, -1.0);
         add(&mut prescribed, &step, 1.0);
         Ok(prescribed)
     }

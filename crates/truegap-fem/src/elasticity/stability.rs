@@ -62,7 +62,7 @@ impl Harmonic {
     /// Prepares harmonic `n` of a body.
     ///
     /// # Errors
-    /// `Harmonic` for planar bodies and for n = 1.
+    /// `Harmonic` for planar bodies, for n = 1, and for pressures that follow the surface.
     pub fn new(body: &Body, n: u32) -> Result<Harmonic, ElasticityError> {
         let refuse = |symmetry, remedy| Err(ElasticityError::Harmonic { harmonic: n, symmetry, remedy });
         if body.problem.symmetry == Symmetry::Planar {
@@ -70,6 +70,9 @@ impl Harmonic {
         }
         if n == 1 {
             return refuse("axisymmetric", "a free body is neutral against tilting; ask for 0, 2, 3, ...");
+        }
+        if !body.following.is_empty() {
+            return refuse("pressed", "pressures that follow the surface are not part of harmonics; give dead ones");
         }
         let dofs = unknowns(body);
         let numbering = Numbering::new(&supports(body, &dofs, n));

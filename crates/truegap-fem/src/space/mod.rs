@@ -9,7 +9,7 @@ mod quadrature;
 mod shape;
 
 pub(crate) use bubbles::{ABOVE_QUADRATIC, Bubble, bubbles_above_linear, bubbles_above_quadratic};
-pub(crate) use element::least_jacobian;
+pub(crate) use element::{EdgePoint, least_jacobian};
 pub use element::{Element, Nodes, PointMap};
 pub use numbering::{ElementDofs, Numbering};
 pub(crate) use quadrature::edge_rule;

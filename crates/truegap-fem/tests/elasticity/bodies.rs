@@ -92,7 +92,10 @@ pub fn thick_sphere(edge: f64) -> Mesh {
             Step::Arc { via: [s, s], to: [1.0, 0.0] },
         ],
     };
-    let mut drawing = Geometry::default().region("body", outline).boundary("equator", &[[1.0, 0.0], [2.0, 0.0]]);
+    let mut drawing = Geometry::default()
+        .region("body", outline)
+        .boundary("equator", &[[1.0, 0.0], [2.0, 0.0]])
+        .boundary("cut", &[[0.0, 1.0], [0.0, 2.0]]);
     drawing.boundaries.push(Boundary {
         name: "inside".into(),
         path: BoundaryPath::Path(Outline { start: [0.0, 1.0], steps: vec![Step::Arc { via: [s, s], to: [1.0, 0.0] }] }),

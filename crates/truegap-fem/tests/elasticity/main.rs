@@ -10,5 +10,6 @@ mod goals;
 mod linear;
 mod mixed;
 mod mutations;
+mod pressure;
 mod punch;
 mod stability;

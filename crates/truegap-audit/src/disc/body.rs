@@ -174,7 +174,8 @@ impl Disc {
             Loading::None => Vec::new(),
             Loading::Even(force) => {
                 let radius = mesh.points.iter().map(|p| p[0]).fold(0.0, f64::max);
-                vec![Condition::pressure("top", force / (std::f64::consts::PI * radius * radius))]
+                // The force is what is given, and it stays along the axis.
+                vec![Condition::dead_pressure("top", force / (std::f64::consts::PI * radius * radius))]
             }
             Loading::Plate { travel, touched } => {
                 let held = |&at: &Point| Condition::Displacement {

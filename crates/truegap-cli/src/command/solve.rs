@@ -8,7 +8,7 @@ use crate::console::Console;
 use crate::table::{digits, table};
 use std::path::PathBuf;
 use truegap::case_file::{open_case, told};
-use truegap::fem::case::{Case, CaseResult, solve_case};
+use truegap::fem::case::{Case, CaseResult, ErrorsFrom, solve_case};
 
 /// Solve a finite-element case: electrostatics or elasticity, axisymmetric or planar
 #[derive(Debug, clap::Args)]
@@ -53,6 +53,20 @@ pub(super) fn print(console: &Console, result: &CaseResult) -> anyhow::Result<()
         vec![name.clone(), digits(q.value, 9), q.unit.clone(), error, relative, scaled]
     });
     console.print(table(&["quantity", "value", "unit", "error\nestimate", "over\nvalue", "over\nits kind"], rows))?;
+    if result.errors == ErrorsFrom::Meshes {
+        console.print("\nerror estimates: the change between the last meshes (contact has no estimate from residuals)")?;
+    }
+    if !result.pressures.is_empty() {
+        console.print("")?;
+    }
+    for p in &result.pressures {
+        let surface = match p.acts {
+            "following" => "follows the deformed surface",
+            "dead" => "is a dead load: it keeps the undeformed surface and its normals",
+            _ => "acts on the undeformed surface: the law is one of small strain",
+        };
+        console.print(format!("the pressure on {} {surface}", p.boundary))?;
+    }
     let [mesh, assemble, solve] = [result.seconds.mesh, result.seconds.assemble, result.seconds.solve].map(|s| digits(s, 2));
     console.print(format!(
         "\n{} triangles, {} unknowns; meshing {mesh} s, assembling {assemble} s, solving {solve} s",

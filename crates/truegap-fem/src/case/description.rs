@@ -42,6 +42,26 @@ pub struct Material {
     pub law: Law,
 }
 
+/// What drives a plate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Drive {
+    /// It moves towards the body (m).
+    Travel(f64),
+    /// It presses (N; N/m in planar bodies).
+    Force(f64),
+}
+
+/// A rigid plate across a coordinate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plate {
+    /// Which coordinate: 0 or 1.
+    pub component: usize,
+    /// Where it stands without load (m).
+    pub position: f64,
+    /// How it presses.
+    pub drive: Drive,
+}
+
 /// What holds on a named boundary.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Condition {
@@ -59,6 +79,8 @@ pub struct Condition {
     pub pressure: Option<f64>,
     /// On which surface it acts, where the case says so.
     pub pressure_load: Option<PressureLoad>,
+    /// A rigid plate without friction that the boundary may touch.
+    pub plate: Option<Plate>,
 }
 
 /// How fine.
@@ -89,10 +111,25 @@ pub enum OutputKind {
     Stress,
     /// Strain at a point.
     Strain,
+    /// Force of a plate.
+    ContactForce,
+    /// Radius of what touches a plate.
+    ContactRadius,
+    /// Largest pressure under a plate.
+    PeakPressure,
+    /// Way of a plate towards the body.
+    PlateTravel,
     /// Potential at a point.
     Potential,
     /// Field at a point.
     Field,
+}
+
+impl OutputKind {
+    /// Whether it belongs to a plate.
+    pub fn is_of_a_plate(self) -> bool {
+        matches!(self, Self::ContactForce | Self::ContactRadius | Self::PeakPressure | Self::PlateTravel)
+    }
 }
 
 /// A wanted quantity.

@@ -2,26 +2,32 @@
 //!
 //! Rubber (Poisson's ratio from 0.45 on) is solved in the mixed formulation; a boundary of a single point is a pin.
 
-use super::description::{Case, Law, Output, OutputKind};
+use super::contact;
+use super::description::{Case, Law};
+use super::elastic_outputs::quantity;
 use super::error::CaseError;
 use super::first_mesh::mesh_case;
-use super::result::{CaseResult, MeshCounts, PressureActs, QuantityValue, SecondsSpent};
+use super::result::{CaseResult, ErrorsFrom, MeshCounts, PressureActs, QuantityValue, SecondsSpent};
 use crate::elasticity::{
-    Accuracy, Acts, Answer, Body, Component, Condition, Formulation, Goal, LawKind, Material, Order, Outcome, Place,
-    PressureLoad, Problem, Quantity, Temperature, solve_goals, solve_goals_adaptive,
+    Accuracy, Acts, Answer, Body, Component, Condition, Formulation, LawKind, Material, Order, Outcome, Place, PressureLoad,
+    Problem, Temperature, solve_goals, solve_goals_adaptive,
 };
 use crate::error::FemError;
 use crate::mesh::{BoundaryPath, Mesh};
-use crate::symmetry::Symmetry;
 use std::sync::Arc;
 use std::time::Instant;
 
 pub(super) fn solve(case: &Case) -> Result<(CaseResult, Outcome), FemError> {
-    let quantities = case.outputs.iter().map(|o| quantity(case, o)).collect::<Result<Vec<_>, _>>()?;
+    let has_plates = case.conditions.iter().any(|c| c.plate.is_some());
     let begin = Instant::now();
     let mut problem = problem(case, mesh_case(case)?)?;
     check_following(case, &problem)?;
     let meshing = begin.elapsed().as_secs_f64();
+    if has_plates {
+        let outcome = contact::solve(case, &mut problem)?;
+        return Ok((CaseResult { errors: ErrorsFrom::Meshes, ..result(&outcome, meshing) }, outcome));
+    }
+    let quantities = case.outputs.iter().map(|o| quantity(case, o)).collect::<Result<Vec<_>, _>>()?;
     let outcome = match case.mesh.target_error {
         Some(target) => solve_goals_adaptive(&mut problem, &quantities, &Accuracy { target, ..Accuracy::default() })?,
         None => solve_goals(&problem, &quantities)?,
@@ -54,6 +60,7 @@ fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
     };
     let body = outcome.solution.body();
     CaseResult {
+        errors: ErrorsFrom::Residuals,
         quantities: outcome.answers.iter().map(|a| (a.name.clone(), value(a))).collect(),
         pressures: body
             .pressures()
@@ -70,10 +77,10 @@ fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
 }
 
 /// The elastic problem of a case on a mesh of its geometry.
-pub fn problem(case: &Case, mesh: Mesh) -> Result<Problem, CaseError> {
+pub fn problem(case: &Case, mesh: Mesh) -> Result<Problem, FemError> {
     if case.mesh.order != 2 {
         let what = "elasticity is solved with order 2; remove `order` or set it to 2".into();
-        return Err(CaseError::Invalid { file: case.file.clone(), place: "mesh, order".into(), what });
+        return Err(CaseError::Invalid { file: case.file.clone(), place: "mesh, order".into(), what }.into());
     }
     let regions = case.geometry.regions.iter().zip(&case.region_materials);
     let mut materials = Vec::new();
@@ -85,6 +92,7 @@ pub fn problem(case: &Case, mesh: Mesh) -> Result<Problem, CaseError> {
     let mut conditions = Vec::new();
     for c in &case.conditions {
         conditions.extend(condition(case, c)?);
+        conditions.extend(contact::obstacle(case, c, &mesh)?);
     }
     let temperature = temperature(case, &mesh)?;
     Ok(Problem { mesh, symmetry: case.symmetry, materials, conditions, temperature, body_force: None, order: Order::Quadratic })
@@ -144,45 +152,5 @@ fn place(case: &Case, boundary: &str) -> Place {
     match path {
         Some(BoundaryPath::Path(outline)) if outline.steps.is_empty() => Place::Point(outline.start),
         _ => Place::Boundary(boundary.into()),
-    }
-}
-
-fn quantity(case: &Case, output: &Output) -> Result<Quantity, CaseError> {
-    let at = output.at.unwrap_or([f64::NAN; 2]);
-    let tensor = || output.component.clone().unwrap_or_default();
-    let goal = match output.kind {
-        OutputKind::Energy => Goal::Energy,
-        OutputKind::Reaction => {
-            Goal::Reaction { boundary: output.boundary.clone().unwrap_or_default(), component: component(case, output)? }
-        }
-        OutputKind::Displacement => Goal::Displacement { at, component: component(case, output)? },
-        OutputKind::Stress => Goal::Stress { at, component: tensor() },
-        OutputKind::Strain => Goal::Strain { at, component: tensor() },
-        _ => {
-            return Err(CaseError::UnknownWord {
-                file: case.file.clone(),
-                place: format!("output `{}` of an elastic case, kind", output.name),
-                found: format!("{:?}", output.kind).to_lowercase(),
-                known: "energy, reaction, displacement, stress, strain".into(),
-            });
-        }
-    };
-    Ok(Quantity { name: output.name.clone(), goal })
-}
-
-fn component(case: &Case, output: &Output) -> Result<Component, CaseError> {
-    let names = match case.symmetry {
-        Symmetry::Axisymmetric => ["r", "z"],
-        Symmetry::Planar => ["x", "y"],
-    };
-    match output.component.as_deref().unwrap_or("(none)") {
-        found if found == names[0] => Ok(Component::First),
-        found if found == names[1] => Ok(Component::Second),
-        found => Err(CaseError::UnknownWord {
-            file: case.file.clone(),
-            place: format!("output `{}`, component", output.name),
-            found: found.into(),
-            known: names.join(", "),
-        }),
     }
 }

@@ -3,7 +3,7 @@
 use super::description::{Case, Output, OutputKind};
 use super::error::CaseError;
 use super::first_mesh::mesh_case;
-use super::result::{CaseResult, MeshCounts, QuantityValue, SecondsSpent};
+use super::result::{CaseResult, ErrorsFrom, MeshCounts, QuantityValue, SecondsSpent};
 use crate::electrostatics::{
     Accuracy, Conductor, Goal, Order, Outcome, Problem, Quantity, VACUUM_PERMITTIVITY, solve_adaptive, solve_on_with,
 };
@@ -37,6 +37,7 @@ fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
     };
     let seconds = outcome.seconds;
     CaseResult {
+        errors: ErrorsFrom::Residuals,
         quantities: outcome.answers.iter().map(|a| (a.name.clone(), value(a))).collect(),
         pressures: Vec::new(),
         mesh: MeshCounts { triangles: outcome.triangles, unknowns: outcome.unknowns },

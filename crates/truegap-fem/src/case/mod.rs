@@ -2,7 +2,9 @@
 //!
 //! Text carries units; everything in a `Case` is SI. The file describes one body, one physics, one state.
 
+mod contact;
 mod description;
+mod elastic_outputs;
 mod elasticity;
 mod electrostatics;
 mod error;
@@ -15,10 +17,10 @@ mod solve;
 mod temperature;
 mod units;
 
-pub use description::{Case, Condition, Law, Material, MeshRequest, Output, OutputKind, Physics};
+pub use description::{Case, Condition, Drive, Law, Material, MeshRequest, Output, OutputKind, Physics, Plate};
 pub use error::CaseError;
 pub use first_mesh::mesh_case;
 pub use read::read_case;
-pub use result::{CaseResult, MeshCounts, QuantityValue, SecondsSpent};
+pub use result::{CaseResult, ErrorsFrom, MeshCounts, PressureActs, QuantityValue, SecondsSpent};
 pub use solve::{solve_case, solve_case_with_fields};
 pub use temperature::{RadialTerm, Temperature};

@@ -75,6 +75,18 @@ pub(super) struct RawBoundary {
     pub displace: BTreeMap<String, toml::Value>,
     pub pressure: Option<toml::Value>,
     pub pressure_load: Option<String>,
+    pub plate: Option<RawPlate>,
+}
+
+/// A rigid plate: the coordinate at which it stands, and how far it moves or how strongly it presses.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawPlate {
+    pub x: Option<toml::Value>,
+    pub y: Option<toml::Value>,
+    pub z: Option<toml::Value>,
+    pub travel: Option<toml::Value>,
+    pub force: Option<toml::Value>,
 }
 
 #[derive(Debug, Deserialize)]

@@ -1,9 +1,9 @@
 //! From the text of a case file to a checked `Case`.
 
-use super::description::{Case, Condition, Law, Material, MeshRequest, Output, OutputKind, Physics};
+use super::description::{Case, Condition, Drive, Law, Material, MeshRequest, Output, OutputKind, Physics, Plate};
 use super::error::CaseError;
 use super::geometry::geometry;
-use super::raw::{RawBoundary, RawCase, RawMaterial, RawOutput, RawRadial};
+use super::raw::{RawBoundary, RawCase, RawMaterial, RawOutput, RawPlate, RawRadial};
 use super::temperature::{RadialTerm, Temperature};
 use super::units::{Dimension, parse_quantity, unit_factor};
 use crate::elasticity::PressureLoad;
@@ -19,6 +19,10 @@ const KINDS: &[(&str, OutputKind)] = &[
     ("displacement", OutputKind::Displacement),
     ("stress", OutputKind::Stress),
     ("strain", OutputKind::Strain),
+    ("contact_force", OutputKind::ContactForce),
+    ("contact_radius", OutputKind::ContactRadius),
+    ("peak_pressure", OutputKind::PeakPressure),
+    ("plate_travel", OutputKind::PlateTravel),
     ("potential", OutputKind::Potential),
     ("field", OutputKind::Field),
 ];
@@ -233,7 +237,34 @@ impl Reader<'_> {
             displace,
             pressure,
             pressure_load,
+            plate: raw.plate.as_ref().map(|p| self.plate(&place("plate"), p, symmetry)).transpose()?,
         })
+    }
+
+    fn plate(&self, place: &str, raw: &RawPlate, symmetry: Symmetry) -> Result<Plate, CaseError> {
+        let positions: &[(usize, &Option<toml::Value>)] = match symmetry {
+            Symmetry::Axisymmetric => &[(1, &raw.z)],
+            Symmetry::Planar => &[(0, &raw.x), (1, &raw.y)],
+        };
+        let given = [&raw.x, &raw.y, &raw.z].iter().filter(|v| v.is_some()).count();
+        let found = positions.iter().find_map(|(c, v)| v.as_ref().map(|v| (*c, v)));
+        let (Some((component, position)), 1) = (found, given) else {
+            let what = "give the plate one place: z in an axisymmetric case, x or y in a planar one, for example { z = \"0 mm\", travel = \"5 um\" }";
+            return Err(self.invalid(place.into(), what));
+        };
+        let drive = match (&raw.travel, &raw.force) {
+            (Some(travel), None) => Drive::Travel(self.quantity(&format!("{place}, travel"), travel, Dimension::Length)?),
+            (None, Some(force)) => {
+                let unit = if symmetry == Symmetry::Axisymmetric { Dimension::Force } else { Dimension::ForcePerDepth };
+                let force = self.quantity(&format!("{place}, force"), force, unit)?;
+                if !(force > 0.0) {
+                    return Err(self.invalid(format!("{place}, force"), "must be positive: the plate presses against the body"));
+                }
+                Drive::Force(force)
+            }
+            _ => return Err(self.invalid(place.into(), "give the plate either a travel towards the body or a force against it")),
+        };
+        Ok(Plate { component, position: self.quantity(&format!("{place}, position"), position, Dimension::Length)?, drive })
     }
 
     fn temperature(&self, symmetry: Symmetry) -> Result<Temperature, CaseError> {
@@ -284,7 +315,9 @@ impl Reader<'_> {
         if !(1..=2).contains(&order) {
             return Err(self.invalid("mesh, order".into(), "must be 1 or 2"));
         }
-        let target_error = if max_edge.is_none() { Some(raw.target_error.unwrap_or(1e-4)) } else { raw.target_error };
+        // The end of a contact lies between two nodes: a hundredth of its radius takes a hundred of them.
+        let usual = if self.raw.boundary.iter().any(|b| b.plate.is_some()) { 1e-2 } else { 1e-4 };
+        let target_error = if max_edge.is_none() { Some(raw.target_error.unwrap_or(usual)) } else { raw.target_error };
         Ok(MeshRequest { target_error, max_edge, order })
     }
 
@@ -309,7 +342,7 @@ impl Reader<'_> {
             if case.outputs[..i].iter().any(|p| p.name == o.name) {
                 return Err(self.invalid(place(), "the name is used twice; name every output differently"));
             }
-            let needs_boundary = matches!(o.kind, OutputKind::Capacitance | OutputKind::Reaction);
+            let needs_boundary = matches!(o.kind, OutputKind::Capacitance | OutputKind::Reaction) || o.kind.is_of_a_plate();
             let needs_point = matches!(
                 o.kind,
                 OutputKind::Displacement | OutputKind::Stress | OutputKind::Strain | OutputKind::Potential | OutputKind::Field

@@ -39,6 +39,16 @@ pub struct SecondsSpent {
     pub solve: f64,
 }
 
+/// Where the error estimates come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ErrorsFrom {
+    /// Local residuals on the last mesh.
+    Residuals,
+    /// The change of each quantity between the last meshes: contact has no other estimate.
+    Meshes,
+}
+
 /// A pressure, and on which surface it acted.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct PressureActs {
@@ -54,6 +64,8 @@ pub struct PressureActs {
 /// The result of a case.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct CaseResult {
+    /// Where the error estimates come from.
+    pub errors: ErrorsFrom,
     /// Quantities in the order of the outputs.
     #[serde(serialize_with = "as_map")]
     pub quantities: Vec<(String, QuantityValue)>,

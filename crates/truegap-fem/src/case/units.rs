@@ -15,6 +15,10 @@ pub(super) enum Dimension {
     Expansion,
     /// Temperature gradient (K/m).
     Gradient,
+    /// Force (N).
+    Force,
+    /// Force per metre of depth (N/m).
+    ForcePerDepth,
 }
 
 type Unit = (&'static str, f64);
@@ -35,6 +39,8 @@ const PRESSURE: &[Unit] = &[
 const TEMPERATURE: &[Unit] = &[("K", 1.0), ("degC", 1.0), ("°C", 1.0), ("mK", 1e-3)];
 const EXPANSION: &[Unit] = &[("/K", 1.0), ("1/K", 1.0), ("ppm/K", 1e-6), ("um/m/K", 1e-6), ("%/K", 1e-2)];
 const GRADIENT: &[Unit] = &[("K/m", 1.0), ("K/cm", 1e2), ("K/mm", 1e3), ("K/um", 1e6), ("K/µm", 1e6)];
+const FORCE: &[Unit] = &[("N", 1.0), ("kN", 1e3), ("mN", 1e-3), ("uN", 1e-6), ("µN", 1e-6)];
+const FORCE_PER_DEPTH: &[Unit] = &[("N/m", 1.0), ("N/mm", 1e3), ("kN/m", 1e3), ("mN/m", 1e-3)];
 
 impl Dimension {
     fn units(self) -> &'static [Unit] {
@@ -45,6 +51,8 @@ impl Dimension {
             Dimension::Temperature => TEMPERATURE,
             Dimension::Expansion => EXPANSION,
             Dimension::Gradient => GRADIENT,
+            Dimension::Force => FORCE,
+            Dimension::ForcePerDepth => FORCE_PER_DEPTH,
         }
     }
 
@@ -57,6 +65,8 @@ impl Dimension {
             Dimension::Temperature => "a temperature difference with a unit",
             Dimension::Expansion => "a thermal expansion with a unit",
             Dimension::Gradient => "a temperature gradient with a unit",
+            Dimension::Force => "a force with a unit",
+            Dimension::ForcePerDepth => "a force per metre of depth with a unit",
         }
     }
 
@@ -69,6 +79,8 @@ impl Dimension {
             Dimension::Temperature => "30 K",
             Dimension::Expansion => "200 ppm/K",
             Dimension::Gradient => "1 K/m",
+            Dimension::Force => "2 N",
+            Dimension::ForcePerDepth => "2 N/m",
         }
     }
 }

@@ -180,6 +180,16 @@ pub enum ElasticityError {
         /// Boundary.
         boundary: String,
     },
+    /// A force that a plate does not reach.
+    #[error(
+        "the plate does not press with {force:.3e} (N, planar N/m) at any travel up to {travel:.3e} m; give less force, or hold the body so that it resists"
+    )]
+    NoForce {
+        /// Force wanted (N or N/m).
+        force: f64,
+        /// Travel tried (m).
+        travel: f64,
+    },
     /// Contact forces that do not settle.
     #[error("contact does not settle: {gap:.1e} m of penetration left after {rounds} rounds; load in smaller steps")]
     Contact {

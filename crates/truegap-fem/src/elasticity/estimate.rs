@@ -34,8 +34,14 @@ const INNER: usize = 2 * ABOVE_QUADRATIC;
 
 /// Contributions of every triangle to the energy products of the errors of pairs of fields.
 pub(crate) fn estimate_pairs(solver: &Solver, fields: &[FieldRef], pairs: &[(usize, usize)]) -> Vec<Vec<f64>> {
-    let local =
-        Local { solver, body: solver.body(), tables: Tables::of_degree(8), pressure: edge_pressures(solver.body()), fields };
+    let local = Local {
+        solver,
+        body: solver.body(),
+        tables: Tables::of_degree(8),
+        pressure: edge_pressures(solver.body()),
+        held: solver.held(),
+        fields,
+    };
     let mut out = vec![Vec::new(); pairs.len()];
     let products = |t: usize| {
         let lifted = local.lift(t);
@@ -61,6 +67,7 @@ struct Local<'a> {
     body: &'a Body,
     tables: Tables,
     pressure: Vec<f64>,
+    held: Vec<bool>,
     fields: &'a [FieldRef<'a>],
 }
 
@@ -96,7 +103,7 @@ impl Local<'_> {
     }
 
     fn prescribed(&self, t: usize, k: usize, component: usize) -> bool {
-        self.body.fixed[2 * self.body.nodes.triangles[t][3 + k] as usize + component]
+        self.held[2 * self.body.nodes.triangles[t][3 + k] as usize + component]
     }
 
     /// Adds the averaged tractions on the local edge `k`; only the bubbles of that edge are not zero there.

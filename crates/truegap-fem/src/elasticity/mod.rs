@@ -47,6 +47,7 @@
 //! ```
 
 mod body;
+mod contact;
 mod element;
 mod ends;
 mod error;
@@ -71,11 +72,13 @@ mod solution;
 mod solver;
 mod stability;
 mod thermal;
+mod touching;
 mod vector;
 
 pub use crate::goal::Answer;
 pub use crate::space::Order;
 pub use body::Body;
+pub use contact::{ContactGoal, ContactQuantity, Press, solve_contact};
 pub use error::ElasticityError;
 pub use goals::{Accuracy, Goal, Outcome, Quantity, solve_goals, solve_goals_adaptive};
 pub use material::{Formulation, Lame, LawKind, Material};

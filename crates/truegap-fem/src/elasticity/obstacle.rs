@@ -26,6 +26,16 @@ pub(crate) struct Stop {
 }
 
 impl Stop {
+    /// Way of the plane towards the body at load factor 1 (m).
+    pub fn travel(&self) -> f64 {
+        self.sign * self.plane[1]
+    }
+
+    /// Sets that way.
+    pub fn set_travel(&mut self, travel: f64) {
+        self.plane[1] = self.sign * travel;
+    }
+
     /// Distance of the node from the plane (m), negative if it has passed.
     pub fn gap(&self, state: &[f64], load: f64) -> f64 {
         self.sign * (self.coordinate + state[self.dof] - self.plane[0] - load * self.plane[1])

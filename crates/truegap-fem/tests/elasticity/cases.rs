@@ -89,3 +89,90 @@ fn the_bimetal_disc_agrees_with_plate_theory() {
 fn the_bent_bimetal_disc_agrees_with_large_deflection_theory() {
     check(&["bimetal_disc_large"]);
 }
+
+#[test]
+fn rubber_spheres_under_gas_and_under_a_dead_load_agree_with_the_radial_balance() {
+    check(&["rubber_sphere_inflated", "rubber_sphere_dead_load"]);
+}
+
+fn hertz(from: &str, to: &str) -> truegap_fem::case::CaseResult {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let text = std::fs::read_to_string(root.join("meshes/cases/hertz_sphere.toml")).unwrap();
+    assert!(text.contains(from));
+    solve_case(&read_case(&text.replace(from, to), "hertz").unwrap()).unwrap()
+}
+
+#[test]
+fn a_sphere_pressed_with_a_force_has_the_radius_and_the_peak_of_hertz() {
+    let result = hertz("40 mN", "40 mN");
+    let (force, reduced) = (0.04, 1e9 / (1.0 - 0.09));
+    let radius = f64::cbrt(0.75 * force * 1e-3 / reduced);
+    let peak = 1.5 * force / (std::f64::consts::PI * radius * radius);
+    for (name, exact) in [("radius", radius), ("peak", peak)] {
+        let q = result.quantity(name).unwrap();
+        println!("{name}: {:e} +- {:e} against {exact:e}, {} unknowns", q.value, q.error_estimate, result.mesh.unknowns);
+        // Hertz leaves out squares of a / R, 1e-3 here; the rest must lie within what is printed as the error.
+        assert!((q.value - exact).abs() <= q.error_estimate + 1e-3 * exact, "{name}: {} {exact}", q.value);
+        assert!(q.error_estimate <= 0.02 * exact);
+    }
+    assert!((result.quantity("force").unwrap().value / force - 1.0).abs() < 1e-8);
+    assert_eq!(result.errors, truegap_fem::case::ErrorsFrom::Meshes);
+}
+
+#[test]
+fn the_force_of_a_travel_comes_nearer_to_hertz_as_the_contact_becomes_small() {
+    // Hertz counts the travel of a half-space. The middle of a sphere is no point at infinity: of the travel it misses a
+    // part of the order of F / (E* R), that is of a / R. Twice the contact radius, twice the deviation.
+    let off = |travel: f64| {
+        let result = hertz("force = \"40 mN\"", &format!("travel = \"{travel} um\""));
+        let q = result.quantity("force").unwrap();
+        let exact = 4.0 / 3.0 * 1e9 / (1.0 - 0.09) * (1e-3f64).sqrt() * (1e-6 * travel).powf(1.5);
+        println!("travel {travel} um: {:e} N +- {:e} against {exact:e}", q.value, q.error_estimate);
+        q.value / exact - 1.0
+    };
+    let (far, near) = (off(4.0), off(1.0));
+    println!("{far} {near}");
+    assert!(far.abs() < 0.08 && near.abs() < 0.04 && near.abs() < 0.65 * far.abs(), "{far} {near}");
+}
+
+#[test]
+fn plates_that_make_no_sense_are_refused() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let text = std::fs::read_to_string(root.join("meshes/cases/hertz_sphere.toml")).unwrap();
+    let refuse = |from: &str, to: &str, says: &str| {
+        let bad = text.replacen(from, to, 1);
+        assert_ne!(bad, text, "{from} is not in the file");
+        let error =
+            read_case(&bad, "bad").map_err(truegap_fem::FemError::from).and_then(|c| solve_case(&c)).unwrap_err().to_string();
+        assert!(error.contains(says), "{from} -> {to}: {error}");
+    };
+    refuse("z = \"-1 mm\"", "z = \"-0.5 mm\"", "cuts the boundary");
+    refuse("z = \"-1 mm\"", "x = \"-1 mm\"", "z in an axisymmetric case");
+    refuse("force = \"40 mN\"", "force = \"-40 mN\"", "positive");
+    refuse("force = \"40 mN\"", "force = \"40 mm\"", "a force with a unit");
+    refuse(", force = \"40 mN\"", "", "either a travel");
+    refuse("boundary = \"skin\"", "boundary = \"equator\"", "give the boundary a plate");
+}
+
+#[test]
+fn a_pressure_says_on_which_surface_it_acted() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let text = std::fs::read_to_string(root.join("meshes/cases/rubber_sphere_inflated.toml")).unwrap();
+    let coarse = text.replace("target_error = 1e-4", "max_edge = \"0.5 m\"").replace("251811.03957077974", "1000");
+    let load = "pressure_load = \"following\"\n";
+    let acts = |text: &str| solve_case(&read_case(text, "case").unwrap()).map(|r| r.pressures[0].acts);
+    assert_eq!(acts(&coarse).unwrap(), "following");
+    assert_eq!(acts(&coarse.replace(load, "")).unwrap(), "following");
+    assert_eq!(acts(&coarse.replace("\"following\"", "\"dead\"")).unwrap(), "dead");
+    let small = coarse.replace("neo-hookean", "linear");
+    assert_eq!(acts(&small.replace(load, "")).unwrap(), "small strain");
+    assert!(acts(&small).unwrap_err().to_string().contains("leave pressure_load out"));
+    // More pressure than a balloon of this rubber bears: the error says which kind it was.
+    let burst = |kind: &str| {
+        let text = coarse.replace("\"following\"", kind).replace("1000 Pa", "1 MPa");
+        acts(&text).unwrap_err().to_string()
+    };
+    assert!(burst("\"following\"").contains("follows the deformed surface"));
+    let lonely = text.replace("pressure = \"251811.03957077974 Pa\"\n", "");
+    assert!(read_case(&lonely, "case").unwrap_err().to_string().contains("pressure_load"));
+}

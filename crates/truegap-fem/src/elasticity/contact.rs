@@ -186,36 +186,33 @@ impl Solver {
     }
 
     /// Lets a plate press with a force at load factor 1, and returns its travel towards the body (m); `guess` is one from
-    /// elsewhere. Travel is bracketed, then found by false position (Illinois rule) to 1e-9 of the force.
+    /// elsewhere. Travel is bracketed, then found by false position (Illinois rule) to 1e-7 of the force: contact settles
+    /// to 1e-8 of the displacement.
     ///
     /// # Errors
     /// `NoForce` where travels up to the size of the body do not give it; those of the solver.
     pub fn press(&mut self, press: Press, guess: Option<f64>) -> Result<f64, ElasticityError> {
-        const STEPS: usize = 80;
+        const STEPS: usize = 60;
         let size = self.body.nodes.points.iter().flat_map(|p| [p[0].abs(), p[1].abs()]).fold(0.0, f64::max);
-        let (mut low, mut high): ([f64; 2], Option<[f64; 2]>) = ([0.0, -press.force], None);
+        // Travel and force off the wanted one: too little, too much.
+        let mut ends: [Option<[f64; 2]>; 2] = [Some([0.0, -press.force]), None];
         let mut travel = guess.unwrap_or(1e-4 * size);
+        let mut before = None;
         for _ in 0..STEPS {
             let off = self.pressed_by(press.condition, travel)? - press.force;
-            if off.abs() <= 1e-9 * press.force {
+            if off.abs() <= 1e-7 * press.force {
                 return Ok(travel);
             }
-            let next = [travel, off];
-            if off < 0.0 {
-                if let Some(h) = high.as_mut().filter(|_| low[0] > 0.0) {
-                    h[1] *= 0.5;
-                }
-                low = next;
-            } else {
-                if high.is_some() {
-                    low[1] *= 0.5;
-                }
-                high = Some(next);
+            let side = usize::from(off > 0.0);
+            ends[side] = Some([travel, off]);
+            if let Some(other) = ends[1 - side].as_mut().filter(|_| before == Some(side)) {
+                other[1] *= 0.5;
             }
-            travel = match high {
-                Some(h) => (low[0] * h[1] - h[0] * low[1]) / (h[1] - low[1]),
+            before = Some(side);
+            travel = match ends {
+                [Some(low), Some(high)] => (low[0] * high[1] - high[0] * low[1]) / (high[1] - low[1]),
                 // A sphere's force grows with the power 3/2 of the travel.
-                None => travel * (press.force / (off + press.force)).powf(2.0 / 3.0).clamp(1.2, 4.0),
+                _ => travel * (press.force / (off + press.force)).powf(2.0 / 3.0).clamp(1.2, 4.0),
             };
             if !(travel < size) {
                 break;

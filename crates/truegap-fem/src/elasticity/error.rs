@@ -182,7 +182,7 @@ pub enum ElasticityError {
     },
     /// A force that a plate does not reach.
     #[error(
-        "the plate does not press with {force:.3e} (N, planar N/m) at any travel up to {travel:.3e} m; give less force, or hold the body so that it resists"
+        "the plate does not press with {force:.3e} (N, planar N/m) (tried: travels up to {travel:.3e} m); give less force, or hold the body so that it resists"
     )]
     NoForce {
         /// Force wanted (N or N/m).

@@ -268,3 +268,6 @@ impl Solver {
         self.body.scale * self.load.abs()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -35,19 +35,23 @@ fn a_plane_that_is_out_of_reach_does_nothing() {
     assert_eq!(s.reaction("top", Second).unwrap(), 0.0);
 }
 
-#[test]
-fn a_sphere_on_a_plane_follows_hertz() {
+/// Lower half of a sphere of radius 1 whose pole touches the plane z = -1, with edges of `edge` at a contact of radius `reach`.
+fn half_sphere(edge: f64, reach: f64) -> Mesh {
     let s = std::f64::consts::FRAC_1_SQRT_2;
-    // Lower half of a sphere of radius 1 whose pole touches the plane z = -1.
     let outline = Outline { start: [0.0, -1.0], steps: vec![Step::Arc { via: [s, -s], to: [1.0, 0.0] }, Step::Line([0.0, 0.0])] };
     let mut drawing = Geometry::default().region("ball", outline).boundary("equator", &[[0.0, 0.0], [1.0, 0.0]]);
     let skin = Outline { start: [0.0, -1.0], steps: vec![Step::Arc { via: [s, -s], to: [1.0, 0.0] }] };
     drawing.boundaries.push(Boundary { name: "skin".into(), path: BoundaryPath::Path(skin) });
-    let sources = vec![SizeSource { at: [0.0, -1.0], size: 1.5e-3 }, SizeSource { at: [0.0316, -0.9995], size: 1.5e-3 }];
+    let rim = [reach, -(1.0 - reach * reach).sqrt()];
+    let sources = [[0.0, -1.0], rim].map(|at| SizeSource { at, size: edge }).to_vec();
     let size = SizeField { max_edge: 0.15, growth: 0.25, sources };
-    let mesh = mesh_geometry(&drawing, &MeshOptions { size, arc_step_degrees: 5.0, ..Default::default() }).unwrap();
+    mesh_geometry(&drawing, &MeshOptions { size, arc_step_degrees: 5.0, ..Default::default() }).unwrap()
+}
+
+#[test]
+fn a_sphere_on_a_plane_follows_hertz() {
     let press: f64 = 1e-3;
-    let mut p = problem(mesh, Material { young: 1.0, ..steel() });
+    let mut p = problem(half_sphere(1.5e-3, 0.0316), Material { young: 1.0, ..steel() });
     p.conditions = vec![Condition::fix("equator", Second), plane("skin", -1.0, press, Side::Above)];
     let solution = Solver::new(p).unwrap().solve().unwrap();
     let force = solution.reaction("skin", Second).unwrap();
@@ -68,6 +72,48 @@ fn a_sphere_on_a_plane_follows_hertz() {
     let reach = touching.map(|n| body.nodes.points[n][0]).fold(0.0, f64::max);
     println!("Hertz: radius {reach} against {radius}");
     assert!((reach - radius).abs() < 2e-3, "{reach} against {radius}");
+}
+
+#[test]
+fn force_and_radius_of_a_pressed_sphere_converge_with_the_mesh() {
+    // Contact radius 1 / 31.6 of the sphere, on edges of a quarter to a sixteenth of it.
+    let reduced = 1.0 / (1.0 - 0.3 * 0.3);
+    let solve = |edge: f64| {
+        let mut p = problem(half_sphere(edge, 0.0316), Material { young: 1.0, ..steel() });
+        p.conditions = vec![Condition::fix("equator", Second), plane("skin", -1.0, 1e-3, Side::Above)];
+        let named = |name: &str, goal| ContactQuantity { name: name.into(), goal };
+        let goals = [("F", ContactGoal::Force(1)), ("a", ContactGoal::Radius(1)), ("p", ContactGoal::PeakPressure(1))];
+        let goals = goals.map(|(name, goal)| named(name, goal));
+        // The printed errors are those of the halved mesh.
+        let out = solve_contact(&mut p, None, &goals, None).unwrap();
+        out.answers
+    };
+    let all: Vec<_> = [8e-3, 4e-3, 2e-3].map(solve).into_iter().collect();
+    let best = all[2][0].value;
+    for (answers, edge) in all.iter().zip([4e-3, 2e-3, 1e-3]) {
+        let [force, radius, peak] = [0, 1, 2].map(|i| &answers[i]);
+        let (a, p0) = ((0.75 * best / reduced).cbrt(), (6.0 * best * reduced * reduced).cbrt() / std::f64::consts::PI);
+        println!(
+            "edge {edge}: F {:.6e} +- {:.1e} ({:.1e}), a {:.5e} +- {:.1e} ({:.1e}), p {:.5e} +- {:.1e} ({:.1e})",
+            force.value,
+            force.error_estimate,
+            force.value - best,
+            radius.value,
+            radius.error_estimate,
+            radius.value - a,
+            peak.value,
+            peak.error_estimate,
+            peak.value - p0
+        );
+        // The end of the contact is known to a node; edges carry a middle node.
+        assert!((radius.value - a).abs() < 0.5 * edge + 1e-3 * a, "{} {a}", radius.value);
+        assert!((force.value - best).abs() <= force.error_estimate, "{} {best}", force.value);
+    }
+    // Squares of a / R are what Hertz leaves out: 1e-3.
+    let p0 = (6.0 * best * reduced * reduced).cbrt() / std::f64::consts::PI;
+    assert!((all[2][2].value / p0 - 1.0).abs() < 0.01, "{} {p0}", all[2][2].value);
+    let off = |i: usize| (all[i][0].value - best).abs();
+    assert!(off(1) < off(0) / 2.0 && off(1) < 1e-3 * best, "{} {}", off(0), off(1));
 }
 
 /// Bonded rubber disc of height 198 um, pressed by the load factor in per cent; its side may be stopped by the plates.

@@ -19,7 +19,7 @@ use crate::{
     validation::{
         cross_validation::{AllRows, HeldOutFit, compared, held_out},
         step_back::{LeftOut, step_back},
-        veto::Unseen,
+        veto::{Against, Unseen},
     },
     whitening::noise_model::NoiseModel,
 };
@@ -47,9 +47,10 @@ pub(crate) fn predicted(
     alone: Option<&Alone>,
 ) -> Predicted {
     let noise = &prepared.searched_noise;
+    let base = held_out(search, noise, selection.base(), all);
     let base = match alone {
-        Some(alone) => held_out(search, &alone.noise, &alone.tried, all),
-        None => held_out(search, noise, selection.base(), all),
+        Some(alone) => held_out(search, &alone.noise, &alone.tried, all).scored_as(&base),
+        None => base,
     };
     let of = |tried: &Tried| {
         let squares = alone.and_then(|_| by_least_squares(search, noise, tried, all));
@@ -67,10 +68,9 @@ pub(crate) fn predicted(
     let id = |e: usize| search.library[e].id().to_string();
     let told = |left: &LeftOut| {
         format!(
-            "{} would fit as well, but without it rows left out are predicted better ({} against {} {unit}), so it is not claimed",
+            "{} would fit as well, but without it rows left out are predicted better ({}), so it is not claimed",
             spoken(&id(left.effect)),
-            significant(left.errors[0], 3),
-            significant(left.errors[1], 3)
+            measured(left.against, unit)
         )
     };
     let told: Vec<String> = left_out.iter().map(told).collect();
@@ -83,13 +83,11 @@ pub(crate) fn predicted(
     let chosen = &selection.models[model];
     let unseen = Unseen { base: base.clone(), named: Some(named) };
     let foretells = chosen.effects.iter().all(|e| !free_form(*e));
-    if let Some([without, with]) = unseen.worse().filter(|_| foretells) {
+    if let Some(against) = unseen.worse().filter(|_| foretells) {
         let ids = chosen.effects.iter().map(|e| id(*e)).collect::<Vec<_>>().join(" and ");
         let says = format!(
-            "there is a mismatch, but its cause is not decided: {ids} would fit it, and predicts rows left out worse than the calibrated model does \
-             ({} against {} {unit})",
-            significant(with, 3),
-            significant(without, 3),
+            "there is a mismatch, but its cause is not decided: {ids} would fit it, and rows left out are predicted better by the calibrated model alone ({})",
+            measured(against, unit)
         );
         let (unseen, decision) = nothing(Decision::nothing(Verdict::Undecided, selection.base));
         let vetoed = Some(Reserved { says, withheld: false, input_missing: false });
@@ -98,6 +96,16 @@ pub(crate) fn predicted(
     // a verdict that names nothing has no model whose predictions could be told
     let named = unseen.named.filter(|_| decision.model == model);
     Predicted { unseen: Unseen { base, named }, decision, after, vetoed: None, left_out: told }
+}
+
+/// What speaks against a model, for a reader.
+fn measured(against: Against, unit: &str) -> String {
+    match against {
+        Against::Errors([without, with]) => format!("{} against {} {unit}", significant(without, 3), significant(with, 3)),
+        Against::Score(lost) => {
+            format!("measured in the noise, by {} squares of its standard deviation over all rows", significant(lost, 2))
+        }
+    }
 }
 
 /// Predictions of rows left out by a model that is calibrated by least squares: under white noise as large as what it leaves over.
@@ -112,7 +120,10 @@ fn by_least_squares(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all:
 /// two models.
 fn nearer(under_noise: HeldOutFit, squares: Option<HeldOutFit>) -> HeldOutFit {
     let better = |squares: &HeldOutFit| compared(&under_noise, squares).is_some_and(|both| both.rmse[1] < both.rmse[0]);
-    squares.filter(better).unwrap_or(under_noise)
+    match squares.filter(better) {
+        Some(squares) => squares.scored_as(&under_noise),
+        None => under_noise,
+    }
 }
 
 #[cfg(test)]
@@ -121,7 +132,7 @@ mod tests {
     use crate::validation::cross_validation::PartError;
 
     fn predicted(squares: f64) -> HeldOutFit {
-        let part = PartError { name: "run 1".into(), squares: Some(squares), rows: 4 };
+        let part = PartError { name: "run 1".into(), squares: Some(squares), rows: 4, score: None };
         HeldOutFit { how: String::new(), prediction: Vec::new(), parts: vec![part] }
     }
 

@@ -32,6 +32,15 @@ pub struct HeldOutFit {
     pub parts: Vec<PartError>,
 }
 
+impl HeldOutFit {
+    /// These predictions with the scores of others, which were made under the noise.
+    #[must_use]
+    pub fn scored_as(mut self, under_noise: &Self) -> Self {
+        self.parts.iter_mut().zip(&under_noise.parts).for_each(|(part, other)| part.score = other.score);
+        self
+    }
+}
+
 /// One part left out.
 #[derive(Clone)]
 pub struct PartError {
@@ -41,6 +50,8 @@ pub struct PartError {
     pub squares: Option<f64>,
     /// its rows
     pub rows: usize,
+    /// squares of the whitened errors of its searched rows: the same errors, measured in the noise; `None` where it could not be predicted
+    pub score: Option<f64>,
 }
 
 /// Errors of two models on rows left out, over the parts that both predict.
@@ -166,23 +177,36 @@ pub struct AllRows<'a> {
 pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> HeldOutFit {
     let (how, parts) = parts_of(all.problem);
     let model = Model::new(all.problem, search.context, tried.effects.iter().map(|e| search.library[*e]).collect());
-    let predict = |part: &Part| model.respond(&without(search, noise, tried, part, all.first)?.z).ok();
-    let predicted: Vec<Option<Vec<f64>>> = parts.par_iter().map(predict).collect();
+    let searched = search.model(&tried.effects);
+    let whitener = noise.whitener(&search.problem.runs(), None);
+    let predict = |part: &Part| {
+        let z = without(search, noise, tried, part, all.first)?.z;
+        let mut errors = searched.misfit(&z).ok()?;
+        whitener.apply(&mut errors);
+        let left_out = kept(part, errors.len(), all.first).into_iter().map(|kept| !kept);
+        let score = errors.iter().zip(left_out).filter(|(_, out)| *out).map(|(e, _)| e * e).sum::<f64>();
+        Some((model.respond(&z).ok()?, score))
+    };
+    let predicted: Vec<Option<(Vec<f64>, f64)>> = parts.par_iter().map(predict).collect();
     let response = all.problem.response;
     let mut prediction = vec![f64::NAN; response.len()];
     for (part, values) in parts.iter().zip(&predicted) {
-        let Some(values) = values else { continue };
+        let Some((values, _)) = values else { continue };
         part.rows.iter().for_each(|rows| prediction[rows.clone()].copy_from_slice(&values[rows.clone()]));
     }
-    let parts = parts.iter().zip(&predicted).map(|(part, values)| part_error(part, values.as_deref(), response)).collect();
+    let of_part = |(part, predicted): (&Part, &Option<(Vec<f64>, f64)>)| {
+        let error = part_error(part, predicted.as_ref().map(|(values, _)| values.as_slice()), response);
+        PartError { score: predicted.as_ref().map(|(_, score)| *score), ..error }
+    };
+    let parts = parts.iter().zip(&predicted).map(of_part).collect();
     HeldOutFit { how, prediction, parts }
 }
 
-/// The error of a part, `values` the predictions of every row.
+/// The error of a part without its score, `values` the predictions of every row.
 pub(crate) fn part_error(part: &Part, values: Option<&[f64]>, response: &[f64]) -> PartError {
     let rows = || part.rows.iter().cloned().flatten();
     let squares = |values: &[f64]| rows().map(|row| (values[row] - response[row]).powi(2)).sum();
-    PartError { name: part.name.clone(), squares: values.map(squares), rows: rows().count() }
+    PartError { name: part.name.clone(), squares: values.map(squares), rows: rows().count(), score: None }
 }
 
 /// Which of the searched rows do not come from a part; `first` as in [`AllRows`].
@@ -216,6 +240,7 @@ mod tests {
             name: format!("run {}", k + 1),
             squares: error.map(|e| 10.0 * e * e),
             rows: 10,
+            score: None,
         };
         HeldOutFit { how: String::new(), prediction: Vec::new(), parts: errors.iter().enumerate().map(part).collect() }
     }

@@ -10,7 +10,7 @@ use crate::{
     selection::{candidates::Tried, posterior::Selection},
     validation::{
         cross_validation::{HeldOutFit, compared},
-        veto::Unseen,
+        veto::{Against, Unseen},
     },
 };
 
@@ -19,8 +19,8 @@ use crate::{
 pub(crate) struct LeftOut {
     /// index into the library
     pub effect: usize,
-    /// error on rows left out without it and with it
-    pub errors: [f64; 2],
+    /// what rows left out say
+    pub against: Against,
 }
 
 /// The model to stand behind instead of `start`, its predictions of rows left out, and what was left out on the way.
@@ -45,11 +45,12 @@ pub(crate) fn step_back(
             let both = Unseen { base: without, named: Some(named.clone()) };
             let better =
                 || compared(&both.base, both.named.as_ref()?).map(|both| both.rmse).filter(|[without, with]| without < with);
-            let errors = both.worse().or_else(|| if vetoed { better() } else { None })?;
-            Some((place, both.base, LeftOut { effect, errors }))
+            let against = both.worse().or_else(|| if vetoed { better().map(Against::Errors) } else { None })?;
+            Some((place, both.base, LeftOut { effect, against }))
         });
-        let cost = |left: &LeftOut| left.errors[1] / left.errors[0];
-        let Some((place, without, left)) = judged.max_by(|a, b| cost(&a.2).total_cmp(&cost(&b.2))) else {
+        let cost = |left: &LeftOut| left.against.cost();
+        let dearer = |a: (f64, f64), b: (f64, f64)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1));
+        let Some((place, without, left)) = judged.max_by(|a, b| dearer(cost(&a.2), cost(&b.2))) else {
             return (model, named, left_out);
         };
         (model, named) = (place, without);

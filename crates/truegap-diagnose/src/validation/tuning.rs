@@ -86,6 +86,9 @@ pub(crate) const EXTRAPOLATED: f64 = 2.0;
 /// Times the base model's error on rows left out that is clearly more: an effect that hardly stands out changes the error of a thousand rows by less.
 pub(crate) const CLEARLY_WORSE: f64 = 1.05;
 
+/// Squares of the noise by which a part must be predicted better to be foretold: one unit of log likelihood.
+pub(crate) const FORETOLD: f64 = 2.0;
+
 // recovery/confusion.rs
 
 /// Detectability from which single causes are counted, as in the targets of the blind studies.

@@ -1,12 +1,14 @@
 //! Rows left out have the last word: what predicts them worse than the calibrated base model in most parts, or with more than twice its error over all, is not claimed.
 //!
+//! Neither is what the noise says the same of: an effect that hardly stands out changes no error that one would see, so its errors are measured in the noise as well.
+//!
 //! One part alone may be hard for the right physics too: where it holds the only first loading, or all that came before a change.
 //!
 //! Limits: a number for each run, or for whatever happens, foretells nothing of a run left out and is not judged by it.
 
 use crate::{
     validation::cross_validation::{HeldOutFit, compared},
-    validation::tuning::{CLEARLY_WORSE, EXTRAPOLATED},
+    validation::tuning::{CLEARLY_WORSE, EXTRAPOLATED, FORETOLD},
 };
 
 /// Predictions of rows left out, by the base model and by the model stood behind.
@@ -17,19 +19,51 @@ pub(crate) struct Unseen {
     pub named: Option<HeldOutFit>,
 }
 
+/// How rows left out speak against a model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Against {
+    /// errors without it and with it
+    Errors([f64; 2]),
+    /// by how many squares of noise they are predicted worse with it
+    Score(f64),
+}
+
+impl Against {
+    /// What it costs, for comparisons: clearly larger errors before scores.
+    pub fn cost(self) -> (f64, f64) {
+        match self {
+            Self::Errors([without, with]) => (with / without, 0.0),
+            Self::Score(lost) => (0.0, lost),
+        }
+    }
+}
+
 impl Unseen {
     /// Predictions of the model stood behind.
     pub fn stood_behind(&self) -> &HeldOutFit {
         self.named.as_ref().unwrap_or(&self.base)
     }
 
-    /// Errors of base and model on the rows that both predict, where the model's is larger by more than [`EXTRAPOLATED`], or clearly larger and larger in most parts.
-    pub fn worse(&self) -> Option<[f64; 2]> {
+    /// What speaks against the model: an error that is larger by more than [`EXTRAPOLATED`], or clearly larger and larger in most parts; or errors that are larger over all, measured
+    /// in the noise, and clearly smaller in no more than half of the parts.
+    pub fn worse(&self) -> Option<Against> {
         let compared = compared(&self.base, self.named.as_ref()?)?;
         let [base, named] = compared.rmse;
         let parts = compared.parts.iter().filter(|(_, base, named)| named > base).count();
         let mostly = named > CLEARLY_WORSE * base && 2 * parts > compared.parts.len();
-        (named > EXTRAPOLATED * base || mostly).then_some([base, named])
+        if named > EXTRAPOLATED * base || mostly {
+            return Some(Against::Errors([base, named]));
+        }
+        self.lost().map(Against::Score)
+    }
+
+    /// Squares of the noise that the model loses on rows left out, where it foretells no more than half of the parts.
+    fn lost(&self) -> Option<f64> {
+        let named = self.named.as_ref()?;
+        let gains: Vec<f64> = self.base.parts.iter().zip(&named.parts).filter_map(|(b, n)| Some(b.score? - n.score?)).collect();
+        let foretold = gains.iter().filter(|gain| **gain > FORETOLD).count();
+        let gained = gains.iter().sum::<f64>();
+        (gained < 0.0 && 2 * foretold <= gains.len()).then_some(-gained)
     }
 }
 
@@ -39,14 +73,14 @@ mod tests {
     use crate::validation::cross_validation::PartError;
 
     fn predicted(errors: &[f64]) -> HeldOutFit {
-        let part = |squares: &f64| PartError { name: "run 1".into(), squares: Some(*squares), rows: 4 };
+        let part = |squares: &f64| PartError { name: "run 1".into(), squares: Some(*squares), rows: 4, score: None };
         HeldOutFit { how: String::new(), prediction: Vec::new(), parts: errors.iter().map(part).collect() }
     }
 
     #[test]
     fn a_model_that_predicts_worse_is_told_from_one_that_predicts_better() {
         let worse = Unseen { base: predicted(&[4.0, 4.0]), named: Some(predicted(&[2.0, 70.0])) };
-        assert_eq!(worse.worse(), Some([1.0, 3.0]));
+        assert_eq!(worse.worse(), Some(Against::Errors([1.0, 3.0])));
         assert_eq!(Unseen { base: predicted(&[4.0]), named: Some(predicted(&[1.0])) }.worse(), None);
         // an error that extrapolation makes in one part is no proof against it, one in most parts is
         let of = |named: &[f64]| Unseen { base: predicted(&[4.0, 4.0, 4.0]), named: Some(predicted(named)) }.worse();
@@ -55,5 +89,22 @@ mod tests {
         // nor is a hundredth in every part
         assert_eq!(of(&[4.08, 4.08, 4.08]), None);
         assert_eq!(Unseen { base: predicted(&[4.0]), named: None }.worse(), None);
+    }
+
+    /// Errors that nobody sees by eye, measured in the noise. A mimic gains in the parts that it was fitted to and loses 30 squares of noise in one that it was not; the right physics
+    /// may lose more in the part that holds the only first loading and gains in the others.
+    #[test]
+    fn what_the_noise_says_of_rows_left_out_counts_where_errors_are_alike() {
+        let of = |gains: [f64; 4]| {
+            let fit = |gain: &dyn Fn(usize) -> f64| {
+                let part =
+                    |k: usize| PartError { name: "run".into(), squares: Some(400.0), rows: 100, score: Some(100.0 - gain(k)) };
+                HeldOutFit { how: String::new(), prediction: Vec::new(), parts: (0..4).map(part).collect() }
+            };
+            Unseen { base: fit(&|_| 0.0), named: Some(fit(&|k| gains[k])) }.worse()
+        };
+        assert_eq!(of([0.3, 0.6, -30.0, -1.0]), Some(Against::Score(30.1)));
+        assert_eq!(of([40.0, 12.0, -3000.0, 14.0]), None);
+        assert_eq!(of([0.3, 0.6, 9.0, -1.0]), None);
     }
 }

@@ -8,6 +8,7 @@ use crate::{
         cross_validation::{AllRows, HeldOutFit, PartError, compared, held_out, misfit_removed},
         selected_again::selected_again,
         step_back::step_back,
+        veto::Against,
     },
     whitening::noise_model::NoiseModel,
 };
@@ -134,7 +135,7 @@ fn an_effect_without_which_the_rest_predicts_better_is_not_claimed() {
         let selection = examine(search, lack_of_fit).unwrap().selection;
         let index = |effects: &[usize]| selection.models.iter().position(|m| m.key() == effects.into()).unwrap();
         let of_parts = |errors: [f64; 3]| {
-            let part = |error: f64| PartError { name: "run".into(), squares: Some(30.0 * error * error), rows: 30 };
+            let part = |error: f64| PartError { name: "run".into(), squares: Some(30.0 * error * error), rows: 30, score: None };
             HeldOutFit { how: String::new(), prediction: Vec::new(), parts: errors.map(part).to_vec() }
         };
         let of_all = |base: [f64; 3], one: [f64; 3], both: [f64; 3], free: bool| {
@@ -146,7 +147,7 @@ fn an_effect_without_which_the_rest_predicts_better_is_not_claimed() {
         let told = |second: f64, free: bool| of_all([2.0; 3], [1.0; 3], [second; 3], free);
         let (model, error, left_out) = told(3.0, false);
         assert_eq!((model, error), (index(&[0]), Some(1.0)));
-        assert_eq!((left_out[0].effect, left_out[0].errors), (1, [1.0, 3.0]));
+        assert_eq!((left_out[0].effect, left_out[0].against), (1, Against::Errors([1.0, 3.0])));
         // what predicts as well stays, and so does a number for whatever happens
         assert_eq!(told(0.5, false).0, index(&[0, 1]));
         assert_eq!(told(3.0, true).0, index(&[0, 1]));

@@ -53,7 +53,12 @@ fn inputs() -> Inputs {
 }
 
 fn predicted(parts: usize) -> HeldOutFit {
-    let part = |k: usize| PartError { name: format!("block {}", k + 1), squares: (k != 2).then_some(1.0), rows: ROWS / parts };
+    let part = |k: usize| PartError {
+        name: format!("block {}", k + 1),
+        squares: (k != 2).then_some(1.0),
+        rows: ROWS / parts,
+        score: None,
+    };
     HeldOutFit { how: String::new(), prediction: Vec::new(), parts: (0..parts).map(part).collect() }
 }
 

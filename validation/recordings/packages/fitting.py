@@ -1,0 +1,56 @@
+"""Least squares for models built by hand: straight in some terms, or curved by a few numbers.
+
+A model is a function of the rows that may be seen, as a mask; it gives a prediction of every row.
+"""
+
+import numpy as np
+from scipy.optimize import least_squares
+from scipy.signal import lfilter
+
+
+def line(y, *terms):
+    """A constant and terms, each with a coefficient."""
+    matrix = np.column_stack([np.ones(len(y)), *(np.asarray(term, float) for term in terms)])
+    matrix = matrix / (np.abs(matrix).max(axis=0) + 1e-300)
+    return lambda seen: matrix @ np.linalg.lstsq(matrix[seen], y[seen], rcond=None)[0]
+
+
+def terms(y, basis, start):
+    """A constant and terms that hold some numbers: `basis(p)` gives them. Coefficients are solved for inside of the search for `p`."""
+    return lambda seen: searched(y, lambda p: line(y, *basis(p))(seen), start, seen)
+
+
+def curve(y, predict, start):
+    """A prediction by some numbers, `predict(p)`."""
+    return lambda seen: searched(y, predict, start, seen)
+
+
+def searched(y, predict, start, seen):
+    """The prediction by the numbers that fit best."""
+    best = least_squares(lambda p: (predict(p) - y)[seen], start, x_scale="jac", max_nfev=300)
+    return predict(best.x)
+
+
+def lag(u, t, tau):
+    """First-order lag of `u`, exact for an input that keeps the mean of two rows between them."""
+    keep = np.exp(-np.diff(t) / max(tau, 1e-9))
+    middle = (u[1:] + u[:-1]) / 2
+    out = np.empty(len(u))
+    out[0] = u[0]
+    if np.allclose(np.diff(t), t[1] - t[0], rtol=1e-3):
+        out[1:] = lfilter([1 - keep[0]], [1, -keep[0]], middle, zi=[keep[0] * u[0]])[0]
+        return out
+    for i, (share, value) in enumerate(zip(keep, middle), 1):
+        out[i] = share * out[i - 1] + (1 - share) * value
+    return out
+
+
+def angle(degrees, centre, width):
+    """A bell over an angle, 1 at its centre; centre and width in rad."""
+    away = (np.radians(degrees) - centre + np.pi) % (2 * np.pi) - np.pi
+    return np.exp(-0.5 * (away / width) ** 2)
+
+
+def tone(t, period):
+    """Sine and cosine of a period."""
+    return [np.sin(2 * np.pi * t / period), np.cos(2 * np.pi * t / period)]

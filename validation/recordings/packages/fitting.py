@@ -10,14 +10,19 @@ from scipy.signal import lfilter
 
 def line(y, *terms):
     """A constant and terms, each with a coefficient."""
-    matrix = np.column_stack([np.ones(len(y)), *(np.asarray(term, float) for term in terms)])
+    return through_zero(y, np.ones(len(y)), *terms)
+
+
+def through_zero(y, *terms):
+    """Terms, each with a coefficient, and no constant."""
+    matrix = np.column_stack([np.asarray(term, float) for term in terms])
     matrix = matrix / (np.abs(matrix).max(axis=0) + 1e-300)
     return lambda seen: matrix @ np.linalg.lstsq(matrix[seen], y[seen], rcond=None)[0]
 
 
-def terms(y, basis, start):
-    """A constant and terms that hold some numbers: `basis(p)` gives them. Coefficients are solved for inside of the search for `p`."""
-    return lambda seen: searched(y, lambda p: line(y, *basis(p))(seen), start, seen)
+def terms(y, basis, start, combine=line):
+    """Terms that hold some numbers: `basis(p)` gives them. Coefficients are solved for inside of the search for `p`."""
+    return lambda seen: searched(y, lambda p: combine(y, *basis(p))(seen), start, seen)
 
 
 def curve(y, predict, start):

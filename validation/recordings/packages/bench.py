@@ -95,7 +95,7 @@ def main(arguments=None):
     parser.add_argument("--truegap", default="truegap", metavar="COMMAND", help="the command (default: truegap)")
     parser.add_argument("--collect", action="store_true", help="diagnose nothing: take the answers that are there")
     parser.add_argument("--table", metavar="FILE", help="where the CSV is written")
-    given = parser.parse_args(arguments)
+    given = parser.parse_intermixed_args(arguments)
     before, rows, failed = answers_before(), [], 0
     for recording in sources.chosen(sources.recordings(), given.names):
         try:

@@ -52,7 +52,7 @@ def main(arguments=None):
     parser.add_argument("--archives", metavar="DIR", help="where archives are kept")
     parser.add_argument("--offline", action="store_true", help="fetch nothing: use the archives that are there")
     parser.add_argument("--list", action="store_true", help="show the recordings and leave")
-    given = parser.parse_args(arguments)
+    given = parser.parse_intermixed_args(arguments)
     everything = sources.recordings()
     if given.list:
         for one in everything.values():

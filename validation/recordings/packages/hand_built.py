@@ -37,7 +37,7 @@ def main():
     parser.add_argument("recordings", metavar="RECORDINGS")
     parser.add_argument("answers", metavar="ANSWERS")
     parser.add_argument("names", metavar="NAME", nargs="*")
-    given = parser.parse_args()
+    given = parser.parse_intermixed_args()
     failed = 0
     for recording in sources.chosen(sources.recordings(), given.names):
         try:

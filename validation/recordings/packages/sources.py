@@ -52,7 +52,10 @@ class Recording:
         if not path.is_file():
             raise Problem(f"{path} is missing; it says how {self.name} is read")
         module = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
+        try:
+            spec.loader.exec_module(module)
+        except ModuleNotFoundError as error:
+            raise Problem(f"{error.name} is not installed; `pip install -r {HERE / 'requirements.txt'}`") from error
         return module
 
 

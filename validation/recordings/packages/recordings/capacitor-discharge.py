@@ -14,4 +14,4 @@ def rows(content):
 
 def models(c):
     y, t = c["voltage_v"], c["time_s"]
-    return y, {"line": line(y, t), HAND_BUILT: terms(y, lambda p: [np.exp(-t / p[0])], [0.5])}
+    return y, {"line": line(y, t), HAND_BUILT: terms(y, lambda p: [np.exp(-t / abs(p[0]))], [0.5])}

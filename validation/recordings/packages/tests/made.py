@@ -1,0 +1,50 @@
+"""A small archive, its list and its recording, made for a test."""
+
+import hashlib
+import io
+import tarfile
+from types import SimpleNamespace
+
+import sources
+
+ROWS = b"1 10\n2 20\n3 31\n"
+CSV = "x,y\n1,10\n2,20\n3,31\n"
+
+
+def archive(folder, name="pack-1.0.tar.gz", inside="pack-1.0/rows.txt", content=ROWS):
+    """Writes an archive and returns how it is listed."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with tarfile.open(folder / name, "w:gz") as out:
+        member = tarfile.TarInfo(inside)
+        member.size = len(content)
+        out.addfile(member, io.BytesIO(content))
+    digest = hashlib.sha256((folder / name).read_bytes()).hexdigest()
+    return sources.Archive("pack", "1.0", name, digest, "MIT")
+
+
+def rows(content):
+    """How the rows of the archive are read."""
+    pairs = [[int(v) for v in line.split()] for line in content.decode().splitlines()]
+    return {"x": [pair[0] for pair in pairs], "y": [pair[1] for pair in pairs]}
+
+
+class Recording(sources.Recording):
+    """A recording whose description and reader lie with the test."""
+
+    home = None
+
+    @property
+    def description(self):
+        return self.home / f"{self.name}.toml"
+
+    def module(self):
+        return SimpleNamespace(rows=rows)
+
+
+def recording(folder, archive, csv=CSV, description='schema = "truegap.recording/1"\nfile = "made.csv"\n'):
+    """A recording of that archive, described in a folder."""
+    (folder / "made.toml").write_text(description)
+    digest = hashlib.sha256(csv.encode()).hexdigest()
+    made = Recording("made", "first", archive, ("pack-1.0/rows.txt",), "pack 1.0, rows.txt", "nothing", 8, digest)
+    object.__setattr__(made, "home", folder)
+    return made

@@ -19,8 +19,7 @@ from problem import Problem, command
 def scores(recording, folder, answers):
     """Errors in sample and held out of every model of a recording, by name; the first is the base model."""
     columns = table.read(Path(folder) / recording.name / f"{recording.name}.csv")
-    module = recording.module()
-    y, models = module.models(columns)
+    y, models = recording.module().models(columns)
     found = held_out.answer(Path(answers) / recording.name)
     rows, runs = held_out.used_rows(y, Path(answers) / recording.name)
     left_out = held_out.parts(found, runs)
@@ -46,7 +45,8 @@ def main():
             print(f"{recording.name}: {problem}")
             failed += 1
             continue
-        print(recording.name)
+        of_tool = held_out.answer(Path(given.answers) / recording.name)["fit"]["held_out"]
+        print(f"{recording.name}: truegap held out, base model {of_tool['rmse_before']:.4g}, its answer {of_tool['rmse_after']:.4g}")
         for name, (in_sample, left_out) in told.items():
             star = "*" if name == recording.module().HAND_BUILT else " "
             print(f"  {star} {name}: in sample {in_sample:.4g}, held out {left_out:.4g}")

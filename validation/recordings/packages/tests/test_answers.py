@@ -50,8 +50,8 @@ class Rows(unittest.TestCase):
             return held_out.used_rows(np.array(response), folder)
 
     def test_rows_that_the_tool_left_away_are_skipped(self):
-        rows, runs = self.used([1.0, 5.0, 2.0, 2.0, 3.0], "run,recorded_v\n1,1\n1,2\n2,3\n")
-        self.assertEqual((rows.tolist(), runs.tolist()), ([0, 2, 4], [1, 1, 2]))
+        rows, runs = self.used([1.0, 5.0, 2.0, 2.0, 3.0], "run,recorded_v\n1,1\n1,2\n2,2\n2,3\n")
+        self.assertEqual((rows.tolist(), runs.tolist()), ([0, 2, 3, 4], [1, 1, 2, 2]))
 
     def test_an_answer_to_another_recording_is_refused(self):
         with self.assertRaisesRegex(Problem, "no row for its row 2, 9"):
@@ -82,6 +82,15 @@ class Verdicts(unittest.TestCase):
 
 
 class Command(unittest.TestCase):
+    def test_an_answer_to_other_rows_gets_no_row(self):
+        recording = next(iter(sources.recordings().values()))
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / recording.name / f"{recording.name}.csv"
+            path.parent.mkdir()
+            path.write_text("x,y\n1,2\n")
+            with self.assertRaisesRegex(Problem, "is not the recording"):
+                bench.row(recording, folder, folder, {})
+
     def test_a_tool_that_fails_leaves_no_older_answer_and_no_table(self):
         name = next(iter(sources.recordings()))
         with tempfile.TemporaryDirectory() as folder:

@@ -41,6 +41,11 @@ class Fits(unittest.TestCase):
             out = fitting.lag(u, time, 3.0)
             self.assertLess(np.abs(out[1:] - (1 - np.exp(-(t - t[0]) / 3.0))).max(), 1e-6)
 
+    def test_a_lag_follows_a_ramp_behind_by_its_time(self):
+        # of u = t, from rest: t - tau + tau exp(-t / tau); between rows the mean is taken, which errs by less than dt^2
+        t, tau = np.arange(0, 20, 0.1), 3.0
+        self.assertLess(np.abs(fitting.lag(t, t, tau) - (t - tau + tau * np.exp(-t / tau))).max(), 0.01)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -49,6 +49,7 @@ class Lists(unittest.TestCase):
 
     def test_a_key_too_few_and_one_too_many_are_named(self):
         self.refused(GOOD.replace('licence = "MIT"', 'license = "MIT"'), "`licence` is missing; `license` is no key here")
+        self.refused(GOOD + 'colour = "red"', "`colour` is no key here")
 
     def test_a_hash_that_is_none_is_refused(self):
         self.refused(GOOD.replace(HASH, HASH[:-1]), "is no SHA-256")

@@ -80,11 +80,12 @@ def answers_before(path=BEFORE):
 
 
 def summary(rows):
-    """What is counted in a set."""
+    """How many of each set are near the model built by hand, before and now; of the set, as `(set, recordings, before, now)`."""
+    by_hand, before, now = (HEADER.index(name) for name in ("hand-built, held out", "held out before", "held out"))
     for name in dict.fromkeys(line[0] for line in rows):
-        ratios = [float(line[10]) for line in rows if line[0] == name]
-        near = sum(ratio <= WITHIN for ratio in ratios)
-        yield f"{name} set: {near} of {len(ratios)} predict rows left out within {WITHIN} of the model built by hand"
+        lines = [line for line in rows if line[0] == name]
+        near = [sum(float(line[k] or "inf") <= WITHIN * float(line[by_hand]) for line in lines) for k in (before, now)]
+        yield name, len(lines), *near
 
 
 def main(arguments=None):
@@ -108,8 +109,8 @@ def main(arguments=None):
             failed += 1
     if failed:
         raise Problem(f"{failed} recordings have no row; no table was written")
-    for line in summary(rows):
-        print(line, file=sys.stderr)
+    for name, count, then, now in summary(rows):
+        print(f"{name} set: within {WITHIN} of the model built by hand on rows left out: before {then}, now {now} of {count}", file=sys.stderr)
     out = io.StringIO()
     csv.writer(out, lineterminator="\n").writerows([HEADER, *rows])
     if given.table:

@@ -77,6 +77,14 @@ class Verdicts(unittest.TestCase):
     def test_a_verdict_without_names_stands_alone(self):
         self.assertEqual(bench.verdict({"verdict": "agrees", "findings": [], "ambiguity": []}), "agrees")
 
+    def test_who_is_near_the_model_built_by_hand_is_counted_by_set(self):
+        def row(of, by_hand, before, now):
+            cells = dict.fromkeys(bench.HEADER, "")
+            return list((cells | {"set": of, "hand-built, held out": by_hand, "held out before": before, "held out": now}).values())
+
+        rows = [row("first", "1.0", "1.2", "1.1"), row("first", "2", "2.0", "0.5"), row("second", "1", "", "1.2")]
+        self.assertEqual(list(bench.summary(rows)), [("first", 2, 1, 2), ("second", 1, 0, 0)])
+
     def test_every_recording_has_an_answer_from_before(self):
         self.assertEqual(set(bench.answers_before()), set(sources.recordings()))
 

@@ -51,6 +51,7 @@ mod corrections;
 mod curve;
 mod effect;
 mod inputs;
+pub mod nearest;
 mod parameter;
 pub mod recording;
 pub mod sensor;

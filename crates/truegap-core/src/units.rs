@@ -2,7 +2,10 @@
 //!
 //! Limits: a closed list of units, those that a data sheet or a test rig of this field writes; temperatures are degrees Celsius inside.
 
+mod spelling;
+
 use serde::{Deserialize, Serialize};
+use spelling::canonical;
 
 /// What a quantity measures; the SI unit of each is what [`parse`] returns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -109,7 +112,7 @@ impl Dimension {
     /// # Errors
     /// [`UnitError::Unknown`] where this dimension has no such unit.
     pub fn scale(self, unit: &str) -> Result<(f64, f64), UnitError> {
-        let wanted = unit.trim().replace(['µ', 'μ'], "u").replace('°', "deg");
+        let wanted = canonical(unit);
         let found = self.units().iter().find(|(name, _, _)| *name == wanted);
         let (_, factor, offset) = found.ok_or_else(|| self.unknown(unit))?;
         Ok((*factor, *offset))
@@ -124,9 +127,14 @@ impl Dimension {
         Ok(value * factor + offset)
     }
 
-    /// The unit that `text` names without regard to case, as the end of a column's name does: `pf` is `pF`, `kpa` is `kPa`.
+    /// The unit that `text` names, in one of its spellings and without regard to case, as the end of a column's name does: `pf` is `pF`, `kpa` is `kPa`,
+    /// `sec` is `s`. `mPa` is none: what is written in both cases means them, and a thousandth is no million.
     pub(crate) fn unit_like(self, text: &str) -> Option<&'static str> {
-        self.units().iter().map(|unit| unit.0).find(|name| !name.is_empty() && name.eq_ignore_ascii_case(text))
+        let wanted = canonical(text);
+        let both = wanted.contains(|c: char| c.is_ascii_lowercase()) && wanted.contains(|c: char| c.is_ascii_uppercase());
+        let meant = |name: &str| !both || !wanted.starts_with(['m', 'M']) || wanted.as_bytes().first() == name.as_bytes().first();
+        let names = || self.units().iter().map(|unit| unit.0).filter(|name| !name.is_empty());
+        names().find(|name| *name == wanted).or_else(|| names().find(|name| name.eq_ignore_ascii_case(&wanted) && meant(name)))
     }
 
     /// Names of the units of this dimension, the SI unit first.
@@ -138,6 +146,21 @@ impl Dimension {
         let known = self.unit_names().join(", ");
         UnitError::Unknown { unit: unit.trim().to_owned(), dimension: self, known }
     }
+}
+
+/// Whether `text` is a unit of anything that is measured here, in one of its spellings.
+pub(crate) fn is_unit(text: &str) -> bool {
+    const MEASURED: [Dimension; 8] = [
+        Dimension::Time,
+        Dimension::Force,
+        Dimension::Pressure,
+        Dimension::Length,
+        Dimension::Temperature,
+        Dimension::Humidity,
+        Dimension::Capacitance,
+        Dimension::Voltage,
+    ];
+    MEASURED.into_iter().any(|dimension| dimension.unit_like(text).is_some())
 }
 
 /// Lowest temperature there is, degrees Celsius.
@@ -307,6 +330,26 @@ mod tests {
         for (text, dimension, si) in cases {
             approx::assert_relative_eq!(parse(text, dimension).unwrap(), si, max_relative = 1e-14);
         }
+    }
+
+    #[test]
+    fn the_end_of_a_name_is_a_unit_in_any_case_that_can_be_meant() {
+        for (text, unit) in
+            [("pf", "pF"), ("PF", "pF"), ("kpa", "kPa"), ("KPa", "kPa"), ("mn", "mN"), ("MM", "mm"), ("°C", "degC"), ("sec", "s")]
+        {
+            let found = [
+                Dimension::Capacitance,
+                Dimension::Pressure,
+                Dimension::Force,
+                Dimension::Length,
+                Dimension::Temperature,
+                Dimension::Time,
+            ];
+            assert!(found.into_iter().any(|d| d.unit_like(text) == Some(unit)), "{text}");
+        }
+        // read as MPa before: a thousandth of a pascal is no million
+        assert_eq!((Dimension::Pressure.unit_like("mPa"), Dimension::Pressure.unit_like("MPa")), (None, Some("MPa")));
+        assert!(is_unit("min") && is_unit("% RH") && !is_unit("counts") && !is_unit(""));
     }
 
     #[test]

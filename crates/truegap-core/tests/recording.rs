@@ -382,7 +382,7 @@ fn a_header_is_sketched_and_read_back() {
     let sketch = truegap_core::recording::sketch(&csv).unwrap();
     let open = sketch.open.join("\n");
     assert!(open.contains("which column is the reading") && open.contains("unit of `force`"), "{open}");
-    assert!(sketch.toml.contains("# force = \"N\"") && sketch.toml.contains("one of: force, a, b"), "{}", sketch.toml);
+    assert!(sketch.toml.contains("# force = \"N\"") && sketch.toml.contains("one of: `a`, `b`"), "{}", sketch.toml);
     std::fs::remove_dir_all(&folder).unwrap();
 }
 

@@ -54,7 +54,6 @@ pub mod example;
 pub mod export;
 pub mod mechanism_file;
 pub mod model_file;
-pub mod nearest;
 pub mod output;
 pub mod predict;
 pub mod printed;

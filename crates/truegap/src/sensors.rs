@@ -2,9 +2,9 @@
 //!
 //! Limits: what ends in `.toml` or holds a `/` is a file, anything else a name.
 
-use crate::nearest::nearest;
 use std::path::{Path, PathBuf};
 use truegap_core::Sensor;
+use truegap_core::nearest::nearest;
 use truegap_core::sensor::{SensorError, builtin_sensor, builtin_sensors};
 
 /// The sensor that is taken where none is named.

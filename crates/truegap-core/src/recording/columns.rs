@@ -1,14 +1,16 @@
 //! Which column of the header plays which role, and how its numbers become SI.
 //!
-//! Limits: a unit is the end of a column's name (`force_n`, `Force [N]`, `Time(s)`) or stands under `[units]`.
+//! Limits: a unit is the end of a column's name ([`super::notation`]), stands in a line of units under the header, or under `[units]`.
 
 use super::{
     error::RecordingError,
+    heading::Heading,
     manifest::{Manifest, Named, NamedDriver},
     note::Note,
     roles::ROLES,
 };
 use crate::inputs::Role;
+use crate::nearest::nearest;
 use crate::units::{Dimension, UnitError};
 use std::path::Path;
 
@@ -22,6 +24,8 @@ pub(super) struct Column {
     pub unit: String,
     /// value = cell x factor + offset
     pub scale: (f64, f64),
+    /// whether its cells are dates
+    pub dated: bool,
 }
 
 /// A column that is none of the roles, and that physics may follow all the same.
@@ -67,16 +71,16 @@ fn default_name(role: Role) -> &'static str {
 pub(super) fn bind(
     file: &Path,
     toml: Option<&Path>,
-    header: &[String],
+    header: &[Heading],
     manifest: &Manifest,
 ) -> Result<(Vec<Column>, Vec<Note>), RecordingError> {
     let binder = Binder { file, toml: toml.unwrap_or(file), header, manifest };
     let mut found = Vec::new();
     for role in ROLES {
-        found.extend(binder.find(role)?.map(|(index, name)| (role, index, name)));
+        found.extend(binder.find(role)?.map(|index| (role, index)));
     }
     let mut notes = Vec::new();
-    let columns = found.into_iter().map(|(role, index, name)| binder.column(role, index, name, &mut notes));
+    let columns = found.into_iter().map(|(role, index)| binder.column(role, index, &mut notes));
     let mut columns = columns.collect::<Result<Vec<_>, _>>()?;
     binder.match_simulated(&mut columns)?;
     Ok((columns, notes))
@@ -86,7 +90,7 @@ pub(super) fn bind(
 pub(super) fn bind_drivers(
     file: &Path,
     toml: Option<&Path>,
-    header: &[String],
+    header: &[Heading],
     manifest: &Manifest,
     roles: &[Column],
 ) -> Result<Vec<DriverColumn>, RecordingError> {
@@ -103,15 +107,19 @@ pub(super) fn bind_drivers(
         if wanted.name.trim().is_empty() {
             return Err(refused(wanted, "it has no name; write position = { column = \"...\", unit = \"...\" }".into()));
         }
-        let Some(index) = header.iter().position(|name| *name == wanted.column) else {
-            let found = quoted(header.iter().map(String::as_str).filter(|name| !name.is_empty()));
-            return Err(refused(wanted, format!("`{}` is not in the header; found: {found}", wanted.column)));
+        let called: Vec<usize> = (0..header.len()).filter(|index| header[*index].name == wanted.column).collect();
+        let Some(&index) = called.first() else {
+            let (found, near) = (names(header), almost_called(&wanted.column, header));
+            return Err(refused(wanted, format!("`{}` is not in the header; {near}found: {found}", wanted.column)));
         };
+        if called.len() > 1 {
+            return Err(twice(file, &wanted.column, &called));
+        }
         if let Some(column) = roles.iter().find(|c| c.index == index) {
             let role = column.role.key();
             return Err(refused(wanted, format!("column `{}` is the {role} already; leave it out of [drivers]", column.name)));
         }
-        let unit = wanted.unit.clone().or_else(|| unit_end(&wanted.column).map(str::to_owned));
+        let unit = wanted.unit.clone().or_else(|| header[index].unit().map(str::to_owned));
         let unit = unit.ok_or_else(|| {
             let example = format!("{} = {{ column = \"{}\", unit = \"mm\" }}", wanted.name, wanted.column);
             refused(wanted, format!("column `{}` has no unit in its name; write {example}, or unit = \"1\"", wanted.column))
@@ -124,30 +132,32 @@ pub(super) fn bind_drivers(
 struct Binder<'a> {
     file: &'a Path,
     toml: &'a Path,
-    header: &'a [String],
+    header: &'a [Heading],
     manifest: &'a Manifest,
 }
 
 impl Binder<'_> {
-    /// Index and name of a role's column.
-    fn find(&self, role: Role) -> Result<Option<(usize, String)>, RecordingError> {
+    /// Index of a role's column.
+    fn find(&self, role: Role) -> Result<Option<usize>, RecordingError> {
         let named = self.manifest.columns.get(&role);
-        let found: Vec<(usize, &String)> = match named {
-            Some(named) => self.header.iter().enumerate().filter(|(_, name)| **name == named.text).collect(),
-            None => self.header.iter().enumerate().filter(|(_, name)| is_default(role, name)).collect(),
-        };
+        let fits = |heading: &Heading| named.map_or_else(|| is_default(role, heading), |named| heading.name == named.text);
+        let found: Vec<usize> = (0..self.header.len()).filter(|index| fits(&self.header[*index])).collect();
+        let name = |index: usize| &self.header[index].name;
         match (found.as_slice(), named) {
-            ([(index, name)], _) => Ok(Some((*index, (*name).clone()))),
+            ([index], _) => Ok(Some(*index)),
             ([], None) if role != Role::Response => match self.almost(role) {
                 Some(refused) => Err(refused),
                 None => Ok(None),
             },
             ([], _) => Err(self.missing(role, named)),
-            ([(_, first), ..], _) => Err(RecordingError::AmbiguousColumn {
+            ([first, rest @ ..], _) if rest.iter().all(|index| name(*index) == name(*first)) => {
+                Err(twice(self.file, name(*first), &found))
+            }
+            ([first, ..], _) => Err(RecordingError::AmbiguousColumn {
                 file: self.file.to_owned(),
                 role: role.key().to_owned(),
-                found: quoted(found.iter().map(|(_, name)| name.as_str())),
-                first: (*first).clone(),
+                found: quoted(found.iter().map(|index| name(*index).as_str())),
+                first: name(*first).clone(),
             }),
         }
     }
@@ -156,16 +166,19 @@ impl Binder<'_> {
     /// without a word would be to diagnose another recording.
     fn almost(&self, role: Role) -> Option<RecordingError> {
         let dimension = dimension(role)?;
-        let elsewhere = |name: &String| self.manifest.columns.values().any(|named| named.text == **name);
-        let name = self.header.iter().find(|name| called_after(role, name) && !elsewhere(name))?;
-        let unit = unit_end(name).unwrap_or_default();
-        Some(RecordingError::NotItsUnit {
+        let elsewhere = |heading: &&Heading| self.manifest.columns.values().any(|named| named.text == heading.name);
+        let heading = self.header.iter().find(|heading| called_after(role, heading) && !elsewhere(heading))?;
+        Some(self.not_its_unit(role, dimension, heading))
+    }
+
+    fn not_its_unit(&self, role: Role, dimension: Dimension, heading: &Heading) -> RecordingError {
+        RecordingError::NotItsUnit {
             file: self.file.to_owned(),
-            column: name.clone(),
+            column: heading.name.clone(),
             role: role.key().to_owned(),
-            unit: unit.to_owned(),
+            unit: heading.unit().unwrap_or_default().to_owned(),
             known: dimension.unit_names().join(", "),
-        })
+        }
     }
 
     fn missing(&self, role: Role, named: Option<&Named>) -> RecordingError {
@@ -173,18 +186,21 @@ impl Binder<'_> {
             file: self.file.to_owned(),
             role: role.key().to_owned(),
             wanted: named.map_or_else(|| format!("`{}`", default_name(role)), |n| format!("`{}`", n.text)),
-            found: quoted(self.header.iter().map(String::as_str).filter(|name| !name.is_empty())),
+            near: named.map_or_else(String::new, |named| almost_called(&named.text, self.header)),
+            found: names(self.header),
         }
     }
 
-    fn column(&self, role: Role, index: usize, name: String, notes: &mut Vec<Note>) -> Result<Column, RecordingError> {
-        let given = self.manifest.units.get(&role);
+    fn column(&self, role: Role, index: usize, notes: &mut Vec<Note>) -> Result<Column, RecordingError> {
+        let (given, heading) = (self.manifest.units.get(&role), &self.header[index]);
+        let dated = role == Role::Time && heading.dated;
         let (unit, scale) = match (role, dimension(role)) {
             (Role::Run | Role::Sensor, _) => (String::new(), (1.0, 0.0)),
-            (_, None) => self.reading(role, &name, given, notes)?,
-            (_, Some(dimension)) => self.quantity(role, dimension, &name, given, notes)?,
+            (_, None) => self.reading(role, heading, given, notes)?,
+            (_, Some(dimension)) if dated => (dimension.si_unit().to_owned(), (1.0, 0.0)),
+            (_, Some(dimension)) => self.quantity(role, dimension, heading, given, notes)?,
         };
-        Ok(Column { role, index, name, unit, scale })
+        Ok(Column { role, index, name: heading.name.clone(), unit, scale, dated })
     }
 
     /// SI unit and scale of a quantity.
@@ -192,21 +208,22 @@ impl Binder<'_> {
         &self,
         role: Role,
         dimension: Dimension,
-        name: &str,
+        heading: &Heading,
         given: Option<&Named>,
         notes: &mut Vec<Note>,
     ) -> Result<(String, (f64, f64)), RecordingError> {
-        let in_name = unit_end(name).and_then(|end| dimension.unit_like(end));
+        let in_name = heading.unit_of(dimension);
         let scale = match (given, in_name) {
             (Some(given), _) => {
                 let scale = dimension.scale(&given.text).map_err(|source| self.wrong_unit(role, given.line, source))?;
                 if let Some(named) = in_name.filter(|named| dimension.scale(named) != Ok(scale)) {
-                    notes.push(Note::UnitOverridesName { column: name.into(), unit: given.text.clone(), named: named.into() });
+                    notes.push(overrides(heading, given, named));
                 }
                 scale
             }
             (None, Some(unit)) => dimension.scale(unit).map_err(|source| self.wrong_unit(role, 1, source))?,
-            (None, None) => return Err(self.missing_unit(role, dimension, name)),
+            (None, None) if heading.below.is_some() => return Err(self.not_its_unit(role, dimension, heading)),
+            (None, None) => return Err(self.missing_unit(role, dimension, &heading.name)),
         };
         Ok((dimension.si_unit().to_owned(), scale))
     }
@@ -215,22 +232,22 @@ impl Binder<'_> {
     fn reading(
         &self,
         role: Role,
-        name: &str,
+        heading: &Heading,
         given: Option<&Named>,
         notes: &mut Vec<Note>,
     ) -> Result<(String, (f64, f64)), RecordingError> {
         let farads = Dimension::Capacitance;
-        let in_name = unit_end(name).and_then(|end| farads.unit_like(end));
+        let in_name = heading.unit_of(farads);
         let unit = match (given, in_name) {
             (Some(given), named) => {
                 if let Some(named) = named.filter(|named| *named != given.text) {
-                    notes.push(Note::UnitOverridesName { column: name.into(), unit: given.text.clone(), named: named.into() });
+                    notes.push(overrides(heading, given, named));
                 }
                 given.text.clone()
             }
             (None, Some(named)) => named.to_owned(),
-            (None, None) if role == Role::Simulated => String::new(),
-            (None, None) => unit_end(name).unwrap_or(name).to_owned(),
+            (None, None) if role == Role::Simulated => heading.below.clone().unwrap_or_default(),
+            (None, None) => heading.unit().unwrap_or(&heading.name).to_owned(),
         };
         if let Some(given) = given {
             self.not_another_case(role, given)?;
@@ -284,51 +301,52 @@ impl Binder<'_> {
     }
 }
 
-/// Whether a column's name is one that a role has by default: the role's word, alone or with a unit behind it.
-pub(super) fn is_default(role: Role, name: &str) -> bool {
+fn overrides(heading: &Heading, given: &Named, named: &str) -> Note {
+    Note::UnitOverridesName { column: heading.name.clone(), unit: given.text.clone(), named: named.to_owned() }
+}
+
+/// Whether a column is one that a role has by default: the role's word, alone or with a unit behind it.
+pub(super) fn is_default(role: Role, heading: &Heading) -> bool {
     let words: &[&str] = if role == Role::Response { &["capacitance", "response"] } else { &[role.key()] };
-    let lower = name.to_ascii_lowercase();
-    let rest = words.iter().find_map(|word| lower.strip_prefix(word));
-    match (rest, role) {
-        (None, _) => false,
-        (Some(""), _) => true,
-        (Some(_), Role::Run | Role::Sensor) => false,
-        (Some(rest), Role::Response) if lower.starts_with("response") => rest.starts_with('_'),
-        (Some(rest), Role::Simulated) => rest.starts_with('_'),
-        (Some(rest), _) => {
+    let is_word = |text: &str| words.iter().any(|word| text.trim_end_matches('_').trim().eq_ignore_ascii_case(word));
+    let lower = heading.name.trim().to_ascii_lowercase();
+    let shown = heading.unit_in_name().map(|(measured, _)| measured.to_ascii_lowercase());
+    match role {
+        _ if is_word(&heading.name) => true,
+        Role::Run | Role::Sensor => false,
+        Role::Simulated => lower.starts_with("simulated_") || shown.is_some_and(|measured| is_word(&measured)),
+        Role::Response if lower.starts_with("response_") || shown.as_deref() == Some("response") => true,
+        _ => {
             let dimension = dimension(role).unwrap_or(Dimension::Capacitance);
-            unit_end(rest).is_some_and(|end| whole(rest, end) && dimension.unit_like(end).is_some())
+            heading.unit_of(dimension).is_some() && is_word(heading.measured(dimension))
         }
     }
 }
 
-/// Whether a column's name is a role's word with one more behind it, in brackets or after an underscore, where a unit stands: `force_xyz`, `Force [pF]`.
-fn called_after(role: Role, name: &str) -> bool {
-    let lower = name.to_ascii_lowercase();
-    let rest = lower.strip_prefix(role.key()).map(str::trim);
-    rest.is_some_and(|rest| {
-        rest.starts_with(['_', '(', '[']) && unit_end(rest).is_some_and(|end| whole(rest, end) && !end.is_empty())
-    })
+/// Whether a column's name is a role's word with one more behind it, where a unit stands: `force_xyz`, `Force [pF]`.
+fn called_after(role: Role, heading: &Heading) -> bool {
+    heading.unit_in_name().is_some_and(|(measured, _)| measured.trim_end_matches('_').trim().eq_ignore_ascii_case(role.key()))
 }
 
-/// Whether `rest` is the unit and nothing but punctuation.
-fn whole(rest: &str, end: &str) -> bool {
-    rest.chars().filter(|c| !matches!(c, '_' | ' ' | '(' | ')' | '[' | ']')).eq(end.chars())
+/// A name that stands over two columns.
+fn twice(file: &Path, name: &str, columns: &[usize]) -> RecordingError {
+    let numbers: Vec<String> = columns.iter().map(|index| (index + 1).to_string()).collect();
+    RecordingError::Twice { file: file.to_owned(), name: name.to_owned(), columns: numbers.join(" and ") }
 }
 
-/// What stands last in a column's name: in brackets, or behind the last underscore.
-pub(super) fn unit_end(name: &str) -> Option<&str> {
-    let name = name.trim();
-    for (open, close) in [('(', ')'), ('[', ']')] {
-        if let Some((_, unit)) = name.strip_suffix(close).and_then(|inner| inner.rsplit_once(open)) {
-            return Some(unit.trim());
-        }
-    }
-    name.rsplit_once('_').map(|(_, unit)| unit).filter(|unit| !unit.is_empty())
+/// The names that a wrong one may have meant, as the middle of a message.
+fn almost_called(wanted: &str, header: &[Heading]) -> String {
+    let near = nearest(wanted, header.iter().map(|heading| heading.name.as_str()));
+    near.first().map_or_else(String::new, |near| format!("did you mean `{near}`? "))
+}
+
+/// The columns of a header for a message.
+fn names(header: &[Heading]) -> String {
+    quoted(header.iter().map(|heading| heading.name.as_str()).filter(|name| !name.is_empty()))
 }
 
 /// Names for a message.
-fn quoted<'a>(names: impl Iterator<Item = &'a str>) -> String {
+pub(super) fn quoted<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
     names.join(", ")
 }
@@ -338,33 +356,28 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_unit_is_what_stands_last_in_the_name() {
-        assert_eq!(unit_end("force_n"), Some("n"));
-        assert_eq!(unit_end("Force [N]"), Some("N"));
-        assert_eq!(unit_end("Time(s)"), Some("s"));
-        assert_eq!(unit_end("counts"), None);
-    }
-
-    #[test]
     fn a_column_called_after_a_role_has_one_word_behind_it() {
-        assert!(called_after(Role::Force, "force_pa") && called_after(Role::Force, "Force [xyz]"));
+        assert!(called_after(Role::Force, &Heading::of("force_pa")) && called_after(Role::Force, &Heading::of("Force [xyz]")));
         assert!(
-            !called_after(Role::Force, "force_setpoint_n")
-                && !called_after(Role::Force, "force")
-                && !called_after(Role::Time, "timer_s")
+            !called_after(Role::Force, &Heading::of("force_setpoint_n"))
+                && !called_after(Role::Force, &Heading::of("force"))
+                && !called_after(Role::Time, &Heading::of("timer_s"))
         );
     }
 
     #[test]
     fn a_default_name_is_the_word_and_a_unit() {
         assert!(
-            is_default(Role::Force, "force_n")
-                && is_default(Role::Force, "Force [mN]")
-                && is_default(Role::Pressure, "pressure_bar")
+            is_default(Role::Force, &Heading::of("force_n"))
+                && is_default(Role::Force, &Heading::of("Force [mN]"))
+                && is_default(Role::Pressure, &Heading::of("pressure_bar"))
         );
-        assert!(!is_default(Role::Force, "force_setpoint_n") && !is_default(Role::Force, "force_pf"));
-        assert!(is_default(Role::Response, "capacitance_ff") && is_default(Role::Response, "response_counts"));
-        assert!(!is_default(Role::Response, "capacitance_spare_pf"));
-        assert!(is_default(Role::Run, "run") && !is_default(Role::Run, "running_hours"));
+        assert!(!is_default(Role::Force, &Heading::of("force_setpoint_n")) && !is_default(Role::Force, &Heading::of("force_pf")));
+        assert!(
+            is_default(Role::Response, &Heading::of("capacitance_ff"))
+                && is_default(Role::Response, &Heading::of("response_counts"))
+        );
+        assert!(!is_default(Role::Response, &Heading::of("capacitance_spare_pf")));
+        assert!(is_default(Role::Run, &Heading::of("run")) && !is_default(Role::Run, &Heading::of("running_hours")));
     }
 }

@@ -34,19 +34,28 @@ pub enum RecordingError {
     )]
     NotText { file: PathBuf, text: String },
     /// The first line holds numbers.
-    #[error("{file}, line 1: `{first}` is a number, not a column's name; write a header such as time_s,force_n,capacitance_pf")]
-    NoHeader { file: PathBuf, first: String },
+    #[error(
+        "{file}, line {line}: `{first}` is a number, not a column's name; write a header such as time_s,force_n,capacitance_pf"
+    )]
+    NoHeader { file: PathBuf, line: usize, first: String },
     /// The TOML is not TOML, or holds a key that means nothing.
     #[error("{file}, line {line}: {message}")]
     Manifest { file: PathBuf, line: usize, message: String },
+    /// A key that means nothing.
+    #[error("{file}, line {line}: {table} has no key `{key}`; {instead}")]
+    UnknownKey { file: PathBuf, line: usize, table: String, key: String, instead: String },
     /// The TOML is of another kind.
     #[error("{file}, line {line}: schema is `{found}`; a recording's is `truegap.recording/1`")]
     Schema { file: PathBuf, line: usize, found: String },
     /// A column that is needed or named is not there.
     #[error(
-        "{file}: no column for {role}: {wanted} is not in the header; found: {found}; name yours under [columns] of the TOML beside it: {role} = \"...\" (docs/recordings.md)"
+        "{file}: no column for {role}: {wanted} is not in the header; {near}found: {found}; name yours under [columns] of the TOML beside it: {role} = \"...\" (docs/recordings.md; \
+         `truegap init` writes that TOML)"
     )]
-    MissingColumn { file: PathBuf, role: String, wanted: String, found: String },
+    MissingColumn { file: PathBuf, role: String, wanted: String, near: String, found: String },
+    /// A name that stands over two columns.
+    #[error("{file}: columns {columns} are both called `{name}`; give each a name of its own in the header, or delete one")]
+    Twice { file: PathBuf, name: String, columns: String },
     /// Two columns would do.
     #[error("{file}: columns {found} could all be {role}; say which under [columns], e.g. {role} = \"{first}\"")]
     AmbiguousColumn { file: PathBuf, role: String, found: String, first: String },
@@ -76,8 +85,25 @@ pub enum RecordingError {
     )]
     Ragged { file: PathBuf, line: usize, found: usize, expected: usize },
     /// Text where a number belongs.
-    #[error("{file}, line {line}: `{text}` in column `{column}` is not a number; correct it or leave the row out")]
-    NotANumber { file: PathBuf, line: usize, column: String, text: String },
+    #[error("{file}, line {line}: `{text}` in column `{column}` is not a number; {hint}")]
+    NotANumber { file: PathBuf, line: usize, column: String, text: String, hint: &'static str },
+    /// A clock of dates with a cell that is none.
+    #[error(
+        "{file}, line {line}: `{text}` in column `{column}` is no date with a time of day, as the rows above are; write 2026-03-01T12:00:00"
+    )]
+    NotADate { file: PathBuf, line: usize, column: String, text: String },
+    /// No number in any row.
+    #[error(
+        "{file}: column `{column}` ({role}) has no number in any of its {rows} rows (the first is `{text}`); delete it from the table, or rename it so that it \
+         is not read as {role}"
+    )]
+    NoNumbers { file: PathBuf, column: String, role: String, rows: usize, text: String },
+    /// A point that may stand between thousands.
+    #[error(
+        "{file}, line {line}: `{text}` in column `{column}` may be a number with three decimals or one in thousands: commas are decimal points elsewhere in \
+         this table; write all numbers with the same decimal sign, and none between thousands"
+    )]
+    PointOrThousands { file: PathBuf, line: usize, column: String, text: String },
     /// An empty cell, NaN or infinity.
     #[error(
         "{file}, line {line}: column `{column}` has no finite value (`{text}`); leave the row out, there is no need for even sampling"

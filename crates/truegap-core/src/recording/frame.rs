@@ -7,7 +7,9 @@ use super::{
     clock::{Clock, Tick},
     columns::{self, Column, DriverColumn},
     data::Recording,
+    degrees,
     error::RecordingError,
+    heading::Heading,
     manifest::Manifest,
     note::Note,
     open,
@@ -25,7 +27,7 @@ impl Recording {
     pub fn from_columns(name: &str, toml: &str, table: &[(String, &[f64])]) -> Result<Self, RecordingError> {
         let path = PathBuf::from(name);
         let manifest = Manifest::parse(&path, toml)?;
-        let header: Vec<String> = table.iter().map(|(column, _)| column.clone()).collect();
+        let header: Vec<Heading> = table.iter().map(|(column, _)| Heading::of(column)).collect();
         same_length(table)?;
         let (bound, mut notes) = columns::bind(&path, None, &header, &manifest)?;
         let drivers = columns::bind_drivers(&path, None, &header, &manifest, &bound)?;
@@ -43,6 +45,7 @@ impl Recording {
         recording.columns = bound.iter().map(|c| (c.role, c.name.clone())).collect::<BTreeMap<_, _>>();
         recording.notes = notes;
         recording.notes.extend(recording.constants());
+        recording.notes.extend(degrees::doubt(&recording, &bound));
         Ok(recording)
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Limits: one CSV a TOML; `[base]` may hold further keys, which the base model reads.
 
-use super::error::RecordingError;
+use super::{error::RecordingError, keys};
 use crate::inputs::Role;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -75,8 +75,9 @@ impl BaseSpec {
     }
 }
 
+/// A driver as it is written: `{ column = "...", unit = "..." }`.
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "{ column = \"...\", unit = \"...\" }")]
 struct RawDriver {
     column: String,
     unit: Option<String>,
@@ -86,6 +87,7 @@ impl Manifest {
     /// Reads a TOML; `path` is for messages.
     pub fn parse(path: &Path, text: &str) -> Result<Self, RecordingError> {
         let line = |byte: usize| 1 + text.bytes().take(byte).filter(|b| *b == b'\n').count();
+        keys::check(path, text, line)?;
         let raw: Raw = toml::from_str(text).map_err(|error| RecordingError::Manifest {
             file: path.to_owned(),
             line: line(error.span().map_or(0, |span| span.start)),

@@ -20,6 +20,16 @@ pub enum Note {
     TareReset { line: usize, run: u32 },
     /// The clock of a run began below the end of the run before, and was carried on.
     ClockCarriedOn { line: usize, run: u32, shift_s: f64 },
+    /// Lines above the header were left out.
+    AboveHeader { lines: usize, header_line: usize },
+    /// The header is no UTF-8.
+    Windows1252 { text: String },
+    /// The clock is a date.
+    Dates { column: String, first: String },
+    /// Columns that nothing asked for, in a table without a TOML.
+    NotRead { columns: String },
+    /// A temperature that looks like one in another unit.
+    OtherDegrees { column: String, unit: String, low: f64, high: f64, other: String },
     /// Commas were read as decimal points.
     DecimalCommas,
     /// Runs were numbered afresh, because there are several sensors.
@@ -50,6 +60,28 @@ impl fmt::Display for Note {
                     "the clock of run {run} (line {line}) was carried on by {shift_s} s; the true pause before it is not known"
                 )
             }
+            Self::AboveHeader { lines, header_line } => {
+                let lines = if *lines == 1 { "1 line".to_owned() } else { format!("{lines} lines") };
+                write!(f, "{lines} above the header on line {header_line} were left out")
+            }
+            Self::Windows1252 { text } => {
+                write!(
+                    f,
+                    "the header is no UTF-8 and was read as Windows-1252 (`{text}`); where that is not what it says, save the table in UTF-8"
+                )
+            }
+            Self::Dates { column, first } => {
+                write!(f, "column `{column}` holds dates; time is counted in seconds from `{first}`")
+            }
+            Self::NotRead { columns } => write!(
+                f,
+                "not read: {columns}; name what they are in a TOML beside the CSV (`truegap init` writes one), or leave them as they are"
+            ),
+            Self::OtherDegrees { column, unit, low, high, other } => write!(
+                f,
+                "column `{column}` was read in {unit} and lies between {low} and {high} in all rows: is it in {other}? If so, write temperature = \"{other}\" \
+                 under [units]"
+            ),
             Self::DecimalCommas => f.write_str("commas were read as decimal points"),
             Self::RunsRenumbered { runs } => write!(f, "runs were numbered afresh, 1 to {runs}, one for each sensor and run"),
             Self::UnitOverridesName { column, unit, named } => {

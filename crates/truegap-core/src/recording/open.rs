@@ -5,6 +5,7 @@
 use super::{
     columns::{self, Column},
     data::{Recording, Sensors},
+    degrees,
     error::RecordingError,
     manifest::{BaseSpec, Manifest, Named},
     note::Note,
@@ -99,8 +100,12 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
         let drivers = columns::bind_drivers(origin.csv, origin.toml, &table.header, &manifest, &columns)?;
         rows.take(&mut table, &columns, &drivers, sensor.filter(|_| several).map(String::as_str))?;
         if pass == 0 {
-            (bound, notes) = (columns, assumed);
+            notes = std::mem::take(&mut table.notes);
+            notes.extend(assumed);
+            notes.extend(rows.first_date.take());
             notes.extend(rows.commas.then_some(Note::DecimalCommas));
+            notes.extend(not_read(&table, &columns, origin));
+            bound = columns;
         } else {
             same_unit(origin.csv, &bound, &columns)?;
         }
@@ -111,10 +116,21 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
     assemble(rows, &bound, notes, sha256, origin, manifest.base)
 }
 
+/// Columns that a bare CSV holds and nothing asked for: who wrote them may think that they are read.
+fn not_read<R: Read + Seek>(table: &Table<R>, columns: &[Column], origin: &Origin<'_>) -> Option<Note> {
+    let spare = table
+        .header
+        .iter()
+        .enumerate()
+        .filter(|(index, heading)| !heading.name.is_empty() && columns.iter().all(|column| column.index != *index));
+    let spare = columns::quoted(spare.map(|(_, heading)| heading.name.as_str()));
+    (origin.toml.is_none() && !table.singletact && !spare.is_empty()).then_some(Note::NotRead { columns: spare })
+}
+
 /// Columns of the vendor's tool that are each read as a sensor's response; none where the response is named, or in any other CSV.
 fn vendor_sensors<R: Read + Seek>(table: &Table<R>, manifest: &Manifest) -> Vec<String> {
     if table.singletact && !manifest.columns.contains_key(&Role::Response) {
-        singletact::sensors(&table.header)
+        singletact::sensors(&table.header.iter().map(|heading| heading.name.clone()).collect::<Vec<_>>())
     } else {
         Vec::new()
     }
@@ -160,9 +176,10 @@ fn assemble(
     let base = base.unwrap_or_else(|| assumed_base(columns, &mut notes));
     let path = origin.toml.unwrap_or(origin.csv).to_owned();
     let sensors = renumbered.then_some(Sensors { of_row, names });
-    let columns: BTreeMap<Role, String> = columns.iter().map(|c| (c.role, c.name.clone())).collect();
-    let mut recording = Recording { inputs, response, response_unit, base, sensors, columns, sha256, path, notes };
+    let names: BTreeMap<Role, String> = columns.iter().map(|c| (c.role, c.name.clone())).collect();
+    let mut recording = Recording { inputs, response, response_unit, base, sensors, columns: names, sha256, path, notes };
     recording.notes.extend(recording.constants());
+    recording.notes.extend(degrees::doubt(&recording, columns));
     Ok(recording)
 }
 

@@ -6,10 +6,14 @@ use super::{
     clock::{Clock, Tick},
     columns::{Column, DriverColumn},
     error::RecordingError,
+    hint::hint,
     note::Note,
     number::{Fault, number},
+    separators::Separators,
     singletact,
+    stamp::stamp,
     table::Table,
+    text::text,
 };
 use crate::inputs::{Driver, Inputs, Role};
 use crate::units::ABSOLUTE_ZERO_C;
@@ -45,6 +49,12 @@ pub(super) struct Rows {
     repeated: Option<Note>,
     /// whether a comma was read as a decimal point
     pub commas: bool,
+    /// points that may stand between thousands, a column each
+    points: Vec<Separators>,
+    /// what is told of a clock that is a date
+    pub first_date: Option<Note>,
+    /// whole seconds of the first date
+    epoch: i64,
 }
 
 impl Rows {
@@ -62,6 +72,7 @@ impl Rows {
             let driver = |d: &DriverColumn| Driver { name: d.driver.clone(), unit: d.unit.clone(), values: Vec::new() };
             self.drivers = drivers.iter().map(driver).collect();
         }
+        self.points = vec![Separators::default(); table.header.len()];
         let (first_note, mut row) = (self.clock.notes.len(), Vec::with_capacity(columns.len()));
         while table.advance()? {
             self.check_width(table)?;
@@ -69,7 +80,56 @@ impl Rows {
                 self.push(table, columns, sensor, &row)?;
             }
         }
+        self.points_or_thousands(table)?;
         self.name_lines(table, first_note)
+    }
+
+    /// Points that may stand between thousands where commas are decimal points.
+    fn points_or_thousands<R: Read + Seek>(&self, table: &mut Table<R>) -> Result<(), RecordingError> {
+        let doubtful =
+            |(index, points): (usize, &Separators)| points.doubtful().map(|(byte, text)| (index, byte, text.to_owned()));
+        match self.points.iter().enumerate().filter(|_| self.commas).find_map(doubtful) {
+            None => Ok(()),
+            Some((index, byte, text)) => {
+                let (file, column) = (table.file(), table.header[index].name.clone());
+                Err(RecordingError::PointOrThousands { file, line: table.line(byte)?, column, text })
+            }
+        }
+    }
+
+    /// Number of a cell, as it stands.
+    fn number<R: Read + Seek>(
+        &mut self,
+        table: &mut Table<R>,
+        index: usize,
+        column: &str,
+        role: &str,
+    ) -> Result<f64, RecordingError> {
+        let cell = table.row().get(index).unwrap_or_default();
+        match number(cell, table.decimal_comma) {
+            Ok(value) => {
+                if table.decimal_comma {
+                    self.commas |= cell.contains(&b',');
+                    self.points[index].see(cell, table.byte());
+                }
+                Ok(value)
+            }
+            Err(fault) => Err(refuse(table, index, column, role, fault, self.runs.is_empty())),
+        }
+    }
+
+    /// Seconds of a cell that is a date, since the first.
+    fn seconds<R: Read + Seek>(&mut self, table: &mut Table<R>, column: &Column) -> Result<f64, RecordingError> {
+        let cell = table.row().get(column.index).unwrap_or_default();
+        let Some(stamp) = stamp(cell) else {
+            let (text, file, name, byte) = (text(cell).0.into_owned(), table.file(), column.name.clone(), table.byte());
+            return Err(RecordingError::NotADate { file, line: table.line(byte)?, column: name, text });
+        };
+        if self.runs.is_empty() {
+            self.epoch = stamp.seconds;
+            self.first_date = Some(Note::Dates { column: column.name.clone(), first: text(cell).0.into_owned() });
+        }
+        Ok((stamp.seconds - self.epoch) as f64 + stamp.fraction)
     }
 
     /// Cells that the header has no name for.
@@ -99,14 +159,13 @@ impl Rows {
             if table.singletact && singletact::is_null(cell) {
                 return self.leave_out(table, &column.name).map(|()| false);
             }
-            match number(cell, table.decimal_comma) {
-                Ok(value) => {
-                    self.commas |= cell.contains(&b',');
-                    row.push(value * column.scale.0 + column.scale.1);
-                }
-                Err(fault) => return Err(refuse(table, column.index, &column.name, fault)),
-            }
-            let value = row[row.len() - 1];
+            let cell = if column.dated {
+                self.seconds(table, column)?
+            } else {
+                self.number(table, column.index, &column.name, column.role.key())?
+            };
+            let value = cell * column.scale.0 + column.scale.1;
+            row.push(value);
             if let Some(Impossible { unit, why }) = impossible(column.role, value) {
                 let (file, name, byte) = (table.file(), column.name.clone(), table.byte());
                 let (line, unit, why) = (table.line(byte)?, unit.to_owned(), why.to_owned());
@@ -118,13 +177,7 @@ impl Rows {
             if table.singletact && singletact::is_null(cell) {
                 return self.leave_out(table, &driver.name).map(|()| false);
             }
-            match number(cell, table.decimal_comma) {
-                Ok(value) => {
-                    self.commas |= cell.contains(&b',');
-                    row.push(value);
-                }
-                Err(fault) => return Err(refuse(table, driver.index, &driver.name, fault)),
-            }
+            row.push(self.number(table, driver.index, &driver.name, &driver.driver)?);
         }
         Ok(true)
     }
@@ -188,7 +241,7 @@ impl Rows {
     /// Index of the row's sensor.
     fn sensor<R: Read + Seek>(&mut self, table: &Table<R>, columns: &[Column], sensor: Option<&str>) -> Option<u32> {
         let column = columns.iter().find(|c| c.role == Role::Sensor);
-        let cell = column.and_then(|c| table.row().get(c.index)).map(String::from_utf8_lossy);
+        let cell = column.and_then(|c| table.row().get(c.index)).map(|cell| text(cell).0);
         let name = cell.as_deref().or(sensor)?;
         let known = self.names.iter().rposition(|known| known == name);
         let index = known.unwrap_or_else(|| {
@@ -236,16 +289,46 @@ fn run<R: Read + Seek>(table: &mut Table<R>, column: &Column) -> Result<u32, Rec
     if let Some(run) = whole {
         return Ok(run as u32);
     }
-    let (byte, text) = (table.byte(), String::from_utf8_lossy(&cell).into_owned());
+    let (byte, text) = (table.byte(), text(&cell).0.into_owned());
     Err(RecordingError::NotARun { file: table.file(), line: table.line(byte)?, column: column.name.clone(), text })
 }
 
-fn refuse<R: Read + Seek>(table: &mut Table<R>, index: usize, column: &str, fault: Fault) -> RecordingError {
-    let text = String::from_utf8_lossy(table.row().get(index).unwrap_or_default()).into_owned();
-    let (file, name, byte) = (table.file(), column.to_owned(), table.byte());
-    match (table.line(byte), fault) {
-        (Err(error), _) => error,
-        (Ok(line), Fault::NoValue) => RecordingError::NoValue { file, line, column: name, text },
-        (Ok(line), Fault::Text) => RecordingError::NotANumber { file, line, column: name, text },
+fn refuse<R: Read + Seek>(
+    table: &mut Table<R>,
+    index: usize,
+    column: &str,
+    role: &str,
+    fault: Fault,
+    is_first: bool,
+) -> RecordingError {
+    let cell = text(table.row().get(index).unwrap_or_default()).0.into_owned();
+    let (file, name, byte, hint) = (table.file(), column.to_owned(), table.byte(), hint(&cell, table.decimal_comma));
+    let line = match table.line(byte) {
+        Ok(line) => line,
+        Err(error) => return error,
+    };
+    if let Some(rows) = is_first.then(|| rows_without_number(table, index, &cell)).flatten() {
+        return RecordingError::NoNumbers { file, column: name, role: role.to_owned(), rows, text: cell };
     }
+    match fault {
+        Fault::NoValue => RecordingError::NoValue { file, line, column: name, text: cell },
+        Fault::Text => RecordingError::NotANumber { file, line, column: name, text: cell, hint },
+    }
+}
+
+/// Rows from this one on, where none has a number in this column and there is more than one.
+fn rows_without_number<R: Read + Seek>(table: &mut Table<R>, index: usize, first: &str) -> Option<usize> {
+    let mut rows = 1;
+    let slip = |cell: &str, comma: bool| hint(cell, comma) != hint("", comma);
+    if slip(first, table.decimal_comma) {
+        return None;
+    }
+    while table.advance().ok()? {
+        let cell = table.row().get(index).unwrap_or_default();
+        if number(cell, table.decimal_comma).is_ok() || slip(&text(cell).0, table.decimal_comma) {
+            return None;
+        }
+        rows += 1;
+    }
+    (rows > 1).then_some(rows)
 }

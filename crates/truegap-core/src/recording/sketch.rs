@@ -1,32 +1,25 @@
-//! The TOML of a CSV as far as its header tells: which column is what, in which unit.
+//! The TOML of a CSV as far as it shows: which column is what, in which unit, and as comments what is left to somebody who knows.
 //!
-//! Limits: names and the first row only; what cannot be seen there is left open, as a comment that says what to write.
+//! Limits: the header and the first rows; nothing is guessed from the size of numbers.
 
 use super::{
-    columns::{dimension, is_default, unit_end},
+    columns::{dimension, quoted},
     error::RecordingError,
+    guess::{Guess, guess},
+    heading::Heading,
     manifest::SCHEMA,
     number::number,
     open::open_file,
     roles::ROLES,
     table::Table,
+    words::without_accents,
 };
 use crate::inputs::Role;
 use crate::units::Dimension;
-use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::path::Path;
 
-/// Words of a column's name that tell its role, where they begin a word of it.
-const WORDS: [(Role, &[&str]); 7] = [
-    (Role::Time, &["time", "elapsed", "t"]),
-    (Role::Force, &["force", "load", "weight", "fz"]),
-    (Role::Pressure, &["pressure", "press"]),
-    (Role::Gap, &["gap", "separation"]),
-    (Role::Temperature, &["temperature", "temp", "thermometer"]),
-    (Role::Humidity, &["humidity", "rh"]),
-    (Role::Response, &["response", "capacitance", "cap", "reading", "signal", "output", "counts"]),
-];
+/// Rows that are looked at for numbers.
+const LOOKED_AT: usize = 20;
 
 /// A TOML, and what somebody has to add to it.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,115 +37,194 @@ pub struct Sketch {
 pub fn sketch(csv: &Path) -> Result<Sketch, RecordingError> {
     let mut table = Table::open(csv, open_file(csv)?)?;
     let header = table.header.clone();
-    let is_there = table.advance()?;
-    let decimal_comma = table.decimal_comma;
-    let numeric = |index: usize| is_there && table.row().get(index).is_some_and(|cell| number(cell, decimal_comma).is_ok());
-    let columns: Vec<&str> = header.iter().enumerate().filter(|(i, _)| numeric(*i)).map(|(_, name)| name.as_str()).collect();
-    let found = roles(&columns);
+    let mut numeric = vec![false; header.len()];
+    for _ in 0..LOOKED_AT {
+        if !table.advance()? {
+            break;
+        }
+        let comma = table.decimal_comma;
+        let is_number = |index: usize| table.row().get(index).is_some_and(|cell| number(cell, comma).is_ok());
+        numeric.iter_mut().enumerate().for_each(|(index, numeric)| *numeric |= is_number(index));
+    }
     let file = csv.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    Ok(written(&file, &columns, &found))
+    let notes = table.notes.iter().map(ToString::to_string).collect();
+    Ok(Writer { header: &header, numeric: &numeric, toml: String::new(), open: Vec::new() }.write(&file, notes))
 }
 
-/// The column of each role: by its default name, then by a word of its name, then by its unit, then as the only one that is left.
-fn roles<'a>(columns: &[&'a str]) -> BTreeMap<Role, &'a str> {
-    let mut found: BTreeMap<Role, &str> = BTreeMap::new();
-    let mut take = |fits: &dyn Fn(Role, &str) -> bool| {
+struct Writer<'a> {
+    header: &'a [Heading],
+    /// whether there are numbers under a heading
+    numeric: &'a [bool],
+    toml: String,
+    open: Vec<String>,
+}
+
+impl Writer<'_> {
+    fn line(&mut self, text: &str) {
+        self.toml.push_str(text);
+        self.toml.push('\n');
+    }
+
+    fn name(&self, index: usize) -> &str {
+        &self.header[index].name
+    }
+
+    /// Whether no other column has this one's name: a TOML names columns by it.
+    fn is_alone(&self, index: usize) -> bool {
+        !self.name(index).is_empty() && self.header.iter().filter(|other| other.name == self.name(index)).count() == 1
+    }
+
+    fn write(mut self, file: &str, notes: Vec<String>) -> Sketch {
+        let columns = 0..self.header.len();
+        let usable: Vec<usize> = columns
+            .clone()
+            .filter(|index| (self.numeric[*index] || self.header[*index].dated) && self.is_alone(*index))
+            .collect();
+        let guess = guess(self.header, &usable);
+        self.line(&format!("schema = \"{SCHEMA}\"\nfile = {}", toml_text(file)));
+        notes.iter().for_each(|note| self.line(&format!("# {note}")));
+        self.columns(&guess, &usable);
+        self.units(&guess);
+        self.spare(&guess, &usable);
+        self.unusable(columns.filter(|index| !usable.contains(index)).collect());
+        self.base(&guess);
+        Sketch { toml: self.toml, open: self.open }
+    }
+
+    fn columns(&mut self, guess: &Guess, usable: &[usize]) {
+        self.line("\n[columns]");
         for role in ROLES {
-            let free: Vec<&str> =
-                columns.iter().copied().filter(|c| found.values().all(|taken| taken != c) && fits(role, c)).collect();
-            if let ([only], false) = (free.as_slice(), found.contains_key(&role)) {
-                found.insert(role, only);
+            let key = role.key();
+            let missing = role == Role::Response && !guess.found.contains_key(&role);
+            match (guess.found.get(&role), guess.several.get(&role)) {
+                (Some(index), _) => self.line(&format!("{key} = {}", toml_text(self.name(*index)))),
+                (None, Some(several)) => {
+                    let names = quoted(several.iter().map(|index| self.name(*index)));
+                    self.line(&format!("# {key} = \"...\"   # several could be it: {names}"));
+                    self.open.push(format!("which of {names} is the {key}: complete `{key}` under [columns]"));
+                }
+                (None, None) if missing => {
+                    let free = usable.iter().filter(|index| guess.found.values().all(|taken| taken != *index));
+                    let names = quoted(free.map(|index| self.name(*index)));
+                    self.line(&format!("# response = \"...\"   # the reading; one of: {names}"));
+                    self.open.push("which column is the reading: complete `response` under [columns]".to_owned());
+                }
+                (None, None) => {}
             }
         }
-    };
-    take(&|role, name| is_default(role, name));
-    take(&|role, name| called(role, name));
-    take(&|role, name| measured(role, name));
-    take(&|role, _| role == Role::Response);
-    found
-}
-
-/// Whether a word of the name tells the role, and its unit does not tell another.
-fn called(role: Role, name: &str) -> bool {
-    let lower = name.to_lowercase();
-    let words: Vec<&str> = lower.split(|c: char| !c.is_alphanumeric()).collect();
-    let told = WORDS.iter().any(|(of, told)| *of == role && words.iter().any(|word| told.contains(word)));
-    let unit = unit_end(name).unwrap_or("");
-    let other = |of: Role| dimension(of).is_some_and(|d| d.unit_like(unit).is_some());
-    told && (dimension(role).is_none() || other(role) || !ROLES.into_iter().any(other))
-}
-
-/// Whether the unit behind the name is one of the role.
-fn measured(role: Role, name: &str) -> bool {
-    let dimension = if role == Role::Response { Some(Dimension::Capacitance) } else { dimension(role) };
-    dimension.is_some_and(|d| unit_end(name).is_some_and(|unit| d.unit_like(unit).is_some()))
-}
-
-fn written(file: &str, columns: &[&str], found: &BTreeMap<Role, &str>) -> Sketch {
-    let (mut toml, mut open) = (format!("schema = \"{SCHEMA}\"\nfile = {}\n\n[columns]\n", quoted(file)), Vec::new());
-    let mut line = |text: String| toml.push_str(&(text + "\n"));
-    for role in ROLES.into_iter().filter(|role| found.contains_key(role)) {
-        line(format!("{} = {}", role.key(), quoted(found[&role])));
     }
-    if !found.contains_key(&Role::Response) {
-        line(format!("# response = \"...\"   # the reading; one of: {}", columns.join(", ")));
-        open.push("which column is the reading: complete `response` under [columns]".to_owned());
-    }
-    line("\n[units]".to_owned());
-    for (role, column) in found.iter().filter(|(role, _)| !matches!(role, Role::Run | Role::Sensor)) {
-        let text = unit(*role, column);
-        if text.starts_with('#') {
-            open.push(format!("the unit of `{column}`: complete `{}` under [units]", role.key()));
+
+    fn units(&mut self, guess: &Guess) {
+        self.line("\n[units]");
+        for (role, index) in guess.found.iter().filter(|(role, _)| !matches!(role, Role::Run | Role::Sensor)) {
+            let (key, heading) = (role.key(), &self.header[*index]);
+            if *role == Role::Time && heading.dated {
+                self.line("# time: the column holds dates, and is read in seconds from the first");
+                continue;
+            }
+            match unit(*role, heading) {
+                Some(unit) => self.line(&format!("{key} = {}", toml_text(&unit))),
+                None => {
+                    let says = match heading.unit() {
+                        Some(unit) if dimension(*role).is_some() => format!("`{unit}` is no unit of it"),
+                        _ => "the header does not say".to_owned(),
+                    };
+                    let known = dimension(*role).map_or_else(|| "pF, mV, counts, ...".to_owned(), |d| d.unit_names().join(", "));
+                    let example = dimension(*role).map_or("pF", Dimension::si_unit);
+                    self.open.push(format!("the unit of `{}`: complete `{key}` under [units]", heading.name));
+                    self.line(&format!("# {key} = \"{example}\"   # {says}; one of: {known}"));
+                }
+            }
         }
-        line(text);
     }
-    let spare: Vec<&str> = columns.iter().copied().filter(|c| found.values().all(|taken| taken != c)).collect();
-    if !spare.is_empty() {
-        line(format!("\n# Not used: {}. Physics may follow a column that stands under [drivers]:", spare.join(", ")));
-        line(format!("# [drivers]\n# {} = {{ column = {}, unit = \"1\" }}", plain(spare[0]), quoted(spare[0])));
+
+    /// Columns of numbers that play no role.
+    fn spare(&mut self, guess: &Guess, usable: &[usize]) {
+        let taken = |index: &&usize| guess.found.values().any(|taken| taken == *index) || self.header[**index].dated;
+        let spare: Vec<usize> = usable.iter().filter(|index| !taken(index)).copied().collect();
+        if spare.is_empty() {
+            return;
+        }
+        let names: Vec<&str> = spare.iter().map(|index| self.name(*index)).collect();
+        self.line(&format!(
+            "\n# Not used: {}. Physics may follow a column that stands under [drivers]:\n# [drivers]",
+            names.join(", ")
+        ));
+        let mut keys: Vec<String> = Vec::new();
+        for index in spare {
+            let heading = &self.header[index];
+            let unit = heading.unit().unwrap_or("1");
+            let what = heading.unit_in_name().map_or(heading.name.as_str(), |(measured, _)| measured);
+            let key = free(&plain(what, index), &keys);
+            let line = format!("# {key} = {{ column = {}, unit = {} }}", toml_text(&heading.name), toml_text(unit));
+            self.line(&line);
+            keys.push(key);
+        }
     }
-    line("\n# What the recording is compared with (docs/recordings.md):".to_owned());
-    line("# [base]\n# model = \"linear\"                                    # a straight line in the load".to_owned());
-    line(
-        "# model = \"stack\"\n# sensor = \"singletact-s15-4.5n\"                     # a capacitive sensor, built in or a TOML"
-            .to_owned(),
-    );
-    line("# model = \"command\"\n# run = [\"python3\", \"sim.py\"]                      # your own simulator (docs/command-base.md)".to_owned());
-    if found.keys().any(|role| matches!(role, Role::Force | Role::Pressure)) && !found.contains_key(&Role::Simulated) {
-        open.push("what the recording is compared with: complete [base]".to_owned());
+
+    /// Columns that cannot be named: no numbers, no name, or one that another has too.
+    fn unusable(&mut self, columns: Vec<usize>) {
+        let (text, named): (Vec<usize>, Vec<usize>) =
+            columns.into_iter().filter(|index| !self.name(*index).is_empty()).partition(|index| self.is_alone(*index));
+        if !text.is_empty() {
+            let names = quoted(text.iter().map(|index| self.name(*index)));
+            self.line(&format!("\n# No numbers in the first rows: {names}."));
+        }
+        let mut twice: Vec<String> = named.iter().map(|index| self.name(*index).to_owned()).collect();
+        twice.dedup();
+        if !twice.is_empty() {
+            let names = quoted(twice.iter().map(String::as_str));
+            self.line(&format!(
+                "\n# Several columns have the same name: {names}. They cannot be told apart here: rename them in the CSV."
+            ));
+            self.open.push(format!("several columns are called {names}: rename them in the CSV"));
+        }
     }
-    Sketch { toml, open }
+
+    fn base(&mut self, guess: &Guess) {
+        self.line("\n# What the recording is compared with (docs/recordings.md):");
+        self.line("# [base]\n# model = \"linear\"                                    # a straight line in the load");
+        self.line("# model = \"stack\"\n# sensor = \"singletact-s15-4.5n\"                     # a capacitive sensor, built in or a TOML");
+        self.line("# model = \"command\"\n# run = [\"python3\", \"sim.py\"]                      # your own simulator (docs/command-base.md)");
+        let has = |role: Role| guess.found.contains_key(&role);
+        if (has(Role::Force) || has(Role::Pressure)) && !has(Role::Simulated) {
+            self.open.push("what the recording is compared with: complete [base]".to_owned());
+        }
+    }
 }
 
-/// The line of a role's unit: as the header says it, else a comment.
-fn unit(role: Role, column: &str) -> String {
-    let told = unit_end(column);
-    let known = |d: Dimension| told.and_then(|unit| d.unit_like(unit));
-    let key = role.key();
+/// The unit of a role's column, as the header shows it.
+fn unit(role: Role, heading: &Heading) -> Option<String> {
     match dimension(role) {
-        Some(d) => match known(d) {
-            Some(unit) => format!("{key} = \"{unit}\""),
-            None => format!("# {key} = \"{}\"   # the header does not say", d.si_unit()),
-        },
-        // behind an underscore anything may stand, in brackets a unit
+        Some(dimension) => heading.unit_of(dimension).map(str::to_owned),
         None => {
-            match known(Dimension::Capacitance).or(known(Dimension::Voltage)).or(told.filter(|_| column.contains(['[', '(']))) {
-                Some(unit) => format!("{key} = {}", quoted(unit)),
-                None => format!("# {key} = \"pF\"   # the header does not say"),
-            }
+            let known = heading.unit_of(Dimension::Capacitance).or(heading.unit_of(Dimension::Voltage));
+            // behind an underscore anything may stand, in brackets and below the name a unit
+            let surely = |_: &&str| heading.below.is_some() || heading.name.ends_with([')', ']', '}', '>']);
+            known.or_else(|| heading.unit().filter(surely)).map(str::to_owned)
         }
     }
 }
 
-fn quoted(text: &str) -> String {
+fn toml_text(text: &str) -> String {
     toml::Value::from(text).to_string()
 }
 
 /// A name that TOML takes without quotes.
-fn plain(name: &str) -> String {
-    let mut plain = String::new();
-    for c in name.to_lowercase().chars() {
-        let _ = plain.write_char(if c.is_ascii_alphanumeric() { c } else { '_' }); // writing to a String cannot fail
+fn plain(name: &str, index: usize) -> String {
+    let sign = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
+    let plain: String = without_accents(name).chars().map(sign).collect();
+    let words: Vec<&str> = plain.split('_').filter(|word| !word.is_empty()).collect();
+    // a role's word is no name of a driver
+    match words.join("_") {
+        name if name.is_empty() || ROLES.iter().any(|role| role.key() == name) => format!("column_{}", index + 1),
+        name => name,
     }
-    plain.trim_matches('_').to_owned()
+}
+
+/// `name`, or that with a number where it is taken.
+fn free(name: &str, taken: &[String]) -> String {
+    let numbered = (2..).map(|number| format!("{name}_{number}"));
+    let mut names = std::iter::once(name.to_owned()).chain(numbered);
+    names.find(|name| !taken.contains(name)).unwrap_or_default()
 }

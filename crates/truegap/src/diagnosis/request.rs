@@ -4,7 +4,7 @@
 
 use super::DiagnosisError;
 use crate::base::Programs;
-use crate::nearest::nearest;
+use truegap_core::nearest::nearest;
 use truegap_core::{Inputs, Note, Recording};
 use truegap_diagnose::Library;
 use truegap_diagnose::answer::Hidden;

@@ -16,6 +16,22 @@ pub fn nearest<'a>(wanted: &str, names: impl IntoIterator<Item = &'a str>) -> Ve
     found
 }
 
+/// The name that a misspelt key most likely means: the closest of `names`, where it differs in no more than a third of its letters.
+pub fn meant<'a>(wanted: &str, names: &[&'a str]) -> Option<&'a str> {
+    let lower = wanted.to_lowercase();
+    let begins = |name: &str| lower.len() > 2 && name.starts_with(&lower);
+    let close = |name: &&str| begins(name) || edits(&lower, name) <= 1 + lower.chars().count().max(name.len()) / 3;
+    let found = names.iter().copied().filter(close);
+    found.min_by_key(|name| if begins(name) { 0 } else { edits(&lower, name) })
+}
+
+/// A key that means nothing, as the end of a message: what may have been meant, and what may stand there.
+pub fn instead(wanted: &str, synonyms: &[(&str, &'static str)], known: &[&str]) -> String {
+    let synonym = synonyms.iter().find(|(word, _)| wanted.eq_ignore_ascii_case(word)).map(|(_, key)| *key);
+    let near = synonym.or_else(|| meant(wanted, known)).map_or_else(String::new, |near| format!("did you mean `{near}`? "));
+    format!("{near}known there: {}", known.join(", "))
+}
+
 /// Fewest single-letter changes between two texts (Levenshtein, with swapped neighbours counted once).
 fn edits(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
@@ -45,6 +61,9 @@ mod tests {
         assert_eq!(nearest("singeltact-s15-4.5n", names), ["singletact-s15-4.5n", "singletact-s8-optimised"]);
         assert_eq!(nearest("s8", names), ["singletact-s8-optimised"]);
         assert!(nearest("completely-different-thing", ["abc"]).is_empty());
+        assert_eq!((meant("std", &["value", "sd", "unit"]), meant("min", &["unit", "value"])), (Some("sd"), None));
+        assert_eq!((meant("temp", &["time", "temperature"]), meant("Base", &["base"])), (Some("temperature"), Some("base")));
+        assert_eq!(instead("min", &[("min", "low")], &["low", "high"]), "did you mean `low`? known there: low, high");
         assert_eq!((edits("abcd", "abdc"), edits("kitten", "sitting"), edits("", "ab")), (1, 3, 2));
     }
 }

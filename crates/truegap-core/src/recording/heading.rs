@@ -1,0 +1,85 @@
+//! A column of the header: its name, and its unit where the name or a line of units shows it.
+//!
+//! Limits: text; which units there are is known to [`crate::units`].
+
+use super::notation::{split, split_of};
+use crate::units::{Dimension, is_unit};
+
+/// A column of the header.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Heading {
+    /// as it stands in the header
+    pub name: String,
+    /// from the line of units under the header
+    pub below: Option<String>,
+    /// whether a date with a time of day stands under it, in the first row
+    pub dated: bool,
+}
+
+impl Heading {
+    /// A name that stands alone.
+    pub fn of(name: &str) -> Self {
+        Self { name: name.to_owned(), ..Self::default() }
+    }
+
+    /// What is measured, and the unit, where the name shows it.
+    pub fn unit_in_name(&self) -> Option<(&str, &str)> {
+        split(&self.name)
+    }
+
+    /// The unit as it is written, in any notation that shows it.
+    pub fn unit(&self) -> Option<&str> {
+        self.below.as_deref().or_else(|| self.unit_in_name().map(|(_, unit)| unit))
+    }
+
+    /// The unit among those of `dimension`.
+    pub fn unit_of(&self, dimension: Dimension) -> Option<&'static str> {
+        match &self.below {
+            Some(unit) => dimension.unit_like(unit),
+            None => split_of(&self.name, dimension).map(|(_, unit)| unit),
+        }
+    }
+
+    /// What is measured: the name without a unit of `dimension`.
+    pub fn measured(&self, dimension: Dimension) -> &str {
+        split_of(&self.name, dimension).map_or(self.name.trim(), |(measured, _)| measured)
+    }
+}
+
+/// The units of a line that holds nothing else: no number, and a known unit in at least one cell. A row of a recording holds a number at least.
+pub(super) fn units(cells: &[String]) -> Option<Vec<Option<String>>> {
+    let is_number = |cell: &String| cell.replace(',', ".").parse::<f64>().is_ok();
+    let units: Vec<Option<String>> = cells.iter().map(|cell| unit(cell)).collect();
+    (!cells.iter().any(is_number) && units.iter().flatten().any(|unit| is_unit(unit))).then_some(units)
+}
+
+/// What a cell of that line says: with or without brackets, nothing where it is empty or a dash.
+fn unit(cell: &str) -> Option<String> {
+    let cell = cell.trim().trim_start_matches(['[', '(', '{', '<']).trim_end_matches([']', ')', '}', '>']).trim();
+    (!matches!(cell, "" | "-" | "–" | "—")).then(|| cell.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cells(line: &str) -> Vec<String> {
+        line.split(',').map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn a_line_of_units_is_told_from_a_row() {
+        let some = |text: &str| Some(text.to_owned());
+        assert_eq!(units(&cells("s,[N],(°C),-,counts")), Some(vec![some("s"), some("N"), some("°C"), None, some("counts")]));
+        for row in ["0,1,74", "warm,cold", "2026-03-01T12:00,N,5", ",,", "nan,s"] {
+            assert_eq!(units(&cells(row)), None, "{row}");
+        }
+    }
+
+    #[test]
+    fn a_line_of_units_outranks_the_name() {
+        let heading = Heading { name: "force".into(), below: Some("mN".into()), dated: false };
+        assert_eq!((heading.unit(), heading.unit_of(Dimension::Force)), (Some("mN"), Some("mN")));
+        assert_eq!(Heading::of("Force in N").measured(Dimension::Force), "Force");
+    }
+}

@@ -1,0 +1,76 @@
+//! Keys of a recording's TOML that mean nothing: which, in which table, and what was meant.
+//!
+//! Limits: the tables that every recording has; what stands under `[base]` is the base model's.
+
+use super::{error::RecordingError, roles::ROLES};
+use crate::nearest::{instead, meant};
+use std::path::Path;
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
+
+/// Keys of the whole.
+const TOP: [&str; 6] = ["schema", "file", "columns", "units", "drivers", "base"];
+/// Keys of a driver.
+const DRIVER: [&str; 2] = ["column", "unit"];
+/// Other words for a role.
+const ROLES_CALLED: [(&str, &str); 14] = [
+    ("t", "time"),
+    ("f", "force"),
+    ("load", "force"),
+    ("p", "pressure"),
+    ("t_c", "temperature"),
+    ("thermometer", "temperature"),
+    ("rh", "humidity"),
+    ("capacitance", "response"),
+    ("cap", "response"),
+    ("c", "response"),
+    ("reading", "response"),
+    ("signal", "response"),
+    ("output", "response"),
+    ("simulation", "simulated"),
+];
+
+/// Refuses a key that means nothing.
+pub(super) fn check(file: &Path, text: &str, line: impl Fn(usize) -> usize) -> Result<(), RecordingError> {
+    // what is no TOML is told by whoever reads it
+    let Ok(table) = DeTable::parse(text) else { return Ok(()) };
+    let roles = ROLES.map(crate::inputs::Role::key);
+    let refuse = |table: &str, key: &Spanned<DeString<'_>>, synonyms: &[(&str, &'static str)], known: &[&str]| {
+        let name = key.get_ref().to_string();
+        let (line, instead) = (line(key.span().start), instead(&name, synonyms, known));
+        RecordingError::UnknownKey { file: file.to_owned(), line, table: table.to_owned(), key: name, instead }
+    };
+    for (key, value) in table.get_ref() {
+        let name: &str = key.get_ref();
+        if !TOP.contains(&name) {
+            return Err(refuse("the file", key, &[("csv", "file"), ("data", "file"), ("model", "base")], &TOP));
+        }
+        let Some(inner) = inner(value) else { continue };
+        for (key, value) in inner {
+            let name_inside: &str = key.get_ref();
+            if name == "base" && !inner.contains_key("model") && meant(name_inside, &["model"]).is_some() {
+                return Err(refuse("[base]", key, &[], &["model"]));
+            }
+            if matches!(name, "columns" | "units") && !roles.contains(&name_inside) {
+                return Err(refuse(&format!("[{name}]"), key, &ROLES_CALLED, &roles));
+            }
+            let driver = inner_of_driver(name, value);
+            let known = |key: &Spanned<DeString<'_>>| DRIVER.contains(&key.get_ref().as_ref());
+            if let Some((key, _)) = driver.and_then(|keys| keys.iter().find(|(key, _)| !known(key))) {
+                return Err(refuse(&format!("[drivers], {name_inside}"), key, &[("name", "column")], &DRIVER));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn inner<'a, 'i>(value: &'a Spanned<DeValue<'i>>) -> Option<&'a DeTable<'i>> {
+    match value.get_ref() {
+        DeValue::Table(table) => Some(table),
+        _ => None,
+    }
+}
+
+fn inner_of_driver<'a, 'i>(table: &str, value: &'a Spanned<DeValue<'i>>) -> Option<&'a DeTable<'i>> {
+    inner(value).filter(|_| table == "drivers")
+}

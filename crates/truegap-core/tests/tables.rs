@@ -1,0 +1,201 @@
+//! Tables as people and instruments write them: letters, separators, headers, remarks, numbers and dates.
+
+#![allow(clippy::unwrap_used)]
+
+use truegap_core::recording::sketch;
+use truegap_core::{Note, Recording, RecordingError};
+
+/// A table in a folder of its own.
+struct Bench(std::path::PathBuf);
+
+impl Bench {
+    fn new(name: &str, table: &[u8]) -> Self {
+        let folder = std::env::temp_dir().join(format!("truegap-tables-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        std::fs::write(folder.join("t.csv"), table).unwrap();
+        Self(folder)
+    }
+
+    fn read(&self) -> Result<Recording, RecordingError> {
+        Recording::open(self.0.join("t.csv"))
+    }
+
+    /// Reads the table with the TOML that is sketched of it.
+    fn sketched(&self) -> Recording {
+        let sketch = sketch(&self.0.join("t.csv")).unwrap();
+        std::fs::write(self.0.join("t.toml"), &sketch.toml).unwrap();
+        Recording::open(self.0.join("t.toml")).unwrap_or_else(|error| panic!("{error}\n{}", sketch.toml))
+    }
+}
+
+impl Drop for Bench {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+const ROWS: &str = "0,1,20,74\n0.5,2,21,75\n1,3,22,76\n";
+
+/// Whether a table is read as [`ROWS`] in N, degC and pF.
+fn is_those_rows(recording: &Recording, milli: f64) {
+    let inputs = &recording.inputs;
+    assert_eq!(inputs.time_s.as_deref(), Some(&[0.0, 0.5 * milli, milli][..]));
+    assert_eq!(inputs.force_n.as_deref(), Some(&[1.0, 2.0, 3.0][..]));
+    assert_eq!(inputs.temperature_c.as_deref(), Some(&[20.0, 21.0, 22.0][..]));
+    assert_eq!((recording.response.as_slice(), recording.response_unit.as_str()), (&[74.0, 75.0, 76.0][..], "pF"));
+}
+
+#[test]
+fn what_is_sketched_of_a_header_is_read() {
+    for (number, header) in [
+        "t/s,Fz/N,T/°C,C_meas/pF",
+        "Time (s),Force (N),temp (°C),Capacitance (pF)",
+        "Zeit [s],Kraft [N],Temperatur [°C],Kapazität [pF]",
+        "time,force,temp,cap\ns,N,°C,pF",
+        "t,F,T,C\n[s],[N],[degC],[pF]",
+        "# rig 3\n% operator JK\n// load cell 20 N\nt/s,Fz/N,T in °C,C/pF",
+        "% t/s,Fz/N,T/°C,C_meas/pF",
+        "# rig 3\n# t/s,Fz/N,T/°C,C_meas/pF",
+        "Rig;3\nOperator;JK\n\nt/s,Fz/N,T/°C,C_meas/pF",
+        "t/s,Fz/N,T/°C,C_meas/pF\n# zeroed\n% again\n// twice",
+        "timeS,forceN,tempC,cap.pF",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let bench = Bench::new(&format!("sketch-{number}"), format!("{header}\n{ROWS}").as_bytes());
+        is_those_rows(&bench.sketched(), 1.0);
+    }
+    let milli = Bench::new("milli", format!("t/ms,F [mN],T [K],C [fF]\n{ROWS}").as_bytes()).sketched();
+    assert_eq!(milli.inputs.time_s.as_deref(), Some(&[0.0, 0.0005, 0.001][..]));
+    assert_eq!(milli.inputs.force_n.as_deref(), Some(&[0.001, 0.002, 0.003][..]));
+    assert_eq!(milli.inputs.temperature_c.as_deref().unwrap()[0], 20.0 - 273.15);
+}
+
+#[test]
+fn default_names_carry_their_unit_in_any_notation() {
+    for header in ["time/s,force in N,temperature [°C],capacitance (pF)", "Time {s},Force N,Temperature deg C,Capacitance/pF"] {
+        is_those_rows(&Bench::new("default", format!("{header}\n{ROWS}").as_bytes()).read().unwrap(), 1.0);
+    }
+}
+
+#[test]
+fn letters_of_four_kinds_are_read_alike() {
+    let text = format!("time_s,force_n,temperature [°C],capacitance_pf\n{ROWS}");
+    let utf16 =
+        |bytes: fn(u16) -> [u8; 2]| "\u{feff}".encode_utf16().chain(text.encode_utf16()).flat_map(bytes).collect::<Vec<u8>>();
+    let latin: Vec<u8> = text.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect();
+    for (name, bytes, foreign) in [
+        ("utf8", text.clone().into_bytes(), false),
+        ("bom", format!("\u{feff}{text}").into_bytes(), false),
+        ("le", utf16(u16::to_le_bytes), false),
+        ("be", utf16(u16::to_be_bytes), false),
+        ("latin", latin, true),
+    ] {
+        let read = Bench::new(name, &bytes).read().unwrap();
+        is_those_rows(&read, 1.0);
+        let told = read.notes.contains(&Note::Windows1252 { text: "temperature [°C]".into() });
+        assert_eq!(told, foreign, "{name}: {:?}", read.notes);
+    }
+}
+
+/// A table longer than what is read at a time; a letter of two units lies across a border, and a fault is found on its line.
+#[test]
+fn utf16_is_read_in_pieces() {
+    let mut text = String::from("time_s,capacitance_pf,label\n");
+    (0..20_000)
+        .for_each(|k| text.push_str(&format!("{k},{},\u{1f321}{}\n", 74.0 + f64::from(k) * 1e-3, "x".repeat(k as usize % 5))));
+    let encode =
+        |text: &str| "\u{feff}".encode_utf16().chain(text.encode_utf16()).flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
+    let read = Bench::new("pieces", &encode(&text)).read().unwrap();
+    assert_eq!((read.len(), read.response[19_999]), (20_000, 74.0 + 19_999.0 * 1e-3));
+    text.push_str("20000,x,end\n");
+    assert!(matches!(Bench::new("fault", &encode(&text)).read(), Err(RecordingError::NotANumber { line: 20_002, .. })));
+}
+
+#[test]
+fn lines_are_counted_through_remarks() {
+    let text = "# rig\n\ntime_s,capacitance_pf\n0,74\n# a\n% b\n1,75\n# c\n2,x\n";
+    let found = Bench::new("remarks", text.as_bytes()).read();
+    assert!(matches!(found, Err(RecordingError::NotANumber { line: 9, .. })), "{found:?}");
+}
+
+#[test]
+fn a_row_that_begins_with_a_marker_is_a_row() {
+    let text = "label,time_s,capacitance_pf\n#1,0,74\n#2,1,75\n#3,2,76\n";
+    assert_eq!(Bench::new("labels", text.as_bytes()).read().unwrap().response, [74.0, 75.0, 76.0]);
+}
+
+#[test]
+fn separators_are_found_by_the_rows() {
+    for rows in [
+        "time_s;force_n;temperature_c;capacitance_pf\n0,0;1,0;20,0;74,0\n0,5;2,0;21,0;75,0\n1,0;3,0;22,0;76,0\n".to_owned(),
+        "time, s;force, N;temperature, °C;capacitance, pF\n0,0;1,0;20,0;74,0\n0,5;2,0;21,0;75,0\n1,0;3,0;22,0;76,0\n".to_owned(),
+        format!("time_s,force_n,temperature_c,capacitance_pf\n{ROWS}").replace(',', "\t"),
+        format!("# time_s,force_n,temperature_c,capacitance_pf\n{ROWS}").replace(',', "   "),
+    ] {
+        is_those_rows(&Bench::new("separators", rows.as_bytes()).read().unwrap(), 1.0);
+    }
+}
+
+#[test]
+fn a_clock_may_be_a_date() {
+    let rows = "time,force_n,capacitance_pf\n2026-03-01T12:00:00.250+01:00,1,74\n2026-03-01T11:00:00.500Z,2,75\n2026-03-01T11:00:01Z,3,76\n";
+    let read = Bench::new("dates", rows.as_bytes()).read().unwrap();
+    assert_eq!(read.inputs.time_s.as_deref(), Some(&[0.25, 0.5, 1.0][..]));
+    assert!(read.notes.iter().any(|note| matches!(note, Note::Dates { .. })), "{:?}", read.notes);
+    let broken = Bench::new("broken", rows.replace("2026-03-01T11:00:01Z", "noon").as_bytes()).read().unwrap_err().to_string();
+    assert!(broken.contains("line 4") && broken.contains("`noon`") && broken.contains("no date"), "{broken}");
+}
+
+#[test]
+fn what_is_wrong_with_a_column_is_told_once_for_all_rows() {
+    let cases: [(&str, &[&str]); 12] = [
+        ("time_s,force_n,force_n,capacitance_pf\n0,1,1,74\n", &["columns 2 and 3", "both called `force_n`"]),
+        (
+            "time_s,temperature_c,capacitance_pf\n0,nan,74\n1,nan,75\n",
+            &["`temperature_c`", "no number in any of its 2 rows", "delete"],
+        ),
+        ("time_s,temperature_c,capacitance_pf\n0,warm,74\n1,cold,75\n", &["`temperature_c`", "no number in any", "`warm`"]),
+        ("time_s,temperature_c,capacitance_pf\n0,warm,74\n1,20,75\n", &["line 2", "`warm`", "correct it"]),
+        ("time_s;capacitance_pf\n0;1.236,5\n1;1.237,5\n", &["line 2", "`1.236,5`", "no sign between thousands"]),
+        ("time_s;capacitance_pf\n0,5;1.236\n1,5;1.237\n", &["line 2", "`1.236`", "three decimals or one in thousands"]),
+        ("time_s,capacitance_pf\n0,\"1,236.5\"\n", &["line 2", "no comma between thousands"]),
+        ("time_s,capacitance_pf\n\"0,5\",\"74,5\"\n", &["line 2", "decimal points", "semicolons"]),
+        ("time_s,force_n,capacitance_pf\n0,1.5 N,74\n", &["line 2", "`1.5 N`", "unit into the header"]),
+        ("0,0;2,0;74,5\n1,0;2,5;75,5\n", &["line 1", "`0,0`", "write a header"]),
+        ("# rig 3\n0,1,74\n1,2,75\n", &["line 2", "`0`", "write a header"]),
+        ("time,force,capacitance\ns,pF,pF\n0,1,74\n", &["`force`", "`pF` is no unit of force"]),
+    ];
+    for (text, parts) in cases {
+        let told = Bench::new("wrong", text.as_bytes()).read().unwrap_err().to_string();
+        parts.iter().for_each(|part| assert!(told.contains(part), "`{part}` is missing in: {told}"));
+    }
+    let points = "time_s;capacitance_pf\n0,5;1.236\n1,5;1.23\n";
+    assert_eq!(
+        Bench::new("points", points.as_bytes()).read().unwrap().response,
+        [1.236, 1.23],
+        "a point that can only be a decimal one"
+    );
+}
+
+#[test]
+fn a_temperature_in_another_unit_is_a_doubt() {
+    let doubt = |unit: &str, shift: f64| {
+        let rows: String = (0..4).map(|k| format!("{k},{},74\n", 20.0 + f64::from(k) + shift)).collect();
+        let read = Bench::new("degrees", format!("time_s,temperature_{unit},capacitance_pf\n{rows}").as_bytes()).read().unwrap();
+        read.notes.iter().find(|note| matches!(note, Note::OtherDegrees { .. })).map(ToString::to_string)
+    };
+    assert_eq!((doubt("c", 0.0), doubt("k", 273.15), doubt("degf", 273.15)), (None, None, None));
+    let told = doubt("c", 273.15).unwrap();
+    assert!(told.contains("between 293.15 and 296.15") && told.contains("temperature = \"K\""), "{told}");
+    assert!(doubt("k", 0.0).unwrap().contains("temperature = \"degC\""));
+    assert_eq!(doubt("c", 150.0), None, "an oven");
+}
+
+#[test]
+fn a_bare_csv_says_what_it_did_not_read() {
+    let bench = Bench::new("spare", b"time_s,Temperatur [\xb0C],capacitance_pf\n0,20,74\n1,21,75\n");
+    let told: Vec<String> = bench.read().unwrap().notes.iter().map(ToString::to_string).collect();
+    assert!(told.iter().any(|note| note.contains("not read: `Temperatur [°C]`") && note.contains("truegap init")), "{told:?}");
+}

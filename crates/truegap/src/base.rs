@@ -11,12 +11,14 @@ mod remembered;
 
 pub use columns::columns;
 pub use declared::declared;
+use declared::{EXAMPLE, Undeclared};
 pub use programs::{Function, Programs};
 pub use remembered::{Calls, Remembered};
 
 use crate::sensors::{FindSensorError, find_sensor, sensor_names};
 use std::path::{Path, PathBuf};
 use truegap_audit::corrections::curves;
+use truegap_core::nearest::instead;
 use truegap_core::{Corrections, Recording, RecordingError, Sensor, Simulator};
 use truegap_model::{
     BaseError, BaseModel, BaseOptions, DRIVERS, ExternalOptions, GAIN_SD, Grid, GridError, Recorded, SeriesOrder, StackOptions,
@@ -25,6 +27,9 @@ use truegap_model::{
 /// Keys that may stand under `[base]` beside model, sensor and warp.
 const KEYS: [&str; 11] =
     ["series", "driver", "order", "table", "free", "gain", "offset", "run", "parameters", "timeout", "inside"];
+/// Other words for them.
+const OTHER_WORDS: [(&str, &str); 6] =
+    [("program", "run"), ("command", "run"), ("cmd", "run"), ("name", "model"), ("type", "model"), ("degree", "order")];
 /// Words for a driver.
 const DRIVER_WORDS: &str = "\"force\", \"pressure\", \"gap\", \"temperature\", \"humidity\", \"time\" or a name under [drivers]";
 
@@ -40,8 +45,11 @@ pub enum BaseModelError {
     #[error("{recording}: {source}")]
     Model { recording: String, source: BaseError },
     /// A key that means nothing.
-    #[error("{recording}: under [base], `{key}` is not known; use {}", ["model", "sensor", "warp"].iter().chain(&KEYS).copied().collect::<Vec<_>>().join(", "))]
-    UnknownKey { recording: String, key: String },
+    #[error("{recording}: {table} has no key `{key}`; {instead}")]
+    UnknownKey { recording: String, table: String, key: String, instead: String },
+    /// A parameter of a program that cannot be.
+    #[error("{recording}: [base.parameters]: `{name}` {why}; write {example}")]
+    Parameter { recording: String, name: String, why: String, example: &'static str },
     /// A recording that does not say what it is to be compared with.
     #[error(
         "{recording}: neither a sensor nor a base model is named, and the columns found ({columns}) do not say what the load acted on; add {choices}, or write \
@@ -129,7 +137,9 @@ pub fn base_options(recording: &Recording) -> Result<BaseOptions, BaseModelError
     let base = &recording.base;
     let further = &base.further;
     if let Some(key) = further.keys().find(|key| !KEYS.contains(&key.as_str())) {
-        return Err(BaseModelError::UnknownKey { recording: name(), key: key.clone() });
+        let known: Vec<&str> = ["model", "sensor", "warp"].iter().chain(&KEYS).copied().collect();
+        let instead = instead(key, &OTHER_WORDS, &known);
+        return Err(BaseModelError::UnknownKey { recording: name(), table: "[base]".into(), key: key.clone(), instead });
     }
     let wrong = |key: &'static str, use_: &str| {
         let found = further.get(key).map(ToString::to_string).unwrap_or_default();
@@ -156,7 +166,13 @@ pub fn base_options(recording: &Recording) -> Result<BaseOptions, BaseModelError
         named_driver,
         order,
         table: further.get("table").map(|value| table(recording, value)).transpose()?,
-        asked: declared::command(further, folder).map_err(|(key, use_)| wrong(key, &use_))?,
+        asked: declared::command(further, folder).map_err(|undeclared| match undeclared {
+            Undeclared::Word { key, use_ } => wrong(key, &use_),
+            Undeclared::Key { table, key, instead } => BaseModelError::UnknownKey { recording: name(), table, key, instead },
+            Undeclared::Parameter { name: parameter, why } => {
+                BaseModelError::Parameter { recording: name(), name: parameter, why, example: EXAMPLE }
+            }
+        })?,
     })
 }
 

@@ -13,7 +13,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use truegap::Recording;
 use truegap::confirm::{Free, confirm_within, other};
 use truegap::diagnose::{Library, Progress, Verdict};
-use truegap::diagnosis::{Diagnosed, FILES, Request, diagnose, open};
+use truegap::diagnosis::{Diagnosed, FILES, Pace, Request, diagnose, open, pace};
 use truegap::mechanism_file::with_effects;
 use truegap::output::OutputFolder;
 use truegap::report::terminal;
@@ -104,9 +104,12 @@ impl Diagnose {
 
     fn one(&self, paths: &[PathBuf], recordings: Vec<Recording>, console: &Console) -> anyhow::Result<Diagnosed> {
         let files = paths.iter().zip(&recordings).map(|(path, r)| (path.display().to_string(), r.sha256.clone())).collect();
-        let request = self.request()?;
+        let request = self.request(recordings.first())?;
         let opened = open(recordings, &request)?;
         opened.recording.notes.iter().for_each(|note| console.note(note));
+        if let Some(pace) = pace(&opened).filter(Pace::is_slow) {
+            console.note(pace);
+        }
         let bar = bar(console);
         let progress = |p: Progress| {
             bar.set_position((1000.0 * p.done) as u64);
@@ -150,8 +153,8 @@ impl Diagnose {
         Ok(if found { Outcome::LookAt } else { Outcome::Fine })
     }
 
-    fn request(&self) -> anyhow::Result<Request> {
-        let library = with_effects(Library::default(), &self.effect_files)?;
+    fn request(&self, recording: Option<&Recording>) -> anyhow::Result<Request> {
+        let library = with_effects(Library::default(), &self.effect_files, recording)?;
         Ok(Request {
             sensor: self.sensor.clone(),
             base: self.base.clone(),

@@ -49,7 +49,7 @@ pub(super) fn check(file: &Path, text: &str, line: impl Fn(usize) -> usize) -> R
         for (key, value) in inner {
             let name_inside: &str = key.get_ref();
             if name == "base" && !inner.contains_key("model") && meant(name_inside, &["model"]).is_some() {
-                return Err(refuse("[base]", key, &[], &["model"]));
+                return Err(refuse("[base]", key, &[], &["model", "sensor", "warp"]));
             }
             if matches!(name, "columns" | "units") && !roles.contains(&name_inside) {
                 return Err(refuse(&format!("[{name}]"), key, &ROLES_CALLED, &roles));

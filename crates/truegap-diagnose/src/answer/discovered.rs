@@ -11,7 +11,7 @@ use crate::{
     },
     discovery::{discover::Discovery, phrase_book::could_be},
     effects::{
-        composed::{describe::words as clause, file::MechanismFile},
+        composed::{describe::words as clause, file::MechanismFile, units::number_unit},
         effect::Effect,
     },
     validation::cross_validation::{HeldOutFit, compared},
@@ -39,7 +39,7 @@ pub(crate) fn discovered(found: &Found<'_>, before: &HeldOutFit, after: Option<&
             sentence: words.clone(),
             named: found.chosen().effects.contains(&index),
             probability: mechanism.words.clone(),
-            file: MechanismFile::of(&mechanism.effect, &values),
+            file: MechanismFile::of(&mechanism.effect, &values, |name| number_unit(name, words, found.search.context)),
             clause: clause(words),
             says,
             could_be: could_be(words, &mechanism.effect.start),

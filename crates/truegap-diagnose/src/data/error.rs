@@ -7,7 +7,7 @@
 #[non_exhaustive]
 pub enum DiagnoseError {
     /// Too short.
-    #[error("{rows} rows are too few to tell anything; record at least {needed}")]
+    #[error("{rows} row{} too few to tell anything; record at least {needed}", if *rows == 1 { " is" } else { "s are" })]
     TooFewRows {
         /// rows found
         rows: usize,

@@ -19,6 +19,7 @@ use super::{
 use crate::stack::{SeriesOrder, Stack, StackOptions};
 use serde::{Deserialize, Serialize};
 use std::{path::PathBuf, sync::Arc};
+use truegap_core::nearest::meant;
 use truegap_core::{Corrections, Inputs, Role, Sensor, SimulationError, Simulator};
 
 /// Temperature at which a model without a sensor file is described, degrees Celsius.
@@ -123,12 +124,18 @@ pub enum BaseModel {
     },
 }
 
+/// What a misspelt name may have meant, as the middle of a message.
+fn near(name: &str) -> String {
+    let names: Vec<&str> = BASE_MODELS.into_iter().chain(["command"]).collect();
+    meant(name, &names).map_or_else(String::new, |near| format!("did you mean `{near}`? "))
+}
+
 /// Why there is no base model.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BaseError {
     /// No such model.
-    #[error("there is no base model `{name}`; use one of {}, command", BASE_MODELS.join(", "))]
+    #[error("there is no base model `{name}`; {}use one of {}, command", near(name), BASE_MODELS.join(", "))]
     Unknown {
         /// the name
         name: String,

@@ -3,6 +3,7 @@
 //! Limits: priors are Gaussian; what a parameter means beyond its unit is for the one who declares it.
 
 use std::path::Path;
+use truegap_core::nearest::instead;
 use truegap_core::units::{Dimension, parse};
 use truegap_core::{Parameter, Prior};
 use truegap_model::{Asked, Who};
@@ -10,44 +11,82 @@ use truegap_model::{Asked, Who};
 /// Longest time that an answer may take where none is given, s.
 const TIMEOUT_S: f64 = 60.0;
 /// What may stand in a parameter.
-const EXAMPLE: &str = "k = { value = 2.0, sd = 0.3, unit = \"N/mm\", low = 0.0, high = 10.0, meaning = \"stiffness\" }";
+pub(super) const EXAMPLE: &str =
+    "k = { value = 2.0, sd = 0.3, unit = \"N/mm\", low = 0.0, high = 10.0, meaning = \"stiffness\" }";
+
+/// Keys of a parameter.
+const KEYS: [&str; 6] = ["value", "sd", "unit", "low", "high", "meaning"];
+/// Other words for them.
+const OTHER_WORDS: [(&str, &str); 16] = [
+    ("min", "low"),
+    ("minimum", "low"),
+    ("lower", "low"),
+    ("max", "high"),
+    ("maximum", "high"),
+    ("upper", "high"),
+    ("std", "sd"),
+    ("sigma", "sd"),
+    ("stdev", "sd"),
+    ("uncertainty", "sd"),
+    ("mean", "value"),
+    ("start", "value"),
+    ("initial", "value"),
+    ("guess", "value"),
+    ("name", "meaning"),
+    ("description", "meaning"),
+];
+
+/// Why `[base]` declares no program.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Undeclared {
+    /// a word that means nothing, and what may stand there
+    Word { key: &'static str, use_: String },
+    /// a key that means nothing, in its table
+    Key { table: String, key: String, instead: String },
+    /// a parameter that cannot be
+    Parameter { name: String, why: String },
+}
+
+fn word(key: &'static str, use_: &str) -> Undeclared {
+    Undeclared::Word { key, use_: use_.to_owned() }
+}
 
 /// The program that `[base]` names and its parameters; `folder` is the TOML's own.
 ///
 /// # Errors
-/// A key with what may stand there.
-pub(super) fn command(base: &toml::Table, folder: &Path) -> Result<Option<Asked>, (&'static str, String)> {
+/// [`Undeclared`] says what cannot be, and what may stand there.
+pub(super) fn command(base: &toml::Table, folder: &Path) -> Result<Option<Asked>, Undeclared> {
     let Some(run) = base.get("run") else { return Ok(None) };
     let words = run.as_array().map(|list| list.iter().map(|word| word.as_str().map(str::to_owned)).collect());
     let words: Option<Vec<String>> = words.unwrap_or_default();
-    let run = words.filter(|words| !words.is_empty()).ok_or(("run", "[\"python3\", \"sim.py\"]".to_owned()))?;
+    let run = words.filter(|words| !words.is_empty()).ok_or_else(|| word("run", "[\"python3\", \"sim.py\"]"))?;
     let timeout_s = match base.get("timeout") {
         None => TIMEOUT_S,
         Some(text) => {
             let seconds = text.as_str().and_then(|text| parse(text, Dimension::Time).ok()).filter(|s| *s > 0.0);
-            seconds.ok_or(("timeout", "a time, as in timeout = \"60 s\"".to_owned()))?
+            seconds.ok_or_else(|| word("timeout", "a time, as in timeout = \"60 s\""))?
         }
     };
     let inside = match base.get("inside") {
         None => false,
-        Some(value) => value.as_bool().ok_or(("inside", "true or false".to_owned()))?,
+        Some(value) => value.as_bool().ok_or_else(|| word("inside", "true or false"))?,
     };
     let parameters = base.get("parameters").map_or(Ok(Vec::new()), parameters)?;
     Ok(Some(Asked { who: Who::Command { run, folder: folder.to_owned(), timeout_s }, parameters, inside }))
 }
 
-fn parameters(value: &toml::Value) -> Result<Vec<Parameter>, (&'static str, String)> {
-    let wrong = || ("parameters", format!("a table with one line a parameter, as in {EXAMPLE}"));
+fn parameters(value: &toml::Value) -> Result<Vec<Parameter>, Undeclared> {
+    let wrong = || word("parameters", &format!("a table with one line a parameter, as in {EXAMPLE}"));
     let table = value.as_table().ok_or_else(wrong)?;
     table.iter().map(|(name, value)| parameter(name, value)).collect()
 }
 
-fn parameter(name: &str, value: &toml::Value) -> Result<Parameter, (&'static str, String)> {
-    let wrong = |why: &str| ("parameters", format!("{EXAMPLE}: `{name}` {why}"));
-    let keys = ["value", "sd", "unit", "low", "high", "meaning"];
+fn parameter(name: &str, value: &toml::Value) -> Result<Parameter, Undeclared> {
+    let wrong = |why: &str| Undeclared::Parameter { name: name.to_owned(), why: why.to_owned() };
     let table = value.as_table().ok_or_else(|| wrong("is no table"))?;
-    if let Some(key) = table.keys().find(|key| !keys.contains(&key.as_str())) {
-        return Err(wrong(&format!("has `{key}`, which means nothing")));
+    if let Some(key) = table.keys().find(|key| !KEYS.contains(&key.as_str())) {
+        let table = format!("[base.parameters], {name}");
+        return Err(Undeclared::Key { table, key: key.clone(), instead: instead(key, &OTHER_WORDS, &KEYS) });
     }
     let number = |key: &str| match table.get(key) {
         None => Ok(None),
@@ -113,14 +152,29 @@ mod tests {
     #[test]
     fn what_means_nothing_is_told_by_name() {
         let fails = |text: &str| read(text).unwrap_err();
-        assert_eq!(fails("run = 'sim'").0, "run");
-        assert_eq!(fails("run = ['sim']\ntimeout = 5").0, "timeout");
-        assert_eq!(fails("run = ['sim']\ninside = 1").0, "inside");
-        let why = |inner: &str| fails(&format!("run = ['sim']\nparameters = {{ k = {inner} }}")).1;
+        let key = |text: &str| match fails(text) {
+            Undeclared::Word { key, .. } => key,
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(key("run = 'sim'"), "run");
+        assert_eq!(key("run = ['sim']\ntimeout = 5"), "timeout");
+        assert_eq!(key("run = ['sim']\ninside = 1"), "inside");
+        let why = |inner: &str| match fails(&format!("run = ['sim']\nparameters = {{ k = {inner} }}")) {
+            Undeclared::Parameter { name, why } => format!("`{name}` {why}"),
+            Undeclared::Key { table, key, instead } => format!("{table} {key}: {instead}"),
+            other => panic!("{other:?}"),
+        };
         assert!(why("2.0").contains("`k` is no table"));
         assert!(why("{ value = 1.0 }").contains("no sd"));
         assert!(why("{ value = 1.0, sd = 0.0 }").contains("above 0"));
-        assert!(why("{ value = 1.0, sd = 1.0, std = 3.0 }").contains("`std`"));
         assert!(why("{ value = 1.0, sd = 1.0, low = 2.0 }").contains("outside of low 2"));
+        for (key, meant) in
+            [("std", "sd"), ("vaule", "value"), ("units", "unit"), ("min", "low"), ("hihg", "high"), ("meanign", "meaning")]
+        {
+            let told = why(&format!("{{ value = 1.0, sd = 1.0, {key} = 3.0 }}"));
+            let wanted =
+                format!("[base.parameters], k {key}: did you mean `{meant}`? known there: value, sd, unit, low, high, meaning");
+            assert_eq!(told, wanted);
+        }
     }
 }

@@ -7,6 +7,7 @@ mod bases;
 mod clock;
 mod diagnosed;
 mod error;
+mod pace;
 mod prediction;
 mod request;
 mod run;
@@ -14,5 +15,6 @@ mod screen;
 
 pub use diagnosed::{Diagnosed, FILES};
 pub use error::DiagnosisError;
+pub use pace::{Pace, pace};
 pub use request::{Opened, Request, open, open_with};
 pub use run::diagnose;

@@ -15,7 +15,7 @@ use truegap_core::units::twelve_digits;
 use truegap_core::{Inputs, Recording, Role, SimulationError};
 use truegap_diagnose::answer::OneRecording;
 use truegap_diagnose::joint::{Member, Together};
-use truegap_diagnose::quality::Notice;
+use truegap_diagnose::quality::{FEWEST_ROWS, Notice};
 use truegap_diagnose::{DiagnoseError, Known, Options, Outcome, Problem, Progress, RecordingFacts};
 
 /// Diagnoses what was opened; `files` are what was read, with their SHA-256.
@@ -29,6 +29,12 @@ pub fn diagnose(
     progress: &(dyn Fn(Progress) + Sync),
     stop: &AtomicBool,
 ) -> Result<Diagnosed, DiagnosisError> {
+    let rows = opened.recording.len();
+    if rows < FEWEST_ROWS {
+        // a base model that finds nothing that moves in so few rows would be the wrong thing to tell
+        let source = DiagnoseError::TooFewRows { rows, needed: FEWEST_ROWS };
+        return Err(DiagnosisError::Diagnose { recording: named(&opened.recording), source });
+    }
     let Screened { opened, bases, notices } = screen(opened)?;
     let run = Run { request, notices: &notices, progress, stop };
     let outcome = match opened.parts.is_empty() {

@@ -95,6 +95,9 @@ pub enum MechanismError {
     /// A number that cannot be.
     #[error("{name} has value {value} and sd {sd}; {wanted}")]
     Number { name: &'static str, value: f64, sd: f64, wanted: &'static str },
+    /// A number in another unit.
+    #[error("{name} {found}, and these words have it in `{wanted}`; {remedy}")]
+    Unit { name: &'static str, found: String, wanted: String, remedy: String },
     /// A number that the words need.
     #[error("the words `{words}` need {name}; add {name} = {{ value = ..., sd = ..., unit = \"...\" }}")]
     Missing { name: &'static str, words: &'static str },
@@ -104,7 +107,7 @@ pub enum MechanismError {
 const POSITIVE: [&str; 5] = ["tau", "width", "scale", "period", "turn"];
 
 impl MechanismFile {
-    fn numbers(&self) -> [(&'static str, &Option<Known>, &'static str); 8] {
+    pub(crate) fn numbers(&self) -> [(&'static str, &Option<Known>, &'static str); 8] {
         [
             ("tau", &self.tau, "time constant"),
             ("width", &self.width, "half width of the loop"),
@@ -174,7 +177,8 @@ impl MechanismFile {
     }
 
     /// A discovered mechanism as a file: the numbers found with their deviations, the size free again about 0.
-    pub fn of(composed: &Composed, values: &[(String, f64, f64, String)]) -> Self {
+    /// `unit` is that of a number by its name.
+    pub fn of(composed: &Composed, values: &[(String, f64, f64, String)], unit: impl Fn(&str) -> String) -> Self {
         let known = |name: &str| {
             let (_, value, sd, unit) = values.iter().find(|(n, ..)| n == name)?;
             Some(Known { value: *value, sd: *sd, unit: unit.clone() })
@@ -183,7 +187,7 @@ impl MechanismFile {
         let mut or_fixed = |name: &str| {
             let free = known(name);
             let at = *fixed.by_name(name)?;
-            free.or((at != 0.0).then_some(Known { value: at, sd: 0.0, unit: String::new() }))
+            free.or_else(|| (at != 0.0).then(|| Known { value: at, sd: 0.0, unit: unit(name) }))
         };
         let size = known("size").unwrap_or(Known { value: 0.0, sd: 1.0, unit: String::new() });
         let sd = composed.parameters.first().map_or(size.sd, Parameter::sd);
@@ -262,7 +266,7 @@ mod tests {
     #[test]
     fn what_is_written_is_read_again() {
         let found = vec![("size".to_owned(), 0.02, 0.001, "u".to_owned()), ("tau".to_owned(), 31.0, 4.0, "s".to_owned())];
-        let file = MechanismFile::of(&heating().effect().unwrap(), &found);
+        let file = MechanismFile::of(&heating().effect().unwrap(), &found, |_| "K/s".to_owned());
         let again: MechanismFile = toml::from_str(&toml::to_string(&file).unwrap()).unwrap();
         assert_eq!(again, file);
         assert_eq!(again.id, "gap_follows_temperature_rate");

@@ -12,3 +12,4 @@ pub(crate) mod mechanism;
 pub(crate) mod signal;
 pub(crate) mod units;
 pub(crate) mod words;
+pub(crate) mod written_units;

@@ -31,8 +31,16 @@ pub fn read_text(path: &Path) -> io::Result<String> {
     }
     let mut text = String::new();
     // a file that grows while it is read ends here as well
-    let read = file.take(LARGEST_TEXT + 1).read_to_string(&mut text)? as u64;
+    let read = file.take(LARGEST_TEXT + 1).read_to_string(&mut text).map_err(no_utf8)? as u64;
     if read > LARGEST_TEXT { Err(too_long(read)) } else { Ok(text) }
+}
+
+/// An editor may have saved it in the letters of its country.
+fn no_utf8(error: io::Error) -> io::Error {
+    match error.kind() {
+        io::ErrorKind::InvalidData => io::Error::new(error.kind(), "it is no UTF-8 text; save it again with the encoding UTF-8"),
+        _ => error,
+    }
 }
 
 fn too_long(bytes: u64) -> io::Error {
@@ -78,6 +86,15 @@ mod tests {
         assert_eq!(read_text(&file).unwrap(), "x = 1");
         assert!(read_text(folder.path()).unwrap_err().to_string().contains("a folder, not a file"));
         assert_eq!(read_text(&folder.path().join("b.toml")).unwrap_err().kind(), io::ErrorKind::NotFound);
+    }
+
+    #[test]
+    fn a_text_in_other_letters_is_told_how_to_be_saved() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("a.toml");
+        std::fs::write(&file, b"temperature = \"Temperatur [\xb0C]\"").unwrap();
+        let told = read_text(&file).unwrap_err().to_string();
+        assert!(told.contains("no UTF-8 text") && told.contains("save it again"), "{told}");
     }
 
     #[cfg(unix)]

@@ -183,7 +183,7 @@ fn words_under_base_that_mean_nothing_are_refused_with_those_that_do() {
         ("model = \"external\"\ngain = -1.0\n", "standard deviation about 1"),
         ("model = \"linear\"\ndriver = \"voltage\"\n", "\"temperature\""),
         ("model = \"linear\"\norder = 9\n", "from 1 to 6"),
-        ("model = \"linear\"\nslope = 2\n", "`slope` is not known; use model"),
+        ("model = \"linear\"\nslope = 2\n", "[base] has no key `slope`; known there: model"),
         ("model = \"table\"\n", "table = \"curve.csv\""),
     ] {
         let row = |i: usize| vec![i as f64, force(i), force(i), force(i)];

@@ -21,11 +21,13 @@ pub(super) struct Guess {
     pub several: BTreeMap<Role, Vec<usize>>,
 }
 
+/// Whether a column may have a role, by one kind of evidence.
+type Step<'a> = &'a dyn Fn(Role, &Heading) -> bool;
+
 /// Guesses among the columns `usable`: by the default name, then by a word of the name, then by the unit, then by what is left over.
 pub(super) fn guess(header: &[Heading], usable: &[usize]) -> Guess {
     let mut guess = Guess::default();
-    let steps: [&dyn Fn(Role, &Heading) -> bool; 4] =
-        [&is_default, &called, &measured, &|role, heading| role == Role::Response && !heading.dated];
+    let steps: [Step; 4] = [&is_default, &called, &measured, &|role, heading| role == Role::Response && !heading.dated];
     for (number, fits) in steps.into_iter().enumerate() {
         for role in ROLES {
             if guess.found.contains_key(&role) || guess.several.contains_key(&role) {

@@ -19,6 +19,7 @@ mod notation;
 mod note;
 mod number;
 mod open;
+mod refuse;
 mod roles;
 mod rows;
 mod separators;

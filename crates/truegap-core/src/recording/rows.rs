@@ -6,9 +6,9 @@ use super::{
     clock::{Clock, Tick},
     columns::{Column, DriverColumn},
     error::RecordingError,
-    hint::hint,
     note::Note,
-    number::{Fault, number},
+    number::number,
+    refuse::refuse,
     separators::Separators,
     singletact,
     stamp::stamp,
@@ -291,44 +291,4 @@ fn run<R: Read + Seek>(table: &mut Table<R>, column: &Column) -> Result<u32, Rec
     }
     let (byte, text) = (table.byte(), text(&cell).0.into_owned());
     Err(RecordingError::NotARun { file: table.file(), line: table.line(byte)?, column: column.name.clone(), text })
-}
-
-fn refuse<R: Read + Seek>(
-    table: &mut Table<R>,
-    index: usize,
-    column: &str,
-    role: &str,
-    fault: Fault,
-    is_first: bool,
-) -> RecordingError {
-    let cell = text(table.row().get(index).unwrap_or_default()).0.into_owned();
-    let (file, name, byte, hint) = (table.file(), column.to_owned(), table.byte(), hint(&cell, table.decimal_comma));
-    let line = match table.line(byte) {
-        Ok(line) => line,
-        Err(error) => return error,
-    };
-    if let Some(rows) = is_first.then(|| rows_without_number(table, index, &cell)).flatten() {
-        return RecordingError::NoNumbers { file, column: name, role: role.to_owned(), rows, text: cell };
-    }
-    match fault {
-        Fault::NoValue => RecordingError::NoValue { file, line, column: name, text: cell },
-        Fault::Text => RecordingError::NotANumber { file, line, column: name, text: cell, hint },
-    }
-}
-
-/// Rows from this one on, where none has a number in this column and there is more than one.
-fn rows_without_number<R: Read + Seek>(table: &mut Table<R>, index: usize, first: &str) -> Option<usize> {
-    let mut rows = 1;
-    let slip = |cell: &str, comma: bool| hint(cell, comma) != hint("", comma);
-    if slip(first, table.decimal_comma) {
-        return None;
-    }
-    while table.advance().ok()? {
-        let cell = table.row().get(index).unwrap_or_default();
-        if number(cell, table.decimal_comma).is_ok() || slip(&text(cell).0, table.decimal_comma) {
-            return None;
-        }
-        rows += 1;
-    }
-    (rows > 1).then_some(rows)
 }

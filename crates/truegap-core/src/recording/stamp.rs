@@ -1,6 +1,6 @@
-//! Dates with a time of day as a clock: ISO 8601, with or without a zone.
+//! Dates with a time of day as a clock: ISO 8601, with or without a zone, and `01.03.2026 12:00:00`, where dots say that the day is first.
 //!
-//! Limits: no leap seconds; without a zone the clock is taken to run through, so the hour that summer time takes or gives is seen as a pause or a step back.
+//! Limits: `01/03/2026` may be January or March and is none; no leap seconds; without a zone the clock is taken to run through, so the hour that summer time takes or gives is seen as a pause or a step back.
 
 /// Seconds since 1970-01-01T00:00Z, whole and the rest, so that a microsecond is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,11 +9,13 @@ pub(super) struct Stamp {
     pub fraction: f64,
 }
 
-/// `2026-03-01T12:00:00.250+01:00`, `2026-03-01 12:00`; `None` for anything else.
+/// `2026-03-01T12:00:00.250+01:00`, `2026/03/01 12:00`, `01.03.2026 12:00`; `None` for anything else.
 pub(super) fn stamp(cell: &[u8]) -> Option<Stamp> {
     let text = std::str::from_utf8(cell).ok()?.trim();
     let (date, rest) = text.split_at_checked(10)?;
-    let [year, month, day] = numbers(date, '-', [4, 2, 2])?;
+    let year_first = |sign: char| numbers(date, sign, [4, 2, 2]);
+    let day_first = || numbers(date, '.', [2, 2, 4]).map(|[day, month, year]| [year, month, day]);
+    let [year, month, day] = year_first('-').or_else(|| year_first('/')).or_else(day_first)?;
     let rest = rest.strip_prefix(['T', 't', ' '])?;
     let zone_at = rest.find(['Z', 'z', '+', '-', ' ']).unwrap_or(rest.len());
     let (time, zone) = rest.split_at(zone_at);
@@ -75,6 +77,8 @@ mod tests {
             ("2026-03-01T12:00:00.250+01:00", 1_772_362_800, 0.25),
             ("2026-03-01 12:00", 1_772_366_400, 0.0),
             ("2026-12-31T23:59:59,5-0530", 1_798_781_399, 0.5),
+            ("01.03.2026 12:00:00", 1_772_366_400, 0.0),
+            ("2026/03/01 12:00", 1_772_366_400, 0.0),
             ("1969-12-31 23:59:58 UTC", -2, 0.0),
         ];
         for (text, seconds, fraction) in cases {
@@ -88,7 +92,8 @@ mod tests {
             "",
             "12:00:00",
             "2026-03-01",
-            "01.03.2026 12:00",
+            "01/03/2026 12:00",
+            "31.13.2026 12:00",
             "2026-13-01T00:00",
             "2026-03-01T12:00:00x",
             "2026-3-1 12:00",

@@ -53,7 +53,7 @@ pub(super) fn canonical(text: &str) -> Cow<'_, str> {
     let lower = plain.to_lowercase();
     // a symbol has its case: `g` weighs, `G` does not
     let spelt = |spelling: &&str| if spelling.chars().count() > 2 { **spelling == *lower } else { **spelling == *plain };
-    match SPELLINGS.iter().find(|(_, spellings)| spellings.iter().any(|s| spelt(s))) {
+    match SPELLINGS.iter().find(|(_, spellings)| spellings.iter().any(&spelt)) {
         Some((name, _)) => Cow::Borrowed(name),
         None => plain,
     }

@@ -22,7 +22,7 @@ impl MechanismFile {
             }
         }
         let used = self.sentence.needs();
-        let is_used = |name: &str| name == "phase" || used.iter().any(|(used, _)| *used == name);
+        let is_used = |name: &str| matches!(name, "phase" | "turn") || used.iter().any(|(used, _)| *used == name);
         let inner = self.numbers().into_iter().filter_map(|(name, known, _)| Some((name, known.as_ref()?)));
         let numbers = std::iter::once(("size", &self.size)).chain(inner.filter(|(name, _)| is_used(name)));
         for (name, known) in numbers {
@@ -114,6 +114,8 @@ mod tests {
         assert!(none.contains("tau has no unit") && none.contains("`s`"), "{none}");
         let other = told("unloaded gap/(K/s)", "um/K");
         assert!(other.contains("size is in `um/K`") && other.contains("`unloaded gap/(K/s)`"), "{other}");
+        let turn = told("tau =", "turn = { value = 360.0, unit = \"deg\" }\n            tau =");
+        assert!(turn.contains("turn is in `deg`") && turn.contains("`K/s`"), "{turn}");
         // a column that was not recorded has no unit, and what follows it is not tried
         assert_eq!(told("\"temperature_rate\"", "{ recorded = \"supply\" }"), "");
     }

@@ -221,7 +221,7 @@ impl Bars {
         }
         if self.numbers_shown() {
             let (x, anchor) = if value < 0.0 { (end - 5.0, Anchor::End) } else { (end + 5.0, Anchor::Start) };
-            svg.styled_text(x, middle + 4.0, anchor, &short(value), r#"font-size="10.5" opacity="0.85""#);
+            svg.note(x, middle + 4.0, anchor, &short(value));
         }
     }
 }

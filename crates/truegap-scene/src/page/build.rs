@@ -1,6 +1,6 @@
 //! The page builder.
 
-use super::escape::escape;
+use super::escape::{escape, sentence};
 use super::table::Table;
 
 const STYLE: &str = include_str!("style.css");
@@ -31,7 +31,7 @@ impl Page {
 
     /// A paragraph of plain text.
     pub fn text(self, paragraph: &str) -> Self {
-        self.add(&format!("<p>{}</p>\n", escape(paragraph)))
+        self.add(&format!("<p>{}</p>\n", sentence(paragraph)))
     }
 
     /// A paragraph that stands out: the verdict, a warning. `tone` is one of the three of [`Tone`].
@@ -41,12 +41,12 @@ impl Page {
             Tone::Watch => "watch",
             Tone::Bad => "bad",
         };
-        self.add(&format!("<p class=\"callout {class}\">{}</p>\n", escape(text)))
+        self.add(&format!("<p class=\"callout {class}\">{}</p>\n", sentence(text)))
     }
 
     /// A bullet list.
     pub fn list<S: AsRef<str>>(self, items: &[S]) -> Self {
-        let items: String = items.iter().map(|i| format!("<li>{}</li>\n", escape(i.as_ref()))).collect();
+        let items: String = items.iter().map(|i| format!("<li>{}</li>\n", sentence(i.as_ref()))).collect();
         self.add(&format!("<ul>\n{items}</ul>\n"))
     }
 
@@ -63,7 +63,7 @@ impl Page {
 
     /// An SVG from this crate's figures with a caption below.
     pub fn figure(self, svg: &str, caption: &str) -> Self {
-        self.add(&format!("<figure>\n{svg}<figcaption>{}</figcaption>\n</figure>\n", escape(caption)))
+        self.add(&format!("<figure>\n{svg}<figcaption>{}</figcaption>\n</figure>\n", sentence(caption)))
     }
 
     /// Markup as it stands; the caller answers for it being well-formed and self-contained.

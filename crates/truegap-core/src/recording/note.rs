@@ -61,8 +61,8 @@ impl fmt::Display for Note {
                 )
             }
             Self::AboveHeader { lines, header_line } => {
-                let lines = if *lines == 1 { "1 line".to_owned() } else { format!("{lines} lines") };
-                write!(f, "{lines} above the header on line {header_line} were left out")
+                let lines = if *lines == 1 { "1 line was".to_owned() } else { format!("{lines} lines were") };
+                write!(f, "{lines} left out above the header, which is line {header_line}")
             }
             Self::Windows1252 { text } => {
                 write!(

@@ -268,7 +268,7 @@ impl Effect for RegimeChange {
         }
         if context.has(StageName::Dielectric).is_ok() && !matches!(self.of(context), Of::Driver(_)) {
             return Err(
-                "the base model has places for temperature and history of its own; jumps between runs are offset_steps".into()
+                "the base model has places for temperature and history of its own; jumps between runs are offset steps".into()
             );
         }
         if context.simulator.joined().is_some_and(|joined| joined.count() > 1) {

@@ -159,7 +159,7 @@ pub fn map(problem: &Problem<'_>, residual: &[f64]) -> Option<Map> {
     let axis = |name: &str, unit: &str, column: &Option<Vec<f64>>| {
         let column = moving(column.clone())?;
         let scale = Scale::of(unit, column.iter().fold(0.0, |m: f64, v| m.max(v.abs())));
-        let label = if scale.unit.is_empty() { name.to_owned() } else { format!("{name} / {}", scale.unit) };
+        let label = if scale.unit.is_empty() { name.to_owned() } else { format!("{name} ({})", scale.unit) };
         Some((label, scale.column(&column)))
     };
     let load = axis("force", "N", &inputs.force_n)

@@ -83,14 +83,14 @@ pub const PROFILES: [Profile; 6] = [
     },
     Profile {
         name: "thermal-sweep-unloaded",
-        says: "heat from 20 to 50 degC and cool again without load, once in 10 min and once in 2 h",
+        says: "heat from 20 to 50 °C and cool again without load, once in 10 min and once in 2 h",
         heats: true,
         loads: false,
         points: thermal_unloaded,
     },
     Profile {
         name: "thermal-sweep-loaded",
-        says: "heat from 20 to 50 degC and cool again at full load, once in 10 min and once in 2 h",
+        says: "heat from 20 to 50 °C and cool again at full load, once in 10 min and once in 2 h",
         heats: true,
         loads: true,
         points: thermal_loaded,

@@ -4,7 +4,7 @@
 
 use super::draw;
 use super::subject::Subject;
-use super::text::{measured, percent, significant, spoken};
+use super::text::{percent, rounded, significant, spoken};
 use truegap_diagnose::answer::{Candidate, SmallestVisible, UnmodelledCause};
 use truegap_scene::figure::{Bars, FigureError};
 use truegap_scene::page::{Page, Table};
@@ -78,8 +78,8 @@ fn table(candidates: &[Candidate]) -> Table {
 }
 
 fn visible(sizes: &[SmallestVisible]) -> Table {
-    sizes.iter().fold(Table::new(&["effect", "parameter", "smallest size seen"]), |table, s| {
-        let size = if s.size.is_finite() { measured(s.size, 0.0, &s.unit) } else { "none, however large".into() };
+    sizes.iter().fold(Table::new(&["effect", "parameter", "smallest size that would be seen"]), |table, s| {
+        let size = if s.size.is_finite() { rounded(s.size, &s.unit) } else { "none, however large".into() };
         table.row(&[spoken(&s.effect), spoken(&s.parameter), size])
     })
 }

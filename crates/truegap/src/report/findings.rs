@@ -49,7 +49,10 @@ fn one(page: Page, subject: &Subject<'_>, finding: &Finding) -> Page {
         page = page.text(&format!("Not quite excluded in its place: {}.", wording::one_of(&finding.rivals)));
     }
     if !finding.words.is_empty() {
-        page = page.text(&format!("In words, whatever its name: {}.", spoken(&finding.words.says())));
+        page = page.text(&format!(
+            "Whatever the effect is called, with the probability of each word: {}.",
+            spoken(&finding.words.says())
+        ));
     }
     match about(subject, &finding.effect) {
         None => page,

@@ -18,7 +18,10 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
         lines.push(format!("  {}: {}", spoken(&finding.effect), finding.says));
         lines.push(format!("    {}", wording::how_sure(finding)));
         if !finding.rivals.is_empty() && !finding.words.is_empty() {
-            lines.push(format!("    whatever its name: {}", finding.words.says().replace('_', " ")));
+            lines.push(format!(
+                "    whatever it is called, with the probability of each word: {}",
+                finding.words.says().replace('_', " ")
+            ));
         }
     }
     for mechanism in &diagnosis.discovered {

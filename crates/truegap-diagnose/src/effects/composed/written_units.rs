@@ -16,10 +16,10 @@ impl MechanismFile {
     /// # Errors
     /// [`MechanismError::Unit`] names the number, what was found, and what is expected.
     pub fn check_units(&self, inputs: &Inputs, reading: &str) -> Result<(), MechanismError> {
-        if let Driver::Recorded(name) | Driver::RateOf(name) = &self.sentence.driver {
-            if !recorded(inputs).iter().any(|(known, ..)| known == name) {
-                return Ok(());
-            }
+        if let Driver::Recorded(name) | Driver::RateOf(name) = &self.sentence.driver
+            && !recorded(inputs).iter().any(|(known, ..)| known == name)
+        {
+            return Ok(());
         }
         let used = self.sentence.needs();
         let is_used = |name: &str| matches!(name, "phase" | "turn") || used.iter().any(|(used, _)| *used == name);

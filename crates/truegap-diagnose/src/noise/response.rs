@@ -75,13 +75,13 @@ pub fn from_misfit(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) ->
 fn read_in_steps(problem: &Problem<'_>, noise: Noise, mut error: InputError) -> (Noise, InputError) {
     let Some(steps) = rounded(problem.response, &problem.runs(), None, 0.0) else { return (noise, error) };
     let alone = steps.step * steps.step / 12.0;
-    // rows on the way have the error of the step each by itself
-    let moving = |row| if steps.stays(row) > 0.0 { 0.0 } else { (alone - steps.white).max(0.0) };
-    error.louder = (0..steps.held.len()).map(moving).collect();
+    let white = steps.white.max(0.09 * alone);
+    // rows on the way have the error of the step each by itself, those on the edge of a step flicker more than the others
+    let louder = |row| (if steps.stays(row) > 0.0 { steps.flicker[row] } else { alone } - white).max(0.0);
+    error.louder = (0..steps.held.len()).map(louder).collect();
     error.shapes.extend(steps.same);
     error.lasting.push(Lasting { variance: steps.held, memory: steps.memory, of_reading: true });
-    let white_sd = steps.white.sqrt().max(0.3 * alone.sqrt());
-    (Noise { white_sd, ar_sd: 0.0, ar_correlation: 0.0 }, error)
+    (Noise { white_sd: white.sqrt(), ar_sd: 0.0, ar_correlation: 0.0 }, error)
 }
 
 /// The noise beside rows that are louder: estimated again from the others.

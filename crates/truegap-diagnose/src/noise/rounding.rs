@@ -23,6 +23,8 @@ pub struct Rounded {
     pub step: f64,
     /// variance of the error that is independent from row to row where the column stands still, in its unit squared
     pub white: f64,
+    /// the same on the row's own plateau, row by row: on the edge of a step a column flickers all the time, in its middle never
+    pub flicker: Vec<f64>,
     /// variance of the error that stays, row by row
     pub held: Vec<f64>,
     /// correlation of the held error with the row before
@@ -37,7 +39,7 @@ impl Rounded {
     pub fn over(mut self, unit: f64) -> Self {
         self.step /= unit;
         self.white /= unit * unit;
-        self.held.iter_mut().for_each(|v| *v /= unit * unit);
+        self.held.iter_mut().chain(&mut self.flicker).for_each(|v| *v /= unit * unit);
         self.same.iter_mut().flatten().for_each(|v| *v /= unit);
         self
     }
@@ -60,7 +62,10 @@ pub fn rounded(column: &[f64], runs: &[Range<usize>], answer: Option<&[f64]>, sm
     if answer.is_some_and(|answer| jumps_with(column, runs, step, answer)) {
         return None;
     }
-    let white = flicker(column, runs, step);
+    let flickers = flickers(column, runs, step);
+    let white = flickers.iter().map(|(_, variance)| variance).sum::<f64>() / flickers.len().max(1) as f64;
+    let mut flicker = vec![0.0; column.len()];
+    flickers.into_iter().for_each(|(plateau, variance)| flicker[plateau].fill(variance));
     let stays = step * step * bias(white / (step * step));
     let (mut held, mut memory) = (vec![0.0; column.len()], vec![0.0; column.len()]);
     let mut holds = Vec::new();
@@ -88,7 +93,7 @@ pub fn rounded(column: &[f64], runs: &[Range<usize>], answer: Option<&[f64]>, sm
     }
     let same = of_one_level(holds, step, (0.5 * stays).sqrt(), column.len());
     same.iter().for_each(|level| held.iter_mut().zip(level).for_each(|(held, sd)| *held -= sd * sd));
-    Some(Rounded { step, white, held, memory, same })
+    Some(Rounded { step, white, flicker, held, memory, same })
 }
 
 /// Columns of the error of holds on one level: what was rounded was about the same each time, and so was the error. Half of its variance is taken for common, half
@@ -106,17 +111,17 @@ fn of_one_level(mut holds: Vec<(f64, Range<usize>)>, step: f64, sd: f64, rows: u
     levels.into_iter().take(MOST_LEVELS).map(column).collect()
 }
 
-/// Variance of what noise makes of a column that stands between two values, by changes to and fro: the mean over the plateaus, each of which stands somewhere else in
-/// a step. One long plateau on the edge of a step flickers all the time and says nothing of the others.
-fn flicker(column: &[f64], runs: &[Range<usize>], step: f64) -> f64 {
-    let (mut all, mut count) = (0.0, 0usize);
-    for plateau in runs.iter().flat_map(|run| plateaus(column, run, step)).filter(|plateau| plateau.len() > 2) {
+/// Plateaus of more than two rows, and the variance of what noise makes of each where it stands between two values, by changes to and fro. Each stands somewhere else in a step: the noise of a
+/// column is the mean over them, since one long plateau on the edge of a step flickers all the time and says nothing of the others.
+fn flickers(column: &[f64], runs: &[Range<usize>], step: f64) -> Vec<(Range<usize>, f64)> {
+    let of = |plateau: Range<usize>| {
         let changes: Vec<f64> =
             column[plateau.clone()].windows(2).map(|w| w[1] - w[0]).filter(|c| c.abs() > 0.5 * step).collect();
         let to_and_fro = changes.windows(2).filter(|w| w[0] * w[1] < 0.0).map(|w| 0.5 * w[1] * w[1]).sum::<f64>();
-        (all, count) = (all + to_and_fro / plateau.len() as f64, count + 1);
-    }
-    all / count.max(1) as f64
+        let variance = to_and_fro / plateau.len() as f64;
+        (plateau, variance)
+    };
+    runs.iter().flat_map(|run| plateaus(column, run, step)).filter(|plateau| plateau.len() > 2).map(of).collect()
 }
 
 /// Variance of the part of the error of rounding that stays, in steps squared, where noise before rounding makes `white` of it independent from row to row.
@@ -260,6 +265,17 @@ mod tests {
         // two more of the ten flicker now and then
         let held = found.stays(3910) / (0.05f64.powi(2) / 12.0);
         assert!((0.3..1.0).contains(&held), "{held}");
+    }
+
+    /// Two holds under one noise: on the edge of a step every other row is another value, in its middle none is.
+    #[test]
+    fn each_plateau_flickers_by_itself() {
+        let truth: Vec<f64> = (0..2000).map(|row| [1.025, 1.3, 1.6, 1.9][row / 500]).collect();
+        let found = rounded(&written(&truth, 0.05, 0.004, 6), &[0..2000], Some(&truth), 1.0).unwrap();
+        // of independent rows on an edge half are one value and half the other: q^2 / 4; a change to and fro in half of the pairs
+        approx::assert_relative_eq!(found.flicker[250], 0.05f64.powi(2) / 4.0, max_relative = 0.3);
+        assert_eq!((found.flicker[750], found.flicker[1750]), (0.0, 0.0));
+        approx::assert_relative_eq!(found.white, found.flicker[250] / 4.0, max_relative = 1e-9);
     }
 
     #[test]

@@ -128,7 +128,7 @@ pub fn declared(name: &str, unit: &str, value: f64, sd: f64, bounds: (f64, f64),
 mod tests {
     use super::*;
 
-    fn read(text: &str) -> Result<Option<Asked>, (&'static str, String)> {
+    fn read(text: &str) -> Result<Option<Asked>, Undeclared> {
         command(&text.parse().unwrap(), Path::new("bench"))
     }
 

@@ -22,11 +22,19 @@ fn there_is(program: &str) -> bool {
     there
 }
 
+/// Between 0 and 1, without any tone: splitmix64 (Steele, Lea & Flood 2014).
+fn scattered(row: u64) -> f64 {
+    let mixed = |z: u64, shift: u32, by: u64| (z ^ (z >> shift)).wrapping_mul(by);
+    let z = mixed(row.wrapping_mul(0x9e37_79b9_7f4a_7c15), 30, 0xbf58_476d_1ce4_e5b9);
+    let z = mixed(z, 27, 0x94d0_49bb_1331_11eb);
+    ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+}
+
 /// A spring of 2 N/mm and 1 mm, read without any noise but 1 um of dither, beside a program.
 fn recording(folder: &Path, base: &str) -> Recording {
     let row = |i: usize| {
         let force = 5.0 + 5.0 * (i as f64 / 11.0).sin();
-        let dither = 1e-3 * ((i * 7919 % 1000) as f64 / 1000.0 - 0.5);
+        let dither = 1e-3 * (scattered(i as u64) - 0.5);
         format!("{i},{force},{}\n", 1.0 + force / 2.0 + dither)
     };
     let rows: String = (0..300).map(row).collect();

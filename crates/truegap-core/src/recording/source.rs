@@ -31,7 +31,8 @@ impl<R: Read + Seek> Source<R> {
             None => Layout::of(start, whole),
             Some(mut decoder) => {
                 let mut text = String::with_capacity(2 * start.len());
-                let _ = decoder.decode_to_string(start, &mut text, whole); // what is no letter becomes the sign for that
+                let (.., no_letters) = decoder.decode_to_string(start, &mut text, whole);
+                refuse(no_letters)?;
                 Layout::of(text.as_bytes(), whole)
             }
         };
@@ -91,6 +92,12 @@ fn decoder(letters: Letters) -> Option<Decoder> {
     }
 }
 
+/// Refuses text that begins as UTF-16 and is none.
+fn refuse(no_letters: bool) -> io::Result<()> {
+    let why = "it begins as UTF-16 and holds what is no letter there; save it again with the encoding UTF-8";
+    if no_letters { Err(io::Error::new(io::ErrorKind::InvalidData, why)) } else { Ok(()) }
+}
+
 impl<R: Read> Decoded<R> {
     fn new(inner: BufReader<R>, letters: Letters) -> Self {
         let (decoder, ready) = (decoder(letters), String::new());
@@ -107,8 +114,9 @@ impl<R: Read> Decoded<R> {
             self.over = read == 0;
             self.hash.update(raw);
             self.ready.reserve(decoder.max_utf8_buffer_length(read).unwrap_or(4 * CHUNK));
-            let _ = decoder.decode_to_string(raw, &mut self.ready, self.over); // there is room for all of it
+            let (.., no_letters) = decoder.decode_to_string(raw, &mut self.ready, self.over); // there is room for all of it
             self.inner.consume(read);
+            refuse(no_letters)?;
         }
         Ok(())
     }

@@ -103,8 +103,9 @@ mod tests {
             };
             Unseen { base: fit(&|_| 0.0), named: Some(fit(&|k| gains[k])) }.worse()
         };
-        assert_eq!(of([0.3, 0.6, -30.0, -1.0]), Some(Against::Score(30.1)));
+        // halves, so that sums are exact
+        assert_eq!(of([0.25, 0.5, -30.0, -1.0]), Some(Against::Score(30.25)));
         assert_eq!(of([40.0, 12.0, -3000.0, 14.0]), None);
-        assert_eq!(of([0.3, 0.6, 9.0, -1.0]), None);
+        assert_eq!(of([0.25, 0.5, 9.0, -1.0]), None);
     }
 }

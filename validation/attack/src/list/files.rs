@@ -79,7 +79,7 @@ fn bad(what: &str, typed: &[&str], name: &str) -> Vec<Attack> {
         put("bytes that are no text", &(0..=255).cycle().take(4096).collect::<Vec<u8>>()),
         put("a mark of byte order and nothing else", b"\xef\xbb\xbf"),
         put("zeros", &[0; 70_000]),
-        put("UTF-16", b"\xff\xfes\0c\0h\0e\0m\0a\0"),
+        put("UTF-16 with half a letter", b"\xff\xfe\x00\xd8s\0"),
         read("9", "a pipe that nobody writes to").with(Put::Pipe(name.into())).says(&["a pipe, not a file"]),
         read("9", "a device without an end").with(Put::Link(name.into(), "/dev/zero".into())).says(&["a device, not a file"]),
         read("files", "a folder").with(Put::Folder(name.into())),

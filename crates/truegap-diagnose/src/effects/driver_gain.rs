@@ -158,5 +158,9 @@ mod tests {
         for row in 0..100 {
             approx::assert_relative_eq!(value[row], viscosity[row] / weights[row], max_relative = 0.01);
         }
+        // a reading at the pivot stays, whatever the driver does
+        let mut value = vec![readout.zero + 0.5 * readout.span; 100];
+        Gain { pivot: 0.5, ..gain }.readout(&drive, &readout, &mut value);
+        value.iter().for_each(|v| approx::assert_relative_eq!(*v, readout.zero + 0.5 * readout.span, max_relative = 1e-12));
     }
 }

@@ -239,7 +239,7 @@ pub fn p_value(p: f64) -> String {
 
 /// `thermal lag` from `thermal_lag`.
 pub fn spoken(id: &str) -> String {
-    id.replace('_', " ")
+    id.replace('_', " ").replace("mullins", "Mullins")
 }
 
 /// The text with its first letter made a capital.
@@ -279,6 +279,11 @@ pub fn share_left(removed: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_person_keeps_the_capital() {
+        assert_eq!(spoken("mullins_softening"), "Mullins softening");
+    }
 
     #[test]
     fn a_value_is_shown_in_the_unit_that_fits_it() {

@@ -47,15 +47,24 @@ fn pushed(parameter: &Parameter, z: f64, value: f64) -> String {
     let share = if share.is_finite() && share < 1e3 { format!(" (by {} %)", significant(share, 3)) } else { String::new() };
     let off = deviations(z.abs());
     format!(
-        "to fit, the {} ({}) must {verb} from {known} to {wanted}{share}, {off} standard deviations of what is known of it",
-        uncapitalised(&parameter.meaning),
-        parameter.name
+        "to fit, {} must {verb} from {known} to {wanted}{share}, {off} standard deviations of what is known of it",
+        named(parameter)
     )
+}
+
+/// What a parameter means and its name, once where the meaning begins with the name.
+fn named(parameter: &Parameter) -> String {
+    let meaning = uncapitalised(&parameter.meaning);
+    let bare = meaning.trim_start_matches("the ").replace('`', "");
+    if bare == parameter.name || bare.starts_with(&format!("{} ", parameter.name)) {
+        return format!("the {}", meaning.trim_start_matches("the "));
+    }
+    format!("the {meaning} ({})", parameter.name)
 }
 
 /// `the height (height_rtv) would be 161 µm at small loads but 163 µm at large loads, 6.2 standard deviations apart`.
 fn differs(p: &Parameter, regime: &Regime, [first, second]: [f64; 2], z: f64) -> String {
-    let (name, apart) = (format!("the {} ({})", uncapitalised(&p.meaning), p.name), deviations(z.abs()));
+    let (name, apart) = (named(p), deviations(z.abs()));
     let values = [first, second].map(|z| p.prior.at(z));
     let told = |z: f64, value: f64| z.abs() < TOLD_AS_FAR && (p.bounds.0..=p.bounds.1).contains(&value);
     if !(told(first, values[0]) && told(second, values[1])) {
@@ -69,6 +78,9 @@ fn differs(p: &Parameter, regime: &Regime, [first, second]: [f64; 2], z: f64) ->
     format!("{name} would be {a} {} but {b} {}, {apart} standard deviations apart", regime.first, regime.second)
 }
 
+/// Share of the rows that may stray from one course.
+const STRAY: f64 = 0.02;
+
 /// A way to part the rows in two.
 struct Regime {
     first: String,
@@ -78,7 +90,7 @@ struct Regime {
 
 fn between_regimes(search: &Search<'_>, base: &Tried) -> Vec<Conflict> {
     let model = search.model(&base.effects);
-    let mut found = Vec::new();
+    let mut found: Vec<(Regime, Conflict)> = Vec::new();
     for regime in regimes(search) {
         let Some((first, second)) = both(&base.fit, &regime.in_second) else { continue };
         let worst =
@@ -86,10 +98,26 @@ fn between_regimes(search: &Search<'_>, base: &Tried) -> Vec<Conflict> {
         if let Some((index, z)) = worst.filter(|w| w.1.abs() > BETWEEN_REGIMES) {
             let p = &model.parameters[index];
             let says = differs(p, &regime, [first.0[index], second.0[index]], z);
-            found.push(Conflict { says, parameter: p.name.clone(), z });
+            let conflict = Conflict { says, parameter: p.name.clone(), z };
+            match found
+                .iter_mut()
+                .find(|(other, told)| told.parameter == p.name && one_course(&other.in_second, &regime.in_second))
+            {
+                Some(known) if known.1.z.abs() < z.abs() => *known = (regime, conflict),
+                Some(_) => {}
+                None => found.push((regime, conflict)),
+            }
         }
     }
-    found
+    found.into_iter().map(|(_, conflict)| conflict).collect()
+}
+
+/// Whether two ways to part the rows follow one course: one part of the first lies within one part of the second, as where the temperature only
+/// falls and the cool rows are among the late ones.
+fn one_course(first: &[bool], second: &[bool]) -> bool {
+    let in_both = |a: bool, b: bool| first.iter().zip(second).filter(|(x, y)| (**x, **y) == (a, b)).count();
+    let few = first.len() as f64 * STRAY;
+    [(false, false), (false, true), (true, false), (true, true)].iter().any(|(a, b)| (in_both(*a, *b) as f64) < few)
 }
 
 fn regimes(search: &Search<'_>) -> Vec<Regime> {
@@ -194,6 +222,23 @@ fn apart(first: &Parted, second: &Parted, index: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_name_is_told_once() {
+        let zero = Parameter::normal("zero", "pF", 0.0, 1.0, "the `zero` of the simulator");
+        assert_eq!(named(&zero), "the `zero` of the simulator");
+        let young = Parameter::normal("young_rtv", "Pa", 1e6, 5e4, "Young's modulus of the silicone");
+        assert_eq!(named(&young), "the Young's modulus of the silicone (young_rtv)");
+    }
+
+    #[test]
+    fn one_monotone_temperature_course_is_one_way_to_part_the_rows() {
+        let late: Vec<bool> = (0..100).map(|i| i >= 50).collect();
+        let warm: Vec<bool> = (0..100).map(|i| i < 30).collect();
+        let heated_twice: Vec<bool> = (0..100).map(|i| i % 50 < 25).collect();
+        assert!(one_course(&warm, &late));
+        assert!(!one_course(&heated_twice, &late));
+    }
 
     #[test]
     fn a_pushed_parameter_is_told_in_units_and_three_digits() {

@@ -1,6 +1,6 @@
 //! The subcommands, one file each.
 //!
-//! A new one is a file with a struct of arguments that implements [`Run`], a `mod` line and a line in [`commands`].
+//! A new one is a file with a struct of arguments that implements [`Run`], a `mod` line and a line in [`commands`], at its place by use.
 
 mod audit;
 mod coefficients;
@@ -47,19 +47,30 @@ macro_rules! commands {
 }
 
 commands! {
-    Sensors(sensors::Sensors),
-    Coefficients(coefficients::Coefficients),
+    Diagnose(diagnose::Diagnose),
+    Init(init::Init),
+    Confirm(confirm::Confirm),
     Simulate(simulate::Simulate),
+    Coefficients(coefficients::Coefficients),
+    Sensors(sensors::Sensors),
+    Audit(audit::Audit),
     Sensitivity(sensitivity::Sensitivity),
     Optimise(optimise::Optimise),
     Tolerance(tolerance::Tolerance),
-    Audit(audit::Audit),
-    Export(export::Export),
-    Init(init::Init),
     Merge(merge::Merge),
-    Diagnose(diagnose::Diagnose),
-    Confirm(confirm::Confirm),
+    Export(export::Export),
     Mesh(mesh::Mesh),
     Solve(solve::Solve),
     Prove(prove::Prove),
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn help_names_what_is_used_most_first() {
+        use clap::Subcommand;
+        let command = super::Command::augment_subcommands(clap::Command::new("truegap"));
+        let names: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+        assert_eq!(names[..4], ["diagnose", "init", "confirm", "simulate"]);
+    }
 }

@@ -67,12 +67,43 @@ fn groups(diagnosis: &Diagnosis, wanted: impl Fn(&str) -> bool) -> Vec<Group<'_>
             None => groups.push(Group { why: says, effects: vec![spoken(effect)] }),
         }
     }
+    merge_drivers(&mut groups);
     groups.sort_by_key(|group| std::cmp::Reverse(group.effects.len()));
     groups
+}
+
+/// Where no driver moves there is no second one either: one reason for both.
+fn merge_drivers(groups: &mut Vec<Group<'_>>) {
+    let at = |groups: &[Group<'_>], start: &str| groups.iter().position(|group| group.why.starts_with(start));
+    let Some(second) = at(groups, "no second driver that moves") else { return };
+    if at(groups, "no driver that moves").is_some() {
+        let effects = groups.remove(second).effects;
+        if let Some(first) = at(groups, "no driver that moves") {
+            groups[first].effects.extend(effects);
+        }
+    }
 }
 
 /// Whether a reason is about the recording: a column that is missing or stands still, rows or runs that are too few.
 fn of_recording(why: &str) -> bool {
     const LACKS: [&str; 6] = ["does not change", "changes by", "stands still", "is one row", "one run only", "rows only"];
     why.starts_with("no ") || why.starts_with("nothing that drives") || LACKS.iter().any(|word| why.contains(word))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_a_driver_a_second_one_is_not_asked_for() {
+        let group = |why: &'static str, effect: &str| Group { why, effects: vec![effect.to_owned()] };
+        let second = || group("no second driver that moves was recorded", "second driver gain");
+        let mut groups = vec![second(), group("no driver that moves was recorded", "driver gain")];
+        merge_drivers(&mut groups);
+        assert_eq!(groups.len(), 1);
+        assert_eq!(groups[0].effects, ["driver gain", "second driver gain"]);
+        let mut alone = vec![second()];
+        merge_drivers(&mut alone);
+        assert_eq!(alone.len(), 1, "a first driver that moves leaves the second one to ask for");
+    }
 }

@@ -26,7 +26,7 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     page = draw::figure(
         page,
         distances(subject),
-        "How far calibration moved each parameter from what was known of it, in prior standard deviations.",
+        "How far calibration moved each parameter from what was known of it, in standard deviations of what was known (sd).",
     );
     page.table(&table(subject))
 }
@@ -39,11 +39,17 @@ fn reading(subject: &Subject<'_>) -> String {
     let mut text = format!("Base model {}{sensor}. ", base.model);
     text += &match (before, subject.is_augmented(), after) {
         (0, _, _) => "No parameter had to leave what was known of it.".to_owned(),
-        (n, false, _) => format!("To fit, {} beyond {PUSHED:.0} prior sd.", moved(n)),
+        (n, false, _) => format!("To fit, {} beyond {PUSHED:.0} standard deviations of what is known.", moved(n)),
         (n, true, 0) => {
-            format!("To fit without the missing physics, {} beyond {PUSHED:.0} prior sd; with it, none has to.", moved(n))
+            format!(
+                "To fit without the missing physics, {} beyond {PUSHED:.0} standard deviations of what is known; with it, none has to.",
+                moved(n)
+            )
         }
-        (n, true, m) => format!("To fit without the missing physics, {} beyond {PUSHED:.0} prior sd; with it, {m}.", moved(n)),
+        (n, true, m) => format!(
+            "To fit without the missing physics, {} beyond {PUSHED:.0} standard deviations of what is known; with it, {m}.",
+            moved(n)
+        ),
     };
     text
 }
@@ -68,7 +74,8 @@ fn distances(subject: &Subject<'_>) -> Result<String, FigureError> {
     let labels: Vec<String> = drawn.iter().map(|p| spoken(&p.name)).collect();
     let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
     let before: Vec<f64> = drawn.iter().filter_map(|p| z(p)).collect();
-    let bars = Bars::new("", &labels).x("distance from the prior", "prior sd").series("calibrated alone", &before);
+    let bars =
+        Bars::new("", &labels).x("distance from what was known", "standard deviations of it").series("calibrated alone", &before);
     let bars = if subject.is_augmented() {
         let with: Vec<f64> = drawn.iter().map(|p| after(subject, &p.name).and_then(z).unwrap_or(f64::NAN)).collect();
         bars.series("with what was missing", &with)
@@ -81,7 +88,7 @@ fn distances(subject: &Subject<'_>) -> Result<String, FigureError> {
 }
 
 fn table(subject: &Subject<'_>) -> Table {
-    let head = ["parameter", "known beforehand", "calibrated alone", "prior sd off", "with what was missing", "prior sd off"];
+    let head = ["parameter", "known beforehand", "calibrated alone", "sd off", "with what was missing", "sd off"];
     let columns = if subject.is_augmented() { 6 } else { 4 };
     subject.diagnosis.base.parameters.iter().fold(Table::new(&head[..columns]), |table, before| {
         let with = after(subject, &before.name);

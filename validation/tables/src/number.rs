@@ -21,17 +21,6 @@ pub(crate) fn whole_percent(share: f64) -> String {
     format!("{:.0}", if percent == 0.0 { 0.0 } else { percent })
 }
 
-/// The middle value; the mean of the two in the middle where their number is even. `None` of nothing.
-pub(crate) fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    let half = values.len() / 2;
-    match values.len() {
-        0 => None,
-        count if count % 2 == 1 => Some(values[half]),
-        _ => Some(0.5 * (values[half - 1] + values[half])),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -45,10 +34,5 @@ mod tests {
     #[test]
     fn small_negative_shares_have_no_minus() {
         assert_eq!([-0.004, 0.004, -0.87, 0.5594].map(whole_percent), ["0", "0", "-87", "56"]);
-    }
-
-    #[test]
-    fn the_median_of_an_even_number_lies_between() {
-        assert_eq!((median(vec![3.0, 1.0, 2.0]), median(vec![4.0, 1.0]), median(vec![])), (Some(2.0), Some(2.5), None));
     }
 }

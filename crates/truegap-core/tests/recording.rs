@@ -234,6 +234,24 @@ fn a_driver_that_cannot_be_taken_is_refused_with_its_line_and_what_to_do() {
     }
 }
 
+/// What the TOML says of a column goes before what its name says; a thermometer is not taken away by it.
+#[test]
+fn a_column_that_is_named_is_not_taken_for_what_its_name_says() {
+    let toml = |columns: &str, drivers: &str| {
+        format!("schema = \"truegap.recording/1\"\nfile = \"a.csv\"\n[columns]\n{columns}\n[drivers]\n{drivers}\n")
+    };
+    let csv = "time_s,pressure,flow,temperature_c\n0,3,1,20\n1,4,2,21\n";
+    let without = "time_s,flow,temperature_c\n0,1,20\n1,2,21\n";
+    let read = |columns: &str, drivers: &str| Recording::from_text("a", &toml(columns, drivers), csv);
+    let response = read("response = \"pressure\"", "flow = { column = \"flow\", unit = \"l/s\" }").unwrap();
+    assert_eq!((response.response, response.inputs.pressure_pa), (vec![3.0, 4.0], None));
+    let driver = read("response = \"flow\"", "supply = { column = \"pressure\", unit = \"bar\" }").unwrap();
+    assert_eq!((&driver.inputs.drivers[0].values, &driver.inputs.pressure_pa), (&vec![3.0, 4.0], &None));
+    let room = toml("response = \"flow\"", "room = { column = \"temperature_c\", unit = \"degC\" }");
+    let warm = Recording::from_text("a", &room, without).unwrap_err().to_string();
+    assert!(warm.contains("is the temperature already"), "{warm}");
+}
+
 #[test]
 fn a_column_of_another_length_is_refused() {
     let inputs = Inputs { run: vec![1, 1], force_n: Some(vec![1.0]), ..Inputs::default() };

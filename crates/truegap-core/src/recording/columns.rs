@@ -140,7 +140,8 @@ impl Binder<'_> {
     /// Index of a role's column.
     fn find(&self, role: Role) -> Result<Option<usize>, RecordingError> {
         let named = self.manifest.columns.get(&role);
-        let fits = |heading: &Heading| named.map_or_else(|| is_default(role, heading), |named| heading.name == named.text);
+        let by_default = |heading: &Heading| is_default(role, heading) && !self.is_meant_otherwise(role, heading);
+        let fits = |heading: &Heading| named.map_or_else(|| by_default(heading), |named| heading.name == named.text);
         let found: Vec<usize> = (0..self.header.len()).filter(|index| fits(&self.header[*index])).collect();
         let name = |index: usize| &self.header[index].name;
         match (found.as_slice(), named) {
@@ -162,12 +163,23 @@ impl Binder<'_> {
         }
     }
 
+    /// Whether the TOML says that a column is something else than what its name says: another role, or a driver in place of a load. A thermometer and a clock are what effects of their
+    /// own follow, so a driver does not take these away without a word.
+    fn is_meant_otherwise(&self, role: Role, heading: &Heading) -> bool {
+        let another = self.manifest.columns.iter().any(|(other, named)| *other != role && named.text == heading.name);
+        let driver = || self.manifest.drivers.iter().any(|driver| driver.column == heading.name);
+        another || (matches!(role, Role::Force | Role::Pressure | Role::Gap | Role::Humidity) && driver())
+    }
+
     /// Why a role has no column although the header holds one that is called after it: what stands behind the word is no unit of it. To leave the column out
     /// without a word would be to diagnose another recording.
     fn almost(&self, role: Role) -> Option<RecordingError> {
         let dimension = dimension(role)?;
         let elsewhere = |heading: &&Heading| self.manifest.columns.values().any(|named| named.text == heading.name);
-        let heading = self.header.iter().find(|heading| called_after(role, heading) && !elsewhere(heading))?;
+        let heading = self
+            .header
+            .iter()
+            .find(|heading| called_after(role, heading) && !elsewhere(heading) && !self.is_meant_otherwise(role, heading))?;
         Some(self.not_its_unit(role, dimension, heading))
     }
 

@@ -181,13 +181,25 @@ pub(crate) fn playable(search: &Search<'_>) -> Vec<(ExperimentOption, Inputs)> {
     let simulator = search.problem.simulator;
     let thermometer = search.context.temperature_range.is_some();
     let possible = |p: &&Profile| (thermometer || !p.heats) && (simulator.full_load().is_some() || !p.loads);
-    PROFILES.iter().filter(possible).map(|profile| (option(profile), played(search, profile))).collect()
+    PROFILES.iter().filter(possible).map(|profile| (option(search, profile), played(search, profile))).collect()
 }
 
-fn option(profile: &Profile) -> ExperimentOption {
+/// Ends of the sweeps of temperature as they are listed, degrees Celsius.
+const SWEPT: (f64, f64) = (20.0, 50.0);
+
+/// Ends of a sweep of temperature that this rig can play: those that it played, in whole degrees; as listed where a sensor is described that such a sweep is made for.
+fn swept(search: &Search<'_>) -> (f64, f64) {
+    let recorded = search.context.temperature_range.filter(|_| !search.problem.simulator.knows_its_level());
+    recorded.map_or(SWEPT, |(low, high)| (low.floor(), high.ceil()))
+}
+
+fn option(search: &Search<'_>, profile: &Profile) -> ExperimentOption {
     let (first, last) = ends(profile);
+    let (low, high) = swept(search);
+    let says = profile.says.replace("20 to 50 °C", &format!("{low} to {high} °C"));
+    let loaded = search.problem.simulator.full_load().is_some();
     ExperimentOption {
-        says: profile.says.into(),
+        says: if loaded { says } else { says.replace(" without load", "") },
         separation: 0.0,
         error_left: None,
         hours: (last - first) / 3600.0,
@@ -200,6 +212,11 @@ fn played(search: &Search<'_>, profile: &Profile) -> Inputs {
     let simulator = search.problem.simulator;
     let full = simulator.full_load().unwrap_or(0.0);
     let mut inputs = inputs(profile, full, load_role(search), search.context.reference_c);
+    if profile.heats {
+        let (low, high) = swept(search);
+        let share = |t: f64| (t - SWEPT.0) / (SWEPT.1 - SWEPT.0);
+        inputs.temperature_c.iter_mut().flatten().for_each(|t| *t = low + share(*t) * (high - low));
+    }
     if simulator.joined().is_some() {
         // runs that no recording holds are played on the first recording's sensor
         let last = search.problem.inputs.run.iter().copied().max().unwrap_or(0);

@@ -14,6 +14,9 @@ use crate::{
     text::with_sd,
 };
 
+/// Share of a quantity from which on a change of it that is hardly known is none that a reader can use.
+const RUNS_AWAY: f64 = 10.0;
+
 /// The sentence with its fitted numbers; with a recording, how much it makes there.
 pub fn describe(sentence: &Sentence, start: &Numbers, fitted: &[FittedParameter], context: Option<&Context<'_>>) -> String {
     let words = words(sentence);
@@ -126,6 +129,13 @@ fn most(sentence: &Sentence, start: &Numbers, fitted: &[FittedParameter], contex
         "full load" => ("% of the full load".to_owned(), 100.0),
         unit => (unit.to_owned(), 1.0),
     };
-    let size = with_sd(fitted[0].value * span * factor, fitted[0].sd * span * factor, &unit);
-    span.is_finite().then(|| format!("{size} from its least to its most in this recording"))
+    if !span.is_finite() {
+        return None;
+    }
+    let (size, sd) = (fitted[0].value * span, fitted[0].sd * span);
+    // a gain of more than ten times that might as well be nothing is a law that runs away, and no size
+    if factor > 1.0 && size.abs() > RUNS_AWAY && sd > 0.5 * size.abs() {
+        return Some("by how much, this recording does not settle".into());
+    }
+    Some(format!("{} from its least to its most in this recording", with_sd(size * factor, sd * factor, &unit)))
 }

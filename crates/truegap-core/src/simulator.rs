@@ -49,6 +49,10 @@ pub trait Simulator: Send + Sync {
     fn moves(&self) -> bool {
         true
     }
+    /// Whether the response of a row follows from the inputs of that row alone, as long as nothing is plugged in: then any rows may be asked for by themselves.
+    fn row_by_row(&self) -> bool {
+        false
+    }
     /// Whether the priors give the absolute level of the response before the recording is seen, from dimensions and materials; `false` where they are scaled
     /// from the recording itself, so that another sensor or another unit cannot be told from it.
     fn knows_its_level(&self) -> bool {

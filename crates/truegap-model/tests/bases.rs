@@ -159,6 +159,28 @@ fn a_written_base_model_is_the_same_when_read_again() {
     }
 }
 
+/// A model that says so answers for one row by itself as it does for that row among others.
+#[test]
+fn rows_that_do_not_depend_on_one_another_may_be_asked_for_alone() {
+    let pressures = [0.0, 20e3, 5e3, 50e3];
+    let gaps = [3e-3, 2e-3, 2.5e-3, 1e-3];
+    let inputs = |rows: &[usize]| {
+        let pick = |column: &[f64]| Some(rows.iter().map(|row| column[*row]).collect::<Vec<_>>());
+        let force = pick(&pressures.map(|p| p / 5e4 * 3.0));
+        Inputs { gap_m: pick(&gaps), force_n: force, time_s: pick(&[0.0, 1.0, 2.0, 3.0]), ..pressed(&pick(&pressures).unwrap()) }
+    };
+    let all = inputs(&[0, 1, 2, 3]);
+    let response = [1.0, 1.3, 1.1, 2.1];
+    for name in ["stack", "parallel-plate", "gap-plate", "linear", "table"] {
+        let model = built(name, &all, &response, "pF");
+        assert!(model.row_by_row(), "{name}");
+        let whole = model.respond(&model.centre(), &all, &[]).unwrap();
+        for (row, value) in whole.iter().enumerate() {
+            assert_eq!(model.respond(&model.centre(), &inputs(&[row]), &[]).unwrap(), [*value], "{name}, row {row}");
+        }
+    }
+}
+
 #[test]
 fn a_base_model_that_cannot_be_built_says_why() {
     let inputs = Inputs { run: vec![1], ..Inputs::default() };

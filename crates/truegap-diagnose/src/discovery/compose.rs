@@ -8,7 +8,7 @@
 use crate::{
     adequacy::lack_of_fit::{Adequacy, LackOfFitTests},
     discovery::{
-        discover::{Discovery, IDS, discover, fitted, widened},
+        discover::{Discovery, IDS, discover, widened},
         marginals::SURE,
     },
     effects::composed::{
@@ -94,7 +94,7 @@ fn beside(
 ) -> Option<Composition> {
     let scale = selection.temper * lack_of_fit.slack();
     let first = discover(search, from, scale, IDS[0])?;
-    let tried = fitted(search, from, &first.effect)?;
+    let tried = first.tried.clone();
     let log_odds = selection.log_odds_beside(from, first.gain, lack_of_fit.slack(), |m| !strained || m.effects.is_empty());
     let second = if lack_of_fit.adequacy(&tried.fit).fires() { second(search, &tried, &first, scale) } else { None };
     let (mut mechanisms, mut whole, mut log_odds) = (vec![first], tried, log_odds);
@@ -109,7 +109,7 @@ fn beside(
 fn second(search: &Search<'_>, tried: &Tried, first: &Discovery, scale: f64) -> Option<(Discovery, Tried)> {
     let wider = widened(search, &first.effect);
     let more = discover(&wider, tried, scale, IDS[1]).filter(|more| more.gain > CLEAR)?;
-    let larger = fitted(&wider, tried, &more.effect)?;
+    let larger = more.tried.clone();
     Some((more, larger))
 }
 

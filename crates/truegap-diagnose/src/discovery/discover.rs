@@ -34,6 +34,8 @@ const FORM_SHAPES: f64 = 10.0;
 pub struct Discovery {
     /// as an effect
     pub effect: Composed,
+    /// the model that it stands beside, with it: its index follows those of the library
+    pub tried: Tried,
     /// how sure its words are
     pub words: WordProbabilities,
     /// log evidence that some sentence adds to the model it stands beside, its prior counted, on the scale of a selection's weights
@@ -72,11 +74,11 @@ pub fn discover(search: &Search<'_>, from: &Tried, scale: f64, id: EffectId) -> 
         return None;
     }
     let temper = temper(clearest);
-    let (effect, fitted) = best_fit(search, from, &mut found, temper, id)?;
+    let (best, others) = best_fit(search, from, &mut found, temper, id)?;
     let gain = log_sum_exp(&found.sentences.iter().map(|s| s.weight(scale)).collect::<Vec<_>>());
     let words = marginals(&found.sentences, temper);
-    let rival = rival(search, from, &found, &effect, &words, fitted, temper);
-    Some(Discovery { effect, words, gain, control_p_value, weighed: found.columns, rival })
+    let rival = rival(search, from, &found, &best.effect, &words, others, temper);
+    Some(Discovery { effect: best.effect, tried: best.tried, words, gain, control_p_value, weighed: found.columns, rival })
 }
 
 /// Divisor of log evidence: words are told apart by no less than the error of their laws.
@@ -113,7 +115,7 @@ struct Fitted {
 }
 
 /// Fits the most promising sentences beside `from`, corrects what the screen promised of them, and gives the one with the most weight, and the others.
-fn best_fit(search: &Search<'_>, from: &Tried, found: &mut Screen, temper: f64, id: EffectId) -> Option<(Composed, Vec<Fitted>)> {
+fn best_fit(search: &Search<'_>, from: &Tried, found: &mut Screen, temper: f64, id: EffectId) -> Option<(Fitted, Vec<Fitted>)> {
     let mut all: Vec<Fitted> = Vec::new();
     let mut open = promising(found, temper);
     open.reverse();
@@ -139,7 +141,7 @@ fn best_fit(search: &Search<'_>, from: &Tried, found: &mut Screen, temper: f64, 
     }
     let best = all.iter().enumerate().max_by(|a, b| a.1.weight.total_cmp(&b.1.weight))?.0;
     let best = all.swap_remove(best);
-    Some((best.effect, all))
+    Some((best, all))
 }
 
 /// The likeliest mechanism with another value of the least sure word; one that was not fitted yet is.

@@ -9,6 +9,7 @@ pub(crate) mod maximum_a_posteriori;
 pub(crate) mod model;
 pub(crate) mod optimum;
 pub(crate) mod prior;
+pub(crate) mod remembered;
 pub(crate) mod score_test;
 pub(crate) mod several_starts;
 pub(crate) mod tuning;

@@ -6,6 +6,7 @@ use crate::{
     data::{context::Context, problem::Problem},
     effects::effect::Effect,
     fit::prior::Prior,
+    fit::remembered::Remembered,
     fit::tuning::DIFFERENCE_STEP,
     whitening::whitener::Whitener,
 };
@@ -161,34 +162,40 @@ impl<'a> Model<'a> {
         whitener: &Whitener,
         bounds: &[(f64, f64)],
     ) -> Result<(), SimulationError> {
+        let of_base = columns.start < self.base && !self.effects.is_empty();
+        let kept: Vec<Box<dyn Stage>> =
+            if of_base { self.stages(z).into_iter().map(Remembered::new).collect() } else { Vec::new() };
         for index in columns.filter(|i| bounds[*i].0 < bounds[*i].1) {
-            let column = self.derivative(z, index, at, bounds[index], whitener)?;
+            let there = |moved: &[f64]| match of_base && index < self.base {
+                true => self.residual_through(&kept, moved, whitener),
+                false => self.residual(moved, whitener),
+            };
+            let column = derivative(z, index, at, bounds[index], there)?;
             jacobian.column_mut(index).copy_from_slice(&column);
         }
         Ok(())
     }
+}
 
-    /// One column of [`Model::jacobian`]; `at` is the whitened residual at `z`.
-    fn derivative(
-        &self,
-        z: &[f64],
-        index: usize,
-        at: &[f64],
-        bound: (f64, f64),
-        whitener: &Whitener,
-    ) -> Result<Vec<f64>, SimulationError> {
-        let mut moved = z.to_vec();
-        let room = bound.1 - z[index];
-        let mut step = if room > DIFFERENCE_STEP { DIFFERENCE_STEP } else { -DIFFERENCE_STEP };
-        moved[index] = z[index] + step;
-        let there = self.residual(&moved, whitener).or_else(|_| {
-            step = -step;
-            moved[index] = (z[index] + step).max(bound.0);
-            self.residual(&moved, whitener)
-        })?;
-        let scale = (moved[index] - z[index]).recip();
-        Ok(there.iter().zip(at).map(|(a, b)| (b - a) * scale).collect())
-    }
+/// One column of [`Model::jacobian`]: `at` is the whitened residual at `z`, `there` that at a point beside it.
+fn derivative(
+    z: &[f64],
+    index: usize,
+    at: &[f64],
+    bound: (f64, f64),
+    there: impl Fn(&[f64]) -> Result<Vec<f64>, SimulationError>,
+) -> Result<Vec<f64>, SimulationError> {
+    let mut moved = z.to_vec();
+    let room = bound.1 - z[index];
+    let mut step = if room > DIFFERENCE_STEP { DIFFERENCE_STEP } else { -DIFFERENCE_STEP };
+    moved[index] = z[index] + step;
+    let residual = there(&moved).or_else(|_| {
+        step = -step;
+        moved[index] = (z[index] + step).max(bound.0);
+        there(&moved)
+    })?;
+    let scale = (moved[index] - z[index]).recip();
+    Ok(residual.iter().zip(at).map(|(a, b)| (b - a) * scale).collect())
 }
 
 /// Indices of the parameters of a model that are of a kind of their own.

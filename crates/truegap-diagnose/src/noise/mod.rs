@@ -19,6 +19,7 @@ pub(crate) mod rescale;
 pub(crate) mod response;
 pub(crate) mod rest;
 pub(crate) mod rounding;
+pub(crate) mod scout;
 pub(crate) mod several;
 pub(crate) mod slow;
 pub(crate) mod slow_parts;

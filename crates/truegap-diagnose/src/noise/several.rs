@@ -4,7 +4,7 @@
 
 use crate::{
     data::{context::load_column, error::DiagnoseError, problem::Problem},
-    fit::{model::Model, several_starts::lowest, tuning::LOOSE},
+    fit::model::Model,
     noise::{
         denoised_inputs::{DenoisedInputs, denoised_inputs},
         follows_drivers::without_what_follows_drivers,
@@ -13,6 +13,7 @@ use crate::{
         louder::louder,
         rescale::not_above,
         response::{beside_louder_rows, from_misfit, noise_model},
+        scout::calibrated,
         switching::load_switches,
         tones::without_tones,
         tuning::CARRIED_ANEW,
@@ -66,8 +67,7 @@ fn far_from_the_prior(problem: &Problem<'_>, noise: &NoiseModel) -> Result<Optio
     }
     let context = problem.context(problem.span(), noise.floor());
     let model = Model::new(problem, &context, Vec::new());
-    let runs = problem.runs();
-    let calibrated = lowest(&model, &noise.whitener(&runs, None), &noise.scaled(LOOSE).whitener(&runs, None))?;
+    let calibrated = calibrated(&model, noise)?;
     let far = calibrated.z.iter().any(|z| z.abs() > CARRIED_ANEW);
     Ok(far.then(|| model.values(&calibrated.z)))
 }
@@ -172,7 +172,7 @@ fn with_louder_rows(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseMod
     let context = problem.context(problem.span(), noise.floor());
     let model = Model::new(problem, &context, Vec::new());
     let runs = problem.runs();
-    let calibrated = lowest(&model, &noise.whitener(&runs, None), &noise.scaled(LOOSE).whitener(&runs, None))?;
+    let calibrated = calibrated(&model, &noise)?;
     let misfit = model.misfit(&calibrated.z)?;
     let load = load_column(problem.inputs, problem.simulator);
     let value: Vec<f64> = problem.response.iter().zip(&misfit).map(|(reading, misfit)| reading - misfit).collect();
@@ -191,14 +191,11 @@ fn without_rest(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, 
     }
     let context = problem.context(problem.span(), noise.floor());
     let model = Model::new(problem, &context, Vec::new());
-    let runs = problem.runs();
-    let calibrated =
-        |noise: &NoiseModel| lowest(&model, &noise.whitener(&runs, None), &noise.scaled(LOOSE).whitener(&runs, None));
     let mut known = noise;
     for _ in 0..2 {
-        let misfit = without_what_follows_drivers(problem.inputs, model.misfit(&calibrated(&known)?.z)?);
+        let misfit = without_what_follows_drivers(problem.inputs, model.misfit(&calibrated(&model, &known)?.z)?);
         let misfit = without_tones(problem.inputs, misfit);
         known = from_misfit(problem, &misfit, &known);
     }
-    Ok(not_above(problem, &model.misfit(&calibrated(&known)?.z)?, known))
+    Ok(not_above(problem, &model.misfit(&calibrated(&model, &known)?.z)?, known))
 }

@@ -8,6 +8,7 @@
 
 use crate::{
     fit::{model::Model, several_starts::lowest, tuning::LOOSE},
+    noise::scout::from_start,
     pipeline::prepare::Prepared,
     selection::candidates::{Search, Tried},
     validation::cross_validation::AllRows,
@@ -42,7 +43,16 @@ pub(crate) fn alone(prepared: &Prepared<'_>, search: &Search<'_>, all: AllRows<'
     let mut size = before;
     for _ in 0..ROUNDS {
         let noise = white(&prepared.searched_noise, size);
-        let fit = lowest(&model, &noise.whitener(&runs, None), &noise.scaled(LOOSE).whitener(&runs, None)).ok()?;
+        let whitener = noise.whitener(&runs, None);
+        let fit = match (&best, &prepared.scout) {
+            // another size of the same noise: the optimum hardly moves
+            (Some((_, last)), _) => from_start(&model, &whitener, &last.tried.fit.z),
+            (None, Some(scout)) => scout
+                .start(search.problem, search.context, |noise| white(noise, size))
+                .and_then(|start| from_start(&model, &whitener, &start)),
+            (None, None) => lowest(&model, &whitener, &noise.scaled(LOOSE).whitener(&runs, None)),
+        };
+        let fit = fit.ok()?;
         let found = error(&fit.z)?;
         let settled = (found - size).abs() <= LOWER * size;
         if best.as_ref().is_none_or(|(least, _)| found < *least) {

@@ -67,8 +67,12 @@ pub(crate) fn predicted(
     let unit = search.problem.simulator.unit();
     let id = |e: usize| search.library[e].id().to_string();
     let told = |left: &LeftOut| {
+        let says = match left.against {
+            Against::Score(lost) if lost <= 0.0 => "without it rows left out are predicted as well",
+            _ => "without it rows left out are predicted better",
+        };
         format!(
-            "{} would fit as well, but without it rows left out are predicted better ({}), so it is not claimed",
+            "{} would fit as well, but {says} ({}), so it is not claimed",
             spoken(&id(left.effect)),
             measured(left.against, unit)
         )
@@ -86,7 +90,8 @@ pub(crate) fn predicted(
     if let Some(against) = unseen.worse().filter(|_| foretells) {
         let ids = chosen.effects.iter().map(|e| id(*e)).collect::<Vec<_>>().join(" and ");
         let says = format!(
-            "there is a mismatch, but its cause is not decided: {ids} would fit it, and rows left out are predicted better by the calibrated model alone ({})",
+            "there is a mismatch, but its cause is not decided: {ids} would fit it, and rows left out are predicted {} by the calibrated model alone ({})",
+            if matches!(against, Against::Score(lost) if lost <= 0.0) { "as well" } else { "better" },
             measured(against, unit)
         );
         let (unseen, decision) = nothing(Decision::nothing(Verdict::Undecided, selection.base));
@@ -102,6 +107,7 @@ pub(crate) fn predicted(
 fn measured(against: Against, unit: &str) -> String {
     match against {
         Against::Errors([without, with]) => format!("{} against {} {unit}", significant(without, 3), significant(with, 3)),
+        Against::Score(lost) if lost <= 0.0 => "measured in the noise, it gains no more than trying many effects does".into(),
         Against::Score(lost) => {
             format!("measured in the noise, by {} squares of its standard deviation over all rows", significant(lost, 2))
         }

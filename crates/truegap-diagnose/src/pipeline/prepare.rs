@@ -15,6 +15,7 @@ use crate::{
     noise::{
         block_average::{BlockAverages, block_averages},
         rescale::{quieter_than, too_loud},
+        scout::Scout,
     },
     pipeline::options::Options,
     selection::{
@@ -54,6 +55,8 @@ pub(crate) struct Prepared<'a> {
     pub whitener: Whitener,
     /// filter of the same noise, many times larger
     pub loose: Whitener,
+    /// few rows, on which a calibration of the base model begins; absent where every row is searched
+    pub scout: Option<Scout>,
     /// directions along which a mismatch may lie
     pub directions: Vec<Direction>,
     /// the tests along them
@@ -69,6 +72,7 @@ impl<'a> Prepared<'a> {
         let context = problem.context(problem.span(), noise.floor());
         let (testable, not_testable) = part(&context, options);
         let averages = block_averages(problem, &noise, searched_rows(problem.response.len()))?;
+        let scout = Scout::of(problem, &noise)?;
         let inputs = averages.as_ref().map_or(problem.inputs, |t| &t.inputs);
         let runs = inputs.runs();
         let searched_noise = averages.as_ref().map_or_else(|| noise.clone(), |t| t.noise(&noise));
@@ -83,6 +87,7 @@ impl<'a> Prepared<'a> {
             testable,
             not_testable,
             averages,
+            scout,
             searched_noise,
             whitener,
             loose,
@@ -112,6 +117,7 @@ impl<'a> Prepared<'a> {
             library: self.testable.clone(),
             whitener: &self.whitener,
             loose: &self.loose,
+            scout: self.scout.as_ref(),
             progress,
             stop,
         }

@@ -13,9 +13,10 @@ use crate::{
         optimum::{Fit, Linearised},
         score_test::scores,
     },
+    noise::scout::{Scout, from_start},
     selection::effect_set::EffectSet,
     selection::tuning::{DRIVEN_FAR, HOPELESS, LOOSE_FITS, PROMISING_START, STARTS},
-    whitening::whitener::Whitener,
+    whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
 use nalgebra::DMatrix;
 use rayon::prelude::*;
@@ -61,6 +62,8 @@ pub struct Search<'a> {
     pub whitener: &'a Whitener,
     /// the same noise, many times larger: a fit to it stays near what is known beforehand
     pub loose: &'a Whitener,
+    /// few rows, on which the calibration of the base model begins
+    pub scout: Option<&'a Scout>,
     /// told what is tried
     pub progress: &'a (dyn Fn(Progress) + Sync),
     /// set from outside to end early with what is known
@@ -74,7 +77,11 @@ impl<'a> Search<'a> {
     /// Those of the simulator.
     pub fn base(&self) -> Result<Tried, SimulationError> {
         let model = self.model(&[]);
-        Ok(Tried { effects: Vec::new(), fit: lowest(&model, self.whitener, self.loose)? })
+        let fit = match self.scout {
+            Some(scout) => from_start(&model, self.whitener, &scout.start(self.problem, self.context, NoiseModel::clone)?)?,
+            None => lowest(&model, self.whitener, self.loose)?,
+        };
+        Ok(Tried { effects: Vec::new(), fit })
     }
 
     /// The base model with these effects.

@@ -24,12 +24,14 @@ pub(crate) struct ModelSpace<'s, 'a> {
     search: &'s Search<'a>,
     lack_of_fit: &'s LackOfFitTests,
     models: BTreeMap<EffectSet, Tried>,
+    /// models beside which every other effect was tried, as they were then
+    extended: Vec<Tried>,
 }
 
 impl<'s, 'a> ModelSpace<'s, 'a> {
     /// The base model and every effect alone; where one is worth it, two and three together; all that is close fitted to the end.
     pub fn all(search: &'s Search<'a>, lack_of_fit: &'s LackOfFitTests, base: Tried) -> Self {
-        let mut space = Self { search, lack_of_fit, models: BTreeMap::new() };
+        let mut space = Self { search, lack_of_fit, models: BTreeMap::new(), extended: Vec::new() };
         let all: Vec<usize> = (0..search.library.len()).collect();
         let singles = search.add_each(&base, &all, all.len(), "one effect");
         let order = ranked(&singles);
@@ -70,24 +72,35 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
         }
     }
 
+    /// `from` with each other effect, those that promise most fitted; nothing where that was done from the same fit.
+    fn beside_all(&mut self, from: &Tried, all: &[usize], step: &'static str) -> Vec<Tried> {
+        if self.extended.iter().any(|done| done.effects == from.effects && done.fit.z == from.fit.z) {
+            return Vec::new();
+        }
+        self.extended.push(from.clone());
+        self.search.add_each(from, all, PARTNERS, step)
+    }
+
     /// Each of the best singles with every other effect, then the best partner with every other (a swap), then all pairs of the best; no more than the first where the
     /// best single leaves nothing and no partner gains anything.
     ///
     /// An effect may show beside one alone that is not the best: a lag of a coefficient, where something else follows the recording more closely at first.
     fn pairs(&mut self, best: &[&Tried], all: &[usize]) {
         let Some(first) = best.first() else { return };
-        let forward = self.search.add_each(first, all, PARTNERS, "two effects");
+        let forward = self.beside_all(first, all, "two effects");
         let Some(second) = ranked(&forward).first().map(|i| forward[*i].clone()) else { return };
         self.keep(forward);
         if second.fit.log_evidence < first.fit.log_evidence + CLEAR_GAIN && !self.lack_of_fit.adequacy(&first.fit).fires() {
             return;
         }
         for other in best.iter().skip(1).take(ABREAST - 1) {
-            self.keep(self.search.add_each(other, all, PARTNERS, "two effects"));
+            let found = self.beside_all(other, all, "two effects");
+            self.keep(found);
         }
         if let Some(alone) = second.effects.get(1).and_then(|partner| self.models.get(&EffectSet::from(&[*partner][..])).cloned())
         {
-            self.keep(self.search.add_each(&alone, all, PARTNERS, "two effects, swapped"));
+            let found = self.beside_all(&alone, all, "two effects, swapped");
+            self.keep(found);
         }
         for (index, one) in best.iter().enumerate().skip(1) {
             let others = best[index + 1..].iter().map(|o| o.effects[0]);
@@ -102,7 +115,8 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
         let Some(pair) = self.worth_more(2) else { return };
         let abreast = self.best_of(2, ABREAST);
         for from in &abreast {
-            self.keep(self.search.add_each(from, all, PARTNERS, "three effects"));
+            let found = self.beside_all(from, all, "three effects");
+            self.keep(found);
         }
         let Some(triple) = self.worth_more(3) else { return };
         let without = |left_out: &usize| triple.effects.iter().copied().filter(|e| e != left_out).collect::<Vec<_>>();
@@ -113,7 +127,8 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
                 self.search.add_each(alone, &other[1..], 1, "three effects, swapped").pop()
             });
             let Some(from) = from else { continue };
-            self.keep(self.search.add_each(&from, all, PARTNERS, "three effects, swapped"));
+            let found = self.beside_all(&from, all, "three effects, swapped");
+            self.keep(found);
             self.keep([from]);
         }
     }

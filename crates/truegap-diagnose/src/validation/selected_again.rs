@@ -59,7 +59,7 @@ fn without(
     let whitener = noise.whitener(&runs, Some(&keep));
     let loose = noise.scaled(LOOSE).whitener(&runs, Some(&keep));
     let lack_of_fit = LackOfFitTests::new(directions, &whitener, stretches(&runs, &keep), noise.uncertainty);
-    let fewer = Search { whitener: &whitener, loose: &loose, library: search.library.clone(), ..*search };
+    let fewer = Search { whitener: &whitener, loose: &loose, scout: None, library: search.library.clone(), ..*search };
     let examined = examine(&fewer, &lack_of_fit).ok()?;
     let model = &examined.selection.models[examined.decision.model];
     Some((examined.decision.verdict, model.effects.clone(), model.fit.z.clone()))

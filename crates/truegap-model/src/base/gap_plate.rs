@@ -101,6 +101,10 @@ impl Simulator for GapPlate {
         self.reference_c
     }
 
+    fn row_by_row(&self) -> bool {
+        true
+    }
+
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         let [area_permittivity] = named_values(self, values)?;
         let radius_m = radius_m(area_permittivity, &self.unit);

@@ -81,6 +81,10 @@ impl Simulator for Linear {
         self.reference_c
     }
 
+    fn row_by_row(&self) -> bool {
+        true
+    }
+
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         let polynomial = |u: &f64| values.iter().rev().fold(0.0, |sum, coefficient| sum * u + coefficient);
         walk_without_plates(self, values, inputs, stages, |drive| {

@@ -140,6 +140,10 @@ impl Simulator for ParallelPlate {
         self.reference_c
     }
 
+    fn row_by_row(&self) -> bool {
+        true
+    }
+
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         let [offset, gain, modulus] = named_values(self, values)?;
         walk(self, &Filled { offset, gain, modulus }, values, inputs, stages)

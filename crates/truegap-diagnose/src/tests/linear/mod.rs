@@ -105,6 +105,7 @@ impl World {
             library: self.terms.iter().map(|t| t as _).collect(),
             whitener: &whitener,
             loose: &loose,
+            scout: None,
             progress: &|_| (),
             stop: &AtomicBool::new(false),
         };

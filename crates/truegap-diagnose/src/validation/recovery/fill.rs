@@ -100,6 +100,7 @@ pub fn fill(search: &Search<'_>, whole: Whole<'_>, found: &Examined, options: &B
             library,
             whitener: &whitener,
             loose: &loose,
+            scout: None,
             progress: &quiet,
             stop: search.stop,
         };

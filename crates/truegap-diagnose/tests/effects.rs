@@ -8,8 +8,9 @@ use common::{Plate, flat, recording};
 use truegap_core::{Dielectric, Drive, FieldView, Inputs, Readout, Simulator, Stage, simulator::StageName};
 use truegap_diagnose::{Context, Effect, Library, library};
 
-/// Base model that an effect can be tried on: the whole plate; without warp for what is the warp, without a dielectric for what stands in for one.
-fn plate_for(effect: &dyn Effect) -> Plate {
+/// Recording and base model that an effect can be tried on: minutes on the whole plate; without warp for what is the warp, without a dielectric for what
+/// stands in for one; the same rows over days or years for what follows the sun.
+fn tried_on(effect: &dyn Effect) -> (Inputs, Plate) {
     let plates = [
         Plate::new(Some(true)),
         Plate::new(Some(false)),
@@ -17,9 +18,25 @@ fn plate_for(effect: &dyn Effect) -> Plate {
         Plate::new(Some(true)).without_beads(),
         Plate::new(Some(true)).with_feedback(),
     ];
+    let recordings = [recording(), over(4.0 * DAY_S), over(4.0 * 365.2425 * DAY_S)];
+    for inputs in recordings {
+        let testable = |plate: &&Plate| effect.testable(&Context::new(&inputs, *plate, 2.0, 0.004)).is_ok();
+        if let Some(at) = plates.iter().position(|plate| testable(&plate)) {
+            return (inputs, plates.into_iter().nth(at).unwrap());
+        }
+    }
+    panic!("{} is testable on no plate", effect.id())
+}
+
+const DAY_S: f64 = 86_400.0;
+
+/// The recording with its clock stretched to this length, s.
+fn over(duration_s: f64) -> Inputs {
     let inputs = recording();
-    let found = plates.into_iter().find(|plate| effect.testable(&Context::new(&inputs, plate, 2.0, 0.004)).is_ok());
-    found.unwrap_or_else(|| panic!("{} is testable on no plate", effect.id()))
+    let clock = inputs.time_s.clone().unwrap();
+    let (first, last) = (clock[0], clock.iter().copied().fold(f64::MIN, f64::max));
+    let stretched = clock.iter().map(|t| (t - first) / (last - first) * duration_s).collect();
+    Inputs { time_s: Some(stretched), ..inputs }
 }
 
 /// Parameters with the size at `deviations` of its prior, one list per starting point.
@@ -35,9 +52,8 @@ fn respond(plate: &Plate, inputs: &Inputs, stage: Option<&dyn Stage>) -> Vec<f64
 
 /// Calls `check` with each effect, the recording's facts and its base model.
 fn for_each(check: impl Fn(&dyn Effect, &Context<'_>, &Plate)) {
-    let inputs = recording();
     for effect in library() {
-        let plate = plate_for(effect.as_ref());
+        let (inputs, plate) = tried_on(effect.as_ref());
         check(effect.as_ref(), &Context::new(&inputs, &plate, 2.0, 0.004), &plate);
     }
 }
@@ -47,10 +63,10 @@ fn the_library_holds_every_id_of_the_contract_once() {
     let mut ids: Vec<&str> = library().iter().map(|effect| effect.id().0).collect();
     // 24 of the contract, `temperature_coefficient` for base models that have no place for temperature, `clock_rate`, and three that finite elements have
     // computed; then coefficient and friction of two drivers, relaxation and lag of a reading, a change of regime, and a spring inside a simulator
-    assert_eq!(ids.len(), 41);
+    assert_eq!(ids.len(), 43);
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 41);
+    assert_eq!(ids.len(), 43);
     let foreseen: Vec<&str> = library().iter().filter(|e| e.foreseen()).map(|e| e.id().0).collect();
     assert_eq!(foreseen, ["bonded_layers", "held_warp", "rim_field"]);
     assert!(ids.contains(&"temperature_coefficient"));
@@ -69,7 +85,7 @@ fn every_effect_is_testable_where_everything_moves_and_none_where_nothing_was_re
     for_each(|effect, context, _| assert_eq!(effect.testable(context), Ok(()), "{}", effect.id()));
     let still = Inputs { run: vec![1; 5], force_n: Some(vec![0.0; 5]), ..Inputs::default() };
     for effect in library() {
-        let plate = plate_for(effect.as_ref());
+        let (_, plate) = tried_on(effect.as_ref());
         let facts = Context::new(&still, &plate, 2.0, 0.004);
         // a constant beside the sensor needs no excitation, only a base model that does not hold it
         let expected = effect.id().0 == "parasitic_capacitance";
@@ -192,8 +208,8 @@ impl Stage for Nothing {}
 
 #[test]
 fn an_effect_acts_where_it_says_and_nowhere_else() {
-    let columns = Columns::new(recording());
     for_each(|effect, context, _| {
+        let columns = Columns::new(context.inputs.clone());
         let untouched = columns.after(&Nothing);
         for values in points(effect, context, 1.0) {
             let after = columns.after(effect.with(&values, context).as_ref());
@@ -231,10 +247,10 @@ fn divided(inputs: &Inputs) -> (Inputs, Vec<usize>) {
 
 #[test]
 fn memory_does_not_depend_on_how_finely_time_is_divided() {
-    let coarse = Columns::new(recording());
-    let (finer, kept) = divided(&coarse.inputs);
-    let fine = Columns::new(finer);
     for_each(|effect, context, _| {
+        let coarse = Columns::new(context.inputs.clone());
+        let (finer, kept) = divided(&coarse.inputs);
+        let fine = Columns::new(finer);
         // what counts rows belongs to the steps of a simulator, which takes one a row
         let rows: Vec<usize> =
             effect.parameters(context).iter().enumerate().filter(|(_, p)| p.unit == "rows").map(|(k, _)| k).collect();

@@ -271,6 +271,13 @@ pub struct NotTestable {
     pub says: String,
 }
 
+impl NotTestable {
+    /// Whether people would miss it: a rig that records for hours shows no cycle of a day, and nobody expects it to.
+    pub fn would_be_missed(&self) -> bool {
+        self.says != crate::effects::cycle::TOO_SHORT
+    }
+}
+
 /// How small an effect may be and still be seen.
 #[derive(Clone, Debug, Serialize)]
 pub struct SmallestVisible {

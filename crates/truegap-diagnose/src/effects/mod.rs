@@ -15,6 +15,7 @@ mod bonded_layers;
 mod clock_rate;
 mod contact_toe_in;
 mod course;
+pub(crate) mod cycle;
 mod dead_gap;
 mod delay;
 mod driver_coefficient;
@@ -97,5 +98,7 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(readout_lag::ReadoutLag),
         Box::new(offset_drift::OffsetDrift),
         Box::new(offset_steps::OffsetSteps),
+        Box::new(cycle::Cycle::Daily),
+        Box::new(cycle::Cycle::Yearly),
     ]
 }

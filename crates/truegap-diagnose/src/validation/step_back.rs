@@ -2,7 +2,7 @@
 //!
 //! A fuller model is likelier because it fits the rows that it has seen. Where the physics is right it foretells the others, too. One effect is left out after another,
 //! each time the one that costs most, by the rule of [`crate::validation::veto`]; the smaller model takes the place that the base model has there. Where all of them
-//! together would be vetoed, one may be to blame: then it is enough that rows left out are predicted better without it.
+//! together predict rows left out worse than the base model does, one may be to blame: then it is enough that they are predicted better without it.
 //!
 //! Limits: only models that the search has fitted; a number for whatever happens foretells nothing and is not judged.
 
@@ -34,7 +34,8 @@ pub(crate) fn step_back(
     let ((mut model, mut named), mut left_out) = (start, Vec::new());
     loop {
         let effects = &selection.models[model].effects;
-        let vetoed = Unseen { base: base.clone(), named: Some(named.clone()) }.worse().is_some();
+        let all = Unseen { base: base.clone(), named: Some(named.clone()) };
+        let doubtful = all.worse().is_some() || all.larger();
         let smaller = |effect: &usize| {
             let others: Vec<usize> = effects.iter().copied().filter(|e| e != effect).collect();
             let place = selection.models.iter().position(|m| m.key() == others.as_slice().into())?;
@@ -45,7 +46,7 @@ pub(crate) fn step_back(
             let both = Unseen { base: without, named: Some(named.clone()) };
             let better =
                 || compared(&both.base, both.named.as_ref()?).map(|both| both.rmse).filter(|[without, with]| without < with);
-            let against = both.worse().or_else(|| if vetoed { better().map(Against::Errors) } else { None })?;
+            let against = both.worse().or_else(|| if doubtful { better().map(Against::Errors) } else { None })?;
             Some((place, both.base, LeftOut { effect, against }))
         });
         let cost = |left: &LeftOut| left.against.cost();

@@ -1,6 +1,7 @@
 //! Rows left out have the last word: what predicts them worse than the calibrated base model in most parts, or with more than twice its error over all, is not claimed.
 //!
-//! Neither is what the noise says the same of: an effect that hardly stands out changes no error that one would see, so its errors are measured in the noise as well.
+//! Neither is what the noise says the same of: an effect that hardly stands out changes no error that one would see, so its errors are measured in the noise as well. There it must gain
+//! what it costs to be one of many effects that were tried.
 //!
 //! One part alone may be hard for the right physics too: where it holds the only first loading, or all that came before a change.
 //!
@@ -8,7 +9,7 @@
 
 use crate::{
     validation::cross_validation::{HeldOutFit, compared},
-    validation::tuning::{CLEARLY_WORSE, EXTRAPOLATED, FORETOLD},
+    validation::tuning::{CLEARLY_WORSE, EXTRAPOLATED, FORETOLD, PROOF},
 };
 
 /// Predictions of rows left out, by the base model and by the model stood behind.
@@ -24,7 +25,7 @@ pub(crate) struct Unseen {
 pub(crate) enum Against {
     /// errors without it and with it
     Errors([f64; 2]),
-    /// by how many squares of noise they are predicted worse with it
+    /// by how many squares of noise they are predicted worse with it; below 0 where they are predicted better, by less than proves anything
     Score(f64),
 }
 
@@ -45,7 +46,7 @@ impl Unseen {
     }
 
     /// What speaks against the model: an error that is larger by more than [`EXTRAPOLATED`], or clearly larger and larger in most parts; or errors that are larger over all, measured
-    /// in the noise, and clearly smaller in no more than half of the parts.
+    /// in the noise, or smaller by next to nothing, and clearly smaller in no more than half of the parts.
     pub fn worse(&self) -> Option<Against> {
         let compared = compared(&self.base, self.named.as_ref()?)?;
         let [base, named] = compared.rmse;
@@ -57,13 +58,19 @@ impl Unseen {
         self.lost().map(Against::Score)
     }
 
-    /// Squares of the noise that the model loses on rows left out, where it foretells no more than half of the parts.
+    /// Whether the error over all rows left out is clearly larger than that of the base model, in however few parts.
+    pub fn larger(&self) -> bool {
+        let both = self.named.as_ref().and_then(|named| compared(&self.base, named));
+        both.is_some_and(|both| both.rmse[1] > CLEARLY_WORSE * both.rmse[0])
+    }
+
+    /// Squares of the noise that the model loses on rows left out, where it foretells no more than half of the parts; what it gains there is no proof below [`PROOF`].
     fn lost(&self) -> Option<f64> {
         let named = self.named.as_ref()?;
         let gains: Vec<f64> = self.base.parts.iter().zip(&named.parts).filter_map(|(b, n)| Some(b.score? - n.score?)).collect();
         let foretold = gains.iter().filter(|gain| **gain > FORETOLD).count();
         let gained = gains.iter().sum::<f64>();
-        (gained < 0.0 && 2 * foretold <= gains.len()).then_some(-gained)
+        (!gains.is_empty() && gained < PROOF && 2 * foretold <= gains.len()).then_some(-gained)
     }
 }
 
@@ -106,6 +113,9 @@ mod tests {
         // halves, so that sums are exact
         assert_eq!(of([0.25, 0.5, -30.0, -1.0]), Some(Against::Score(30.25)));
         assert_eq!(of([40.0, 12.0, -3000.0, 14.0]), None);
-        assert_eq!(of([0.25, 0.5, 9.0, -1.0]), None);
+        // clearly better in one part of four: by chance, unless it is by more than trying many effects costs
+        assert_eq!(of([0.25, 0.5, 9.0, -1.0]), Some(Against::Score(-8.75)));
+        assert_eq!(of([0.25, 0.5, 19.0, -1.0]), None);
+        assert_eq!(of([2.5, 3.5, 2.5, -1.0]), None);
     }
 }

@@ -23,13 +23,13 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
         page,
         "What this recording could not show",
         "Nothing is said of these: they may be there or not. A recording that has what is missing would tell.",
-        &groups(diagnosis, of_recording),
+        &groups(diagnosis, |not| of_recording(&not.says)),
     );
     section(
         page,
         "What this base model has no place for",
         "Left out whatever the recording holds.",
-        &groups(diagnosis, |why| !of_recording(why)),
+        &groups(diagnosis, |not| !of_recording(&not.says)),
     )
 }
 
@@ -43,7 +43,7 @@ fn section(page: Page, heading: &str, says: &str, groups: &[Group<'_>]) -> Page 
 
 /// The same in a line: what the recording lacks, and how many effects that leaves untried.
 pub(super) fn line(diagnosis: &Diagnosis) -> Option<String> {
-    let groups = groups(diagnosis, of_recording);
+    let groups = groups(diagnosis, |not| of_recording(&not.says) && not.would_be_missed());
     // what to do about it stands on the page
     let why = |group: &Group<'_>| group.why.split(';').next().unwrap_or(group.why).to_owned();
     let says: Vec<String> = groups.iter().map(|group| format!("{} ({})", why(group), first(&group.effects))).collect();
@@ -59,9 +59,9 @@ fn first(effects: &[String]) -> String {
 }
 
 /// Effects by reason, the reason of most effects first.
-fn groups(diagnosis: &Diagnosis, wanted: impl Fn(&str) -> bool) -> Vec<Group<'_>> {
+fn groups(diagnosis: &Diagnosis, wanted: impl Fn(&NotTestable) -> bool) -> Vec<Group<'_>> {
     let mut groups: Vec<Group<'_>> = Vec::new();
-    for NotTestable { effect, says } in diagnosis.not_testable.iter().filter(|n| wanted(&n.says)) {
+    for NotTestable { effect, says } in diagnosis.not_testable.iter().filter(|n| wanted(n)) {
         match groups.iter_mut().find(|group| group.why == says) {
             Some(group) => group.effects.push(spoken(effect)),
             None => groups.push(Group { why: says, effects: vec![spoken(effect)] }),

@@ -26,9 +26,13 @@ pub fn told_family(id: &str) -> Option<&'static str> {
         "fringing_field" | "parasitic_capacitance" | "dead_gap" | "plate_bending" | "rim_field" => "field",
         "gain_drift" | "saturation" | "readout_lag" | "time_offset" | "clock_rate" | "offset_drift" | "offset_steps"
         | "slow_response" | "regime_change" | "gain_change" | "nonlinearity" => "readout",
-        "humidity_uptake" | "driver_coefficient" | "second_driver_coefficient" | "driver_gain" | "second_driver_gain" => {
-            "environment"
-        }
+        "humidity_uptake"
+        | "driver_coefficient"
+        | "second_driver_coefficient"
+        | "driver_gain"
+        | "second_driver_gain"
+        | "daily_cycle"
+        | "yearly_cycle" => "environment",
         _ => return None,
     })
 }

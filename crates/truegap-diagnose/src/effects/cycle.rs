@@ -1,0 +1,231 @@
+//! The reading follows the time of day or of the year: something that was not recorded comes back with it.
+//!
+//! Limits: one shape for all days, of two waves; periods of the sun only, since any other period is a tone.
+
+use crate::{
+    data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
+    effects::{
+        effect::{About, Effect, Family, FittedParameter},
+        memory::elapsed_s,
+    },
+    text::{rounded, with_sd},
+};
+use std::f64::consts::TAU;
+use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
+
+/// A reading that comes back with the sun.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cycle {
+    /// each day
+    Daily,
+    /// each year
+    Yearly,
+}
+
+/// Why it is not looked for in a recording of hours.
+pub const TOO_SHORT: &str = "the recording is too short, or its rows are too far apart, to show a cycle three times";
+
+/// Periods that a recording must hold, so that a slow course is not taken for one of them.
+const FEWEST_PERIODS: f64 = 3.0;
+
+/// Rows that a period must hold.
+const ROWS_A_PERIOD: f64 = 6.0;
+
+impl Cycle {
+    /// Period, s.
+    fn period_s(self) -> f64 {
+        match self {
+            Self::Daily => 86_400.0,
+            Self::Yearly => 365.2425 * 86_400.0,
+        }
+    }
+    fn name(self) -> &'static str {
+        match self {
+            Self::Daily => "day",
+            Self::Yearly => "year",
+        }
+    }
+}
+
+/// `size (cos(2 pi (t - highest) / T) + second cos(4 pi (t - second_highest) / T)) / 2`.
+struct Waves {
+    period_s: f64,
+    size: f64,
+    highest_s: f64,
+    second: f64,
+    second_highest_s: f64,
+}
+
+impl Stage for Waves {
+    fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
+        for (row, value) in value.iter_mut().enumerate() {
+            let turn = |from: f64| TAU * (elapsed_s(drive.inputs, row) - from) / self.period_s;
+            *value += 0.5 * self.size * (turn(self.highest_s).cos() + self.second * (2.0 * turn(self.second_highest_s)).cos());
+        }
+    }
+}
+
+/// Sibling: half of the first wave is the sun by day and nothing by night, about its mean; the rest stays.
+struct ByDay(Waves);
+
+impl Stage for ByDay {
+    fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
+        for (row, value) in value.iter_mut().enumerate() {
+            let turn = |from: f64| TAU * (elapsed_s(drive.inputs, row) - from) / self.0.period_s;
+            let first = turn(self.0.highest_s).cos();
+            let by_day = first.max(0.0) - std::f64::consts::FRAC_1_PI;
+            let second = self.0.second * (2.0 * turn(self.0.second_highest_s)).cos();
+            *value += 0.5 * self.0.size * (by_day + 0.5 * first + second);
+        }
+    }
+}
+
+impl Effect for Cycle {
+    fn id(&self) -> EffectId {
+        EffectId(match self {
+            Self::Daily => "daily_cycle",
+            Self::Yearly => "yearly_cycle",
+        })
+    }
+    fn stage(&self) -> StageName {
+        StageName::Readout
+    }
+    fn family(&self) -> Family {
+        Family::Environment
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Readout, driver: Driver::Time, kinetics: Kinetics::Periodic })
+    }
+    fn about(&self) -> About {
+        About {
+            physics: match self {
+                Self::Daily => {
+                    "something that was not recorded follows the time of day: sunlight, the temperature of the room, people, the load of the mains"
+                }
+                Self::Yearly => "something that was not recorded follows the season: temperature, humidity, growth",
+            },
+            equation: "value = true + a / 2 (cos(2 pi (t - t1) / T) + b cos(4 pi (t - t2) / T)), T a day or a year, t from the first row",
+            excitation: "three periods on one clock, six rows a period",
+            impostors: &["temperature_coefficient", "thermal_lag", "driver_coefficient", "offset_drift", "gain_drift"],
+            separates: "comes back with the sun whatever the recorded inputs do",
+            source: "influence quantities, IEC 60359; the diurnal and annual harmonics of a record, Wilks, Statistical Methods in the Atmospheric Sciences, sec. 10.4",
+        }
+    }
+    fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
+        let (unit, period) = (context.simulator.unit(), self.period_s());
+        let phase = |name: &str, period: f64, meaning: &str| {
+            Parameter::normal(name, "s", 0.5 * period, 0.5 * period, meaning).within(-period, 2.0 * period)
+        };
+        vec![
+            Parameter::normal(
+                "size",
+                unit,
+                0.0,
+                0.1 * context.response_span.abs(),
+                "of the first wave, from its least to its most",
+            )
+            .within(0.0, f64::INFINITY),
+            phase("highest", period, "from the first row to where the first wave is highest"),
+            Parameter::normal("second", "1", 0.0, 0.3, "size of the wave of half the period, as a share of the first")
+                .within(-1.0, 1.0),
+            phase("second_highest", 0.5 * period, "from the first row to where that wave is highest"),
+        ]
+    }
+    fn of_start(&self, _: &Context<'_>) -> &'static [&'static str] {
+        &["highest", "second_highest"]
+    }
+    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
+        let period = self.period_s();
+        // from there the size and the phase of the second wave are found without a second valley
+        (0..6).map(|k| f64::from(k) * period / 6.0).map(|highest| vec![highest, 0.1, 0.5 * highest]).collect()
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Readout)?;
+        context.needs_clock()?;
+        let step = context.shortest_step_s.unwrap_or(f64::INFINITY);
+        let held = context.duration_s >= FEWEST_PERIODS * self.period_s() && ROWS_A_PERIOD * step <= self.period_s();
+        if held { Ok(()) } else { Err(TOO_SHORT.into()) }
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(self.waves(values))
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(ByDay(self.waves(values))))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        let unit = &fitted[0].parameter.unit;
+        let at = fitted.get(1).map_or_else(String::new, |highest| {
+            format!(", highest {} after the first row", rounded(highest.value.rem_euclid(self.period_s()), "s"))
+        });
+        format!(
+            "the reading goes up and down with the time of the {} by {}{at}: something that was not recorded follows it",
+            self.name(),
+            with_sd(fitted[0].value, fitted[0].sd, unit)
+        )
+    }
+}
+
+impl Cycle {
+    fn waves(self, values: &[f64]) -> Waves {
+        let or = |index: usize, nothing: f64| values.get(index).copied().unwrap_or(nothing);
+        Waves {
+            period_s: self.period_s(),
+            size: values[0],
+            highest_s: or(1, 0.0),
+            second: or(2, 0.0),
+            second_highest_s: or(3, 0.0),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use truegap_core::Inputs;
+
+    fn through(stage: &dyn Stage, hours: &[f64]) -> Vec<f64> {
+        let times: Vec<f64> = hours.iter().map(|hour| 1000.0 + 3600.0 * hour).collect();
+        let rows = times.len();
+        let inputs = Inputs { time_s: Some(times), run: vec![1; rows], ..Inputs::default() };
+        let still = vec![0.0; rows];
+        let drive = Drive { inputs: &inputs, load: &still, temperature_c: &still, reference_c: 20.0, full_load: 1.0 };
+        let mut value = vec![0.0; rows];
+        stage.readout(&drive, &Readout { zero: 0.0, span: 1.0 }, &mut value);
+        value
+    }
+
+    #[test]
+    fn a_day_goes_from_its_least_to_its_most_and_comes_back() {
+        let one_wave = Cycle::Daily.waves(&[4.0, 6.0 * 3600.0, 0.0, 0.0]);
+        let found = through(&one_wave, &[0.0, 6.0, 18.0, 30.0, 54.0]);
+        [0.0, 2.0, -2.0, 2.0, 2.0]
+            .iter()
+            .zip(&found)
+            .for_each(|(exact, found)| approx::assert_abs_diff_eq!(exact, found, epsilon = 1e-12));
+        // a wave of half a day, highest at the third hour: half of 4 times 0.5
+        let both = Cycle::Daily.waves(&[4.0, 6.0 * 3600.0, 0.5, 3.0 * 3600.0]);
+        let second = through(&both, &[0.0, 3.0, 9.0])
+            .iter()
+            .zip(through(&one_wave, &[0.0, 3.0, 9.0]))
+            .map(|(a, b)| a - b)
+            .collect::<Vec<_>>();
+        [0.0, 1.0, -1.0]
+            .iter()
+            .zip(&second)
+            .for_each(|(exact, found)| approx::assert_abs_diff_eq!(exact, found, epsilon = 1e-12));
+    }
+
+    /// The first harmonic of half a wave is half of the whole one.
+    #[test]
+    fn the_sibling_has_the_same_first_wave() {
+        let hours: Vec<f64> = (0..240).map(|k| 0.1 * f64::from(k)).collect();
+        let first = |values: &[f64]| {
+            let wave = |k: usize| (TAU * (hours[k] - 6.0) / 24.0).cos();
+            values.iter().enumerate().map(|(k, v)| v * wave(k)).sum::<f64>() * 2.0 / 240.0
+        };
+        let waves = || Cycle::Daily.waves(&[4.0, 6.0 * 3600.0, 0.0, 0.0]);
+        approx::assert_relative_eq!(first(&through(&waves(), &hours)), 2.0, max_relative = 1e-9);
+        approx::assert_relative_eq!(first(&through(&ByDay(waves()), &hours)), 2.0, max_relative = 1e-3);
+    }
+}

@@ -1,0 +1,101 @@
+"""Recordings that are diagnosed for every constant, and what is read off an answer.
+
+Limits: one thread a diagnosis; a recording counts by its verdict, its names and its error on rows left out.
+"""
+
+import json
+import math
+import os
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+LIMIT = 900  # s; a turned constant may make a search long
+
+
+def recordings(scratch):
+    """The battery with the path of each recording, resolved through TRUEGAP_RECORDINGS; those of fewer rows are written to `scratch`."""
+    listed = tomllib.loads((HERE / "battery.toml").read_text())["recording"]
+    root = os.environ.get("TRUEGAP_RECORDINGS")
+    for one in listed:
+        if one["source"] == "built in":
+            one["given"] = "example"
+            continue
+        if not root:
+            sys.exit("TRUEGAP_RECORDINGS names no folder of recordings (docs/recordings.md)")
+        folder = Path(root) if one["source"] == "real" else Path(root).parent / "blind"
+        one["given"] = str(thinned(folder / one["file"], one["every"], scratch / one["name"]) if "every" in one else folder / one["file"])
+    return listed
+
+
+def thinned(description, every, folder):
+    """The recording with one row of so many, beside its description."""
+    text = description.read_text()
+    name = tomllib.loads(text)["file"]
+    rows = (description.parent / name).read_text().splitlines()
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / name).write_text("\n".join([rows[0], *rows[1::every]]) + "\n")
+    (folder / description.name).write_text(text)
+    return folder / description.name
+
+
+def diagnose(program, given, out, turn=None, reads=None):
+    """Diagnoses once; the text of diagnosis.json, `None` where there is no answer."""
+    environment = {**os.environ, "RAYON_NUM_THREADS": "1"}
+    environment |= {"TRUEGAP_TURN": turn} if turn else {}
+    environment |= {"TRUEGAP_READS": str(reads)} if reads else {}
+    command = [str(program), "diagnose", given, "-o", str(out)]
+    try:
+        subprocess.run(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=LIMIT)
+        return (out / "diagnosis.json").read_text()
+    except (subprocess.TimeoutExpired, FileNotFoundError):
+        return None
+
+
+def without_seconds(text):
+    """An answer without the time that it took."""
+    return "\n".join(line for line in text.splitlines() if not line.lstrip().startswith('"seconds":'))
+
+
+def answer(text):
+    """Verdict, names, sets, probabilities and error on rows left out of an answer."""
+    if text is None:
+        return {"verdict": "no answer", "names": [], "sets": [], "probability": [], "agrees": None, "held_out": None}
+    said = json.loads(text)
+    held_out = said["fit"]["held_out"]
+    return {
+        "verdict": said["verdict"],
+        "names": sorted(f["effect"] for f in said["findings"]),
+        "sets": sorted(sorted(s) for s in said["ambiguity"]),
+        "probability": sorted(round(f["probability"], 4) for f in said["findings"]),
+        "agrees": float(f"{said['probability_agrees']:.3g}"),
+        "held_out": held_out["rmse_after"] if said["findings"] else held_out["rmse_before"],
+    }
+
+
+def names(found):
+    """All that is named, with what stands in its place."""
+    return {tuple(found["names"]), *(tuple(s) for s in found["sets"])}
+
+
+def change(before, after):
+    """Factor of the error on rows left out, as a natural logarithm; 0 where either has none."""
+    if not before["held_out"] or not after["held_out"]:
+        return 0.0
+    return math.log(after["held_out"] / before["held_out"])
+
+
+def is_right(truth, found):
+    """Whether an answer is right or right within its sets, as the blind studies score; `None` where no truth is known."""
+    if truth == "unknown":
+        return None
+    own = set(found["names"])
+    if truth == "nothing":
+        return found["verdict"] == "agrees"
+    if truth == "not in the library":
+        return found["verdict"] in ("unexplained", "undecided") or (bool(own) and all(n.startswith("discovered") for n in own))
+    causes = set(truth.split(" + "))
+    held = own | {name for s in found["sets"] for name in s}
+    return own == causes or (found["verdict"] == "ambiguous" and causes <= held)

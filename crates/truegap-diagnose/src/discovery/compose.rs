@@ -43,16 +43,17 @@ pub struct Composition {
     pub library_strained: bool,
 }
 
-/// Mechanisms where the library leaves something; `None` where it does not, or where freedom alone does as well.
+/// Mechanisms where the library leaves something; `None` where it does not, or where freedom alone does as well. A library that rows left out have `refuted` is no rival.
 pub fn compose(
     search: &Search<'_>,
     selection: &Selection,
     decision: &Decision,
     after: &Adequacy,
     lack_of_fit: &LackOfFitTests,
+    refuted: bool,
 ) -> Option<Composition> {
     let chosen = &selection.models[decision.model];
-    let strained = is_strained(search, lack_of_fit, selection.base(), chosen);
+    let strained = refuted || is_strained(search, lack_of_fit, selection.base(), chosen);
     if search.problem.simulator.joined().is_some() || !leaves_something(decision, after, strained) {
         return None;
     }
@@ -61,7 +62,7 @@ pub fn compose(
         selection
             .likeliest_named()
             .map(|index| &selection.models[index])
-            .filter(|m| !is_strained(search, lack_of_fit, selection.base(), m)),
+            .filter(|m| !refuted && !is_strained(search, lack_of_fit, selection.base(), m)),
     );
     let mut best: Option<Composition> = None;
     for from in launches {

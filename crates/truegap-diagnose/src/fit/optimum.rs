@@ -62,6 +62,11 @@ impl Fit {
         0.5 * (self.chi2 + self.prior.penalty())
     }
 
+    /// How little its numbers are to be believed after what is known beforehand: the prior's penalty, in squares of its standard deviations.
+    pub fn disbelief(&self) -> f64 {
+        self.prior.penalty()
+    }
+
     /// Log evidence where differences count for `temper` times less, because equations may be off.
     ///
     /// What has no equation has nothing that could be off, but freedom enough to follow what others leave: its freedom is paid for in full, at noise of

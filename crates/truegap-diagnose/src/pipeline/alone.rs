@@ -25,6 +25,7 @@ const LOWER: f64 = 1e-3;
 const ROUNDS: usize = 4;
 
 /// The base model calibrated by least squares, and the noise under which that is so.
+#[derive(Clone)]
 pub(crate) struct Alone {
     /// no effects, its fit
     pub tried: Tried,

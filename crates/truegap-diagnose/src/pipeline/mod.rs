@@ -4,6 +4,7 @@
 
 mod alone;
 mod conclude;
+mod judged;
 mod noise_choice;
 mod options;
 mod predicted;
@@ -21,7 +22,8 @@ use crate::{
         examine::{Examined, examine},
     },
 };
-use conclude::{Told, composed, conclude};
+use conclude::conclude;
+use judged::{Told, composed};
 use noise_choice::slower;
 use prepare::Prepared;
 use std::{

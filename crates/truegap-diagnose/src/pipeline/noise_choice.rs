@@ -12,7 +12,7 @@ use crate::{
     effects::effect::Effect,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model},
     noise::{slow_rivals::slow_rivals, tuning::CLEARLY_COLOURED},
-    pipeline::{conclude::Told, prepare::Prepared},
+    pipeline::{judged::Told, prepare::Prepared},
     selection::{
         candidates::Tried,
         examine::Examined,

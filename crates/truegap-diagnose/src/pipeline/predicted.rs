@@ -56,7 +56,7 @@ pub(crate) fn predicted(
         let squares = alone.and_then(|_| by_least_squares(search, noise, tried, all));
         nearer(held_out(search, noise, tried, all), squares)
     };
-    let nothing = |decision| (Unseen { base: base.clone(), named: None }, decision);
+    let nothing = |decision| (Unseen::nothing(base.clone()), decision);
     if selection.models[decision.model].effects.is_empty() {
         let (unseen, decision) = nothing(decision);
         return Predicted { unseen, decision, after: None, vetoed: None, left_out: Vec::new() };
@@ -85,7 +85,7 @@ pub(crate) fn predicted(
         (stepped_back(selection, &decision, model, &after), Some(after))
     };
     let chosen = &selection.models[model];
-    let unseen = Unseen { base: base.clone(), named: Some(named) };
+    let unseen = Unseen::of((base.clone(), &selection.base().fit), (named, &chosen.fit));
     let foretells = chosen.effects.iter().all(|e| !free_form(*e));
     if let Some(against) = unseen.worse().filter(|_| foretells) {
         let ids = chosen.effects.iter().map(|e| id(*e)).collect::<Vec<_>>().join(" and ");
@@ -99,8 +99,8 @@ pub(crate) fn predicted(
         return Predicted { unseen, decision, after: None, vetoed, left_out: told };
     }
     // a verdict that names nothing has no model whose predictions could be told
-    let named = unseen.named.filter(|_| decision.model == model);
-    Predicted { unseen: Unseen { base, named }, decision, after, vetoed: None, left_out: told }
+    let unseen = if decision.model == model { unseen } else { Unseen::nothing(base) };
+    Predicted { unseen, decision, after, vetoed: None, left_out: told }
 }
 
 /// What speaks against a model, for a reader.

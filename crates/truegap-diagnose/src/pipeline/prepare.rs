@@ -22,6 +22,7 @@ use crate::{
         candidates::{Progress, Search},
         posterior::Selection,
     },
+    validation::cross_validation::AllRows,
     whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
 use std::sync::atomic::AtomicBool;
@@ -102,6 +103,11 @@ impl<'a> Prepared<'a> {
         let (inputs, response) =
             self.averages.as_ref().map_or((self.problem.inputs, self.problem.response), |t| (&t.inputs, t.response.as_slice()));
         Problem { inputs, response, simulator: self.problem.simulator }
+    }
+
+    /// Every row, and which of them each searched row begins with.
+    pub fn all_rows(&self) -> AllRows<'_> {
+        AllRows { problem: self.problem, first: self.averages.as_ref().map(|t| t.first.as_slice()) }
     }
 
     /// The search through models of these rows.

@@ -18,6 +18,7 @@ use crate::{
 };
 
 /// All models tried, with probabilities.
+#[derive(Clone)]
 pub struct Selection {
     /// models, likeliest first
     pub models: Vec<Tried>,
@@ -105,6 +106,19 @@ impl Selection {
         self.probability.iter_mut().enumerate().for_each(|(i, p)| *p = if i == base { 1.0 } else { 0.0 });
         self.unmodelled.clear();
         self.sorted()
+    }
+
+    /// The same where rows left out contradict all of the library's answer: all probability on the base model, and nothing from behind the `library` effects.
+    #[must_use]
+    pub fn refuted(mut self, library: usize) -> Self {
+        let inside: Vec<bool> = self.models.iter().map(|m| m.effects.iter().all(|e| *e < library)).collect();
+        let mut kept = inside.iter().copied();
+        self.models.retain(|_| kept.next().unwrap_or(true));
+        let mut kept = inside.iter().copied();
+        self.probability.retain(|_| kept.next().unwrap_or(true));
+        self.effect_probability.truncate(library);
+        self.base = self.models.iter().position(|m| m.effects.is_empty()).unwrap_or(0);
+        self.base_alone()
     }
 
     /// The same with one more model, `log_odds` against everything else together, that holds `more` effects from behind the library.
@@ -310,5 +324,16 @@ mod tests {
         let outside = selection(0.5).sharpened(2.0);
         // 0.2, 0.8 and odds of 0.5: squares 0.04, 0.64, 0.25
         approx::assert_relative_eq!(outside.probability_unmodelled(), 0.25 / 0.93, max_relative = 1e-12);
+    }
+
+    /// A library that rows left out contradict has no probability left, and neither has what was composed beside it.
+    #[test]
+    fn what_is_refuted_leaves_the_base_model_alone() {
+        let whole = selection(0.5).with_model(tried(&[1]), 2.0, 1);
+        let alone = whole.refuted(1);
+        assert_eq!(alone.models.len(), 2);
+        assert_eq!((alone.base, alone.probability_none()), (0, 1.0));
+        assert_eq!(alone.effect_probability, [0.0]);
+        assert_eq!(alone.probability_unmodelled(), 0.0);
     }
 }

@@ -34,7 +34,8 @@ pub(crate) fn step_back(
     let ((mut model, mut named), mut left_out) = (start, Vec::new());
     loop {
         let effects = &selection.models[model].effects;
-        let all = Unseen { base: base.clone(), named: Some(named.clone()) };
+        let with = || (named.clone(), &selection.models[model].fit);
+        let all = Unseen::of((base.clone(), &selection.base().fit), with());
         let doubtful = all.worse().is_some() || all.larger();
         let smaller = |effect: &usize| {
             let others: Vec<usize> = effects.iter().copied().filter(|e| e != effect).collect();
@@ -42,8 +43,8 @@ pub(crate) fn step_back(
             (!others.is_empty() && !free_form(*effect)).then_some((*effect, place))
         };
         let judged = effects.iter().filter_map(smaller).filter_map(|(effect, place)| {
-            let without = unseen(&selection.models[place]);
-            let both = Unseen { base: without, named: Some(named.clone()) };
+            let without = &selection.models[place];
+            let both = Unseen::of((unseen(without), &without.fit), with());
             let better =
                 || compared(&both.base, both.named.as_ref()?).map(|both| both.rmse).filter(|[without, with]| without < with);
             let against = both.worse().or_else(|| if doubtful { better().map(Against::Errors) } else { None })?;

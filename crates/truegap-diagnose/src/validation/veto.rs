@@ -1,13 +1,15 @@
 //! Rows left out have the last word: what predicts them worse than the calibrated base model in most parts, or with more than twice its error over all, is not claimed.
 //!
 //! Neither is what the noise says the same of: an effect that hardly stands out changes no error that one would see, so its errors are measured in the noise as well. There it must gain
-//! what it costs to be one of many effects that were tried.
+//! what it costs to be one of many effects that were tried. What it gains in belief counts there, too: where the others could follow the rows only with numbers that nobody believes,
+//! rows left out are followed as well with those numbers, and cannot tell.
 //!
 //! One part alone may be hard for the right physics too: where it holds the only first loading, or all that came before a change.
 //!
 //! Limits: a number for each run, or for whatever happens, foretells nothing of a run left out and is not judged by it.
 
 use crate::{
+    fit::optimum::Fit,
     validation::cross_validation::{HeldOutFit, compared},
     validation::tuning::{CLEARLY_WORSE, EXTRAPOLATED, FORETOLD, PROOF},
 };
@@ -18,6 +20,8 @@ pub(crate) struct Unseen {
     pub base: HeldOutFit,
     /// the model stood behind; absent where it is the base model
     pub named: Option<HeldOutFit>,
+    /// squares by which the numbers of the model stood behind are more believable than those of the base model
+    pub believed: f64,
 }
 
 /// How rows left out speak against a model.
@@ -40,6 +44,17 @@ impl Against {
 }
 
 impl Unseen {
+    /// The base model alone.
+    pub fn nothing(base: HeldOutFit) -> Self {
+        Self { base, named: None, believed: 0.0 }
+    }
+
+    /// Predictions `without` an effect and `with` it, and by how much more believable the numbers of its fit are.
+    pub fn of(without: (HeldOutFit, &Fit), with: (HeldOutFit, &Fit)) -> Self {
+        let believed = (without.1.disbelief() - with.1.disbelief()).max(0.0);
+        Self { base: without.0, named: Some(with.0), believed }
+    }
+
     /// Predictions of the model stood behind.
     pub fn stood_behind(&self) -> &HeldOutFit {
         self.named.as_ref().unwrap_or(&self.base)
@@ -64,13 +79,13 @@ impl Unseen {
         both.is_some_and(|both| both.rmse[1] > CLEARLY_WORSE * both.rmse[0])
     }
 
-    /// Squares of the noise that the model loses on rows left out, where it foretells no more than half of the parts; what it gains there is no proof below [`PROOF`].
+    /// Squares of the noise that the model loses on rows left out, where it foretells no more than half of the parts; what it gains there and in belief is no proof below [`PROOF`].
     fn lost(&self) -> Option<f64> {
         let named = self.named.as_ref()?;
         let gains: Vec<f64> = self.base.parts.iter().zip(&named.parts).filter_map(|(b, n)| Some(b.score? - n.score?)).collect();
         let foretold = gains.iter().filter(|gain| **gain > FORETOLD).count();
         let gained = gains.iter().sum::<f64>();
-        (!gains.is_empty() && gained < PROOF && 2 * foretold <= gains.len()).then_some(-gained)
+        (!gains.is_empty() && gained + self.believed < PROOF && 2 * foretold <= gains.len()).then_some(-gained)
     }
 }
 
@@ -86,30 +101,32 @@ mod tests {
 
     #[test]
     fn a_model_that_predicts_worse_is_told_from_one_that_predicts_better() {
-        let worse = Unseen { base: predicted(&[4.0, 4.0]), named: Some(predicted(&[2.0, 70.0])) };
+        let worse = Unseen { base: predicted(&[4.0, 4.0]), named: Some(predicted(&[2.0, 70.0])), believed: 0.0 };
         assert_eq!(worse.worse(), Some(Against::Errors([1.0, 3.0])));
-        assert_eq!(Unseen { base: predicted(&[4.0]), named: Some(predicted(&[1.0])) }.worse(), None);
+        assert_eq!(Unseen { base: predicted(&[4.0]), named: Some(predicted(&[1.0])), believed: 0.0 }.worse(), None);
         // an error that extrapolation makes in one part is no proof against it, one in most parts is
-        let of = |named: &[f64]| Unseen { base: predicted(&[4.0, 4.0, 4.0]), named: Some(predicted(named)) }.worse();
+        let of =
+            |named: &[f64]| Unseen { base: predicted(&[4.0, 4.0, 4.0]), named: Some(predicted(named)), believed: 0.0 }.worse();
         assert_eq!(of(&[2.0, 3.0, 16.0]), None);
         assert!(of(&[7.0, 5.0, 3.0]).is_some());
         // nor is a hundredth in every part
         assert_eq!(of(&[4.08, 4.08, 4.08]), None);
-        assert_eq!(Unseen { base: predicted(&[4.0]), named: None }.worse(), None);
+        assert_eq!(Unseen::nothing(predicted(&[4.0])).worse(), None);
     }
 
     /// Errors that nobody sees by eye, measured in the noise. A mimic gains in the parts that it was fitted to and loses 30 squares of noise in one that it was not; the right physics
     /// may lose more in the part that holds the only first loading and gains in the others.
     #[test]
     fn what_the_noise_says_of_rows_left_out_counts_where_errors_are_alike() {
-        let of = |gains: [f64; 4]| {
+        let believed = |gains: [f64; 4], believed: f64| {
             let fit = |gain: &dyn Fn(usize) -> f64| {
                 let part =
                     |k: usize| PartError { name: "run".into(), squares: Some(400.0), rows: 100, score: Some(100.0 - gain(k)) };
                 HeldOutFit { how: String::new(), prediction: Vec::new(), parts: (0..4).map(part).collect() }
             };
-            Unseen { base: fit(&|_| 0.0), named: Some(fit(&|k| gains[k])) }.worse()
+            Unseen { base: fit(&|_| 0.0), named: Some(fit(&|k| gains[k])), believed }.worse()
         };
+        let of = |gains| believed(gains, 0.0);
         // halves, so that sums are exact
         assert_eq!(of([0.25, 0.5, -30.0, -1.0]), Some(Against::Score(30.25)));
         assert_eq!(of([40.0, 12.0, -3000.0, 14.0]), None);
@@ -117,5 +134,8 @@ mod tests {
         assert_eq!(of([0.25, 0.5, 9.0, -1.0]), Some(Against::Score(-8.75)));
         assert_eq!(of([0.25, 0.5, 19.0, -1.0]), None);
         assert_eq!(of([2.5, 3.5, 2.5, -1.0]), None);
+        // the base model follows all rows as well, with numbers that nobody believes
+        assert_eq!(believed([0.25, 0.5, -0.25, -1.0], 60.0), None);
+        assert_eq!(believed([0.25, 0.5, -80.0, -1.0], 60.0), Some(Against::Score(80.25)));
     }
 }

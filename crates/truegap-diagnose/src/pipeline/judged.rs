@@ -1,0 +1,196 @@
+//! From what was examined to what is stood behind: hidden column, interference, rows left out, and what takes the verdict back.
+//!
+//! Where rows left out contradict all of the library's answer, a mechanism from outside it is looked for beside the base model, as if the library had had none. It has to stand the same tests.
+//!
+//! Limits: nothing is put into words here.
+
+use crate::{
+    adequacy::interference::every_row::Interference,
+    adequacy::lack_of_fit::LackOfFitTests,
+    answer::Reserved,
+    data::error::DiagnoseError,
+    discovery::{
+        compose::{Composition, compose},
+        discover::with_mechanisms,
+    },
+    explain::hidden_input::slow_input::SlowInput,
+    fit::model::Model,
+    pipeline::{
+        alone::{Alone, alone},
+        options::Options,
+        predicted::{Predicted, predicted},
+        prepare::Prepared,
+    },
+    selection::{
+        candidates::{Progress, Search},
+        examine::Examined,
+        posterior::Selection,
+        verdict::{Decision, Verdict, interrupted},
+    },
+};
+use std::sync::atomic::AtomicBool;
+
+/// What the caller tells a diagnosis, and is told by it.
+pub(crate) struct Told<'a> {
+    /// what the caller chose
+    pub options: &'a Options,
+    /// told what is tried
+    pub progress: &'a (dyn Fn(Progress) + Sync),
+    /// set by the caller to end early
+    pub asked: &'a AtomicBool,
+    /// the same for the search, which is not begun where nothing may be named
+    pub stop: &'a AtomicBool,
+}
+
+/// An answer before it is put into words.
+pub(crate) struct Judged {
+    /// models and probabilities, mechanisms counted; its decision is that before rows left out were asked
+    pub examined: Examined,
+    /// mechanisms from outside the library
+    pub composition: Option<Composition>,
+    /// the slow course in place of a column that was hidden on purpose
+    pub slow: Option<SlowInput>,
+    /// bursts and a tone in what the model stood behind leaves
+    pub interference: Interference,
+    /// why nothing is named whatever the models say
+    pub kept_back: Option<Reserved>,
+    /// the base model calibrated by itself, where that is another one
+    pub alone: Option<Alone>,
+    /// the decision, with predictions of rows left out counted
+    pub predicted: Predicted,
+}
+
+/// What is stood behind after rows left out were asked.
+///
+/// # Errors
+/// Those of the simulator.
+pub(crate) fn judged(
+    prepared: &Prepared<'_>,
+    told: &Told<'_>,
+    examined: Examined,
+    composition: Option<Composition>,
+) -> Result<Judged, DiagnoseError> {
+    let first = judged_once(prepared, told, examined, composition, None)?;
+    if !first.took_all_back(prepared.testable.len()) || !may_compose(told.options) {
+        return Ok(first);
+    }
+    let Some((examined, composition)) = first.refuted(prepared, told) else { return Ok(first) };
+    let second = judged_once(prepared, told, examined, Some(composition), first.alone.clone())?;
+    let names = second.predicted.decision.model != second.examined.selection.base;
+    Ok(if names { second.after(first) } else { first })
+}
+
+fn judged_once(
+    prepared: &Prepared<'_>,
+    told: &Told<'_>,
+    examined: Examined,
+    composition: Option<Composition>,
+    known: Option<Alone>,
+) -> Result<Judged, DiagnoseError> {
+    let searched = prepared.searched();
+    let mechanisms = composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
+    let search = &with_mechanisms(&prepared.search(&searched, told.progress, told.stop), mechanisms);
+    let examined = match &composition {
+        Some(composition) => counted(composition, examined, &prepared.lack_of_fit),
+        None => examined,
+    };
+    let selection = &examined.selection;
+    let hidden = told.options.hidden.first();
+    let slow = hidden.and_then(|_| SlowInput::of(search, selection));
+    let (interference, decision) = with_interference(prepared, search, &examined)?;
+    let (decision, kept_back) = reserved(decision, selection, slow.as_ref(), told.options);
+    let all = prepared.all_rows();
+    let missing = decision.verdict != Verdict::Agrees;
+    let alone = known.or_else(|| missing.then(|| alone(prepared, search, all, selection.base())).flatten());
+    let predicted = predicted(prepared, search, all, selection, decision, alone.as_ref());
+    Ok(Judged { examined, composition, slow, interference, kept_back, alone, predicted })
+}
+
+impl Judged {
+    /// Whether rows left out took back all that was named, and all of it was of the `library` effects.
+    fn took_all_back(&self, library: usize) -> bool {
+        let (selection, named) = (&self.examined.selection, self.examined.decision.model);
+        let named_something = named != selection.base && self.kept_back.is_none();
+        let of_the_library = selection.models[named].effects.iter().all(|e| *e < library);
+        named_something && of_the_library && self.predicted.decision.model == selection.base
+    }
+
+    /// What was examined as if the library had no answer, and the mechanism beside the base model.
+    fn refuted(&self, prepared: &Prepared<'_>, told: &Told<'_>) -> Option<(Examined, Composition)> {
+        let searched = prepared.searched();
+        let search = &prepared.search(&searched, told.progress, told.stop);
+        let selection = self.examined.selection.clone().refuted(search.library.len());
+        let decision = Decision::nothing(Verdict::Unexplained, selection.base);
+        let before = self.examined.before;
+        let composition = compose(search, &selection, &decision, &before, &prepared.lack_of_fit, true)?;
+        Some((Examined { selection, before, after: before, decision }, composition))
+    }
+
+    /// The same with what was left out on the way.
+    fn after(mut self, first: Self) -> Self {
+        self.predicted.left_out.splice(0..0, first.predicted.left_out);
+        self
+    }
+}
+
+/// Mechanisms from outside the library, where anything may be named at all.
+pub(crate) fn composed(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> Option<Composition> {
+    let Told { options, progress, stop, .. } = told;
+    let searched = prepared.searched();
+    let search = &prepared.search(&searched, progress, stop);
+    let Examined { selection, decision, after, .. } = examined;
+    may_compose(options).then(|| compose(search, selection, decision, after, &prepared.lack_of_fit, false)).flatten()
+}
+
+/// Whether anything from outside the library may be named.
+fn may_compose(options: &Options) -> bool {
+    options.compose && options.withheld.is_none() && options.restricted.is_none()
+}
+
+/// What was examined, with the mechanisms among its models and in its decision.
+fn counted(composition: &Composition, examined: Examined, lack_of_fit: &LackOfFitTests) -> Examined {
+    let key = examined.selection.models[examined.decision.model].key();
+    let selection = composition.counted_in(examined.selection);
+    // the order of the models has changed
+    let stood_behind = selection.models.iter().position(|m| m.key() == key);
+    let decision = Decision { model: stood_behind.unwrap_or(selection.base), ..examined.decision };
+    let (decision, after) = composition.decide(&selection, decision, lack_of_fit);
+    Examined { selection, decision, after: after.unwrap_or(examined.after), ..examined }
+}
+
+/// Bursts and a tone in what the model stood behind leaves of every row, and the decision with them counted.
+fn with_interference(
+    prepared: &Prepared<'_>,
+    search: &Search<'_>,
+    examined: &Examined,
+) -> Result<(Interference, Decision), DiagnoseError> {
+    let Examined { selection, decision, .. } = examined;
+    let stood_behind = &selection.models[decision.model];
+    let effects = stood_behind.effects.iter().map(|e| search.library[*e]).collect();
+    let model = Model::new(prepared.problem, search.context, effects);
+    let interference = Interference::in_what_is_left(&model, &stood_behind.fit.z, &prepared.noise, prepared.lack_of_fit.slack())?;
+    let explained = 2.0 * (selection.base().fit.objective() - stood_behind.fit.objective());
+    let decision = match interference.is_anything() {
+        true => decision.clone().with_interference(selection.base, explained, interference.excess()),
+        false => decision.clone(),
+    };
+    Ok((interference, decision))
+}
+
+/// The decision, taken back where the recording may not be trusted or an input is missing that was hidden on purpose; with the reason.
+fn reserved(
+    decision: Decision,
+    selection: &Selection,
+    slow: Option<&SlowInput>,
+    options: &Options,
+) -> (Decision, Option<Reserved>) {
+    let missing = slow.filter(|slow| slow.is_missing());
+    let reserved = |says: String| Reserved { says, withheld: options.withheld.is_some(), input_missing: missing.is_some() };
+    if let Some(why) = &options.withheld {
+        return (interrupted(selection), Some(reserved(why.clone())));
+    }
+    match missing {
+        Some(slow) => (Decision { verdict: Verdict::Unexplained, ..interrupted(selection) }, Some(reserved(slow.says()))),
+        None => (decision, None),
+    }
+}

@@ -1,4 +1,4 @@
-"""Flow through a branch of a water main for 27 days between two closures: less by day, when others draw; one hour is wild, a day and a half are missing.
+"""Flow through a branch of a water main for 27 days between two closures: least in the afternoon; one hour is wild, a day and a half are missing."""
 
 import numpy as np
 import pandas as pd

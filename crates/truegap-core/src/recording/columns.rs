@@ -163,10 +163,10 @@ impl Binder<'_> {
         }
     }
 
-    /// Whether the TOML says that a column is something else than what its name says: another role, or a driver in place of a load. A thermometer and a clock are what effects of their
-    /// own follow, so a driver does not take these away without a word.
+    /// Whether the TOML says of a column that is called after `role`, which it does not name, that it is something else: another role, or a driver in place of a load. A thermometer and
+    /// a clock are what effects of their own follow, so a driver does not take these away without a word.
     fn is_meant_otherwise(&self, role: Role, heading: &Heading) -> bool {
-        let another = self.manifest.columns.iter().any(|(other, named)| *other != role && named.text == heading.name);
+        let another = self.manifest.columns.values().any(|named| named.text == heading.name);
         let driver = || self.manifest.drivers.iter().any(|driver| driver.column == heading.name);
         another || (matches!(role, Role::Force | Role::Pressure | Role::Gap | Role::Humidity) && driver())
     }
@@ -175,11 +175,8 @@ impl Binder<'_> {
     /// without a word would be to diagnose another recording.
     fn almost(&self, role: Role) -> Option<RecordingError> {
         let dimension = dimension(role)?;
-        let elsewhere = |heading: &&Heading| self.manifest.columns.values().any(|named| named.text == heading.name);
-        let heading = self
-            .header
-            .iter()
-            .find(|heading| called_after(role, heading) && !elsewhere(heading) && !self.is_meant_otherwise(role, heading))?;
+        let heading =
+            self.header.iter().find(|heading| called_after(role, heading) && !self.is_meant_otherwise(role, heading))?;
         Some(self.not_its_unit(role, dimension, heading))
     }
 

@@ -6,7 +6,7 @@
 //! Limits: a base model whose rows do not depend on one another, with a clock.
 
 use crate::{
-    data::{context::Context, problem::Problem},
+    data::problem::Problem,
     fit::{
         levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model, optimum::Fit, several_starts::lowest,
         tuning::LOOSE,
@@ -46,14 +46,10 @@ impl Scout {
     ///
     /// # Errors
     /// Those of the simulator at the centre of its prior.
-    pub fn start(
-        &self,
-        problem: &Problem<'_>,
-        context: &Context<'_>,
-        changed: impl Fn(&NoiseModel) -> NoiseModel,
-    ) -> Result<Vec<f64>, SimulationError> {
-        let few = Problem { inputs: &self.averages.inputs, response: &self.averages.response, simulator: problem.simulator };
-        let model = Model::new(&few, context, Vec::new());
+    fn start(&self, model: &Model<'_>, changed: impl Fn(&NoiseModel) -> NoiseModel) -> Result<Vec<f64>, SimulationError> {
+        let simulator = model.problem.simulator;
+        let few = Problem { inputs: &self.averages.inputs, response: &self.averages.response, simulator };
+        let model = Model::new(&few, model.context, Vec::new());
         let (runs, noise) = (few.runs(), changed(&self.noise));
         Ok(lowest(&model, &noise.whitener(&runs, None), &noise.scaled(LOOSE).whitener(&runs, None))?.z)
     }
@@ -65,14 +61,28 @@ impl Scout {
 /// Those of the simulator at the centre of its prior.
 pub(crate) fn calibrated(model: &Model<'_>, noise: &NoiseModel) -> Result<Fit, SimulationError> {
     let runs = model.problem.runs();
-    let whitener = noise.whitener(&runs, None);
-    match Scout::of(model.problem, noise)? {
-        Some(scout) => from_start(model, &whitener, &scout.start(model.problem, model.context, NoiseModel::clone)?),
-        None => lowest(model, &whitener, &noise.scaled(LOOSE).whitener(&runs, None)),
+    let (whitener, loose) = (noise.whitener(&runs, None), noise.scaled(LOOSE).whitener(&runs, None));
+    scouted(model, &whitener, &loose, Scout::of(model.problem, noise)?.as_ref(), NoiseModel::clone)
+}
+
+/// The base model calibrated from where few rows have it, under noise `changed` as there; from several starts where there are no few rows.
+///
+/// # Errors
+/// Those of the simulator at the centre of its prior.
+pub(crate) fn scouted(
+    model: &Model<'_>,
+    whitener: &Whitener,
+    loose: &Whitener,
+    scout: Option<&Scout>,
+    changed: impl Fn(&NoiseModel) -> NoiseModel,
+) -> Result<Fit, SimulationError> {
+    match scout {
+        Some(scout) => from_start(model, whitener, &scout.start(model, changed)?),
+        None => lowest(model, whitener, loose),
     }
 }
 
-/// The base model calibrated from where few rows have it.
+/// The base model calibrated from one start.
 ///
 /// # Errors
 /// Those of the simulator at the start.

@@ -7,8 +7,8 @@
 //! Limits: one size of the misfit for the whole recording; what the search compares is the fit under the noise.
 
 use crate::{
-    fit::{model::Model, several_starts::lowest, tuning::LOOSE},
-    noise::scout::from_start,
+    fit::{model::Model, tuning::LOOSE},
+    noise::scout::{from_start, scouted},
     pipeline::prepare::Prepared,
     selection::candidates::{Search, Tried},
     validation::cross_validation::AllRows,
@@ -45,13 +45,13 @@ pub(crate) fn alone(prepared: &Prepared<'_>, search: &Search<'_>, all: AllRows<'
     for _ in 0..ROUNDS {
         let noise = white(&prepared.searched_noise, size);
         let whitener = noise.whitener(&runs, None);
-        let fit = match (&best, &prepared.scout) {
+        let fit = match &best {
             // another size of the same noise: the optimum hardly moves
-            (Some((_, last)), _) => from_start(&model, &whitener, &last.tried.fit.z),
-            (None, Some(scout)) => scout
-                .start(search.problem, search.context, |noise| white(noise, size))
-                .and_then(|start| from_start(&model, &whitener, &start)),
-            (None, None) => lowest(&model, &whitener, &noise.scaled(LOOSE).whitener(&runs, None)),
+            Some((_, last)) => from_start(&model, &whitener, &last.tried.fit.z),
+            None => {
+                let loose = noise.scaled(LOOSE).whitener(&runs, None);
+                scouted(&model, &whitener, &loose, prepared.scout.as_ref(), |noise| white(noise, size))
+            }
         };
         let fit = fit.ok()?;
         let found = error(&fit.z)?;

@@ -50,13 +50,13 @@ pub(crate) fn conclude(
         }
         None => (examined, composition),
     };
-    let Judged { examined, composition, slow, interference, kept_back, alone, predicted } =
+    let Judged { examined, composition, slow, interference, kept_back, by_base, predicted } =
         judged(prepared, told, examined, composition)?;
     let Predicted { unseen, decision, after, vetoed, left_out } = predicted;
     let mechanisms = composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
     let search = &with_mechanisms(search, mechanisms);
     let (selection, all) = (&examined.selection, prepared.all_rows());
-    let base = alone.as_ref().map_or(selection.base(), |alone| &alone.tried);
+    let base = by_base.alone.as_ref().map_or(selection.base(), |alone| &alone.tried);
     let mut told_of = vec![base];
     for tried in [&selection.models[decision.model]].into_iter().chain(composition.as_ref().map(|c| &c.tried)) {
         if told_of.iter().all(|known| known.effects != tried.effects) {

@@ -5,8 +5,7 @@
 //! Limits: nothing is put into words here.
 
 use crate::{
-    adequacy::interference::every_row::Interference,
-    adequacy::lack_of_fit::LackOfFitTests,
+    adequacy::{interference::every_row::Interference, lack_of_fit::LackOfFitTests},
     answer::Reserved,
     data::error::DiagnoseError,
     discovery::{
@@ -16,9 +15,8 @@ use crate::{
     explain::hidden_input::slow_input::SlowInput,
     fit::model::Model,
     pipeline::{
-        alone::{Alone, alone},
         options::Options,
-        predicted::{Predicted, predicted},
+        predicted::{ByBase, Predicted, by_base, predicted},
         prepare::Prepared,
     },
     selection::{
@@ -54,8 +52,8 @@ pub(crate) struct Judged {
     pub interference: Interference,
     /// why nothing is named whatever the models say
     pub kept_back: Option<Reserved>,
-    /// the base model calibrated by itself, where that is another one
-    pub alone: Option<Alone>,
+    /// the base model by itself
+    pub by_base: ByBase,
     /// the decision, with predictions of rows left out counted
     pub predicted: Predicted,
 }
@@ -75,7 +73,7 @@ pub(crate) fn judged(
         return Ok(first);
     }
     let Some((examined, composition)) = first.refuted(prepared, told) else { return Ok(first) };
-    let second = judged_once(prepared, told, examined, Some(composition), first.alone.clone())?;
+    let second = judged_once(prepared, told, examined, Some(composition), Some(first.by_base.clone()))?;
     let names = second.predicted.decision.model != second.examined.selection.base;
     Ok(if names { second.after(first) } else { first })
 }
@@ -85,7 +83,7 @@ fn judged_once(
     told: &Told<'_>,
     examined: Examined,
     composition: Option<Composition>,
-    known: Option<Alone>,
+    known: Option<ByBase>,
 ) -> Result<Judged, DiagnoseError> {
     let searched = prepared.searched();
     let mechanisms = composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
@@ -99,11 +97,10 @@ fn judged_once(
     let slow = hidden.and_then(|_| SlowInput::of(search, selection));
     let (interference, decision) = with_interference(prepared, search, &examined)?;
     let (decision, kept_back) = reserved(decision, selection, slow.as_ref(), told.options);
-    let all = prepared.all_rows();
     let missing = decision.verdict != Verdict::Agrees;
-    let alone = known.or_else(|| missing.then(|| alone(prepared, search, all, selection.base())).flatten());
-    let predicted = predicted(prepared, search, all, selection, decision, alone.as_ref());
-    Ok(Judged { examined, composition, slow, interference, kept_back, alone, predicted })
+    let by_base = known.unwrap_or_else(|| by_base(prepared, search, selection.base(), missing));
+    let predicted = predicted(prepared, search, selection, decision, &by_base);
+    Ok(Judged { examined, composition, slow, interference, kept_back, by_base, predicted })
 }
 
 impl Judged {

@@ -7,7 +7,7 @@ use crate::{
     answer::Reserved,
     fit::model::Model,
     pipeline::{
-        alone::{Alone, left_over, white},
+        alone::{Alone, alone, left_over, white},
         prepare::Prepared,
     },
     selection::{
@@ -37,23 +37,40 @@ pub(crate) struct Predicted {
     pub left_out: Vec<String>,
 }
 
+/// The base model by itself: how it is told, and what it foretells of rows left out.
+#[derive(Clone)]
+pub(crate) struct ByBase {
+    /// calibrated by least squares, where that is another one
+    pub alone: Option<Alone>,
+    /// predictions of rows left out
+    pub unseen: HeldOutFit,
+}
+
+/// Predicts rows left out by the base model, which is calibrated by least squares as well where something is `missing`.
+pub(crate) fn by_base(prepared: &Prepared<'_>, search: &Search<'_>, base: &Tried, missing: bool) -> ByBase {
+    let all = prepared.all_rows();
+    let alone = missing.then(|| alone(prepared, search, all, base)).flatten();
+    let under_noise = held_out(search, &prepared.searched_noise, base, all);
+    let unseen = match &alone {
+        Some(alone) => held_out(search, &alone.noise, &alone.tried, all).scored_as(&under_noise),
+        None => under_noise,
+    };
+    ByBase { alone, unseen }
+}
+
 /// Predicts rows left out: what predicts them much worse than the base model is not claimed, nor an effect without which the others predict them better.
 pub(crate) fn predicted(
     prepared: &Prepared<'_>,
     search: &Search<'_>,
-    all: AllRows<'_>,
     selection: &Selection,
     decision: Decision,
-    alone: Option<&Alone>,
+    by_base: &ByBase,
 ) -> Predicted {
     let noise = &prepared.searched_noise;
-    let base = held_out(search, noise, selection.base(), all);
-    let base = match alone {
-        Some(alone) => held_out(search, &alone.noise, &alone.tried, all).scored_as(&base),
-        None => base,
-    };
+    let all = prepared.all_rows();
+    let ByBase { alone, unseen: base } = by_base;
     let of = |tried: &Tried| {
-        let squares = alone.and_then(|_| by_least_squares(search, noise, tried, all));
+        let squares = alone.as_ref().and_then(|_| by_least_squares(search, noise, tried, all));
         nearer(held_out(search, noise, tried, all), squares)
     };
     let nothing = |decision| (Unseen::nothing(base.clone()), decision);
@@ -63,17 +80,14 @@ pub(crate) fn predicted(
     }
     let free_form = |e: usize| search.library[e].free_form();
     let start = (decision.model, of(&selection.models[decision.model]));
-    let (model, named, left_out) = step_back(selection, start, &base, of, free_form);
+    let (model, named, left_out) = step_back(selection, start, base, of, free_form);
     let unit = search.problem.simulator.unit();
     let id = |e: usize| search.library[e].id().to_string();
     let told = |left: &LeftOut| {
-        let says = match left.against {
-            Against::Score(lost) if lost <= 0.0 => "without it rows left out are predicted as well",
-            _ => "without it rows left out are predicted better",
-        };
         format!(
-            "{} would fit as well, but {says} ({}), so it is not claimed",
+            "{} would fit as well, but without it rows left out are predicted {} ({}), so it is not claimed",
             spoken(&id(left.effect)),
+            left.against.others_predict(),
             measured(left.against, unit)
         )
     };
@@ -91,7 +105,7 @@ pub(crate) fn predicted(
         let ids = chosen.effects.iter().map(|e| id(*e)).collect::<Vec<_>>().join(" and ");
         let says = format!(
             "there is a mismatch, but its cause is not decided: {ids} would fit it, and rows left out are predicted {} by the calibrated model alone ({})",
-            if matches!(against, Against::Score(lost) if lost <= 0.0) { "as well" } else { "better" },
+            against.others_predict(),
             measured(against, unit)
         );
         let (unseen, decision) = nothing(Decision::nothing(Verdict::Undecided, selection.base));
@@ -99,7 +113,7 @@ pub(crate) fn predicted(
         return Predicted { unseen, decision, after: None, vetoed, left_out: told };
     }
     // a verdict that names nothing has no model whose predictions could be told
-    let unseen = if decision.model == model { unseen } else { Unseen::nothing(base) };
+    let unseen = if decision.model == model { unseen } else { Unseen::nothing(base.clone()) };
     Predicted { unseen, decision, after, vetoed: None, left_out: told }
 }
 

@@ -5,7 +5,6 @@
 use crate::{
     data::{context::Context, problem::Problem},
     effects::effect::Effect,
-    fit::several_starts::lowest,
     fit::{
         levenberg_marquardt::FitOptions,
         maximum_a_posteriori::{approach, fit, fit_onwards},
@@ -13,7 +12,7 @@ use crate::{
         optimum::{Fit, Linearised},
         score_test::scores,
     },
-    noise::scout::{Scout, from_start},
+    noise::scout::{Scout, scouted},
     selection::effect_set::EffectSet,
     selection::tuning::{DRIVEN_FAR, HOPELESS, LOOSE_FITS, PROMISING_START, STARTS},
     whitening::{noise_model::NoiseModel, whitener::Whitener},
@@ -77,11 +76,7 @@ impl<'a> Search<'a> {
     /// Those of the simulator.
     pub fn base(&self) -> Result<Tried, SimulationError> {
         let model = self.model(&[]);
-        let fit = match self.scout {
-            Some(scout) => from_start(&model, self.whitener, &scout.start(self.problem, self.context, NoiseModel::clone)?)?,
-            None => lowest(&model, self.whitener, self.loose)?,
-        };
-        Ok(Tried { effects: Vec::new(), fit })
+        Ok(Tried { effects: Vec::new(), fit: scouted(&model, self.whitener, self.loose, self.scout, NoiseModel::clone)? })
     }
 
     /// The base model with these effects.

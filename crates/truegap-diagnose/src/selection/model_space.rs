@@ -24,8 +24,8 @@ pub(crate) struct ModelSpace<'s, 'a> {
     search: &'s Search<'a>,
     lack_of_fit: &'s LackOfFitTests,
     models: BTreeMap<EffectSet, Tried>,
-    /// models beside which every other effect was tried, as they were then
-    extended: Vec<Tried>,
+    /// effects and coordinates of the models beside which every other effect was tried
+    extended: Vec<(Vec<usize>, Vec<f64>)>,
 }
 
 impl<'s, 'a> ModelSpace<'s, 'a> {
@@ -74,10 +74,10 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
 
     /// `from` with each other effect, those that promise most fitted; nothing where that was done from the same fit.
     fn beside_all(&mut self, from: &Tried, all: &[usize], step: &'static str) -> Vec<Tried> {
-        if self.extended.iter().any(|done| done.effects == from.effects && done.fit.z == from.fit.z) {
+        if self.extended.iter().any(|(effects, z)| *effects == from.effects && *z == from.fit.z) {
             return Vec::new();
         }
-        self.extended.push(from.clone());
+        self.extended.push((from.effects.clone(), from.fit.z.clone()));
         self.search.add_each(from, all, PARTNERS, step)
     }
 

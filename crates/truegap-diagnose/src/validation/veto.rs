@@ -34,6 +34,14 @@ pub(crate) enum Against {
 }
 
 impl Against {
+    /// How rows left out are predicted by the others, beside this model: as well, where it gains there and by less than proves anything; else better.
+    pub fn others_predict(self) -> &'static str {
+        match self {
+            Self::Score(lost) if lost <= 0.0 => "as well",
+            _ => "better",
+        }
+    }
+
     /// What it costs, for comparisons: clearly larger errors before scores.
     pub fn cost(self) -> (f64, f64) {
         match self {

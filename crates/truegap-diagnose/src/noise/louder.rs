@@ -11,7 +11,7 @@ use crate::{
     noise::{
         apart::{MEDIAN_NORMAL, apart},
         grows::{Beside, grows},
-        tuning::{FAR_OFF, FEWEST_FAR_OFF, SHARE_FAR_OFF, TAIL_FREEDOM, WEIGHS_LESS},
+        tuning::{FAR_OFF, FEWEST_FAR_OFF, SHARE_FAR_OFF, TAIL_FREEDOM, WEIGHS_LESS, WILD},
     },
     stats::{median, spread},
 };
@@ -23,9 +23,27 @@ pub struct Louder {
     pub variance: Vec<f64>,
     /// what was given, with the middle of the neighbours in place of what stands out
     pub clean: Vec<f64>,
+    /// rows that no chance makes
+    pub wild: Vec<usize>,
     /// what it is, for a reader
     pub says: String,
 }
+
+impl Louder {
+    /// Whether nothing but single wild rows is louder.
+    pub fn is_wild_only(&self) -> bool {
+        self.says == WILD_ONLY
+    }
+
+    /// The wild rows alone: the others weigh as they did.
+    pub fn wild_only(mut self) -> Self {
+        let wild = |row: usize| self.wild.contains(&row);
+        self.variance.iter_mut().enumerate().filter(|(row, _)| !wild(*row)).for_each(|(_, variance)| *variance = 0.0);
+        Self { says: WILD_ONLY.into(), ..self }
+    }
+}
+
+const WILD_ONLY: &str = "single wild rows: they weigh less";
 
 /// Rows that are louder than others beside a calibrated model; `jumping` are the columns that may jump. `None` where noise is the same in all rows.
 pub(crate) fn louder(beside: &Beside<'_>, jumping: &[&[f64]]) -> Option<Louder> {
@@ -53,10 +71,18 @@ pub(crate) fn louder(beside: &Beside<'_>, jumping: &[&[f64]]) -> Option<Louder> 
     };
     let distance = |row: usize| apart[row].least.abs() / sd(row);
     let far: Vec<usize> = (0..misfit.len()).filter(|row| !jump[*row] && distance(*row) > FAR_OFF).collect();
-    let heavy = far.len() >= FEWEST_FAR_OFF.max((SHARE_FAR_OFF * misfit.len() as f64) as usize) && !together(&far, misfit.len());
-    if !heavy && grows.is_none() {
+    let apart_from_each_other = !together(&far, misfit.len());
+    let heavy = far.len() >= FEWEST_FAR_OFF.max((SHARE_FAR_OFF * misfit.len() as f64) as usize) && apart_from_each_other;
+    // one row is enough where chance makes none like it
+    // a run may begin or end on its way to somewhere
+    let inside = |row: usize| runs.iter().any(|run| row >= run.start + 2 && row + 2 < run.end);
+    let wild = far.iter().copied().filter(|row| apart_from_each_other && distance(*row) > WILD && inside(*row));
+    let wild: Vec<usize> = wild.collect();
+    let any_wild = !wild.is_empty();
+    if !heavy && !any_wild && grows.is_none() {
         return None;
     }
+    let weighs_less = if heavy { WEIGHS_LESS } else { WILD };
     let (mut variance, mut clean) = (vec![0.0; misfit.len()], misfit.to_vec());
     for row in 0..misfit.len() {
         if let Some(grows) = &grows {
@@ -65,17 +91,19 @@ pub(crate) fn louder(beside: &Beside<'_>, jumping: &[&[f64]]) -> Option<Louder> 
             clean[row] -= apart[row].about * (1.0 - 1.0 / times);
         }
         let u = distance(row);
-        if heavy && u > WEIGHS_LESS {
+        if (heavy || (any_wild && !jump[row])) && u > weighs_less {
             variance[row] += sd(row).powi(2) * ((TAIL_FREEDOM + u * u) / (TAIL_FREEDOM + 1.0) - 1.0).max(0.0);
             clean[row] = misfit[row] - apart[row].about;
         }
     }
     let says = match (heavy, &grows) {
         (true, Some(grows)) => format!("heavy tails or spikes, and {}: such rows weigh less", grows.with),
+        (false, Some(grows)) if any_wild => format!("single wild rows, and {}: such rows weigh less", grows.with),
         (false, Some(grows)) => format!("{}: louder rows weigh less", grows.with),
+        (false, None) => WILD_ONLY.into(),
         _ => "heavy tails or spikes: such rows weigh less".into(),
     };
-    Some(Louder { variance, clean, says })
+    Some(Louder { variance, clean, wild, says })
 }
 
 /// Rows next to a change of a column that is much larger than the usual ones about it.
@@ -141,6 +169,19 @@ mod tests {
         // quiet rows: the middle of the distribution has the scatter 1.134
         let squares: f64 = noise.iter().zip(&found.variance).map(|(n, v)| n * n / (1.134f64.powi(2) + v)).sum();
         assert!((0.7..1.2).contains(&(squares / 4000.0)), "{}", squares / 4000.0);
+    }
+
+    #[test]
+    fn a_single_wild_row_weighs_less_and_the_others_as_before() {
+        let random = &mut ChaCha8Rng::seed_from_u64(8);
+        let mut noise: Vec<f64> = (0..600).map(|_| drawn(random)).collect();
+        noise[211] += 25.0;
+        let found = found(&noise, &[0.0; 600], None).unwrap();
+        assert_eq!(found.wild, [211]);
+        assert_eq!(found.variance.iter().filter(|v| **v > 0.0).count(), 1);
+        // as Student's t has it, it then stands out by twice the scatter
+        assert!((noise[211] / (1.0 + found.variance[211]).sqrt() - 2.0).abs() < 0.3, "{}", found.variance[211]);
+        assert!(found.clean[211].abs() < 3.0);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! Limits: one noise for a whole recording.
 
 pub(crate) mod apart;
+pub(crate) mod beside_louder;
 pub(crate) mod block_average;
 pub(crate) mod crossings;
 pub(crate) mod denoise;

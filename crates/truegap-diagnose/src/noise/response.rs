@@ -8,7 +8,6 @@ use crate::{
     noise::tuning::{ENOUGH_ROWS, FEWEST_NEIGHBOURS, FEWEST_REPLICATES, PLENTY_OF_ROWS, UNSEEN},
     noise::{
         input_error::{Left, input_error},
-        louder::Louder,
         reml::{Block, estimate, without_outliers},
         rest,
         rounding::rounded,
@@ -82,23 +81,6 @@ fn read_in_steps(problem: &Problem<'_>, noise: Noise, mut error: InputError) -> 
     error.shapes.extend(steps.same);
     error.lasting.push(Lasting { variance: steps.held, memory: steps.memory, of_reading: true });
     (Noise { white_sd: white.sqrt(), ar_sd: 0.0, ar_correlation: 0.0 }, error)
-}
-
-/// The noise beside rows that are louder: estimated again from the others.
-pub fn beside_louder_rows(problem: &Problem<'_>, noise: &NoiseModel, found: Louder) -> NoiseModel {
-    let load = load_column(problem.inputs, problem.simulator);
-    let (blocks, ..) = blocks(problem, load.as_deref(), &noise.inputs, noise.load_wanders());
-    let (response, uncertainty) = estimate(&found.clean, &blocks);
-    let mut input_error = noise.input_error.clone();
-    input_error.louder.resize(found.variance.len(), 0.0);
-    input_error.louder.iter_mut().zip(&found.variance).for_each(|(a, b)| *a += b);
-    NoiseModel {
-        response: no_finer_than_read(response, problem),
-        uncertainty: if noise.measured { uncertainty } else { uncertainty.max(UNSEEN) },
-        says: format!("{}; {}", noise.says, found.says),
-        input_error,
-        ..noise.clone()
-    }
 }
 
 /// A response is read to steps, which are noise too.

@@ -6,17 +6,18 @@ use crate::{
     data::{context::load_column, error::DiagnoseError, problem::Problem},
     fit::model::Model,
     noise::{
+        beside_louder::beside_louder_rows,
         denoised_inputs::{DenoisedInputs, denoised_inputs},
         follows_drivers::without_what_follows_drivers,
         grows::Beside,
         input_error::Left,
-        louder::louder,
+        louder::{Louder, louder},
         rescale::not_above,
-        response::{beside_louder_rows, from_misfit, noise_model},
+        response::{from_misfit, noise_model},
         scout::calibrated,
         switching::load_switches,
         tones::without_tones,
-        tuning::CARRIED_ANEW,
+        tuning::{CARRIED_ANEW, KNOWN_TO_BE_WILD},
     },
     whitening::{
         noise_model::{InputNoise, NoiseModel, RecordingNoise},
@@ -163,24 +164,45 @@ fn put(all: &mut Inputs, rows: &Range<usize>, own: &Inputs) {
 }
 
 /// The noise with rows that are louder than others, seen beside the calibrated base model.
-///
-/// A row is told from its neighbours in time: without a clock, rows that follow one another are no neighbours.
 fn with_louder_rows(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, DiagnoseError> {
-    if noise.lasts() || problem.inputs.time_s.is_none() {
+    if !rows_can_be_louder(problem, &noise) {
         return Ok(noise);
     }
     let context = problem.context(problem.span(), noise.floor());
     let model = Model::new(problem, &context, Vec::new());
+    let misfit = model.misfit(&calibrated(&model, &noise)?.z)?;
+    Ok(match louder_rows(problem, &misfit).filter(|found| !found.is_wild_only()) {
+        Some(found) => beside_louder_rows(problem, &noise, found),
+        None => noise,
+    })
+}
+
+/// The noise where rows are wild beside a model that explains more than the base model does, which leaves `misfit`; `None` where no row is wild that was not known to be.
+///
+/// What the base model leaves may change faster from row to row than a wild row stands out; and what is wild beside it may be what it lacks.
+pub fn with_wild_rows(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Option<NoiseModel> {
+    if problem.simulator.joined().is_some() || !rows_can_be_louder(problem, noise) {
+        return None;
+    }
+    let found = louder_rows(problem, misfit)?;
+    let known = |row: &usize| noise.input_error.louder.get(*row).copied().unwrap_or(0.0);
+    let new = found.wild.iter().any(|row| known(row) < KNOWN_TO_BE_WILD * found.variance[*row]);
+    new.then(|| beside_louder_rows(problem, noise, found.wild_only()))
+}
+
+/// A row is told from its neighbours in time: without a clock, rows that follow one another are no neighbours.
+fn rows_can_be_louder(problem: &Problem<'_>, noise: &NoiseModel) -> bool {
+    !noise.lasts() && problem.inputs.time_s.is_some()
+}
+
+fn louder_rows(problem: &Problem<'_>, misfit: &[f64]) -> Option<Louder> {
     let runs = problem.runs();
-    let calibrated = calibrated(&model, &noise)?;
-    let misfit = model.misfit(&calibrated.z)?;
     let load = load_column(problem.inputs, problem.simulator);
-    let value: Vec<f64> = problem.response.iter().zip(&misfit).map(|(reading, misfit)| reading - misfit).collect();
-    let beside = Beside { inputs: problem.inputs, runs: &runs, value: &value, misfit: &misfit, reading: problem.response };
+    let value: Vec<f64> = problem.response.iter().zip(misfit).map(|(reading, misfit)| reading - misfit).collect();
+    let beside = Beside { inputs: problem.inputs, runs: &runs, value: &value, misfit, reading: problem.response };
     let drivers = problem.inputs.drivers.iter().map(|driver| driver.values.as_slice());
     let jumping: Vec<&[f64]> = drivers.chain(load.as_deref()).chain(problem.inputs.simulated.as_deref()).collect();
-    let found = louder(&beside, &jumping);
-    Ok(found.map_or_else(|| noise.clone(), |found| beside_louder_rows(problem, &noise, found)))
+    louder(&beside, &jumping)
 }
 
 /// Where noise could not be measured at rest, it is taken from what the calibrated base model leaves over inside short stretches; never more than what it

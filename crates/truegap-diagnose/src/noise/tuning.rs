@@ -71,6 +71,12 @@ pub(crate) const BESIDE: usize = 4;
 /// Scatters beyond which rows are counted: noise of 10 000 rows has none.
 pub(crate) const FAR_OFF: f64 = 4.5;
 
+/// Scatters from its neighbours on both sides beyond which a single row is wild: Gaussian noise of a million rows has none beyond 6, and the scatter is known to a tenth or so.
+pub(crate) const WILD: f64 = 8.0;
+
+/// Share of the variance that a wild row is to have, from which on it is known to be one.
+pub(crate) const KNOWN_TO_BE_WILD: f64 = 0.25;
+
 /// Fewest rows that are far off, for noise with heavy tails.
 pub(crate) const FEWEST_FAR_OFF: usize = 3;
 

@@ -16,10 +16,11 @@ use crate::{
         block_average::{BlockAverages, block_averages},
         rescale::{quieter_than, too_loud},
         scout::Scout,
+        several::with_wild_rows,
     },
     pipeline::options::Options,
     selection::{
-        candidates::{Progress, Search},
+        candidates::{Progress, Search, Tried},
         posterior::Selection,
     },
     validation::cross_validation::AllRows,
@@ -139,8 +140,22 @@ impl<'a> Prepared<'a> {
         if self.problem.simulator.joined().is_some() || best.fit.chi2 / rows > too_loud(&self.noise) {
             return Ok(None);
         }
-        let model = Model::new(self.problem, &self.context, best.effects.iter().map(|e| self.testable[*e]).collect());
-        Ok(quieter_than(self.problem, &model.misfit(&best.fit.z)?, &self.noise))
+        Ok(quieter_than(self.problem, &self.misfit(best)?, &self.noise))
+    }
+
+    /// The noise with rows that are wild beside the model that leaves least, where the base model hides them.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn with_wild_rows(&self, selection: &Selection) -> Result<Option<NoiseModel>, DiagnoseError> {
+        let Some(best) = selection.least() else { return Ok(None) };
+        Ok(with_wild_rows(self.problem, &self.misfit(best)?, &self.noise))
+    }
+
+    /// What a model of the library leaves of every row.
+    fn misfit(&self, tried: &Tried) -> Result<Vec<f64>, DiagnoseError> {
+        let model = Model::new(self.problem, &self.context, tried.effects.iter().map(|e| self.testable[*e]).collect());
+        Ok(model.misfit(&tried.fit.z)?)
     }
 }
 

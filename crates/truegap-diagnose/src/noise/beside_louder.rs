@@ -1,0 +1,42 @@
+//! The noise of the other rows, where some are louder.
+//!
+//! Limits: which rows are louder is given ([`crate::noise::louder`]).
+
+use crate::{
+    data::{context::load_column, problem::Problem},
+    noise::{
+        follows_drivers::without_what_follows_drivers,
+        louder::Louder,
+        reml::estimate,
+        rescale::not_above,
+        response::{blocks, no_finer_than_read},
+        tones::without_tones,
+        tuning::UNSEEN,
+    },
+    whitening::noise_model::NoiseModel,
+};
+
+/// The noise beside rows that are louder: estimated again from the others.
+pub fn beside_louder_rows(problem: &Problem<'_>, noise: &NoiseModel, found: Louder) -> NoiseModel {
+    let load = load_column(problem.inputs, problem.simulator);
+    let (blocks, ..) = blocks(problem, load.as_deref(), &noise.inputs, noise.load_wanders());
+    let clean = if noise.measured {
+        found.clean
+    } else {
+        // as it was estimated before, from what follows nothing
+        without_tones(problem.inputs, without_what_follows_drivers(problem.inputs, found.clean))
+    };
+    let (response, uncertainty) = estimate(&clean, &blocks);
+    let mut input_error = noise.input_error.clone();
+    input_error.louder.resize(found.variance.len(), 0.0);
+    input_error.louder.iter_mut().zip(&found.variance).for_each(|(known, new)| *known = known.max(*new));
+    let louder = NoiseModel {
+        response: no_finer_than_read(response, problem),
+        uncertainty: if noise.measured { uncertainty } else { uncertainty.max(UNSEEN) },
+        says: format!("{}; {}", noise.says, found.says),
+        input_error,
+        ..noise.clone()
+    };
+    // where noise is taken from what a model leaves over, wild rows were taken for noise as well
+    if noise.measured { louder } else { not_above(problem, &clean, louder) }
+}

@@ -30,6 +30,7 @@ mod gain_drift;
 mod held_warp;
 mod humidity_uptake;
 mod inner_stiffening;
+mod late_driver;
 mod load_cell_error;
 mod mullins_softening;
 mod nonlinearity;
@@ -90,6 +91,8 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(temperature_coefficient::TemperatureCoefficient),
         Box::new(driver_coefficient::DriverCoefficient(0)),
         Box::new(driver_coefficient::DriverCoefficient(1)),
+        Box::new(late_driver::LateDriver(0)),
+        Box::new(late_driver::LateDriver(1)),
         Box::new(stress_relaxation::StressRelaxation),
         Box::new(slow_response::SlowResponse),
         Box::new(regime_change::RegimeChange::OfWhatMoves),

@@ -51,6 +51,9 @@ pub struct Diagnose {
     /// Choose what is missing again without each part of the recording: is the same named, and how well does that predict the part? Takes as many searches as there are parts
     #[arg(long)]
     select_in_folds: bool,
+    /// Search N permuted histories as well: how often does the whole search find as much where there is nothing to find? Takes N times as long
+    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "19", value_parser = clap::value_parser!(u32).range(1..=999))]
+    permuted_searches: Option<u32>,
     /// Hide an input column, to see what its absence does: temperature, humidity, force, pressure, gap
     #[arg(long, value_delimiter = ',', value_name = "COLUMN")]
     conceal: Vec<String>,
@@ -161,6 +164,7 @@ impl Diagnose {
             library,
             library_only: self.library_only,
             select_in_folds: self.select_in_folds,
+            permuted_searches: self.permuted_searches.map_or(0, |n| n as usize),
             no_warp: self.no_warp,
             effects: self.effects.clone(),
             conceal: self.conceal.clone(),

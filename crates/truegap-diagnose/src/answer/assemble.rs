@@ -98,6 +98,7 @@ pub(crate) fn outcome(
         fit,
         findings,
         prediction_only: term,
+        permuted_searches: found.permuted_searches.clone(),
         confirmation: None,
         not_testable,
         smallest_visible: smallest_visible(found),

@@ -12,6 +12,7 @@ use crate::{
         discovered_facts::DiscoveredFacts,
         fit_facts::{BeforeAfterUnit, FitFacts, PredictionOnly},
         parameter_facts::ParameterFacts,
+        permuted_searches::PermutedSearches,
     },
     discovery::marginals::WordProbabilities,
     explain::{
@@ -76,6 +77,9 @@ pub struct Diagnosis {
     /// a term that serves prediction where nothing may be named
     #[serde(skip_serializing_if = "Option::is_none")]
     pub prediction_only: Option<PredictionOnly>,
+    /// the whole search on permuted histories, where that was asked for
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub permuted_searches: Option<PermutedSearches>,
     /// what a recording that took no part says of the findings, where one was given
     #[serde(skip_serializing_if = "Option::is_none")]
     pub confirmation: Option<Confirmed>,

@@ -8,6 +8,7 @@ use crate::{
         interference::every_row::Interference,
         lack_of_fit::{Adequacy, LackOfFitTests},
     },
+    answer::permuted_searches::PermutedSearches,
     discovery::discover::Discovery,
     explain::hidden_input::slow_input::{Hidden, SlowInput},
     selection::{
@@ -59,6 +60,8 @@ pub struct Found<'a> {
     pub mechanisms: &'a [Discovery],
     /// what is chosen without each part of the recording, where that was asked for
     pub(crate) selected_again: Option<Vec<ChosenWithout>>,
+    /// the whole search on permuted histories, where that was asked for
+    pub(crate) permuted_searches: Option<PermutedSearches>,
     /// standard deviations of the coordinates of the models that numbers are told of, with what is not named counted in
     pub(crate) widened: Vec<(&'a Tried, Vec<f64>)>,
     /// whether the search was stopped before its end

@@ -9,6 +9,7 @@ use crate::{
     pipeline::{
         judged::{Judged, Told, composed, judged},
         options::Options,
+        permuted_searches::permuted_searches,
         predicted::Predicted,
         prepare::Prepared,
     },
@@ -68,6 +69,10 @@ pub(crate) fn conclude(
     let again = again.then(|| {
         selected_again(&prepared.search(&searched, told.progress, told.stop), &prepared.searched_noise, &prepared.directions, all)
     });
+    let permuted = match told.options.permuted_searches {
+        wanted if wanted > 0 && told.options.withheld.is_none() => permuted_searches(prepared, selection, told, wanted)?,
+        _ => None,
+    };
     let found = Found {
         search,
         noise: &prepared.noise,
@@ -89,6 +94,7 @@ pub(crate) fn conclude(
         mechanisms,
         widened,
         selected_again: again,
+        permuted_searches: permuted,
         interrupted: told.asked.load(Ordering::Relaxed),
     };
     outcome(&found, known, prepared.not_testable.clone(), started)

@@ -21,7 +21,7 @@ use crate::{
     },
     selection::{
         candidates::{Progress, Search},
-        examine::Examined,
+        examine::{Examined, examine},
         posterior::Selection,
         verdict::{Decision, Verdict, interrupted},
     },
@@ -56,6 +56,12 @@ pub(crate) struct Judged {
     pub by_base: ByBase,
     /// the decision, with predictions of rows left out counted
     pub predicted: Predicted,
+}
+
+/// Fits, weighs and decides.
+pub(crate) fn examined(prepared: &Prepared<'_>, told: &Told<'_>) -> Result<Examined, DiagnoseError> {
+    let searched = prepared.searched();
+    Ok(examine(&prepared.search(&searched, told.progress, told.stop), &prepared.lack_of_fit)?)
 }
 
 /// What is stood behind after rows left out were asked.
@@ -99,7 +105,7 @@ fn judged_once(
     let (decision, kept_back) = reserved(decision, selection, slow.as_ref(), told.options);
     let missing = decision.verdict != Verdict::Agrees;
     let by_base = known.unwrap_or_else(|| by_base(prepared, search, selection.base(), missing));
-    let predicted = predicted(prepared, search, selection, decision, &by_base);
+    let predicted = predicted(prepared, search, selection, decision, &by_base, kept_back.is_none());
     Ok(Judged { examined, composition, slow, interference, kept_back, by_base, predicted })
 }
 

@@ -7,6 +7,7 @@ mod conclude;
 mod judged;
 mod noise_choice;
 mod options;
+mod permuted_searches;
 mod predicted;
 mod prepare;
 
@@ -17,10 +18,7 @@ use crate::{
     data::{error::DiagnoseError, problem::Problem},
     noise::several::measured,
     quality::preconditions::check,
-    selection::{
-        candidates::Progress,
-        examine::{Examined, examine},
-    },
+    selection::candidates::Progress,
 };
 use conclude::conclude;
 use judged::{Told, composed};
@@ -51,26 +49,27 @@ pub fn diagnose(
     let told = Told { options, progress, asked: stop, stop: if options.withheld.is_some() { &halted } else { stop } };
 
     let mut prepared = Prepared::new(problem, noise, options)?;
-    let mut examined = examined(&prepared, &told)?;
+    let mut examined = judged::examined(&prepared, &told)?;
+    // what the base model leaves may hide wild rows, which take the verdict and the noise with them
+    if !told.stop.load(Ordering::Relaxed)
+        && let Some(louder) = prepared.with_wild_rows(&examined.selection)?
+    {
+        prepared = Prepared::new(problem, louder, options)?;
+        examined = judged::examined(&prepared, &told)?;
+    }
     // no noise is louder than what a model leaves: where it was, everything is done once more with less
     if !told.stop.load(Ordering::Relaxed)
         && let Some(quieter) = prepared.quieter(&examined.selection)?
     {
         prepared = Prepared::new(problem, quieter, options)?;
-        examined = self::examined(&prepared, &told)?;
+        examined = judged::examined(&prepared, &told)?;
     }
     let mut composition = composed(&prepared, &examined, &told);
     // where stretches at rest cannot tell slow noise from noise with one memory, the whole recording does
     if let Some(slower) = slower(&prepared, &examined, composition.as_ref(), &told)? {
         prepared = slower;
-        examined = self::examined(&prepared, &told)?;
+        examined = judged::examined(&prepared, &told)?;
         composition = composed(&prepared, &examined, &told);
     }
     conclude(&prepared, examined, composition, &told, known.into(), started)
-}
-
-/// Fits, weighs and decides.
-fn examined(prepared: &Prepared<'_>, told: &Told<'_>) -> Result<Examined, DiagnoseError> {
-    let searched = prepared.searched();
-    Ok(examine(&prepared.search(&searched, told.progress, told.stop), &prepared.lack_of_fit)?)
 }

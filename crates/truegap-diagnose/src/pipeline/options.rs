@@ -20,6 +20,8 @@ pub struct Options {
     pub compose: bool,
     /// whether what is named is chosen again without each part of the recording, which takes as many searches as there are parts
     pub select_in_folds: bool,
+    /// permuted recordings on which the whole search is made again; none where 0
+    pub permuted_searches: usize,
     /// columns that were hidden on purpose: the first is set beside the slow course that the recording asks for without it
     pub hidden: Vec<Hidden>,
     /// the only effects that may be named, where something is wrong with the recording
@@ -38,6 +40,7 @@ impl Default for Options {
             effects: Vec::new(),
             compose: true,
             select_in_folds: false,
+            permuted_searches: 0,
             hidden: Vec::new(),
             restricted: None,
             withheld: None,

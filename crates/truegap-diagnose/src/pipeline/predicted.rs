@@ -13,10 +13,12 @@ use crate::{
     selection::{
         candidates::{Search, Tried},
         posterior::Selection,
-        verdict::{Decision, Verdict, stepped_back},
+        tuning::RIGHT_FAMILY,
+        verdict::{Decision, Verdict, foretold, stated, stepped_back},
     },
     text::{significant, spoken},
     validation::{
+        among_rivals::{Named, best_foreteller},
         cross_validation::{AllRows, HeldOutFit, compared, held_out},
         step_back::{LeftOut, step_back},
         veto::{Against, Unseen},
@@ -58,13 +60,15 @@ pub(crate) fn by_base(prepared: &Prepared<'_>, search: &Search<'_>, base: &Tried
     ByBase { alone, unseen }
 }
 
-/// Predicts rows left out: what predicts them much worse than the base model is not claimed, nor an effect without which the others predict them better.
+/// Predicts rows left out: what predicts them much worse than the base model is not claimed, nor an effect without which the others predict them better. What predicts them well is
+/// stood behind even where its rest stands far out of the noise, unless nothing may be named (`may_name`).
 pub(crate) fn predicted(
     prepared: &Prepared<'_>,
     search: &Search<'_>,
     selection: &Selection,
     decision: Decision,
     by_base: &ByBase,
+    may_name: bool,
 ) -> Predicted {
     let noise = &prepared.searched_noise;
     let all = prepared.all_rows();
@@ -74,12 +78,26 @@ pub(crate) fn predicted(
         nearer(held_out(search, noise, tried, all), squares)
     };
     let nothing = |decision| (Unseen::nothing(base.clone()), decision);
-    if selection.models[decision.model].effects.is_empty() {
+    let free_form = |e: usize| search.library[e].free_form();
+    // what stands out of the noise in what a model leaves may be small beside what it foretells
+    let asked = if selection.models[decision.model].effects.is_empty() {
+        let unsettled = may_name && decision.verdict == Verdict::Unexplained && decision.unmodelled.is_none();
+        stated(selection).filter(|model| unsettled && selection.models[*model].effects.iter().all(|e| !free_form(*e)))
+    } else {
+        Some(decision.model)
+    };
+    let Some(asked) = asked else {
         let (unseen, decision) = nothing(decision);
         return Predicted { unseen, decision, after: None, vetoed: None, left_out: Vec::new() };
-    }
-    let free_form = |e: usize| search.library[e].free_form();
-    let start = (decision.model, of(&selection.models[decision.model]));
+    };
+    let first = Named { model: asked, unseen: of(&selection.models[asked]) };
+    let (asked, start, decision) = match best_foreteller(selection, (&first, &decision.sets), of) {
+        Some((better, sets)) if decision.model == asked => {
+            (better.model, better.unseen, Decision { model: better.model, sets, ..decision })
+        }
+        _ => (asked, first.unseen, decision),
+    };
+    let start = (asked, start);
     let (model, named, left_out) = step_back(selection, start, base, of, free_form);
     let unit = search.problem.simulator.unit();
     let id = |e: usize| search.library[e].id().to_string();
@@ -92,16 +110,27 @@ pub(crate) fn predicted(
         )
     };
     let told: Vec<String> = left_out.iter().map(told).collect();
+    let named_before = decision.model == asked;
     let (decision, after) = if left_out.is_empty() {
         (decision, None)
     } else {
         let after = prepared.lack_of_fit.adequacy(&selection.models[model].fit);
-        (stepped_back(selection, &decision, model, &after), Some(after))
+        let decision = if named_before { stepped_back(selection, &decision, model, &after) } else { decision };
+        (decision, Some(after))
     };
     let chosen = &selection.models[model];
     let unseen = Unseen::of((base.clone(), &selection.base().fit), (named, &chosen.fit));
     let foretells = chosen.effects.iter().all(|e| !free_form(*e));
-    if let Some(against) = unseen.worse().filter(|_| foretells) {
+    let (decision, after) = match decision.verdict {
+        Verdict::Unexplained if foretells && may_name => match unseen.foretold(&prepared.noise).filter(|r| *r >= RIGHT_FAMILY) {
+            Some(removed) => {
+                (foretold(selection, model, removed), Some(prepared.lack_of_fit.adequacy(&selection.models[model].fit)))
+            }
+            None => (decision, after),
+        },
+        _ => (decision, after),
+    };
+    if let Some(against) = unseen.worse().filter(|_| foretells && (named_before || decision.model == model)) {
         let ids = chosen.effects.iter().map(|e| id(*e)).collect::<Vec<_>>().join(" and ");
         let says = format!(
             "there is a mismatch, but its cause is not decided: {ids} would fit it, and rows left out are predicted {} by the calibrated model alone ({})",
@@ -112,8 +141,17 @@ pub(crate) fn predicted(
         let vetoed = Some(Reserved { says, withheld: false, input_missing: false });
         return Predicted { unseen, decision, after: None, vetoed, left_out: told };
     }
-    // a verdict that names nothing has no model whose predictions could be told
-    let unseen = if decision.model == model { unseen } else { Unseen::nothing(base.clone()) };
+    // a verdict that names nothing has no model whose predictions could be told, nor effects that are told beside it
+    if decision.model != model {
+        let told = if named_before { told } else { Vec::new() };
+        return Predicted {
+            unseen: Unseen::nothing(base.clone()),
+            decision,
+            after: after.filter(|_| named_before),
+            vetoed: None,
+            left_out: told,
+        };
+    }
     Predicted { unseen, decision, after, vetoed: None, left_out: told }
 }
 

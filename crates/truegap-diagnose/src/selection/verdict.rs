@@ -153,6 +153,13 @@ pub(crate) fn stepped_back(selection: &Selection, decision: &Decision, model: us
     Decision { verdict, model, sets, removed, ..decision.clone() }
 }
 
+/// The decision for a model that foretells rows left out, and whose rest stands out all the same: `removed` is the share of the reproducible misfit that it removes there.
+pub(crate) fn foretold(selection: &Selection, model: usize, removed: f64) -> Decision {
+    let sets = sets_told(selection, model);
+    let verdict = if sets.iter().any(|set| set.len() > 1) { Verdict::Ambiguous } else { Verdict::WrongForm };
+    Decision { model, sets, removed, ..Decision::nothing(verdict, selection.base) }
+}
+
 /// An unmodelled cause is likelier than all of it. What it stands beside is not named: it would be a smaller part of what is missing.
 fn unmodelled_instead(selection: &Selection, unmodelled: &Unmodelled) -> Decision {
     let beside = selection.with(&unmodelled.effects).unwrap_or(selection.base());

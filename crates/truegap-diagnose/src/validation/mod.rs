@@ -2,6 +2,7 @@
 //!
 //! Limits: decides nothing.
 
+pub(crate) mod among_rivals;
 pub mod confirmation;
 pub(crate) mod cross_validation;
 pub(crate) mod permutation;

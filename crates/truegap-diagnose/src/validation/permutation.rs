@@ -33,7 +33,7 @@ pub fn permuted(base: &Fit, chosen: &Fit, runs: &[Range<usize>], numbers: &[u32]
 
 /// Columns with their runs exchanged, each stretched to its new run and turned about by a tenth or more of its length: runs that repeat one another would
 /// otherwise stand in for one another.
-fn permute(columns: &DMatrix<f64>, runs: &[Range<usize>], random: &mut ChaCha8Rng) -> DMatrix<f64> {
+pub(crate) fn permute(columns: &DMatrix<f64>, runs: &[Range<usize>], random: &mut ChaCha8Rng) -> DMatrix<f64> {
     let mut source: Vec<usize> = (0..runs.len()).collect();
     while runs.len() > 1 && source.iter().enumerate().any(|(i, s)| i == *s) {
         source.shuffle(random);

@@ -3,6 +3,11 @@
 //! Limits: where a line gives no reason or source of its own, the value was set on the open cases and on generated recordings, never on sealed ones
 //! (`docs/history.md`).
 
+// among_rivals.rs
+
+/// Most rivals whose predictions of rows left out are compared: each takes as many fits as there are parts.
+pub(crate) const MOST_RIVALS: usize = 5;
+
 // confirmation.rs
 
 /// Blocks that a recording of few runs is cut into: enough for a p-value of 2 in 4096.

@@ -10,8 +10,9 @@
 
 use crate::{
     fit::optimum::Fit,
-    validation::cross_validation::{HeldOutFit, compared},
+    validation::cross_validation::{HeldOutFit, compared, misfit_removed},
     validation::tuning::{CLEARLY_WORSE, EXTRAPOLATED, FORETOLD, PROOF},
+    whitening::noise_model::NoiseModel,
 };
 
 /// Predictions of rows left out, by the base model and by the model stood behind.
@@ -85,6 +86,14 @@ impl Unseen {
     pub fn larger(&self) -> bool {
         let both = self.named.as_ref().and_then(|named| compared(&self.base, named));
         both.is_some_and(|both| both.rmse[1] > CLEARLY_WORSE * both.rmse[0])
+    }
+
+    /// Share of the reproducible misfit that the model removes on rows left out, where it predicts most parts better; `None` where it does not, or where there is next to none.
+    pub fn foretold(&self, noise: &NoiseModel) -> Option<f64> {
+        let both = compared(&self.base, self.named.as_ref()?)?;
+        let better = both.parts.iter().filter(|(_, base, named)| named < base).count();
+        let [base, named] = both.rmse;
+        misfit_removed(base, named, noise.floor(), noise.rows).filter(|_| 2 * better > both.parts.len())
     }
 
     /// Squares of the noise that the model loses on rows left out, where it foretells no more than half of the parts; what it gains there and in belief is no proof below [`PROOF`].

@@ -29,6 +29,8 @@ pub struct Request {
     pub library_only: bool,
     /// choose again without each part of the recording, to see whether the same is named and how well it predicts the part
     pub select_in_folds: bool,
+    /// permuted recordings on which the whole search is made again; none where 0
+    pub permuted_searches: usize,
     /// effects to try; all where empty
     pub effects: Vec<String>,
     /// input columns to hide: role or name in the file

@@ -87,6 +87,7 @@ impl Run<'_> {
             effects: self.request.effects.clone(),
             compose: !self.request.library_only,
             select_in_folds: self.request.select_in_folds,
+            permuted_searches: self.request.permuted_searches,
             hidden: opened.hidden.clone(),
             bank: self.request.bank.map(bank_store::options),
             ..Options::default()

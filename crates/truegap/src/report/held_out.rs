@@ -31,6 +31,10 @@ pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
         page.text("No row has a prediction by a fit that did not see it.")
     };
     let page = page.details("Errors per part left out").table(&table(subject, held)).end_details();
+    let page = match &subject.diagnosis.permuted_searches {
+        Some(permuted) => page.text(&format!("{}.", capitalised(&permuted.says))),
+        None => page,
+    };
     match &held.selected_again {
         None => page,
         Some(again) => page

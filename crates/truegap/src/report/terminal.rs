@@ -45,6 +45,7 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
     lines.extend(
         diagnosis.fit.held_out.selected_again.iter().map(|again| format!("  {}", wording::chosen_again(diagnosis, again))),
     );
+    lines.extend(diagnosis.permuted_searches.iter().map(|permuted| format!("  {}", permuted.says)));
     lines.extend(beside(diagnosis));
     lines.extend(diagnosis.confirmation.iter().map(confirmation::line));
     lines.extend(diagnosis.prediction_only.iter().map(|term| capitalised(&term.says)));

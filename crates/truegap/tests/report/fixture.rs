@@ -207,6 +207,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
         reference: vec![plain("straight_line", 0.0213, 0.0241), plain("smooth_curve", 0.0187, 0.0305)],
         reference_says: None,
         prediction_only: None,
+        permuted_searches: None,
         confirmation: None,
         not_testable: vec![NotTestable { effect: "humidity_uptake".into(), says: "no humidity column".into() }],
         smallest_visible: vec![SmallestVisible {

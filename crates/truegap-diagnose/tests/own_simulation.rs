@@ -123,6 +123,50 @@ fn one_row_a_run_with_a_clock_is_diagnosed() {
     assert!(lag.says.contains("every run is one row"), "{}", lag.says);
 }
 
+/// A thermometer that swings by 5 K, 2 mV/K: one standard deviation of a row. One row in 1800 is off by a hundred.
+#[test]
+fn a_single_wild_row_does_not_take_the_verdict() {
+    let inputs = Inputs {
+        time_s: Some((0..1800).map(f64::from).collect()),
+        run: vec![1; 1800],
+        temperature_c: Some((0..1800).map(|row| 22.0 + 5.0 * (f64::from(row) / 90.0).sin()).collect()),
+        ..Inputs::default()
+    };
+    let warm = inputs.temperature_c.clone().unwrap();
+    let wild = |row: usize| if row == 700 { 1.0 } else { 0.0 };
+    let said = said(&Given::with_level(), &inputs, &noisy(5, |row| 3.0 + 0.002 * (warm[row] - 20.0) + wild(row), 1800));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!((said.verdict, named), (Verdict::Explained, vec!["temperature_coefficient"]), "{}", said.says);
+    assert!(said.noise.says.contains("wild"), "{}", said.noise.says);
+}
+
+/// A fan that is switched every 200 s cools the reading by 0.2 V, with a time constant of 30 s.
+#[test]
+fn a_driver_that_acts_late_is_named_with_its_time_constant() {
+    let on = |row: usize| if row / 200 % 2 == 1 { 1.0 } else { 0.0 };
+    let inputs = Inputs {
+        time_s: Some((0..1800).map(f64::from).collect()),
+        run: vec![1; 1800],
+        drivers: vec![Driver { name: "fan".into(), unit: "1".into(), values: (0..1800).map(on).collect() }],
+        ..Inputs::default()
+    };
+    let mut late = 0.0;
+    // a first-order lag of a step between two rows, in closed form from row to row
+    let truth: Vec<f64> = (0..1800)
+        .map(|row| {
+            late += (on(row) - late) * (1.0 - (-1.0f64 / 30.0).exp());
+            3.0 - 0.2 * late
+        })
+        .collect();
+    let said = said(&Given::with_level(), &inputs, &noisy(6, |row| truth[row], 1800));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["late_driver"], "{}", said.says);
+    let number = |name: &str| said.findings[0].parameters.iter().find(|p| p.name == name).unwrap();
+    let (size, tau) = (number("per_unit"), number("tau"));
+    // the effect takes the driver as straight between rows, the truth as held: half a row
+    assert!((size.value + 0.2).abs() < 4.0 * size.sd && (tau.value - 30.0).abs() < 4.0 * tau.sd.hypot(0.5), "{}", said.says);
+}
+
 /// Nothing but the reading, no clock, and it drifts: there is no input along which it could be located, and the answer says that it is wrong.
 #[test]
 fn a_response_alone_is_diagnosed() {

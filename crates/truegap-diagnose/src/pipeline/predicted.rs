@@ -122,12 +122,14 @@ pub(crate) fn predicted(
     let unseen = Unseen::of((base.clone(), &selection.base().fit), (named, &chosen.fit));
     let foretells = chosen.effects.iter().all(|e| !free_form(*e));
     let (decision, after) = match decision.verdict {
-        Verdict::Unexplained if foretells && may_name => match unseen.foretold(&prepared.noise).filter(|r| *r >= RIGHT_FAMILY) {
-            Some(removed) => {
-                (foretold(selection, model, removed), Some(prepared.lack_of_fit.adequacy(&selection.models[model].fit)))
+        Verdict::Unexplained if foretells && may_name => {
+            match unseen.foretold(prepared.noise.floor(), prepared.noise.rows).filter(|r| *r >= RIGHT_FAMILY) {
+                Some(removed) => {
+                    (foretold(selection, model, removed), Some(prepared.lack_of_fit.adequacy(&selection.models[model].fit)))
+                }
+                None => (decision, after),
             }
-            None => (decision, after),
-        },
+        }
         _ => (decision, after),
     };
     if let Some(against) = unseen.worse().filter(|_| foretells && (named_before || decision.model == model)) {

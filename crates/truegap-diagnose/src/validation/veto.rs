@@ -12,7 +12,6 @@ use crate::{
     fit::optimum::Fit,
     validation::cross_validation::{HeldOutFit, compared, misfit_removed},
     validation::tuning::{CLEARLY_WORSE, EXTRAPOLATED, FORETOLD, PROOF},
-    whitening::noise_model::NoiseModel,
 };
 
 /// Predictions of rows left out, by the base model and by the model stood behind.
@@ -89,11 +88,13 @@ impl Unseen {
     }
 
     /// Share of the reproducible misfit that the model removes on rows left out, where it predicts most parts better; `None` where it does not, or where there is next to none.
-    pub fn foretold(&self, noise: &NoiseModel) -> Option<f64> {
+    ///
+    /// `floor` is the noise of a row, measured on `rows` of them.
+    pub fn foretold(&self, floor: f64, rows: usize) -> Option<f64> {
         let both = compared(&self.base, self.named.as_ref()?)?;
         let better = both.parts.iter().filter(|(_, base, named)| named < base).count();
         let [base, named] = both.rmse;
-        misfit_removed(base, named, noise.floor(), noise.rows).filter(|_| 2 * better > both.parts.len())
+        misfit_removed(base, named, floor, rows).filter(|_| 2 * better > both.parts.len())
     }
 
     /// Squares of the noise that the model loses on rows left out, where it foretells no more than half of the parts; what it gains there and in belief is no proof below [`PROOF`].
@@ -133,6 +134,20 @@ mod tests {
 
     /// Errors that nobody sees by eye, measured in the noise. A mimic gains in the parts that it was fitted to and loses 30 squares of noise in one that it was not; the right physics
     /// may lose more in the part that holds the only first loading and gains in the others.
+    #[test]
+    fn what_removes_most_of_the_misfit_in_most_parts_is_foretold() {
+        let of = |named: &[f64]| {
+            let unseen = Unseen { base: predicted(&[64.0, 64.0, 64.0]), named: Some(predicted(named)), believed: 0.0 };
+            unseen.foretold(1.0, 500)
+        };
+        // errors of 4 and 2 of 3 and a noise of 1: 1 - (4 - 1) / (16 - 1)
+        approx::assert_relative_eq!(of(&[16.0, 16.0, 16.0]).unwrap(), 0.8, max_relative = 1e-12);
+        // one part for all
+        assert_eq!(of(&[0.1, 66.0, 66.0]), None);
+        // nothing above the noise to remove
+        assert_eq!(Unseen { base: predicted(&[4.0]), named: Some(predicted(&[3.0])), believed: 0.0 }.foretold(1.0, 500), None);
+    }
+
     #[test]
     fn what_the_noise_says_of_rows_left_out_counts_where_errors_are_alike() {
         let believed = |gains: [f64; 4], believed: f64| {

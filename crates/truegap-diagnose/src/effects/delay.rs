@@ -1,6 +1,6 @@
 //! Changes of a reading that come late by two ways at once: what a lag of the reading and a relaxation of it share.
 //!
-//! Limits: linear in the reading; only the first run may start out of equilibrium.
+//! Limits: linear in the reading; runs that start out of equilibrium began alike: each as far from it as the first, in proportion to its own first value.
 
 use crate::{
     data::context::Context,
@@ -13,7 +13,7 @@ use truegap_core::Inputs;
 pub struct Delay {
     /// time constant in s, and share of the change that comes with it
     pub parts: Vec<(f64, f64)>,
-    /// change per second of the true value before the first row of the recording
+    /// change per second of the true value before the first row of the recording; before each other run as many times that as its first value stands further from rest
     pub before: f64,
 }
 
@@ -23,20 +23,20 @@ impl Delay {
         Self { parts: vec![(tau_s, 1.0 - share), (tau_s * slower, share)], before }
     }
 
-    /// The delayed column, in place; time constants of 0 are the identity.
-    pub fn apply(&self, inputs: &Inputs, value: &mut [f64]) {
+    /// The delayed column, in place; `rest` is its value at rest. Time constants of 0 are the identity.
+    pub fn apply(&self, inputs: &Inputs, rest: f64, value: &mut [f64]) {
         if self.parts.iter().all(|(tau, _)| *tau <= 0.0) {
             return;
         }
         let given = value.to_vec();
+        let before = |row: usize| self.before * if row == 0 { 1.0 } else { steps_alike(given[0] - rest, given[row] - rest) };
         value.fill(0.0);
         for (tau_s, share) in self.parts.iter().filter(|(_, share)| *share > 0.0) {
             let mut lag = Lag::new(*tau_s);
             walk(inputs, |row, step| {
                 let x = given[row];
                 let late = match step {
-                    None if row == 0 => lag.start(x, x - tau_s * self.before),
-                    None => lag.start(x, x),
+                    None => lag.start(x, x - tau_s * before(row)),
                     Some(step) => lag.next(x, step),
                 };
                 value[row] += share * late;
@@ -44,6 +44,15 @@ impl Delay {
         }
     }
 }
+
+/// How many times as far from rest a run begins as the first; 0 where the first begins at rest, and never more than [`MOST_ALIKE`] times.
+fn steps_alike(first: f64, this: f64) -> f64 {
+    let times = this / first;
+    if times.is_finite() { times.clamp(-MOST_ALIKE, MOST_ALIKE) } else { 0.0 }
+}
+
+/// Beyond that the first run begins next to rest, and says nothing of the others.
+const MOST_ALIKE: f64 = 10.0;
 
 /// Whether the reading itself is a temperature that somebody has simulated: then the reading is late, and not an input of it.
 pub(crate) fn reads_temperature(context: &Context<'_>) -> bool {
@@ -62,8 +71,24 @@ mod tests {
         let inputs = Inputs { time_s: Some(time.clone()), run: vec![1; 50], ..Inputs::default() };
         let mut value: Vec<f64> = time.iter().map(|t| 20.0 + 0.02 * t).collect();
         // the mean of both is 0.6 q + 0.4 x 10 q
-        Delay::of_two(300.0 / 4.6, 0.4, 10.0, 0.02).apply(&inputs, &mut value);
+        Delay::of_two(300.0 / 4.6, 0.4, 10.0, 0.02).apply(&inputs, 20.0, &mut value);
         // 0.02 a second times 300 s
         time.iter().zip(&value).for_each(|(t, v)| approx::assert_abs_diff_eq!(*v, 14.0 + 0.02 * t, epsilon = 1e-9));
+    }
+
+    /// A heater that was switched on 30 s before the first row of each run, at another power in each: `p (1 - exp(-t / 50))` above rest.
+    #[test]
+    fn runs_that_began_alike_are_on_their_way_alike() {
+        let power = [3.0, 7.5, 1.0];
+        let time: Vec<f64> = (0..3).flat_map(|run| (0..40).map(move |i| 1000.0 * f64::from(run) + 5.0 * f64::from(i))).collect();
+        let run: Vec<u32> = (0..120).map(|row| 1 + row / 40).collect();
+        let inputs = Inputs { time_s: Some(time), run, ..Inputs::default() };
+        let mut value: Vec<f64> = (0..120).map(|row| 20.0 + power[row / 40]).collect();
+        let missing = 3.0 * (-30.0f64 / 50.0).exp();
+        Delay::of_two(50.0, 0.0, 10.0, missing / 50.0).apply(&inputs, 20.0, &mut value);
+        for (row, late) in value.iter().enumerate() {
+            let since = 30.0 + 5.0 * (row % 40) as f64;
+            approx::assert_abs_diff_eq!(*late, 20.0 + power[row / 40] * (1.0 - (-since / 50.0).exp()), epsilon = 1e-12);
+        }
     }
 }

@@ -18,8 +18,8 @@ pub struct SlowResponse;
 pub(crate) struct Late(pub Delay);
 
 impl Stage for Late {
-    fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
-        self.0.apply(drive.inputs, value);
+    fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
+        self.0.apply(drive.inputs, readout.zero, value);
     }
 }
 
@@ -103,7 +103,7 @@ impl Effect for SlowResponse {
     fn about(&self) -> About {
         About {
             physics: "the reading follows what it measures with a time constant, by a quick way (a vent, a surface) and a slow one (a housing, a core)",
-            equation: "value = (1 - s) lag(true; tau) + s lag(true; r tau), s the slow share, r how much slower; `before` is the rate of the true value before the first row",
+            equation: "value = (1 - s) lag(true; tau) + s lag(true; r tau), s the slow share, r how much slower; `before` is the rate of the true value before the first row, and before each run in proportion to where it begins",
             excitation: "a simulated value or gap that changes faster than the reading can follow, with a clock",
             impostors: &["readout_lag", "time_offset", "offset_drift", "friction", "stress_relaxation"],
             separates: "behind on the way up and on the way down, by more the faster it goes, and there in the end",

@@ -1,7 +1,9 @@
 """Formats that several recordings share, from bytes to columns."""
 
 import io
+import zipfile
 
+import netCDF4
 import numpy as np
 import pandas as pd
 
@@ -61,3 +63,51 @@ def ameriflux(content, begin, end, names):
     at = pd.to_datetime(frame.TIMESTAMP_START.astype(str), format="%Y%m%d%H%M")
     kept = (at >= begin) & (at < end) & frame[names].notna().all(axis=1)
     return frame[kept].assign(time_s=(at[kept] - pd.Timestamp(begin)).dt.total_seconds())
+
+
+def netcdf(content, names):
+    """Columns of a netCDF file by the names that they are to have; what is masked or not there is nan."""
+    with netCDF4.Dataset("memory", memory=content) as file:
+        return pd.DataFrame({name: np.ma.filled(file[column][:].astype(float), np.nan) for name, column in names.items()})
+
+
+def means(values, rows):
+    """Means of so many values each; a rest at the end is left away."""
+    values = np.asarray(values, float)
+    return values[: len(values) // rows * rows].reshape(-1, rows).mean(axis=1)
+
+
+def jpk(content):
+    """Segments of a force curve of a JPK microscope, in its order: duration in seconds, and channels by name as volts or metres of the encoder."""
+    with zipfile.ZipFile(io.BytesIO(content)) as file:
+        shared = properties(file.read("shared-data/header.properties"))
+        inside = file.namelist()
+        for k in range(sum(name.endswith("/segment-header.properties") for name in inside)):
+            header = properties(file.read(f"segments/{k}/segment-header.properties"))
+            start = f"segments/{k}/channels/"
+            names = [name.removeprefix(start).removesuffix(".dat") for name in inside if name.startswith(start) and name.endswith(".dat")]
+            channels = {name: encoded(file.read(f"{start}{name}.dat"), shared, header[f"channel.{name}.lcd-info.*"]) for name in names}
+            yield float(header["force-segment-header.duration"]), channels
+
+
+def properties(content):
+    """Lines `key=value` of a Java properties file."""
+    return dict(line.split("=", 1) for line in content.decode().splitlines() if "=" in line)
+
+
+def encoded(content, shared, number):
+    """Numbers of a channel: whole ones with gain and offset of the encoder, else floating ones."""
+    kind = shared.get(f"lcd-info.{number}.encoder.type", "")
+    at = f"lcd-info.{number}.encoder.scaling"
+    values = np.frombuffer(content, {"signedshort": ">i2", "signedinteger": ">i4"}.get(kind.removesuffix("-limited"), ">f4")).astype(float)
+    return values * float(shared.get(f"{at}.multiplier", 1)) + float(shared.get(f"{at}.offset", 0))
+
+
+def speed_coach(content):
+    """Strokes of a rowing computer: numbers by the names of its columns, and seconds since the start."""
+    lines = content.decode("utf-8-sig").splitlines()
+    start = next(k for k, text in enumerate(lines) if text.startswith("Per-Stroke Data"))
+    header = next(k for k in range(start + 1, len(lines)) if lines[k].startswith("Interval,"))
+    frame = pd.read_csv(io.StringIO("\n".join([lines[header], *lines[header + 2 :]])))
+    clock = pd.to_timedelta(frame.pop("Elapsed Time"), errors="coerce").dt.total_seconds()
+    return frame.apply(pd.to_numeric, errors="coerce").assign(time_s=clock)

@@ -111,3 +111,20 @@ def speed_coach(content):
     frame = pd.read_csv(io.StringIO("\n".join([lines[header], *lines[header + 2 :]])))
     clock = pd.to_timedelta(frame.pop("Elapsed Time"), errors="coerce").dt.total_seconds()
     return frame.apply(pd.to_numeric, errors="coerce").assign(time_s=clock)
+
+
+def dives(contents, names):
+    """Columns of one group of a glider's dives, one under the other, with the number of the dive from 1 on."""
+    return pd.concat([netcdf(content, names).assign(dive=number) for number, content in enumerate(contents, 1)], ignore_index=True)
+
+
+def names_in_zip(content):
+    """Names of the files in a zip archive."""
+    with zipfile.ZipFile(io.BytesIO(content)) as file:
+        return file.namelist()
+
+
+def in_zip(content, name):
+    """Bytes of a file in a zip archive."""
+    with zipfile.ZipFile(io.BytesIO(content)) as file:
+        return file.read(name)

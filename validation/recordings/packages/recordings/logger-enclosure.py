@@ -1,4 +1,4 @@
-"""Temperature inside the box of a data logger over that of the air, a winter week: it comes late, and the sun warms it by day, less where there is wind. Means of 5 min."""
+"""Temperature inside the box of a data logger over that of the air, a winter week: by day the sun warms it, on some days and more where there is no wind, and no column tells. Means of 5 min."""
 
 import numpy as np
 import pandas as pd

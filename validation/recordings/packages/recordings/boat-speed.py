@@ -1,4 +1,7 @@
-"""Speed of a rowing boat over ground by satellite, beside that through the water by an impeller, stroke by stroke on a river: half way the boat turns, and the stream helps where it hindered. Until it turns again."""
+"""Speed of a rowing boat over ground by satellite, beside that through the water by an impeller, stroke by stroke on a river.
+
+Half way the boat turns, and the stream helps where it hindered. Until it turns again.
+"""
 
 import numpy as np
 from fitting import line, terms

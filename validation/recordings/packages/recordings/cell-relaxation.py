@@ -1,6 +1,6 @@
 """A living cell under the tip of a force microscope: pressed in within a second, held at one height for half a minute, let go. The deflection of the cantilever fades while it is held.
 
-The height is that of the strain gauge; the tip is in touch when the recording begins.
+The height is the travel by the strain gauge of the stage, 10 um/V by its calibration; the tip is in touch, and pulled, when the recording begins.
 """
 
 import numpy as np

@@ -1,4 +1,7 @@
-"""Voltage of a buffer battery that is kept charged, over the temperature beside it, a day in July, every minute: the charger lowers it by 14 mV/K, as such chargers do. Read in steps of 10 mV."""
+"""Voltage of a buffer battery that is kept charged, over the temperature beside it, a day in July, every minute.
+
+The charger lowers it by 14 mV/K, as such chargers do, and the battery warms some twenty minutes later than the thermometer. Read in steps of 10 mV.
+"""
 
 import numpy as np
 from fitting import lag, line, terms

@@ -1,4 +1,7 @@
-"""Probe of the electric field in a radio-frequency line over the power that is sent into it, six sweeps up and down: it follows the root of the power, nearly, and is read two rows before it. A row counts as a second; the file has no clock."""
+"""Probe of the electric field in a radio-frequency line over the power that is sent into it, six sweeps up and down.
+
+It follows the root of the power, nearly, and is read two rows before it. A row counts as a second; the file has no clock.
+"""
 
 import numpy as np
 from fitting import lag, line, terms

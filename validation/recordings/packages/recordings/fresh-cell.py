@@ -1,4 +1,7 @@
-"""Voltage of a fresh cell that is discharged by 1.89 mA, beside that of an aged one of its kind at the same time after the start, until the aged one is empty: the fresh one holds more, so all comes later. Every fourth row."""
+"""Voltage of a fresh cell that is discharged by 1.89 mA, beside that of an aged one of its kind at the same time after the start, until the aged one is empty.
+
+The fresh one holds more, so all comes later. Every fourth row.
+"""
 
 import numpy as np
 from fitting import line, terms

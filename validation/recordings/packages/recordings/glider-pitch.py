@@ -1,4 +1,7 @@
-"""Pitch of an underwater glider over the place of the battery that it moves for that, 14 dives, one a run, every tenth row: the trim changes with the depth, which presses the hull, and the lever is a curve."""
+"""Pitch of an underwater glider over the place of the battery that it moves for that, 14 dives, one a run, every tenth row.
+
+The trim changes with the depth, which presses the hull, and the lever is a curve.
+"""
 
 from fitting import line
 from reading import dives

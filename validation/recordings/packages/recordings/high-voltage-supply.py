@@ -1,4 +1,4 @@
-"""Supply of a photomultiplier in a soot photometer on a ship in the ice, a day in means of a minute, as its chamber cools and warms by 10 K: 27 mV/K."""
+"""High voltage of a detector in a soot photometer on a ship in the ice, a day in means of a minute, as its chamber cools and warms by 10 K: 27 mV/K."""
 
 import io
 

@@ -1,4 +1,4 @@
-"""Stage of a force microscope as its capacitive sensor sees it, over the height that is set: up for three seconds, held by the force for three, down for three. A piezo lags behind on the way back."""
+"""Stage of a force microscope as its capacitive sensor sees it, over the voltage of its piezo: out for three seconds, held at one force for three, back for three. A piezo lags behind on the way back."""
 
 import numpy as np
 from fitting import lag, line, terms
@@ -16,11 +16,11 @@ def rows(content):
         sensed.append(channels["measuredHeight"][::6] * -1e6)
         begin += duration
     t, command, sensed = map(np.concatenate, (t, command, sensed))
-    return {"time_s": t.round(6), "command_um": command, "sensed_um": sensed - sensed[0]}
+    return {"time_s": t.round(6), "command_v": command, "sensed_um": sensed - sensed[0]}
 
 
 def models(c):
-    y, x, t = c["sensed_um"], c["command_um"], c["time_s"]
+    y, x, t = c["sensed_um"], c["command_v"], c["time_s"]
     u = (x - x.min()) / np.ptp(x)
     turn = u[int(np.argmax(x))]
     back = (np.arange(len(x)) > np.argmax(x)) * 1.0

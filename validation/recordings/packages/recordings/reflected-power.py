@@ -1,4 +1,7 @@
-"""Power that comes back from a radio-frequency line, by a second meter, over the power that is sent in, six sweeps up and down at a standing wave of 4: a constant share, read a part of a row earlier. A row counts as a second; the file has no clock."""
+"""Power that comes back from a radio-frequency line, by a second meter, over the power that is sent in, six sweeps up and down at a standing wave of 4.
+
+A constant share, read a part of a row earlier. A row counts as a second; the file has no clock.
+"""
 
 import numpy as np
 from fitting import line, terms

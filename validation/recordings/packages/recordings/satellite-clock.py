@@ -1,4 +1,7 @@
-"""Second pulses of a satellite receiver against a hydrogen maser, 2.8 days in means of five minutes: they come and go with the day, as antenna and cable warm and the air above is charged by the sun."""
+"""Second pulses of a satellite receiver against a hydrogen maser, 2.8 days in means of five minutes.
+
+They come and go with the day, as antenna and cable warm and the air above is charged by the sun.
+"""
 
 import gzip
 

@@ -1,4 +1,7 @@
-"""Heat into the soil by two plates some metres apart under grass, two days of November in half hours, one a run: they differ with the heat that the sun brings and the sky takes, an hour or so later."""
+"""Heat into the soil by two plates some metres apart under grass, two days of November in half hours, one a run.
+
+They differ with the heat that the sun brings and the sky takes, an hour or so later.
+"""
 
 import numpy as np
 import pandas as pd

@@ -6,12 +6,13 @@ pub use crate::data::load::load_column;
 
 use crate::data::moved::Moved;
 use std::sync::{Arc, OnceLock};
-use truegap_core::{Corrections, Inputs, Joined, Simulator, simulator::StageName};
+use truegap_core::{Corrections, EffectId, Inputs, Joined, Parameter, Prior, Simulator, simulator::StageName};
 
 /// Why nothing that takes time can be looked for.
 pub const NO_CLOCK: &str = "no time column";
 
 /// Facts that priors, starting values and testability rest on.
+#[derive(Clone)]
 pub struct Context<'a> {
     /// what was done
     pub inputs: &'a Inputs,
@@ -41,6 +42,8 @@ pub struct Context<'a> {
     pub reference_c: f64,
     /// what moved in the recording to which effects were fitted: these inputs, or those of a model file
     pub moved: Moved,
+    /// numbers of effects that are held at nothing, since rows left out do not bear them out
+    pub(crate) held: Vec<(EffectId, &'static str)>,
     /// strain of a full load, once an effect has asked for it
     pub(crate) full_strain: OnceLock<f64>,
     /// response where next to no load acts, once an effect has asked for it
@@ -57,6 +60,12 @@ fn duration(time: &[f64], inputs: &Inputs, simulator: &dyn Simulator) -> f64 {
     let of = |j: &dyn Joined| (0..j.count()).map(|k| elapsed(&time[j.rows(k, inputs)])).fold(0.0, f64::max);
     simulator.joined().map_or_else(|| elapsed(time), of)
 }
+
+/// Standard deviation of a number that is held, over that of its prior: no recording moves it.
+const HELD: f64 = 1e-6;
+
+/// What a reader is told of it.
+const HELD_SAYS: &str = "; held at 0, since rows left out are predicted better so";
 
 /// Change of a temperature that a thermometer sees, K.
 const SOME_KELVIN: f64 = 0.2;
@@ -84,6 +93,7 @@ impl<'a> Context<'a> {
             runs: runs.len(),
             reference_c: simulator.reference_c(),
             moved: Moved::of(inputs, simulator),
+            held: Vec::new(),
             full_strain: OnceLock::new(),
             unloaded: OnceLock::new(),
         }
@@ -93,6 +103,28 @@ impl<'a> Context<'a> {
     #[must_use]
     pub fn with_runs(self, runs: usize) -> Self {
         Self { runs, ..self }
+    }
+
+    /// The same with these numbers of effects held at nothing.
+    #[must_use]
+    pub(crate) fn holding(&self, held: Vec<(EffectId, &'static str)>) -> Self {
+        Self { held, ..self.clone() }
+    }
+
+    /// What is known of a number of an effect beforehand: next to nothing but 0 where it is held.
+    pub(crate) fn known(&self, effect: EffectId, mut parameter: Parameter) -> Parameter {
+        if self.held.iter().any(|(id, name)| *id == effect && *name == parameter.name)
+            && let Prior::Normal { sd, .. } = parameter.prior
+        {
+            parameter.prior = Prior::Normal { mean: 0.0, sd: HELD * sd };
+            parameter.meaning += HELD_SAYS;
+        }
+        parameter
+    }
+
+    /// Whether a number is held.
+    pub(crate) fn is_held(parameter: &Parameter) -> bool {
+        parameter.meaning.ends_with(HELD_SAYS)
     }
 
     /// Range of the load over the full load; 0 where load plays no part.

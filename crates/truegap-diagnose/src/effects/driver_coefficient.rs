@@ -96,6 +96,9 @@ impl Effect for DriverCoefficient {
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
         vec![vec![0.0]]
     }
+    fn may_be_nothing(&self) -> &'static [&'static str] {
+        &["bend"]
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         match Course::of(context, self.0) {

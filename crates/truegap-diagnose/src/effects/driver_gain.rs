@@ -98,6 +98,9 @@ impl Effect for DriverGain {
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
         [0.0, -0.3, 0.5].map(|pivot| vec![0.0, pivot]).to_vec()
     }
+    fn may_be_nothing(&self) -> &'static [&'static str] {
+        &["bend"]
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         match Course::of(context, self.0) {

@@ -149,6 +149,10 @@ pub trait Effect: Send + Sync {
     fn starts(&self, _context: &Context<'_>) -> Vec<Vec<f64>> {
         vec![Vec::new()]
     }
+    /// Names of numbers that are 0 in the simplest law that goes by this name: a bend, a second way. Where rows left out do not bear them out, they are held there.
+    fn may_be_nothing(&self) -> &'static [&'static str] {
+        &[]
+    }
     /// Whether this recording could show it at all.
     ///
     /// # Errors

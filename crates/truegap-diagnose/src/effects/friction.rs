@@ -130,6 +130,9 @@ impl Effect for Friction {
         let span = self.course(context).span(context);
         [0.003, 0.01, 0.03, 0.1].map(|share| vec![share * span, 0.0]).to_vec()
     }
+    fn may_be_nothing(&self) -> &'static [&'static str] {
+        &["viscous"]
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         match Course::of(context, self.0) {

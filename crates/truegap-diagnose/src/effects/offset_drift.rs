@@ -107,6 +107,9 @@ impl Effect for OffsetDrift {
         let hours = (context.duration_s / HOUR).max(1e-6);
         vec![vec![0.0], vec![4.0 / hours]]
     }
+    fn may_be_nothing(&self) -> &'static [&'static str] {
+        &["fading"]
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         context.needs_duration()

@@ -119,6 +119,9 @@ impl Effect for SlowResponse {
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
         starts()
     }
+    fn may_be_nothing(&self) -> &'static [&'static str] {
+        &["slow_share"]
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         context.needs_clock()?;

@@ -78,6 +78,9 @@ impl Effect for TemperatureCoefficient {
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
         vec![vec![0.0]]
     }
+    fn may_be_nothing(&self) -> &'static [&'static str] {
+        &["bend"]
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         if context.has(StageName::Dielectric).is_ok() {

@@ -95,6 +95,9 @@ impl Effect for ThermalLag {
         }
         vec![vec![0.02, 10.0], vec![0.5, 15.0]]
     }
+    fn may_be_nothing(&self) -> &'static [&'static str] {
+        &["slow_share"]
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.needs_clock()?;
         if reads_temperature(context) {

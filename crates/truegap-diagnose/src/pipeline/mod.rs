@@ -18,7 +18,8 @@ use crate::{
     data::{error::DiagnoseError, problem::Problem},
     noise::several::measured,
     quality::preconditions::check,
-    selection::candidates::Progress,
+    selection::{candidates::Progress, examine::Examined},
+    validation::held_numbers::{not_borne_out, with_held},
 };
 use conclude::conclude;
 use judged::{Told, composed};
@@ -28,6 +29,7 @@ use std::{
     sync::atomic::{AtomicBool, Ordering},
     time::Instant,
 };
+use truegap_core::EffectId;
 
 /// Diagnoses a recording; `known` is what was known of it before, for the record.
 ///
@@ -71,5 +73,26 @@ pub fn diagnose(
         examined = judged::examined(&prepared, &told)?;
         composition = composed(&prepared, &examined, &told);
     }
+    // a mechanism was composed beside the richer law
+    if composition.is_none()
+        && let Some(held) = held(&prepared, &examined, &told)
+    {
+        prepared.context.held = held;
+        let searched = prepared.searched();
+        let search = prepared.search(&searched, progress, told.stop);
+        examined = Examined { selection: with_held(&search, examined.selection, &prepared.context.held), ..examined };
+    }
     conclude(&prepared, examined, composition, &told, known.into(), started)
+}
+
+/// Numbers of the model stood behind that rows left out do not bear out; `None` where there are none.
+fn held(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> Option<Vec<(EffectId, &'static str)>> {
+    let stood_behind = &examined.selection.models[examined.decision.model];
+    if stood_behind.effects.is_empty() || told.stop.load(Ordering::Relaxed) {
+        return None;
+    }
+    let searched = prepared.searched();
+    let search = prepared.search(&searched, told.progress, told.stop);
+    let held = not_borne_out(&search, &prepared.searched_noise, stood_behind, prepared.all_rows());
+    (!held.is_empty()).then_some(held)
 }

@@ -33,6 +33,11 @@ pub(crate) const PARTS_OF_ONE_RUN: usize = 6;
 /// Standard deviations of the noise's own square that a misfit must have for a share of it to mean something.
 pub(crate) const THERE: f64 = 4.0;
 
+// held_numbers.rs
+
+/// Probability from which a model is fitted again with numbers held: less likely ones are neither told nor weighed any more.
+pub(crate) const REFITTED_FROM: f64 = 1e-3;
+
 // permutation.rs
 
 /// Permutations of a history; the control is their median.

@@ -1,0 +1,83 @@
+//! Numbers of an effect that rows left out do not bear out: a bend, a slow way beside the quick one, a fading. They are held at nothing.
+//!
+//! A richer law fits what it has seen at least as well, and foretells worse where its further numbers have only followed the noise, or other physics. The effect keeps its name; its law is
+//! then the simple one that it holds as a special case.
+//!
+//! Limits: numbers that their effect names as such; under the noise, not by least squares.
+
+use crate::{
+    data::context::Context,
+    fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit},
+    selection::{
+        candidates::{Search, Tried},
+        posterior::Selection,
+    },
+    validation::{
+        cross_validation::{AllRows, HeldOutFit, compared, held_out},
+        tuning::{CLEARLY_WORSE, REFITTED_FROM},
+    },
+    whitening::noise_model::NoiseModel,
+};
+use truegap_core::EffectId;
+
+/// Numbers of the model `tried` that are better held at nothing, by effect and name; empty where all are borne out.
+pub(crate) fn not_borne_out(
+    search: &Search<'_>,
+    noise: &NoiseModel,
+    tried: &Tried,
+    all: AllRows<'_>,
+) -> Vec<(EffectId, &'static str)> {
+    let of_effect = |e: &usize| {
+        let effect = search.library[*e];
+        effect.may_be_nothing().iter().map(|name| (effect.id(), *name)).collect::<Vec<_>>()
+    };
+    let mut open: Vec<(EffectId, &str)> = tried.effects.iter().flat_map(of_effect).collect();
+    let (mut held, mut best) = (Vec::new(), held_out(search, noise, tried, all));
+    // one at a time, the one without which most is gained
+    while let Some((place, predicted)) = best_without_one(search, noise, tried, all, (&open, &held, &best)) {
+        held.push(open.remove(place));
+        best = predicted;
+    }
+    held
+}
+
+/// The number of `open` that is best held besides those of `held`, and what the model then foretells; `None` where that is not clearly better than `best`.
+fn best_without_one(
+    search: &Search<'_>,
+    noise: &NoiseModel,
+    tried: &Tried,
+    all: AllRows<'_>,
+    (open, held, best): (&[(EffectId, &'static str)], &[(EffectId, &'static str)], &HeldOutFit),
+) -> Option<(usize, HeldOutFit)> {
+    let without = |one: &(EffectId, &'static str)| {
+        let context = search.context.holding([held, &[*one]].concat());
+        let fewer = Search { context: &context, library: search.library.clone(), ..*search };
+        Some(held_out(&fewer, noise, &refitted(&fewer, tried)?, all))
+    };
+    let better = open.iter().enumerate().filter_map(|(place, one)| {
+        let predicted = without(one)?;
+        let [before, after] = compared(best, &predicted)?.rmse;
+        (before > CLEARLY_WORSE * after).then_some((after, (place, predicted)))
+    });
+    better.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, found)| found)
+}
+
+/// A model fitted again where some of its numbers are held.
+fn refitted(search: &Search<'_>, tried: &Tried) -> Option<Tried> {
+    let model = search.model(&tried.effects);
+    let start: Vec<f64> =
+        tried.fit.z.iter().zip(&model.parameters).map(|(z, p)| if Context::is_held(p) { 0.0 } else { *z }).collect();
+    let fit = fit(&model, search.whitener, &start, &FitOptions::default()).ok()?;
+    Some(Tried { effects: tried.effects.clone(), fit })
+}
+
+/// The models that hold one of these numbers, fitted again without it; those that play no part stay as they are.
+pub(crate) fn with_held(search: &Search<'_>, mut selection: Selection, held: &[(EffectId, &'static str)]) -> Selection {
+    let concerned = |tried: &Tried| tried.effects.iter().any(|e| held.iter().any(|(id, _)| *id == search.library[*e].id()));
+    for (tried, probability) in selection.models.iter_mut().zip(&selection.probability) {
+        if *probability > REFITTED_FROM && concerned(tried) {
+            *tried = refitted(search, tried).unwrap_or_else(|| tried.clone());
+        }
+    }
+    selection
+}

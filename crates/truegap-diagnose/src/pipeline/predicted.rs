@@ -16,11 +16,12 @@ use crate::{
         tuning::RIGHT_FAMILY,
         verdict::{Decision, Verdict, foretold, stated, stepped_back},
     },
-    text::{significant, spoken},
+    text::{percent_of, significant, spoken},
     validation::{
         among_rivals::{Named, best_foreteller},
         cross_validation::{AllRows, HeldOutFit, compared, held_out},
         step_back::{LeftOut, step_back},
+        tuning::NEXT_TO_NOTHING,
         veto::{Against, Unseen},
     },
     whitening::noise_model::NoiseModel,
@@ -61,7 +62,7 @@ pub(crate) fn by_base(prepared: &Prepared<'_>, search: &Search<'_>, base: &Tried
 }
 
 /// Predicts rows left out: what predicts them much worse than the base model is not claimed, nor an effect without which the others predict them better. What predicts them well is
-/// stood behind even where its rest stands far out of the noise, unless nothing may be named (`may_name`).
+/// stood behind even where its rest stands far out of the noise, unless nothing may be named (`may_name`); what changes next to nothing there is not, where tests still see a difference.
 pub(crate) fn predicted(
     prepared: &Prepared<'_>,
     search: &Search<'_>,
@@ -70,91 +71,139 @@ pub(crate) fn predicted(
     by_base: &ByBase,
     may_name: bool,
 ) -> Predicted {
-    let noise = &prepared.searched_noise;
-    let all = prepared.all_rows();
-    let ByBase { alone, unseen: base } = by_base;
-    let of = |tried: &Tried| {
-        let squares = alone.as_ref().and_then(|_| by_least_squares(search, noise, tried, all));
-        nearer(held_out(search, noise, tried, all), squares)
-    };
-    let nothing = |decision| (Unseen::nothing(base.clone()), decision);
-    let free_form = |e: usize| search.library[e].free_form();
-    // what stands out of the noise in what a model leaves may be small beside what it foretells
-    let asked = if selection.models[decision.model].effects.is_empty() {
-        let unsettled = may_name && decision.verdict == Verdict::Unexplained && decision.unmodelled.is_none();
-        stated(selection).filter(|model| unsettled && selection.models[*model].effects.iter().all(|e| !free_form(*e)))
-    } else {
-        Some(decision.model)
-    };
-    let Some(asked) = asked else {
-        let (unseen, decision) = nothing(decision);
-        return Predicted { unseen, decision, after: None, vetoed: None, left_out: Vec::new() };
-    };
-    let first = Named { model: asked, unseen: of(&selection.models[asked]) };
-    let (asked, start, decision) = match best_foreteller(selection, (&first, &decision.sets), of) {
-        Some((better, sets)) if decision.model == asked => {
-            (better.model, better.unseen, Decision { model: better.model, sets, ..decision })
+    let rows = RowsLeftOut { prepared, search, selection, by_base, may_name };
+    match rows.asked(&decision) {
+        Some(model) => rows.judged(model, decision),
+        None => rows.nothing(decision, None, Vec::new()),
+    }
+}
+
+/// What rows left out are asked with.
+struct RowsLeftOut<'s, 'a> {
+    prepared: &'s Prepared<'a>,
+    search: &'s Search<'s>,
+    selection: &'s Selection,
+    by_base: &'s ByBase,
+    may_name: bool,
+}
+
+impl RowsLeftOut<'_, '_> {
+    /// The model whose predictions are asked for: that of the decision, or the likeliest one where what stands out of the noise in its rest may be small beside what it foretells.
+    fn asked(&self, decision: &Decision) -> Option<usize> {
+        if !self.effects(decision.model).is_empty() {
+            return Some(decision.model);
         }
-        _ => (asked, first.unseen, decision),
-    };
-    let start = (asked, start);
-    let (model, named, left_out) = step_back(selection, start, base, of, free_form);
-    let unit = search.problem.simulator.unit();
-    let id = |e: usize| search.library[e].id().to_string();
-    let told = |left: &LeftOut| {
+        let unsettled = self.may_name && decision.verdict == Verdict::Unexplained && decision.unmodelled.is_none();
+        stated(self.selection).filter(|model| unsettled && self.foretells(*model))
+    }
+
+    fn judged(&self, asked: usize, decision: Decision) -> Predicted {
+        let of = |tried: &Tried| self.predictions(tried);
+        let first = Named { model: asked, unseen: of(&self.selection.models[asked]) };
+        let named_before = decision.model == asked;
+        let (start, decision) = match best_foreteller(self.selection, (&first, &decision.sets), of) {
+            Some((better, sets)) if named_before => {
+                let decision = Decision { model: better.model, sets, ..decision };
+                ((better.model, better.unseen), decision)
+            }
+            _ => ((asked, first.unseen), decision),
+        };
+        let free_form = |e: usize| self.search.library[e].free_form();
+        let (model, named, left_out) = step_back(self.selection, start, &self.by_base.unseen, of, free_form);
+        let unseen =
+            Unseen::of((self.by_base.unseen.clone(), &self.selection.base().fit), (named, &self.selection.models[model].fit));
+        let stepped = !left_out.is_empty() && named_before;
+        let decision = if stepped { stepped_back(self.selection, &decision, model, &self.left_by(model)) } else { decision };
+        let told = if named_before { left_out.iter().map(|left| self.told(left)).collect() } else { Vec::new() };
+        self.settled(model, unseen, (decision, stepped), told)
+    }
+
+    /// The decision once a model and what it foretells are known; whether it was `stepped` back to, and what was left out on the way.
+    fn settled(&self, model: usize, unseen: Unseen, (decision, stepped): (Decision, bool), told: Vec<String>) -> Predicted {
+        let foretells = self.foretells(model) && self.may_name;
+        let removed = unseen.removed(self.prepared.noise.floor(), self.prepared.noise.rows).filter(|_| foretells);
+        let most = removed.filter(|share| *share >= RIGHT_FAMILY && unseen.in_most_parts());
+        let rescued = decision.verdict == Verdict::Unexplained && most.is_some();
+        let decision = match most.filter(|_| rescued) {
+            Some(share) => foretold(self.selection, model, share),
+            None => decision,
+        };
+        if decision.model != model {
+            let after = stepped.then(|| self.left_by(model));
+            return self.nothing(decision, after, told);
+        }
+        if let Some(against) = unseen.worse().filter(|_| self.foretells(model)) {
+            return Predicted { vetoed: Some(self.refused(model, against)), ..self.nothing(self.undecided(), None, told) };
+        }
+        if let Some(share) = removed.filter(|share| *share < NEXT_TO_NOTHING && self.left_by(model).fires()) {
+            let decision = Decision { removed: share.max(0.0), ..Decision::nothing(Verdict::Unexplained, self.selection.base) };
+            return self.nothing(decision, None, [told, vec![self.says_next_to_nothing(model, share)]].concat());
+        }
+        let after = (stepped || rescued).then(|| self.left_by(model));
+        Predicted { unseen, decision, after, vetoed: None, left_out: told }
+    }
+
+    /// The answer of a decision that names nothing.
+    fn nothing(&self, decision: Decision, after: Option<Adequacy>, left_out: Vec<String>) -> Predicted {
+        Predicted { unseen: Unseen::nothing(self.by_base.unseen.clone()), decision, after, vetoed: None, left_out }
+    }
+
+    fn undecided(&self) -> Decision {
+        Decision::nothing(Verdict::Undecided, self.selection.base)
+    }
+
+    fn effects(&self, model: usize) -> &[usize] {
+        &self.selection.models[model].effects
+    }
+
+    /// Whether a model foretells rows left out at all: a number for each run foretells nothing of another run.
+    fn foretells(&self, model: usize) -> bool {
+        self.effects(model).iter().all(|e| !self.search.library[*e].free_form())
+    }
+
+    /// What lack-of-fit tests say of a model.
+    fn left_by(&self, model: usize) -> Adequacy {
+        self.prepared.lack_of_fit.adequacy(&self.selection.models[model].fit)
+    }
+
+    /// Predictions of rows left out, by the better of two ways to calibrate where the base model is told by least squares.
+    fn predictions(&self, tried: &Tried) -> HeldOutFit {
+        let (noise, all) = (&self.prepared.searched_noise, self.prepared.all_rows());
+        let squares = self.by_base.alone.as_ref().and_then(|_| by_least_squares(self.search, noise, tried, all));
+        nearer(held_out(self.search, noise, tried, all), squares)
+    }
+
+    fn id(&self, effect: usize) -> String {
+        self.search.library[effect].id().to_string()
+    }
+
+    fn told(&self, left: &LeftOut) -> String {
         format!(
             "{} would fit as well, but without it rows left out are predicted {} ({}), so it is not claimed",
-            spoken(&id(left.effect)),
+            spoken(&self.id(left.effect)),
             left.against.others_predict(),
-            measured(left.against, unit)
+            measured(left.against, self.search.problem.simulator.unit())
         )
-    };
-    let told: Vec<String> = left_out.iter().map(told).collect();
-    let named_before = decision.model == asked;
-    let (decision, after) = if left_out.is_empty() {
-        (decision, None)
-    } else {
-        let after = prepared.lack_of_fit.adequacy(&selection.models[model].fit);
-        let decision = if named_before { stepped_back(selection, &decision, model, &after) } else { decision };
-        (decision, Some(after))
-    };
-    let chosen = &selection.models[model];
-    let unseen = Unseen::of((base.clone(), &selection.base().fit), (named, &chosen.fit));
-    let foretells = chosen.effects.iter().all(|e| !free_form(*e));
-    let (decision, after) = match decision.verdict {
-        Verdict::Unexplained if foretells && may_name => {
-            match unseen.foretold(prepared.noise.floor(), prepared.noise.rows).filter(|r| *r >= RIGHT_FAMILY) {
-                Some(removed) => {
-                    (foretold(selection, model, removed), Some(prepared.lack_of_fit.adequacy(&selection.models[model].fit)))
-                }
-                None => (decision, after),
-            }
-        }
-        _ => (decision, after),
-    };
-    if let Some(against) = unseen.worse().filter(|_| foretells && (named_before || decision.model == model)) {
-        let ids = chosen.effects.iter().map(|e| id(*e)).collect::<Vec<_>>().join(" and ");
+    }
+
+    fn says_next_to_nothing(&self, model: usize, share: f64) -> String {
+        let names = self.effects(model).iter().map(|e| spoken(&self.id(*e))).collect::<Vec<_>>().join(" and ");
+        let removes = if share > 0.0 { format!("{} of", percent_of(share)) } else { "nothing of".into() };
+        format!(
+            "{names} would fit, but that removes {removes} the misfit on rows left out, and tests still see a difference, so it is not claimed"
+        )
+    }
+
+    /// Why nothing is named where rows left out speak against the model.
+    fn refused(&self, model: usize, against: Against) -> Reserved {
+        let ids = self.effects(model).iter().map(|e| self.id(*e)).collect::<Vec<_>>().join(" and ");
         let says = format!(
             "there is a mismatch, but its cause is not decided: {ids} would fit it, and rows left out are predicted {} by the calibrated model alone ({})",
             against.others_predict(),
-            measured(against, unit)
+            measured(against, self.search.problem.simulator.unit())
         );
-        let (unseen, decision) = nothing(Decision::nothing(Verdict::Undecided, selection.base));
-        let vetoed = Some(Reserved { says, withheld: false, input_missing: false });
-        return Predicted { unseen, decision, after: None, vetoed, left_out: told };
+        Reserved { says, withheld: false, input_missing: false }
     }
-    // a verdict that names nothing has no model whose predictions could be told, nor effects that are told beside it
-    if decision.model != model {
-        let told = if named_before { told } else { Vec::new() };
-        return Predicted {
-            unseen: Unseen::nothing(base.clone()),
-            decision,
-            after: after.filter(|_| named_before),
-            vetoed: None,
-            left_out: told,
-        };
-    }
-    Predicted { unseen, decision, after, vetoed: None, left_out: told }
 }
 
 /// What speaks against a model, for a reader.

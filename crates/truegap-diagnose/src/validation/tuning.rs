@@ -89,6 +89,9 @@ pub(crate) const SIZE_FOUND: f64 = 0.05;
 
 // veto.rs
 
+/// Share of the reproducible misfit on rows left out below which a model whose rest is rejected as well says nothing of the cause: a level and a slope that are calibrated anew change as much.
+pub(crate) const NEXT_TO_NOTHING: f64 = 0.1;
+
 /// Factor on the base model's error that the right physics may reach where its numbers are known less well without a part. Right answers on generated recordings
 /// reach 1.95; a wrong one on a real recording reached 2.4.
 pub(crate) const EXTRAPOLATED: f64 = 2.0;

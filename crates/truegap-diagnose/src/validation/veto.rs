@@ -87,14 +87,16 @@ impl Unseen {
         both.is_some_and(|both| both.rmse[1] > CLEARLY_WORSE * both.rmse[0])
     }
 
-    /// Share of the reproducible misfit that the model removes on rows left out, where it predicts most parts better; `None` where it does not, or where there is next to none.
-    ///
-    /// `floor` is the noise of a row, measured on `rows` of them.
-    pub fn foretold(&self, floor: f64, rows: usize) -> Option<f64> {
-        let both = compared(&self.base, self.named.as_ref()?)?;
-        let better = both.parts.iter().filter(|(_, base, named)| named < base).count();
-        let [base, named] = both.rmse;
-        misfit_removed(base, named, floor, rows).filter(|_| 2 * better > both.parts.len())
+    /// Share of the reproducible misfit that the model removes on rows left out; `None` where there is next to none. `floor` is the noise of a row, measured on `rows` of them.
+    pub fn removed(&self, floor: f64, rows: usize) -> Option<f64> {
+        let [base, named] = compared(&self.base, self.named.as_ref()?)?.rmse;
+        misfit_removed(base, named, floor, rows)
+    }
+
+    /// Whether the model predicts most parts better.
+    pub fn in_most_parts(&self) -> bool {
+        let both = self.named.as_ref().and_then(|named| compared(&self.base, named));
+        both.is_some_and(|both| 2 * both.parts.iter().filter(|(_, base, named)| named < base).count() > both.parts.len())
     }
 
     /// Squares of the noise that the model loses on rows left out, where it foretells no more than half of the parts; what it gains there and in belief is no proof below [`PROOF`].
@@ -135,17 +137,17 @@ mod tests {
     /// Errors that nobody sees by eye, measured in the noise. A mimic gains in the parts that it was fitted to and loses 30 squares of noise in one that it was not; the right physics
     /// may lose more in the part that holds the only first loading and gains in the others.
     #[test]
-    fn what_removes_most_of_the_misfit_in_most_parts_is_foretold() {
-        let of = |named: &[f64]| {
-            let unseen = Unseen { base: predicted(&[64.0, 64.0, 64.0]), named: Some(predicted(named)), believed: 0.0 };
-            unseen.foretold(1.0, 500)
-        };
-        // errors of 4 and 2 of 3 and a noise of 1: 1 - (4 - 1) / (16 - 1)
-        approx::assert_relative_eq!(of(&[16.0, 16.0, 16.0]).unwrap(), 0.8, max_relative = 1e-12);
+    fn what_is_removed_on_rows_left_out_is_counted_above_the_noise_and_by_parts() {
+        let of = |named: &[f64]| Unseen { base: predicted(&[64.0, 64.0, 64.0]), named: Some(predicted(named)), believed: 0.0 };
+        // errors of 4 and 2, and a noise of 1: 1 - (4 - 1) / (16 - 1)
+        approx::assert_relative_eq!(of(&[16.0, 16.0, 16.0]).removed(1.0, 500).unwrap(), 0.8, max_relative = 1e-12);
+        assert!(of(&[16.0, 16.0, 16.0]).in_most_parts());
         // one part for all
-        assert_eq!(of(&[0.1, 66.0, 66.0]), None);
+        assert!(!of(&[0.1, 66.0, 66.0]).in_most_parts());
         // nothing above the noise to remove
-        assert_eq!(Unseen { base: predicted(&[4.0]), named: Some(predicted(&[3.0])), believed: 0.0 }.foretold(1.0, 500), None);
+        let within = Unseen { base: predicted(&[4.0]), named: Some(predicted(&[3.0])), believed: 0.0 };
+        assert_eq!(within.removed(1.0, 500), None);
+        assert!(!Unseen::nothing(predicted(&[4.0])).in_most_parts());
     }
 
     #[test]

@@ -4,6 +4,7 @@
 
 use std::path::PathBuf;
 use truegap_core::SimulationError;
+#[cfg(feature = "fem")]
 use truegap_fem::{FemError, elasticity::ElasticityError, electrostatics::ElectrostaticsError, mesh::MeshError};
 
 /// Anything that keeps an assumption from being examined.
@@ -11,6 +12,7 @@ use truegap_fem::{FemError, elasticity::ElasticityError, electrostatics::Electro
 #[non_exhaustive]
 pub enum AuditError {
     /// The finite elements failed.
+    #[cfg(feature = "fem")]
     #[error("{problem}: {source}")]
     Fem {
         /// what was solved
@@ -124,6 +126,7 @@ pub enum AuditError {
     },
 }
 
+#[cfg(feature = "fem")]
 impl AuditError {
     /// Names the problem that the finite elements failed at; for `map_err`.
     pub fn fem<E: Into<FemError>>(problem: &str) -> impl FnOnce(E) -> Self {
@@ -132,24 +135,28 @@ impl AuditError {
     }
 }
 
+#[cfg(feature = "fem")]
 impl From<FemError> for AuditError {
     fn from(source: FemError) -> Self {
         Self::Fem { problem: "finite elements".into(), source: Box::new(source) }
     }
 }
 
+#[cfg(feature = "fem")]
 impl From<MeshError> for AuditError {
     fn from(source: MeshError) -> Self {
         Self::Fem { problem: "mesh".into(), source: Box::new(source.into()) }
     }
 }
 
+#[cfg(feature = "fem")]
 impl From<ElasticityError> for AuditError {
     fn from(source: ElasticityError) -> Self {
         Self::Fem { problem: "elastic body".into(), source: Box::new(source.into()) }
     }
 }
 
+#[cfg(feature = "fem")]
 impl From<ElectrostaticsError> for AuditError {
     fn from(source: ElectrostaticsError) -> Self {
         Self::Fem { problem: "electric field".into(), source: Box::new(source.into()) }

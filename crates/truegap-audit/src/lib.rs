@@ -41,32 +41,55 @@
 //! None: every file uses files below it only.
 
 #![warn(unreachable_pub)]
+// Used by what solves; the tables need no more than a part of it.
+#![cfg_attr(not(feature = "fem"), allow(dead_code, unused_imports))]
 
+#[cfg(feature = "fem")]
 mod assumption;
+#[cfg(feature = "fem")]
 mod assumptions;
+#[cfg(feature = "fem")]
 mod audit;
+#[cfg(feature = "fem")]
 mod cache;
 pub mod cell;
 pub mod corrections;
 pub mod disc;
+#[cfg(feature = "fem")]
 mod effect;
 mod error;
+#[cfg(feature = "fem")]
 mod finding;
 mod fit;
+#[cfg(feature = "fem")]
 mod measured;
+#[cfg(feature = "fem")]
 mod ranking;
+#[cfg(feature = "fem")]
 pub mod reference;
+#[cfg(feature = "fem")]
 mod register;
+#[cfg(feature = "fem")]
 mod study;
+#[cfg(feature = "fem")]
 mod swap;
 
+#[cfg(feature = "fem")]
 pub use assumption::Assumption;
+#[cfg(feature = "fem")]
 pub use audit::{Audit, NotApplicable, run};
+#[cfg(feature = "fem")]
 pub use cache::Cache;
+#[cfg(feature = "fem")]
 pub use effect::{Corners, EffectOn, coefficients_of};
 pub use error::AuditError;
+#[cfg(feature = "fem")]
 pub use finding::{Curve, FemValue, Figure, Finding, Measure, Value, Verdict};
+#[cfg(feature = "fem")]
 pub use ranking::{Ranked, Ranking};
+#[cfg(feature = "fem")]
 pub use register::{chosen, register};
+#[cfg(feature = "fem")]
 pub use study::{Options, Progress, Study, Watch};
+#[cfg(feature = "fem")]
 pub use swap::{Chain, Row, Swap};

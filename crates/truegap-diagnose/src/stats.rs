@@ -49,6 +49,8 @@ pub fn upper_tail(statistic: f64, freedom: usize) -> f64 {
 }
 
 /// Squared amplitude, in units of the noise variance, of a periodic part that has this p-value: `-2 ln p`.
+///
+/// **Source:** the power of noise at one frequency is exponential, Scargle, Astrophys. J. 263 (1982) 835.
 pub fn excess_of(p_value: f64) -> f64 {
     -2.0 * p_value.max(f64::MIN_POSITIVE).ln()
 }

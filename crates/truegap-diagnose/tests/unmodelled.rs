@@ -83,17 +83,17 @@ fn a_faint_tone_is_said_to_be_one() {
 }
 
 #[test]
-fn nothing_outside_is_claimed_where_nothing_is_missing() {
+fn no_unmodelled_cause_is_claimed_where_nothing_is_missing() {
     let said = said_of(|_, _| 0.0);
     assert_eq!(said.verdict, Verdict::Agrees, "{}", said.says);
 }
 
-/// A zero that wanders, and a library of one effect that cannot follow it: within the library nothing is the likeliest by far, beside what lies outside it is not.
+/// A zero that wanders, and a library of one effect that cannot follow it: within the library nothing is the likeliest by far, beside unmodelled causes it is not.
 #[test]
 fn all_probabilities_are_on_one_scale() {
     let options = Options { effects: vec!["thermal_lag".into()], ..Options::default() };
     let said = said_with(&options, wandering);
-    let outside: f64 = said.unmodelled.iter().map(|cause| cause.probability).sum();
-    assert!(outside > 0.9, "{outside}");
-    assert!(said.probability_agrees + outside < 1.0 + 1e-9, "{} and {outside}", said.probability_agrees);
+    let unmodelled: f64 = said.unmodelled.iter().map(|cause| cause.probability).sum();
+    assert!(unmodelled > 0.9, "{unmodelled}");
+    assert!(said.probability_agrees + unmodelled < 1.0 + 1e-9, "{} and {unmodelled}", said.probability_agrees);
 }

@@ -11,6 +11,7 @@
 //! | what does it leave out of a recording? | [`diagnosis`], [`report`], [`confirm`], [`model_file`], [`prove`] | [`diagnose`] |
 //! | which design drifts less? | [`study`] | [`design`], [`sweep`] |
 //!
+//! What solves finite elements ([`fem`], all of the second row but [`scene`], [`study::audit`]) stands behind the feature `fem`, which is on by default.
 //! A diagnosis with a simulator of your own needs [`diagnose`] and [`core`] only.
 //!
 //! # A prediction
@@ -41,16 +42,21 @@
 //! ```
 
 pub mod answer;
+#[cfg(feature = "fem")]
 pub mod audit_report;
+#[cfg(feature = "fem")]
 pub mod audit_run;
+#[cfg(feature = "fem")]
 pub mod audited;
 pub mod axis;
 pub mod base;
+#[cfg(feature = "fem")]
 pub mod case_file;
 mod cells;
 pub mod confirm;
 pub mod diagnosis;
 pub mod example;
+#[cfg(feature = "fem")]
 pub mod export;
 pub mod mechanism_file;
 pub mod model_file;
@@ -72,6 +78,7 @@ pub use truegap_audit as audit;
 pub use truegap_core as core;
 pub use truegap_design as design;
 pub use truegap_diagnose as diagnose;
+#[cfg(feature = "fem")]
 pub use truegap_fem as fem;
 pub use truegap_model as model;
 pub use truegap_scene as scene;

@@ -19,9 +19,14 @@ fn a_report_says_first_what_is_missing_with_size_unit_and_certainty() {
     let page = breakable(&html(&fixture.subject()));
     std::fs::write(concat!(env!("CARGO_TARGET_TMPDIR"), "/report.html"), &page).unwrap();
     let top = &page[page.find("<h1>").unwrap()..page.find("<h2>").unwrap()];
-    for expected in
-        ["Missing from the model: thermal lag.", "120 s (sd 6)", "98 %", "d = 31.0", "Calibration had hidden it", "4.7 prior sd"]
-    {
+    for expected in [
+        "Missing from the model: thermal lag.",
+        "120 s (sd 6)",
+        "98 %",
+        "d = 31.0",
+        "Calibration had concealed it",
+        "4.7 prior sd",
+    ] {
         assert!(top.contains(expected), "{expected} is not at the top");
     }
     assert!(top.contains("<svg"), "no figure at a glance");

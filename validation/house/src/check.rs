@@ -18,6 +18,7 @@ impl House {
             findings.extend(upward.map(|(a, from, to)| Finding::Upward { arrow: a.clone(), from: from.into(), to: to.into() }));
         }
         findings.extend(self.circle_findings());
+        findings.extend(self.said.iter().map(Finding::from));
         findings
     }
 

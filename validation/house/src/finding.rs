@@ -65,6 +65,17 @@ pub enum Finding {
         /// why not
         because: String,
     },
+    /// A name with a word that is not to be used.
+    PrivateWord {
+        /// file and line
+        place: String,
+        /// the name
+        name: String,
+        /// the word in it
+        word: String,
+        /// what to say
+        instead: String,
+    },
 }
 
 impl Display for Finding {
@@ -102,6 +113,10 @@ impl Display for Finding {
                     "package that must not be known: {}\n  because: {because}\n  mend: cut one of these dependencies",
                     way.join(" -> ")
                 )
+            }
+            Self::PrivateWord { place, name, word, instead } => {
+                writeln!(f, "private word: `{name}` in {place} says \"{word}\"")?;
+                write!(f, "  mend: say {instead}; the words are in {ORDER}, [words], and docs/glossary.md")
             }
         }
     }

@@ -5,8 +5,10 @@
 use crate::{
     HouseError,
     graph::{Arrow, arrows, circles},
+    habits::{FRONT, Texts},
     modules::{Modules, Part},
     order::{ORDER, Order},
+    vocabulary::{Said, said},
     workspace::{Files, Package, packages, read_files},
 };
 use std::{
@@ -24,6 +26,9 @@ pub struct House {
     pub(crate) arrows: Vec<Vec<Arrow>>,
     /// room of every file inside of a package
     pub(crate) rooms: BTreeMap<String, String>,
+    pub(crate) texts: Texts,
+    /// names that hold a word which is not to be used
+    pub(crate) said: Vec<Said>,
 }
 
 impl House {
@@ -32,7 +37,11 @@ impl House {
     /// # Errors
     /// [`HouseError`] where a file cannot be read or is no TOML, where the order is wrong, where a `mod` line has no file.
     pub fn open(root: &Path) -> Result<Self, HouseError> {
-        Self::of(&read_files(root, &[ORDER])?)
+        let mut files = read_files(root, &[ORDER])?;
+        if let Ok(page) = std::fs::read_to_string(root.join(FRONT)) {
+            files.insert(FRONT.to_owned(), page);
+        }
+        Self::of(&files)
     }
 
     /// The same from sources that need not exist as files.
@@ -45,7 +54,8 @@ impl House {
         let order = Order::read(files)?;
         let arrows = (0..packages.len()).map(|package| arrows(&modules, package)).collect();
         let rooms = rooms(&modules);
-        Ok(Self { packages, modules, order, arrows, rooms })
+        let (texts, said) = (Texts::read(files), said(files, &packages, &order));
+        Ok(Self { packages, modules, order, arrows, rooms, texts, said })
     }
 
     /// The arrows from file to file inside of a package.

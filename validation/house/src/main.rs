@@ -4,20 +4,21 @@ use std::{
     path::{Path, PathBuf},
     process::ExitCode,
 };
-use truegap_house::{Dot, Finding, House, HouseError, Numbers, Plan};
+use truegap_house::{Dot, Finding, House, HouseError, Numbers, Plan, Reviewed};
 
-const HELP: &str = "truegap-house [--table | --dot] [FOLDER]
+const HELP: &str = "truegap-house [--table | --review | --dot] [FOLDER]
 
 Prints rooms, arrows and circles of the workspace in FOLDER (default: this one), then all that breaks validation/house/order.toml.
-  --table  one row a package, in Markdown
-  --dot    for Graphviz: cargo run -p truegap-house -- --dot | dot -Tsvg > house.svg";
+  --table   one row a package, in Markdown
+  --review  the numbers that a review of the workspace asked for, as CSV
+  --dot     for Graphviz: cargo run -p truegap-house -- --dot | dot -Tsvg > house.svg";
 
 fn main() -> ExitCode {
     let mut root = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let mut form = String::new();
     for argument in std::env::args().skip(1) {
         match argument.as_str() {
-            "--table" | "--dot" => form = argument,
+            "--table" | "--review" | "--dot" => form = argument,
             option if option.starts_with('-') => {
                 println!("{HELP}");
                 return ExitCode::from(if matches!(option, "-h" | "--help") { 0 } else { 2 });
@@ -35,6 +36,7 @@ fn print(root: &Path, form: &str) -> Result<ExitCode, HouseError> {
     let house = House::open(root)?;
     match form {
         "--table" => print!("{}", Numbers(&house)),
+        "--review" => print!("{}", Reviewed(&house)),
         "--dot" => print!("{}", Dot(&house)),
         _ => return Ok(report(&house)),
     }

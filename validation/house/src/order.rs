@@ -29,6 +29,19 @@ pub(crate) struct Allowed {
     pub reason: String,
 }
 
+/// A word that names are not to hold.
+#[derive(Clone, Debug)]
+pub(crate) struct Private {
+    /// in small letters
+    pub word: String,
+    /// what to say
+    pub instead: String,
+    /// packages whose names are looked through; all where this is empty
+    pub within: BTreeSet<String>,
+    /// names that keep the word, since files have them
+    pub except: BTreeSet<String>,
+}
+
 /// The declared order.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Order {
@@ -36,6 +49,7 @@ pub(crate) struct Order {
     /// storeys by package, the top one first; each with its rooms
     pub rooms: BTreeMap<String, Vec<BTreeSet<String>>>,
     pub circles: Vec<Allowed>,
+    pub words: Vec<Private>,
 }
 
 impl Order {
@@ -57,6 +71,9 @@ impl Order {
         let circles = table.get("circle").map_or(Some(&[][..]), |c| c.as_array().map(Vec::as_slice));
         for circle in circles.ok_or_else(|| wrong("circle", "a list of tables, each under `[[circle]]`"))? {
             order.circles.push(allowed(circle)?);
+        }
+        for (word, about) in tables(&table, "words")? {
+            order.words.push(private(word, about)?);
         }
         Ok(order)
     }
@@ -114,5 +131,13 @@ fn allowed(circle: &Value) -> Result<Allowed, HouseError> {
         (true, false) => Ok(Allowed { files, reason }),
         (false, _) => Err(wrong("circle.files", "a list of at least two files, from the root of the workspace")),
         (_, true) => Err(wrong("circle.reason", "why the files need one another")),
+    }
+}
+
+fn private(word: &str, about: &Value) -> Result<Private, HouseError> {
+    let about = about.as_table().ok_or_else(|| wrong(word, "a table, `{ instead = \"..\" }`"))?;
+    match text(about, "instead") {
+        instead if instead.is_empty() => Err(wrong(word, "a table that says what stands `instead`")),
+        instead => Ok(Private { word: word.to_owned(), instead, within: words(about, "in")?, except: words(about, "except")? }),
     }
 }

@@ -117,6 +117,17 @@ fn cells(house: &House, package: usize) -> [Option<usize>; 12] {
     ]
 }
 
+/// The numbers of the review as CSV.
+#[derive(Debug)]
+pub struct Reviewed<'a>(pub &'a House);
+
+impl Display for Reviewed<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        writeln!(f, "what,value")?;
+        self.0.review().iter().try_for_each(|row| writeln!(f, "\"{}\",\"{}\"", row.what, row.value))
+    }
+}
+
 impl Display for Dot<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let house = self.0;

@@ -150,7 +150,7 @@ fn is_modifier(word: Option<&str>) -> bool {
 }
 
 /// Index of the bracket that closes the one at `open`.
-fn closing(tokens: &[Token], open: usize) -> usize {
+pub(crate) fn closing(tokens: &[Token], open: usize) -> usize {
     let mut depth = 0usize;
     for (k, token) in tokens.iter().enumerate().skip(open) {
         match token.kind {
@@ -166,7 +166,7 @@ fn closing(tokens: &[Token], open: usize) -> usize {
 }
 
 /// The tokens without attributes and without items that exist in tests only.
-fn without_tests(tokens: &[Token]) -> Vec<Token> {
+pub(crate) fn without_tests(tokens: &[Token]) -> Vec<Token> {
     let mut kept = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while let Some(token) = tokens.get(at) {

@@ -33,6 +33,9 @@ pub enum TablesError {
     /// A folder without an answer.
     #[error("{path}: there is no diagnosis.json in it; run `truegap diagnose RECORDING -o {path}` first")]
     NoAnswer { path: PathBuf },
+    /// Sources that cannot be counted.
+    #[error("the sources cannot be counted: {0}")]
+    House(#[from] truegap_house::HouseError),
     /// Nothing to collect.
     #[error("{path}: there is no folder in it; give the folder that holds one folder a recording")]
     NoFolders { path: PathBuf },

@@ -13,6 +13,7 @@ mod markdown;
 mod number;
 mod page;
 mod real;
+mod review;
 mod sources;
 mod speed;
 mod study;

@@ -2,11 +2,12 @@
 //!
 //! Limits: every table is made from files of this repository.
 
-use crate::{csv, error::TablesError, front, real::Real, sources, speed, study, worded};
+use crate::{csv, error::TablesError, front, real::Real, review, sources, speed, study, worded};
 use std::path::Path;
 
 /// Names that may stand in a mark, beside `csv PATH`, `mechanisms PATH`, `mechanism-counts PATH` and `coverage PATH`.
-pub(crate) const NAMES: [&str; 8] = ["front", "study", "study-size", "study-causes", "real", "speed", "crates", "stages"];
+pub(crate) const NAMES: [&str; 9] =
+    ["front", "study", "study-size", "study-causes", "real", "speed", "crates", "stages", "review"];
 
 /// The text of a table; `line` is that of its mark, for messages.
 ///
@@ -34,6 +35,7 @@ pub(crate) fn table(root: &Path, name: &str, line: usize) -> Result<String, Tabl
         "speed" => speed::table(root)?,
         "crates" => sources::crates(root)?,
         "stages" => sources::stages(root)?,
+        "review" => review::table(root)?,
         _ => return Err(TablesError::Unknown { line, name: name.to_owned(), known: NAMES.join(", ") }),
     };
     Ok(table.text())

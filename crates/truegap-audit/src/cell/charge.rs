@@ -2,7 +2,10 @@
 //!
 //! Limits: plates are flat; the side wall has no normal field, as in an endless pattern of equal cells.
 
-use super::geometry::{Cell, Profile};
+use super::{
+    filled::Filled,
+    geometry::{Cell, Profile},
+};
 use crate::error::AuditError;
 use truegap_core::VACUUM_PERMITTIVITY;
 use truegap_fem::{
@@ -10,17 +13,6 @@ use truegap_fem::{
     electrostatics::{Accuracy, Conductor, Goal, Problem, Quantity, solve_adaptive},
     mesh::{Geometry, MeshOptions, Outline, Point, SizeField, mesh_geometry},
 };
-
-/// Relative permittivities of a cell.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Filled {
-    /// bead
-    pub bead: f64,
-    /// between the beads
-    pub air: f64,
-    /// film
-    pub film: f64,
-}
 
 /// Capacitance of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,9 @@
 use crate::error::AuditError;
 use std::f64::consts::PI;
 use truegap_core::{Sensor, sensor::Filling};
-use truegap_fem::mesh::Point;
+
+/// Radius and height.
+type Point = [f64; 2];
 
 /// The cylinder that one bead stands in.
 #[derive(Clone, Copy, Debug, PartialEq)]

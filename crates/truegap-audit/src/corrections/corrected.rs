@@ -2,7 +2,7 @@
 //!
 //! Limits: bonded beads; the box of each table; shielded layout; a rigid load plate, full contact (no lift-off), no bending between beads.
 
-use super::{make, parts::Parts, pieces::Pieces, warped::Gains};
+use super::{parts::Parts, pieces::Pieces, range, warped::Gains};
 use crate::error::AuditError;
 use truegap_core::{Inputs, Parameter, Role, Sensor, SimulationError, Simulator, Stage, simulator::StageName};
 use truegap_model::{Stack, StackOptions};
@@ -113,7 +113,7 @@ impl Simulator for Corrected {
         let pieces = Pieces::new(&self.stack.calibrated(values)).map_err(|_| outside())?;
         let row = |(row, &force_n): (usize, &f64)| {
             let temperature = inputs.temperature_c.as_ref().map_or(self.sensor.reference_c, |t| t[row]);
-            let beyond = |_| SimulationError::GapCloses { row, load_si: force_n, strain: make::GREATEST_STRAIN };
+            let beyond = |_| SimulationError::GapCloses { row, load_si: force_n, strain: range::GREATEST_STRAIN };
             pieces.parts(force_n, temperature).map(|parts| parts.total()).map_err(beyond)
         };
         force.iter().enumerate().map(row).collect()

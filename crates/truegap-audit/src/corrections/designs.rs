@@ -2,7 +2,7 @@
 //!
 //! Limits: designs whose beads fit, whose gap stays open and whose strain stays within the tables.
 
-use super::{corrected::Corrected, make::halton};
+use super::{corrected::Corrected, range::halton};
 use truegap_core::{Sensor, sensor::Filling};
 
 /// Conductors, platings and insulators of the paper's Table 2, um; a plating of 0 is none.

@@ -2,10 +2,13 @@
 //!
 //! Limits: minutes of work; the results are committed, so only a change of a method needs it.
 
-use super::table::{Axis, Table};
+use super::{
+    range::{GREATEST_STRAIN, HEAT, PERMITTIVITIES, POISSON, halton},
+    table::{Axis, Table},
+};
 use crate::{
     assumptions::cell::{Section, edge_factor, mixed_capacitance},
-    cell::{Bonding, Cell, Filled, Law, Layered, Profile, cell_capacitance, heated_and_squeezed, held_expansion, press},
+    cell::{Bonding, Cell, Law, Layered, Profile, cell_capacitance, heated_and_squeezed, held_expansion, press},
     error::AuditError,
 };
 use rayon::prelude::*;
@@ -23,13 +26,6 @@ pub const MAKERS: [(&str, Maker); 6] = [
     ("rim_field", rim_field),
     ("bead_load", bead_load),
 ];
-
-/// Greatest strain that the tables cover.
-pub(super) const GREATEST_STRAIN: f64 = 0.3;
-/// Relative permittivities for which [`cell_field`] and [`rim_field`] are computed: the paper's Table 1.
-pub(super) const PERMITTIVITIES: Filled = Filled { bead: 3.4, air: 1.0, film: 3.4 };
-/// Poisson's ratio for which [`cell_field`] is computed: the paper's Table 1.
-pub(super) const POISSON: f64 = 0.49;
 
 /// Shape factors: beads of 300 to 760 um, 150 to 210 um high.
 fn shape_factors(count: usize) -> Axis {
@@ -53,17 +49,6 @@ pub(super) fn between(axes: &[Axis], count: usize) -> Vec<Vec<f64>> {
     let point =
         |i: usize| axes.iter().zip([2, 3, 5, 7, 11]).map(|(axis, base)| axis.expanded(2.0 * halton(i + 1, base) - 1.0)).collect();
     (0..count).map(point).collect()
-}
-
-/// Radical inverse of `index` in a base, 0 to 1.
-pub(super) fn halton(mut index: usize, base: usize) -> f64 {
-    let (mut value, mut digit) = (0.0, 1.0 / base as f64);
-    while index > 0 {
-        value += digit * (index % base) as f64;
-        index /= base;
-        digit /= base as f64;
-    }
-    value
 }
 
 /// A table through the values of `compute` at all nodes, its accuracy measured at `checks` points between them.
@@ -177,9 +162,6 @@ fn field_factor(p: &[f64], profile: &Profile) -> Result<f64, AuditError> {
     let field = cell_capacitance(&cell, profile, PERMITTIVITIES, 1e-5)?;
     Ok(field.capacitance / mixed_capacitance(&cell, p[3], PERMITTIVITIES))
 }
-
-/// Thermal strain over that of the plates for which [`heated_field`] is computed: the paper's silicone, 30 K warmer.
-pub(super) const HEAT: f64 = 5.5e-3;
 
 /// What heat does to the field of a bonded bead beyond its height and its mean area.
 ///

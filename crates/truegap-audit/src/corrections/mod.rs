@@ -9,10 +9,12 @@ mod corrected;
 mod curves;
 mod designs;
 mod library;
+#[cfg(feature = "fem")]
 mod make;
 mod one_sensor;
 mod parts;
 mod pieces;
+mod range;
 mod table;
 mod warped;
 
@@ -20,6 +22,7 @@ pub use corrected::Corrected;
 pub use curves::curves;
 pub use designs::held_out;
 pub use library::{Library, library};
+#[cfg(feature = "fem")]
 pub use make::{MAKERS, Maker};
 pub use parts::Parts;
 pub use table::{Axis, Table};

@@ -4,12 +4,11 @@
 
 use super::{
     library::Library,
-    make,
+    range,
     table::{Axis, Table},
 };
 use crate::{
-    assumptions::cell::filled,
-    cell::{Cell, Growth},
+    cell::{Cell, Growth, filled},
     error::AuditError,
     fit::Chebyshev,
 };
@@ -22,8 +21,9 @@ pub(super) const KELVIN: [f64; 2] = [-30.0, 40.0];
 /// Field over mixture of a sensor over (temperature above the reference, strain): the bead as heat has left it, by its mean area and its height.
 pub(super) fn field(tables: &Library, device: &Device, growth: Growth, cell: &Cell) -> Result<Table, AuditError> {
     let table = &tables.cell_field;
-    let heat_per_kelvin = (growth.free - growth.plates) / make::HEAT;
-    let strains = table.axes.last().cloned().unwrap_or_else(|| Axis::linear("compressive strain", 0.0, make::GREATEST_STRAIN, 1));
+    let heat_per_kelvin = (growth.free - growth.plates) / range::HEAT;
+    let strains =
+        table.axes.last().cloned().unwrap_or_else(|| Axis::linear("compressive strain", 0.0, range::GREATEST_STRAIN, 1));
     let axes = vec![Axis::linear("temperature above the reference (K)", KELVIN[0], KELVIN[1], 3), strains];
     let cold_area = device.warmed_by(0.0).areas.solid;
     let factor = |p: &Vec<f64>| -> Result<f64, AuditError> {
@@ -47,7 +47,7 @@ pub(super) fn curve(table: &Table) -> Chebyshev {
 }
 
 pub(super) fn check_permittivities(sensor: &Sensor) -> Result<(), AuditError> {
-    let (has, wants) = (filled(sensor), make::PERMITTIVITIES);
+    let (has, wants) = (filled(sensor), range::PERMITTIVITIES);
     let pairs = [("bead", has.bead, wants.bead), ("air", has.air, wants.air), ("insulator", has.film, wants.film)];
     match pairs.into_iter().find(|(_, a, b)| (a / b - 1.0).abs() > 1e-3) {
         None => Ok(()),

@@ -2,10 +2,9 @@
 //!
 //! Limits: beads as rings, small deflection, field straight across the gap.
 
-use super::{make, one_sensor::KELVIN};
+use super::{one_sensor::KELVIN, range};
 use crate::{
-    assumptions::cell::filled,
-    cell::{Cell, Filled},
+    cell::{Cell, Filled, filled},
     disc::{BeadSpring, Bent, Gap, Laminate, Ring, RingPlate, rings},
     error::AuditError,
 };
@@ -138,12 +137,12 @@ impl Warp {
         let flattening_n_per_kelvin = warped.flattening_n(per_kelvin, state(0.0, 0.0)?.0.stiffness);
         let at = |kelvin: f64| -> Result<[Curve; 2], AuditError> {
             let scale = (flattening_n_per_kelvin * kelvin).abs();
-            let ratio = scale / state(kelvin, make::GREATEST_STRAIN)?.1;
+            let ratio = scale / state(kelvin, range::GREATEST_STRAIN)?.1;
             let (mut main, mut backing, mut start) = (Vec::new(), Vec::new(), None);
             for i in 0..=STEPS {
                 // about even in the load's share, closer where the load plate has nearly settled
                 let u = 1.0 - (1.0 - i as f64 / STEPS as f64).powf(1.5);
-                let (beads, force_n) = state(kelvin, make::GREATEST_STRAIN * u * ratio / (1.0 + ratio - u))?;
+                let (beads, force_n) = state(kelvin, range::GREATEST_STRAIN * u * ratio / (1.0 + ratio - u))?;
                 let gains = warped.pressed(per_kelvin * kelvin, force_n, beads, &mut start)?;
                 let share = if force_n > 0.0 { force_n / (force_n + scale) } else { 0.0 };
                 main.push([share, gains.main / kelvin]);

@@ -8,7 +8,8 @@ use super::{
     fineness::Fineness,
     laminate::{Laminate, Sheet},
     profile::Profile,
-    section::{Gap, Section},
+    rings::Gap,
+    section::Section,
     submesh::part,
 };
 use crate::error::AuditError;

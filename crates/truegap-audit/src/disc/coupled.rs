@@ -10,7 +10,8 @@ use super::{
     field::{Field, field},
     fineness::Fineness,
     laminate::{Laminate, Sheet},
-    section::{Gap, Section},
+    rings::Gap,
+    section::Section,
 };
 use crate::cell::{Cell, Growth, bonded_law, held_expansion};
 use crate::{error::AuditError, study::Study};

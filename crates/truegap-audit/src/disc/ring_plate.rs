@@ -5,7 +5,7 @@
 
 use super::banded::Banded;
 use super::columns::columns;
-use super::section::Ring;
+use super::rings::Ring;
 use std::f64::consts::TAU;
 
 /// A plate on rings.

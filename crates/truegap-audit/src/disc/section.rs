@@ -3,36 +3,10 @@
 //! Limits: flat layers; beads are rings, each in the middle of its zone and covering the same share of it.
 
 use super::columns::columns;
+use super::rings::{Gap, Ring, rings};
 use super::{fineness::Fineness, laminate::Laminate};
 use crate::error::AuditError;
 use truegap_fem::mesh::{BoundaryEdge, Layer, Mesh, Point, layered_grid};
-
-/// What lies between the electrode and what carries it.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Gap {
-    /// nothing: a free plate
-    None,
-    /// one layer of this height (m)
-    Layer(f64),
-    /// rings of beads, air between them
-    Rings {
-        /// height, m
-        height: f64,
-        /// share of each zone that the ring covers
-        coverage: f64,
-        /// number of zones
-        zones: usize,
-    },
-}
-
-/// A ring of beads.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ring {
-    /// inner radius, m
-    pub inner: f64,
-    /// outer radius, m
-    pub outer: f64,
-}
 
 /// A meshed section.
 #[derive(Clone, Debug)]
@@ -97,18 +71,6 @@ impl Section {
         nodes.sort_by(|a, b| a[0].total_cmp(&b[0]));
         nodes
     }
-}
-
-/// Rings of equal share: the zone between (j - 1) and j times its width has its ring in the middle, so that area shares are width shares.
-/// Rings in the middle of their zones.
-pub(crate) fn rings(gap: &Gap, radius: f64) -> Vec<Ring> {
-    let Gap::Rings { coverage, zones, .. } = gap else { return Vec::new() };
-    let zone = radius / *zones as f64;
-    let ring = |j: usize| {
-        let middle = (j as f64 + 0.5) * zone;
-        Ring { inner: middle - 0.5 * coverage * zone, outer: middle + 0.5 * coverage * zone }
-    };
-    (0..*zones).map(ring).collect()
 }
 
 /// Columns that must be there: edges of the rings, a few within them, and beside them where they bulge.

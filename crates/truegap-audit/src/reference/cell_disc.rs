@@ -5,8 +5,8 @@
 
 use super::cells::{CellSlopes, CellState, FlatCells};
 use super::ring_medium::{FlatRings, RingMedium};
-use crate::assumptions::cell::filled;
 use crate::cell::Cell;
+use crate::cell::filled;
 use crate::disc::{
     BeadSpring, Bond, Carried, Disc, Facing, Field, Fineness, Gap, Laminate, Loading, Ring, Rings, Section, Sheet, Strains, field,
 };

@@ -3,8 +3,8 @@
 //! Limits: beads bonded and alike, the electrode flat between and beyond them (what its bending adds comes from [`super::CellDisc`]); modulus by (7).
 
 use crate::{
-    assumptions::cell::{Section, edge_factor, filled},
-    cell::{Cell, Layered, PressedAt, cell_capacitance, heated_and_loaded, heated_and_squeezed},
+    assumptions::cell::{Section, edge_factor},
+    cell::{Cell, Layered, PressedAt, cell_capacitance, filled, heated_and_loaded, heated_and_squeezed},
     corrections::{BondedLayers, Parts},
     error::AuditError,
 };

@@ -2,8 +2,10 @@
 //!
 //! Limits: reads, calls, prints.
 
+#[cfg(feature = "fem")]
+use super::audit;
 use super::run::{Outcome, Run};
-use super::{audit, optimise, tolerance};
+use super::{optimise, tolerance};
 use crate::console::Console;
 use std::path::PathBuf;
 use truegap::study::{Study, merge};
@@ -24,6 +26,7 @@ impl Run for Merge {
         match merge(&self.folder, self.partial)? {
             Study::Tolerance(answer) => tolerance::tell(console, &answer),
             Study::Optimise(answer) => optimise::tell(console, &answer),
+            #[cfg(feature = "fem")]
             Study::Audit(answer) => audit::tell(console, &answer),
         }
     }

@@ -2,13 +2,16 @@
 //!
 //! A new one is a file with a struct of arguments that implements [`Run`], a `mod` line and a line in [`commands`], at its place by use.
 
+#[cfg(feature = "fem")]
 mod audit;
 mod coefficients;
 mod confirm;
 mod diagnose;
+#[cfg(feature = "fem")]
 mod export;
 mod init;
 mod merge;
+#[cfg(feature = "fem")]
 mod mesh;
 mod optimise;
 mod prove;
@@ -17,11 +20,18 @@ pub mod run;
 mod sensitivity;
 mod sensors;
 mod simulate;
+#[cfg(feature = "fem")]
 mod solve;
 mod study;
 mod tolerance;
 mod typed;
+#[cfg(feature = "fem")]
 mod wait;
+
+#[cfg(not(feature = "fem"))]
+mod left_out;
+#[cfg(not(feature = "fem"))]
+use left_out::{audit, export, mesh, solve};
 
 use crate::console::Console;
 use run::{Outcome, Run};

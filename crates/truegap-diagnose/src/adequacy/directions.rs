@@ -301,6 +301,8 @@ fn unit(x: &[f64]) -> Vec<f64> {
 }
 
 /// Legendre polynomial by its recurrence.
+///
+/// **Source:** NIST Digital Library of Mathematical Functions, section 18.9(i).
 fn legendre(order: i32, x: f64) -> f64 {
     let (mut before, mut now) = (1.0, x);
     if order == 0 {

@@ -54,8 +54,8 @@ pub(crate) fn ambiguity(found: &Found<'_>) -> Vec<Vec<String>> {
     }
     let several = |s: &&Vec<usize>| s.len() > 1 || found.decision.unmodelled_rivals;
     let names = |s: &Vec<usize>| {
-        let outside = found.decision.unmodelled_rivals.then(|| UNEXPLAINED.to_owned());
-        s.iter().map(|e| found.id(*e)).chain(outside).collect()
+        let unmodelled = found.decision.unmodelled_rivals.then(|| UNEXPLAINED.to_owned());
+        s.iter().map(|e| found.id(*e)).chain(unmodelled).collect()
     };
     found.decision.sets.iter().filter(several).map(names).collect()
 }

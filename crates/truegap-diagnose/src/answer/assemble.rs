@@ -75,12 +75,7 @@ pub(crate) fn outcome(
         schema: SCHEMA,
         version: env!("CARGO_PKG_VERSION"),
         recording: known.recording,
-        base: BaseFacts {
-            model: found.search.problem.simulator.name().into(),
-            sensor: known.sensor,
-            parameters: parameters(found, found.base_alone, 0..base.fit.z.len()),
-            parameters_after: parameters(found, found.told(chosen), 0..base.fit.z.len()),
-        },
+        base: base_facts(found, known.sensor),
         noise: noise(found),
         verdict: found.decision.verdict,
         probability_agrees: found.selection.probability_agrees(),
@@ -104,14 +99,7 @@ pub(crate) fn outcome(
         smallest_visible: smallest_visible(found),
         next_experiment: next(found),
         bank: found.bank.map(|bank| bank_facts(found, bank)),
-        adequacy: AdequacyFacts {
-            before: Some(found.before),
-            after: Some(found.after),
-            burst: Some(found.interference.burst),
-            tone: Some(found.interference.tone),
-            interference: found.is_about_interference(),
-            removed: found.decision.removed,
-        },
+        adequacy: adequacy_facts(found),
         evidence_check: found.selection.check,
         notices: known.notices,
         concealed_column,
@@ -119,4 +107,27 @@ pub(crate) fn outcome(
         seconds: started.elapsed().as_secs_f64(),
     };
     Ok(Outcome { diagnosis, traces, augmented: augmented(found), interrupted: found.interrupted })
+}
+
+/// The base model and its parameters, alone and beside what was found.
+fn base_facts(found: &Found<'_>, sensor: Option<String>) -> BaseFacts {
+    let own = 0..found.selection.base().fit.z.len();
+    BaseFacts {
+        model: found.search.problem.simulator.name().into(),
+        sensor,
+        parameters: parameters(found, found.base_alone, own.clone()),
+        parameters_after: parameters(found, found.told(found.chosen()), own),
+    }
+}
+
+/// What the lack-of-fit tests say before and after, and the interference that is left.
+fn adequacy_facts(found: &Found<'_>) -> AdequacyFacts {
+    AdequacyFacts {
+        before: Some(found.before),
+        after: Some(found.after),
+        burst: Some(found.interference.burst),
+        tone: Some(found.interference.tone),
+        interference: found.is_about_interference(),
+        removed: found.decision.removed,
+    }
 }

@@ -51,8 +51,8 @@ pub(crate) fn next(found: &Found<'_>) -> NextExperiment {
     }
     let best = named.or(found.selection.likeliest_named()).filter(|_| found.decision.verdict != Verdict::Agrees);
     let Some(best) = best else { return only(WIDEN_IT) };
-    if let Some(settled) = named.and_then(|named| of_words(found, &models[named])) {
-        return settled;
+    if let Some(another_place) = named.and_then(|named| of_words(found, &models[named])) {
+        return another_place;
     }
     let rivals: Vec<&Tried> = rivals(&found.selection.probability, best).into_iter().map(|rival| &models[rival]).collect();
     match (rivals.as_slice(), named) {

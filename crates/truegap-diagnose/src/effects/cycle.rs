@@ -137,7 +137,7 @@ impl Effect for Cycle {
     }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
         let period = self.period_s();
-        // from there the size and the phase of the second wave are found without a second valley
+        // from there the size and the phase of the second wave are found without a second minimum
         (0..6).map(|k| f64::from(k) * period / 6.0).map(|highest| vec![highest, 0.1, 0.5 * highest]).collect()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {

@@ -31,14 +31,14 @@ pub struct LeastSure {
 /// What to measure once the cause is told from all others.
 pub(crate) fn narrowing(search: &Search<'_>, best: &Tried, least_sure: Option<LeastSure>) -> NextExperiment {
     let names = best.effects.iter().map(|e| spoken(search.library[*e].id().0)).collect::<Vec<_>>();
-    let settled = format!("nothing is left that {} would have to be told from", listed(&names, "and"));
+    let told_apart = format!("nothing is left that {} would have to be told from", listed(&names, "and"));
     let only = |says: String| NextExperiment { says, ..NextExperiment::default() };
     let Some(least) = least_sure.filter(|l| relative(&l.number) > SURE_ENOUGH) else {
-        return only(format!("{settled}, and its numbers are sure to a tenth or better: no further run is needed"));
+        return only(format!("{told_apart}, and its numbers are sure to a tenth or better: no further run is needed"));
     };
     let number = &least.number;
     let says = format!(
-        "{settled}; least sure of its numbers is {} ({}), {}",
+        "{told_apart}; least sure of its numbers is {} ({}), {}",
         called(number),
         spoken(&least.effect),
         with_sd(number.value, number.sd, &number.parameter.unit)

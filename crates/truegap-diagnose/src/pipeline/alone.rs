@@ -55,11 +55,11 @@ pub(crate) fn alone(prepared: &Prepared<'_>, search: &Search<'_>, all: AllRows<'
         };
         let fit = fit.ok()?;
         let found = error(&fit.z)?;
-        let settled = (found - size).abs() <= LOWER * size;
+        let converged = (found - size).abs() <= LOWER * size;
         if best.as_ref().is_none_or(|(least, _)| found < *least) {
             best = Some((found, Alone { tried: Tried { effects: Vec::new(), fit }, noise }));
         }
-        if settled || found == 0.0 {
+        if converged || found == 0.0 {
             break;
         }
         size = found;

@@ -108,9 +108,9 @@ fn is_measured(column: &[f64], runs: &[Range<usize>], stuck: &[Range<usize>]) ->
 /// a reading that relaxes goes one way, and most of it at first.
 fn hangs(problem: &Problem<'_>, column: &[f64], stretch: &Range<usize>, stuck: &[Range<usize>]) -> bool {
     let held_again = stuck.iter().any(|other| other != stretch && column[other.start] == column[stretch.start]);
-    let others = inputs_of(problem.inputs).into_iter().map(|(_, _, other)| other).filter(|other| !std::ptr::eq(*other, column));
-    let driven_otherwise =
-        others.filter(|o| spread(o) > 0.0).any(|other| spread(&other[stretch.clone()]) / spread(other) > DEAD_CROSSED);
+    // the column itself stands still in the stretch
+    let mut moving = inputs_of(problem.inputs).into_iter().map(|(_, _, other)| other).filter(|other| spread(other) > 0.0);
+    let driven_otherwise = moving.any(|other| spread(&other[stretch.clone()]) / spread(other) > DEAD_CROSSED);
     !held_again && !driven_otherwise && !relaxes(&problem.response[stretch.clone()], spread(problem.response))
 }
 

@@ -321,9 +321,9 @@ mod tests {
             max_relative = 1e-12
         );
         approx::assert_relative_eq!(sharp.probability_none(), 0.04 / 0.38, max_relative = 1e-12);
-        let outside = selection(0.5).sharpened(2.0);
+        let beside = selection(0.5).sharpened(2.0);
         // 0.2, 0.8 and odds of 0.5: squares 0.04, 0.64, 0.25
-        approx::assert_relative_eq!(outside.probability_unmodelled(), 0.25 / 0.93, max_relative = 1e-12);
+        approx::assert_relative_eq!(beside.probability_unmodelled(), 0.25 / 0.93, max_relative = 1e-12);
     }
 
     /// A library that rows left out contradict has no probability left, and neither has what was composed beside it.

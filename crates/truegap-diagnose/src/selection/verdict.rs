@@ -207,7 +207,7 @@ mod tests {
 
     /// An effect that takes 30 units of a recording with a burst of 360 is a small part of what is there; one that takes 3000 is not.
     #[test]
-    fn what_is_heard_unseats_an_effect_that_explains_less_of_the_recording() {
+    fn interference_unseats_an_effect_that_explains_less_of_the_recording() {
         let small = explained().with_interference(0, 30.0, 360.0);
         assert_eq!((small.verdict, small.model, small.sets.len()), (Verdict::Unexplained, 0, 0));
         let large = explained().with_interference(0, 3000.0, 360.0);

@@ -6,6 +6,9 @@
 //!
 //! A row may stand for the mean of several rows of the recording (see [`crate::noise::block_average`]); its noise is that of the mean.
 //!
+//! **Source:** Durbin & Koopman, Time Series Analysis by State Space Methods, ch. 4 (Kalman filter, innovations).
+//! **Accuracy:** 1e-10 of the dense covariance, `the_filter_equals_the_dense_covariance` and its like; errors of denoised inputs, which an autoregression copies, 5 %.
+//!
 //! Limits: correlation runs from row to row, whatever the time between them, and starts afresh with each run.
 
 pub use crate::whitening::kinds::{InputError, Lasting, Noise};

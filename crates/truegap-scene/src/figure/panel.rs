@@ -26,7 +26,7 @@ pub(super) struct Panel<'a> {
     pub(super) y: Scale,
     pub(super) y_ticks: Ticks,
     /// Points that a logarithmic axis cannot show.
-    pub(super) hidden: usize,
+    pub(super) not_drawn: usize,
 }
 
 /// The plotting area that starts at `left`, `top`.
@@ -59,7 +59,7 @@ impl<'a> Panel<'a> {
         let x = Scale { low: x_low, high: x_high, log: x_axis.log, pixels: 1.0, flipped: false };
         let y = Scale { low, high, log: figure.y.log, pixels: figure.height, flipped: true };
         let y_ticks = Ticks::new(&y, (figure.height / 32.0) as usize);
-        Ok(Self { figure, x_axis, x, y, y_ticks, hidden: hidden(figure, x_axis) })
+        Ok(Self { figure, x_axis, x, y, y_ticks, not_drawn: not_drawn(figure, x_axis) })
     }
 
     /// Room that the y axis needs.
@@ -87,7 +87,7 @@ fn range(
 }
 
 /// Points that a logarithmic axis cannot show.
-fn hidden(figure: &Figure, x_axis: &Axis) -> usize {
+fn not_drawn(figure: &Figure, x_axis: &Axis) -> usize {
     let lost = |log: bool, v: f64| log && v.is_finite() && v <= 0.0;
     let count = |s: &Series| s.x.iter().zip(&s.y).filter(|(x, y)| lost(x_axis.log, **x) || lost(figure.y.log, **y)).count();
     figure.series.iter().filter(|s| !matches!(s.mark, Mark::Band { .. })).map(count).sum()

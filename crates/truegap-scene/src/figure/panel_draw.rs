@@ -60,8 +60,8 @@ impl Panel<'_> {
         let (x, y) = (15.0, area.top + area.height / 2.0);
         let turn = format!(r#"transform="rotate(-90 {} {})""#, px(x), px(y));
         svg.styled_text(x, y, Anchor::Middle, &self.y_ticks.title(&axis.label, &axis.unit), &turn);
-        if self.hidden > 0 {
-            let note = format!("{} values ≤ 0 not drawn (logarithmic axis)", self.hidden);
+        if self.not_drawn > 0 {
+            let note = format!("{} values ≤ 0 not drawn (logarithmic axis)", self.not_drawn);
             let style = r#"font-size="10.5" opacity="0.75""#;
             svg.styled_text(area.right() - 6.0, area.top + 14.0, Anchor::End, &note, style);
         }

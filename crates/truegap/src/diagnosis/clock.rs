@@ -26,17 +26,17 @@ fn utc(seconds: u64) -> String {
     format!("{year}-{month:02}-{:02} {:02}:{:02} UTC", days + 1, of_day / 3600, of_day % 3600 / 60)
 }
 
-fn is_leap(year: u64) -> bool {
+fn is_leap_year(year: u64) -> bool {
     year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400))
 }
 
 fn length(year: u64) -> u64 {
-    if is_leap(year) { 366 } else { 365 }
+    if is_leap_year(year) { 366 } else { 365 }
 }
 
 fn month_length(year: u64, month: u64) -> u64 {
     match month {
-        2 if is_leap(year) => 29,
+        2 if is_leap_year(year) => 29,
         2 => 28,
         4 | 6 | 9 | 11 => 30,
         _ => 31,

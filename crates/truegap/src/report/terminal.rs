@@ -32,7 +32,7 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
         lines.extend(mechanism.could_be.first().map(|hint| format!("    could be: {hint}")));
     }
     if diagnosis.concealed {
-        lines.push("Calibration had hidden it:".into());
+        lines.push("Calibration had concealed it:".into());
     } else if !diagnosis.conflicts.is_empty() {
         lines.push("At odds with what was known beforehand:".into());
     }

@@ -136,7 +136,7 @@ pub fn concealed(diagnosis: &Diagnosis) -> Option<String> {
     }
     let conflicts: String = diagnosis.conflicts.iter().map(|c| format!(" {}.", capitalised(&c.says))).collect();
     Some(format!(
-        "Calibration had hidden it: what the calibrated model leaves is within twice the noise, because its parameters took up what is missing.{conflicts}"
+        "Calibration had concealed it: what the calibrated model leaves is within twice the noise, because its parameters took up what is missing.{conflicts}"
     ))
 }
 

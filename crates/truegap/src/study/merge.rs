@@ -2,13 +2,16 @@
 //!
 //! Limits: the folder says which study it is; the cases are listed anew from its request.
 
-use super::answer::audit::SpaceAuditAnswer;
 use super::answer::optimise::OptimiseAnswer;
 use super::answer::tolerance::ToleranceAnswer;
-use super::audit::SpaceAuditRequest;
 use super::optimise::OptimiseRequest;
 use super::tolerance::ToleranceRequest;
-use super::{StudyError, audit, optimise, tolerance};
+use super::{StudyError, optimise, tolerance};
+#[cfg(feature = "fem")]
+use super::{
+    answer::audit::SpaceAuditAnswer,
+    audit::{self, SpaceAuditRequest},
+};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::path::Path;
@@ -22,8 +25,14 @@ pub enum Study {
     /// `truegap optimise`
     Optimise(Box<OptimiseAnswer>),
     /// `truegap audit --space`
+    #[cfg(feature = "fem")]
     Audit(Box<SpaceAuditAnswer>),
 }
+
+#[cfg(feature = "fem")]
+const KNOWN: [&str; 3] = [tolerance::STUDY, optimise::STUDY, audit::STUDY];
+#[cfg(not(feature = "fem"))]
+const KNOWN: [&str; 2] = [tolerance::STUDY, optimise::STUDY];
 
 /// Joins the cases in `folder`, writes the results beside them and returns the answer; `partial` takes what is there.
 ///
@@ -43,13 +52,14 @@ pub fn merge(folder: &Path, partial: bool) -> Result<Study, StudyError> {
         answer.write(folder)?;
         return Ok(Study::Optimise(Box::new(answer)));
     }
+    #[cfg(feature = "fem")]
     if there.study == audit::STUDY {
         let request: SpaceAuditRequest = request(there.context)?;
         let answer = request.merge(folder, partial)?;
         answer.write(folder)?;
         return Ok(Study::Audit(Box::new(answer)));
     }
-    let known = [tolerance::STUDY, optimise::STUDY, audit::STUDY].map(|s| format!("`{s}`")).join(" and ");
+    let known = KNOWN.map(|study| format!("`{study}`")).join(" and ");
     Err(StudyError::UnknownStudy { study: there.study, known })
 }
 

@@ -3,6 +3,7 @@
 //! Limits: the numbers are `truegap-design`'s, the cases `truegap-sweep`'s; here they meet files.
 
 pub mod answer;
+#[cfg(feature = "fem")]
 pub mod audit;
 mod error;
 mod merge;
@@ -11,6 +12,7 @@ mod page;
 pub mod sensitivity;
 mod subject;
 pub mod tolerance;
+#[cfg(feature = "fem")]
 mod where_broken;
 mod work;
 

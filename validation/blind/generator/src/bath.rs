@@ -15,13 +15,13 @@ const MOST: usize = 3;
 const FROM: f64 = 1.0;
 const TO: f64 = 4.0;
 /// Draws before a bath has fewer.
-const TRIES: usize = 24;
+const ATTEMPTS: usize = 24;
 
 /// None to [`MOST`] weak causes beside `acts`.
 pub(crate) fn bath(bench: &Bench, acts: &[Act], declared: Declared, draws: &mut Draws) -> Vec<Act> {
     let wanted = draws.index(MOST + 1);
     let mut weak: Vec<Act> = Vec::new();
-    for _ in 0..TRIES {
+    for _ in 0..ATTEMPTS {
         if weak.len() == wanted {
             break;
         }

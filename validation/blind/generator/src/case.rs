@@ -22,7 +22,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// Draws of causes before less is asked of them.
-const TRIES: usize = 12;
+const ATTEMPTS: usize = 12;
 /// Least detectability at which an effect that is left out is still posed.
 const LEAST: f64 = 0.5;
 
@@ -163,7 +163,7 @@ impl Setting {
         Bench::new(self.scene(), warp, self.noise.sd_pf).map_err(|source| CaseError::Closed { case: self.case.clone(), source })
     }
 
-    /// Draws causes until they can be seen; asks for less after [`TRIES`] draws.
+    /// Draws causes until they can be seen; asks for less after [`ATTEMPTS`] draws.
     fn pose(&self, makeup: Makeup, asked: f64, settings: &Settings, draws: &mut Draws) -> Result<Posed, CaseError> {
         let shares = &settings.shares;
         let humidity = draws.chance(shares.humidity);
@@ -173,7 +173,7 @@ impl Setting {
         // what is left out is posed as large as it can be believed, however little that is: it has no substitute
         let least = if matches!(makeup, Makeup::LeftOut(_)) { LEAST } else { 0.99 * settings.options.detectability_from };
         while asked >= least {
-            for _ in 0..TRIES {
+            for _ in 0..ATTEMPTS {
                 let causes = drawn_causes(makeup, shares, draws);
                 let Some(needs) = together(&causes) else { continue };
                 let warp = if needs.warp { true } else { !(needs.no_warp || flat) };

@@ -136,3 +136,17 @@ fn the_command_ends_with_1_where_a_circle_is_planted() {
     assert_eq!(output.status.code(), Some(1), "{text}");
     assert!(text.contains("circle of files: a/src/high.rs, a/src/low.rs") && text.contains("1 findings"), "{text}");
 }
+
+#[test]
+fn a_private_word_in_a_name_is_found_whatever_the_case_and_told_what_to_say() {
+    let order = "[words]\ngate = { instead = \"lack-of-fit test\" }\nleap = { instead = \"nonmonotone step\", in = [\"b\"] }";
+    let lib = "mod my_gate; fn gates() {} // a gate\nconst OPEN_GATE: &str = \"gate\"; struct GateOf; fn delegate(leap: f64) {}";
+    let found = findings(&[("lib.rs", lib), ("my_gate.rs", "")], order);
+    let names: Vec<&str> =
+        found.iter().filter_map(|f| if let Finding::PrivateWord { name, .. } = f { Some(name.as_str()) } else { None }).collect();
+    assert_eq!(names, ["my_gate", "OPEN_GATE", "GateOf", "my_gate"], "comments, strings, other words, other packages: nothing");
+    assert!(found[1].to_string().contains("`OPEN_GATE` in a/src/lib.rs, line 2 says \"gate\"\n  mend: say lack-of-fit test;"));
+    let kept =
+        format!("{}, except = [\"my_gate\", \"OPEN_GATE\", \"GateOf\"] }}", order.lines().nth(1).unwrap().trim_end_matches(" }"));
+    assert_eq!(findings(&[("lib.rs", lib), ("my_gate.rs", "")], &format!("[words]\n{kept}")), []);
+}

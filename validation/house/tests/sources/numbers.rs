@@ -37,3 +37,20 @@ fn the_drawing_has_every_room_and_every_arrow() {
     }
     assert_eq!(dot.matches('{').count(), dot.matches('}').count());
 }
+
+#[test]
+fn the_review_counts_what_the_sources_hold() {
+    let sources = [
+        ("lib.rs", "//! A page.\nmod a; mod b;"),
+        ("a.rs", "use crate::b::B; pub struct A;"),
+        ("b.rs", "use crate::a::A; pub struct B;"),
+    ];
+    let value = |house: &House, what: &str| house.review().into_iter().find(|row| row.what.starts_with(what)).unwrap().value;
+    let mut files = files(&sources, "");
+    files.insert("README.md".into(), "# A\n\nBetter by 3 %.\n".into());
+    let house = House::of(&files).expect("made-up sources can be read");
+    assert_eq!(value(&house, "circles of files"), "1");
+    assert_eq!(value(&house, "files in the largest circle"), "2");
+    assert_eq!(value(&house, "lines of README"), "3; 1");
+    assert_eq!(value(&house, "arrows upwards"), "-", "there is no such crate");
+}

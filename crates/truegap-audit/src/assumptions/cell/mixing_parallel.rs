@@ -6,7 +6,7 @@ use super::beads::{greatest_strain, needs_beads};
 use crate::{
     assumption::Assumption,
     assumptions::over_load::over_load,
-    cell::{Cell, Charged, Filled, Profile, cell_capacitance},
+    cell::{Cell, Charged, Filled, Profile, cell_capacitance, filled},
     error::AuditError,
     finding::{Finding, Measure},
     fit::Chebyshev,
@@ -101,15 +101,6 @@ impl Mixing {
         let (film, beads) = (sensor.insulator.thickness.value, sensor.dielectric.layer.thickness.value);
         let value = (filled.bead / filled.air - 1.0) * film / beads;
         Measure { name: "(permittivity contrast - 1) x insulator / bead height".into(), value, limit: LIMIT }
-    }
-}
-
-/// Relative permittivities of a sensor's cell.
-pub(crate) fn filled(sensor: &Sensor) -> Filled {
-    Filled {
-        bead: sensor.dielectric.layer.material.permittivity,
-        air: sensor.dielectric.surrounding_permittivity,
-        film: sensor.insulator.material.permittivity,
     }
 }
 

@@ -14,7 +14,7 @@ mod series_of_integrals;
 mod tail_parallel_plate;
 mod uniform_temperature;
 
-pub(crate) use mixing_parallel::{filled, mixed_capacitance};
+pub(crate) use mixing_parallel::mixed_capacitance;
 pub(crate) use tail_parallel_plate::{Section, edge_factor};
 
 use crate::assumption::Assumption;

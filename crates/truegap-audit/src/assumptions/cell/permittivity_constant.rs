@@ -2,10 +2,9 @@
 //!
 //! Limits: density only, by Clausius and Mossotti, without a free number; dipoles and water make real films change more.
 
-use super::mixing_parallel::filled;
 use crate::{
     assumption::Assumption,
-    cell::{Cell, Filled, Profile, cell_capacitance},
+    cell::{Cell, Filled, Profile, cell_capacitance, filled},
     error::AuditError,
     finding::{Finding, Measure},
     measured::Measured,

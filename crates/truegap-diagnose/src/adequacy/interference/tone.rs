@@ -25,6 +25,9 @@ impl Tone {
     const NONE: Self = Self { per_row: 0.0, frequency_hz: None, amplitude: 0.0, p_value: 1.0 };
 
     /// The strongest tone in a whitened residual; `time` in s.
+    ///
+    /// **Source:** periodogram and its distribution in noise, Scargle, Astrophys. J. 263 (1982) 835; sums over runs have a gamma distribution.
+    /// **Accuracy:** frequency to half a cycle of the longest run, amplitude to four deviations of `sqrt(2 / rows)`, `a_faint_tone_is_found_at_its_frequency_and_noise_is_none_even_where_it_is_coloured`.
     pub fn strongest(residual: &[f64], time: Option<&[f64]>, runs: &[Range<usize>]) -> Self {
         let long = runs.iter().filter(|r| r.len() >= SHORTEST_RUN);
         let paced: Vec<(&Range<usize>, f64)> = long.filter_map(|r| pace(time, r).map(|pace| (r, pace))).collect();

@@ -6,11 +6,11 @@
 mod effects;
 mod exact;
 mod fits;
-mod gates;
 mod held_out;
-mod outside;
+mod lack_of_fit;
 mod probabilities;
 mod tempered;
+mod unmodelled;
 mod weak;
 mod whole;
 mod words;

@@ -2,6 +2,7 @@
 //!
 //! Limits: nothing here computes or draws.
 
+#[cfg(feature = "fem")]
 pub mod audit;
 pub mod optimise;
 pub mod sensitivity;

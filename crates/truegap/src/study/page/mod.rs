@@ -2,6 +2,7 @@
 //!
 //! Limits: tells what an answer says; decides nothing.
 
+#[cfg(feature = "fem")]
 pub(super) mod audit;
 pub(super) mod optimise;
 pub(super) mod sensitivity;

@@ -31,7 +31,7 @@ pub fn judge(truth: &Truth, claim: &Claim) -> Outcome {
     let agrees = claim.verdict == "agrees";
     match (&truth.stranger, truth.is_null()) {
         (_, true) => nothing(agrees, &named, !claim.findings.is_empty()),
-        (Some(stranger), _) => outsider(stranger, claim, &named),
+        (Some(stranger), _) => unmodelled(stranger, claim, &named),
         _ if agrees && named.is_empty() => Outcome::Missed,
         _ => library(truth, claim, &named),
     }
@@ -46,7 +46,7 @@ fn nothing(agrees: bool, named: &BTreeSet<&str>, named_only_bath: bool) -> Outco
     }
 }
 
-fn outsider(stranger: &str, claim: &Claim, named: &BTreeSet<&str>) -> Outcome {
+fn unmodelled(stranger: &str, claim: &Claim, named: &BTreeSet<&str>) -> Outcome {
     // Jumps inside a run: the shared recordings count them as outside the library, the table of effects as `offset_steps` (a slipping contact): both are right.
     if ["steps", "slips"].contains(&stranger) && named.iter().eq(["offset_steps"].iter()) {
         return Outcome::Right;

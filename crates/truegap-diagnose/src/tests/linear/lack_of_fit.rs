@@ -1,4 +1,4 @@
-//! Gates that open by chance no more often than they say; noise that is as loud as it is.
+//! Lack-of-fit tests that reject a right model no more often than they say; noise that is as large as it is.
 
 use super::World;
 use crate::{
@@ -109,8 +109,8 @@ fn a_right_noise_is_not_lowered_and_one_three_times_too_loud_is_by_three() {
 fn levels_count_the_tests_that_were_tried() {
     let world = World::new(1, 96, &[]);
     let y = world.drawn(&[], &[], &mut ChaCha8Rng::seed_from_u64(1));
-    let quiet = world.search(&y, |search, tests| tests.adequacy(&search.base().unwrap().fit));
-    let with = |line_p_value: f64| Adequacy { line_p_value, ..quiet };
+    let without = world.search(&y, |search, tests| tests.adequacy(&search.base().unwrap().fit));
+    let with = |line_p_value: f64| Adequacy { line_p_value, ..without };
     approx::assert_relative_eq!(with(2e-5).p_value(), 6e-5, max_relative = 1e-12);
     assert!(with(2e-5).fires() && !with(5e-5).fires());
     let tests = |uncertainty: f64| LackOfFitTests::new(&[], &world.whitener(1.0), world.inputs.runs(), uncertainty);

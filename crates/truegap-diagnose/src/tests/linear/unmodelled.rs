@@ -1,4 +1,4 @@
-//! Causes outside the library, weighed as the covariance of what they add.
+//! Unmodelled causes, weighed as the covariance of what they add.
 
 use super::{
     World,
@@ -28,7 +28,7 @@ fn added(covariance: &DMatrix<f64>, y: &[f64], temper: f64) -> f64 {
 
 /// One term that does not act, and a zero that wanders.
 #[test]
-fn odds_of_a_cause_outside_the_library_are_those_of_its_covariance() {
+fn odds_of_an_unmodelled_cause_are_those_of_its_covariance() {
     let world = World::new(1, ROWS, &[4.0]);
     let random = &mut ChaCha8Rng::seed_from_u64(77);
     let mut y = world.drawn(&[], &[], random);
@@ -50,7 +50,7 @@ fn odds_of_a_cause_outside_the_library_are_those_of_its_covariance() {
         });
         let weight = |exact: Exact, count: usize| exact.log_evidence() / slack + NUMBER_PRIOR[count].ln();
         let inside = log_mean(&[weight(world.exact(&[], &y), 0), weight(world.exact(&[0], &y), 1)]) + 2f64.ln();
-        // beside the base model an outsider is one thing more, and each of the two causes has half of what outsiders are worth
+        // beside the base model an unmodelled cause is one thing more, and each of the two has half of what unmodelled causes are worth
         let prior = NUMBER_PRIOR[1].ln() + (UNMODELLED_PRIOR / 2.0).ln();
         let base = world.exact(&[], &y).log_evidence() / slack;
         let exact = base + prior + added(&brownian(), &y, slack) - inside;
@@ -82,7 +82,7 @@ fn one_more(covariance: &DMatrix<f64>, y: &[f64], temper: f64) -> f64 {
 
 /// A strong term, and a zero that wanders beside it: a little is what a wrong form leaves, much is another cause.
 #[test]
-fn beside_a_model_an_outsider_has_to_be_more_than_a_wrong_form_leaves() {
+fn beside_a_model_an_unmodelled_cause_has_to_be_more_than_a_wrong_form_leaves() {
     let world = World::new(1, ROWS, &[4.0]);
     let beside_the_term = |step: f64| {
         let random = &mut ChaCha8Rng::seed_from_u64(77);

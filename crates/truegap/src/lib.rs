@@ -51,6 +51,7 @@ mod cells;
 pub mod confirm;
 pub mod diagnosis;
 pub mod example;
+pub mod explain;
 pub mod export;
 pub mod mechanism_file;
 pub mod model_file;
@@ -59,6 +60,7 @@ pub mod predict;
 pub mod printed;
 pub mod prove;
 pub mod report;
+pub mod schemas;
 pub mod sensors;
 pub mod study;
 

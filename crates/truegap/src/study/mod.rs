@@ -11,6 +11,7 @@ mod page;
 pub mod sensitivity;
 mod subject;
 pub mod tolerance;
+pub mod vary;
 mod where_broken;
 mod work;
 

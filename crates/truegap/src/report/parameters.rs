@@ -10,7 +10,7 @@ use truegap_scene::figure::{Bars, FigureError};
 use truegap_scene::page::{Page, Table, Tone};
 
 /// From here on a parameter is said to be pushed.
-const PUSHED: f64 = 3.0;
+pub(super) const PUSHED: f64 = 3.0;
 
 /// Conflicts, figure of distances, table.
 pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {

@@ -11,7 +11,7 @@ from typing import Any, Union
 from . import _truegap
 from .confirmation import Confirmation
 from .diagnosis import Diagnosis
-from .frames import Path, Recording, is_path, list_of, source
+from .frames import Path, Recording, is_text, list_of, source
 from .function import Simulator, given
 from .parameter import Parameter
 from .progress import ProgressLike, watching
@@ -105,7 +105,7 @@ def _name(index: int, recordings: Sequence[Recording]) -> str:
 
 def _command(recordings: Sequence[Recording], base: Base, asked: Mapping[str, Any]) -> str:
     """The command line that does the same, where there is one; for the record."""
-    if not all(is_path(r) for r in recordings) or callable(base) or isinstance(base, Mapping):
+    if not all(is_text(r) for r in recordings) or callable(base) or isinstance(base, Mapping):
         function = f", base={getattr(base, '__name__', 'simulator')}" if callable(base) else ""
         return f"truegap.diagnose(...{function})"
     words = ["truegap", "diagnose", *(str(r) for r in recordings)]

@@ -53,7 +53,12 @@ fn there_is_a_manual_page_for_every_subcommand() {
     assert_eq!(said.code, 0, "{}", said.err);
     let help = bench.run(&["--help"]).out;
     let listed = help.split("Commands:").nth(1).unwrap().split("Options:").next().unwrap();
-    let commands: Vec<&str> = listed.lines().filter_map(|l| l.strip_prefix("  ")).filter(|l| !l.starts_with(' ')).map(|l| l.split(' ').next().unwrap()).collect();
+    let commands: Vec<&str> = listed
+        .lines()
+        .filter_map(|l| l.strip_prefix("  "))
+        .filter(|l| !l.starts_with(' '))
+        .map(|l| l.split(' ').next().unwrap())
+        .collect();
     assert!(commands.len() > 15, "{commands:?}");
     for command in commands.iter().filter(|c| **c != "help") {
         let page = std::fs::read_to_string(bench.path(&format!("man1/truegap-{command}.1"))).unwrap();

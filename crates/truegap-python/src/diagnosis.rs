@@ -44,9 +44,23 @@ struct Asked {
 impl Asked {
     /// As the command line asks; numbers of effects from files stand in the units that `recording` gives them.
     fn request(self, recording: Option<&Recording>) -> PyResult<Request> {
-        let Self { sensor, base, no_warp, effects, conceal, channel, free, bank, library_only, select_in_folds, command, .. } = self;
+        let Self { sensor, base, no_warp, effects, conceal, channel, free, bank, library_only, select_in_folds, command, .. } =
+            self;
         let library = with_effects(Library::default(), &self.effect_files, recording).map_err(failed)?;
-        Ok(Request { sensor, base, no_warp, effects, conceal, channel, free, bank, library, library_only, select_in_folds, command })
+        Ok(Request {
+            sensor,
+            base,
+            no_warp,
+            effects,
+            conceal,
+            channel,
+            free,
+            bank,
+            library,
+            library_only,
+            select_in_folds,
+            command,
+        })
     }
 }
 

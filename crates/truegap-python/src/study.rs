@@ -76,7 +76,8 @@ pub(crate) fn tolerance(
 ) -> PyResult<String> {
     let between = |(name, low, high): (String, Option<f64>, Option<f64>)| {
         let known = || truegap::design::METRICS.map(Metric::name).join(", ");
-        let metric = Metric::named(&name).ok_or_else(|| failed(format!("there is no metric `{name}`; take one of {}", known())))?;
+        let metric =
+            Metric::named(&name).ok_or_else(|| failed(format!("there is no metric `{name}`; take one of {}", known())))?;
         Ok(Between { metric, low, high })
     };
     let limits = limits.into_iter().map(between).collect::<PyResult<_>>()?;

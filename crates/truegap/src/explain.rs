@@ -108,7 +108,9 @@ fn with_all_columns(mut inputs: Inputs) -> Inputs {
     let rows = inputs.len();
     let ramp = |low: f64, high: f64| (0..rows).map(|row| low + (high - low) * row as f64 / rows as f64).collect::<Vec<f64>>();
     inputs.humidity_pct.get_or_insert_with(|| ramp(30.0, 70.0));
-    inputs.drivers = ["first driver", "second driver"].map(|name| Driver { name: name.into(), unit: "1".into(), values: ramp(0.0, 1.0) }).to_vec();
+    inputs.drivers = ["first driver", "second driver"]
+        .map(|name| Driver { name: name.into(), unit: "1".into(), values: ramp(0.0, 1.0) })
+        .to_vec();
     inputs
 }
 
@@ -189,7 +191,12 @@ mod tests {
         for effect in library.iter() {
             for change in effect.separations() {
                 let Ok(other) = explained(change.rival, &library) else { continue };
-                assert!(other.instrument_changes.iter().any(|c| c.rival == effect.id().0), "{} and {}", effect.id(), change.rival);
+                assert!(
+                    other.instrument_changes.iter().any(|c| c.rival == effect.id().0),
+                    "{} and {}",
+                    effect.id(),
+                    change.rival
+                );
             }
         }
     }

@@ -44,15 +44,33 @@ impl Document {
 
 /// All documents but the file of a sensor, in alphabetical order.
 pub const DOCUMENTS: &[Document] = &[
-    written_as("audit", "audit.json, and `truegap --json audit --sensor S`", ("truegap_audit::audit", "Audit")).id("truegap.audit/1"),
-    written_as("audit-space", "audit-space.json, and `truegap --json audit --space N`", ("truegap::study::answer::audit", "SpaceAuditAnswer"))
-        .id("truegap.audit-space/1"),
-    read_as("case", "TOML of a case, which `truegap solve` and `truegap mesh` read", ("truegap_fem::case::raw", "RawCase"), "truegap.case/1"),
+    written_as("audit", "audit.json, and `truegap --json audit --sensor S`", ("truegap_audit::audit", "Audit"))
+        .id("truegap.audit/1"),
+    written_as(
+        "audit-space",
+        "audit-space.json, and `truegap --json audit --space N`",
+        ("truegap::study::answer::audit", "SpaceAuditAnswer"),
+    )
+    .id("truegap.audit-space/1"),
+    read_as(
+        "case",
+        "TOML of a case, which `truegap solve` and `truegap mesh` read",
+        ("truegap_fem::case::raw", "RawCase"),
+        "truegap.case/1",
+    ),
     written_as("coefficients", "`truegap --json coefficients`", ("truegap_cli::command::coefficients", "Answer")),
-    written_as("confirmation", "confirmation.json, and `truegap --json confirm`", ("truegap_diagnose::answer::confirmation", "Confirmation"))
-        .id("truegap.confirmation/1"),
-    written_as("diagnosis", "diagnosis.json, and `truegap --json diagnose`", ("truegap_diagnose::answer::diagnosis", "Diagnosis"))
-        .id("truegap.diagnosis/1"),
+    written_as(
+        "confirmation",
+        "confirmation.json, and `truegap --json confirm`",
+        ("truegap_diagnose::answer::confirmation", "Confirmation"),
+    )
+    .id("truegap.confirmation/1"),
+    written_as(
+        "diagnosis",
+        "diagnosis.json, and `truegap --json diagnose`",
+        ("truegap_diagnose::answer::diagnosis", "Diagnosis"),
+    )
+    .id("truegap.diagnosis/1"),
     written_as("explain", "`truegap --json explain EFFECT`", ("truegap::explain", "Explained")),
     written_as("export", "`truegap --json export`", ("truegap_cli::command::export", "Answer")),
     read_as(
@@ -68,9 +86,18 @@ pub const DOCUMENTS: &[Document] = &[
         ("truegap::model_file", "ModelFile"),
         "truegap.model/1",
     ),
-    written_as("optimise", "optimise.json, and `truegap --json optimise`", ("truegap::study::answer::optimise", "OptimiseAnswer"))
-        .id("truegap.optimise/1"),
-    read_as("recording", "TOML beside the CSV of a recording", ("truegap_core::recording::manifest", "Raw"), "truegap.recording/1"),
+    written_as(
+        "optimise",
+        "optimise.json, and `truegap --json optimise`",
+        ("truegap::study::answer::optimise", "OptimiseAnswer"),
+    )
+    .id("truegap.optimise/1"),
+    read_as(
+        "recording",
+        "TOML beside the CSV of a recording",
+        ("truegap_core::recording::manifest", "Raw"),
+        "truegap.recording/1",
+    ),
     written_as(
         "sensitivity",
         "sensitivity.json, and `truegap --json sensitivity`",
@@ -78,12 +105,24 @@ pub const DOCUMENTS: &[Document] = &[
     )
     .id("truegap.sensitivity/1"),
     written_as("sensors", "`truegap --json sensors`", ("truegap_cli::command::sensors", "Listed")).list(),
-    written_as("simulate", "each line of `truegap --json simulate --sensor S --load L`", ("truegap_model::stack::states", "State")),
-    written_as("simulate-drive", "each line of `truegap --json simulate --sensor S --drive RECORDING`", ("truegap::predict", "Driven")),
+    written_as(
+        "simulate",
+        "each line of `truegap --json simulate --sensor S --load L`",
+        ("truegap_model::stack::states", "State"),
+    ),
+    written_as(
+        "simulate-drive",
+        "each line of `truegap --json simulate --sensor S --drive RECORDING`",
+        ("truegap::predict", "Driven"),
+    ),
     written_as("simulate-model", "each line of `truegap --json simulate --model FILE`", ("truegap::answer", "Answer")),
     written_as("solve", "`truegap --json solve CASE.toml`", ("truegap_fem::case::result", "CaseResult")),
-    written_as("tolerance", "tolerance.json, and `truegap --json tolerance`", ("truegap::study::answer::tolerance", "ToleranceAnswer"))
-        .id("truegap.tolerance/1"),
+    written_as(
+        "tolerance",
+        "tolerance.json, and `truegap --json tolerance`",
+        ("truegap::study::answer::tolerance", "ToleranceAnswer"),
+    )
+    .id("truegap.tolerance/1"),
 ];
 
 /// Draft that the schemas are written in.
@@ -96,7 +135,8 @@ const DRAFT: &str = "https://json-schema.org/draft/2020-12/schema";
 pub fn written(index: &Index, workspace: &Path) -> Result<Vec<(String, String)>, SchemaError> {
     let folder = workspace.join("validation/schemas/by-hand");
     let by_hand = read(&folder.join("types.json"))?;
-    let mut all = DOCUMENTS.iter().map(|d| Ok((d.name.to_owned(), of(d, index, &by_hand)?))).collect::<Result<Vec<_>, SchemaError>>()?;
+    let mut all =
+        DOCUMENTS.iter().map(|d| Ok((d.name.to_owned(), of(d, index, &by_hand)?))).collect::<Result<Vec<_>, SchemaError>>()?;
     all.push(("sensor".into(), Value::Object(read(&folder.join("sensor.json"))?)));
     all.sort_by(|a, b| a.0.cmp(&b.0));
     Ok(all.into_iter().map(|(name, schema)| (name, format!("{schema:#}\n"))).collect())

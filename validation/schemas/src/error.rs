@@ -17,7 +17,9 @@ pub enum SchemaError {
     #[error("{file}: {source}")]
     Json { file: PathBuf, source: serde_json::Error },
     /// A type that no source defines, or several do.
-    #[error("the type `{name}` used in {place} is defined in {found}; one place is wanted: say which in `validation/schemas/src/index.rs`, or write it by hand")]
+    #[error(
+        "the type `{name}` used in {place} is defined in {found}; one place is wanted: say which in `validation/schemas/src/index.rs`, or write it by hand"
+    )]
     Type { name: String, place: String, found: String },
     /// Something that this reader does not know.
     #[error("{place}: {what} is not known here; add it to `validation/schemas/src`")]

@@ -51,7 +51,8 @@ impl Index {
             if path.is_dir() {
                 self.read_folder(&path, &format!("{module}::{stem}"))?;
             } else if path.extension().is_some_and(|e| e == "rs") {
-                let inside = if ["lib", "main", "mod"].contains(&stem.as_str()) { module.to_owned() } else { format!("{module}::{stem}") };
+                let inside =
+                    if ["lib", "main", "mod"].contains(&stem.as_str()) { module.to_owned() } else { format!("{module}::{stem}") };
                 self.read_file(&path, &inside)?;
             }
         }

@@ -22,7 +22,8 @@ pub(crate) enum Kind<'a> {
 /// The kind of a path's last segment; none where it is a type of ours.
 pub(crate) fn kind(segment: &PathSegment) -> Option<Kind<'_>> {
     let inner = inner(segment);
-    let number = |low: Option<u64>| low.map_or_else(|| json!({"type": "integer"}), |low| json!({"type": "integer", "minimum": low}));
+    let number =
+        |low: Option<u64>| low.map_or_else(|| json!({"type": "integer"}), |low| json!({"type": "integer", "minimum": low}));
     Some(match (segment.ident.to_string().as_str(), inner.as_slice()) {
         ("String" | "str" | "PathBuf" | "Path" | "EffectId", []) => Kind::Plain(json!({"type": "string"})),
         ("bool", []) => Kind::Plain(json!({"type": "boolean"})),

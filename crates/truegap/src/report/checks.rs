@@ -49,9 +49,9 @@ fn at_most(what: &str, value: f64, limit: f64, unit: &str) -> Check {
     }
 }
 
-fn recording(diagnosis: &Diagnosis) -> [Check; 1] {
+fn recording(diagnosis: &Diagnosis) -> Vec<Check> {
     let notices = diagnosis.notices.len();
-    [Check {
+    vec![Check {
         what: "what is wrong with the recording itself".into(),
         value: notices.to_string(),
         limit: "0".into(),

@@ -59,7 +59,7 @@ fn moved(count: usize) -> String {
 }
 
 /// Prior standard deviations from the centre, where the prior says anything.
-fn z(parameter: &ParameterFacts) -> Option<f64> {
+pub(super) fn z(parameter: &ParameterFacts) -> Option<f64> {
     let [centre, sd] = parameter.prior;
     let z = (parameter.value - centre) / sd;
     (sd > 0.0 && z.is_finite()).then_some(z)

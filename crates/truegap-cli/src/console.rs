@@ -73,7 +73,7 @@ pub fn shown(text: &str) -> String {
 }
 
 /// A reader that has gone has all that it wanted.
-fn unless_gone(written: io::Result<()>) -> anyhow::Result<()> {
+pub fn unless_gone(written: io::Result<()>) -> anyhow::Result<()> {
     match written {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         other => Ok(other?),

@@ -6,7 +6,7 @@ mod command;
 mod console;
 mod table;
 
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use command::{Command, run::Outcome};
 use console::Console;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -44,7 +44,7 @@ fn main() -> ExitCode {
 
 fn run(Arguments { json, quiet, command }: &Arguments) -> ExitCode {
     let console = Console { json: *json, quiet: *quiet };
-    match command.run(&console) {
+    match command.run(&console, Arguments::command) {
         Ok(Outcome::Fine) => ExitCode::SUCCESS,
         Ok(Outcome::LookAt) => ExitCode::from(1),
         Err(error) => {

@@ -10,6 +10,8 @@ use std::sync::atomic::AtomicBool;
 use truegap::audit::{Cache, Options, Watch};
 use truegap::audit_run::{AuditRequest, default_cache};
 use truegap::core::sensor::builtin_sensors;
+use truegap::diagnose::Library;
+use truegap::explain::{effects, explained};
 use truegap::model::{CoefficientOptions, StackOptions};
 use truegap::sensors::find_sensor;
 
@@ -66,4 +68,16 @@ pub(crate) fn audit(
 #[pyfunction]
 pub(crate) fn sensors() -> Vec<&'static str> {
     builtin_sensors().iter().map(|sensor| sensor.name).collect()
+}
+
+/// What an effect is, as JSON; ids and physics of all where none is named.
+#[pyfunction]
+#[pyo3(signature = (effect))]
+pub(crate) fn explain(effect: Option<&str>) -> PyResult<String> {
+    let library = Library::default();
+    match effect {
+        Some(name) => serde_json::to_string(&explained(name, &library).map_err(failed)?),
+        None => serde_json::to_string(&effects(&library)),
+    }
+    .map_err(failed)
 }

@@ -12,7 +12,9 @@ use std::sync::atomic::AtomicBool;
 use truegap::Recording;
 use truegap::base::Programs;
 use truegap::confirm::{Confirmed, Free, confirm_with};
+use truegap::diagnose::Library;
 use truegap::diagnosis::{Diagnosed, FILES, Request, open_with};
+use truegap::mechanism_file::with_effects;
 use truegap::model_file::{ModelFile, ModelFileError};
 use truegap::output::OutputFolder;
 use truegap::report;
@@ -33,13 +35,32 @@ struct Asked {
     channel: Option<String>,
     free: Vec<String>,
     bank: Option<usize>,
+    effect_files: Vec<PathBuf>,
+    library_only: bool,
+    select_in_folds: bool,
     command: String,
 }
 
-impl From<Asked> for Request {
-    fn from(asked: Asked) -> Self {
-        let Asked { sensor, base, no_warp, effects, conceal, channel, free, bank, command } = asked;
-        Self { sensor, base, no_warp, effects, conceal, channel, free, bank, command, ..Self::default() }
+impl Asked {
+    /// As the command line asks; numbers of effects from files stand in the units that `recording` gives them.
+    fn request(self, recording: Option<&Recording>) -> PyResult<Request> {
+        let Self { sensor, base, no_warp, effects, conceal, channel, free, bank, library_only, select_in_folds, command, .. } =
+            self;
+        let library = with_effects(Library::default(), &self.effect_files, recording).map_err(failed)?;
+        Ok(Request {
+            sensor,
+            base,
+            no_warp,
+            effects,
+            conceal,
+            channel,
+            free,
+            bank,
+            library,
+            library_only,
+            select_in_folds,
+            command,
+        })
     }
 }
 
@@ -72,11 +93,12 @@ pub(crate) fn diagnose(
     given: Option<Given>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<NativeDiagnosis> {
-    let request: Request = serde_json::from_str::<Asked>(asked).map_err(failed)?.into();
+    let asked: Asked = serde_json::from_str(asked).map_err(failed)?;
     let function = function(given)?;
     let read = sources.iter().map(Source::read).collect::<PyResult<Vec<_>>>()?;
     let files = read.iter().map(|(recording, name)| (name.clone(), recording.sha256.clone())).collect();
     let recordings = read.into_iter().map(|(r, _)| rebased(r, base)).collect::<PyResult<Vec<_>>>()?;
+    let request = asked.request(recordings.first())?;
     let opened = open_with(recordings, &request, programs(function.as_ref())).map_err(failed)?;
     let stop = AtomicBool::new(false);
     let work =

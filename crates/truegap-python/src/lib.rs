@@ -6,6 +6,7 @@ mod ask;
 mod desk;
 mod diagnosis;
 mod source;
+mod study;
 
 use pyo3::prelude::*;
 
@@ -20,5 +21,10 @@ fn _truegap(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(ask::simulate, module)?)?;
     module.add_function(wrap_pyfunction!(ask::coefficients, module)?)?;
     module.add_function(wrap_pyfunction!(ask::audit, module)?)?;
-    module.add_function(wrap_pyfunction!(ask::sensors, module)?)
+    module.add_function(wrap_pyfunction!(ask::sensors, module)?)?;
+    module.add_function(wrap_pyfunction!(ask::explain, module)?)?;
+    module.add_function(wrap_pyfunction!(study::solve, module)?)?;
+    module.add_function(wrap_pyfunction!(study::sensitivity, module)?)?;
+    module.add_function(wrap_pyfunction!(study::tolerance, module)?)?;
+    module.add_function(wrap_pyfunction!(study::optimise, module)?)
 }

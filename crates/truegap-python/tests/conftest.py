@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 import sys
 from pathlib import Path
 from typing import Any
@@ -14,6 +16,13 @@ matplotlib.use("Agg")
 EXAMPLES = Path(__file__).parent.parent / "examples"
 sys.path.insert(0, str(EXAMPLES))
 ROOT = Path(__file__).parents[3]
+
+
+def command() -> str:
+    """The command `truegap`, which the package is compared with."""
+    found = os.environ.get("TRUEGAP_COMMAND") or shutil.which("truegap")
+    assert found is not None, "set TRUEGAP_COMMAND to the path of the command `truegap`"
+    return found
 
 
 def spring(inputs: dict[str, Any], parameters: dict[str, float]) -> Any:

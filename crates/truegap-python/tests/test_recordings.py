@@ -13,9 +13,11 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import polars as pl
+import pyarrow
 import pytest
 import truegap as tg
-from conftest import ROOT, pressed, spring
+from conftest import ROOT, command, pressed, spring
+from pyarrow import feather
 
 EXAMPLE = ROOT / "validation/recordings/example/recording.toml"
 
@@ -39,6 +41,23 @@ def test_every_kind_of_frame_is_the_same_recording(tmp_path):
             from_file.verdict,
             pytest.approx([p.value for p in from_file.base_parameters], rel=1e-9),
         )
+
+
+def test_parquet_arrow_and_packed_files_are_the_same_recording(tmp_path):
+    made = pd.DataFrame(pressed())
+    wanted = tg.diagnose(made, base="linear")
+    pl.from_pandas(made).write_parquet(tmp_path / "r.parquet")
+    pl.from_pandas(made).write_ipc(tmp_path / "r.arrow")
+    feather.write_feather(pyarrow.Table.from_pandas(made), tmp_path / "r.feather")
+    for name in ("r.parquet", "r.arrow", "r.feather"):
+        d = tg.diagnose(tmp_path / name, base="linear")
+        assert [p.value for p in d.base_parameters] == [p.value for p in wanted.base_parameters], name
+        assert len(np.asarray(d.predict(tmp_path / name))) == 300
+    made.to_csv(tmp_path / "r.csv.gz", index=False)
+    packed = tg.diagnose(tmp_path / "r.csv.gz", base="linear")
+    assert [p.value for p in packed.base_parameters] == pytest.approx([p.value for p in wanted.base_parameters], rel=1e-9)
+    done = subprocess.run([command(), "-q", "diagnose", "-", "--base", "linear", "-o", tmp_path / "out"], input=(tmp_path / "r.csv.gz").read_bytes(), check=False)
+    assert done.returncode == 0 and (tmp_path / "out/report.html").is_file()
 
 
 def test_a_frame_keeps_the_callers_columns(tmp_path):

@@ -56,6 +56,7 @@ mod cells;
 pub mod confirm;
 pub mod diagnosis;
 pub mod example;
+pub mod explain;
 #[cfg(feature = "fem")]
 pub mod export;
 pub mod mechanism_file;
@@ -65,6 +66,7 @@ pub mod predict;
 pub mod printed;
 pub mod prove;
 pub mod report;
+pub mod schemas;
 pub mod sensors;
 pub mod study;
 

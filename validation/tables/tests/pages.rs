@@ -10,9 +10,10 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// README, CONTRIBUTING and the pages of `docs/`, with their texts.
+/// README, CONTRIBUTING and the pages of `docs/` and its guide, with their texts.
 fn pages() -> Vec<(PathBuf, String)> {
-    let docs = std::fs::read_dir(root().join("docs")).unwrap().map(|entry| entry.unwrap().path());
+    let folder = |name: &str| std::fs::read_dir(root().join(name)).unwrap().map(|entry| entry.unwrap().path());
+    let docs = folder("docs").chain(folder("docs/guide"));
     let pages = docs.chain(["README.md", "CONTRIBUTING.md"].map(|name| root().join(name)));
     let pages = pages.filter(|path| path.extension().is_some_and(|end| end == "md"));
     pages.map(|path| (path.clone(), std::fs::read_to_string(path).unwrap())).collect()

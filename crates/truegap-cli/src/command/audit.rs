@@ -3,7 +3,6 @@
 //! Limits: reads, calls, prints; Ctrl-C stops between two solves, and what was finished is remembered.
 
 use super::diagnose::{STOP, stop_on_interrupt};
-use super::optimise::axis;
 use super::run::{Outcome, Run};
 use super::study::Where;
 use super::typed::command_line;
@@ -21,6 +20,7 @@ use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
 use truegap::study::SensorText;
 use truegap::study::answer::audit::SpaceAuditAnswer;
 use truegap::study::audit::{SpaceAuditRequest, SpaceFile};
+use truegap::study::vary::axis;
 use truegap::sweep::Shard;
 
 /// Say which assumptions of the analytic model hold for a sensor, by how much the others are off, and what that does
@@ -97,7 +97,7 @@ impl Audit {
 
     fn audit_space(&self, file: &Path, console: &Console) -> anyhow::Result<Outcome> {
         let space = SpaceFile::open(file).map_err(|source| anyhow!("{}: {source}", file.display()))?;
-        let axes = space.axes.iter().map(|(name, range)| axis(&format!("{name}={range}"))).collect::<anyhow::Result<Vec<_>>>()?;
+        let axes = space.axes.iter().map(|(name, range)| axis(&format!("{name}={range}"))).collect::<Result<Vec<_>, _>>()?;
         let sensor = SensorText::find(&space.sensor)?;
         let request = SpaceAuditRequest {
             axes: if axes.is_empty() { Space::paper(sensor.sensor()?)?.axes().to_vec() } else { axes },

@@ -1,15 +1,18 @@
 //! The subcommands, one file each.
 //!
-//! A new one is a file with a struct of arguments that implements [`Run`], a `mod` line and a line in [`commands`], at its place by use.
+//! A new one is a file with a struct of arguments that implements [`Run`] (or [`RunDefined`]), a `mod` line and a line in [`commands`], at its place by use.
 
 #[cfg(feature = "fem")]
 mod audit;
 mod coefficients;
+mod completions;
 mod confirm;
 mod diagnose;
+mod explain;
 #[cfg(feature = "fem")]
 mod export;
 mod init;
+mod man;
 mod merge;
 #[cfg(feature = "fem")]
 mod mesh;
@@ -17,6 +20,7 @@ mod optimise;
 mod prove;
 mod recorded;
 pub mod run;
+mod schema;
 mod sensitivity;
 mod sensors;
 mod simulate;
@@ -34,22 +38,24 @@ mod left_out;
 use left_out::{audit, export, mesh, solve};
 
 use crate::console::Console;
-use run::{Outcome, Run};
+use run::{Outcome, Run, RunDefined};
 
 /// The enum that clap reads, and who runs it.
 macro_rules! commands {
-    ($($(#[$about:meta])* $Name:ident($arguments:ty),)*) => {
+    ($($Name:ident($arguments:ty),)*; of the definition: $($Of:ident($of:ty),)*) => {
         /// Subcommands.
         #[derive(Debug, clap::Subcommand)]
         pub enum Command {
-            $($(#[$about])* $Name($arguments),)*
+            $($Name($arguments),)*
+            $($Of($of),)*
         }
 
         impl Command {
-            /// Runs the subcommand.
-            pub fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
+            /// Runs the subcommand; `definition` is the whole command line as it was defined.
+            pub fn run(&self, console: &Console, definition: fn() -> clap::Command) -> anyhow::Result<Outcome> {
                 match self {
                     $(Self::$Name(arguments) => arguments.run(console),)*
+                    $(Self::$Of(arguments) => arguments.run(console, definition()),)*
                 }
             }
         }
@@ -60,6 +66,7 @@ commands! {
     Diagnose(diagnose::Diagnose),
     Init(init::Init),
     Confirm(confirm::Confirm),
+    Explain(explain::Explain),
     Simulate(simulate::Simulate),
     Coefficients(coefficients::Coefficients),
     Sensors(sensors::Sensors),
@@ -72,6 +79,10 @@ commands! {
     Mesh(mesh::Mesh),
     Solve(solve::Solve),
     Prove(prove::Prove),
+    Schema(schema::SchemaOf),
+    ; of the definition:
+    Completions(completions::Completions),
+    Man(man::Man),
 }
 
 #[cfg(test)]
@@ -81,6 +92,6 @@ mod tests {
         use clap::Subcommand;
         let command = super::Command::augment_subcommands(clap::Command::new("truegap"));
         let names: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-        assert_eq!(names[..4], ["diagnose", "init", "confirm", "simulate"]);
+        assert_eq!(names[..4], ["diagnose", "init", "confirm", "explain"]);
     }
 }

@@ -6,15 +6,15 @@ use super::run::{Outcome, Run};
 use super::study::{Where, outcome};
 use crate::console::Console;
 use crate::table::{digits, table};
-use anyhow::{Context, anyhow, ensure};
+use anyhow::ensure;
 use std::time::Instant;
-use truegap::core::units::{Dimension, parse};
-use truegap::design::optimise::{Axis, Choice, OBJECTIVES, SearchOptions, Space, Useful};
-use truegap::design::{METRICS, QUANTITIES, Quantity};
+use truegap::design::METRICS;
+use truegap::design::optimise::{OBJECTIVES, SearchOptions, Useful};
 use truegap::sensors::DEFAULT_SENSOR;
 use truegap::study::SensorText;
 use truegap::study::answer::optimise::OptimiseAnswer;
 use truegap::study::optimise::OptimiseRequest;
+use truegap::study::vary::axes;
 
 /// Designs with smaller temperature coefficients: three two-metric fronts, the three-metric front, the minimisation vector
 #[derive(Debug, clap::Args)]
@@ -55,7 +55,7 @@ impl Run for Optimise {
         ensure!(self.searches > 0, "--searches 0: there is nothing to search with; give 1 or more");
         let sensor = SensorText::find(&self.sensor)?;
         let request = OptimiseRequest {
-            axes: self.axes(&sensor)?,
+            axes: axes(&sensor, &self.hold, &self.vary)?,
             sensor,
             useful: Useful {
                 baseline: self.least_baseline,
@@ -73,60 +73,6 @@ impl Run for Optimise {
         console.note(format!("{evaluations} evaluations, seed {}, {:.2} s", self.seed, begin.elapsed().as_secs_f64()));
         Ok(outcome)
     }
-}
-
-impl Optimise {
-    /// The paper's axes with what the user changes.
-    fn axes(&self, sensor: &SensorText) -> anyhow::Result<Vec<Axis>> {
-        let mut axes = Space::paper(sensor.sensor()?)?.axes().to_vec();
-        for name in &self.hold {
-            let quantity = quantity(name)?;
-            axes.retain(|axis| axis.quantity != quantity);
-        }
-        for text in &self.vary {
-            let axis = axis(text)?;
-            match axes.iter_mut().find(|a| a.quantity == axis.quantity) {
-                Some(place) => *place = axis,
-                None => axes.push(axis),
-            }
-        }
-        Ok(axes)
-    }
-}
-
-fn quantity(name: &str) -> anyhow::Result<Quantity> {
-    let known = || format!("there is no quantity `{name}`; take one of {}", QUANTITIES.map(Quantity::name).join(", "));
-    Quantity::named(name.trim()).with_context(known)
-}
-
-/// `QUANTITY=LOW:HIGH` or `QUANTITY=A,B,C`.
-/// An axis from `height=150 um:210 um`.
-pub(super) fn axis(text: &str) -> anyhow::Result<Axis> {
-    let remedy = || {
-        format!("--vary {text}: write \"height=150 um:210 um\" for a range or \"conductor=10 um,17 um\" for what can be bought")
-    };
-    let (name, range) = text.split_once('=').with_context(remedy)?;
-    let quantity = quantity(name)?;
-    let choice = match (range.split_once(':'), quantity) {
-        (Some((low, high)), Quantity::BeadCount) => {
-            let whole = |part: &str| part.trim().parse::<u32>().with_context(remedy);
-            Choice::Whole(whole(low)?, whole(high)?)
-        }
-        (Some((low, high)), _) => Choice::Continuous(value(quantity, low)?, value(quantity, high)?),
-        (None, _) => Choice::Levels(range.split(',').map(|level| value(quantity, level)).collect::<anyhow::Result<_>>()?),
-    };
-    Ok(Axis { quantity, choice })
-}
-
-fn value(quantity: Quantity, text: &str) -> anyhow::Result<f64> {
-    let dimension = match quantity {
-        Quantity::Young => Dimension::Pressure,
-        Quantity::Softening => Dimension::PressurePerKelvin,
-        Quantity::BeadCount => Dimension::Ratio,
-        Quantity::Stray => Dimension::Capacitance,
-        _ => Dimension::Length,
-    };
-    parse(text.trim(), dimension).map_err(|source| anyhow!("--vary {quantity}: {source}"))
 }
 
 /// Prints an answer.

@@ -18,3 +18,9 @@ pub trait Run {
     /// Prints the answer; an error is one paragraph that names file, value and remedy.
     fn run(&self, console: &Console) -> anyhow::Result<Outcome>;
 }
+
+/// A subcommand that tells of the command line itself.
+pub trait RunDefined {
+    /// Prints the answer; `definition` is the whole command line as it was defined.
+    fn run(&self, console: &Console, definition: clap::Command) -> anyhow::Result<Outcome>;
+}

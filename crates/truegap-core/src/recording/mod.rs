@@ -19,6 +19,7 @@ mod notation;
 mod note;
 mod number;
 mod open;
+mod packed;
 mod refuse;
 mod roles;
 mod rows;

@@ -9,16 +9,15 @@ use super::{
     error::RecordingError,
     manifest::{BaseSpec, Manifest, Named},
     note::Note,
+    packed::{open_csv, unread},
     rows::Rows,
     singletact,
     table::Table,
 };
 use crate::inputs::Role;
 use std::collections::BTreeMap;
-use std::fs::File;
-use std::io::{Cursor, ErrorKind, Read, Seek};
+use std::io::{Cursor, Read, Seek};
 use std::path::{Path, PathBuf};
-use truegap_limits::Need;
 
 /// Where a recording's words come from, for messages.
 struct Origin<'a> {
@@ -27,7 +26,8 @@ struct Origin<'a> {
 }
 
 impl Recording {
-    /// Reads a recording: a TOML that names a CSV, a bare CSV with the default names, the SingleTact tool's CSV, or a folder with a `recording.toml`.
+    /// Reads a recording: a TOML that names a CSV, a bare CSV with the default names, the SingleTact tool's CSV, or a folder with a `recording.toml`. A CSV may be
+    /// packed by gzip; `-` is one on standard input.
     ///
     /// # Errors
     /// [`RecordingError`] names file, line and value, and says what to do.
@@ -39,7 +39,7 @@ impl Recording {
         if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
             return Self::open_manifest(path);
         }
-        let mut recording = read(open_file(path)?, &Origin { csv: path, toml: None }, Manifest::default())?;
+        let mut recording = read(open_csv(path)?, &Origin { csv: path, toml: None }, Manifest::default())?;
         let beside = path.with_extension("toml");
         if beside.is_file() {
             recording.notes.push(Note::ManifestNotRead { file: beside.display().to_string() });
@@ -51,7 +51,7 @@ impl Recording {
         let text = truegap_limits::read_text(path).map_err(|source| unread(path, source))?;
         let manifest = Manifest::parse(path, &text)?;
         let csv = path.parent().unwrap_or(Path::new("")).join(&manifest.file);
-        read(open_file(&csv)?, &Origin { csv: &csv, toml: Some(path) }, manifest)
+        read(open_csv(&csv)?, &Origin { csv: &csv, toml: Some(path) }, manifest)
     }
 
     /// Reads a recording from the text of its TOML and of its CSV; `name` stands for the files in messages.
@@ -63,26 +63,6 @@ impl Recording {
         let manifest = Manifest::parse(&path, toml)?;
         let csv_path = PathBuf::from(&manifest.file);
         read(Cursor::new(csv.as_bytes()), &Origin { csv: &csv_path, toml: Some(&path) }, manifest)
-    }
-}
-
-/// Memory that a CSV takes while it is read, over its length: columns of numbers of 8 bytes that double as they grow, from cells of seven characters.
-const MEMORY_OF_A_BYTE: f64 = 4.0;
-
-/// Opens a CSV that can be read within the memory there is.
-pub(super) fn open_file(path: &Path) -> Result<File, RecordingError> {
-    let file = truegap_limits::open(path).map_err(|source| unread(path, source))?;
-    let bytes = file.metadata().map_err(|source| unread(path, source))?.len() as f64;
-    let (place, asked) = (path.display().to_string(), format!("a table of {:.0} MB", 1e-6 * bytes));
-    let remedy = "record more slowly, or split it into several recordings";
-    truegap_limits::check(Need { place: &place, asked: &asked, bytes: MEMORY_OF_A_BYTE * bytes, remedy })?;
-    Ok(file)
-}
-
-fn unread(path: &Path, source: std::io::Error) -> RecordingError {
-    match source.kind() {
-        ErrorKind::NotFound => RecordingError::NotFound { file: path.to_owned() },
-        _ => RecordingError::Read { file: path.to_owned(), source },
     }
 }
 

@@ -9,7 +9,7 @@ use super::{
     heading::Heading,
     manifest::SCHEMA,
     number::number,
-    open::open_file,
+    packed::open_csv,
     roles::ROLES,
     table::Table,
     words::without_accents,
@@ -35,7 +35,7 @@ pub struct Sketch {
 /// # Errors
 /// [`RecordingError`] where the CSV cannot be read or has no header.
 pub fn sketch(csv: &Path) -> Result<Sketch, RecordingError> {
-    let mut table = Table::open(csv, open_file(csv)?)?;
+    let mut table = Table::open(csv, open_csv(csv)?)?;
     let header = table.header.clone();
     let mut numeric = vec![false; header.len()];
     for _ in 0..LOOKED_AT {

@@ -40,6 +40,9 @@ pub struct Adequacy {
 }
 
 impl Adequacy {
+    /// Probability below which the three tests together reject a model.
+    pub const LEVEL: f64 = LACK_OF_FIT_LEVEL;
+
     /// Smallest of the p-values, for having tried three.
     pub fn p_value(&self) -> f64 {
         (3.0 * self.smooth.p_value.min(self.stretches.p_value).min(self.line_p_value)).min(1.0)

@@ -15,21 +15,31 @@ from ._truegap import TruegapError, __version__
 from .analytic import audit, coefficients, sensors, simulate
 from .asking import confirm, diagnose
 from .confirmation import Confirmation
-from .diagnosis import Diagnosis, Finding, Prediction
+from .diagnosis import Diagnosis, Finding, Prediction, Value
+from .explain import Explained, effects, explain
 from .parameter import Parameter
+from .study import optimise, sensitivity, solve, tolerance
 
 __all__ = [
     "Confirmation",
     "Diagnosis",
+    "Explained",
     "Finding",
     "Parameter",
     "Prediction",
     "TruegapError",
+    "Value",
     "__version__",
     "audit",
     "coefficients",
     "confirm",
     "diagnose",
+    "effects",
+    "explain",
+    "optimise",
+    "sensitivity",
     "sensors",
     "simulate",
+    "solve",
+    "tolerance",
 ]

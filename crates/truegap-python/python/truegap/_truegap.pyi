@@ -41,3 +41,31 @@ def simulate(sensor: str, forces_n: Sequence[float], temperatures_c: Sequence[fl
 def coefficients(sensor: str, warp: bool) -> str: ...
 def audit(sensor: str, only: list[str], remember: bool, folder: str | os.PathLike[str] | None) -> str: ...
 def sensors() -> list[str]: ...
+def explain(effect: str | None) -> str: ...
+def solve(file: str | os.PathLike[str]) -> str: ...
+def sensitivity(
+    sensors: list[str],
+    change_pct: float,
+    rows: int,
+    seed: int,
+    folder: str | os.PathLike[str] | None,
+    progress: Progress | None,
+) -> str: ...
+def tolerance(
+    sensors: list[str],
+    limits: list[tuple[str, float | None, float | None]],
+    samples: int,
+    seed: int,
+    folder: str | os.PathLike[str] | None,
+    progress: Progress | None,
+) -> str: ...
+def optimise(
+    sensor: str,
+    vary: list[str],
+    hold: list[str],
+    useful: Sequence[float | None],
+    searches: int,
+    seed: int,
+    folder: str | os.PathLike[str] | None,
+    progress: Progress | None,
+) -> str: ...

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shlex
 from collections.abc import Mapping, Sequence
 from typing import Any, Union
@@ -10,7 +11,7 @@ from typing import Any, Union
 from . import _truegap
 from .confirmation import Confirmation
 from .diagnosis import Diagnosis
-from .frames import Path, Recording, is_path, list_of, source
+from .frames import Path, Recording, is_text, list_of, source
 from .function import Simulator, given
 from .parameter import Parameter
 from .progress import ProgressLike, watching
@@ -33,6 +34,9 @@ def diagnose(
     channel: str | None = None,
     free: Sequence[str] = (),
     bank: int | None = None,
+    effect_files: Sequence[Path] = (),
+    library_only: bool = False,
+    select_in_folds: bool = False,
     progress: ProgressLike = None,
 ) -> Diagnosis:
     """Say what physics a simulation leaves out of a recording.
@@ -43,7 +47,7 @@ def diagnose(
     ``columns``, ``units``, ``drivers``: of a frame, as in a TOML: ``columns={"force": "Load cell"}, units={"force": "N"}``.
     ``progress``: a function ``f(done, step, what)``, ``True`` for a bar, ``False`` for none; a bar on a terminal or in a notebook where nothing is said.
 
-    The remaining words are those of ``truegap diagnose``. Raises ``TruegapError``; an exception of the simulator comes back as it is, with a note of the
+    The remaining words are those of ``truegap diagnose``; ``effect_files`` are those of its ``--effect``. Raises ``TruegapError``; an exception of the simulator comes back as it is, with a note of the
     parameters that it was called with.
     """
     each = list_of(recordings)
@@ -54,7 +58,7 @@ def diagnose(
     name = "function" if function else base if isinstance(base, str) else None
     framed = {"columns": columns, "units": units, "drivers": drivers, "base": table}
     sources = [source(r, name=_name(i, each), **framed) for i, r in enumerate(each)]  # type: ignore[arg-type]
-    asked = {
+    asked: dict[str, Any] = {
         "sensor": sensor,
         "base": name,
         "no_warp": not warp,
@@ -63,8 +67,11 @@ def diagnose(
         "channel": channel,
         "free": list(free),
         "bank": bank,
-        "command": _command(each, sensor, base, warp, effects, conceal, channel, free, bank),
+        "effect_files": [os.fspath(file) for file in effect_files],
+        "library_only": library_only,
+        "select_in_folds": select_in_folds,
     }
+    asked["command"] = _command(each, base, asked)
     with watching(progress) as watch:
         native = _truegap.diagnose(sources, json.dumps(asked), None if table is None else json.dumps(table), function, watch)
     return Diagnosis(native, columns, units, drivers)
@@ -96,25 +103,17 @@ def _name(index: int, recordings: Sequence[Recording]) -> str:
     return "frame" if len(recordings) == 1 else f"frame {index + 1}"
 
 
-def _command(
-    recordings: Sequence[Recording],
-    sensor: str | None,
-    base: Base,
-    warp: bool,
-    effects: Sequence[str],
-    conceal: Sequence[str],
-    channel: str | None,
-    free: Sequence[str],
-    bank: int | None,
-) -> str:
+def _command(recordings: Sequence[Recording], base: Base, asked: Mapping[str, Any]) -> str:
     """The command line that does the same, where there is one; for the record."""
-    if not all(is_path(r) for r in recordings) or callable(base) or isinstance(base, Mapping):
+    if not all(is_text(r) for r in recordings) or callable(base) or isinstance(base, Mapping):
         function = f", base={getattr(base, '__name__', 'simulator')}" if callable(base) else ""
         return f"truegap.diagnose(...{function})"
     words = ["truegap", "diagnose", *(str(r) for r in recordings)]
-    for flag, value in (("--sensor", sensor), ("--base", base), ("--channel", channel), ("--bank", bank)):
-        words += [flag, str(value)] if value is not None else []
-    for flag, values in (("--effects", effects), ("--conceal", conceal), ("--free", free)):
-        words += [flag, ",".join(values)] if values else []
-    words += [] if warp else ["--no-warp"]
+    for key in ("sensor", "base", "channel", "bank"):
+        words += [f"--{key}", str(asked[key])] if asked[key] is not None else []
+    for key in ("effects", "conceal", "free"):
+        words += [f"--{key}", ",".join(asked[key])] if asked[key] else []
+    for file in asked["effect_files"]:
+        words += ["--effect", file]
+    words += [f"--{key.replace('_', '-')}" for key in ("no_warp", "library_only", "select_in_folds") if asked[key]]
     return shlex.join(words).replace("'", '"')

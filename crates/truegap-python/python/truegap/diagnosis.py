@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from . import _truegap
 from .confirmation import Confirmation
-from .frames import Path, Recording, source
+from .frames import Path, Recording, is_text, source
 from .html import first_screen
 from .tables import frame_of
 
@@ -211,7 +211,7 @@ class Diagnosis:
         drivers: Mapping[str, Mapping[str, str]] | None,
         reading: bool = True,
     ) -> _truegap.Source:
-        if not isinstance(recording, str) and not hasattr(recording, "__fspath__"):
+        if not is_text(recording):
             columns = self._columns if columns is None else columns
             units = self._units if units is None else units
             drivers = self._drivers if drivers is None else drivers

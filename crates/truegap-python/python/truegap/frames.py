@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Protocol, Union
+from typing import TYPE_CHECKING, Any, Protocol, Union, cast
 
 import numpy as np
 
@@ -22,6 +22,8 @@ class Frame(Protocol):
 Path = Union[str, "os.PathLike[str]"]
 Recording = Union[Path, Frame, Mapping[str, Any]]
 
+#: Endings of files that hold a frame instead of text.
+COLUMNAR = (".parquet", ".feather", ".arrow", ".ipc")
 #: Column that stands for a reading that was not made, where only inputs matter.
 NO_READING = "truegap: no reading"
 
@@ -49,8 +51,27 @@ def numeric(column: Any) -> np.ndarray[Any, np.dtype[np.float64]] | None:
         return None
 
 
-def is_path(recording: Recording) -> bool:
-    return isinstance(recording, (str, os.PathLike))
+def is_text(recording: Recording) -> bool:
+    """Whether it is a path that the native half reads: its TOML says what frames are told by ``columns``, ``units`` and ``drivers``."""
+    return isinstance(recording, (str, os.PathLike)) and not os.fspath(recording).lower().endswith(COLUMNAR)
+
+
+def _columnar(path: str) -> Frame:
+    """The frame in a Parquet or Arrow (Feather) file, by pyarrow or polars, whichever is installed."""
+    parquet = path.lower().endswith(".parquet")
+    try:
+        if parquet:
+            from pyarrow.parquet import read_table
+        else:
+            from pyarrow.feather import read_table
+        return cast(Frame, read_table(path))
+    except ImportError:
+        pass
+    try:
+        import polars
+    except ImportError:
+        raise TypeError(f"{path}: to read it, pyarrow or polars is needed: pip install pyarrow") from None
+    return cast(Frame, polars.read_parquet(path) if parquet else polars.read_ipc(path))
 
 
 def source(
@@ -64,6 +85,8 @@ def source(
     reading: bool = True,
 ) -> Source:
     """The recording as the native half reads it; ``reading`` says whether the response matters."""
+    if isinstance(recording, (str, os.PathLike)) and not is_text(recording):
+        name, recording = os.fspath(recording), _columnar(os.fspath(recording))
     if isinstance(recording, (str, os.PathLike)):
         if columns or units or drivers:
             raise TypeError("columns, units and drivers of a file stand in its TOML; give them with a frame, or write a TOML")

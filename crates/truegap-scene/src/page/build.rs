@@ -4,6 +4,8 @@ use super::escape::{escape, sentence};
 use super::table::Table;
 
 const STYLE: &str = include_str!("style.css");
+/// Buttons of the figures; a page without figures has none.
+const FIGURES: &str = include_str!("figures.js");
 
 /// An HTML page, built top to bottom; blocks that are opened are closed by [`Page::to_html`].
 #[derive(Debug, Clone, PartialEq)]
@@ -61,8 +63,9 @@ impl Page {
         self.add(&html)
     }
 
-    /// An SVG from this crate's figures with a caption below.
+    /// An SVG from this crate's figures with a caption below, which is also what a screen reader says of a figure without a title.
     pub fn figure(self, svg: &str, caption: &str) -> Self {
+        let svg = svg.replacen("aria-label=\"\"", &format!("aria-label=\"{}\"", escape(caption)), 1);
         self.add(&format!("<figure>\n{svg}<figcaption>{}</figcaption>\n</figure>\n", sentence(caption)))
     }
 
@@ -90,10 +93,12 @@ impl Page {
     pub fn to_html(&self) -> String {
         let page = self.clone().close_all();
         let title = escape(&page.title);
+        let has_figures = page.body.contains("tg-figure");
+        let script = if has_figures { format!("<script>\n{FIGURES}</script>\n") } else { String::new() };
         format!(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-             <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n{}</main>\n</body>\n</html>\n",
+             <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n{}</main>\n{script}</body>\n</html>\n",
             page.body
         )
     }
@@ -140,6 +145,15 @@ mod tests {
             .to_html();
         assert!(!page.contains("<script") && !page.contains('\u{1}'));
         assert_eq!(page.matches("&lt;script&gt;").count(), 12);
+    }
+
+    #[test]
+    fn a_figure_without_a_title_is_called_by_its_caption_and_can_be_saved() {
+        let svg = "<svg class=\"tg-figure\" aria-label=\"\"></svg>";
+        let html = Page::new("t").figure(svg, "error & noise").to_html();
+        assert!(html.contains("aria-label=\"error &amp; noise\"") && !html.contains("aria-label=\"\""));
+        assert_eq!(html.matches("<script>").count(), 1);
+        assert!(!Page::new("t").to_html().contains("<script"));
     }
 
     #[test]

@@ -4,6 +4,7 @@
 
 mod axis;
 mod candidates;
+mod checks;
 mod concealed;
 mod confirmation;
 mod courses;
@@ -17,6 +18,7 @@ mod next;
 mod not_tested;
 mod origin;
 mod parameters;
+mod paste;
 mod recordings;
 mod reference;
 mod subject;
@@ -45,6 +47,7 @@ pub fn html(subject: &Subject<'_>) -> String {
     let page = map::add(page, subject, &axis);
     let page = courses::add(page, subject, &axis);
     let page = held_out::add(page, subject, &axis);
+    let page = checks::add(page, subject);
     let page = reference::add(page, subject);
     let page = confirmation::add(page, subject);
     let page = flexible::add(page, subject, &axis);
@@ -54,6 +57,7 @@ pub fn html(subject: &Subject<'_>) -> String {
     let page = candidates::add(page, subject);
     let page = origin::bank(page, subject);
     let page = origin::noise(page, subject);
+    let page = paste::add(page, subject);
     origin::provenance(page, subject).to_html()
 }
 

@@ -10,7 +10,7 @@ use truegap_scene::figure::{Bars, FigureError};
 use truegap_scene::page::{Page, Table, Tone};
 
 /// From here on a parameter is said to be pushed.
-const PUSHED: f64 = 3.0;
+pub(super) const PUSHED: f64 = 3.0;
 
 /// Conflicts, figure of distances, table.
 pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
@@ -59,7 +59,7 @@ fn moved(count: usize) -> String {
 }
 
 /// Prior standard deviations from the centre, where the prior says anything.
-fn z(parameter: &ParameterFacts) -> Option<f64> {
+pub(super) fn z(parameter: &ParameterFacts) -> Option<f64> {
     let [centre, sd] = parameter.prior;
     let z = (parameter.value - centre) / sd;
     (sd > 0.0 && z.is_finite()).then_some(z)

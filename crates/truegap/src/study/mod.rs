@@ -12,6 +12,7 @@ mod page;
 pub mod sensitivity;
 mod subject;
 pub mod tolerance;
+pub mod vary;
 #[cfg(feature = "fem")]
 mod where_broken;
 mod work;

@@ -230,7 +230,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
         bank: None,
         notices: Vec::new(),
         concealed_column: None,
-        adequacy: Default::default(),
+        adequacy: adequacy(),
         evidence_check: Default::default(),
         recording_issues: vec!["12 rows repeat the value before them".into()],
         seconds: 3.2,
@@ -257,4 +257,17 @@ impl Fixture {
         self.traces.flexible = self.traces.after.clone();
         self.traces.held_out_flexible = self.traces.held_out_after.clone();
     }
+}
+
+/// Tests that reject the base model and not what is named.
+fn adequacy() -> AdequacyFacts {
+    let test = |statistic: f64, p_value: f64| JointTest { statistic, freedom: 12, p_value };
+    let of = |smooth: JointTest| Adequacy {
+        smooth,
+        stretches: test(11.0, 0.5),
+        line_p_value: 0.4,
+        line_at: (0, 0.1),
+        left_over_noise: 1.0,
+    };
+    AdequacyFacts { before: Some(of(test(300.0, 1e-40))), after: Some(of(test(12.0, 0.4))), ..AdequacyFacts::default() }
 }

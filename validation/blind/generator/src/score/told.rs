@@ -31,6 +31,8 @@ pub fn told_family(id: &str) -> Option<&'static str> {
         | "second_driver_coefficient"
         | "driver_gain"
         | "second_driver_gain"
+        | "late_driver"
+        | "late_second_driver"
         | "daily_cycle"
         | "yearly_cycle" => "environment",
         _ => return None,

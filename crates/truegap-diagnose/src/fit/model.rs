@@ -166,7 +166,7 @@ impl<'a> Model<'a> {
         if free.is_empty() {
             return Ok(());
         }
-        let near = Near::of(self, z)?;
+        let near = Near::of(self, z, free.len() >= WORTH_SLOPES)?;
         for group in free.chunks(ABREAST) {
             let moved = group.iter().map(|i| near.moved(*i, bounds[*i])).collect::<Result<Vec<_>, _>>()?;
             let (mut residuals, scales): (Vec<_>, Vec<_>) = moved.into_iter().unzip();
@@ -184,6 +184,9 @@ impl<'a> Model<'a> {
 /// Columns that are whitened side by side.
 const ABREAST: usize = 4;
 
+/// Columns from which the slopes of the base model are worth their cost, that of about two responses.
+const WORTH_SLOPES: usize = 3;
+
 /// A model near one point: its stages remember what they were asked there, and the base model answers to first order where it can.
 struct Near<'m, 'a> {
     model: &'m Model<'a>,
@@ -193,11 +196,12 @@ struct Near<'m, 'a> {
 }
 
 impl<'m, 'a> Near<'m, 'a> {
-    fn of(model: &'m Model<'a>, z: &'m [f64]) -> Result<Self, SimulationError> {
+    fn of(model: &'m Model<'a>, z: &'m [f64], slopes: bool) -> Result<Self, SimulationError> {
         let stages: Vec<Box<dyn Stage>> = model.stages(z).into_iter().map(Remembered::new).collect();
         let borrowed: Vec<&dyn Stage> = stages.iter().map(AsRef::as_ref).collect();
         let values = model.values(&z[..model.base]);
-        let beside = model.problem.simulator.beside(&values[..model.base], model.problem.inputs, &borrowed)?;
+        let beside =
+            if slopes { model.problem.simulator.beside(&values[..model.base], model.problem.inputs, &borrowed)? } else { None };
         Ok(Self { model, z, stages, beside })
     }
 
@@ -242,7 +246,8 @@ impl<'m, 'a> Near<'m, 'a> {
         };
         let values = self.model.values(moved);
         let stage = self.model.effects[own].with(&values[self.model.range_of(own)], self.model.context);
-        let shifts = |stage: &dyn Stage| stage.late_s(0.0) != 0.0 || stage.late_s(1.0) != 0.0;
+        // a stage of its own in each recording may shift any of them
+        let shifts = |stage: &dyn Stage| stage.late_s(0.0) != 0.0 || stage.late_s(1.0) != 0.0 || stage.after_runs(0).is_some();
         if shifts(stage.as_ref()) || shifts(self.stages[own].as_ref()) {
             return Fresh::All(self.model.stages(moved));
         }

@@ -9,7 +9,7 @@ use super::{
     device::Device,
     model::Stack,
     plates::{PICO, ends, force_n},
-    sloped::{QUANTITIES, Shape, Sloped, at, sloped},
+    sloped::{QUANTITIES, Shape, Sloped, aspect, at, sloped},
 };
 use crate::equations::load::{BeadLaw, reduced_load, reduced_load_slope};
 use std::cell::RefCell;
@@ -18,26 +18,35 @@ use truegap_core::{
     Stiffness, walk,
 };
 
-/// A row of the point: what its strain was computed from, and its reading with slopes.
+/// A row of the point: its strain, and its reading with slopes.
 #[derive(Clone, Copy)]
 struct Row {
-    force_n: f64,
+    strained: Strained,
+    /// curvature for one kelvin of warp
+    bend: f64,
+    sloped: Sloped,
+}
+
+impl Row {
+    fn unloaded(&self) -> Unloaded {
+        let shape = &self.sloped.shape;
+        Unloaded {
+            bend: self.bend,
+            radius: shape[at::RADIUS],
+            solid: shape[at::SOLID],
+            beads: shape[at::BEADS],
+            insulator: shape[at::INSULATOR],
+        }
+    }
+}
+
+/// The strain of a row and what it was computed from, but for the force.
+#[derive(Clone, Copy)]
+struct Strained {
     temperature_c: f64,
     modulus: f64,
     strain: f64,
     /// strain for one unit of reduced load
-    yielding: f64,
-    unloaded: Unloaded,
-    sloped: Sloped,
-}
-
-/// The strain of a row, before its reading is known.
-#[derive(Clone, Copy)]
-struct Strained {
-    force_n: f64,
-    temperature_c: f64,
-    modulus: f64,
-    strain: f64,
     yielding: f64,
 }
 
@@ -124,11 +133,11 @@ struct Kept<'a> {
 
 impl Plates for Kept<'_> {
     fn strain(&self, drive: &Drive<'_>, row: usize, Stiffness { modulus, stiffening }: Stiffness) -> Result<f64, Refusal> {
-        let (force_n, temperature_c) = (force_n(drive, row), drive.temperature_c[row]);
-        let strain = self.device.strain(&self.device.at(temperature_c), force_n, modulus, stiffening)?;
+        let temperature_c = drive.temperature_c[row];
+        let strain = self.device.strain(&self.device.at(temperature_c), force_n(drive, row), modulus, stiffening)?;
         let law = BeadLaw { poisson: self.device.poisson, stiffening };
         let yielding = reduced_load_slope(law, strain).recip();
-        self.strained.borrow_mut().push(Strained { force_n, temperature_c, modulus, strain, yielding });
+        self.strained.borrow_mut().push(Strained { temperature_c, modulus, strain, yielding });
         *self.stiffening.borrow_mut() = stiffening;
         Ok(strain)
     }
@@ -147,9 +156,8 @@ impl Plates for Kept<'_> {
         let unloaded = Unloaded::of(self.device, drive.temperature_c[row]);
         let shape = unloaded.shape(self.device, (force_n(drive, row), row), geometry, factors);
         let sloped = sloped(self.device, &shape).ok_or(Refusal::Touches { strain: geometry.strain[row] })?;
-        let Strained { force_n, temperature_c, modulus, strain, yielding } = self.strained.borrow()[row];
-        self.rows.borrow_mut().push(Row { force_n, temperature_c, modulus, strain, yielding, unloaded, sloped });
-        Ok(read(&sloped, &[0.0; QUANTITIES], self.device.stray))
+        self.rows.borrow_mut().push(Row { strained: self.strained.borrow()[row], bend: unloaded.bend, sloped });
+        Ok(read(self.device, &sloped, &shape))
     }
 
     fn readout(&self) -> Result<Readout, SimulationError> {
@@ -157,11 +165,13 @@ impl Plates for Kept<'_> {
     }
 }
 
-/// The reading of a row that has `moved` away.
-fn read(sloped: &Sloped, moved: &Shape, stray: f64) -> PlateReading {
-    let main = sloped.main.after(moved);
-    let gap = GapReading { aspect: sloped.aspect.after(moved), plates: main * PICO };
-    PlateReading { value: (main + sloped.beside.after(moved) + stray) * PICO, gap: Some(gap) }
+/// The reading of a row where its capacitances are computed from `there`.
+#[inline]
+fn read(device: &Device, sloped: &Sloped, there: &Shape) -> PlateReading {
+    let moved: Shape = std::array::from_fn(|k| there[k] - sloped.shape[k]);
+    let [main, beside] = sloped.after(&moved);
+    let gap = GapReading { aspect: aspect(device, there), plates: main * PICO };
+    PlateReading { value: (main + beside + device.stray) * PICO, gap: Some(gap) }
 }
 
 /// What two devices have in common.
@@ -194,8 +204,9 @@ struct Moved<'a> {
 
 impl Plates for Moved<'_> {
     fn strain(&self, drive: &Drive<'_>, row: usize, Stiffness { modulus, stiffening }: Stiffness) -> Result<f64, Refusal> {
-        let (here, force_n, temperature_c) = (&self.near.rows[row], force_n(drive, row), drive.temperature_c[row]);
-        let unmoved = force_n == here.force_n && temperature_c == here.temperature_c && modulus == here.modulus;
+        let (force_n, temperature_c) = (force_n(drive, row), drive.temperature_c[row]);
+        let Row { strained: here, sloped, .. } = &self.near.rows[row];
+        let unmoved = force_n == sloped.shape[at::FORCE] && temperature_c == here.temperature_c && modulus == here.modulus;
         if unmoved && self.same.stiffness && stiffening == self.near.stiffening {
             return Ok(here.strain);
         }
@@ -220,11 +231,9 @@ impl Plates for Moved<'_> {
         factors: &Dielectric,
     ) -> Result<PlateReading, Refusal> {
         let here = &self.near.rows[row];
-        let unmoved = self.same.shape && drive.temperature_c[row] == here.temperature_c;
-        let unloaded = if unmoved { here.unloaded } else { Unloaded::of(self.device, drive.temperature_c[row]) };
-        let mut moved = unloaded.shape(self.device, (force_n(drive, row), row), geometry, factors);
-        moved.iter_mut().zip(&here.sloped.shape).for_each(|(there, here)| *there -= here);
-        Ok(read(&here.sloped, &moved, self.device.stray))
+        let unmoved = self.same.shape && drive.temperature_c[row] == here.strained.temperature_c;
+        let unloaded = if unmoved { here.unloaded() } else { Unloaded::of(self.device, drive.temperature_c[row]) };
+        Ok(read(self.device, &here.sloped, &unloaded.shape(self.device, (force_n(drive, row), row), geometry, factors)))
     }
 
     fn readout(&self) -> Result<Readout, SimulationError> {

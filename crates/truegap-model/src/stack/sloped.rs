@@ -50,31 +50,37 @@ pub(super) mod at {
     pub const BEHIND: usize = 11;
 }
 
-/// Capacitances and aspect of a row, and their slopes by each quantity.
+/// Places of the quantities that the insulator behind the electrode and the tail follow.
+const BESIDE: [usize; 4] = [at::RADIUS, at::INSULATOR, at::FORCE, at::BEHIND];
+
+/// Capacitances of a row, and their slopes by each quantity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sloped {
     /// where the slopes hold
     pub shape: Shape,
-    /// main gap, F
-    pub main: Line,
-    /// insulator behind the electrode and tail, F
-    pub beside: Line,
-    /// mean separation over the radius
-    pub aspect: Line,
+    main: f64,
+    by: Shape,
+    beside: f64,
+    beside_by: [f64; BESIDE.len()],
 }
 
-/// A value and its slopes.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Line {
-    value: f64,
-    slopes: Shape,
-}
-
-impl Line {
-    /// The value `moved` away.
-    pub fn after(&self, moved: &Shape) -> f64 {
-        self.value + self.slopes.iter().zip(moved).map(|(slope, moved)| slope * moved).sum::<f64>()
+impl Sloped {
+    /// Main gap, and insulator behind the electrode with the tail, F, `moved` away.
+    #[inline]
+    pub fn after(&self, moved: &Shape) -> [f64; 2] {
+        let main = self.by.iter().zip(moved).fold(self.main, |sum, (slope, moved)| sum + slope * moved);
+        let beside = self.beside_by.iter().zip(BESIDE).fold(self.beside, |sum, (slope, place)| sum + slope * moved[place]);
+        [main, beside]
     }
+}
+
+/// Mean separation of the electrodes over their radius.
+#[inline]
+pub(super) fn aspect(device: &Device, shape: &Shape) -> f64 {
+    let radius = shape[at::RADIUS];
+    let squeezed = 1.0 - shape[at::FORCE] / (PI * radius * radius * device.insulator.young);
+    let separation = shape[at::BEADS] * (1.0 - shape[at::STRAIN]) + shape[at::INSULATOR] * squeezed + shape[at::EXTRA];
+    separation / radius
 }
 
 /// What the main gap is computed from.
@@ -161,18 +167,7 @@ pub(super) fn sloped(device: &Device, shape: &Shape) -> Option<Sloped> {
         beside[at::BEHIND] = capacitance / behind;
     }
 
-    let separation = gap.mean + insulator + extra;
-    let mut aspect = through(radius.recip(), 0.0);
-    aspect[at::RADIUS] -= separation / (radius * radius);
-    aspect[at::BEADS] = (1.0 - strain) / radius;
-    aspect[at::STRAIN] = -height / radius;
-    aspect[at::EXTRA] = radius.recip();
-    Some(Sloped {
-        shape: *shape,
-        main: Line { value: by.value, slopes: main },
-        beside: Line { value: capacitance, slopes: beside },
-        aspect: Line { value: separation / radius, slopes: aspect },
-    })
+    Some(Sloped { shape: *shape, main: by.value, by: main, beside: capacitance, beside_by: BESIDE.map(|place| beside[place]) })
 }
 
 /// The main gap with its slopes; `None` where the plates touch.

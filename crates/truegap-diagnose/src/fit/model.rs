@@ -197,7 +197,11 @@ struct Near<'m, 'a> {
 
 impl<'m, 'a> Near<'m, 'a> {
     fn of(model: &'m Model<'a>, z: &'m [f64], slopes: bool) -> Result<Self, SimulationError> {
-        let stages: Vec<Box<dyn Stage>> = model.stages(z).into_iter().map(Remembered::new).collect();
+        let mut stages = model.stages(z);
+        // each of several recordings has inputs of its own, and may have the same columns on another clock: nothing to remember
+        if model.problem.simulator.joined().is_none() {
+            stages = stages.into_iter().map(Remembered::new).collect();
+        }
         let borrowed: Vec<&dyn Stage> = stages.iter().map(AsRef::as_ref).collect();
         let values = model.values(&z[..model.base]);
         let beside =

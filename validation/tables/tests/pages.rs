@@ -72,7 +72,8 @@ fn is_path(name: &str) -> bool {
 
 #[test]
 fn every_page_has_one_title_and_a_short_summary() {
-    for (path, text) in pages() {
+    // the contents of the guide have a heading for each of its parts
+    for (path, text) in pages().into_iter().filter(|(path, _)| !path.ends_with("SUMMARY.md")) {
         let prose: String = text.split("```").step_by(2).collect();
         assert_eq!(prose.lines().filter(|line| line.starts_with("# ")).count(), 1, "{}", path.display());
         let first_heading = prose.lines().position(|line| line.starts_with("## ")).unwrap_or(usize::MAX);

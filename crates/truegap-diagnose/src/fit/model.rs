@@ -34,7 +34,8 @@ impl<'a> Model<'a> {
         let base = parameters.len();
         let mut counts = Vec::new();
         for effect in &effects {
-            let own: Vec<Parameter> = effect.parameters(context).into_iter().map(|p| context.known(effect.id(), p)).collect();
+            let own = effect.parameters(context);
+            let own: Vec<Parameter> = own.into_iter().map(|p| context.known(effect.id(), p)).collect();
             counts.push(own.len());
             parameters.extend(own);
         }

@@ -93,8 +93,8 @@ impl RowsLeftOut<'_, '_> {
         if !self.effects(decision.model).is_empty() {
             return Some(decision.model);
         }
-        let unsettled = self.may_name && decision.verdict == Verdict::Unexplained && decision.unmodelled.is_none();
-        stated(self.selection).filter(|model| unsettled && self.foretells(*model))
+        let open = self.may_name && decision.verdict == Verdict::Unexplained && decision.unmodelled.is_none();
+        stated(self.selection).filter(|model| open && self.foretells(*model))
     }
 
     fn judged(&self, asked: usize, decision: Decision) -> Predicted {
@@ -115,11 +115,11 @@ impl RowsLeftOut<'_, '_> {
         let stepped = !left_out.is_empty() && named_before;
         let decision = if stepped { stepped_back(self.selection, &decision, model, &self.left_by(model)) } else { decision };
         let told = if named_before { left_out.iter().map(|left| self.told(left)).collect() } else { Vec::new() };
-        self.settled(model, unseen, (decision, stepped), told)
+        self.concluded(model, unseen, (decision, stepped), told)
     }
 
     /// The decision once a model and what it foretells are known; whether it was `stepped` back to, and what was left out on the way.
-    fn settled(&self, model: usize, unseen: Unseen, (decision, stepped): (Decision, bool), told: Vec<String>) -> Predicted {
+    fn concluded(&self, model: usize, unseen: Unseen, (decision, stepped): (Decision, bool), told: Vec<String>) -> Predicted {
         let foretells = self.foretells(model) && self.may_name;
         let removed = unseen.removed(self.prepared.noise.floor(), self.prepared.noise.rows).filter(|_| foretells);
         let most = removed.filter(|share| *share >= RIGHT_FAMILY && unseen.in_most_parts());

@@ -38,15 +38,16 @@ struct Asked {
     effect_files: Vec<PathBuf>,
     library_only: bool,
     select_in_folds: bool,
+    permuted_searches: Option<usize>,
     command: String,
 }
 
 impl Asked {
     /// As the command line asks; numbers of effects from files stand in the units that `recording` gives them.
     fn request(self, recording: Option<&Recording>) -> PyResult<Request> {
-        let Self { sensor, base, no_warp, effects, conceal, channel, free, bank, library_only, select_in_folds, command, .. } =
-            self;
         let library = with_effects(Library::default(), &self.effect_files, recording).map_err(failed)?;
+        let Self { sensor, base, no_warp, effects, conceal, channel, free, bank, .. } = self;
+        let Self { library_only, select_in_folds, permuted_searches, command, .. } = self;
         Ok(Request {
             sensor,
             base,
@@ -59,6 +60,7 @@ impl Asked {
             library,
             library_only,
             select_in_folds,
+            permuted_searches: permuted_searches.unwrap_or(0),
             command,
         })
     }

@@ -37,6 +37,7 @@ def diagnose(
     effect_files: Sequence[Path] = (),
     library_only: bool = False,
     select_in_folds: bool = False,
+    permuted_searches: int | None = None,
     progress: ProgressLike = None,
 ) -> Diagnosis:
     """Say what physics a simulation leaves out of a recording.
@@ -70,6 +71,7 @@ def diagnose(
         "effect_files": [os.fspath(file) for file in effect_files],
         "library_only": library_only,
         "select_in_folds": select_in_folds,
+        "permuted_searches": permuted_searches,
     }
     asked["command"] = _command(each, base, asked)
     with watching(progress) as watch:
@@ -109,8 +111,8 @@ def _command(recordings: Sequence[Recording], base: Base, asked: Mapping[str, An
         function = f", base={getattr(base, '__name__', 'simulator')}" if callable(base) else ""
         return f"truegap.diagnose(...{function})"
     words = ["truegap", "diagnose", *(str(r) for r in recordings)]
-    for key in ("sensor", "base", "channel", "bank"):
-        words += [f"--{key}", str(asked[key])] if asked[key] is not None else []
+    for key in ("sensor", "base", "channel", "bank", "permuted_searches"):
+        words += [f"--{key.replace('_', '-')}", str(asked[key])] if asked[key] is not None else []
     for key in ("effects", "conceal", "free"):
         words += [f"--{key}", ",".join(asked[key])] if asked[key] else []
     for file in asked["effect_files"]:

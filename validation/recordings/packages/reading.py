@@ -3,7 +3,6 @@
 import io
 import zipfile
 
-import netCDF4
 import numpy as np
 import pandas as pd
 
@@ -67,6 +66,8 @@ def ameriflux(content, begin, end, names):
 
 def netcdf(content, names):
     """Columns of a netCDF file by the names that they are to have; what is masked or not there is nan."""
+    import netCDF4  # the other readers do without it
+
     with netCDF4.Dataset("memory", memory=content) as file:
         return pd.DataFrame({name: np.ma.filled(file[column][:].astype(float), np.nan) for name, column in names.items()})
 
@@ -132,6 +133,8 @@ def in_zip(content, name):
 
 def link_loss(content, link):
     """Loss of one microwave link in dB, means of 5 min, one row for each of its two channels; what was not measured is nan."""
+    import netCDF4  # the other readers do without it
+
     with netCDF4.Dataset("links", memory=content) as file:
         sent, got = (np.ma.filled(file[name][:, link, :].astype(float), np.nan) for name in ("tsl", "rsl"))
     loss = np.where(np.abs(sent - got) < 200, sent - got, np.nan)

@@ -13,7 +13,7 @@ use crate::{
 };
 use serde::Serialize;
 use std::collections::BTreeSet;
-use truegap_core::{Inputs, Role};
+use truegap_core::{Driver, Inputs, Role};
 
 /// What to measure next.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -217,12 +217,20 @@ fn played(search: &Search<'_>, profile: &Profile) -> Inputs {
         let share = |t: f64| (t - SWEPT.0) / (SWEPT.1 - SWEPT.0);
         inputs.temperature_c.iter_mut().flatten().for_each(|t| *t = low + share(*t) * (high - low));
     }
+    // what else was recorded stays as it was on average: a simulator may need it
+    inputs.drivers = search.problem.inputs.drivers.iter().map(|driver| held(driver, inputs.len())).collect();
     if simulator.joined().is_some() {
         // runs that no recording holds are played on the first recording's sensor
         let last = search.problem.inputs.run.iter().copied().max().unwrap_or(0);
         inputs.run.iter_mut().for_each(|run| *run += last);
     }
     inputs
+}
+
+/// A driver at its mean, for so many rows.
+fn held(driver: &Driver, rows: usize) -> Driver {
+    let mean = driver.values.iter().sum::<f64>() / driver.values.len().max(1) as f64;
+    Driver { values: vec![mean; rows], ..driver.clone() }
 }
 
 /// Options by what they bring for the square root of their hours, the best first.

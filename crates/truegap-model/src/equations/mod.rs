@@ -11,6 +11,5 @@ pub mod integral;
 pub mod load;
 pub mod plates;
 pub mod quadrature;
-pub mod slopes;
 pub mod thermal;
 pub mod warp;

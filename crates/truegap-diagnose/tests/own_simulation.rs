@@ -5,7 +5,7 @@
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use truegap_core::{
     Drive, Driver, EffectId, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName,
 };
@@ -278,4 +278,64 @@ fn rows_repeat_where_a_clock_says_that_they_follow_one_another() {
     };
     assert!(said(Some((0..400).map(f64::from).collect())));
     assert!(!said(None));
+}
+
+/// A reading that follows a fan, and has no answer where nobody says how fast the fan turns.
+struct NeedsTheFan {
+    parameters: Vec<Parameter>,
+    asked_without: AtomicUsize,
+}
+
+impl Simulator for NeedsTheFan {
+    fn name(&self) -> &str {
+        "function"
+    }
+    fn unit(&self) -> &str {
+        "V"
+    }
+    fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+    fn needs(&self) -> &[Role] {
+        &[]
+    }
+    fn lacks(&self, stage: StageName) -> Option<&'static str> {
+        (!matches!(stage, StageName::ThermalPath | StageName::Readout)).then_some("nothing is known of it")
+    }
+    fn full_load(&self) -> Option<f64> {
+        None
+    }
+    fn load(&self, _: &Inputs) -> Option<Vec<f64>> {
+        None
+    }
+    fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
+        let Some(fan) = inputs.drivers.first().map(|d| d.values.clone()) else {
+            self.asked_without.fetch_add(1, Ordering::Relaxed);
+            return Ok(vec![0.0; inputs.len()]);
+        };
+        let given = Inputs { simulated: Some(fan.iter().map(|f| values[0] + f).collect()), ..inputs.clone() };
+        Given::with_level().respond(values, &given, stages)
+    }
+}
+
+/// The proof is a function of the user's own: an exception in it ends the whole diagnosis, even where it is thrown by the last question of all.
+#[test]
+fn a_simulator_is_never_asked_without_the_drivers_that_were_recorded() {
+    let fan = |row: usize| (row as f64 / 40.0).sin();
+    let inputs = Inputs {
+        time_s: Some((0..900).map(f64::from).collect()),
+        run: vec![1; 900],
+        temperature_c: Some((0..900).map(|row| 22.0 + 5.0 * (f64::from(row) / 90.0).sin()).collect()),
+        drivers: vec![Driver { name: "fan".into(), unit: "1/s".into(), values: (0..900).map(fan).collect() }],
+        ..Inputs::default()
+    };
+    let warm = inputs.temperature_c.clone().unwrap();
+    let simulator =
+        NeedsTheFan { parameters: vec![Parameter::normal("level", "V", 3.0, 5.0, "level")], asked_without: AtomicUsize::new(0) };
+    let response = noisy(7, |row| 3.0 + fan(row) + 0.02 * (warm[row] - 20.0), 900);
+    let problem = Problem { inputs: &inputs, response: &response, simulator: &simulator };
+    let facts = RecordingFacts { rows: 900, runs: 1, ..RecordingFacts::default() };
+    let said = diagnose(&problem, facts, &Options::default(), &|_| (), &AtomicBool::new(false)).unwrap().diagnosis;
+    assert!(said.findings.iter().any(|f| f.effect == "temperature_coefficient"), "{}", said.says);
+    assert_eq!(simulator.asked_without.load(Ordering::Relaxed), 0);
 }

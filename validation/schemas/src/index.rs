@@ -83,8 +83,10 @@ impl Index {
     /// # Errors
     /// [`SchemaError::Type`] where none does, or several do.
     pub(crate) fn find(&self, name: &str, module: &str) -> Result<&Defined, SchemaError> {
-        let all = self.types.get(name).map_or(&[][..], Vec::as_slice);
         let import = self.uses.get(module).and_then(|uses| uses.get(name)).map(String::as_str);
+        // imported under another name
+        let name = import.and_then(|path| path.rsplit("::").next()).unwrap_or(name);
+        let all = self.types.get(name).map_or(&[][..], Vec::as_slice);
         let near = |defined: &&Defined| nearness(&defined.path, module, import.unwrap_or_default(), name);
         let best = all.iter().map(|d| near(&d)).max().unwrap_or(0);
         let mut nearest = all.iter().filter(|d| near(d) == best);
@@ -106,7 +108,10 @@ fn nearness(path: &str, module: &str, import: &str, name: &str) -> usize {
     }
     let words: Vec<&str> = path.split("::").collect();
     let named = import.split("::").filter(|word| *word != name);
-    let shared = named.filter(|word| words.contains(word) || (*word == "crate" && words[0] == first(module))).count();
+    // the facade shows `truegap-model` as `truegap::model`
+    let of_facade = |word: &str| words[0].strip_prefix("truegap_") == Some(word);
+    let shared =
+        named.filter(|word| words.contains(word) || of_facade(word) || (*word == "crate" && words[0] == first(module))).count();
     // a child of the module that re-exports it
     10 * shared + usize::from(words[0] == first(module)) + usize::from(path.starts_with(module))
 }

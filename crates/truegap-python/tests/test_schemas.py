@@ -78,7 +78,7 @@ def test_a_case_its_mesh_and_a_stack(tmp_path):
     case = str(ROOT / "meshes/cases/coaxial_cable.toml")
     prints("solve", tmp_path, "solve", case)
     prints("mesh", tmp_path, "mesh", case, "-o", "cable.vtu")
-    prints("export", tmp_path, "export", "--sensor", "foam-s15", "--load", "1 N", "-o", "stack.glb")
+    prints("export", tmp_path, "export", "--sensor", "singletact-s15-4.5n", "--load", "4.5 N", "-o", "stack.glb")
 
 
 def test_the_studies_and_one_assumption_of_the_audit(tmp_path):

@@ -113,7 +113,7 @@ impl<'a> Context<'a> {
 
     /// What is known of a number of an effect beforehand: next to nothing but 0 where it is held.
     pub(crate) fn known(&self, effect: EffectId, mut parameter: Parameter) -> Parameter {
-        if self.held.iter().any(|(id, name)| *id == effect && *name == parameter.name)
+        if self.holds(effect, &parameter.name)
             && let Prior::Normal { sd, .. } = parameter.prior
         {
             parameter.prior = Prior::Normal { mean: 0.0, sd: HELD * sd };
@@ -122,9 +122,9 @@ impl<'a> Context<'a> {
         parameter
     }
 
-    /// Whether a number is held.
-    pub(crate) fn is_held(parameter: &Parameter) -> bool {
-        parameter.meaning.ends_with(HELD_SAYS)
+    /// Whether this number of an effect is held.
+    pub(crate) fn holds(&self, effect: EffectId, number: &str) -> bool {
+        self.held.iter().any(|(id, name)| *id == effect && *name == number)
     }
 
     /// Range of the load over the full load; 0 where load plays no part.

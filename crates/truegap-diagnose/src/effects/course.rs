@@ -8,7 +8,7 @@ use crate::{
     stats::{median, spread},
 };
 use std::borrow::Cow;
-use truegap_core::Drive;
+use truegap_core::{Drive, Parameter};
 
 /// Range of the load from which on it drives a reading, full loads.
 const LOADED: f64 = 0.05;
@@ -57,6 +57,24 @@ impl Course {
         [(moved.gap, Self::Gap), (moved.simulated, Self::Simulated)]
             .into_iter()
             .find_map(|(moves, course)| moves.then_some(course))
+    }
+
+    /// `Ok` where the driver of this number was recorded, moved, and the base model does not follow it by itself; `followed` says what there is instead where it does.
+    ///
+    /// # Errors
+    /// The reason, for a reader.
+    pub fn beside_the_base(context: &Context<'_>, number: usize, followed: &str) -> Result<(), String> {
+        match Self::of(context, number) {
+            Some(course) if course.is_followed(context) => Err(format!("the base model follows this driver by itself{followed}")),
+            Some(Self::Driver(_)) => Ok(()),
+            _ => Err(Self::missing(number)),
+        }
+    }
+
+    /// Influence of the course on the reading, the size of an effect: as much as the whole reading over its range.
+    pub fn influence(self, context: &Context<'_>, meaning: &str) -> Parameter {
+        let unit = format!("{}/{}", context.simulator.unit(), self.unit(context));
+        Parameter::normal("per_unit", &unit, 0.0, context.response_span.abs() / self.span(context), meaning)
     }
 
     /// Why there is no course of this number.

@@ -78,17 +78,9 @@ impl Effect for DriverCoefficient {
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let course = Course::of(context, self.0).unwrap_or(Course::Load);
-        let (span, unit) = (course.span(context), course.unit(context));
-        let per = format!("{}/{unit}", context.simulator.unit());
-        let bend = span.recip();
+        let (bend, unit) = (course.span(context).recip(), course.unit(context));
         vec![
-            Parameter::normal(
-                "per_unit",
-                &per,
-                0.0,
-                context.response_span.abs() / span,
-                "change of the reading per unit of the driver",
-            ),
+            course.influence(context, "change of the reading per unit of the driver"),
             Parameter::normal("bend", &format!("1/{unit}"), 0.0, bend, "relative change of that per unit")
                 .within(-4.0 * bend, 4.0 * bend),
         ]
@@ -101,13 +93,7 @@ impl Effect for DriverCoefficient {
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
-        match Course::of(context, self.0) {
-            Some(course) if course.is_followed(context) => {
-                Err("the base model follows this driver by itself; a bend asks for a higher order under [base]".into())
-            }
-            Some(Course::Driver(_)) => Ok(()),
-            _ => Err(Course::missing(self.0)),
-        }
+        Course::beside_the_base(context, self.0, "; a bend asks for a higher order under [base]")
     }
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
         Box::new(self.parabola(values, context))

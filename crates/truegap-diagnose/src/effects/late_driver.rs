@@ -75,11 +75,8 @@ impl Effect for LateDriver {
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let course = Course::of(context, self.0).unwrap_or(Course::Load);
-        let (span, unit) = (course.span(context), course.unit(context));
-        let per = format!("{}/{unit}", context.simulator.unit());
-        let size = context.response_span.abs() / span;
         vec![
-            Parameter::normal("per_unit", &per, 0.0, size, "change of the reading per unit of the driver, in the end"),
+            course.influence(context, "change of the reading per unit of the driver, in the end"),
             Parameter::log_normal("tau", "s", middle_s(context), 1.5, "time constant with which it arrives")
                 .within(0.0, context.longest_run_s.max(1.0)),
         ]
@@ -91,13 +88,7 @@ impl Effect for LateDriver {
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         context.needs_clock()?;
-        match Course::of(context, self.0) {
-            Some(course) if course.is_followed(context) => {
-                Err("the base model follows this driver by itself: what is late is the reading".into())
-            }
-            Some(Course::Driver(_)) => Ok(()),
-            _ => Err(Course::missing(self.0)),
-        }
+        Course::beside_the_base(context, self.0, ": what is late is the reading")
     }
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
         Box::new(self.behind(values, context, 1))

@@ -25,21 +25,18 @@ pub struct Louder {
     pub clean: Vec<f64>,
     /// rows that no chance makes
     pub wild: Vec<usize>,
+    /// whether nothing but these rows is louder
+    pub only_wild: bool,
     /// what it is, for a reader
     pub says: String,
 }
 
 impl Louder {
-    /// Whether nothing but single wild rows is louder.
-    pub fn is_wild_only(&self) -> bool {
-        self.says == WILD_ONLY
-    }
-
     /// The wild rows alone: the others weigh as they did.
     pub fn wild_only(mut self) -> Self {
         let wild = |row: usize| self.wild.contains(&row);
         self.variance.iter_mut().enumerate().filter(|(row, _)| !wild(*row)).for_each(|(_, variance)| *variance = 0.0);
-        Self { says: WILD_ONLY.into(), ..self }
+        Self { only_wild: true, says: WILD_ONLY.into(), ..self }
     }
 }
 
@@ -73,8 +70,7 @@ pub(crate) fn louder(beside: &Beside<'_>, jumping: &[&[f64]]) -> Option<Louder> 
     let far: Vec<usize> = (0..misfit.len()).filter(|row| !jump[*row] && distance(*row) > FAR_OFF).collect();
     let apart_from_each_other = !together(&far, misfit.len());
     let heavy = far.len() >= FEWEST_FAR_OFF.max((SHARE_FAR_OFF * misfit.len() as f64) as usize) && apart_from_each_other;
-    // one row is enough where chance makes none like it
-    // a run may begin or end on its way to somewhere
+    // one row is enough where chance makes none like it; a run may begin or end on its way to somewhere
     let inside = |row: usize| runs.iter().any(|run| row >= run.start + 2 && row + 2 < run.end);
     let wild = far.iter().copied().filter(|row| apart_from_each_other && distance(*row) > WILD && inside(*row));
     let wild: Vec<usize> = wild.collect();
@@ -103,7 +99,7 @@ pub(crate) fn louder(beside: &Beside<'_>, jumping: &[&[f64]]) -> Option<Louder> 
         (false, None) => WILD_ONLY.into(),
         _ => "heavy tails or spikes: such rows weigh less".into(),
     };
-    Some(Louder { variance, clean, wild, says })
+    Some(Louder { variance, clean, wild, only_wild: !heavy && grows.is_none(), says })
 }
 
 /// Rows next to a change of a column that is much larger than the usual ones about it.

@@ -171,7 +171,7 @@ fn with_louder_rows(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseMod
     let context = problem.context(problem.span(), noise.floor());
     let model = Model::new(problem, &context, Vec::new());
     let misfit = model.misfit(&calibrated(&model, &noise)?.z)?;
-    Ok(match louder_rows(problem, &misfit).filter(|found| !found.is_wild_only()) {
+    Ok(match louder_rows(problem, &misfit).filter(|found| !found.only_wild) {
         Some(found) => beside_louder_rows(problem, &noise, found),
         None => noise,
     })

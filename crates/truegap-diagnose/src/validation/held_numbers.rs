@@ -6,7 +6,6 @@
 //! Limits: numbers that their effect names as such; under the noise, not by least squares.
 
 use crate::{
-    data::context::Context,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit},
     selection::{
         candidates::{Search, Tried},
@@ -65,8 +64,11 @@ fn best_without_one(
 /// A model fitted again where some of its numbers are held.
 fn refitted(search: &Search<'_>, tried: &Tried) -> Option<Tried> {
     let model = search.model(&tried.effects);
-    let start: Vec<f64> =
-        tried.fit.z.iter().zip(&model.parameters).map(|(z, p)| if Context::is_held(p) { 0.0 } else { *z }).collect();
+    let mut start = tried.fit.z.clone();
+    for (index, effect) in model.effects.iter().enumerate() {
+        let held = |place: &usize| search.context.holds(effect.id(), &model.parameters[*place].name);
+        model.range_of(index).filter(held).for_each(|place| start[place] = 0.0);
+    }
     let fit = fit(&model, search.whitener, &start, &FitOptions::default()).ok()?;
     Some(Tried { effects: tried.effects.clone(), fit })
 }

@@ -16,17 +16,21 @@ use truegap_diagnose::{
 };
 
 /// A reading that is given row by row, or 3 where none is, with a level to calibrate or without.
+///
+/// One that follows its first driver counts how often it is asked without any.
 struct Given {
     parameters: Vec<Parameter>,
+    follows_driver: bool,
+    asked_without: AtomicUsize,
 }
 
 impl Given {
     fn fixed() -> Self {
-        Self { parameters: Vec::new() }
+        Self { parameters: Vec::new(), follows_driver: false, asked_without: AtomicUsize::new(0) }
     }
 
     fn with_level() -> Self {
-        Self { parameters: vec![Parameter::normal("level", "V", 3.0, 5.0, "level")] }
+        Self { parameters: vec![Parameter::normal("level", "V", 3.0, 5.0, "level")], ..Self::fixed() }
     }
 }
 
@@ -55,6 +59,12 @@ impl Simulator for Given {
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         let level = values.first().copied().unwrap_or(3.0);
         let mut value = inputs.simulated.clone().unwrap_or_else(|| vec![level; inputs.len()]);
+        if self.follows_driver {
+            match inputs.drivers.first() {
+                Some(driver) => value.iter_mut().zip(&driver.values).for_each(|(value, x)| *value += x),
+                None => _ = self.asked_without.fetch_add(1, Ordering::Relaxed),
+            }
+        }
         let load = vec![0.0; inputs.len()];
         let mut temperature = inputs.temperature_c.clone().unwrap_or_else(|| vec![20.0; inputs.len()]);
         stages.iter().for_each(|stage| stage.thermal(inputs, &mut temperature));
@@ -280,44 +290,6 @@ fn rows_repeat_where_a_clock_says_that_they_follow_one_another() {
     assert!(!said(None));
 }
 
-/// A reading that follows a fan, and has no answer where nobody says how fast the fan turns.
-struct NeedsTheFan {
-    parameters: Vec<Parameter>,
-    asked_without: AtomicUsize,
-}
-
-impl Simulator for NeedsTheFan {
-    fn name(&self) -> &str {
-        "function"
-    }
-    fn unit(&self) -> &str {
-        "V"
-    }
-    fn parameters(&self) -> &[Parameter] {
-        &self.parameters
-    }
-    fn needs(&self) -> &[Role] {
-        &[]
-    }
-    fn lacks(&self, stage: StageName) -> Option<&'static str> {
-        (!matches!(stage, StageName::ThermalPath | StageName::Readout)).then_some("nothing is known of it")
-    }
-    fn full_load(&self) -> Option<f64> {
-        None
-    }
-    fn load(&self, _: &Inputs) -> Option<Vec<f64>> {
-        None
-    }
-    fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
-        let Some(fan) = inputs.drivers.first().map(|d| d.values.clone()) else {
-            self.asked_without.fetch_add(1, Ordering::Relaxed);
-            return Ok(vec![0.0; inputs.len()]);
-        };
-        let given = Inputs { simulated: Some(fan.iter().map(|f| values[0] + f).collect()), ..inputs.clone() };
-        Given::with_level().respond(values, &given, stages)
-    }
-}
-
 /// The proof is a function of the user's own: an exception in it ends the whole diagnosis, even where it is thrown by the last question of all.
 #[test]
 fn a_simulator_is_never_asked_without_the_drivers_that_were_recorded() {
@@ -330,12 +302,9 @@ fn a_simulator_is_never_asked_without_the_drivers_that_were_recorded() {
         ..Inputs::default()
     };
     let warm = inputs.temperature_c.clone().unwrap();
-    let simulator =
-        NeedsTheFan { parameters: vec![Parameter::normal("level", "V", 3.0, 5.0, "level")], asked_without: AtomicUsize::new(0) };
+    let simulator = Given { follows_driver: true, ..Given::with_level() };
     let response = noisy(7, |row| 3.0 + fan(row) + 0.02 * (warm[row] - 20.0), 900);
-    let problem = Problem { inputs: &inputs, response: &response, simulator: &simulator };
-    let facts = RecordingFacts { rows: 900, runs: 1, ..RecordingFacts::default() };
-    let said = diagnose(&problem, facts, &Options::default(), &|_| (), &AtomicBool::new(false)).unwrap().diagnosis;
+    let said = said(&simulator, &inputs, &response);
     assert!(said.findings.iter().any(|f| f.effect == "temperature_coefficient"), "{}", said.says);
     assert_eq!(simulator.asked_without.load(Ordering::Relaxed), 0);
 }

@@ -24,10 +24,10 @@ pub enum Cycle {
 }
 
 /// Why it is not looked for in a recording of hours.
-pub const TOO_SHORT: &str = "the recording is too short, or its rows are too far apart, to show a cycle three times";
+pub const TOO_SHORT: &str = "the recording is too short, or its rows are too far apart, to show a cycle twice";
 
-/// Periods that a recording must hold, so that a slow course is not taken for one of them.
-const FEWEST_PERIODS: f64 = 3.0;
+/// Periods that a recording must hold: each foretells the other, where rows are left out. A slow course that is taken for one of them does not.
+const FEWEST_PERIODS: f64 = 2.0;
 
 /// Rows that a period must hold.
 const ROWS_A_PERIOD: f64 = 6.0;
@@ -106,7 +106,7 @@ impl Effect for Cycle {
                 Self::Yearly => "something that was not recorded follows the season: temperature, humidity, growth",
             },
             equation: "value = true + a / 2 (cos(2 pi (t - t1) / T) + b cos(4 pi (t - t2) / T)), T a day or a year, t from the first row",
-            excitation: "three periods on one clock, six rows a period",
+            excitation: "two periods on one clock, six rows a period",
             impostors: &["temperature_coefficient", "thermal_lag", "driver_coefficient", "offset_drift", "gain_drift"],
             separates: "comes back with the sun whatever the recorded inputs do",
             source: "influence quantities, IEC 60359; the diurnal and annual harmonics of a record, Wilks, Statistical Methods in the Atmospheric Sciences, sec. 10.4",

@@ -90,7 +90,9 @@ impl Effect for OffsetDrift {
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let hours = (context.duration_s / HOUR).max(1e-6);
-        let rate = 0.03 * context.response_span.abs() / hours;
+        // a value that should not move has no span of its own: what moved may all be drift
+        let usual = if context.simulator.moves() { 0.03 } else { 1.0 };
+        let rate = usual * context.response_span.abs() / hours;
         vec![
             Parameter::normal(
                 "rate",

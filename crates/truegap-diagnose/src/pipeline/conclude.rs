@@ -33,26 +33,20 @@ use std::{sync::atomic::Ordering, time::Instant};
 /// # Errors
 /// Those of the simulator.
 pub(crate) fn conclude(
-    prepared: &Prepared<'_>,
+    mut prepared: Prepared<'_>,
     examined: Examined,
     composition: Option<Composition>,
     told: &Told<'_>,
     known: Known,
     started: Instant,
 ) -> Result<Outcome, DiagnoseError> {
+    let (bank, examined, composition) = sharpened(&prepared, examined, composition, told)?;
+    let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held } =
+        judged(&prepared, told, examined, composition)?;
+    prepared.context.held = held;
+    let prepared = &prepared;
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
-    let bank = bank(prepared, search, &examined, told.options)?;
-    let (examined, composition) = match &bank {
-        Some(bank) => {
-            let sharpened = judge(search, &prepared.lack_of_fit, examined.selection.sharpened(bank.power));
-            let composition = composed(prepared, &sharpened, told);
-            (sharpened, composition)
-        }
-        None => (examined, composition),
-    };
-    let Judged { examined, composition, slow, interference, kept_back, by_base, predicted } =
-        judged(prepared, told, examined, composition)?;
     let Predicted { unseen, decision, after, vetoed, left_out } = predicted;
     let mechanisms = composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
     let search = &with_mechanisms(search, mechanisms);
@@ -98,6 +92,21 @@ pub(crate) fn conclude(
         interrupted: told.asked.load(Ordering::Relaxed),
     };
     outcome(&found, known, prepared.not_testable.clone(), started)
+}
+
+/// The recovery bank, and what was examined and composed with the probabilities that it bears out.
+fn sharpened(
+    prepared: &Prepared<'_>,
+    examined: Examined,
+    composition: Option<Composition>,
+    told: &Told<'_>,
+) -> Result<(Option<Bank>, Examined, Option<Composition>), DiagnoseError> {
+    let searched = prepared.searched();
+    let search = &prepared.search(&searched, told.progress, told.stop);
+    let Some(bank) = bank(prepared, search, &examined, told.options)? else { return Ok((None, examined, composition)) };
+    let sharpened = judge(search, &prepared.lack_of_fit, examined.selection.sharpened(bank.power));
+    let composition = composed(prepared, &sharpened, told);
+    Ok((Some(bank), sharpened, composition))
 }
 
 /// The recovery bank, where it is wanted; where nothing may be named, there is nothing to be right or wrong about.

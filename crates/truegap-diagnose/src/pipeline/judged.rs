@@ -15,6 +15,7 @@ use crate::{
     explain::hidden_input::slow_input::SlowInput,
     fit::model::Model,
     pipeline::{
+        by_name::by_name,
         options::Options,
         predicted::{ByBase, Predicted, by_base, predicted},
         prepare::Prepared,
@@ -27,6 +28,7 @@ use crate::{
     },
 };
 use std::sync::atomic::AtomicBool;
+use truegap_core::EffectId;
 
 /// What the caller tells a diagnosis, and is told by it.
 pub(crate) struct Told<'a> {
@@ -56,6 +58,8 @@ pub(crate) struct Judged {
     pub by_base: ByBase,
     /// the decision, with predictions of rows left out counted
     pub predicted: Predicted,
+    /// numbers of effects that are held at nothing
+    pub held: Vec<(EffectId, &'static str)>,
 }
 
 /// Fits, weighs and decides.
@@ -69,6 +73,19 @@ pub(crate) fn examined(prepared: &Prepared<'_>, told: &Told<'_>) -> Result<Exami
 /// # Errors
 /// Those of the simulator.
 pub(crate) fn judged(
+    prepared: &Prepared<'_>,
+    told: &Told<'_>,
+    examined: Examined,
+    composition: Option<Composition>,
+) -> Result<Judged, DiagnoseError> {
+    let judged = judged_or_refuted(prepared, told, examined, composition)?;
+    Ok(match by_name(prepared, told, &judged) {
+        Some(name) => judged.told_by(name),
+        None => judged,
+    })
+}
+
+fn judged_or_refuted(
     prepared: &Prepared<'_>,
     told: &Told<'_>,
     examined: Examined,
@@ -106,7 +123,8 @@ fn judged_once(
     let missing = decision.verdict != Verdict::Agrees;
     let by_base = known.unwrap_or_else(|| by_base(prepared, search, selection.base(), missing));
     let predicted = predicted(prepared, search, selection, decision, &by_base, kept_back.is_none());
-    Ok(Judged { examined, composition, slow, interference, kept_back, by_base, predicted })
+    let held = prepared.context.held.clone();
+    Ok(Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held })
 }
 
 impl Judged {

@@ -3,6 +3,7 @@
 //! Limits: one recording (or several joined into one simulator) at a time.
 
 mod alone;
+mod by_name;
 mod conclude;
 mod judged;
 mod noise_choice;
@@ -82,7 +83,7 @@ pub fn diagnose(
         let search = prepared.search(&searched, progress, told.stop);
         examined = Examined { selection: with_held(&search, examined.selection, &prepared.context.held), ..examined };
     }
-    conclude(&prepared, examined, composition, &told, known.into(), started)
+    conclude(prepared, examined, composition, &told, known.into(), started)
 }
 
 /// Numbers of the model stood behind that rows left out do not bear out; `None` where there are none.

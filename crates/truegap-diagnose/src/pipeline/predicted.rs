@@ -14,7 +14,7 @@ use crate::{
         candidates::{Search, Tried},
         posterior::Selection,
         tuning::RIGHT_FAMILY,
-        verdict::{Decision, Verdict, foretold, stated, stepped_back},
+        verdict::{Decision, Verdict, foretold, removed_by, stated, stepped_back},
     },
     text::{percent_of, significant, spoken},
     validation::{
@@ -109,7 +109,9 @@ impl RowsLeftOut<'_, '_> {
             _ => ((asked, first.unseen), decision),
         };
         let free_form = |e: usize| self.search.library[e].free_form();
-        let (model, named, left_out) = step_back(self.selection, start, &self.by_base.unseen, of, free_form);
+        let enough = |smaller: usize| self.could_be_named(smaller);
+        let enough = (!self.prepared.noise_is_known()).then_some(enough);
+        let (model, named, left_out) = step_back(self.selection, start, &self.by_base.unseen, of, free_form, enough);
         let unseen =
             Unseen::of((self.by_base.unseen.clone(), &self.selection.base().fit), (named, &self.selection.models[model].fit));
         let stepped = !left_out.is_empty() && named_before;
@@ -132,8 +134,15 @@ impl RowsLeftOut<'_, '_> {
             let after = stepped.then(|| self.left_by(model));
             return self.nothing(decision, after, told);
         }
-        if let Some(against) = unseen.worse().filter(|_| self.foretells(model)) {
-            return Predicted { vetoed: Some(self.refused(model, against)), ..self.nothing(self.undecided(), None, told) };
+        match unseen.against(self.prepared.noise_is_known()).filter(|_| self.foretells(model)) {
+            Some(little @ Against::Little(_)) => {
+                let says = self.says_too_little(model, little);
+                return self.nothing(self.too_little(model), None, [told, vec![says]].concat());
+            }
+            Some(against) => {
+                return Predicted { vetoed: Some(self.refused(model, against)), ..self.nothing(self.undecided(), None, told) };
+            }
+            None => {}
         }
         if let Some(share) = removed.filter(|share| *share < NEXT_TO_NOTHING && self.left_by(model).fires()) {
             let decision = Decision { removed: share.max(0.0), ..Decision::nothing(Verdict::Unexplained, self.selection.base) };
@@ -152,6 +161,19 @@ impl RowsLeftOut<'_, '_> {
         Decision::nothing(Verdict::Undecided, self.selection.base)
     }
 
+    /// Nothing is named since it would change next to nothing: the base model agrees where that is all that tests see.
+    fn too_little(&self, model: usize) -> Decision {
+        let verdict = if self.left_by(model).fires() { Verdict::Unexplained } else { Verdict::Agrees };
+        Decision::nothing(verdict, self.selection.base)
+    }
+
+    /// Whether a model leaves little enough to be named by itself.
+    fn could_be_named(&self, model: usize) -> bool {
+        let (base, tried) = (self.selection.base(), &self.selection.models[model]);
+        let after = self.left_by(model);
+        !after.fires() || removed_by(2.0 * (base.fit.objective() - tried.fit.objective()), &after) >= RIGHT_FAMILY
+    }
+
     fn effects(&self, model: usize) -> &[usize] {
         &self.selection.models[model].effects
     }
@@ -166,11 +188,8 @@ impl RowsLeftOut<'_, '_> {
         self.prepared.lack_of_fit.adequacy(&self.selection.models[model].fit)
     }
 
-    /// Predictions of rows left out, by the better of two ways to calibrate where the base model is told by least squares.
     fn predictions(&self, tried: &Tried) -> HeldOutFit {
-        let (noise, all) = (&self.prepared.searched_noise, self.prepared.all_rows());
-        let squares = self.by_base.alone.as_ref().and_then(|_| by_least_squares(self.search, noise, tried, all));
-        nearer(held_out(self.search, noise, tried, all), squares)
+        predictions(self.prepared, self.search, self.by_base, tried)
     }
 
     fn id(&self, effect: usize) -> String {
@@ -194,6 +213,15 @@ impl RowsLeftOut<'_, '_> {
         )
     }
 
+    fn says_too_little(&self, model: usize, against: Against) -> String {
+        format!(
+            "{} would fit, but without it rows left out are predicted {} ({}), so it is not claimed",
+            self.effects(model).iter().map(|e| spoken(&self.id(*e))).collect::<Vec<_>>().join(" and "),
+            against.others_predict(),
+            measured(against, self.search.problem.simulator.unit())
+        )
+    }
+
     /// Why nothing is named where rows left out speak against the model.
     fn refused(&self, model: usize, against: Against) -> Reserved {
         let ids = self.effects(model).iter().map(|e| self.id(*e)).collect::<Vec<_>>().join(" and ");
@@ -210,11 +238,23 @@ impl RowsLeftOut<'_, '_> {
 fn measured(against: Against, unit: &str) -> String {
     match against {
         Against::Errors([without, with]) => format!("{} against {} {unit}", significant(without, 3), significant(with, 3)),
+        Against::Little([without, with]) => format!(
+            "{} against {} {unit}: the noise was not measured, and one that lasts does as much",
+            significant(without, 3),
+            significant(with, 3)
+        ),
         Against::Score(lost) if lost <= 0.0 => "measured in the noise, it gains no more than trying many effects does".into(),
         Against::Score(lost) => {
             format!("measured in the noise, by {} squares of its standard deviation over all rows", significant(lost, 2))
         }
     }
+}
+
+/// Predictions of rows left out, by the better of two ways to calibrate where the base model is told by least squares.
+pub(crate) fn predictions(prepared: &Prepared<'_>, search: &Search<'_>, by_base: &ByBase, tried: &Tried) -> HeldOutFit {
+    let (noise, all) = (&prepared.searched_noise, prepared.all_rows());
+    let squares = by_base.alone.as_ref().and_then(|_| by_least_squares(search, noise, tried, all));
+    nearer(held_out(search, noise, tried, all), squares)
 }
 
 /// Predictions of rows left out by a model that is calibrated by least squares: under white noise as large as what it leaves over.

@@ -111,6 +111,11 @@ impl<'a> Prepared<'a> {
         AllRows { problem: self.problem, first: self.averages.as_ref().map(|t| t.first.as_slice()) }
     }
 
+    /// Whether the noise was measured apart from the mismatch, with a clock that says how it lasts.
+    pub fn noise_is_known(&self) -> bool {
+        self.noise.measured && self.problem.inputs.time_s.is_some()
+    }
+
     /// The search through models of these rows.
     pub fn search<'s>(
         &'s self,

@@ -93,5 +93,7 @@ fn constant_inputs(inputs: &Inputs, problem: &Problem<'_>) -> Option<String> {
     let load = load_column(inputs, problem.simulator).is_some_and(|l| spread(&l) > LOAD_CHANGES);
     let temperature = inputs.temperature_c.as_ref().is_some_and(|t| spread(t) > WARMS);
     let driver = inputs.drivers.iter().any(|driver| spread(&driver.values) > 0.0);
-    (!load && !temperature && !driver).then(|| "no input changes: only noise, drift and steps can show".to_owned())
+    // a simulation or a gap that moves is what the reading follows
+    let followed = [&inputs.simulated, &inputs.gap_m].into_iter().flatten().any(|column| spread(column) > 0.0);
+    (!load && !temperature && !driver && !followed).then(|| "no input changes: only noise, drift and steps can show".to_owned())
 }

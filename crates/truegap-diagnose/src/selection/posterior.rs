@@ -136,6 +136,23 @@ impl Selection {
         self.sorted()
     }
 
+    /// The same with what model `place` has of probability given to `named`, which says the same with the effects of the library.
+    #[must_use]
+    pub fn told_as(mut self, place: usize, named: Tried) -> Self {
+        let (key, share) = (named.key(), std::mem::take(&mut self.probability[place]));
+        match self.models.iter().position(|m| m.key() == key) {
+            Some(known) => {
+                self.probability[known] += share;
+                self.models[known] = named;
+            }
+            None => {
+                self.probability.push(share);
+                self.models.push(named);
+            }
+        }
+        self.sorted()
+    }
+
     /// What weights against all of `models` together are divided by to make probabilities that leave room for causes outside the library.
     fn whole(&self) -> f64 {
         1.0 + self.unmodelled.iter().map(|(_, odds)| odds).sum::<f64>()
@@ -309,6 +326,18 @@ mod tests {
         approx::assert_relative_eq!(merged.effect_probability[0], 0.8, max_relative = 1e-12);
         assert_eq!(merged.effect_probability[1], 0.0);
         approx::assert_relative_eq!(merged.probability.iter().sum::<f64>(), 1.0, max_relative = 1e-12);
+    }
+
+    /// A mechanism of 0.3 and an effect of 0.5 that say the same have 0.8 together under the effect's name, whether its model was fitted before or not.
+    #[test]
+    fn what_is_told_by_a_name_keeps_its_probability() {
+        let known = three().told_as(1, tried(&[0]));
+        assert_eq!((known.models.len(), known.models[0].effects.as_slice()), (3, &[0][..]));
+        approx::assert_relative_eq!(known.probability[0], 0.8, max_relative = 1e-12);
+        let new = selection(0.0).with_model(tried(&[1]), 3f64.ln(), 1).told_as(0, tried(&[0, 1]));
+        approx::assert_relative_eq!(new.probability.iter().sum::<f64>(), 1.0, max_relative = 1e-12);
+        approx::assert_relative_eq!(new.probability[0], 0.75, max_relative = 1e-12);
+        assert_eq!(new.models[0].effects, [0, 1]);
     }
 
     /// Squares of 0.5, 0.3 and 0.2 over their sum, 0.38.

@@ -6,6 +6,7 @@
 //! Limits: numbers that their effect names as such; under the noise, not by least squares.
 
 use crate::{
+    effects::effect::Effect,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit},
     selection::{
         candidates::{Search, Tried},
@@ -32,21 +33,32 @@ pub(crate) fn not_borne_out(
     };
     let mut open: Vec<(EffectId, &str)> = tried.effects.iter().flat_map(of_effect).collect();
     let (mut held, mut best) = (Vec::new(), held_out(search, noise, tried, all));
+    let doubtful = on_a_limit(search, tried);
     // one at a time, the one without which most is gained
-    while let Some((place, predicted)) = best_without_one(search, noise, tried, all, (&open, &held, &best)) {
+    while let Some((place, predicted)) = best_without_one(search, noise, tried, all, (&open, &held, &best, &doubtful)) {
         held.push(open.remove(place));
         best = predicted;
     }
     held
 }
 
-/// The number of `open` that is best held besides those of `held`, and what the model then foretells; `None` where that is not clearly better than `best`.
+/// Numbers of effects that lie on a bound: the fit says that the law does not hold there.
+fn on_a_limit(search: &Search<'_>, tried: &Tried) -> Vec<(EffectId, String)> {
+    let model = search.model(&tried.effects);
+    let of_effect = |(index, effect): (usize, &&dyn Effect)| {
+        let at_limit = model.range_of(index).filter(|place| tried.fit.at_limit[*place]);
+        at_limit.map(|place| (effect.id(), model.parameters[place].name.clone())).collect::<Vec<_>>()
+    };
+    model.effects.iter().enumerate().flat_map(of_effect).collect()
+}
+
+/// The number of `open` that is best held besides those of `held`, and what the model then foretells; `None` where that is not clearly better than `best`, or for a `doubtful` one as good.
 fn best_without_one(
     search: &Search<'_>,
     noise: &NoiseModel,
     tried: &Tried,
     all: AllRows<'_>,
-    (open, held, best): (&[(EffectId, &'static str)], &[(EffectId, &'static str)], &HeldOutFit),
+    (open, held, best, doubtful): (&[(EffectId, &'static str)], &[(EffectId, &'static str)], &HeldOutFit, &[(EffectId, String)]),
 ) -> Option<(usize, HeldOutFit)> {
     let without = |one: &(EffectId, &'static str)| {
         let context = search.context.holding([held, &[*one]].concat());
@@ -56,13 +68,16 @@ fn best_without_one(
     let better = open.iter().enumerate().filter_map(|(place, one)| {
         let predicted = without(one)?;
         let [before, after] = compared(best, &predicted)?.rmse;
-        (before > CLEARLY_WORSE * after).then_some((after, (place, predicted)))
+        // on its bound a number has to be felt to be told
+        let least =
+            if doubtful.iter().any(|(id, name)| (*id, name.as_str()) == *one) { CLEARLY_WORSE.recip() } else { CLEARLY_WORSE };
+        (before > least * after).then_some((after, (place, predicted)))
     });
     better.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, found)| found)
 }
 
 /// A model fitted again where some of its numbers are held.
-fn refitted(search: &Search<'_>, tried: &Tried) -> Option<Tried> {
+pub(crate) fn refitted(search: &Search<'_>, tried: &Tried) -> Option<Tried> {
     let model = search.model(&tried.effects);
     let mut start = tried.fit.z.clone();
     for (index, effect) in model.effects.iter().enumerate() {

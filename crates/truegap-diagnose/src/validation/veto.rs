@@ -31,6 +31,8 @@ pub(crate) enum Against {
     Errors([f64; 2]),
     /// by how many squares of noise they are predicted worse with it; below 0 where they are predicted better, by less than proves anything
     Score(f64),
+    /// errors without it and with it, which is smaller by less than a noise can say that was not measured
+    Little([f64; 2]),
 }
 
 impl Against {
@@ -38,15 +40,17 @@ impl Against {
     pub fn others_predict(self) -> &'static str {
         match self {
             Self::Score(lost) if lost <= 0.0 => "as well",
+            Self::Little([without, with]) if with <= without => "nearly as well",
             _ => "better",
         }
     }
 
-    /// What it costs, for comparisons: clearly larger errors before scores.
-    pub fn cost(self) -> (f64, f64) {
+    /// What it costs, for comparisons: clearly larger errors before scores, and scores before gains that are small.
+    pub fn cost(self) -> (u8, f64) {
         match self {
-            Self::Errors([without, with]) => (with / without, 0.0),
-            Self::Score(lost) => (0.0, lost),
+            Self::Errors([without, with]) => (2, with / without),
+            Self::Score(lost) => (1, lost),
+            Self::Little([without, with]) => (0, with / without),
         }
     }
 }
@@ -81,6 +85,12 @@ impl Unseen {
         self.lost().map(Against::Score)
     }
 
+    /// The same, and what is too little for a noise that was not `measured`: an error that is smaller by less than [`CLEARLY_WORSE`].
+    pub fn against(&self, measured: bool) -> Option<Against> {
+        let named = self.named.as_ref().filter(|_| !measured);
+        self.worse().or_else(|| little(&self.base, named?))
+    }
+
     /// Whether the error over all rows left out is clearly larger than that of the base model, in however few parts.
     pub fn larger(&self) -> bool {
         let both = self.named.as_ref().and_then(|named| compared(&self.base, named));
@@ -107,6 +117,12 @@ impl Unseen {
         let gained = gains.iter().sum::<f64>();
         (!gains.is_empty() && gained + self.believed < PROOF && 2 * foretold <= gains.len()).then_some(-gained)
     }
+}
+
+/// What speaks against an effect whose gain is hardly felt: errors `without` it and `with` it that differ by less than [`CLEARLY_WORSE`].
+pub(crate) fn little(without: &HeldOutFit, with: &HeldOutFit) -> Option<Against> {
+    let [without, with] = compared(without, with)?.rmse;
+    (without < CLEARLY_WORSE * with).then_some(Against::Little([without, with]))
 }
 
 #[cfg(test)]

@@ -11,10 +11,13 @@ use crate::{
         grammar::{Angle, Law, Range, Times, laws},
         levers::{Lever, Seen, levers},
     },
-    effects::composed::{
-        mechanism::{Numbers, Sentence},
-        signal::{Courses, course, of_course, recorded},
-        words::{Driver, Kinetics, Place, Quantity},
+    effects::{
+        composed::{
+            mechanism::{Numbers, Sentence},
+            signal::{Courses, course, of_course, recorded},
+            words::{Driver, Form, Kinetics, Place, Quantity},
+        },
+        course::Course,
     },
     fit::{model::Model, optimum::Linearised},
     stats::{log_sum_exp, spread},
@@ -125,7 +128,11 @@ pub fn screen(model: &Model<'_>, z: &[f64], linearised: &Linearised, whitener: &
         reading: problem.simulator.moves().then_some(seen.reading.as_slice()),
     };
     let ranges = ranges(&at);
-    let laws = laws(&ranges, &times(problem, linearised));
+    let mut laws = laws(&ranges, &times(problem, linearised));
+    // on one loop, what bends or happens in time cannot be told from what follows the way that is gone
+    if Course::of(model.context, 0).is_some_and(|course| !course.comes_again(model.context)) {
+        laws.retain(|law| !is_bent_in_time(&law.sentence));
+    }
     let (turned, reversed) = (turned(&linearised.residual), reversed(&linearised.residual));
     let places = places(&levers);
     let of_law = |law: &Law| {
@@ -151,6 +158,12 @@ pub fn screen(model: &Model<'_>, z: &[f64], linearised: &Linearised, whitener: &
     }
     let columns = each.iter().map(|(s, _)| s.grid.len()).sum();
     Some(Screen { sentences: each.into_iter().map(|(s, _)| s).collect(), control, control_of_tones, columns })
+}
+
+/// Whether it says that something bends, begins or happens at a time.
+fn is_bent_in_time(sentence: &Sentence) -> bool {
+    let bent = sentence.kinetics == Kinetics::Static && sentence.form != Form::Linear;
+    sentence.driver == Driver::Time && (bent || sentence.kinetics == Kinetics::Event)
 }
 
 fn seen_load<'s>(problem: &Problem<'_>, seen: &'s Seen) -> Option<&'s [f64]> {

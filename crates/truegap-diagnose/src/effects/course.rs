@@ -26,6 +26,31 @@ fn is_a_way(column: &[f64], runs: &[std::ops::Range<usize>]) -> bool {
     median(&steps) <= A_STEP * spread(column)
 }
 
+/// Part of its range that a sweep crosses.
+const SWEPT: f64 = 0.35;
+
+/// Whether a column sweeps up twice, or down twice, by [`SWEPT`] of its range each time.
+fn comes_again(column: &[f64], runs: &[std::ops::Range<usize>]) -> bool {
+    let least = SWEPT * spread(column);
+    let mut sweeps = [0, 0];
+    for run in runs {
+        let (mut low, mut high, mut way) = (column[run.start], column[run.start], None);
+        for value in &column[run.clone()] {
+            (low, high) = (low.min(*value), high.max(*value));
+            let now = if value - low >= least && way != Some(0) {
+                0
+            } else if high - value >= least && way != Some(1) {
+                1
+            } else {
+                continue;
+            };
+            sweeps[now] += 1;
+            (low, high, way) = (*value, *value, Some(now));
+        }
+    }
+    sweeps.into_iter().any(|count| count > 1)
+}
+
 /// A column that moves a reading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Course {
@@ -137,17 +162,21 @@ impl Course {
         range.filter(|range| *range > 0.0).unwrap_or(1.0)
     }
 
+    /// The column as it was recorded.
+    fn recorded<'a>(self, context: &Context<'a>) -> Option<Cow<'a, [f64]>> {
+        let inputs = context.inputs;
+        match self {
+            Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice().into()),
+            Self::Load => load_column(inputs, context.simulator).map(Cow::Owned),
+            Self::Gap => inputs.gap_m.as_deref().map(Cow::Borrowed),
+            Self::Simulated => inputs.simulated.as_deref().map(Cow::Borrowed),
+        }
+    }
+
     /// Whether the column goes up and down again inside the runs, by [`TURNED`] of its range each way.
     pub fn turns(self, context: &Context<'_>) -> bool {
         let inputs = context.inputs;
-        let load = || load_column(inputs, context.simulator);
-        let column: Option<Cow<'_, [f64]>> = match self {
-            Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice().into()),
-            Self::Load => load().map(Cow::Owned),
-            Self::Gap => inputs.gap_m.as_deref().map(Cow::Borrowed),
-            Self::Simulated => inputs.simulated.as_deref().map(Cow::Borrowed),
-        };
-        let Some(column) = column else { return false };
+        let Some(column) = self.recorded(context) else { return false };
         if inputs.time_s.is_none() && !is_a_way(&column, &inputs.runs()) {
             return false;
         }
@@ -162,6 +191,11 @@ impl Course {
             }
         }
         rises && falls
+    }
+
+    /// Whether the column goes the same way twice: a sweep over a loop, or runs that begin anew. Where it does not, what follows the way that it goes cannot be told from what happens in time.
+    pub fn comes_again(self, context: &Context<'_>) -> bool {
+        self.recorded(context).is_some_and(|column| comes_again(&column, &context.inputs.runs()))
     }
 
     /// Mean speed of the column, in its unit a second (a row without a clock).
@@ -202,5 +236,30 @@ impl Course {
             Self::Gap => "the gap",
             Self::Simulated => "the simulated value",
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_loop_goes_each_way_once_and_what_follows_it_goes_one_of_them_again() {
+        let along = |ends: &[f64]| {
+            let leg = |pair: &[f64]| (0..20).map(|k| pair[0] + (pair[1] - pair[0]) * f64::from(k) / 20.0).collect::<Vec<_>>();
+            ends.windows(2).flat_map(leg).collect::<Vec<f64>>()
+        };
+        let once = |ends: &[f64]| {
+            let column = along(ends);
+            comes_again(&column, std::slice::from_ref(&(0..column.len())))
+        };
+        assert!(!once(&[0.0, 1.0]));
+        assert!(!once(&[0.0, 1.0, 1.0, 0.0]));
+        assert!(!once(&[0.3, 0.5, 0.4, 1.0, 0.0]));
+        assert!(once(&[0.0, 1.0, 0.0, 1.0]));
+        assert!(once(&[0.0, 1.0, 0.3, 0.9]));
+        // two runs, each up
+        let column = along(&[0.0, 1.0, 0.0]);
+        assert!(comes_again(&[&column[..20], &column[..20]].concat(), &[0..20, 20..40]));
     }
 }

@@ -14,7 +14,7 @@ mod ageing;
 mod bonded_layers;
 mod clock_rate;
 mod contact_toe_in;
-mod course;
+pub(crate) mod course;
 pub(crate) mod cycle;
 mod dead_gap;
 mod delay;

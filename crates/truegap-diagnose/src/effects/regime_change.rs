@@ -56,6 +56,15 @@ impl Of {
         }
     }
 
+    /// What moves the reading or its coefficient, where that is no temperature.
+    fn course(self, context: &Context<'_>) -> Option<Course> {
+        match self {
+            Self::Driver(course) => Some(course),
+            Self::Reading => Course::of(context, 0),
+            Self::Temperature | Self::Nothing => None,
+        }
+    }
+
     /// Range of what the coefficient is of, in its unit.
     fn span(self, context: &Context<'_>) -> f64 {
         match self {
@@ -273,6 +282,12 @@ impl Effect for RegimeChange {
         }
         if context.simulator.joined().is_some_and(|joined| joined.count() > 1) {
             return Err("a change at one time belongs to one recording; diagnose it by itself".into());
+        }
+        if let Some(course) = self.of(context).course(context).filter(|course| !course.comes_again(context)) {
+            let name = course.name(context);
+            return Err(format!(
+                "{name} goes up or down no more than once; a change at one time cannot be told from a law of the way that it goes"
+            ));
         }
         let rows = context.inputs.len();
         if rows < FEWEST {

@@ -3,12 +3,17 @@
 //! A computed or derived equation is worth more than a composed one, and its name is what a reader knows. Where its richer law foretells worse than the composed one, the simple law that it
 //! holds as a special case is asked.
 //!
+//! Only where the noise was not measured: one that was has weighed a law of the library against the composed one by what tells the two apart.
+//!
 //! Limits: an answer with one mechanism; effects that follow the same driver in the same way at the same place.
 
 use crate::{
     adequacy::lack_of_fit::Adequacy,
     data::context::Context,
-    effects::composed::words::InWords,
+    effects::{
+        composed::words::{Driver, InWords},
+        course::Course,
+    },
     pipeline::{
         judged::{Judged, Told},
         predicted::{Predicted, predictions},
@@ -16,12 +21,13 @@ use crate::{
     },
     selection::{
         candidates::{Search, Tried},
+        detectability::detectability,
+        tuning::VISIBLE,
         verdict::{Decision, Verdict, removed_by},
     },
     validation::{
         cross_validation::{HeldOutFit, compared},
         held_numbers::{not_borne_out, refitted},
-        tuning::CLEARLY_WORSE,
         veto::Unseen,
     },
 };
@@ -43,7 +49,9 @@ pub(crate) struct ByName {
 
 /// The effect that says the same as the mechanism of an answer and foretells as well; `None` where there is none.
 pub(crate) fn by_name(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<ByName> {
-    let [mechanism] = judged.composition.as_ref()?.mechanisms.as_slice() else { return None };
+    // a noise that was measured has weighed both already
+    let composition = judged.composition.as_ref().filter(|_| !prepared.noise_is_known())?;
+    let [mechanism] = composition.mechanisms.as_slice() else { return None };
     let (selection, place) = (&judged.examined.selection, prepared.testable.len());
     let chosen = &selection.models[judged.predicted.decision.model];
     let others: Vec<usize> = chosen.effects.iter().copied().filter(|e| *e != place).collect();
@@ -52,36 +60,47 @@ pub(crate) fn by_name(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged)
     }
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
-    let words = mechanism.effect.sentence.in_words();
+    let words = with_followed_driver(mechanism.effect.sentence.in_words(), search.context);
     let alike: Vec<usize> = (0..place).filter(|e| !others.contains(e) && says(search, *e).as_ref() == Some(&words)).collect();
     let from = selection.with(&others)?;
     let found = search.add_each(from, &alike, alike.len(), "by name");
     let asked = found.iter().filter_map(|tried| asked(prepared, search, judged, tried));
+    // beside the effect the mechanism has to prove itself, as any further effect
     let as_well = |own: &ByName| {
-        let both = compared(judged.predicted.unseen.stood_behind(), &own.unseen);
-        both.is_some_and(|both| both.rmse[1] <= CLEARLY_WORSE * both.rmse[0])
+        let composed = (judged.predicted.unseen.stood_behind().clone(), &chosen.fit);
+        Unseen::of((own.unseen.clone(), &own.tried.fit), composed).against(false).is_some()
     };
     asked.filter(as_well).min_by(|a, b| a.rmse.total_cmp(&b.rmse))
 }
 
 fn says(search: &Search<'_>, effect: usize) -> Option<InWords> {
-    search.library[effect].in_words(search.context)
+    Some(with_followed_driver(search.library[effect].in_words(search.context)?, search.context))
 }
 
-/// A model with an effect of the library last, fitted to the end and asked for rows left out; `None` where those speak against it.
+/// The words with the reading for a driver that the base model follows by itself: one moves with the other.
+fn with_followed_driver(words: InWords, context: &Context<'_>) -> InWords {
+    let followed = |name: &String| {
+        let place = context.inputs.drivers.iter().position(|driver| driver.name == *name);
+        place.is_some_and(|place| Course::Driver(place).is_followed(context))
+    };
+    match &words.driver {
+        Driver::Recorded(name) if followed(name) => InWords { driver: Driver::Reading, ..words },
+        _ => words,
+    }
+}
+
+/// A model with an effect of the library last, fitted to the end and asked for rows left out; `None` where the effect does not stand out of the noise.
 fn asked(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged, tried: &Tried) -> Option<ByName> {
     let tried = search.polished(tried)?;
     let held = not_borne_out(search, &prepared.searched_noise, &tried, prepared.all_rows());
     let context: Context<'_> = search.context.holding([search.context.held.as_slice(), &held].concat());
     let simple = Search { context: &context, library: search.library.clone(), ..*search };
     let tried = if held.is_empty() { tried } else { refitted(&simple, &tried)? };
-    let unseen = predictions(prepared, &simple, &judged.by_base, &tried);
-    let base = &judged.by_base.unseen;
-    let both = Unseen::of((base.clone(), &judged.examined.selection.base().fit), (unseen.clone(), &tried.fit));
-    if both.against(prepared.noise_is_known()).is_some() {
+    if detectability(&simple, &tried, tried.effects.len() - 1) < VISIBLE {
         return None;
     }
-    let (rmse, after) = (compared(base, &unseen)?.rmse[1], prepared.lack_of_fit.adequacy(&tried.fit));
+    let unseen = predictions(prepared, &simple, &judged.by_base, &tried);
+    let (rmse, after) = (compared(&judged.by_base.unseen, &unseen)?.rmse[1], prepared.lack_of_fit.adequacy(&tried.fit));
     Some(ByName { held: context.held.clone(), tried, unseen, rmse, after })
 }
 

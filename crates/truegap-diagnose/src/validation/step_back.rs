@@ -53,7 +53,11 @@ pub(crate) fn step_back(
             let both = Unseen::of((unseen(without), &without.fit), with());
             let better =
                 || compared(&both.base, both.named.as_ref()?).map(|both| both.rmse).filter(|[without, with]| without < with);
-            let little = || enough.as_ref().filter(|enough| enough(place)).and_then(|_| little(&both.base, &nearest));
+            let stands = || {
+                let beside = Unseen::of((base.clone(), &selection.base().fit), (both.base.clone(), &without.fit));
+                beside.worse().is_none() && enough.as_ref().is_some_and(|enough| enough(place))
+            };
+            let little = || little(&both.base, &nearest).filter(|_| stands());
             let doubted = || if doubtful { better().map(Against::Errors) } else { None };
             let against = both.worse().or_else(doubted).or_else(little)?;
             Some((place, both.base, LeftOut { effect, against }))

@@ -74,3 +74,75 @@ pub(crate) fn step_back(
         left_out.push(left);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        fit::{model::Kinds, optimum::finish},
+        selection::model_space::EvidenceCheck,
+        validation::cross_validation::PartError,
+    };
+    use nalgebra::DMatrix;
+
+    fn tried(effects: &[usize]) -> Tried {
+        let count = 1 + effects.len();
+        let free = vec![(f64::NEG_INFINITY, f64::INFINITY); count];
+        let fit = finish(vec![0.0; count], vec![0.0; 3], DMatrix::zeros(3, count), &free, Kinds::default(), (1, true));
+        Tried { effects: effects.to_vec(), fit }
+    }
+
+    fn selection(models: &[&[usize]]) -> Selection {
+        Selection {
+            models: models.iter().map(|effects| tried(effects)).collect(),
+            probability: vec![0.0; models.len()],
+            effect_probability: vec![0.0; 3],
+            temper: 1.0,
+            base: 0,
+            check: EvidenceCheck::default(),
+            unmodelled: Vec::new(),
+        }
+    }
+
+    /// Errors on two parts of a hundred rows each.
+    fn errs(error: f64) -> HeldOutFit {
+        let part = |_| PartError { name: "block".into(), squares: Some(100.0 * error * error), rows: 100, score: None };
+        HeldOutFit { how: String::new(), prediction: Vec::new(), parts: (0..2).map(part).collect() }
+    }
+
+    /// What is left out of effects 0, 1 and 2, which err by 1.00 together; by `others` without some of them, and by 4 without all.
+    fn left_out(others: &[(&[usize], f64)], enough: Option<fn(usize) -> bool>) -> Vec<usize> {
+        let whole: &[usize] = &[0, 1, 2];
+        let models: Vec<&[usize]> = [&[][..], whole].into_iter().chain(others.iter().map(|(effects, _)| *effects)).collect();
+        let error = |tried: &Tried| {
+            let known = others.iter().find(|(effects, _)| *effects == tried.effects.as_slice());
+            errs(known.map_or(1.0, |(_, error)| *error))
+        };
+        let (_, _, left) = step_back(&selection(&models), (1, errs(1.0)), &errs(4.0), error, |_| false, enough);
+        left.into_iter().map(|left| left.effect).collect()
+    }
+
+    /// Each of two effects gains 3 % on rows left out, both together 7 %; the third is what counts.
+    const HARDLY_FELT: &[(&[usize], f64)] = &[(&[0, 1], 1.03), (&[0, 2], 1.04), (&[1, 2], 2.0), (&[0], 1.07)];
+
+    #[test]
+    fn what_is_hardly_felt_is_left_out_where_the_noise_was_not_measured() {
+        assert_eq!(left_out(HARDLY_FELT, Some(|_| true)), [2]);
+        // a noise that was measured tells such effects
+        assert!(left_out(HARDLY_FELT, None).is_empty());
+    }
+
+    /// Small gains are counted together: without both, errors are 7 % larger, and one of them stays.
+    #[test]
+    fn small_gains_do_not_add_up_to_what_is_felt() {
+        let felt_together: &[(&[usize], f64)] = &[(&[0, 1], 1.01), (&[0, 2], 1.04), (&[1, 2], 2.0), (&[0], 1.02)];
+        assert_eq!(left_out(felt_together, Some(|_| true)), [2, 1]);
+        assert_eq!(left_out(HARDLY_FELT, Some(|_| true)).len(), 1);
+    }
+
+    /// What explains the rest is told, however little it is felt: without it nothing could be named.
+    #[test]
+    fn what_the_rest_cannot_stand_without_stays() {
+        assert!(left_out(HARDLY_FELT, Some(|_| false)).is_empty());
+    }
+}

@@ -188,4 +188,19 @@ mod tests {
         assert_eq!(believed([0.25, 0.5, -0.25, -1.0], 60.0), None);
         assert_eq!(believed([0.25, 0.5, -80.0, -1.0], 60.0), Some(Against::Score(80.25)));
     }
+
+    /// An error that is 4 % larger without an effect is nothing to a noise that was not measured; one that is 6 % larger is.
+    #[test]
+    fn a_small_gain_counts_where_the_noise_was_measured() {
+        let of =
+            |without: f64| Unseen { base: predicted(&[without, without]), named: Some(predicted(&[4.0, 4.0])), believed: 0.0 };
+        let small = of(4.0 * 1.04f64.powi(2));
+        assert!(matches!(small.against(false), Some(Against::Little(_))));
+        assert_eq!(small.against(true), None);
+        assert_eq!(of(4.0 * 1.06f64.powi(2)).against(false), None);
+        // larger errors speak first, and against more
+        let larger = of(3.0).against(false).unwrap();
+        assert!(matches!(larger, Against::Errors(_)) && larger.cost() > small.against(false).unwrap().cost());
+        assert!(Against::Score(1.0).cost() > small.against(false).unwrap().cost());
+    }
 }

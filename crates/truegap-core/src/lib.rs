@@ -69,7 +69,7 @@ pub use parameter::{Parameter, Prior};
 pub use recording::{BaseSpec, Note, Recording, RecordingError};
 pub use sensor::{Material, Sensor};
 pub use simulation_error::{Refusal, SimulationError, check_finite};
-pub use simulator::{Joined, Simulator, named_values};
+pub use simulator::{Beside, Joined, Simulator, named_values};
 pub use units::{Dimension, Measure, UnitError};
 pub use walk::{GapReading, PlateReading, Plates, Stiffness, walk, walk_without_plates};
 

@@ -100,6 +100,28 @@ pub trait Simulator: Send + Sync {
     /// # Errors
     /// [`SimulationError`] where a row has no physical answer (closed gap), a column is missing, or there is not one value for each parameter.
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError>;
+    /// The response beside a point, to first order in the difference to it; `None` where there is no shorter way than [`Simulator::respond`].
+    ///
+    /// # Errors
+    /// As [`Simulator::respond`], at the point itself.
+    #[allow(unused_variables)]
+    fn beside<'s>(
+        &'s self,
+        values: &[f64],
+        inputs: &'s Inputs,
+        stages: &[&dyn Stage],
+    ) -> Result<Option<Box<dyn Beside + 's>>, SimulationError> {
+        Ok(None)
+    }
+}
+
+/// The response of a [`Simulator`] near the point for which it was made: for difference quotients, each of which costs less than a response.
+pub trait Beside {
+    /// Response of each row at other values and with other stages, the physics of the base model to first order in the difference; stages act in full.
+    ///
+    /// # Errors
+    /// [`SimulationError`] where a stage or a parameter has no answer.
+    fn respond(&self, values: &[f64], stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError>;
 }
 
 /// What a [`Simulator`] that joins several recordings of one physics tells of them.

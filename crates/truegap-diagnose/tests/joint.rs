@@ -7,7 +7,11 @@ mod common;
 use common::{Plate, recording};
 use truegap_core::{Inputs, Joined, Simulator, Stage};
 use truegap_diagnose::joint::{Free, Member, Together};
-use truegap_diagnose::{Context, Effect, FittedParameter, library};
+use truegap_diagnose::{
+    Context, Effect, FittedParameter, Problem,
+    calibration::{InputError, Model, Noise, Whitener},
+    library,
+};
 
 fn member<'a>(simulator: &'a Plate, specimen: usize, inputs: &'a Inputs, response: &'a [f64]) -> Member<'a> {
     Member { name: "r".into(), simulator, specimen, inputs, response }
@@ -53,6 +57,40 @@ fn each_recording_is_simulated_as_if_it_were_alone_with_every_effect() {
         moved += usize::from(together != joint.model.respond(&plate.centre(), &joint.inputs, &[]).unwrap());
     }
     assert!(moved > 12, "{moved} effects changed anything");
+}
+
+#[test]
+fn derivatives_of_two_recordings_of_one_protocol_on_different_clocks_are_difference_quotients() {
+    let plate = Plate::new(Some(false));
+    let [first, _] = halves();
+    let mut slower = first.clone();
+    slower.time_s.iter_mut().flatten().for_each(|t| *t *= 20.0);
+    let none = vec![0.0; first.len()];
+    let members = [member(&plate, 0, &first, &none), member(&plate, 0, &slower, &none)];
+    let joint = Together::new(&members, &[], Free::default()).unwrap();
+    let context = Context::new(&joint.inputs, &joint.model, 3.0, 0.01);
+    let response = vec![0.0; joint.inputs.len()];
+    let problem = Problem { inputs: &joint.inputs, response: &response, simulator: &joint.model };
+    let effects = library();
+    let creep = effects.iter().find(|e| e.id().0 == "viscoelastic_creep").unwrap();
+    let model = Model::new(&problem, &context, vec![creep.as_ref()]);
+    let noise = Noise { white_sd: 1.0, ar_sd: 0.0, ar_correlation: 0.0 };
+    let whitener = Whitener::new(&noise, &InputError::white(vec![0.0; response.len()]), None, &joint.inputs.runs(), None);
+    let z: Vec<f64> = model.bounds().iter().map(|bound| 0.4_f64.clamp(bound.0, bound.1)).collect();
+    let here = model.residual(&z, &whitener).unwrap();
+    let jacobian = model.jacobian(&z, &here, &whitener).unwrap();
+    for index in 0..z.len() {
+        let at = |step: f64| {
+            let moved: Vec<f64> = z.iter().enumerate().map(|(i, z)| if i == index { z + step } else { *z }).collect();
+            model.residual(&moved, &whitener).unwrap()
+        };
+        let expected: Vec<f64> = at(-1e-4).iter().zip(at(1e-4)).map(|(less, more)| (less - more) / 2e-4).collect();
+        let largest = expected.iter().fold(0.0, |m: f64, d| m.max(d.abs()));
+        for (row, expected) in expected.iter().enumerate() {
+            let found = jacobian[(row, index)];
+            assert!((found - expected).abs() < 0.01 * largest, "{}, row {row}: {found} {expected}", model.parameters[index].name);
+        }
+    }
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::{
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
-        memory::{Lag, walk},
+        memory::{LagSum, walk},
     },
     text::{percent_with_sd, significant, with_sd},
 };
@@ -43,14 +43,14 @@ impl Spectrum {
 
 impl Stage for Spectrum {
     fn strain(&self, drive: &Drive<'_>, strain: &mut [f64]) {
-        let mut elements: Vec<(Lag, f64)> = self.weights.iter().map(|(tau, weight)| (Lag::new(*tau), *weight)).collect();
+        let mut delayed = LagSum::new(&self.weights);
         walk(drive.inputs, |row, step| {
             let elastic = strain[row];
-            let delayed = |(lag, weight): &mut (Lag, f64)| match step {
-                None => *weight * lag.start(elastic, 0.0),
-                Some(step) => *weight * lag.next(elastic, step),
-            };
-            strain[row] = elastic + elements.iter_mut().map(delayed).sum::<f64>();
+            strain[row] = elastic
+                + match step {
+                    None => delayed.start(elastic),
+                    Some(step) => delayed.next(elastic, step),
+                };
         });
     }
 }

@@ -11,6 +11,7 @@ use crate::{
     whitening::whitener::Whitener,
 };
 use nalgebra::{Cholesky, DMatrix, DVector};
+use std::cell::OnceCell;
 use truegap_core::SimulationError;
 
 /// Numerical settings of a fit.
@@ -39,6 +40,8 @@ pub(crate) struct Descent<'a, 'm> {
     pub(crate) z: Vec<f64>,
     residual: Vec<f64>,
     jacobian: DMatrix<f64>,
+    /// `J^T J`, where it has been computed for this Jacobian
+    gram: OnceCell<DMatrix<f64>>,
     damping: f64,
     /// whether some columns were computed elsewhere
     stale: bool,
@@ -56,12 +59,25 @@ impl<'a, 'm> Descent<'a, 'm> {
         let z: Vec<f64> = start.iter().zip(bounds).map(|(z, b)| z.clamp(b.0, b.1)).collect();
         let residual = model.residual(&z, whitener)?;
         let jacobian = DMatrix::zeros(residual.len(), z.len());
-        Ok(Self { model, whitener, bounds, z, residual, jacobian, damping: 1e-6, stale: false, iterations: 0, converged: false })
+        Ok(Self {
+            model,
+            whitener,
+            bounds,
+            z,
+            residual,
+            jacobian,
+            gram: OnceCell::new(),
+            damping: 1e-6,
+            stale: false,
+            iterations: 0,
+            converged: false,
+        })
     }
 
     /// Computes the columns from `first` on anew.
     pub(crate) fn refresh(&mut self, first: usize) -> Result<(), SimulationError> {
         let columns = first..self.z.len();
+        self.gram.take();
         self.model.refresh(&mut self.jacobian, columns, &self.z, &self.residual, self.whitener, self.bounds)?;
         self.stale = first > 0;
         Ok(())
@@ -75,8 +91,10 @@ impl<'a, 'm> Descent<'a, 'm> {
 
     /// One step; the gain, or `None` where no step lowers the objective.
     pub(crate) fn step(&mut self) -> Option<f64> {
-        let (next, residual, gain) =
-            best_step(self.model, self.whitener, self.bounds, &self.z, &self.residual, &self.jacobian, &mut self.damping)?;
+        let mut damping = self.damping;
+        let found = self.best_step(&mut damping);
+        self.damping = damping;
+        let (next, residual, gain) = found?;
         (self.z, self.residual) = (next, residual);
         Some(gain)
     }
@@ -136,12 +154,13 @@ impl<'a, 'm> Descent<'a, 'm> {
             }
         }
         (self.z, self.residual, self.jacobian, self.stale) = (z, residual, jacobian, false);
+        self.gram.take();
         Ok(false)
     }
 
     /// Where the step without damping leads, with `pinned` added to the curvature in every direction; shortened as a whole to `reach` in any coordinate.
     fn undamped(&self, pinned: f64, reach: f64) -> Option<Vec<f64>> {
-        let (mut gram, gradient) = self.normal_equations();
+        let (mut gram, gradient) = (self.gram().clone(), self.downhill());
         (0..self.z.len()).for_each(|i| gram[(i, i)] += pinned);
         let next = bounded_step(&gram, &gradient, &self.z, self.bounds, &self.known(), 0.0)?;
         let longest = next.iter().zip(&self.z).map(|(to, from)| (to - from).abs()).fold(0.0, f64::max);
@@ -151,18 +170,22 @@ impl<'a, 'm> Descent<'a, 'm> {
 
     /// What a straight step to the optimum promises to lower the objective by.
     fn promised(&self) -> f64 {
-        let (gram, gradient) = self.normal_equations();
+        let (gram, gradient) = (self.gram(), self.downhill());
         let known = self.known();
-        let Some(next) = bounded_step(&gram, &gradient, &self.z, self.bounds, &known, 0.0) else { return 0.0 };
+        let Some(next) = bounded_step(gram, &gradient, &self.z, self.bounds, &known, 0.0) else { return 0.0 };
         let step = DVector::from_fn(self.z.len(), |i, _| next[i] - self.z[i]);
         let own: f64 = step.iter().zip(&known).map(|(step, curvature)| step * step * curvature).sum();
-        step.dot(&gradient) - 0.5 * (step.dot(&(&gram * &step)) + own)
+        step.dot(&gradient) - 0.5 * (step.dot(&(gram * &step)) + own)
     }
 
-    /// `J^T J`, and the gradient of the objective, downhill.
-    fn normal_equations(&self) -> (DMatrix<f64>, DVector<f64>) {
-        let downhill = downhill(self.model, &self.jacobian, &self.residual, &self.z);
-        (self.jacobian.tr_mul(&self.jacobian), downhill)
+    /// `J^T J`.
+    fn gram(&self) -> &DMatrix<f64> {
+        self.gram.get_or_init(|| self.jacobian.tr_mul(&self.jacobian))
+    }
+
+    /// Gradient of the objective, downhill.
+    fn downhill(&self) -> DVector<f64> {
+        downhill(self.model, &self.jacobian, &self.residual, &self.z)
     }
 
     /// Curvature of the prior.
@@ -174,48 +197,40 @@ impl<'a, 'm> Descent<'a, 'm> {
         let counts = (self.iterations, self.converged);
         finish(self.z, self.residual, self.jacobian, self.bounds, self.model.kinds(), counts)
     }
-}
 
-/// The first damped step that lowers the objective: point, residual there, gain.
-///
-/// Parameters that trade off against one another make a sloppy direction that is curved. A straight step along it climbs, so each step is
-/// corrected with the same Jacobian until it is down again (chord iterations), and only then judged.
-fn best_step(
-    model: &Model<'_>,
-    whitener: &Whitener,
-    bounds: &[(f64, f64)],
-    z: &[f64],
-    residual: &[f64],
-    jacobian: &DMatrix<f64>,
-    damping: &mut f64,
-) -> Option<(Vec<f64>, Vec<f64>, f64)> {
-    let gram = jacobian.tr_mul(jacobian);
-    let here = objective(model, residual, z);
-    let known: Vec<f64> = model.prior(z).curvature().collect();
-    for _ in 0..10 {
-        let mut best: Option<(Vec<f64>, Vec<f64>, f64)> = None;
-        let (mut at, mut there) = (z.to_vec(), residual.to_vec());
-        for _ in 0..CHORDS {
-            let gradient = downhill(model, jacobian, &there, &at);
-            at = bounded_step(&gram, &gradient, &at, bounds, &known, *damping)?;
-            let Ok(next) = model.residual(&at, whitener) else { break };
-            there = next;
-            let gain = here - objective(model, &there, &at);
-            let before = best.as_ref().map_or(0.0, |b| b.2);
-            if gain > before && gain.is_finite() {
-                best = Some((at.clone(), there.clone(), gain));
+    /// The first damped step that lowers the objective: point, residual there, gain.
+    ///
+    /// Parameters that trade off against one another make a sloppy direction that is curved. A straight step along it climbs, so each step is
+    /// corrected with the same Jacobian until it is down again (chord iterations), and only then judged.
+    fn best_step(&self, damping: &mut f64) -> Option<(Vec<f64>, Vec<f64>, f64)> {
+        let Self { model, whitener, bounds, z, residual, jacobian, .. } = self;
+        let here = objective(model, residual, z);
+        let known = self.known();
+        for _ in 0..10 {
+            let mut best: Option<(Vec<f64>, Vec<f64>, f64)> = None;
+            let (mut at, mut there) = (z.clone(), residual.clone());
+            for _ in 0..CHORDS {
+                let gradient = downhill(model, jacobian, &there, &at);
+                at = bounded_step(self.gram(), &gradient, &at, bounds, &known, *damping)?;
+                let Ok(next) = model.residual(&at, whitener) else { break };
+                there = next;
+                let gain = here - objective(model, &there, &at);
+                let before = best.as_ref().map_or(0.0, |b| b.2);
+                if gain > before && gain.is_finite() {
+                    best = Some((at.clone(), there.clone(), gain));
+                }
+                if best.is_some() && gain < before + 0.01 * before.abs() {
+                    break;
+                }
             }
-            if best.is_some() && gain < before + 0.01 * before.abs() {
-                break;
+            if best.is_some() {
+                *damping = (*damping * 0.1).max(1e-9);
+                return best;
             }
+            *damping = (*damping * 10.0).max(1e-4);
         }
-        if best.is_some() {
-            *damping = (*damping * 0.1).max(1e-9);
-            return best;
-        }
-        *damping = (*damping * 10.0).max(1e-4);
+        None
     }
-    None
 }
 
 fn objective(model: &Model<'_>, residual: &[f64], z: &[f64]) -> f64 {

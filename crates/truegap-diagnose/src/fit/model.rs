@@ -1,6 +1,6 @@
 //! A base model with effects plugged in, as a function of coordinates in units of the prior's standard deviations.
 //!
-//! Limits: derivatives are difference quotients.
+//! Limits: derivatives are difference quotients, of the base model's physics to first order where it offers that.
 
 use crate::{
     data::{context::Context, problem::Problem},
@@ -11,7 +11,7 @@ use crate::{
     whitening::whitener::Whitener,
 };
 use nalgebra::DMatrix;
-use truegap_core::{Parameter, SimulationError, Stage};
+use truegap_core::{Beside, Parameter, SimulationError, Stage};
 
 /// A base model with effects plugged in, as a function of prior-whitened coordinates z.
 pub struct Model<'a> {
@@ -163,40 +163,111 @@ impl<'a> Model<'a> {
         whitener: &Whitener,
         bounds: &[(f64, f64)],
     ) -> Result<(), SimulationError> {
-        let of_base = columns.start < self.base && !self.effects.is_empty();
-        let kept: Vec<Box<dyn Stage>> =
-            if of_base { self.stages(z).into_iter().map(Remembered::new).collect() } else { Vec::new() };
-        for index in columns.filter(|i| bounds[*i].0 < bounds[*i].1) {
-            let there = |moved: &[f64]| match of_base && index < self.base {
-                true => self.residual_through(&kept, moved, whitener),
-                false => self.residual(moved, whitener),
-            };
-            let column = derivative(z, index, at, bounds[index], there)?;
-            jacobian.column_mut(index).copy_from_slice(&column);
+        let free: Vec<usize> = columns.filter(|i| bounds[*i].0 < bounds[*i].1).collect();
+        if free.is_empty() {
+            return Ok(());
+        }
+        let near = Near::of(self, z, free.len() >= WORTH_SLOPES)?;
+        for group in free.chunks(ABREAST) {
+            let moved = group.iter().map(|i| near.moved(*i, bounds[*i])).collect::<Result<Vec<_>, _>>()?;
+            let (mut residuals, scales): (Vec<_>, Vec<_>) = moved.into_iter().unzip();
+            whitener.apply_each(&mut residuals);
+            for ((index, residual), scale) in group.iter().zip(&residuals).zip(scales) {
+                let mut column = jacobian.column_mut(*index);
+                let both = residual.iter().zip(at);
+                column.iter_mut().zip(both).for_each(|(column, (there, here))| *column = (here - there) * scale);
+            }
         }
         Ok(())
     }
 }
 
-/// One column of [`Model::jacobian`]: `at` is the whitened residual at `z`, `there` that at a point beside it.
-fn derivative(
-    z: &[f64],
-    index: usize,
-    at: &[f64],
-    bound: (f64, f64),
-    there: impl Fn(&[f64]) -> Result<Vec<f64>, SimulationError>,
-) -> Result<Vec<f64>, SimulationError> {
-    let mut moved = z.to_vec();
-    let room = bound.1 - z[index];
-    let mut step = if room > DIFFERENCE_STEP { DIFFERENCE_STEP } else { -DIFFERENCE_STEP };
-    moved[index] = z[index] + step;
-    let residual = there(&moved).or_else(|_| {
-        step = -step;
-        moved[index] = (z[index] + step).max(bound.0);
-        there(&moved)
-    })?;
-    let scale = (moved[index] - z[index]).recip();
-    Ok(residual.iter().zip(at).map(|(a, b)| (b - a) * scale).collect())
+/// Columns that are whitened side by side.
+const ABREAST: usize = 4;
+
+/// Columns from which the slopes of the base model are worth their cost, that of about two responses.
+const WORTH_SLOPES: usize = 3;
+
+/// A model near one point: its stages remember what they were asked there, and the base model answers to first order where it can.
+struct Near<'m, 'a> {
+    model: &'m Model<'a>,
+    z: &'m [f64],
+    stages: Vec<Box<dyn Stage>>,
+    beside: Option<Box<dyn Beside + 'm>>,
+}
+
+impl<'m, 'a> Near<'m, 'a> {
+    fn of(model: &'m Model<'a>, z: &'m [f64], slopes: bool) -> Result<Self, SimulationError> {
+        let mut stages = model.stages(z);
+        // each of several recordings has inputs of its own, and may have the same columns on another clock: nothing to remember
+        if model.problem.simulator.joined().is_none() {
+            stages = stages.into_iter().map(Remembered::new).collect();
+        }
+        let borrowed: Vec<&dyn Stage> = stages.iter().map(AsRef::as_ref).collect();
+        let values = model.values(&z[..model.base]);
+        let beside =
+            if slopes { model.problem.simulator.beside(&values[..model.base], model.problem.inputs, &borrowed)? } else { None };
+        Ok(Self { model, z, stages, beside })
+    }
+
+    /// What is left over, not whitened, a step along coordinate `index`, and one over that step: away from the nearer bound, or where there is no answer
+    /// the other way.
+    fn moved(&self, index: usize, bound: (f64, f64)) -> Result<(Vec<f64>, f64), SimulationError> {
+        let mut moved = self.z.to_vec();
+        let room = bound.1 - self.z[index];
+        let mut step = if room > DIFFERENCE_STEP { DIFFERENCE_STEP } else { -DIFFERENCE_STEP };
+        moved[index] = self.z[index] + step;
+        let left = self.misfit(&moved, index).or_else(|_| {
+            step = -step;
+            moved[index] = (self.z[index] + step).max(bound.0);
+            self.misfit(&moved, index)
+        })?;
+        Ok((left, (moved[index] - self.z[index]).recip()))
+    }
+
+    /// What is left over at a point that differs in coordinate `index` only.
+    fn misfit(&self, moved: &[f64], index: usize) -> Result<Vec<f64>, SimulationError> {
+        let fresh = self.fresh(moved, index);
+        let stages: Vec<&dyn Stage> = match &fresh {
+            Fresh::None => self.stages.iter().map(AsRef::as_ref).collect(),
+            Fresh::One(own, stage) => {
+                self.stages.iter().enumerate().map(|(i, kept)| if i == *own { stage.as_ref() } else { kept.as_ref() }).collect()
+            }
+            Fresh::All(stages) => stages.iter().map(AsRef::as_ref).collect(),
+        };
+        let Model { base, problem, .. } = self.model;
+        let values = self.model.values(&moved[..*base]);
+        let response = match &self.beside {
+            Some(beside) => beside.respond(&values[..*base], &stages)?,
+            None => problem.simulator.respond(&values[..*base], problem.inputs, &stages)?,
+        };
+        Ok(self.model.left_by(response))
+    }
+
+    /// The stages that are others where coordinate `index` has moved: that of one effect, or all where it moves the clock of the inputs, on which the others remember.
+    fn fresh(&self, moved: &[f64], index: usize) -> Fresh {
+        let Some(own) = (0..self.model.effects.len()).find(|i| self.model.range_of(*i).contains(&index)) else {
+            return Fresh::None;
+        };
+        let values = self.model.values(moved);
+        let stage = self.model.effects[own].with(&values[self.model.range_of(own)], self.model.context);
+        // a stage of its own in each recording may shift any of them
+        let shifts = |stage: &dyn Stage| stage.late_s(0.0) != 0.0 || stage.late_s(1.0) != 0.0 || stage.after_runs(0).is_some();
+        if shifts(stage.as_ref()) || shifts(self.stages[own].as_ref()) {
+            return Fresh::All(self.model.stages(moved));
+        }
+        Fresh::One(own, stage)
+    }
+}
+
+/// Stages that differ from those at a point.
+enum Fresh {
+    /// none
+    None,
+    /// that of one effect
+    One(usize, Box<dyn Stage>),
+    /// all
+    All(Vec<Box<dyn Stage>>),
 }
 
 /// Indices of the parameters of a model that are of a kind of their own.

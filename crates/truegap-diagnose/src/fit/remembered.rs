@@ -1,7 +1,7 @@
 //! A stage that answers at once where it is asked the same again.
 //!
-//! Derivatives by a parameter of the base model ask every stage once more, most of them with the columns of before: a plate that is thicker changes no strain. Memory of the beads
-//! or a lag of the load is then not computed again.
+//! A derivative asks every stage once more, most of them with the columns of before: a plate that is thicker changes no strain, and an amplifier that drifts changes no load.
+//! Memory of the beads or a lag of the load is then not computed again.
 //!
 //! Limits: one set of inputs, one set of values of the effects. What the geometry, the field and the readout are given changes with every parameter, and is always computed.
 

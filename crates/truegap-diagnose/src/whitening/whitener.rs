@@ -139,6 +139,44 @@ impl Whitener {
         self.shapes.iter().for_each(|shape| shape.take_out(column));
     }
 
+    /// Whitens columns in place, side by side: each as [`Whitener::apply`] does, to the last bit.
+    ///
+    /// The filter waits for one row before it goes to the next; four columns wait together.
+    pub fn apply_each(&self, columns: &mut [Vec<f64>]) {
+        for group in columns.chunks_mut(4) {
+            let [a, b, c, d] = group else {
+                group.iter_mut().for_each(|column| self.apply(column));
+                continue;
+            };
+            let four = [a, b, c, d].map(Vec::as_mut_slice);
+            match self.states {
+                2 => self.apply_to_four::<2>(four),
+                3 => self.apply_to_four::<3>(four),
+                4 => self.apply_to_four::<4>(four),
+                _ => self.apply_to_four::<MOST>(four),
+            }
+            for column in group {
+                self.shapes.iter().for_each(|shape| shape.take_out(column));
+            }
+        }
+    }
+
+    fn apply_to_four<const S: usize>(&self, columns: [&mut [f64]; 4]) {
+        for run in &self.runs {
+            let mut state = [[0.0; 4]; S];
+            for row in run.clone() {
+                let foreseen = state.iter().fold([0.0; 4], |sum, s| std::array::from_fn(|k| sum[k] + s[k]));
+                let innovation: [f64; 4] = std::array::from_fn(|k| columns[k][row] - foreseen[k]);
+                (0..4).for_each(|k| columns[k][row] = innovation[k] * self.inverse_sd[row]);
+                let here = row * self.states..(row + 1) * self.states;
+                let factors = self.gain[here.clone()].iter().zip(&self.carry[here]);
+                for (s, (gain, carry)) in state.iter_mut().zip(factors) {
+                    (0..4).for_each(|k| s[k] = carry * (s[k] + gain * innovation[k]));
+                }
+            }
+        }
+    }
+
     /// The same with at most `S` states, which is faster where that is known beforehand.
     fn apply_with<const S: usize>(&self, column: &mut [f64]) {
         for run in &self.runs {
@@ -248,6 +286,32 @@ mod tests {
         assert!(column.iter().zip(&white).any(|(a, b)| (a - b).abs() > 0.1));
         filter.apply(&mut column);
         column.iter().zip(&white).for_each(|(a, b)| approx::assert_relative_eq!(a, b, max_relative = 1e-12));
+    }
+
+    #[test]
+    fn columns_side_by_side_come_out_as_each_by_itself() {
+        let noise = Noise { white_sd: 0.7, ar_sd: 1.3, ar_correlation: 0.8 };
+        let lasting = Lasting { variance: vec![0.4; 9], memory: vec![0.9; 9], of_reading: false };
+        let of = |row: usize, k: usize| (1.7 * row as f64 + k as f64).cos();
+        for input in [InputError::white(vec![0.1; 9]), InputError { lasting: vec![lasting], ..InputError::white(vec![0.1; 9]) }] {
+            let input = InputError { shapes: vec![(0..9).map(|i| i as f64).collect()], ..input };
+            let filter = Whitener::new(
+                &noise,
+                &input,
+                None,
+                &[0..4, 4..9],
+                Some(&[true, true, true, false, true, true, true, true, true]),
+            );
+            for count in [1, 4, 6] {
+                let columns: Vec<Vec<f64>> = (0..count).map(|k| (0..9).map(|row| of(row, k)).collect()).collect();
+                let mut together = columns.clone();
+                filter.apply_each(&mut together);
+                for (mut alone, found) in columns.into_iter().zip(together) {
+                    filter.apply(&mut alone);
+                    assert_eq!(alone, found);
+                }
+            }
+        }
     }
 
     #[test]

@@ -44,6 +44,7 @@ impl BentPlates {
     /// **Source:** \[hampson2023\] (19) integrated over rings; the second form is own and holds at k = 0 and for both signs without cancellation.
     /// **Assumes:** `SPHERICAL-WARP`, `NO-FRINGING`. **Accuracy:** 1e-13 relative from flat to plates that touch at 1e-6 of the mean gap, both signs,
     /// `the_closed_form_is_right_from_flat_to_nearly_touching` (50-digit arithmetic).
+    #[inline]
     pub fn integral(self) -> f64 {
         let Self { dome, centre_gap: g } = self;
         let half_chord = dome.radius * dome.radius / (1.0 + dome.cosine());
@@ -54,6 +55,7 @@ impl BentPlates {
     }
 
     /// `ln(1 + x) / x` and `ln(1 + x) - x` away from zero.
+    #[inline]
     fn logs(self, sag: f64, x: f64) -> (f64, f64) {
         let log = if x > -0.5 { x.ln_1p() } else { ((self.centre_gap + sag + self.sag_rounding(sag)) / self.centre_gap).ln() };
         (log / x, log - x)
@@ -100,6 +102,7 @@ fn exact_sum(a: f64, b: f64) -> (f64, f64) {
 const SMALL: f64 = 0.01;
 
 /// `ln(1 + x) / x` and `ln(1 + x) - x` by the series of `2 atanh(x / (2 + x))`.
+#[inline]
 fn small_logs(x: f64) -> (f64, f64) {
     let y = x / (2.0 + x);
     let y2 = y * y;

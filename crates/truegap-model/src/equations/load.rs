@@ -55,6 +55,20 @@ pub fn reduced_load(law: BeadLaw, strain: f64) -> f64 {
     law.reduced_load(strain).0
 }
 
+/// Derivative of [`reduced_load`] by the strain.
+///
+/// $$ (1 + \nu e) \left[(1 + 3 \nu e)(1 + a e + b e^2) + e (1 + \nu e)(a + 2 b e)\right] $$
+///
+/// | symbol  | argument | unit |
+/// |---------|----------|------|
+/// | ν, a, b | `law`    | -    |
+/// | e       | `strain`, compressive | - |
+///
+/// **Source:** derivative of [`reduced_load`]. **Accuracy:** a few roundings.
+pub fn reduced_load_slope(law: BeadLaw, strain: f64) -> f64 {
+    law.reduced_load(strain).1
+}
+
 /// Compressive strain of beads under a load; `None` where the beads cannot carry it.
 ///
 /// $$ e (1 + \nu e)^2 (1 + a e + b e^2) = q, \qquad q = \frac{F}{E A} $$

@@ -11,5 +11,6 @@ pub mod integral;
 pub mod load;
 pub mod plates;
 pub mod quadrature;
+pub mod slopes;
 pub mod thermal;
 pub mod warp;

@@ -23,12 +23,12 @@ use truegap_core::{
 };
 
 /// A layer's constants without its name.
-#[derive(Clone, Copy, Debug)]
-struct Sheet {
-    young: f64,
-    expansion: f64,
-    thickness: f64,
-    permittivity: f64,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Sheet {
+    pub(super) young: f64,
+    pub(super) expansion: f64,
+    pub(super) thickness: f64,
+    pub(super) permittivity: f64,
 }
 
 impl Sheet {
@@ -50,19 +50,19 @@ impl Sheet {
 /// The numbers of one sensor that every row shares.
 #[derive(Clone, Debug)]
 pub struct Device {
-    rubber: Sheet,
-    softening: f64,
-    poisson: f64,
-    solid: Solid,
-    surrounding: f64,
-    radius: f64,
-    conductor: Sheet,
-    plating: Option<Sheet>,
-    insulator: Sheet,
-    trace: Trace,
-    stray: f64,
-    shielded: bool,
-    options: StackOptions,
+    pub(super) rubber: Sheet,
+    pub(super) softening: f64,
+    pub(super) poisson: f64,
+    pub(super) solid: Solid,
+    pub(super) surrounding: f64,
+    pub(super) radius: f64,
+    pub(super) conductor: Sheet,
+    pub(super) plating: Option<Sheet>,
+    pub(super) insulator: Sheet,
+    pub(super) trace: Trace,
+    pub(super) stray: f64,
+    pub(super) shielded: bool,
+    pub(super) options: StackOptions,
     /// temperature of the dimensions, degrees Celsius
     pub reference_c: f64,
     /// load at full scale, N
@@ -70,8 +70,8 @@ pub struct Device {
 }
 
 /// Area of the solid part of the dielectric.
-#[derive(Clone, Copy, Debug)]
-enum Solid {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Solid {
     /// beads: area at the reference temperature, m²
     Beads(f64),
     /// share of the electrode
@@ -227,10 +227,15 @@ impl Device {
 
     /// Curvature of the electrode, 1/m; 0 where nothing warps it.
     fn curvature(&self, warm: &Warm, row: &Squeeze) -> f64 {
-        let Some(plating) = self.plating.filter(|_| row.warp_factor != 0.0) else { return 0.0 };
+        if row.warp_factor == 0.0 { 0.0 } else { row.warp_factor * self.bend(warm, row.warp_kelvin) }
+    }
+
+    /// Curvature that a temperature difference gives the electrode, 1/m; 0 where it is of one metal.
+    pub(super) fn bend(&self, warm: &Warm, warp_kelvin: f64) -> f64 {
+        let Some(plating) = self.plating else { return 0.0 };
         let expansions = ExpansionPair { first: plating.expansion, second: self.conductor.expansion };
         let layers = Bimetal { first: plating.lamina(warm.kelvin), second: self.conductor.lamina(warm.kelvin) };
-        row.warp_factor * bimetal_curvature(layers, mismatch_strain(expansions, row.warp_kelvin))
+        bimetal_curvature(layers, mismatch_strain(expansions, warp_kelvin))
     }
 
     /// Capacitances of a row.

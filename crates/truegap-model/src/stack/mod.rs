@@ -2,12 +2,14 @@
 //!
 //! Limits: what [`Device`] can describe; loads that close the gap are errors.
 
+mod beside;
 mod coefficients;
 mod device;
 mod knobs;
 mod model;
 mod options;
 mod plates;
+mod sloped;
 mod states;
 
 pub use coefficients::{CoefficientOptions, Coefficients, coefficients};

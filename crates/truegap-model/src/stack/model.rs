@@ -3,13 +3,14 @@
 //! Limits: what [`Device`] can describe; loads that close the gap are errors.
 
 use super::{
+    beside::Near,
     device::Device,
     knobs::{self, Knob},
     options::StackOptions,
     plates::{Filled, plain},
 };
 use std::sync::Arc;
-use truegap_core::{Corrections, Inputs, Parameter, Role, Sensor, SimulationError, Simulator, Stage, StageName, walk};
+use truegap_core::{Beside, Corrections, Inputs, Parameter, Role, Sensor, SimulationError, Simulator, Stage, StageName, walk};
 
 /// The paper's sensor.
 #[derive(Clone, Debug)]
@@ -115,5 +116,14 @@ impl Simulator for Stack {
             return plain(&device, self.column(inputs, Role::Force)?, inputs.temperature_c.as_deref(), values);
         }
         walk(self, &Filled { device: &device, values }, values, inputs, stages)
+    }
+
+    fn beside<'s>(
+        &'s self,
+        values: &[f64],
+        inputs: &'s Inputs,
+        stages: &[&dyn Stage],
+    ) -> Result<Option<Box<dyn Beside + 's>>, SimulationError> {
+        Ok(Some(Box::new(Near::at(self, values, inputs, stages)?)))
     }
 }

@@ -8,7 +8,7 @@ use truegap_core::{
 };
 
 /// Picofarad in a farad.
-const PICO: f64 = 1e12;
+pub(super) const PICO: f64 = 1e12;
 
 /// Response of each row, pF, nothing plugged in.
 pub(super) fn plain(
@@ -75,12 +75,17 @@ impl Plates for Filled<'_> {
     }
 
     fn readout(&self) -> Result<Readout, SimulationError> {
-        let ends = plain(self.device, &[0.0, self.device.full_scale], None, self.values)?;
-        Ok(Readout { zero: ends[0], span: ends[1] - ends[0] })
+        ends(self.device, self.values)
     }
 }
 
 /// Force on the dielectric, N.
-fn force_n(drive: &Drive<'_>, row: usize) -> f64 {
+pub(super) fn force_n(drive: &Drive<'_>, row: usize) -> f64 {
     drive.load[row] * drive.full_load
+}
+
+/// Zero and span of a device.
+pub(super) fn ends(device: &Device, values: &[f64]) -> Result<Readout, SimulationError> {
+    let ends = plain(device, &[0.0, device.full_scale], None, values)?;
+    Ok(Readout { zero: ends[0], span: ends[1] - ends[0] })
 }

@@ -167,7 +167,7 @@ impl<'a> Model<'a> {
         if free.is_empty() {
             return Ok(());
         }
-        let near = Near::of(self, z, free.len() >= WORTH_SLOPES)?;
+        let near = Near::of(self, z, free.len() >= WORTH_SLOPES);
         for group in free.chunks(ABREAST) {
             let moved = group.iter().map(|i| near.moved(*i, bounds[*i])).collect::<Result<Vec<_>, _>>()?;
             let (mut residuals, scales): (Vec<_>, Vec<_>) = moved.into_iter().unzip();
@@ -197,7 +197,7 @@ struct Near<'m, 'a> {
 }
 
 impl<'m, 'a> Near<'m, 'a> {
-    fn of(model: &'m Model<'a>, z: &'m [f64], slopes: bool) -> Result<Self, SimulationError> {
+    fn of(model: &'m Model<'a>, z: &'m [f64], slopes: bool) -> Self {
         let mut stages = model.stages(z);
         // each of several recordings has inputs of its own, and may have the same columns on another clock: nothing to remember
         if model.problem.simulator.joined().is_none() {
@@ -205,9 +205,10 @@ impl<'m, 'a> Near<'m, 'a> {
         }
         let borrowed: Vec<&dyn Stage> = stages.iter().map(AsRef::as_ref).collect();
         let values = model.values(&z[..model.base]);
-        let beside =
-            if slopes { model.problem.simulator.beside(&values[..model.base], model.problem.inputs, &borrowed)? } else { None };
-        Ok(Self { model, z, stages, beside })
+        let beside = || model.problem.simulator.beside(&values[..model.base], model.problem.inputs, &borrowed);
+        // where a row has no answer at the point itself, there may be one a step away
+        let beside = if slopes { beside().unwrap_or_default() } else { None };
+        Self { model, z, stages, beside }
     }
 
     /// What is left over, not whitened, a step along coordinate `index`, and one over that step: away from the nearer bound, or where there is no answer
@@ -237,9 +238,10 @@ impl<'m, 'a> Near<'m, 'a> {
         };
         let Model { base, problem, .. } = self.model;
         let values = self.model.values(&moved[..*base]);
+        let whole = || problem.simulator.respond(&values[..*base], problem.inputs, &stages);
         let response = match &self.beside {
-            Some(beside) => beside.respond(&values[..*base], &stages)?,
-            None => problem.simulator.respond(&values[..*base], problem.inputs, &stages)?,
+            Some(beside) => beside.respond(&values[..*base], &stages).or_else(|_| whole())?,
+            None => whole()?,
         };
         Ok(self.model.left_by(response))
     }

@@ -18,10 +18,10 @@ use crate::{
     },
     text::{percent_of, significant, spoken},
     validation::{
-        among_rivals::{Named, best_foreteller},
+        among_rivals::{Named, best_foreteller, exchanged},
         cross_validation::{AllRows, HeldOutFit, compared, held_out},
         step_back::{LeftOut, step_back},
-        tuning::NEXT_TO_NOTHING,
+        tuning::{CLEARLY_WORSE, MOST_RIVALS, NEXT_TO_NOTHING},
         veto::{Against, Unseen},
     },
     whitening::noise_model::NoiseModel,
@@ -116,8 +116,26 @@ impl RowsLeftOut<'_, '_> {
             Unseen::of((self.by_base.unseen.clone(), &self.selection.base().fit), (named, &self.selection.models[model].fit));
         let stepped = !left_out.is_empty() && named_before;
         let decision = if stepped { stepped_back(self.selection, &decision, model, &self.left_by(model)) } else { decision };
+        let rivals = if stepped && decision.model == model { self.as_near(model, unseen.stood_behind()) } else { Vec::new() };
+        let decision = rivals.into_iter().fold(decision, Decision::with_rival);
         let told = if named_before { left_out.iter().map(|left| self.told(left)).collect() } else { Vec::new() };
         self.concluded(model, unseen, (decision, stepped), told)
+    }
+
+    /// What may stand in the place of an effect of a smaller model where the noise was not measured: the effect and its rivals, which were weighed beside effects that are not claimed. Rows
+    /// left out tell those apart that predict them clearly better.
+    fn as_near(&self, model: usize, named: &HeldOutFit) -> Vec<(usize, usize)> {
+        if self.prepared.noise_is_known() {
+            return Vec::new();
+        }
+        let near = |tried: &Tried| {
+            let both = compared(named, &self.predictions(tried));
+            both.is_some_and(|both| both.rmse[1] < CLEARLY_WORSE * both.rmse[0])
+        };
+        let library = self.prepared.testable.len();
+        let of_library = exchanged(self.selection, model).into_iter().filter(|((_, new), _)| *new < library);
+        let rivals = of_library.take(MOST_RIVALS);
+        rivals.filter(|(_, place)| near(&self.selection.models[*place])).map(|(pair, _)| pair).collect()
     }
 
     /// The decision once a model and what it foretells are known; whether it was `stepped` back to, and what was left out on the way.

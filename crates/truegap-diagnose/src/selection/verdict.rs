@@ -76,6 +76,16 @@ impl Decision {
         }
     }
 
+    /// The same with `new` in the set of the effect `own`: which of the two it is, is not told.
+    #[must_use]
+    pub(crate) fn with_rival(mut self, (own, new): (usize, usize)) -> Self {
+        if let Some(set) = self.sets.iter_mut().find(|set| set.contains(&own) && !set.contains(&new)) {
+            set.push(new);
+            self.verdict = Verdict::Ambiguous;
+        }
+        self
+    }
+
     /// Whether what is left beside a model that removes this share of the misfit is no reason to doubt it.
     pub(crate) fn adequate(removed: f64, after: &Adequacy) -> bool {
         !after.fires() || (removed >= ADEQUATE && after.left_over_noise < LOUD_REST)
@@ -214,6 +224,14 @@ mod tests {
         assert_eq!((large.verdict, large.model), (Verdict::Explained, 3));
         assert_eq!(Decision::nothing(Verdict::Agrees, 0).with_interference(0, 0.0, 1.0).verdict, Verdict::Unexplained);
         assert_eq!(Decision::nothing(Verdict::Undecided, 0).with_interference(0, 0.0, 99.0).verdict, Verdict::Undecided);
+    }
+
+    #[test]
+    fn a_rival_joins_the_set_of_its_effect() {
+        let two = explained().with_rival((7, 2));
+        assert_eq!((two.verdict, &two.sets), (Verdict::Ambiguous, &vec![vec![7, 2]]));
+        assert_eq!(two.with_rival((7, 2)).sets, [[7, 2]]);
+        assert_eq!(explained().with_rival((5, 2)).verdict, Verdict::Explained);
     }
 
     use crate::{

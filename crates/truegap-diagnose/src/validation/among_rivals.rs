@@ -49,6 +49,23 @@ fn rivals(selection: &Selection, first: usize, sets: &[Vec<usize>]) -> Vec<usize
     likely.filter(|model| one_of_each(&selection.models[*model].effects)).take(MOST_RIVALS).collect()
 }
 
+/// Models that hold another effect in the place of one of `model`, the nearest to the recording first: that effect and the other one, and the place of the model.
+pub(crate) fn exchanged(selection: &Selection, model: usize) -> Vec<((usize, usize), usize)> {
+    let own = &selection.models[model].effects;
+    let exchange = |place: usize| {
+        let other = &selection.models[place].effects;
+        let gone: Vec<usize> = own.iter().copied().filter(|e| !other.contains(e)).collect();
+        let new: Vec<usize> = other.iter().copied().filter(|e| !own.contains(e)).collect();
+        match (gone.as_slice(), new.as_slice()) {
+            ([gone], [new]) if other.len() == own.len() => Some(((*gone, *new), place)),
+            _ => None,
+        }
+    };
+    let mut found: Vec<_> = (0..selection.models.len()).filter_map(exchange).collect();
+    found.sort_by(|a, b| selection.models[a.1].fit.objective().total_cmp(&selection.models[b.1].fit.objective()));
+    found
+}
+
 /// The sets with the effect that is named first in each.
 fn first_of_each(sets: &[Vec<usize>], named: &[usize]) -> Vec<Vec<usize>> {
     let ordered = |set: &Vec<usize>| {
@@ -75,6 +92,15 @@ mod tests {
         let free = vec![(f64::NEG_INFINITY, f64::INFINITY); count];
         let fit = finish(vec![0.0; count], vec![0.0; 3], DMatrix::zeros(3, count), &free, Kinds::default(), (1, true));
         Tried { effects: effects.to_vec(), fit }
+    }
+
+    /// One effect of a pair is exchanged; neither a larger model nor one that shares nothing is a rival.
+    #[test]
+    fn a_rival_has_one_effect_exchanged() {
+        let all = selection(&[(&[], 0.0), (&[0, 1], 0.5), (&[2, 1], 0.2), (&[2, 3], 0.2), (&[0, 1, 2], 0.1), (&[3, 0], 0.0)]);
+        let mut found = exchanged(&all, 1);
+        found.sort_unstable();
+        assert_eq!(found, [((0, 2), 2), ((1, 3), 5)]);
     }
 
     fn selection(models: &[(&[usize], f64)]) -> Selection {

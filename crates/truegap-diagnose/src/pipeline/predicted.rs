@@ -108,10 +108,10 @@ impl RowsLeftOut<'_, '_> {
             }
             _ => ((asked, first.unseen), decision),
         };
-        let free_form = |e: usize| self.search.library[e].free_form();
+        let library = (self.prepared.testable.len(), |e: usize| self.search.library[e].free_form());
         let enough = |smaller: usize| self.could_be_named(smaller);
         let enough = (!self.prepared.noise_is_known()).then_some(enough);
-        let (model, named, left_out) = step_back(self.selection, start, &self.by_base.unseen, of, free_form, enough);
+        let (model, named, left_out) = step_back(self.selection, start, &self.by_base.unseen, of, library, enough);
         let unseen =
             Unseen::of((self.by_base.unseen.clone(), &self.selection.base().fit), (named, &self.selection.models[model].fit));
         let stepped = !left_out.is_empty() && named_before;
@@ -214,17 +214,26 @@ impl RowsLeftOut<'_, '_> {
         self.search.library[effect].id().to_string()
     }
 
+    /// Effects for a reader.
+    fn names(&self, effects: &[usize]) -> String {
+        let name = |e: &usize| match *e < self.prepared.testable.len() {
+            true => spoken(&self.id(*e)),
+            false => "a composed mechanism".into(),
+        };
+        effects.iter().map(name).collect::<Vec<_>>().join(" and ")
+    }
+
     fn told(&self, left: &LeftOut) -> String {
         format!(
             "{} would fit as well, but without it rows left out are predicted {} ({}), so it is not claimed",
-            spoken(&self.id(left.effect)),
+            self.names(&left.effects),
             left.against.others_predict(),
             measured(left.against, self.search.problem.simulator.unit())
         )
     }
 
     fn says_next_to_nothing(&self, model: usize, share: f64) -> String {
-        let names = self.effects(model).iter().map(|e| spoken(&self.id(*e))).collect::<Vec<_>>().join(" and ");
+        let names = self.names(self.effects(model));
         let removes = if share > 0.0 { format!("{} of", percent_of(share)) } else { "nothing of".into() };
         format!(
             "{names} would fit, but that removes {removes} the misfit on rows left out, and tests still see a difference, so it is not claimed"
@@ -234,7 +243,7 @@ impl RowsLeftOut<'_, '_> {
     fn says_too_little(&self, model: usize, against: Against) -> String {
         format!(
             "{} would fit, but without it rows left out are predicted {} ({}), so it is not claimed",
-            self.effects(model).iter().map(|e| spoken(&self.id(*e))).collect::<Vec<_>>().join(" and "),
+            self.names(self.effects(model)),
             against.others_predict(),
             measured(against, self.search.problem.simulator.unit())
         )

@@ -16,23 +16,23 @@ use crate::{
     },
 };
 
-/// An effect that is not claimed.
+/// An effect that is not claimed, or all mechanisms that were composed beside the others.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LeftOut {
-    /// index into the library
-    pub effect: usize,
+    /// indices into the library
+    pub effects: Vec<usize>,
     /// what rows left out say
     pub against: Against,
 }
 
 /// The model to stand behind instead of `start`, its predictions of rows left out, and what was left out on the way. Where the noise was not measured, `enough` says whether a model leaves
-/// little enough to be named by itself: else what is hardly felt explains the rest all the same.
+/// little enough to be named by itself: else what is hardly felt explains the rest all the same. Behind the first `library` effects stand composed mechanisms.
 pub(crate) fn step_back(
     selection: &Selection,
     start: (usize, HeldOutFit),
     base: &HeldOutFit,
     unseen: impl Fn(&Tried) -> HeldOutFit,
-    free_form: impl Fn(usize) -> bool,
+    (library, free_form): (usize, impl Fn(usize) -> bool),
     enough: Option<impl Fn(usize) -> bool>,
 ) -> (usize, HeldOutFit, Vec<LeftOut>) {
     let ((mut model, mut named), mut left_out) = (start, Vec::new());
@@ -43,12 +43,15 @@ pub(crate) fn step_back(
         let with = || (named.clone(), &selection.models[model].fit);
         let all = Unseen::of((base.clone(), &selection.base().fit), with());
         let doubtful = all.worse().is_some() || all.larger();
-        let smaller = |effect: &usize| {
-            let others: Vec<usize> = effects.iter().copied().filter(|e| e != effect).collect();
+        let smaller = |gone: Vec<usize>| {
+            let others: Vec<usize> = effects.iter().copied().filter(|e| !gone.contains(e)).collect();
             let place = selection.models.iter().position(|m| m.key() == others.as_slice().into())?;
-            (!others.is_empty() && !free_form(*effect)).then_some((*effect, place))
+            (!others.is_empty() && !gone.is_empty() && !gone.iter().any(|e| free_form(*e))).then_some((gone, place))
         };
-        let judged = effects.iter().filter_map(smaller).filter_map(|(effect, place)| {
+        // mechanisms were composed together, so that no model holds one of two
+        let composed = effects.iter().copied().filter(|e| *e >= library).collect();
+        let groups = effects.iter().map(|e| vec![*e]).chain([composed]);
+        let judged = groups.filter_map(smaller).filter_map(|(effects, place)| {
             let without = &selection.models[place];
             let both = Unseen::of((unseen(without), &without.fit), with());
             let better =
@@ -60,7 +63,7 @@ pub(crate) fn step_back(
             let little = || little(&both.base, &nearest).filter(|_| stands());
             let doubted = || if doubtful { better().map(Against::Errors) } else { None };
             let against = both.worse().or_else(doubted).or_else(little)?;
-            Some((place, both.base, LeftOut { effect, against }))
+            Some((place, both.base, LeftOut { effects, against }))
         });
         let cost = |left: &LeftOut| left.against.cost();
         let dearer = |a: (u8, f64), b: (u8, f64)| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1));
@@ -118,8 +121,8 @@ mod tests {
             let known = others.iter().find(|(effects, _)| *effects == tried.effects.as_slice());
             errs(known.map_or(1.0, |(_, error)| *error))
         };
-        let (_, _, left) = step_back(&selection(&models), (1, errs(1.0)), &errs(4.0), error, |_| false, enough);
-        left.into_iter().map(|left| left.effect).collect()
+        let (_, _, left) = step_back(&selection(&models), (1, errs(1.0)), &errs(4.0), error, (2 + 1, |_| false), enough);
+        left.into_iter().flat_map(|left| left.effects).collect()
     }
 
     /// Each of two effects gains 3 % on rows left out, both together 7 %; the third is what counts.
@@ -144,5 +147,15 @@ mod tests {
     #[test]
     fn what_the_rest_cannot_stand_without_stays() {
         assert!(left_out(HARDLY_FELT, Some(|_| false)).is_empty());
+    }
+
+    /// Two mechanisms beside an effect gain 3 % together; no model holds one of them.
+    #[test]
+    fn mechanisms_go_together() {
+        let all = selection(&[&[], &[0, 3, 4], &[0]]);
+        let error = |tried: &Tried| errs(if tried.effects == [0] { 1.03 } else { 1.0 });
+        let enough: Option<fn(usize) -> bool> = Some(|_| true);
+        let (model, _, left) = step_back(&all, (1, errs(1.0)), &errs(4.0), error, (3, |_| false), enough);
+        assert_eq!((model, left[0].effects.as_slice()), (2, &[3, 4][..]));
     }
 }

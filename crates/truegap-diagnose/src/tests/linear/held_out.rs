@@ -142,13 +142,13 @@ fn an_effect_without_which_the_rest_predicts_better_is_not_claimed() {
             let unseen = |tried: &Tried| of_parts(if tried.effects.contains(&1) { both } else { one });
             let start = (index(&[0, 1]), unseen(&selection.models[index(&[0, 1])]));
             let (model, named, left_out) =
-                step_back(&selection, start, &of_parts(base), unseen, |_| free, None::<fn(usize) -> bool>);
+                step_back(&selection, start, &of_parts(base), unseen, (usize::MAX, |_| free), None::<fn(usize) -> bool>);
             (model, named.parts[0].rmse(), left_out)
         };
         let told = |second: f64, free: bool| of_all([2.0; 3], [1.0; 3], [second; 3], free);
         let (model, error, left_out) = told(3.0, false);
         assert_eq!((model, error), (index(&[0]), Some(1.0)));
-        assert_eq!((left_out[0].effect, left_out[0].against), (1, Against::Errors([1.0, 3.0])));
+        assert_eq!((left_out[0].effects.as_slice(), left_out[0].against), (&[1][..], Against::Errors([1.0, 3.0])));
         // what predicts as well stays, and so does a number for whatever happens
         assert_eq!(told(0.5, false).0, index(&[0, 1]));
         assert_eq!(told(3.0, true).0, index(&[0, 1]));

@@ -19,14 +19,20 @@ use std::ops::Range;
 pub(crate) fn fitted(found: &Found<'_>, tried: &Tried, range: Range<usize>) -> Vec<FittedParameter> {
     let model = found.search.model(&tried.effects);
     let sd = found.sd(tried);
+    let held = |i: usize| {
+        let own = (0..tried.effects.len()).find(|index| model.range_of(*index).contains(&i));
+        own.is_some_and(|index| found.search.context.holds(model.effects[index].id(), &model.parameters[i].name))
+    };
     range
         .map(|i| {
             let parameter = model.parameters[i].clone();
-            let (z, sd) = (tried.fit.z[i], sd[i]);
+            // a number that is held is held at nothing, whatever the fit made of its last digits
+            let free = if held(i) { 0.0 } else { 1.0 };
+            let (z, slope) = (tried.fit.z[i], free * parameter.prior.slope(tried.fit.z[i]));
             FittedParameter {
-                value: parameter.prior.at(z),
-                sd: parameter.prior.slope(z) * sd,
-                sd_of_fit: parameter.prior.slope(z) * tried.fit.sd[i],
+                value: free * parameter.prior.at(z),
+                sd: slope * sd[i],
+                sd_of_fit: slope * tried.fit.sd[i],
                 at_limit: tried.fit.at_limit[i],
                 parameter,
             }

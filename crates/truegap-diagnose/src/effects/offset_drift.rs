@@ -123,20 +123,46 @@ impl Effect for OffsetDrift {
         Some(Box::new(Settling(drift(values))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        let unit = &fitted[0].parameter.unit;
-        let course = match fitted.get(1) {
-            Some(fading) if fading.value.abs() > 2.0 * fading.sd && fading.value > 0.0 => {
-                format!(", settling with a time constant of {}", rounded(3600.0 / fading.value, "s"))
+        let rate = &fitted[0];
+        let fading = fitted.get(1).filter(|fading| fading.value > 2.0 * fading.sd && fading.value > 0.0);
+        match fading {
+            // at the first row it is of no use to say how fast: what is lost in the end is what one sees
+            Some(fading) => {
+                let reading = rate.parameter.unit.strip_suffix("/h").unwrap_or(&rate.parameter.unit);
+                let end = |value: f64| value / fading.value;
+                let tau = rounded(HOUR / fading.value, "s");
+                format!(
+                    "the zero drifts by {} in the end, settling with a time constant of {tau}",
+                    with_sd(end(rate.value), end(rate.sd), reading)
+                )
             }
-            _ => String::new(),
-        };
-        format!("the zero drifts by {}{course}", with_sd(fitted[0].value, fitted[0].sd, unit))
+            None => format!("the zero drifts by {}", with_sd(rate.value, rate.sd, &rate.parameter.unit)),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// 16 000 um/h that are gone after a second and a half are 7 um.
+    #[test]
+    fn a_drift_that_settles_is_told_by_where_it_settles() {
+        let number = |name: &str, unit: &str, value: f64, sd: f64| FittedParameter {
+            parameter: Parameter::normal(name, unit, 0.0, 1.0, ""),
+            value,
+            sd,
+            sd_of_fit: sd,
+            at_limit: false,
+        };
+        let settles = [number("rate", "um/h", 16_000.0, 800.0), number("fading", "1/h", 2400.0, 100.0)];
+        assert_eq!(
+            OffsetDrift.says(&settles),
+            "the zero drifts by 6.67 um (sd 0.33) in the end, settling with a time constant of 1.50 s"
+        );
+        let straight = [number("rate", "ns/h", 0.256, 0.044), number("fading", "1/h", 0.0, 0.0)];
+        assert_eq!(OffsetDrift.says(&straight), "the zero drifts by 0.256 ns/h (sd 0.044)");
+    }
 
     #[test]
     fn a_drift_that_fades_by_a_fifth_an_hour_stops_after_five_hours_of_it() {

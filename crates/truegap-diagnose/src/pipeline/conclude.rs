@@ -7,6 +7,7 @@ use crate::{
     data::error::DiagnoseError,
     discovery::{compose::Composition, discover::with_mechanisms},
     pipeline::{
+        by_name::by_name,
         judged::{Judged, Told, composed, judged},
         options::Options,
         permuted_searches::permuted_searches,
@@ -41,8 +42,12 @@ pub(crate) fn conclude(
     started: Instant,
 ) -> Result<Outcome, DiagnoseError> {
     let (bank, examined, composition) = sharpened(&prepared, examined, composition, told)?;
-    let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held } =
-        judged(&prepared, told, examined, composition)?;
+    let judged = judged(&prepared, told, examined, composition)?;
+    let judged = match by_name(&prepared, told, &judged) {
+        Some(name) => judged.told_by(name),
+        None => judged,
+    };
+    let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held } = judged;
     prepared.context.held = held;
     let prepared = &prepared;
     let searched = prepared.searched();

@@ -15,7 +15,6 @@ use crate::{
     explain::hidden_input::slow_input::SlowInput,
     fit::model::Model,
     pipeline::{
-        by_name::by_name,
         options::Options,
         predicted::{ByBase, Predicted, by_base, predicted},
         prepare::Prepared,
@@ -73,19 +72,6 @@ pub(crate) fn examined(prepared: &Prepared<'_>, told: &Told<'_>) -> Result<Exami
 /// # Errors
 /// Those of the simulator.
 pub(crate) fn judged(
-    prepared: &Prepared<'_>,
-    told: &Told<'_>,
-    examined: Examined,
-    composition: Option<Composition>,
-) -> Result<Judged, DiagnoseError> {
-    let judged = judged_or_refuted(prepared, told, examined, composition)?;
-    Ok(match by_name(prepared, told, &judged) {
-        Some(name) => judged.told_by(name),
-        None => judged,
-    })
-}
-
-fn judged_or_refuted(
     prepared: &Prepared<'_>,
     told: &Told<'_>,
     examined: Examined,

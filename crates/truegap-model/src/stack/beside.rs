@@ -6,8 +6,7 @@
 //! Limits: stages act in full, on columns that differ by the step; a plate that touches only after the step is not seen.
 
 use super::{
-    device::Device,
-    model::Stack,
+    device::{Described, Device},
     plates::{PICO, ends, force_n},
     sloped::{QUANTITIES, Shape, Sloped, aspect, at, sloped},
 };
@@ -52,7 +51,7 @@ struct Strained {
 
 /// The stack at a point, every row with its slopes.
 pub(super) struct Near<'s> {
-    stack: &'s Stack,
+    stack: &'s dyn Described,
     inputs: &'s Inputs,
     device: Device,
     stiffening: [f64; 2],
@@ -61,8 +60,13 @@ pub(super) struct Near<'s> {
 
 impl<'s> Near<'s> {
     /// The point itself, with `stages` plugged in.
-    pub fn at(stack: &'s Stack, values: &[f64], inputs: &'s Inputs, stages: &[&dyn Stage]) -> Result<Self, SimulationError> {
-        let device = stack.device(values);
+    pub fn at(
+        stack: &'s dyn Described,
+        values: &[f64],
+        inputs: &'s Inputs,
+        stages: &[&dyn Stage],
+    ) -> Result<Self, SimulationError> {
+        let device = stack.described(values);
         let kept = Kept {
             device: &device,
             values,
@@ -78,7 +82,7 @@ impl<'s> Near<'s> {
 
 impl Beside for Near<'_> {
     fn respond(&self, values: &[f64], stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
-        let device = self.stack.device(values);
+        let device = self.stack.described(values);
         let same = Same::of(&self.device, &device);
         walk(self.stack, &Moved { near: self, device: &device, values, same }, values, self.inputs, stages)
     }
@@ -244,7 +248,7 @@ impl Plates for Moved<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{SeriesOrder, StackOptions, cases};
+    use crate::{SeriesOrder, Stack, StackOptions, cases};
     use truegap_core::{Sensor, Simulator};
 
     /// Acts at every place that the stack's physics sees, in proportion to its size.

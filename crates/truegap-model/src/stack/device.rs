@@ -18,9 +18,15 @@ use crate::equations::{
 use crate::wedge::shape_factor;
 use std::f64::consts::PI;
 use truegap_core::{
-    Refusal, Sensor, VACUUM_PERMITTIVITY,
+    Refusal, Sensor, Simulator, VACUUM_PERMITTIVITY,
     sensor::{Filling, Layer, Layout},
 };
+
+/// A simulator whose parameter values describe a device.
+pub(super) trait Described: Simulator {
+    /// The numbers of one set of parameter values, ready for any row.
+    fn described(&self, values: &[f64]) -> Device;
+}
 
 /// A layer's constants without its name.
 #[derive(Clone, Copy, Debug, PartialEq)]

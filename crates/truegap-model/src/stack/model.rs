@@ -4,7 +4,7 @@
 
 use super::{
     beside::Near,
-    device::Device,
+    device::{Described, Device},
     knobs::{self, Knob},
     options::StackOptions,
     plates::{Filled, plain},
@@ -56,6 +56,12 @@ impl Stack {
     /// The numbers of one set of parameter values, ready for any row.
     pub fn device(&self, values: &[f64]) -> Device {
         Device::new(&self.calibrated(values), self.options)
+    }
+}
+
+impl Described for Stack {
+    fn described(&self, values: &[f64]) -> Device {
+        self.device(values)
     }
 }
 

@@ -54,13 +54,13 @@ def main():
 def copy(scratch):
     """A workspace of its own with this crate and what its tests read; its target folder stays from run to run."""
     crate = scratch / "crates/truegap-fem"
-    for folder in ["crates/truegap-fem", "meshes", "validation/verification"]:
+    for folder in ["crates/truegap-fem", "crates/truegap-limits", "meshes", "validation/verification"]:
         shutil.rmtree(scratch / folder, ignore_errors=True)
         shutil.copytree(ROOT / folder, scratch / folder)
     manifest = (ROOT / "Cargo.toml").read_text()
     manifest = re.sub(r"members = \[.*\]", 'members = ["crates/truegap-fem"]', manifest, count=1)
     manifest = re.sub(r"default-members = \[.*\]\n", "", manifest, count=1)
-    manifest = re.sub(r'^truegap[a-z-]* = \{ path.*\n', "", manifest, flags=re.MULTILINE)
+    manifest = re.sub(r'^truegap(?!-limits)[a-z-]* = \{ path.*\n', "", manifest, flags=re.MULTILINE)
     (scratch / "Cargo.toml").write_text(manifest)
     shutil.copy(ROOT / "Cargo.lock", scratch / "Cargo.lock")
     for source in crate.rglob("*.rs"):

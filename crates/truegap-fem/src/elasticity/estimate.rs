@@ -27,6 +27,8 @@ pub(crate) enum FieldRef<'a> {
     Equilibrium,
     /// A solution of the linearised problem without inner loads.
     Dual(&'a [f64]),
+    /// The dual field of the stored energy, whose inner load is the stress of the equilibrium.
+    EnergyDual(&'a [f64]),
 }
 
 /// Displacement unknowns of a local problem.
@@ -152,8 +154,10 @@ impl Local<'_> {
                 let moved = push(symmetry, x);
                 [0, 1].map(|c| dead * p.normal[c] + per_area * moved[c])
             }
-            FieldRef::Dual(_) if following == 0.0 => [0.0; 2],
-            FieldRef::Dual(z) => push_change(symmetry, x, field_on(self.body, t, k, s, z)).map(|f| per_area * f),
+            _ if following == 0.0 => [0.0; 2],
+            FieldRef::Dual(z) | FieldRef::EnergyDual(z) => {
+                push_change(symmetry, x, field_on(self.body, t, k, s, z)).map(|f| per_area * f)
+            }
         };
         self.fields.iter().map(loaded).collect()
     }
@@ -166,13 +170,19 @@ impl Local<'_> {
 
     /// Nominal stress and volume gap of a field at a point.
     fn stress<L: Law>(&self, t: usize, field: FieldRef, at: &At<L>, s: &MappedQuadraturePoint) -> (Tensor, f64) {
-        let FieldRef::Dual(z) = field else { return (at.stress(), at.gap()) };
+        let (z, inner) = match field {
+            FieldRef::Equilibrium => return (at.stress(), at.gap()),
+            FieldRef::Dual(z) => (z, 0.0),
+            FieldRef::EnergyDual(z) => (z, 1.0),
+        };
         let of = self.body.dofs.of(t);
         let local: Vec<f64> = of.iter().map(|&d| z[d as usize]).collect();
         let (u, p) = local.split_at(2 * s.shapes.len());
         let h = displacement_gradient(self.body.problem.symmetry, s.at[0], s.shapes, u);
         let p: f64 = s.pressures.iter().zip(p).map(|(n, p)| n * p).sum();
-        (at.tangent(&h) + at.volume_slope() * p, at.volume_slope().dot(&h) - at.pressure_compliance() * p)
+        let (stress, gap) = (at.tangent(&h) + at.volume_slope() * p, at.volume_slope().dot(&h) - at.pressure_compliance() * p);
+        // The slope of the energy is the work of the inner forces: on the bubbles too, where they are not in balance.
+        (stress - at.stress() * inner, gap - at.gap() * inner)
     }
 }
 

@@ -107,6 +107,8 @@ struct Functional {
     scale: f64,
     /// Dual field, or `None` where the equilibrium is its own.
     dual: Option<Vec<f64>>,
+    /// Whether the functional is loaded inside, by the stress of the equilibrium.
+    inner: bool,
     factor: f64,
     /// Error of evaluation, beside that of the solution.
     extra: f64,
@@ -181,7 +183,8 @@ fn level(problem: &Problem, quantities: &[Quantity]) -> Result<(Outcome, Vec<Jud
     let mut pairs = Vec::new();
     for f in &functionals {
         pairs.push((0, if f.dual.is_some() { fields.len() } else { 0 }));
-        fields.extend(f.dual.as_deref().map(FieldRef::Dual));
+        let field = if f.inner { FieldRef::EnergyDual } else { FieldRef::Dual };
+        fields.extend(f.dual.as_deref().map(field));
     }
     let parts = estimate_pairs(&solver, &fields, &pairs);
     let judged: Vec<Judged> =
@@ -212,13 +215,23 @@ fn functional(solver: &mut Solver, s: &Solution, goal: &Goal) -> Result<Function
             // The energy is not stationary: its slope is the inner forces.
             let dual = Some(solver.dual(&solver.inner_forces(), vec![0.0; count])?);
             let value = s.energy();
-            Ok(Functional { value, unit: unit("J", "J/m"), scale: value.abs(), dual, factor: 1.0, extra: 0.0, floor })
+            Ok(Functional {
+                value,
+                unit: unit("J", "J/m"),
+                scale: value.abs(),
+                dual,
+                inner: true,
+                factor: 1.0,
+                extra: 0.0,
+                floor,
+            })
         }
         Goal::Energy => Ok(Functional {
             value: s.energy(),
             unit: unit("J", "J/m"),
             scale: s.energy().abs(),
             dual: None,
+            inner: false,
             factor: 0.5,
             extra: 0.0,
             floor,
@@ -234,7 +247,16 @@ fn functional(solver: &mut Solver, s: &Solution, goal: &Goal) -> Result<Function
                 return Err(ElasticityError::NoSupport { boundary: boundary.clone() });
             }
             let dual = Some(solver.dual(&vec![0.0; count], moved)?);
-            Ok(Functional { value, unit: unit("N", "N/m"), scale: value.abs(), dual, factor: 1.0, extra: 0.0, floor })
+            Ok(Functional {
+                value,
+                unit: unit("N", "N/m"),
+                scale: value.abs(),
+                dual,
+                inner: false,
+                factor: 1.0,
+                extra: 0.0,
+                floor,
+            })
         }
         Goal::Displacement { at, component } => {
             let value = s.displacement_at(*at)?[component.index()];
@@ -245,6 +267,7 @@ fn functional(solver: &mut Solver, s: &Solution, goal: &Goal) -> Result<Function
                 unit: "m",
                 scale: value.abs().max(1e-3 * largest),
                 dual,
+                inner: false,
                 factor: 1.0,
                 extra: 0.0,
                 floor: CANCELLATION_FLOOR,
@@ -273,6 +296,7 @@ fn point_functional(
         unit: if stress { "Pa" } else { "1" },
         scale,
         dual,
+        inner: false,
         factor: 1.0,
         extra: spread,
         floor: CANCELLATION_FLOOR,

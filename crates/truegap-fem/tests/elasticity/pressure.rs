@@ -98,14 +98,17 @@ fn errors_under_a_following_pressure_are_estimated() {
     let quantities = goals.map(|goal| Quantity { name: "q".into(), goal });
     for n in [4, 8] {
         let out = solve_goals(&tube(n, Condition::pressure("left", pressure)), &quantities).unwrap();
-        let dead = solve_goals(&tube(n, Condition::dead_pressure("left", 2.25 * pressure)), &quantities).unwrap();
-        for a in &dead.answers {
-            println!("dead {:e} +- {:e}", a.value, a.error_estimate);
-        }
-        for (a, exact) in out.answers.iter().zip(exact) {
-            let effectivity = a.error_estimate / (a.value - exact).abs();
-            println!("{n} columns: {:.7e} against {exact:.7e}, effectivity {effectivity:.2}", a.value);
-        }
+        let effectivity = |i: usize| {
+            let a = &out.answers[i];
+            let effectivity = a.error_estimate / (a.value - exact[i]).abs();
+            println!("{n} columns: {:.7e} against {:.7e}, effectivity {effectivity:.2}", a.value, exact[i]);
+            effectivity
+        };
+        // At a point the dual is singular: the range that docs/cases.md states. An energy may be overestimated where the
+        // parts of displacement and pressure cancel, here to 1e-3, and must not be underestimated.
+        assert!((0.14..9.2).contains(&effectivity(0)));
+        let energy = effectivity(1);
+        assert!((0.5..30.0).contains(&energy), "{energy}");
     }
 }
 

@@ -1,6 +1,6 @@
 //! PERMITTIVITY-CONSTANT: one permittivity at all temperatures against polymers that thin out as they expand.
 //!
-//! Limits: density only, by Clausius and Mossotti, without a free number; dipoles and water make real films change more.
+//! Limits: density only, by Clausius and Mossotti, without a free number; dipoles and water act beside it with either sign, so that it is no lower bound.
 
 use crate::{
     assumption::Assumption,

@@ -2,6 +2,8 @@
 //!
 //! Where rows left out contradict all of the library's answer, a mechanism from outside it is looked for beside the base model, as if the library had had none. It has to stand the same tests.
 //!
+//! Where the noise was not measured, mechanisms have to foretell rows left out clearly better than the library's own answer: else that is told.
+//!
 //! Limits: nothing is put into words here.
 
 use crate::{
@@ -20,11 +22,12 @@ use crate::{
         prepare::Prepared,
     },
     selection::{
-        candidates::{Progress, Search},
+        candidates::{Progress, Search, Tried},
         examine::{Examined, examine},
         posterior::Selection,
         verdict::{Decision, Verdict, interrupted},
     },
+    validation::veto::Unseen,
 };
 use std::sync::atomic::AtomicBool;
 use truegap_core::EffectId;
@@ -77,14 +80,22 @@ pub(crate) fn judged(
     examined: Examined,
     composition: Option<Composition>,
 ) -> Result<Judged, DiagnoseError> {
+    let strained = composition.as_ref().is_some_and(|composition| composition.library_strained);
+    // the odds of mechanisms are what the noise was taken for
+    let by_library = (composition.is_some() && !prepared.noise_is_known()).then(|| examined.clone());
     let first = judged_once(prepared, told, examined, composition, None)?;
+    if let Some(examined) = by_library {
+        let library = judged_once(prepared, told, examined, None, Some(first.by_base.clone()))?;
+        if library.stands_before(&first, strained) {
+            return Ok(library);
+        }
+    }
     if !first.took_all_back(prepared.testable.len()) || !may_compose(told.options) {
         return Ok(first);
     }
     let Some((examined, composition)) = first.refuted(prepared, told) else { return Ok(first) };
     let second = judged_once(prepared, told, examined, Some(composition), Some(first.by_base.clone()))?;
-    let names = second.predicted.decision.model != second.examined.selection.base;
-    Ok(if names { second.after(first) } else { first })
+    Ok(if second.names_something() { second.after(first) } else { first })
 }
 
 fn judged_once(
@@ -114,6 +125,25 @@ fn judged_once(
 }
 
 impl Judged {
+    fn names_something(&self) -> bool {
+        self.predicted.decision.model != self.examined.selection.base
+    }
+
+    /// Whether it names something that foretells rows left out as well as what `other` names; clearly better where its laws are `strained`, that is have run to their limits.
+    fn stands_before(&self, other: &Self, strained: bool) -> bool {
+        let borne_out = |judged: &Self, beside: &Self| {
+            let told = |judged: &Self| (judged.predicted.unseen.stood_behind().clone(), judged.stood_behind().fit.clone());
+            let ((own, own_fit), (others, others_fit)) = (told(judged), told(beside));
+            Unseen::of((others, &others_fit), (own, &own_fit)).against(false).is_none()
+        };
+        let better = || if strained { borne_out(self, other) } else { !other.names_something() || !borne_out(other, self) };
+        self.names_something() && better()
+    }
+
+    fn stood_behind(&self) -> &Tried {
+        &self.examined.selection.models[self.predicted.decision.model]
+    }
+
     /// Whether rows left out took back all that was named, and all of it was of the `library` effects.
     fn took_all_back(&self, library: usize) -> bool {
         let (selection, named) = (&self.examined.selection, self.examined.decision.model);

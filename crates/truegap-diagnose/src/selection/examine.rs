@@ -18,6 +18,7 @@ use std::sync::atomic::Ordering;
 use truegap_core::SimulationError;
 
 /// What was found before it is put into words.
+#[derive(Clone)]
 pub struct Examined {
     /// models and probabilities
     pub selection: Selection,

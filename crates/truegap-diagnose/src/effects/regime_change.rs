@@ -182,8 +182,8 @@ fn told_apart(context: &Context<'_>, of: Of) -> Option<(f64, f64)> {
 
 /// Times at which a change is looked for to begin with.
 const LOOKED_AT: usize = 6;
-/// Length of the change to begin with, as a share of that of the recording: long, so that its time is found from afar.
-const AT_FIRST: f64 = 0.15;
+/// Longest that a change may take, as a share of the recording: what takes longer is a drift, and nothing was switched. It is looked for at that length, so that its time is found from afar.
+const LONGEST: f64 = 0.05;
 
 impl Effect for RegimeChange {
     fn id(&self) -> EffectId {
@@ -239,8 +239,8 @@ impl Effect for RegimeChange {
             Parameter::normal("change", &of.unit(context), 0.0, size, "coefficient after the change less that before"),
             Parameter::normal("when", unit, 0.5 * length, 0.4 * length, "time of the change after the first row")
                 .within(earliest, latest),
-            Parameter::log_normal("takes", unit, (0.02 * length).max(step), 1.5, "time that the change takes")
-                .within(step, (0.3 * length).max(2.0 * step)),
+            Parameter::log_normal("takes", unit, (0.4 * LONGEST * length).max(step), 1.5, "time that the change takes")
+                .within(step, (LONGEST * length).max(2.0 * step)),
         ];
         if of != Of::Nothing {
             let x = if of == Of::Reading { "reading" } else { "change of the reading" };
@@ -254,8 +254,8 @@ impl Effect for RegimeChange {
         let (earliest, latest) = told_apart(context, of).unwrap_or((0.0, length));
         let times = (0..LOOKED_AT).map(|k| earliest + (latest - earliest) * (k as f64 + 0.5) / LOOKED_AT as f64);
         let shape = |t: f64| match of {
-            Of::Nothing => vec![t, AT_FIRST * length],
-            _ => vec![t, AT_FIRST * length, -of.middle(context)],
+            Of::Nothing => vec![t, LONGEST * length],
+            _ => vec![t, LONGEST * length, -of.middle(context)],
         };
         times.map(shape).collect()
     }

@@ -39,18 +39,28 @@ pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
     let run = context.longest_run_s.max(1.0);
     // somewhere between a step and a run, in the logarithm
     let middle = 0.3 * (context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0) * run).sqrt();
-    let rate = 5.0 * context.response_span.abs() / run;
+    let rate = usual_rate(context);
     vec![
         Parameter::normal("tau", "s", 0.0, middle, "time constant of the reading, of its quick way where there are two")
             .within(0.0, run),
         Parameter::normal("slow_share", "1", 0.0, 0.4, "part that follows by the slower way").within(0.0, 0.95),
-        Parameter::log_normal("slower", "1", 10.0, 0.7, "its time constant over that of the quick way").within(2.0, 200.0),
+        Parameter::log_normal("slower", "1", 10.0, 0.7, "its time constant over that of the quick way").within(2.0, AT_ONCE),
         Parameter::normal("before", &format!("{}/s", context.simulator.unit()), 0.0, rate, "change before the first row"),
     ]
 }
 
-pub(crate) fn starts() -> Vec<Vec<f64>> {
-    vec![vec![0.02, 10.0, 0.0], vec![0.5, 15.0, 0.0]]
+/// Most times that the slow way is slower: the quick one then comes at once, beside any clock. (200 was a limit to which the fit of two thermometers ran, one of which follows at once for the most part.)
+pub(crate) const AT_ONCE: f64 = 1e4;
+
+/// Usual change of the true value before the first row, in its unit a second: five spans in a run.
+fn usual_rate(context: &Context<'_>) -> f64 {
+    5.0 * context.response_span.abs() / context.longest_run_s.max(1.0)
+}
+
+/// In equilibrium at first, or on its way up or down: what was switched on or poured in just before the first row.
+pub(crate) fn starts(context: &Context<'_>) -> Vec<Vec<f64>> {
+    let rate = usual_rate(context);
+    vec![vec![0.02, 10.0, 0.0], vec![0.5, 15.0, 0.0], vec![0.02, 10.0, rate], vec![0.02, 10.0, -rate]]
 }
 
 pub(crate) fn late(values: &[f64]) -> Box<dyn Stage> {
@@ -116,8 +126,8 @@ impl Effect for SlowResponse {
     fn of_start(&self, _: &Context<'_>) -> &'static [&'static str] {
         BEFORE
     }
-    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
-        starts()
+    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
+        starts(context)
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["slow_share"]

@@ -91,7 +91,7 @@ impl Effect for ThermalLag {
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         if reads_temperature(context) {
-            return slow_response::starts();
+            return slow_response::starts(context);
         }
         vec![vec![0.02, 10.0], vec![0.5, 15.0]]
     }

@@ -4,6 +4,7 @@ use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
+        course::Course,
         each_recording::EachRecording,
         effect::{About, Effect, Family, FittedParameter},
         memory::at_time,
@@ -105,7 +106,7 @@ impl Effect for ClockRate {
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Inputs)?;
         context.needs_clock()?;
-        context.needs_course()
+        Course::on_a_clock(context).map(|_| ())
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
         Box::new(clocks(values))
@@ -114,14 +115,21 @@ impl Effect for ClockRate {
         context.simulator.full_load().map(|_| Box::new(Lost(clocks(values))) as Box<dyn Stage>)
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        let (rate, agree) = (fitted[0].value, fitted[1].value);
-        let way = if rate < 0.0 { "gains" } else { "loses" };
-        format!(
-            "the clock of the load {way} {} a second on that of the response; they agree {} after the first row",
-            with_sd(rate.abs(), fitted[0].sd, "s"),
-            rounded(agree, "s")
-        )
+        said("the load", fitted)
     }
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
+        said(Course::on_a_clock(context).map_or("the load", |course| course.name(context)), fitted)
+    }
+}
+
+fn said(whose: &str, fitted: &[FittedParameter]) -> String {
+    let (rate, agree) = (fitted[0].value, fitted[1].value);
+    let way = if rate < 0.0 { "gains" } else { "loses" };
+    format!(
+        "the clock of {whose} {way} {} a second on that of the response; they agree {} after the first row",
+        with_sd(rate.abs(), fitted[0].sd, "s"),
+        rounded(agree, "s")
+    )
 }
 
 /// Standard deviation of the rate: nominal sampling rates are kept to some tenths of a per cent.

@@ -120,6 +120,22 @@ impl Course {
         matches!((respond(context.inputs), respond(&moved)), (Ok(here), Ok(there)) if here != there)
     }
 
+    /// The column whose course the base model follows, on a clock of its own: a load that moves, a gap, a simulation, else the first driver that the base model follows by itself.
+    ///
+    /// # Errors
+    /// That nothing of this kind was recorded.
+    pub fn on_a_clock(context: &Context<'_>) -> Result<Self, String> {
+        if context.inputs.gap_m.is_some() {
+            return Ok(Self::Gap);
+        }
+        if context.inputs.simulated.is_some() {
+            return Ok(Self::Simulated);
+        }
+        let Err(why) = context.needs_load() else { return Ok(Self::Load) };
+        let drivers = (0..context.moved.drivers.len()).filter_map(|number| Self::of(context, number));
+        drivers.into_iter().find(|course| course.is_followed(context)).ok_or(why)
+    }
+
     /// What it is in words.
     pub fn driver(self, context: &Context<'_>) -> Driver {
         match self {

@@ -4,6 +4,7 @@ use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
+        course::Course,
         each_recording::EachRecording,
         effect::{About, Effect, Family, FittedParameter, Separation},
         memory::rates,
@@ -79,7 +80,7 @@ impl Effect for TimeOffset {
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Inputs)?;
         context.needs_clock()?;
-        context.needs_course()
+        Course::on_a_clock(context).map(|_| ())
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
         Box::new(Shift(values[0]))
@@ -88,8 +89,15 @@ impl Effect for TimeOffset {
         context.simulator.full_load().map(|_| Box::new(Slope(values[0])) as Box<dyn Stage>)
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        let late = fitted[0].value;
-        let way = if late < 0.0 { "early" } else { "late" };
-        format!("the clock of the load is {} {way}", with_sd(late.abs(), fitted[0].sd, "s"))
+        said("the load", fitted)
     }
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
+        said(Course::on_a_clock(context).map_or("the load", |course| course.name(context)), fitted)
+    }
+}
+
+fn said(whose: &str, fitted: &[FittedParameter]) -> String {
+    let late = fitted[0].value;
+    let way = if late < 0.0 { "early" } else { "late" };
+    format!("the clock of {whose} is {} {way}", with_sd(late.abs(), fitted[0].sd, "s"))
 }

@@ -64,8 +64,8 @@ impl Simulator for Linear {
 
     fn lacks(&self, stage: StageName) -> Option<&'static str> {
         match stage {
-            StageName::Inputs if !self.is_loaded() && self.driver.role() != Some(Role::Gap) => {
-                Some("the base model is not driven by a load")
+            StageName::Inputs if !self.is_loaded() && !matches!(self.driver.role(), None | Some(Role::Gap)) => {
+                Some("the base model is driven by no column that has a clock of its own")
             }
             StageName::LoadPath | StageName::Beads if !self.is_loaded() => Some("the base model is not driven by a load"),
             StageName::Geometry | StageName::Dielectric | StageName::Field => Some("a curve has no plates"),

@@ -60,7 +60,7 @@ pub(crate) fn sets_told(selection: &Selection, best: usize) -> Vec<Vec<usize>> {
     let places = selection.models[likeliest].effects.iter().zip(rival_sets(selection, likeliest, Places::One));
     let sets: Vec<Vec<usize>> = places.filter(|(effect, _)| told.contains(effect)).map(|(_, set)| set).collect();
     let sure = told.iter().all(|e| selection.effect_probability[*e] >= SURE);
-    if sets.iter().any(|set| set.len() > 1) || likeliest != best || sure {
+    if sets.iter().any(|set| set.len() > 1) || sure {
         return sets;
     }
     rival_sets(selection, best, Places::OneOrTwo)

@@ -8,7 +8,7 @@ use crate::{
         effect_set::EffectSet,
         posterior::Selection,
         rival_sets::{Places, in_its_place, rival_sets, sets_told},
-        tuning::{ADEQUATE, AGREED, DETECTED, LIKELIER_THAN_NOT, LOUD_REST, RIGHT_FAMILY, SURE},
+        tuning::{ADEQUATE, AGREED, DETECTED, LIKELIER_THAN_NOT, LOUD_REST, RIGHT_FAMILY, RIVAL, SURE},
         unmodelled::Unmodelled,
     },
 };
@@ -98,7 +98,9 @@ impl Decision {
 }
 
 /// The model to stand behind, an index into the selection's: the likeliest that names something. Where that holds effects that are not sure, and none of its effects has a
-/// rival in its place, the model of those that are sure; where one has, the model without those that are less likely than not. `None` where nothing was fitted.
+/// rival in its place, the model of those that are sure; where one has, the model without those that are less likely than not. A smaller model that the evidence excludes is no answer:
+/// something has to be in the place of what it lacks. Where that is one of several, the smallest part of the likeliest model that is not excluded is stood behind. `None` where nothing was
+/// fitted.
 pub fn stated(selection: &Selection) -> Option<usize> {
     let best = selection.likeliest_named()?;
     let effects = &selection.models[best].effects;
@@ -107,7 +109,24 @@ pub fn stated(selection: &Selection) -> Option<usize> {
     let told: EffectSet =
         effects.iter().copied().zip(in_its_place(selection, best)).filter(|(_, p)| *p >= least).map(|(e, _)| e).collect();
     let smaller = selection.models.iter().position(|m| !m.effects.is_empty() && m.key() == told);
-    Some(smaller.unwrap_or(best))
+    let excluded = |model: usize| selection.probability[model] < RIVAL * selection.probability[best];
+    let Some(told) = smaller.filter(|told| excluded(*told)) else { return Some(smaller.unwrap_or(best)) };
+    let one_of_several = |model: usize| sets_told(selection, model).iter().any(|set| set.len() > 1);
+    let parts = parts_of(selection, best).into_iter().filter(|part| !excluded(*part));
+    Some(parts.into_iter().find(|part| one_of_several(*part)).unwrap_or(told))
+}
+
+/// Models that hold some or all effects of model `best` and no other, the smallest first, of one size the likeliest.
+fn parts_of(selection: &Selection, best: usize) -> Vec<usize> {
+    let whole = &selection.models[best].effects;
+    let is_part = |model: &usize| {
+        let effects = &selection.models[*model].effects;
+        !effects.is_empty() && effects.iter().all(|e| whole.contains(e))
+    };
+    let mut parts: Vec<usize> = (0..selection.models.len()).filter(is_part).collect();
+    let size = |model: usize| selection.models[model].effects.len();
+    parts.sort_by(|a, b| size(*a).cmp(&size(*b)).then(selection.probability[*b].total_cmp(&selection.probability[*a])));
+    parts
 }
 
 /// Decides; `after` is the adequacy of the model that [`stated`] names, `free_form` says which effects have no equation that could be wrong.
@@ -335,6 +354,14 @@ mod tests {
         let two: &[(&[usize], f64)] = &[(&[0, 1], 0.6), (&[0], 0.39), (&[], 0.01)];
         let found = decided(two, 0.0, 0.0);
         assert_eq!((found.verdict, found.sets, found.model), (Verdict::Explained, vec![vec![0]], 1));
+    }
+
+    /// A curve is sure, and beside it one of two or both; the curve alone is excluded. It is not stated for want of a sure second one: the likeliest of the two stands, with the other as rival.
+    #[test]
+    fn what_the_evidence_excludes_is_not_stated_for_want_of_a_sure_name() {
+        let open: &[(&[usize], f64)] = &[(&[0, 1, 2], 0.45), (&[0, 1], 0.42), (&[0, 2], 0.13), (&[0], 0.0), (&[], 0.0)];
+        let found = decided(open, 0.0, 0.0);
+        assert_eq!((found.verdict, found.model, found.sets), (Verdict::Ambiguous, 1, vec![vec![0], vec![1, 2]]));
     }
 
     /// Two effects were stood behind; the second is not claimed any more. What is left decides on the form as before, and a set stays with its effect.

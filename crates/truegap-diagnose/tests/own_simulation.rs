@@ -7,7 +7,8 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use truegap_core::{
-    Drive, Driver, EffectId, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName,
+    Driver, EffectId, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, simulator::StageName,
+    walk_without_plates,
 };
 use truegap_diagnose::mechanism::{self, Action, Composed, Form, Kinetics, Numbers, Quantity, Sentence};
 use truegap_diagnose::quality::{Rows, repeated};
@@ -20,13 +21,21 @@ use truegap_diagnose::{
 /// One that follows its first driver counts how often it is asked without any.
 struct Given {
     parameters: Vec<Parameter>,
+    unit: &'static str,
     follows_driver: bool,
+    follows_clock: bool,
     asked_without: AtomicUsize,
 }
 
 impl Given {
     fn fixed() -> Self {
-        Self { parameters: Vec::new(), follows_driver: false, asked_without: AtomicUsize::new(0) }
+        Self {
+            parameters: Vec::new(),
+            unit: "V",
+            follows_driver: false,
+            follows_clock: false,
+            asked_without: AtomicUsize::new(0),
+        }
     }
 
     fn with_level() -> Self {
@@ -39,7 +48,7 @@ impl Simulator for Given {
         "given"
     }
     fn unit(&self) -> &str {
-        "V"
+        self.unit
     }
     fn parameters(&self) -> &[Parameter] {
         &self.parameters
@@ -48,7 +57,8 @@ impl Simulator for Given {
         &[]
     }
     fn lacks(&self, stage: StageName) -> Option<&'static str> {
-        (!matches!(stage, StageName::ThermalPath | StageName::Readout)).then_some("nothing is known of it")
+        let has = matches!(stage, StageName::ThermalPath | StageName::Readout);
+        (!has && !(self.follows_driver && stage == StageName::Inputs)).then_some("nothing is known of it")
     }
     fn full_load(&self) -> Option<f64> {
         None
@@ -57,20 +67,20 @@ impl Simulator for Given {
         None
     }
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
-        let level = values.first().copied().unwrap_or(3.0);
-        let mut value = inputs.simulated.clone().unwrap_or_else(|| vec![level; inputs.len()]);
-        if self.follows_driver {
-            match inputs.drivers.first() {
-                Some(driver) => value.iter_mut().zip(&driver.values).for_each(|(value, x)| *value += x),
-                None => _ = self.asked_without.fetch_add(1, Ordering::Relaxed),
+        walk_without_plates(self, values, inputs, stages, |drive| {
+            let level = values.first().copied().unwrap_or(3.0);
+            let mut value = drive.inputs.simulated.clone().unwrap_or_else(|| vec![level; inputs.len()]);
+            if let Some(time) = inputs.time_s.as_ref().filter(|_| self.follows_clock) {
+                value.iter_mut().zip(time).for_each(|(value, t)| *value -= 0.001 / 60.0 * (t - time[0]));
             }
-        }
-        let load = vec![0.0; inputs.len()];
-        let mut temperature = inputs.temperature_c.clone().unwrap_or_else(|| vec![20.0; inputs.len()]);
-        stages.iter().for_each(|stage| stage.thermal(inputs, &mut temperature));
-        let drive = Drive { inputs, load: &load, temperature_c: &temperature, reference_c: 20.0, full_load: 1.0 };
-        stages.iter().for_each(|stage| stage.readout(&drive, &Readout { zero: 3.0, span: 1.0 }, &mut value));
-        Ok(value)
+            if self.follows_driver {
+                match drive.inputs.drivers.first() {
+                    Some(driver) => value.iter_mut().zip(&driver.values).for_each(|(value, x)| *value += x),
+                    None => _ = self.asked_without.fetch_add(1, Ordering::Relaxed),
+                }
+            }
+            Ok((value, Readout { zero: 3.0, span: 1.0 }))
+        })
     }
 }
 
@@ -307,4 +317,79 @@ fn a_simulator_is_never_asked_without_the_drivers_that_were_recorded() {
     let said = said(&simulator, &inputs, &response);
     assert!(said.findings.iter().any(|f| f.effect == "temperature_coefficient"), "{}", said.says);
     assert_eq!(simulator.asked_without.load(Ordering::Relaxed), 0);
+}
+
+/// A thermometer in the sun and one in the shade of a wall: most of what the first shows comes to the second at once, an eighth with a time constant of two hours.
+#[test]
+fn a_part_that_comes_at_once_and_a_slow_rest_are_a_thermal_lag() {
+    let rows = 1500;
+    let time: Vec<f64> = (0..rows).map(|row| 900.0 * f64::from(row)).collect();
+    let first: Vec<f64> = time.iter().map(|t| 15.0 + 6.0 * (t / 13_751.0).sin() + 3.0 * (t / 71_000.0).sin()).collect();
+    let (mut slow, step) = (first[0], (-900.0f64 / 7200.0).exp());
+    let truth: Vec<f64> = first
+        .iter()
+        .map(|now| {
+            slow = now + (slow - now) * step;
+            0.87 * now + 0.13 * slow
+        })
+        .collect();
+    let inputs = Inputs { time_s: Some(time), run: vec![1; rows as usize], simulated: Some(first), ..Inputs::default() };
+    let said = said(&Given { unit: "degC", ..Given::fixed() }, &inputs, &noisy(7, |row| truth[row], rows as usize));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["thermal_lag"], "{}", said.says);
+    assert!(said.findings[0].parameters.iter().all(|p| !p.at_limit), "{}", said.findings[0].says);
+}
+
+/// Water that cools after the kettle was switched off: nothing moves but the clock, and the way down was begun before the first row.
+#[test]
+fn what_was_switched_off_before_the_first_row_is_on_its_way_down() {
+    let rows = 220;
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(|row| 60.0 * f64::from(row)).collect()),
+        run: vec![1; rows as usize],
+        ..Inputs::default()
+    };
+    let model = Given { follows_clock: true, ..Given::with_level() };
+    let said =
+        said(&model, &inputs, &noisy(8, |row| 3.0 - 0.001 * row as f64 + 4.0 * (-(row as f64) / 30.0).exp(), rows as usize));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert!(named == ["slow_response"] || said.ambiguity.iter().flatten().any(|id| id == "slow_response"), "{}", said.says);
+}
+
+/// A base model that is driven by a recorded driver, whose rows were stamped by another clock 2.5 rows late.
+#[test]
+fn the_clock_of_a_driver_is_found_and_named_by_its_driver() {
+    let rows = 1200;
+    let at = |t: f64| 2.0 * (t / 31.0).sin() + (t / 7.3).sin();
+    let driver = Driver { name: "power".into(), unit: "W".into(), values: (0..rows).map(|row| at(f64::from(row))).collect() };
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(f64::from).collect()),
+        run: vec![1; rows as usize],
+        drivers: vec![driver],
+        ..Inputs::default()
+    };
+    let model = Given { follows_driver: true, ..Given::with_level() };
+    let said = said(&model, &inputs, &noisy(9, |row| 3.0 + at(row as f64 + 2.5), rows as usize));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["time_offset"], "{}", said.says);
+    assert!(said.findings[0].says.starts_with("the clock of power is "), "{}", said.findings[0].says);
+    let late = &said.findings[0].parameters[0];
+    assert!((late.value - 2.5).abs() < 3.0 * late.sd && late.sd < 0.1, "{} (sd {})", late.value, late.sd);
+}
+
+/// A zero that moves over a fifth of the recording was not switched: where no other law follows it, it is said that this one has run to its limit.
+#[test]
+fn a_slow_change_of_the_zero_is_no_clean_switch() {
+    let rows = 2000;
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(|row| 60.0 * f64::from(row)).collect()),
+        run: vec![1; rows as usize],
+        ..Inputs::default()
+    };
+    let moved = |row: usize| 0.2 * ((row as f64 - 800.0) / 400.0).clamp(0.0, 1.0);
+    let said = said(&Given::with_level(), &inputs, &noisy(10, |row| 3.0 + moved(row), rows as usize));
+    assert_ne!(said.verdict, Verdict::Explained, "{}", said.says);
+    for switch in said.findings.iter().filter(|f| f.effect == "regime_change") {
+        assert!(switch.says.contains("ran to the limit of the time that the change takes"), "{}", switch.says);
+    }
 }

@@ -47,17 +47,21 @@ pub(crate) fn candidates(found: &Found<'_>) -> Vec<Candidate> {
     list
 }
 
-/// Sets whose members this recording cannot tell apart.
-pub(crate) fn ambiguity(found: &Found<'_>) -> Vec<Vec<String>> {
+/// Sets whose members this recording cannot tell apart, in the `order` of the findings.
+pub(crate) fn ambiguity(found: &Found<'_>, order: &[usize]) -> Vec<Vec<String>> {
     if found.decision.verdict != Verdict::Ambiguous {
         return Vec::new();
     }
-    let several = |s: &&Vec<usize>| s.len() > 1 || found.decision.unmodelled_rivals;
-    let names = |s: &Vec<usize>| {
+    named_sets(found, order).into_iter().filter(|names| names.len() > 1).collect()
+}
+
+/// What stands in the place of each finding, itself first, in the `order` of the findings.
+pub(crate) fn named_sets(found: &Found<'_>, order: &[usize]) -> Vec<Vec<String>> {
+    let names = |set: &Vec<usize>| {
         let unmodelled = found.decision.unmodelled_rivals.then(|| UNEXPLAINED.to_owned());
-        s.iter().map(|e| found.id(*e)).chain(unmodelled).collect()
+        set.iter().map(|e| found.id(*e)).chain(unmodelled).collect()
     };
-    found.decision.sets.iter().filter(several).map(names).collect()
+    order.iter().filter_map(|place| found.decision.sets.get(*place)).map(names).collect()
 }
 
 /// What the reading does, and where, where it does so at one place.

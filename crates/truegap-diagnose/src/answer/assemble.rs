@@ -44,7 +44,7 @@ pub(crate) fn outcome(
         in_sample(found, &before, &after).ok_or(DiagnoseError::TooFewRows { rows: before.len(), needed: FEWEST_ROWS })?;
     let fit = fit_facts(found, in_sample, unseen_before, unseen_after);
     let reference = reference(found);
-    let findings = findings(found, unseen_before, unseen_after);
+    let (findings, order) = findings(found, unseen_before, unseen_after);
     let with_mechanisms = model_of(found).map(|tried| match found.chosen().key() == tried.key() {
         true => unseen_after.clone(),
         false => unseen(found, tried),
@@ -79,7 +79,7 @@ pub(crate) fn outcome(
         noise: noise(found),
         verdict: found.decision.verdict,
         probability_agrees: found.selection.probability_agrees(),
-        says: says(found, &findings),
+        says: says(found, (&findings, &order)),
         concealed: concealed(found, &conflicts, &fit),
         conflicts,
         mismatch: if found.decision.verdict == Verdict::Agrees { Vec::new() } else { located(found, base) },
@@ -87,7 +87,7 @@ pub(crate) fn outcome(
         discovered: mechanisms,
         candidates: candidates(found),
         unmodelled: unmodelled(found),
-        ambiguity: ambiguity(found),
+        ambiguity: ambiguity(found, &order),
         reference_says: against(&reference, &fit, !findings.is_empty()),
         reference,
         fit,

@@ -18,9 +18,22 @@ use crate::{
     validation::cross_validation::{HeldOutFit, compared},
 };
 
-/// The effects of the model stood behind; `before` and `after` are the predictions of rows left out by the base model and by that model.
-pub(crate) fn findings(found: &Found<'_>, before: &HeldOutFit, after: &HeldOutFit) -> Vec<Finding> {
-    (0..found.chosen().effects.len()).map(|index| finding(found, index, before, after)).collect()
+/// The effects of the model stood behind, what matters most on rows left out first, and the place of each in that model; `before` and `after` are the predictions of rows left out by the base
+/// model and by that model.
+pub(crate) fn findings(found: &Found<'_>, before: &HeldOutFit, after: &HeldOutFit) -> (Vec<Finding>, Vec<usize>) {
+    let mut all: Vec<(usize, Finding)> =
+        (0..found.chosen().effects.len()).map(|index| (index, finding(found, index, before, after))).collect();
+    all.sort_by(|a, b| lost_without(&b.1.held_out).total_cmp(&lost_without(&a.1.held_out)));
+    let (order, findings) = all.into_iter().unzip();
+    (findings, order)
+}
+
+/// How many times larger the error on rows left out is without a finding; 0 where it was not asked.
+fn lost_without(held_out: &BeforeAfterUnit) -> f64 {
+    match (held_out.rmse_before, held_out.rmse_after) {
+        (Some(without), Some(with)) if with > 0.0 => without / with,
+        _ => 0.0,
+    }
 }
 
 fn finding(found: &Found<'_>, index: usize, before: &HeldOutFit, after: &HeldOutFit) -> Finding {

@@ -5,7 +5,7 @@
 use crate::{
     answer::tuning::{CLEAR_LINE, NEARLY},
     answer::{
-        alternatives::{ambiguity, says_of},
+        alternatives::{named_sets, says_of},
         diagnosis::Finding,
         found::Found,
     },
@@ -19,12 +19,12 @@ pub(crate) const STOPPED: &str =
     "the search was stopped before its end: verdict and probabilities are among what had been tried by then";
 
 /// The verdict as a sentence with its reasons.
-pub(crate) fn says(found: &Found<'_>, findings: &[Finding]) -> String {
+pub(crate) fn says(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) -> String {
     if let Some(reserved) = &found.reserved {
         return reserved.says.clone();
     }
     let decision = found.decision;
-    if let Some(says) = composed(found, findings) {
+    if let Some(says) = composed(found, (findings, order)) {
         return says;
     }
     let names = findings.iter().map(|f| f.effect.as_str()).collect::<Vec<_>>().join(" and ");
@@ -35,8 +35,10 @@ pub(crate) fn says(found: &Found<'_>, findings: &[Finding]) -> String {
         }
         Verdict::Explained => format!("missing from the model: {names}"),
         Verdict::Ambiguous => {
-            let sets = ambiguity(found).iter().map(|s| s.join(" or ")).collect::<Vec<_>>().join("; and one of ");
-            format!("missing from the model: one of {sets}; this recording cannot tell them apart")
+            let place =
+                |names: Vec<String>| if names.len() > 1 { format!("one of {}", names.join(" or ")) } else { names.concat() };
+            let sets = named_sets(found, order).into_iter().map(place).collect::<Vec<_>>().join("; and ");
+            format!("missing from the model: {sets}; this recording cannot tell them apart")
         }
         Verdict::WrongForm => format!(
             "missing from the model: {names}; the family is clear, but its equation leaves {} of the misfit",
@@ -49,7 +51,7 @@ pub(crate) fn says(found: &Found<'_>, findings: &[Finding]) -> String {
 }
 
 /// What is said where mechanisms from outside the library are named: what they do, and how sure each word is.
-fn composed(found: &Found<'_>, findings: &[Finding]) -> Option<String> {
+fn composed(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) -> Option<String> {
     let first = found.search.library.len() - found.mechanisms.len();
     let chosen = &found.chosen().effects;
     let named = |effect: &usize| effect.checked_sub(first).and_then(|k| found.mechanisms.get(k));
@@ -57,7 +59,7 @@ fn composed(found: &Found<'_>, findings: &[Finding]) -> Option<String> {
         named(effect).map_or_else(|| finding.effect.clone(), |m| format!("{} [{}]", finding.says, m.words.says()))
     };
     chosen.iter().any(|e| named(e).is_some()).then(|| {
-        let each = chosen.iter().zip(findings).map(sentence).collect::<Vec<_>>().join("; and ");
+        let each = order.iter().map(|place| &chosen[*place]).zip(findings).map(sentence).collect::<Vec<_>>().join("; and ");
         let left = match found.leaves_something() {
             true => format!("; {} of the misfit is left beside it", share_left(found.decision.removed)),
             false => String::new(),

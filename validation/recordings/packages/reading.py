@@ -1,6 +1,8 @@
 """Formats that several recordings share, from bytes to columns."""
 
 import io
+import re
+import struct
 import zipfile
 
 import numpy as np
@@ -200,3 +202,81 @@ def weather_pair(content):
     names = ["AirTemperature", "AirTemperature_Sensor2", "AirHumidity_Relative", "AirHumidity_Relative_Sensor2"]
     frame = frame.dropna(subset=names).iloc[:3000]
     return frame.assign(time_s=seconds(pd.to_datetime(frame.DateTime_utc)))
+
+
+def dinkum(content, listing=None):
+    """A file of a glider's computer (Dinkum binary data) as a data frame: a row a cycle, nan where a sensor said nothing. Where the file does not name its sensors, `listing` does."""
+    tags = dict(line.split(":", 1) for line in content[:2000].decode("latin1").splitlines()[:14])
+    lines = content.split(b"\n", 14 + (int(tags["total_num_sensors"]) if listing is None else 0))
+    at = len(content) - len(lines[-1])
+    told = (line.split() for line in (b"\n".join(lines[14:-1]) if listing is None else listing).decode("latin1").splitlines() if line.startswith("s:"))
+    sensors = sorted((int(place), int(size), name) for _, _, _, place, size, name, _ in told if int(place) >= 0)
+    order = "<" if struct.unpack("<h", content[at + 2 : at + 4])[0] == 0x1234 else ">"
+    states, at = int(tags["state_bytes_per_cycle"]), at + 16
+    now, rows = [np.nan] * len(sensors), []
+    while content[at : at + 1] == b"d":
+        state, at, row = content[at + 1 : at + 1 + states], at + 1 + states, [np.nan] * len(sensors)
+        for k, (_, size, _) in enumerate(sensors):
+            what = state[k // 4] >> (6 - 2 * (k % 4)) & 3
+            if what == 2:
+                now[k] = struct.unpack(order + {1: "b", 2: "h", 4: "f", 8: "d"}[size], content[at : at + size])[0]
+                at += size
+            if what:
+                row[k] = now[k]
+        rows.append(row)
+    return pd.DataFrame(rows, columns=[name for *_, name in sensors])
+
+
+def glider_rows(frame, *names):
+    """Rows of a glider in which all these sensors have numbers, with seconds since the first."""
+    kept = frame.dropna(subset=["m_present_time", *names])
+    return kept.assign(time_s=kept.m_present_time - kept.m_present_time.iloc[0])
+
+
+def scans(content):
+    """The scans of a SPEC file, each as a data frame with the number of its scan."""
+    for scan in re.split(r"\n(?=#S )", content.decode("latin1"))[1:]:
+        labels = re.search(r"^#L (.*)$", scan, re.M)
+        names = re.split(r"\s{2,}", labels[1].strip()) if labels else []
+        cells = [line.split() for line in scan.splitlines() if line[:1] in "-0123456789" and line]
+        kept = [[float(v) for v in row] for row in cells if len(row) == len(names)]
+        frame = pd.DataFrame(kept, columns=names)
+        yield frame.loc[:, ~frame.columns.duplicated()].assign(scan=int(scan.split()[1]))
+
+
+def beamline(content):
+    """Every second point of all scans of a SPEC file, with seconds since the first."""
+    frame = pd.concat(scans(content)).iloc[::2]
+    return frame.assign(time_s=frame.Epoch - frame.Epoch.iloc[0])
+
+
+def fibre(content):
+    """The cable of a fibre that measures temperature, 1 to 99 m: length, light of the two lines scattered from either end, temperature by the instrument."""
+    rows = [[float(v) for v in line.split(",")] for line in re.findall(r"<data>([^<]*)</data>", content.decode())]
+    frame = pd.DataFrame(rows, columns=["along", "stokes", "anti", "back_stokes", "back_anti", "degc"])
+    return frame[frame.along.between(1, 99)]
+
+
+def heat_flow_meter(content):
+    """Blocks of a heat flow meter: temperature of the upper and the lower plate, and what their transducers read; without the first ones, which are out of range."""
+    found = re.findall(r"^\s*-[a-z]+-\s+(\S+)\s+(\S+)\s+(\S+)\s+(\S+)\s+\S+\s*$", content.decode("utf-16"), re.M)
+    frame = pd.DataFrame([[float(v) for v in row] for row in found], columns=["upper_c", "lower_c", "upper_uv", "lower_uv"])
+    return frame[(frame.upper_uv.abs() < 19500) & (frame.lower_uv.abs() < 19500)].reset_index(drop=True)
+
+
+def collectors(content, first, last, every):
+    """Rows of a field of solar collectors from one time to another, one of `every` minutes, with seconds since the first."""
+    frame = csv(content, sep=";")
+    when = pd.to_datetime(frame.timestamps_UTC)
+    frame = frame.assign(when=when)[(when >= first) & (when < last)].iloc[::every].dropna()
+    return frame.assign(time_s=seconds(frame.when))
+
+
+def poses(content):
+    """Places of a camera, one a picture, from the last column of the first three rows of each pose."""
+    return np.array([[float(v) for v in line.split()] for line in content.decode().splitlines()])[:, [3, 7, 11]]
+
+
+def track(content):
+    """Times, places and turns of a camera, one row each; lines that begin with # are comments."""
+    return np.array([[float(v) for v in line.split()] for line in content.decode().splitlines() if line[:1] != "#"])

@@ -300,6 +300,26 @@ fn rows_repeat_where_a_clock_says_that_they_follow_one_another() {
     assert!(!said(None));
 }
 
+/// A rudder that is told to stand still half of the time, read in steps of 3 mrad, coarser than its noise: neighbouring rows are equal since nothing moves, and none is left out.
+#[test]
+fn a_reading_in_steps_does_not_repeat_where_what_it_follows_stands_still() {
+    let told = |row: usize| if row % 40 < 20 { 0.4 * ((row / 40) as f64).sin() } else { 0.4 * (row as f64 / 7.0).sin() };
+    let mut random = ChaCha8Rng::seed_from_u64(6);
+    let mut read = |row: usize| {
+        let unit: f64 = StandardNormal.sample(&mut random);
+        ((told(row) + 0.0004 * unit) / 0.003).round() * 0.003
+    };
+    let response: Vec<f64> = (0..800).map(&mut read).collect();
+    let inputs = Inputs {
+        time_s: Some((0..800).map(f64::from).collect()),
+        run: vec![1; 800],
+        simulated: Some((0..800).map(told).collect()),
+        ..Inputs::default()
+    };
+    let problem = Problem { inputs: &inputs, response: &response, simulator: &Given::fixed() };
+    assert!(repeated(&problem, &Rows { inputs: &inputs, given: None, unit: "rad" }).is_none());
+}
+
 /// The proof is a function of the user's own: an exception in it ends the whole diagnosis, even where it is thrown by the last question of all.
 #[test]
 fn a_simulator_is_never_asked_without_the_drivers_that_were_recorded() {

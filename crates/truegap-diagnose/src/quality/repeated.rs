@@ -2,6 +2,8 @@
 //!
 //! Such rows hold no new measurement, and their noise is that of the row before: they are left out.
 //!
+//! A reading in steps that are coarser than its noise is equal in neighbouring rows as long as what it follows stands still: nothing repeats there.
+//!
 //! Limits: recordings with a clock; readings fine enough that noise hardly ever gives the same value twice; short repeats only, longer ones are a dead channel, and at the ends of the range a
 //! clipped one.
 
@@ -29,18 +31,23 @@ pub fn repeated(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<u
         return None;
     }
     let inputs = problem.inputs;
-    let columns = [&inputs.force_n, &inputs.pressure_pa, &inputs.gap_m, &inputs.temperature_c];
+    let columns = [&inputs.force_n, &inputs.pressure_pa, &inputs.gap_m, &inputs.temperature_c, &inputs.simulated];
     let drivers = |row: usize| inputs.drivers.iter().all(|driver| driver.values[row] == driver.values[row - 1]);
     let whole = |row: usize| columns.iter().all(|c| c.as_ref().is_none_or(|c| c[row] == c[row - 1])) && drivers(row);
+    let still: Vec<f64> = pairs.iter().filter(|row| whole(**row)).map(change).filter(|d| *d > 0.5 * step).collect();
+    let coarse_at_rest = !still.is_empty() && median(&still) < FINE_STEPS * step;
+    let counted = |row: usize| !(coarse_at_rest && whole(row));
     let (lowest, highest) = ends(response, 0..response.len());
     let stretches: Vec<_> = equal_stretches(response, &runs)
         .into_iter()
         .filter(|s| s.len() > 1 && s.len() <= LONGEST_REPEAT && response[s.start] != lowest && response[s.start] != highest)
         .map(|s| s.start + 1..s.end)
+        .filter(|stretch| stretch.clone().all(counted))
         .collect();
     // rows that repeat in every column are hardly ever chance; a reading alone may repeat while the inputs go on
-    let by_one =
-        |counts: &dyn Fn(usize) -> bool| pairs.iter().filter(|r| counts(**r) && (change(r) / step).round() == 1.0).count();
+    let by_one = |counts: &dyn Fn(usize) -> bool| {
+        pairs.iter().filter(|r| counted(**r) && counts(**r) && (change(r) / step).round() == 1.0).count()
+    };
     let again = |counts: &dyn Fn(usize) -> bool| {
         let rows: Vec<usize> = stretches.iter().flat_map(Clone::clone).filter(|row| counts(*row)).collect();
         let by_chance = MORE_THAN_CHANCE * by_one(counts) + A_FEW_REPEATS;

@@ -15,6 +15,7 @@ pub(crate) mod input;
 pub(crate) mod input_error;
 pub(crate) mod louder;
 pub(crate) mod neighbours;
+pub(crate) mod off_at_rest;
 pub(crate) mod reml;
 pub(crate) mod rescale;
 pub(crate) mod response;

@@ -244,6 +244,14 @@ pub(crate) const LATEST_ROW: usize = 8;
 /// Standard deviations beyond which a correlation of changes is none of chance, many rows and several delays tried.
 pub(crate) const BY_CHANCE: f64 = 8.0;
 
+// off_at_rest.rs
+
+/// Part of what was read within which all rest has one reading, as that of an instrument that is off.
+pub(crate) const ONE_READING: f64 = 0.05;
+
+/// Times the noise of such rest from which on a scatter within a few rows at work is another one: the same limit as for a rest that is loud (`LOUD_REST`).
+pub(crate) const LOUDER_AT_WORK: f64 = 10.0;
+
 // several.rs
 
 /// Prior standard deviations from which on the error of the inputs is carried through the calibrated numbers instead of the foreseen ones.

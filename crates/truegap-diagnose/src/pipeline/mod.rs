@@ -67,6 +67,13 @@ pub fn diagnose(
         prepared = Prepared::new(problem, quieter, options)?;
         examined = judged::examined(&prepared, &told)?;
     }
+    // rest in which the instrument was off says nothing of its noise at work
+    if !told.stop.load(Ordering::Relaxed)
+        && let Some(at_work) = prepared.at_work(&examined)?
+    {
+        prepared = Prepared::new(problem, at_work, options)?;
+        examined = judged::examined(&prepared, &told)?;
+    }
     let mut composition = composed(&prepared, &examined, &told);
     // where stretches at rest cannot tell slow noise from noise with one memory, the whole recording does
     if let Some(slower) = slower(&prepared, &examined, composition.as_ref(), &told)? {

@@ -14,6 +14,7 @@ use crate::{
     fit::tuning::LOOSE,
     noise::{
         block_average::{BlockAverages, block_averages},
+        off_at_rest::at_work,
         rescale::{quieter_than, too_loud},
         scout::Scout,
         several::with_wild_rows,
@@ -21,7 +22,10 @@ use crate::{
     pipeline::options::Options,
     selection::{
         candidates::{Progress, Search, Tried},
+        examine::Examined,
         posterior::Selection,
+        tuning::LOUD_REST,
+        verdict::Verdict,
     },
     validation::cross_validation::AllRows,
     whitening::{noise_model::NoiseModel, whitener::Whitener},
@@ -155,6 +159,16 @@ impl<'a> Prepared<'a> {
     pub fn with_wild_rows(&self, selection: &Selection) -> Result<Option<NoiseModel>, DiagnoseError> {
         let Some(best) = selection.least() else { return Ok(None) };
         Ok(with_wild_rows(self.problem, &self.misfit(best)?, &self.noise))
+    }
+
+    /// The noise at work, where it was measured while the instrument was off and nothing could be named beside so little of it.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn at_work(&self, examined: &Examined) -> Result<Option<NoiseModel>, DiagnoseError> {
+        let loud = examined.decision.verdict == Verdict::Unexplained && examined.after.left_over_noise > LOUD_REST;
+        let Some(best) = examined.selection.least().filter(|_| loud) else { return Ok(None) };
+        Ok(at_work(self.problem, &self.misfit(best)?, &self.noise))
     }
 
     /// What a model of the library leaves of every row.

@@ -303,7 +303,7 @@ fn rows_repeat_where_a_clock_says_that_they_follow_one_another() {
 /// A rudder that is told to stand still for some rows now and then, read in steps of 3 mrad, coarser than its noise: neighbouring rows are equal since nothing moves, and none is left out.
 #[test]
 fn a_reading_in_steps_does_not_repeat_where_what_it_follows_stands_still() {
-    let told = |row: usize| 0.4 * ((row - (row % 12).min(3)) as f64 / 7.0).sin();
+    let told = |row: usize| 4.0 * ((row - (row % 12).min(3)) as f64 / 7.0).sin();
     let mut random = ChaCha8Rng::seed_from_u64(6);
     let mut read = |row: usize| {
         let unit: f64 = StandardNormal.sample(&mut random);

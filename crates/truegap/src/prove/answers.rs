@@ -49,34 +49,51 @@ impl Answered {
 /// # Errors
 /// [`ProveError`] where the study is not what it was, an answer was changed, or one cannot be written; a recording that is refused is an answer.
 pub fn answer(folder: &Path, jobs: usize, told: &(dyn Fn(Told) + Sync), stop: &AtomicBool) -> Result<Answered, ProveError> {
-    let plan = Plan::read(folder)?;
-    let commitments = commitments(folder, &plan)?;
+    let cases = Plan::read(folder)?.names();
+    let commitments = commitments(folder, &cases)?;
     let answers = Answers::open(folder)?;
-    let left: Vec<String> = plan.names().into_iter().filter(|case| !answers.has(case)).collect();
-    let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let answers = Mutex::new(answers);
-    let failed = Mutex::new(None);
-    let work = || {
-        while let Some(case) = left.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let said = one(folder, case, &commitments, stop);
-            if stop.load(Ordering::Relaxed) {
-                return;
-            }
-            if let Err(error) = said.and_then(|()| lock(&answers).add(case)) {
-                stop.store(true, Ordering::Relaxed);
-                *lock(&failed) = Some(error);
-                return;
-            }
-            let done = 1 + done.fetch_add(1, Ordering::Relaxed);
-            told(Told { case: case.clone(), done, of: left.len() });
-        }
-    };
-    std::thread::scope(|scope| (0..jobs.clamp(1, left.len().max(1))).for_each(|_| drop(scope.spawn(work))));
-    if let Some(error) = lock(&failed).take() {
+    let left: Vec<String> = cases.iter().filter(|case| !answers.has(case)).cloned().collect();
+    let jobs = jobs.clamp(1, left.len().max(1));
+    let (next, done, failed) = (AtomicUsize::new(0), AtomicUsize::new(0), Mutex::new(None));
+    let queue = Queue { folder, left, commitments, answers: Mutex::new(answers), next, done, failed, told, stop };
+    std::thread::scope(|scope| (0..jobs).for_each(|_| drop(scope.spawn(|| queue.work()))));
+    if let Some(error) = lock(&queue.failed).take() {
         return Err(error);
     }
-    let answers = lock(&answers);
-    Ok(Answered { answered: plan.names().iter().filter(|case| answers.has(case)).count(), cases: plan.cases })
+    let answers = lock(&queue.answers);
+    Ok(Answered { answered: cases.iter().filter(|case| answers.has(case)).count(), cases: cases.len() })
+}
+
+/// What is left to diagnose, for several at a time.
+struct Queue<'a> {
+    folder: &'a Path,
+    left: Vec<String>,
+    commitments: Sums,
+    answers: Mutex<Answers>,
+    next: AtomicUsize,
+    done: AtomicUsize,
+    failed: Mutex<Option<ProveError>>,
+    told: &'a (dyn Fn(Told) + Sync),
+    stop: &'a AtomicBool,
+}
+
+impl Queue<'_> {
+    /// Diagnoses case after case, until none is left or all are stopped.
+    fn work(&self) {
+        while let Some(case) = self.left.get(self.next.fetch_add(1, Ordering::Relaxed)) {
+            let said = one(self.folder, case, &self.commitments, self.stop);
+            if self.stop.load(Ordering::Relaxed) {
+                return;
+            }
+            if let Err(error) = said.and_then(|()| lock(&self.answers).add(case)) {
+                self.stop.store(true, Ordering::Relaxed);
+                *lock(&self.failed) = Some(error);
+                return;
+            }
+            let done = 1 + self.done.fetch_add(1, Ordering::Relaxed);
+            (self.told)(Told { case: case.clone(), done, of: self.left.len() });
+        }
+    }
 }
 
 /// Folder of a case's diagnosis.

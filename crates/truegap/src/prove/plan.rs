@@ -135,7 +135,7 @@ pub fn resume(folder: &Path, seed: Option<u64>, cases: Option<usize>) -> Result<
     if let Some(asked) = cases.filter(|asked| *asked != plan.cases) {
         return Err(other("cases", plan.cases.to_string(), asked.to_string()));
     }
-    commitments(folder, &plan)?;
+    commitments(folder, &plan.names())?;
     Ok(plan)
 }
 

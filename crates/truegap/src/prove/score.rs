@@ -27,9 +27,9 @@ const STRONG: f64 = 16.0;
 /// [`ProveError`] where a file is not what was committed to, an answer not what was written down, or a file cannot be read or written.
 pub fn score(folder: &Path, command: &str) -> Result<Score, ProveError> {
     let plan = Plan::read(folder)?;
-    let commitments = commitments(folder, &plan)?;
+    let commitments = commitments(folder, &plan.names())?;
     let answers = Answers::open(folder)?;
-    let refused = answers.refused(&plan, &commitments)?;
+    let refused = answers.refused(&plan.names(), &commitments)?;
     let mut scored = score_folder(folder, &folder.join("diagnoses"))?.scored;
     let study = plan.study()?;
     let mut diagnoses = Vec::new();

@@ -3,7 +3,7 @@
 //! Limits: who changes a file and every hash of it is found only by who holds `commitments.txt` or the score as they were published.
 
 use super::error::{ProveError, read, write};
-use super::plan::Plan;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use truegap_generator::commitment::{COMMITMENTS, Sums};
 use truegap_generator::study::{PLAN, WITHOUT, checked};
@@ -15,18 +15,17 @@ pub(super) const REFUSED: &str = "refused.txt";
 /// Every file that an answer may consist of.
 pub(super) const ANSWER: [&str; 4] = ["diagnosis.json", "augmented.toml", "controls.json", REFUSED];
 
-/// The commitments, once all that they bind to was found as it was.
+/// The commitments of these cases, once all that they bind to was found as it was.
 ///
 /// # Errors
 /// [`ProveError`] naming the file that differs.
-pub(super) fn commitments(folder: &Path, plan: &Plan) -> Result<Sums, ProveError> {
+pub(super) fn commitments(folder: &Path, cases: &BTreeSet<String>) -> Result<Sums, ProveError> {
     if !folder.join(COMMITMENTS).exists() {
         return Err(ProveError::NoCommitments { folder: folder.to_owned() });
     }
     let sums = checked(folder)?;
     sums.get(PLAN)?;
-    let cases = plan.names();
-    for case in &cases {
+    for case in cases {
         for file in [format!("{case}.json"), recorded(case, "csv"), recorded(case, "toml")] {
             sums.get(&file)?;
         }
@@ -37,7 +36,7 @@ pub(super) fn commitments(folder: &Path, plan: &Plan) -> Result<Sums, ProveError
     }
     let known = |file: &str| file == PLAN || cases.contains(file.split_once(['.', '/']).map_or(file, |(case, _)| case));
     if let Some(file) = sums.files().find(|file| !known(file)) {
-        return Err(ProveError::Surplus { path: folder.join(COMMITMENTS), file: file.to_owned(), cases: plan.cases });
+        return Err(ProveError::Surplus { path: folder.join(COMMITMENTS), file: file.to_owned(), cases: cases.len() });
     }
     Ok(sums)
 }
@@ -94,20 +93,20 @@ impl Answers {
     ///
     /// # Errors
     /// [`ProveError`] where one has neither, or the diagnosis is of another recording.
-    pub(super) fn refused(&self, plan: &Plan, commitments: &Sums) -> Result<Vec<(String, String)>, ProveError> {
+    pub(super) fn refused(&self, cases: &BTreeSet<String>, commitments: &Sums) -> Result<Vec<(String, String)>, ProveError> {
         let mut refused = Vec::new();
-        for case in plan.names() {
-            self.nothing_beside(&case)?;
-            if self.sums.has(&name(&case, REFUSED)) {
-                let reason = read(&self.folder.join(name(&case, REFUSED)))?;
-                refused.push((case, reason.trim_end().to_owned()));
+        for case in cases {
+            self.nothing_beside(case)?;
+            if self.sums.has(&name(case, REFUSED)) {
+                let reason = read(&self.folder.join(name(case, REFUSED)))?;
+                refused.push((case.clone(), reason.trim_end().to_owned()));
                 continue;
             }
-            self.sums.get(&name(&case, "diagnosis.json")).map_err(ProveError::Answer)?;
-            let path = self.folder.join(name(&case, "diagnosis.json"));
+            self.sums.get(&name(case, "diagnosis.json")).map_err(ProveError::Answer)?;
+            let path = self.folder.join(name(case, "diagnosis.json"));
             let diagnosis: serde_json::Value = super::error::json(&path)?;
-            if diagnosis["recording"]["sha256"] != commitments.get(&recorded(&case, "csv"))? {
-                return Err(ProveError::OtherRecording { path, recording: recorded(&case, "csv") });
+            if diagnosis["recording"]["sha256"] != commitments.get(&recorded(case, "csv"))? {
+                return Err(ProveError::OtherRecording { path, recording: recorded(case, "csv") });
             }
         }
         Ok(refused)

@@ -2,7 +2,7 @@
 """Plants the errors of mutants.toml one by one and counts those that the tests named beside them notice.
 
     python3 validation/mutants/mutants.py              # all, and the table in README.md
-    python3 validation/mutants/mutants.py NAME...      # some
+    python3 validation/mutants/mutants.py NAME...      # some; of the others the outcomes on the page stay, each with the commit that it was run on
 
 Nothing is planted here: `target/mutants` holds a copy of the crates, in which every error stands beside the right text and is chosen by a number in the
 environment. So each crate is built once (about a minute for the diagnosis), and each error costs what its test takes. A mutant is killed where the named test
@@ -57,17 +57,28 @@ def main():
         passed, ran, detail = run(options.scratch, targets, *test, 0)
         if not passed or not ran:
             sys.exit(f"{test} does not pass without any error planted, or names no test:\n{detail[-2000:]}")
-    rows = []
+    rows, outcomes = [], kept()
     for mutant in chosen:
         begin = time.monotonic()
         passed, _, detail = run(options.scratch, targets, mutant["crate"], mutant.get("target", "lib"), mutant["test"], mutant["number"])
         failed = re.findall(r"^test (\S+) \.\.\. FAILED", detail, flags=re.MULTILINE)
         rows.append({**mutant, "killed": not passed, "seconds": time.monotonic() - begin, "by": failed})
+        outcomes[mutant["why"], mutant["file"]] = {"killed": not passed, "on": commit()}
+        (HERE / "README.md").write_text(page([{**m, **outcomes[m["why"], m["file"]]} for m in mutants if (m["why"], m["file"]) in outcomes]))
         print(f"{'killed' if not passed else 'SURVIVED':8} {rows[-1]['seconds']:5.1f} s  {mutant['name']}", flush=True)
     killed = sum(r["killed"] for r in rows)
     print(f"{killed} of {len(rows)} killed; built in {built:.0f} s")
-    if len(rows) == len(mutants):
-        (HERE / "README.md").write_text(page(rows))
+
+
+def kept():
+    """Outcomes that stand on the page, by what is wrong and its file."""
+    rows = [line.strip("| \n").split(" | ") for line in (HERE / "README.md").read_text().splitlines() if line.startswith("| ")]
+    rows = [row for row in rows if len(row) == 6 and row[3] in ("killed", "not noticed")]
+    return {(why, file.strip("`")): {"killed": outcome == "killed", "on": on} for why, _, file, outcome, _, on in rows}
+
+
+def commit():
+    return subprocess.run(["git", "rev-parse", "--short=7", "HEAD"], cwd=ROOT, capture_output=True, text=True).stdout.strip()
 
 
 def copy(scratch):
@@ -158,7 +169,7 @@ def page(rows):
         "Each error is planted alone, and the one test named beside it is run: a test of one stage. `mutants.toml` is the list; `mutants.py` builds a copy of the crates in",
         "which every error can be chosen by number, so that a crate is built once. The finite elements have a list of their own ([mutations](../verification/mutations.md)).",
         "Most tests of the diagnosis stand in the linear Gaussian world (`crates/truegap-diagnose/src/tests/linear`), where evidence, deviations, coverage, errors on rows",
-        "left out and probabilities are known from the covariance of all rows.",
+        "left out and probabilities are known from the covariance of all rows. The last column is the commit that an error was last planted in.",
         "",
         "| crate | errors | killed |",
         "|---|---|---|",
@@ -169,9 +180,9 @@ def page(rows):
     if survived:
         lines += ["", "Not noticed:", ""]
         lines += [f"- {r['why']} (`{r['file']}`): {r.get('equivalent') or r.get('open', 'no fast test')}" for r in survived]
-    lines += ["", "| what is wrong | crate | file | outcome | test |", "|---|---|---|---|---|"]
+    lines += ["", "| what is wrong | crate | file | outcome | test | run on |", "|---|---|---|---|---|---|"]
     for r in rows:
-        lines.append(f"| {r['why']} | {r['crate'].removeprefix('truegap-')} | `{r['file']}` | {'killed' if r['killed'] else 'not noticed'} | `{r['test']}` |")
+        lines.append(f"| {r['why']} | {r['crate'].removeprefix('truegap-')} | `{r['file']}` | {'killed' if r['killed'] else 'not noticed'} | `{r['test']}` | {r['on']} |")
     lines += ["", "Made by `python3 validation/mutants/mutants.py`.", ""]
     return "\n".join(lines)
 

@@ -6,11 +6,11 @@
 Every mutation names a file of `crates/truegap-fem/src`, the text that it replaces (which must occur there exactly once), what it puts in
 its place, and the tests that should fail: a target, perhaps with a part of their names. `killed`: a test failed, or did not end in five minutes; `survived`: all passed.
 A mutation that does not compile, or whose text is not there, ends the run: then the list is out of date. Writes `mutations.md`; with
-names only those are tried again, and the outcomes of the others are those of the last whole run. Exit code 1 where one survives.
+names only those are tried again, and the outcomes of the others are those that stand there, each with the commit that it was run on. What has
+none there was not run yet, and is not counted. Exit code 1 where one survives.
 """
 
 import argparse
-import json
 import os
 import re
 import shutil
@@ -24,6 +24,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 LIMIT = 300  # s
+NOT_RUN = {"outcome": "not run yet", "by": "", "count": "", "on": ""}
 
 
 def main():
@@ -38,17 +39,25 @@ def main():
         outcome, _, detail = run(options.scratch, target)
         if outcome != "survived":
             sys.exit(f"the tests of {target} do not pass without any mutation:\n{detail}")
-    kept = options.scratch / "outcomes.json"
-    outcomes = json.loads(kept.read_text()) if options.names and kept.exists() else {}
+    outcomes = kept()
     for mutation in chosen:
-        row = attempt(options.scratch, crate, mutation)
+        row = {**attempt(options.scratch, crate, mutation), "on": commit()}
         print(f"{row['outcome']:9} {row['seconds']:5.0f} s  {mutation['name']}  {row['by']}", flush=True)
-        outcomes[mutation["name"]] = {**mutation, **row}
-        kept.write_text(json.dumps(outcomes))
-    rows = [outcomes[m["name"]] for m in mutations if m["name"] in outcomes]
-    if len(rows) == len(mutations):
+        outcomes[mutation["why"], mutation["file"]] = row
+        rows = [{**m, **outcomes.get((m["why"], m["file"]), NOT_RUN)} for m in mutations]
         (HERE / "mutations.md").write_text(page(rows))
-    sys.exit(any(outcomes[m["name"]]["outcome"] == "survived" for m in chosen))
+    sys.exit(any(outcomes[m["why"], m["file"]]["outcome"] == "survived" for m in chosen))
+
+
+def kept():
+    """Outcomes that stand on the page, by what is wrong and its file."""
+    rows = [line.strip("| \n").split(" | ") for line in (HERE / "mutations.md").read_text().splitlines() if line.startswith("| ")]
+    rows = [row for row in rows if len(row) == 7 and row[3] in ("killed", "survived")]
+    return {(why, file.strip("`")): {"outcome": outcome, "by": by, "count": int(count), "on": on} for why, file, _, outcome, by, count, on in rows}
+
+
+def commit():
+    return subprocess.run(["git", "rev-parse", "--short=7", "HEAD"], cwd=ROOT, capture_output=True, text=True).stdout.strip()
 
 
 def copy(scratch):
@@ -105,16 +114,18 @@ def run(scratch, target):
 
 def page(rows):
     killed = sum(r["outcome"] == "killed" for r in rows)
+    run = sum(r["outcome"] in ("killed", "survived") for r in rows)
+    left = f" {len(rows) - run} more of the list were not run yet." if run < len(rows) else ""
     lines = [
         "# Planted errors in the finite elements, and the tests that notice them",
         "",
-        f"{killed} of {len(rows)} killed. Each is planted alone in a copy of the crate, and the tests named beside it are run (`mutations.toml`).",
+        f"{killed} of {run} killed.{left} Each is planted alone in a copy of the crate, and the tests named beside it are run (`mutations.toml`).",
         "",
-        "| what is wrong | file | tests run | outcome | noticed by (first two of) | tests |",
-        "|---|---|---|---|---|---|",
+        "| what is wrong | file | tests run | outcome | noticed by (first two of) | tests | run on |",
+        "|---|---|---|---|---|---|---|",
     ]
     for r in rows:
-        lines.append(f"| {r['why']} | `{r['file']}` | `{r['test']}` | {r['outcome']} | {r['by']} | {r['count']} |")
+        lines.append(f"| {r['why']} | `{r['file']}` | `{r['test']}` | {r['outcome']} | {r['by']} | {r['count']} | {r['on']} |")
     lines += ["", "Made by `python3 validation/verification/mutations.py`.", ""]
     return "\n".join(lines)
 

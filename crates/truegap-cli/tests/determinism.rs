@@ -13,6 +13,8 @@ use truegap_attack::list::material::{HEADER, csv};
 
 const DIAGNOSE: &[&str] =
     &["-q", "diagnose", "r.csv", "--sensor", "singletact-s15-4.5n", "--effects", "offset_drift", "-o", "out"];
+/// The whole library, on the built-in recording.
+const WHOLE: &[&str] = &["-q", "diagnose", "example", "-o", "out"];
 /// A diagnosis of a tenth of a second, to be killed and raced.
 const SHORT: &[&str] =
     &["-q", "diagnose", "r.csv", "--base", "linear", "--effects", "offset_drift", "--library-only", "-o", "out"];
@@ -71,7 +73,7 @@ fn made(typed: &[&str], (threads, language, zone): (&str, &str, &str)) -> BTreeM
 
 #[test]
 fn nothing_but_the_input_matters() {
-    for typed in STUDIES.into_iter().chain([DIAGNOSE]) {
+    for typed in STUDIES.into_iter().chain([DIAGNOSE, WHOLE]) {
         let [first, others @ ..] = SURROUNDINGS.map(|surroundings| made(typed, surroundings));
         assert!(first.len() > 2, "{typed:?} wrote {:?}", first.keys());
         for other in others {

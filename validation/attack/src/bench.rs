@@ -42,19 +42,25 @@ pub fn attack(truegap: &Path, attack: &Attack) -> io::Result<Ended> {
     let said = run(truegap, attack, &folder)?;
     let seconds = begin.elapsed().as_secs_f64();
     let mut through = judge(attack, &said);
-    let new: Vec<String> = names(&folder)?.into_iter().filter(|name| !before.contains(name)).collect();
-    let surplus: Vec<&String> = new.iter().filter(|name| !attack.leaves.contains(&name.as_str())).collect();
-    if !surplus.is_empty() {
-        through.push(format!("left behind: {surplus:?}"));
-    }
-    if let Some(missing) = attack.leaves.iter().find(|name| !new.iter().chain(&before).any(|there| there == *name)) {
-        through.push(format!("`{missing}` is not there"));
-    }
+    left(attack, &folder, &before, &mut through)?;
     if names(place.path())? != ["work"] {
         through.push(format!("wrote beside its folder: {:?}", names(place.path())?));
     }
     through.extend(attack.look.and_then(|look| look(&folder)));
     Ok(Ended { through, seconds })
+}
+
+/// What is left behind and should not be, or is not there and should be; and numbers that are none in it.
+fn left(attack: &Attack, folder: &Path, before: &[String], wrong: &mut Vec<String>) -> io::Result<()> {
+    let new: Vec<String> = names(folder)?.into_iter().filter(|name| !before.contains(name)).collect();
+    let surplus: Vec<&String> = new.iter().filter(|name| !attack.leaves.contains(&name.as_str())).collect();
+    if !surplus.is_empty() {
+        wrong.push(format!("left behind: {surplus:?}"));
+    }
+    if let Some(missing) = attack.leaves.iter().find(|name| !new.iter().chain(before).any(|there| there == *name)) {
+        wrong.push(format!("`{missing}` is not there"));
+    }
+    attack.leaves.iter().try_for_each(|left| numbers(&folder.join(left), wrong))
 }
 
 fn lay(folder: &Path, put: &Put) -> io::Result<()> {
@@ -83,6 +89,25 @@ fn link(to: &str, at: &Path) -> io::Result<()> {
 #[cfg(not(unix))]
 fn link(_: &str, _: &Path) -> io::Result<()> {
     Err(io::Error::other("no links here"))
+}
+
+/// Numbers that are none, in what is left for people and programs to read.
+fn numbers(path: &Path, wrong: &mut Vec<String>) -> io::Result<()> {
+    if path.is_dir() {
+        return fs::read_dir(path)?.try_for_each(|entry| numbers(&entry?.path(), wrong));
+    }
+    if !path.exists() {
+        return Ok(());
+    }
+    let is_read = path.extension().is_some_and(|e| ["html", "json", "toml", "csv", "md"].iter().any(|read| e == *read));
+    let text = if is_read { String::from_utf8_lossy(&fs::read(path)?).into_owned() } else { String::new() };
+    // words of a text, and not of the program that a page may hold
+    let told = text.split("<script").map(|part| part.rsplit("</script>").next().unwrap_or(part));
+    if let Some(line) = told.flat_map(str::lines).find(|line| line.split(|c: char| !c.is_alphanumeric()).any(|w| w == "NaN")) {
+        let shown: String = line.chars().take(200).collect();
+        wrong.push(format!("{} holds a number that is none: {shown}", path.display()));
+    }
+    Ok(())
 }
 
 fn names(folder: &Path) -> io::Result<Vec<String>> {

@@ -70,7 +70,7 @@ fn fuzz(words: &[String]) -> Result<ExitCode, String> {
     for reader in readers::all().iter().filter(|r| r.name.contains(wanted)) {
         let begin = std::time::Instant::now();
         let told = match readers::feed(reader, count) {
-            Ok(()) => "held".to_owned(),
+            Ok(taken) => format!("{taken} taken and sound, the others refused"),
             Err(what) => {
                 found += 1;
                 format!("WENT THROUGH: {what}")

@@ -4,6 +4,7 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use std::cell::Cell;
 use std::fs;
 use std::path::{Path, PathBuf};
 use truegap::model_file::ModelFile;
@@ -20,15 +21,33 @@ pub struct Reader {
     pub name: &'static str,
     /// further folders with inputs, below the workspace's
     shared: &'static [&'static str],
-    /// reads an input: whether it is taken, or what is unsound in the answer
-    read: fn(&str) -> Result<bool, String>,
+    read: Read,
 }
+
+/// Reads an input: whether it is taken, or what is unsound in the answer.
+enum Read {
+    Text(fn(&str) -> Result<bool, String>),
+    Bytes(fn(&[u8]) -> Result<bool, String>),
+}
+
+impl Reader {
+    fn read(&self, bytes: &[u8]) -> Result<bool, String> {
+        match self.read {
+            Read::Text(read) => read(&String::from_utf8_lossy(bytes)),
+            Read::Bytes(read) => read(bytes),
+        }
+    }
+}
+
+/// Every byte of the seed from which the changes are drawn.
+pub const SEED: u8 = 7;
 
 /// Every reader.
 pub fn all() -> Vec<Reader> {
-    let reader = |name, shared, read| Reader { name, shared, read };
+    let reader = |name, shared, read| Reader { name, shared, read: Read::Text(read) };
     vec![
         reader("csv", &[], csv),
+        Reader { name: "packed", shared: &[], read: Read::Bytes(packed) },
         reader("recording", &[], recording),
         reader("sensor", &["meshes/sensors"], sensor),
         reader("case", &["meshes/cases"], case),
@@ -41,32 +60,35 @@ pub fn all() -> Vec<Reader> {
     ]
 }
 
-/// Gives `count` mutated inputs to a reader.
+/// Gives `count` mutated inputs to a reader; how many of them it took.
 ///
 /// # Errors
 /// The first input that made it panic or answer unsoundly, made as short as possible, and what happened.
-pub fn feed(reader: &Reader, count: u32) -> Result<(), String> {
+pub fn feed(reader: &Reader, count: u32) -> Result<u32, String> {
     let corpus = corpus(reader)?;
-    for (file, text) in &corpus {
-        let is_taken = (reader.read)(text).map_err(|what| format!("{}: {what}", file.display()))?;
+    for (file, bytes) in &corpus {
+        let is_taken = reader.read(bytes).map_err(|what| format!("{}: {what}", file.display()))?;
         if !is_taken {
             return Err(format!("{}: sound, and refused", file.display()));
         }
     }
-    let texts: Vec<Vec<u8>> = corpus.into_iter().map(|(_, text)| text.into_bytes()).collect();
+    let seeds: Vec<Vec<u8>> = corpus.into_iter().map(|(_, bytes)| bytes).collect();
     let config = Config { cases: count, failure_persistence: None, max_shrink_iters: 2000, ..Config::default() };
-    let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]));
-    let strategy = (0..texts.len(), prop::collection::vec(change(), 1..6));
+    let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &[SEED; 32]));
+    let strategy = (0..seeds.len(), prop::collection::vec(change(), 1..6));
+    let taken = Cell::new(0);
     let fed = runner.run(&strategy, |(which, changes)| {
-        let bytes = changes.iter().fold(texts[which].clone(), |bytes, change| change.of(bytes, &texts));
-        let text = String::from_utf8_lossy(&bytes);
-        (reader.read)(&text).map(drop).map_err(|what| TestCaseError::fail(format!("{what}; the input was {text:?}")))
+        let bytes = changes.iter().fold(seeds[which].clone(), |bytes, change| change.of(bytes, &seeds));
+        let shown = String::from_utf8_lossy(&bytes);
+        let is_taken = reader.read(&bytes).map_err(|what| TestCaseError::fail(format!("{what}; the input was {shown:?}")))?;
+        taken.set(taken.get() + u32::from(is_taken));
+        Ok(())
     });
-    fed.map_err(|error| error.to_string())
+    fed.map(|()| taken.get()).map_err(|error| error.to_string())
 }
 
 /// Inputs to begin with, in the order of their names.
-fn corpus(reader: &Reader) -> Result<Vec<(PathBuf, String)>, String> {
+fn corpus(reader: &Reader) -> Result<Vec<(PathBuf, Vec<u8>)>, String> {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let own = here.join("corpus").join(reader.name);
     let folders = std::iter::once(own).chain(reader.shared.iter().map(|folder| here.join("../..").join(folder)));
@@ -76,8 +98,9 @@ fn corpus(reader: &Reader) -> Result<Vec<(PathBuf, String)>, String> {
         .filter(|path| path.is_file())
         .collect();
     files.sort();
-    let read = |file: PathBuf| {
-        fs::read_to_string(&file).map(|text| (file.clone(), text)).map_err(|e| format!("{}: {e}", file.display()))
+    let read = |file: PathBuf| match fs::read(&file) {
+        Ok(bytes) => Ok((file, bytes)),
+        Err(error) => Err(format!("{}: {error}", file.display())),
     };
     let corpus: Vec<_> = files.into_iter().map(read).collect::<Result<_, _>>()?;
     if corpus.is_empty() { Err(format!("{}: no corpus", reader.name)) } else { Ok(corpus) }
@@ -206,6 +229,14 @@ fn sound(recording: &Recording) -> Result<bool, String> {
 
 fn csv(text: &str) -> Result<bool, String> {
     Recording::from_text("r", TOML, text).map_or(Ok(false), |recording| sound(&recording))
+}
+
+/// A CSV packed by gzip, or what is left of one.
+fn packed(bytes: &[u8]) -> Result<bool, String> {
+    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+    let path = folder.path().join("r.csv.gz");
+    fs::write(&path, bytes).map_err(|error| error.to_string())?;
+    Recording::open(&path).map_or(Ok(false), |recording| sound(&recording))
 }
 
 fn recording(text: &str) -> Result<bool, String> {

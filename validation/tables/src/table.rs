@@ -5,7 +5,7 @@
 use crate::{csv, error::TablesError, front, real::Real, review, sources, speed, study, worded};
 use std::path::Path;
 
-/// Names that may stand in a mark, beside `csv PATH`, `mechanisms PATH`, `mechanism-counts PATH` and `coverage PATH`.
+/// Names that may stand in a mark, beside `csv PATH`, `mechanisms PATH`, `mechanism-counts PATH`, `coverage PATH` and `calibration PATH`.
 pub(crate) const NAMES: [&str; 9] =
     ["front", "study", "study-size", "study-causes", "real", "speed", "crates", "stages", "review"];
 
@@ -25,6 +25,9 @@ pub(crate) fn table(root: &Path, name: &str, line: usize) -> Result<String, Tabl
     }
     if let Some(path) = name.strip_prefix("coverage ") {
         return Ok(worded::counts(&root.join(path), &worded::OF_NUMBERS)?.text());
+    }
+    if let Some(path) = name.strip_prefix("calibration ") {
+        return Ok(worded::counts(&root.join(path), &worded::OF_PROBABILITIES)?.text());
     }
     let table = match name {
         "front" => front::table(root)?,

@@ -68,14 +68,23 @@ pub(crate) const OF_MECHANISMS: [&str; 6] = ["mechanisms", "words of", "nulls wi
 /// Begin of the rows of a score that say how often stated intervals cover.
 pub(crate) const OF_NUMBERS: [&str; 1] = ["numbers of"];
 
+/// Begin of the rows of a score that say how far stated probabilities are off.
+pub(crate) const OF_PROBABILITIES: [&str; 2] = ["calibration error", "the same by chance"];
+
 /// Rows of a score that begin with one of these.
 pub(crate) fn counts(path: &Path, begin: &[&str]) -> Result<Markdown, TablesError> {
     let mut table = Markdown::new(&["question", "wanted", "result", "95 % interval", "met"]);
     let ours = |row: &&Target| begin.iter().any(|s| row.says.starts_with(s));
     for row in read(path)?.targets.iter().filter(ours) {
-        let value = row.value.map_or("-".to_owned(), |value| format!("{} %", whole_percent(value)));
+        // errors of probabilities are wanted below 0.05: to a whole percent nothing would be left of them
+        let is_error = OF_PROBABILITIES.iter().any(|begin| row.says.starts_with(begin));
+        let shown = |value: f64| if is_error { format!("{value:.3}") } else { format!("{} %", whole_percent(value)) };
+        let value = row.value.map_or("-".to_owned(), shown);
         let result = row.hits.map_or(format!("{value} (of {})", row.of), |hits| format!("{hits} of {} ({value})", row.of));
-        let interval = format!("{} to {} %", whole_percent(row.interval.0), whole_percent(row.interval.1));
+        let interval = match row.interval {
+            (low, high) if is_error => format!("{low:.3} to {high:.3}"),
+            (low, high) => format!("{} to {} %", whole_percent(low), whole_percent(high)),
+        };
         let met = row.met.map_or("", |met| if met { "yes" } else { "**no**" });
         table.rows.push(vec![row.says.clone(), row.target.clone(), result, interval, met.to_owned()]);
     }
@@ -132,7 +141,8 @@ mod tests {
     const SCORE: &str = r#"{
       "targets": [
         {"says": "false alarms, all nulls", "target": "<= 0.02", "hits": 0, "of": 4, "value": 0.0, "interval": [0.0, 0.5], "met": true},
-        {"says": "mechanisms: driver right", "target": ">= 0.8", "hits": 1, "of": 2, "value": 0.5, "interval": [0.1, 0.9], "met": false}],
+        {"says": "mechanisms: driver right", "target": ">= 0.8", "hits": 1, "of": 2, "value": 0.5, "interval": [0.1, 0.9], "met": false},
+        {"says": "calibration error of stated probabilities (ECE)", "target": "<= 0.05", "hits": null, "of": 52, "value": 0.2551, "interval": [0.192, 0.412], "met": false}],
       "cases": [
         {"case": "case-001", "protocol": "full", "concealed": ["stranger:hum"], "detectability": 30.2, "verdict": "explained", "named": [["discovered", 0.9]],
          "words": {"said": {"place": "readout", "driver": "time", "kinetics": "periodic", "named": true, "misfit_removed": 0.98},
@@ -152,5 +162,15 @@ mod tests {
         assert_eq!((rows[1][4].as_str(), rows[1][7].as_str(), rows[1][8].as_str()), ("time", "98 %", ""));
         let counts = counts(&path, &OF_MECHANISMS).unwrap().rows;
         assert_eq!(counts, [["mechanisms: driver right", ">= 0.8", "1 of 2 (50 %)", "10 to 90 %", "**no**"]]);
+    }
+
+    #[test]
+    fn errors_of_probabilities_keep_three_digits() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("score.json");
+        std::fs::write(&path, SCORE).unwrap();
+        let rows = counts(&path, &OF_PROBABILITIES).unwrap().rows;
+        assert_eq!(rows.len(), 1);
+        assert_eq!(rows[0][1..], ["<= 0.05", "0.255 (of 52)", "0.192 to 0.412", "**no**"]);
     }
 }

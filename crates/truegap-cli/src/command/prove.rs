@@ -60,11 +60,11 @@ impl Run for Prove {
         anyhow::ensure!(
             answered.is_complete(),
             "stopped with {} of {} cases diagnosed, and the key closed; go on with: truegap prove --resume -o {}",
-            answered.diagnosed,
+            answered.answered,
             answered.cases,
             self.output.display()
         );
-        let score = prove::score(&self.output, &answered, &self.command(&plan))?;
+        let score = prove::score(&self.output, &self.command(&plan))?;
         self.tell(&score, console)
     }
 }
@@ -74,7 +74,7 @@ impl Prove {
         let bar = bar(console, u64::from(self.cases.unwrap_or(480)));
         let made = |index: usize| bar.set_position(index as u64 + 1);
         let plan = if self.resume {
-            prove::resume(&self.output, self.seed, self.cases.map(|n| n as usize), made)
+            prove::resume(&self.output, self.seed, self.cases.map(|n| n as usize))
         } else {
             let seed = self.seed.unwrap_or_else(prove::entropy);
             let plan = self.plan(seed);

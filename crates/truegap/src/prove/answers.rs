@@ -1,8 +1,10 @@
 //! Diagnoses every recording of a study that has no diagnosis yet.
 //!
-//! Limits: opens `CASE/recording.toml` and its CSV only, never the key; a diagnosis that was broken off is not kept.
+//! Limits: opens `CASE/recording.toml` and its CSV only; of the key nothing but its hashes is looked at. A diagnosis that was broken off is not kept.
 
-use super::error::{ProveError, read};
+use super::error::ProveError;
+use super::plan::Plan;
+use super::seal::{self, ANSWER, Answers, REFUSED, commitments};
 use super::{process, sparse};
 use crate::diagnosis::{Diagnosed, Request, diagnose, open};
 use crate::output::OutputFolder;
@@ -10,6 +12,7 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use truegap_core::Recording;
+use truegap_generator::commitment::Sums;
 use truegap_generator::study::WITHOUT;
 
 /// One case is done.
@@ -26,65 +29,71 @@ pub struct Told {
 /// How far the diagnoses have got.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Answered {
-    /// cases with a diagnosis on disk
-    pub diagnosed: usize,
+    /// cases that were diagnosed or refused
+    pub answered: usize,
     /// cases of the study
     pub cases: usize,
-    /// cases that the diagnosis refused, with its reason
-    pub refused: Vec<(String, String)>,
 }
 
 impl Answered {
     /// Whether every case was diagnosed or refused.
     pub fn is_complete(&self) -> bool {
-        self.diagnosed + self.refused.len() == self.cases
+        self.answered == self.cases
     }
-}
-
-/// Names of the study's cases, in order.
-///
-/// # Errors
-/// [`ProveError::File`] without `commitments.txt`.
-pub fn cases(folder: &Path) -> Result<Vec<String>, ProveError> {
-    let commitments = read(&folder.join("commitments.txt"))?;
-    let files = commitments.lines().filter_map(|line| line.split_once("  "));
-    Ok(files.map(|(_, file)| file.trim_end_matches(".json").to_owned()).collect())
 }
 
 /// Diagnoses what is left to diagnose, `jobs` at a time; `stop` ends it, and what is done is kept.
 ///
+/// Every answer is written down by its hash in `answers.txt`; what has no hash there was broken off, and is diagnosed again.
+///
 /// # Errors
-/// [`ProveError`] where the study cannot be read or a diagnosis not be written; a recording that is refused goes into [`Answered::refused`].
+/// [`ProveError`] where the study is not what it was, an answer was changed, or one cannot be written; a recording that is refused is an answer.
 pub fn answer(folder: &Path, jobs: usize, told: &(dyn Fn(Told) + Sync), stop: &AtomicBool) -> Result<Answered, ProveError> {
-    let cases = cases(folder)?;
-    let left: Vec<&String> = cases.iter().filter(|case| !place(folder, case).join("diagnosis.json").exists()).collect();
-    let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let refused = Mutex::new(Vec::new());
-    let failed = Mutex::new(None);
-    let work = || {
-        while let Some(case) = left.get(next.fetch_add(1, Ordering::Relaxed)) {
-            match one(folder, case, stop) {
-                _ if stop.load(Ordering::Relaxed) => return,
-                Ok(None) => {}
-                Ok(Some(reason)) => lock(&refused).push(((*case).clone(), reason)),
-                Err(error) => {
-                    stop.store(true, Ordering::Relaxed);
-                    *lock(&failed) = Some(error);
-                    return;
-                }
-            }
-            let done = 1 + done.fetch_add(1, Ordering::Relaxed);
-            told(Told { case: (*case).clone(), done, of: left.len() });
-        }
-    };
-    std::thread::scope(|scope| (0..jobs.clamp(1, left.len().max(1))).for_each(|_| drop(scope.spawn(work))));
-    if let Some(error) = lock(&failed).take() {
+    let cases = Plan::read(folder)?.names();
+    let commitments = commitments(folder, &cases)?;
+    let answers = Answers::open(folder)?;
+    let left: Vec<String> = cases.iter().filter(|case| !answers.has(case)).cloned().collect();
+    let jobs = jobs.clamp(1, left.len().max(1));
+    let (next, done, failed) = (AtomicUsize::new(0), AtomicUsize::new(0), Mutex::new(None));
+    let queue = Queue { folder, left, commitments, answers: Mutex::new(answers), next, done, failed, told, stop };
+    std::thread::scope(|scope| (0..jobs).for_each(|_| drop(scope.spawn(|| queue.work()))));
+    if let Some(error) = lock(&queue.failed).take() {
         return Err(error);
     }
-    let mut refused = std::mem::take(&mut *lock(&refused));
-    refused.sort();
-    let diagnosed = cases.iter().filter(|case| place(folder, case).join("diagnosis.json").exists()).count();
-    Ok(Answered { diagnosed, cases: cases.len(), refused })
+    let answers = lock(&queue.answers);
+    Ok(Answered { answered: cases.iter().filter(|case| answers.has(case)).count(), cases: cases.len() })
+}
+
+/// What is left to diagnose, for several at a time.
+struct Queue<'a> {
+    folder: &'a Path,
+    left: Vec<String>,
+    commitments: Sums,
+    answers: Mutex<Answers>,
+    next: AtomicUsize,
+    done: AtomicUsize,
+    failed: Mutex<Option<ProveError>>,
+    told: &'a (dyn Fn(Told) + Sync),
+    stop: &'a AtomicBool,
+}
+
+impl Queue<'_> {
+    /// Diagnoses case after case, until none is left or all are stopped.
+    fn work(&self) {
+        while let Some(case) = self.left.get(self.next.fetch_add(1, Ordering::Relaxed)) {
+            let said = one(self.folder, case, &self.commitments, self.stop);
+            if self.stop.load(Ordering::Relaxed) {
+                return;
+            }
+            if let Err(error) = said.and_then(|()| lock(&self.answers).add(case)) {
+                self.stop.store(true, Ordering::Relaxed);
+                *lock(&self.failed) = Some(error);
+                return;
+            }
+            let done = 1 + self.done.fetch_add(1, Ordering::Relaxed);
+            (self.told)(Told { case: case.clone(), done, of: self.left.len() });
+        }
+    }
 }
 
 /// Folder of a case's diagnosis.
@@ -96,29 +105,37 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
 }
 
-/// Diagnoses one case and writes it; the reason where the diagnosis refuses.
-fn one(folder: &Path, case: &str, stop: &AtomicBool) -> Result<Option<String>, ProveError> {
+/// Diagnoses one case and writes what is said of it, which may be the reason of a refusal.
+fn one(folder: &Path, case: &str, commitments: &Sums, stop: &AtomicBool) -> Result<(), ProveError> {
     if stop.load(Ordering::Relaxed) {
-        return Ok(None);
+        return Ok(());
     }
-    let diagnosed = match recorded(&folder.join(case).join("recording.toml"), stop) {
-        Ok(diagnosed) => diagnosed,
-        Err(error) => return Ok(Some(error.to_string())),
-    };
+    let said = recorded(&folder.join(case).join("recording.toml"), stop);
     if stop.load(Ordering::Relaxed) {
-        return Ok(None); // broken off: what it says is not its last word
+        return Ok(()); // broken off: what it says is not its last word
     }
     let target = place(folder, case);
-    let out = OutputFolder::begin(&target)?;
+    let out = OutputFolder::begin(&target)?.replacing(&ANSWER);
+    match said {
+        Ok(diagnosed) if diagnosed.recording.sha256 != commitments.get(&seal::recorded(case, "csv"))? => {
+            let path = folder.join(case).join("recording.csv");
+            return Err(ProveError::OtherRecording { path, recording: seal::recorded(case, "csv") });
+        }
+        Ok(diagnosed) => write(&out, &target, &diagnosed)?,
+        Err(reason) => out.write(REFUSED, format!("{reason}\n"))?,
+    }
+    out.publish()?;
+    Ok(())
+}
+
+fn write(out: &OutputFolder, target: &Path, diagnosed: &Diagnosed) -> Result<(), ProveError> {
     let text = serde_json::to_string_pretty(&diagnosed.outcome.diagnosis);
     let text = text.map_err(|source| ProveError::Json { path: target.join("diagnosis.json"), source })?;
     if let Some(model) = diagnosed.model_file().ok().and_then(|model| model.to_toml().ok()) {
         out.write("augmented.toml", model)?; // without it the case has no figure on fresh histories, which is said there
     }
-    out.write("controls.json", controls(&diagnosed).to_string() + "\n")?;
-    out.write("diagnosis.json", text + "\n")?;
-    out.publish()?;
-    Ok(None)
+    out.write("controls.json", controls(diagnosed).to_string() + "\n")?;
+    Ok(out.write("diagnosis.json", text + "\n")?)
 }
 
 /// What a sparse regression and a Gaussian process make of the residual of the calibrated model.

@@ -32,12 +32,13 @@ pub(super) fn markdown(score: &Score, command: &str) -> String {
     let plan = &score.plan;
     let sort = serde_json::to_value(plan.only).ok().and_then(|v| v.as_str().map(str::to_owned)).unwrap_or_default();
     format!(
-        "# Blind study, {} cases\n\n- command: `{command}`\n- truegap {}, seed {}, concealed: {sort}\n- SHA-256 of commitments.txt: {}\n\n\
+        "# Blind study, {} cases\n\n- command: `{command}`\n- truegap {}, seed {}, concealed: {sort}\n- SHA-256 of commitments.txt: {}\n- SHA-256 of answers.txt: {}\n\n\
          Nothing was tuned on these cases. Times are wall-clock on the machine as it was, with what else ran on it.\n\n```text\n{}\n```\n",
         plan.cases,
         score.version,
         plan.seed,
         score.commitments_sha256,
+        score.answers_sha256,
         text(score).trim_end()
     )
 }

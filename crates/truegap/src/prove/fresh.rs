@@ -7,14 +7,20 @@ use crate::model_file::ModelFile;
 use std::path::Path;
 use truegap_core::{Driver, Inputs};
 use truegap_generator::Study;
+use truegap_generator::commitment::Sums;
 use truegap_generator::recording::{Column, Recording};
 use truegap_generator::score::misfit::misfit_removed;
 
 /// Share of the misfit that `case` of `study` loses on a fresh history by its diagnosis; the reason where there is no such share.
-pub(super) fn misfit(folder: &Path, study: &Study, case: &str) -> Result<f64, String> {
+pub(super) fn misfit(folder: &Path, study: &Study, case: &str, commitments: &Sums) -> Result<f64, String> {
     let number = case.trim_start_matches("case-").parse::<usize>().ok().and_then(|n| n.checked_sub(1));
     let number = number.ok_or_else(|| format!("`{case}` is not the name of a case"))?;
-    let fresh = study.case(number).and_then(|case| case.fresh(0)).map_err(|e| e.to_string())?;
+    let drawn = study.case(number).map_err(|e| e.to_string())?;
+    let text = drawn.answer.text().map_err(|e| e.to_string())?;
+    if commitments.check(&format!("{case}.json"), text).is_err() {
+        return Err("the generator of this version draws another case from the seed".into());
+    }
+    let fresh = drawn.fresh(0).map_err(|e| e.to_string())?;
     let model =
         ModelFile::open(&place(folder, case).join("augmented.toml")).and_then(|m| m.build()).map_err(|e| e.to_string())?;
     let after = model.respond(&inputs(&fresh.quiet)).map_err(|e| e.to_string())?;

@@ -2,13 +2,17 @@
 //!
 //! Limits: the plan holds the seed, and with it every answer; it is as secret as the key.
 
-use super::error::{ProveError, json, write};
+use super::error::{ProveError, json};
+use super::seal::commitments;
+use crate::output::OutputFolder;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::Path;
 use truegap_generator::causes::{FURTHER, LIBRARY};
 use truegap_generator::protocol::Kind;
 use truegap_generator::settings::Only;
+use truegap_generator::study::{PLAN, place};
 use truegap_generator::{Options, Study};
 
 /// Restriction of a study, to count one thing well; the diagnosis is not told of it.
@@ -79,9 +83,18 @@ impl Plan {
         Self { seed, cases: each * (LIBRARY.len() + FURTHER.len()), only: Sort::WithoutEach, protocols: Vec::new() }
     }
 
+    /// Names of the cases, in order.
+    pub(super) fn names(&self) -> BTreeSet<String> {
+        (1..=self.cases).map(|number| format!("case-{number:03}")).collect()
+    }
+
     pub(super) fn read(folder: &Path) -> Result<Self, ProveError> {
-        let path = folder.join("key/plan.json");
-        if path.exists() { json(&path) } else { Err(ProveError::NoStudy { folder: folder.to_owned() }) }
+        let (path, folder) = (place(folder, PLAN), folder.to_owned());
+        match entry(&folder)? {
+            _ if path.exists() => json(&path),
+            Some(entry) => Err(ProveError::NoPlan { folder, entry }),
+            None => Err(ProveError::NoStudy { folder }),
+        }
     }
 }
 
@@ -90,30 +103,30 @@ pub fn entropy() -> u64 {
     RandomState::new().build_hasher().finish()
 }
 
-/// Writes a new study into `folder`; `made` is called after each case with its number from 0.
+/// Writes a new study, which is in `folder` whole or not at all; `made` is called after each case with its number from 0.
 ///
 /// # Errors
 /// [`ProveError`] where the folder holds anything, the disk refuses, or a case cannot be made.
 pub fn begin(plan: &Plan, folder: &Path, made: impl FnMut(usize)) -> Result<(), ProveError> {
     let study = plan.study()?;
-    let failed = |source| ProveError::File { path: folder.to_owned(), source };
-    if folder.exists()
-        && let Some(entry) = std::fs::read_dir(folder).map_err(failed)?.next()
-    {
-        let entry = entry.map_err(failed)?.file_name().to_string_lossy().into_owned();
+    if place(folder, PLAN).exists() {
+        return Err(ProveError::Begun { folder: folder.to_owned() });
+    }
+    if let Some(entry) = entry(folder)? {
         return Err(ProveError::Taken { folder: folder.to_owned(), entry });
     }
-    let path = folder.join("key/plan.json");
-    let text = serde_json::to_string_pretty(plan).map_err(|source| ProveError::Json { path: path.clone(), source })?;
-    write(&path, &(text + "\n"))?;
-    Ok(study.write(folder, made)?)
+    let out = OutputFolder::begin(folder)?;
+    let text = serde_json::to_string_pretty(plan).map_err(|source| ProveError::Json { path: place(folder, PLAN), source })?;
+    study.write(out.path(), &(text + "\n"), made)?;
+    out.publish()?;
+    Ok(())
 }
 
-/// Finds the study in `folder` again, and finishes writing it where that was broken off; `asked` is compared where it is given.
+/// Finds the study in `folder` again, every file of it as it was written; `asked` is compared where it is given.
 ///
 /// # Errors
-/// [`ProveError`] where there is none, or it is another one than asked for.
-pub fn resume(folder: &Path, seed: Option<u64>, cases: Option<usize>, made: impl FnMut(usize)) -> Result<Plan, ProveError> {
+/// [`ProveError`] where there is none, a file of it has changed, or it is another one than asked for.
+pub fn resume(folder: &Path, seed: Option<u64>, cases: Option<usize>) -> Result<Plan, ProveError> {
     let plan = Plan::read(folder)?;
     let other = |what, there: String, asked: String| ProveError::OtherPlan { folder: folder.to_owned(), what, there, asked };
     if let Some(asked) = seed.filter(|asked| *asked != plan.seed) {
@@ -122,8 +135,16 @@ pub fn resume(folder: &Path, seed: Option<u64>, cases: Option<usize>, made: impl
     if let Some(asked) = cases.filter(|asked| *asked != plan.cases) {
         return Err(other("cases", plan.cases.to_string(), asked.to_string()));
     }
-    if !folder.join("commitments.txt").exists() {
-        plan.study()?.write(folder, made)?;
-    }
+    commitments(folder, &plan.names())?;
     Ok(plan)
+}
+
+/// Something that lies in a folder; nothing where there is no folder.
+fn entry(folder: &Path) -> Result<Option<String>, ProveError> {
+    let failed = |source| ProveError::File { path: folder.to_owned(), source };
+    if !folder.exists() {
+        return Ok(None);
+    }
+    let first = std::fs::read_dir(folder).map_err(failed)?.next().transpose().map_err(failed)?;
+    Ok(first.map(|entry| entry.file_name().to_string_lossy().into_owned()))
 }

@@ -17,6 +17,8 @@ pub struct Score {
     pub version: &'static str,
     /// SHA-256 of `commitments.txt`
     pub commitments_sha256: String,
+    /// SHA-256 of `answers.txt`, which was complete before the key was opened
+    pub answers_sha256: String,
     /// the targets of `diagnosis.md`, with counts and intervals
     pub targets: Vec<Row>,
     /// single causes in bands of detectability

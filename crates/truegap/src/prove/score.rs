@@ -1,16 +1,17 @@
-//! Opens the key, compares it with its commitments, and counts.
+//! Compares key, recordings and answers with their hashes, opens the key, and counts.
 //!
 //! Limits: the rules are the generator's, which shares no code with the diagnosis.
 
-use super::answers::{Answered, place};
+use super::answers::place;
 use super::controls::RULES;
 use super::error::{ProveError, json, read, write};
 use super::plan::Plan;
 use super::result::{CaseScore, Control, Score, Worded};
+use super::seal::{Answers, commitments};
 use super::{document, fresh};
 use serde_json::Value;
 use std::path::Path;
-use truegap_generator::commitment::sha256;
+use truegap_generator::commitment::{COMMITMENTS, sha256};
 use truegap_generator::score::folder::score_folder;
 use truegap_generator::score::judge::Outcome;
 use truegap_generator::score::targets::{Row, by_detectability, rows};
@@ -23,9 +24,12 @@ const STRONG: f64 = 16.0;
 /// Scores the study in `folder` and writes `score.json` and `score.md`; `command` is for the record.
 ///
 /// # Errors
-/// [`ProveError`] where the key does not fit the commitments, or a file cannot be read or written.
-pub fn score(folder: &Path, answered: &Answered, command: &str) -> Result<Score, ProveError> {
+/// [`ProveError`] where a file is not what was committed to, an answer not what was written down, or a file cannot be read or written.
+pub fn score(folder: &Path, command: &str) -> Result<Score, ProveError> {
     let plan = Plan::read(folder)?;
+    let commitments = commitments(folder, &plan.names())?;
+    let answers = Answers::open(folder)?;
+    let refused = answers.refused(&plan.names(), &commitments)?;
     let mut scored = score_folder(folder, &folder.join("diagnoses"))?.scored;
     let study = plan.study()?;
     let mut diagnoses = Vec::new();
@@ -38,7 +42,7 @@ pub fn score(folder: &Path, answered: &Answered, command: &str) -> Result<Score,
             && (case.truth.stranger.is_none() || case.truth.words.is_some())
             && case.truth.detectability >= STRONG
         {
-            match fresh::misfit(folder, &study, &case.truth.case) {
+            match fresh::misfit(folder, &study, &case.truth.case, &commitments) {
                 Ok(share) => case.fresh_misfit_removed = Some(share),
                 Err(reason) => not_tried_afresh.push((case.truth.case.clone(), reason)),
             }
@@ -49,13 +53,14 @@ pub fn score(folder: &Path, answered: &Answered, command: &str) -> Result<Score,
     let score = Score {
         plan,
         version: env!("CARGO_PKG_VERSION"),
-        commitments_sha256: sha256(&read(&folder.join("commitments.txt"))?),
+        commitments_sha256: sha256(read(&folder.join(COMMITMENTS))?),
+        answers_sha256: answers.sha256(),
         targets: targets(&scored),
         by_detectability: by_detectability(&scored),
         controls: controls(folder, &scored, &diagnoses, &others)?,
         process_misfit_removed: process_median(&scored, &others),
         cases: scored.iter().map(case_score).collect(),
-        refused: answered.refused.clone(),
+        refused,
         not_tried_afresh,
         table: table::table(&scored),
     };

@@ -1,6 +1,7 @@
 //! The attacks, one file a class.
 
 mod arguments;
+mod bases;
 mod files;
 pub mod material;
 mod names;
@@ -15,5 +16,8 @@ pub fn all() -> Vec<Attack> {
     if !cfg!(unix) {
         return Vec::new();
     }
-    [arguments::all(), files::all(), sizes::all(), values::all(), names::all(), outputs::all()].into_iter().flatten().collect()
+    [arguments::all(), bases::all(), files::all(), sizes::all(), values::all(), names::all(), outputs::all()]
+        .into_iter()
+        .flatten()
+        .collect()
 }

@@ -84,7 +84,8 @@ fn main() -> Result<()> {
     match Arguments::parse().command {
         Command::Study { cases, seed, out, only, from, to } => {
             let options = Options { only: only.into(), detectability_from: from, detectability_to: to, ..Options::default() };
-            Study::new(seed, cases, options)?.write(&out, |_| ())?;
+            let plan = serde_json::json!({"seed": seed, "cases": cases, "options": options});
+            Study::new(seed, cases, options)?.write(&out, &format!("{plan:#}\n"), |_| ())?;
             println!("{cases} cases in {}; publish the folder without `key`", out.display());
         }
         Command::Score { study, diagnoses, json } => {

@@ -5,6 +5,7 @@
 use crate::causes::{LIBRARY, STRANGERS, WILD};
 use crate::draws::Draws;
 use crate::protocol::Kind;
+use serde::Serialize;
 
 /// All that a case depends on besides its number.
 #[derive(Debug, Clone)]
@@ -21,7 +22,7 @@ impl Settings {
 }
 
 /// What a user may choose of a study.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Options {
     /// Least detectability asked of a cause.
     pub detectability_from: f64,
@@ -34,7 +35,8 @@ pub struct Options {
 }
 
 /// Restriction of a study, to count one thing well; a tool that is told of it is no longer blind.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Only {
     /// Everything, in shares that the seed draws.
     #[default]

@@ -4,12 +4,14 @@
 
 use crate::answer::Answer;
 use crate::case::{BlindCase, CaseError};
-use crate::commitment::{self, CommitmentError};
+use crate::commitment::{self, COMMITMENTS, CommitmentError, Sums};
 use crate::settings::{Options, Settings, Shares};
 use std::path::{Path, PathBuf};
 
 /// File beside a recording that names the effect which the diagnosis is to do without.
 pub const WITHOUT: &str = "without.txt";
+/// File of the key that makes the study again: its seed, and what else was asked for.
+pub const PLAN: &str = "plan.json";
 
 /// Many blind cases from one seed.
 #[derive(Debug, Clone)]
@@ -33,7 +35,7 @@ pub enum StudyError {
     #[error(transparent)]
     Case(#[from] CaseError),
     /// A file could not be read or written.
-    #[error("{path}: {source}; check the folder and its permissions")]
+    #[error("{path}: {source}; put it back where it is gone, or check the permissions")]
     File {
         /// File.
         path: PathBuf,
@@ -48,7 +50,7 @@ pub enum StudyError {
         /// Cause.
         source: serde_json::Error,
     },
-    /// The key does not fit the commitments.
+    /// A file does not fit the commitments.
     #[error(transparent)]
     Commitment(#[from] CommitmentError),
 }
@@ -93,47 +95,77 @@ impl Study {
         (0..self.cases).map(|index| self.case(index))
     }
 
-    /// Writes recordings, commitments and, in `key/`, the answers into `folder`; calls `made` after each case.
+    /// Writes recordings, commitments and, in `key/`, the answers and `plan` (what makes the study again) into `folder`; calls `made` after each case.
     ///
-    /// Publish the folder without `key/`; the commitments are complete before this returns.
-    pub fn write(&self, folder: &Path, mut made: impl FnMut(usize)) -> Result<(), StudyError> {
+    /// Publish the folder without `key/`. The commitments, a line for every file, are written last: without them there is no study.
+    pub fn write(&self, folder: &Path, plan: &str, mut made: impl FnMut(usize)) -> Result<(), StudyError> {
         let mut commitments = String::new();
         for index in 0..self.cases {
             let case = self.case(index)?;
-            let name = &case.answer.case;
-            let text = case.answer.text().map_err(|source| StudyError::Json { path: folder.join(name), source })?;
-            put(&folder.join("key").join(format!("{name}.json")), &text)?;
-            put(&folder.join(name).join("recording.csv"), &case.recording.csv())?;
-            put(&folder.join(name).join("recording.toml"), &case.recording.toml())?;
-            if let Some(effect) = &case.answer.without {
-                put(&folder.join(name).join(WITHOUT), effect)?;
+            for (file, text) in files(&case)? {
+                put(&place(folder, &file), &text)?;
+                commitments += &commitment::line(&file, &text);
             }
-            commitments += &commitment::line(name, &text);
             made(index);
         }
-        put(&folder.join("commitments.txt"), &commitments)
+        put(&place(folder, PLAN), plan)?;
+        put(&folder.join(COMMITMENTS), &(commitments + &commitment::line(PLAN, plan)))
     }
 }
 
-/// Reads the answers of the study in `folder`, checking each against its commitment.
-pub fn open(folder: &Path) -> Result<Vec<Answer>, StudyError> {
-    let commitments = get(&folder.join("commitments.txt"))?;
-    let mut answers = Vec::new();
-    for file in commitments.lines().filter_map(|line| line.split_once("  ")).map(|(_, file)| file) {
-        let path = folder.join("key").join(file);
-        let text = get(&path)?;
-        commitment::verify(&commitments, file.trim_end_matches(".json"), &text)?;
-        answers.push(serde_json::from_str(&text).map_err(|source| StudyError::Json { path, source })?);
+/// What is committed to of a case: the names of its files in `commitments.txt`, and their texts.
+fn files(case: &BlindCase) -> Result<Vec<(String, String)>, StudyError> {
+    let name = &case.answer.case;
+    let text = case.answer.text().map_err(|source| StudyError::Json { path: name.into(), source })?;
+    let recorded = |file: &str, text: String| (format!("{name}/{file}"), text);
+    let mut files = vec![
+        (format!("{name}.json"), text),
+        recorded("recording.csv", case.recording.csv()),
+        recorded("recording.toml", case.recording.toml()),
+    ];
+    files.extend(case.answer.without.as_ref().map(|effect| recorded(WITHOUT, effect.clone())));
+    Ok(files)
+}
+
+/// Where a file of `commitments.txt` lies: a name without a folder is one of the key.
+pub fn place(folder: &Path, file: &str) -> PathBuf {
+    if file.contains('/') { folder.join(file) } else { folder.join("key").join(file) }
+}
+
+/// The commitments of the study in `folder`, each file checked against its line.
+///
+/// # Errors
+/// [`StudyError`] where a file is missing or not what it was.
+pub fn checked(folder: &Path) -> Result<Sums, StudyError> {
+    let sums = Sums::parse(COMMITMENTS, &get(&folder.join(COMMITMENTS))?)?;
+    for file in sums.files() {
+        sums.check(file, get(&place(folder, file))?)?;
     }
+    Ok(sums)
+}
+
+/// Reads the answers of the study in `folder`, checking each file against its commitment.
+pub fn open(folder: &Path) -> Result<Vec<Answer>, StudyError> {
+    let sums = checked(folder)?;
+    let answers = sums.files().filter(|file| !file.contains('/') && *file != PLAN);
+    let read = |file| {
+        let path = place(folder, file);
+        serde_json::from_str(&get(&path)?).map_err(|source| StudyError::Json { path, source })
+    };
+    let mut answers = answers.map(read).collect::<Result<Vec<Answer>, StudyError>>()?;
+    answers.sort_by(|a, b| (a.case.len(), &a.case).cmp(&(b.case.len(), &b.case)));
     Ok(answers)
 }
 
+/// Writes a file whole or not at all.
 fn put(path: &Path, text: &str) -> Result<(), StudyError> {
     let failed = |source| StudyError::File { path: path.to_owned(), source };
-    if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder).map_err(failed)?;
-    }
-    std::fs::write(path, text).map_err(failed)
+    let part = path.with_extension(format!("{}.part", std::process::id()));
+    let folder = path.parent().unwrap_or(Path::new("."));
+    std::fs::create_dir_all(folder)
+        .and_then(|()| std::fs::write(&part, text))
+        .and_then(|()| std::fs::rename(&part, path))
+        .map_err(failed)
 }
 
 fn get(path: &Path) -> Result<String, StudyError> {

@@ -77,7 +77,7 @@ fn silence_raises_no_alarm_and_detects_nothing() {
 fn a_folder_of_diagnoses_is_scored_after_its_commitments() {
     let folder = tempfile::tempdir().expect("folder");
     let study = Study::new(23, 4, Options { protocols: vec![Kind::Short], ..Options::default() }).expect("options");
-    study.write(folder.path(), |_| ()).expect("written");
+    study.write(folder.path(), "{}", |_| ()).expect("written");
     let answers: Vec<Answer> = study.iter().map(|case| case.expect("case").answer).collect();
     for answer in &answers[..3] {
         let place = folder.path().join("said").join(&answer.case);

@@ -25,17 +25,24 @@ fn the_same_seed_gives_the_same_study_and_another_seed_another() {
 }
 
 #[test]
-fn a_written_study_opens_and_an_altered_key_does_not() {
+fn a_written_study_opens_and_one_in_which_a_file_was_altered_does_not() {
     let folder = tempfile::tempdir().expect("folder");
     let study = small(9, 3);
-    study.write(folder.path(), |_| ()).expect("written");
+    study.write(folder.path(), "{\"seed\": 9}", |_| ()).expect("written");
     let answers = open(folder.path()).expect("opened");
     assert_eq!(answers.len(), 3);
     assert_eq!(answers[1], study.case(1).expect("case").answer);
-    let key = folder.path().join("key/case-002.json");
-    let altered = std::fs::read_to_string(&key).expect("key").replacen("\"detectability\": ", "\"detectability\": 1", 1);
-    std::fs::write(&key, altered).expect("altered");
-    assert!(matches!(open(folder.path()), Err(StudyError::Commitment(_))));
+    for file in ["key/case-002.json", "key/plan.json", "case-003/recording.csv", "case-001/recording.toml", "commitments.txt"] {
+        let path = folder.path().join(file);
+        let right = std::fs::read_to_string(&path).expect("file");
+        // the first line of the commitments is that of the first answer
+        std::fs::write(&path, right.replacen(char::is_alphanumeric, "0", 3)).expect("altered");
+        assert!(matches!(open(folder.path()), Err(StudyError::Commitment(_))), "{file}");
+        std::fs::remove_file(&path).expect("removed");
+        assert!(matches!(open(folder.path()), Err(StudyError::File { .. })), "{file}");
+        std::fs::write(&path, right).expect("put back");
+    }
+    assert_eq!(open(folder.path()).expect("opened"), answers);
 }
 
 #[test]

@@ -61,7 +61,7 @@ fn each_effect_is_left_out_once_and_named_beside_its_recording() {
     assert_eq!((ids.len(), apart.len(), left_out(29).0), (LIBRARY.len() + FURTHER.len(), 29, ids[0]));
     let folder = tempfile::tempdir().expect("folder");
     let options = Options { only: Only::WithoutEach, protocols: vec![Kind::Bench], ..Options::default() };
-    Study::new(3, 2, options).expect("options").write(folder.path(), |_| ()).expect("written");
+    Study::new(3, 2, options).expect("options").write(folder.path(), "{}", |_| ()).expect("written");
     for (case, id) in ["case-001", "case-002"].iter().zip(&ids) {
         assert_eq!(std::fs::read_to_string(folder.path().join(case).join("without.txt")).expect("file"), *id);
     }
@@ -129,6 +129,13 @@ fn an_oracle_meets_the_rows_of_the_wild_tier_and_silence_does_not() {
     assert_eq!(row("nulls with bath and any logger: right").met, Some(true));
     assert_eq!(row("driver right").hits, Some(0));
     assert!(table(&all(true)).contains("mechanisms one by one"));
+    // the loggers of recordings with a cause are not counted where nothing is missing
+    let nulls = wild().iter().map(Truth::from).filter(Truth::is_null).count();
+    let text = table(&all(true));
+    let (_, loggers) = text.split_once("nothing missing, written down by").expect("loggers");
+    let sum = loggers.lines().find(|line| line.starts_with("all ")).expect("their sum");
+    assert!(nulls > 0);
+    assert_eq!(sum.split_whitespace().collect::<Vec<_>>(), ["all", "0", &nulls.to_string(), "0", "0"]);
 }
 
 #[test]

@@ -43,10 +43,10 @@ fn by_cause(cases: &[Scored]) -> String {
     })
 }
 
-/// What a recording in which nothing is missing was taken for, by the logger that wrote it; empty where no case has one.
+/// What a recording in which nothing is missing was taken for, by the logger that wrote it; empty where no such case has one.
 fn by_logger(cases: &[Scored]) -> String {
     let mut counts: BTreeMap<_, [usize; 4]> = BTreeMap::new();
-    for case in cases {
+    for case in cases.iter().filter(|case| case.truth.is_null()) {
         let Some(logger) = case.truth.logger else { continue };
         let place = match (case.claim.named().is_empty() && case.claim.ambiguity.is_empty(), case.claim.verdict.as_str()) {
             (false, _) => 0,

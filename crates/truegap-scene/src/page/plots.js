@@ -190,7 +190,9 @@
     const tools = figure.querySelector(".tools"), back = document.createElement("button");
     back.textContent = "Whole range";
     back.hidden = true;
-    if (tools && panels.length) tools.append(back, Object.assign(document.createElement("span"), { className: "hint", textContent: "drag over a part to zoom in, double click for the whole" }));
+    const hint = (className, textContent) => Object.assign(document.createElement("span"), { className, textContent });
+    if (tools && panels.length) tools.append(back, hint("hint", "drag over a part to zoom in, double click for the whole"));
+    if (tools) tools.append(hint("hint touch", "tap for values"));
     const redraw = () => {
       show(figure, svg, null);
       panels.forEach((panel) => panel.redraw());
@@ -237,9 +239,10 @@
     svg.addEventListener("wheel", (event) => {
       const panel = under(event);
       if (!panel || !(event.ctrlKey || event.metaKey || active)) return;
-      event.preventDefault();
       const axis = event.shiftKey ? panel.y : panel.x, centre = panel.places(user(event))[event.shiftKey ? 1 : 0];
       const by = Math.exp((event.deltaY || event.deltaX) * 0.002);
+      if (by > 1 && axis.whole) return; // nothing left to zoom out of: the page scrolls
+      event.preventDefault();
       axis.look(...axis.view.map((end) => centre + by * (end - centre)));
       redraw();
     }, { passive: false });

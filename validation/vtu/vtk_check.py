@@ -24,21 +24,29 @@ def check(path: str) -> bool:
     sizes.Update()
     area = vtk_to_numpy(sizes.GetOutput().GetCellData().GetArray("Area")).sum()
     on_points, on_cells = arrays(grid.GetPointData()), arrays(grid.GetCellData())
-    field = grid.GetFieldData()
-    notes = {field.GetAbstractArray(i).GetName(): field.GetAbstractArray(i).GetValue(0)
-             for i in range(field.GetNumberOfArrays())}
+    notes, legend = facts(arrays(grid.GetFieldData()))
     print(f"{path}: VTK {vtk.vtkVersion.GetVTKVersion()}: {grid.GetNumberOfPoints()} points, "
-          f"{grid.GetNumberOfCells()} cells of type {grid.GetCellType(0)}, area {area:.9g}, notes {notes}")
+          f"{grid.GetNumberOfCells()} cells of type {grid.GetCellType(0)}, area {area:.9g}, notes {notes}, legend {legend}")
     for name, values in {**on_points, **on_cells}.items():
-        print(f"  {name}: {values.shape}, {values.min():.6g} to {values.max():.6g}")
-    # With the notes left out: meshio 5.3.5 reads no text arrays.
-    other = meshio.read(path) if not notes else None
-    fine = grid.GetNumberOfCells() > 0 and area > 0
-    if other is not None:
-        same = all(numpy.array_equal(other.point_data[name].squeeze(), values) for name, values in on_points.items())
-        fine &= bool(same and len(other.points) == grid.GetNumberOfPoints())
-        print(f"  meshio {meshio.__version__} agrees: {same}")
-    return fine
+        print(f"  {name}: {values.shape}, {numpy.nanmin(values):.6g} to {numpy.nanmax(values):.6g}")
+    other = meshio.read(path)
+    same = all(equal(other.point_data[name], values) for name, values in on_points.items())
+    same &= all(equal(other.cell_data[name][0], values) for name, values in on_cells.items())
+    same &= facts(other.field_data) == (notes, legend) and len(other.points) == grid.GetNumberOfPoints()
+    named = set(on_cells.get("region", [])) <= {number for name, number in legend.items() if name.startswith("region: ")}
+    print(f"  meshio {meshio.__version__} agrees: {same}; every region has a name: {named}")
+    return bool(grid.GetNumberOfCells() > 0 and area > 0 and same and named)
+
+
+def facts(fields: dict) -> tuple[dict, dict]:
+    """Texts, kept as the codes of their UTF-8, and the names of the numbers of label fields."""
+    notes = {name: bytes(values).decode() for name, values in fields.items() if values.dtype == numpy.uint8}
+    legend = {name: int(numpy.squeeze(values)) for name, values in fields.items() if values.dtype == numpy.int32}
+    return notes, legend
+
+
+def equal(left, right) -> bool:
+    return numpy.array_equal(numpy.squeeze(left), numpy.squeeze(right), equal_nan=True)
 
 
 if __name__ == "__main__":

@@ -65,7 +65,20 @@ fn a_mesh_is_written_whole_in_both_formats() {
     let text = std::fs::read_to_string(bench.path("solved.vtu")).unwrap();
     let cells = format!("NumberOfCells=\"{}\"", solved["triangles"]);
     assert!(text.contains(&cells) && text.contains("potential (V)"));
+    assert!(text.contains("electric field (V/m)") && text.contains("Name=\"region: core\""));
     assert_eq!(bench.names(), ["first.msh", "solved.vtu"]);
+}
+
+/// A picture of a solved body is asked for its stresses first, and needs to know which part is which.
+#[test]
+fn a_solved_body_is_written_with_strain_stress_and_regions() {
+    let bench = Bench::new();
+    read(&bench.run(&["mesh", &case("thick_sphere_pressure"), "-o", "solved.vtu", "--solved", "--json"]));
+    let text = std::fs::read_to_string(bench.path("solved.vtu")).unwrap();
+    for name in ["displacement (m)", "strain (1)", "stress (Pa)", "von Mises stress (Pa)", "region", "region: wall"] {
+        assert!(text.contains(&format!("Name=\"{name}\"")), "{name}");
+    }
+    assert!(!text.contains("String"), "meshio reads no text arrays");
 }
 
 #[test]

@@ -19,11 +19,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (mesh, potential) = if arguments.get(2).is_some_and(|a| a == "first") {
         (mesh_case(&case)?, Vec::new())
     } else {
-        let (result, mesh, potential) = solve_case_with_fields(&case)?;
-        for (name, q) in &result.quantities {
+        let solved = solve_case_with_fields(&case)?;
+        for (name, q) in &solved.result.quantities {
             println!("{name} = {:.9e} {} +/- {:.1e}", q.value, q.unit, q.error_estimate);
         }
-        (mesh, potential)
+        (solved.mesh, solved.at_nodes)
     };
     write_msh(&mut BufWriter::new(File::create(format!("{out}.msh"))?), &mesh)?;
     let nodes = Nodes::new(&mesh, &Topology::new(&mesh));

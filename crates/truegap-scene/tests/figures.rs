@@ -160,3 +160,57 @@ fn impossible_figures_are_typed_errors_that_name_the_series() {
     assert!(Bars::new("b", &["x"]).series("s", &[1.0, 2.0]).to_svg().is_err());
     assert!(Stack::new("s").to_svg().is_err());
 }
+
+/// Colours of the cells of a map of one row from left to right; neighbours of one colour are one.
+fn colours_of_cells(svg: &str) -> Vec<String> {
+    let group = &svg[svg.find("crispEdges").unwrap()..];
+    let mut cells: Vec<(f64, &str)> = group[..group.find("</g>").unwrap()]
+        .lines()
+        .filter_map(|line| line.strip_prefix("<path d=\""))
+        .flat_map(|line| {
+            let (data, rest) = line.split_once('"').unwrap();
+            let fill = rest.split('"').nth(1).unwrap();
+            data.split('M').skip(1).map(move |cell| (cell.split(' ').next().unwrap().parse().unwrap(), fill))
+        })
+        .collect();
+    cells.sort_by(|a, b| a.0.total_cmp(&b.0));
+    cells.iter().map(|cell| cell.1.to_owned()).collect()
+}
+
+/// One cell at 2700 left those at 3, which are no chance, as white as zero.
+#[test]
+fn one_huge_cell_leaves_the_others_their_colours_and_the_bar_says_what_lies_beyond() {
+    let cells = [0.0, 3.0, -3.0, 30.0, 2700.0];
+    let map = HeatMap::new("h", &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], &[0.0, 1.0], &cells).diverging();
+    let bytes = |colour: &String| [1, 3, 5].map(|i| i32::from_str_radix(&colour[i..i + 2], 16).unwrap());
+    let apart = |a: &String, b: &String| bytes(a).iter().zip(bytes(b)).map(|(x, y)| (x - y).abs()).max().unwrap();
+    let even = colours_of_cells(&map.clone().value_range(-2700.0, 2700.0).to_svg().unwrap());
+    assert!(even[..even.len() - 1].iter().all(|c| apart(c, &even[0]) < 8), "all but the huge one look alike: {even:?}");
+    let bent = map.bent(3.0).value_range(-100.0, 100.0).to_svg().unwrap();
+    let c = colours_of_cells(&bent);
+    assert!([(0, 1), (0, 2), (1, 3), (3, 4)].iter().all(|&(a, b)| apart(&c[a], &c[b]) > 25), "{c:?}");
+    assert!(bent.contains("▲ beyond, to 2700") && !bent.contains("▼"));
+    assert!(bent.contains(">\u{2212}30<") && bent.contains(">100<"), "marks of the bar");
+}
+
+/// A page's script makes values of pixels with these; see `page/plots.js`.
+#[test]
+fn panels_and_maps_carry_their_axes_for_pointers() {
+    let svg = Figure::new("").x("time", "s").y("level <1>", "pF").line("a", &[0.0, 10.0], &[820.0, 821.0]).y_range(820.0, 821.0);
+    let svg = svg.mark_x(5.0, "half").to_svg().unwrap();
+    for part in [
+        "data-x=\"0e0 1e1 0 1e0 0e0\"",
+        "data-x-name=\"time\"",
+        "data-x-unit=\"s\"",
+        "data-y-name=\"level &lt;1&gt;\"",
+        "data-labelled",
+    ] {
+        assert!(svg.contains(part), "{part} is missing");
+    }
+    assert!(svg.contains("<g data-x=\""), "a guide that moves along x");
+    let map = HeatMap::new("h", &[0.0, 1.0, 2.0], &[0.0, 1.0], &[1.0, f64::NAN]).value("gap", "um").to_svg().unwrap();
+    assert!(map.contains("data-cells=\"1.0000e0 -\"") && map.contains("data-name=\"gap (um)\""));
+    let fine: Vec<f64> = (0..=100).map(f64::from).collect();
+    let big = HeatMap::new("h", &fine, &fine, &[0.0; 10_000]).to_svg().unwrap();
+    assert!(!big.contains("data-cells"), "a map finer than a pointer stays small");
+}

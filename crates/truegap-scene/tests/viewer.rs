@@ -32,3 +32,12 @@ fn a_page_can_hold_several_viewers_between_its_text() {
     assert_eq!(embedded(&page), [b"first".to_vec(), b"second".to_vec()]);
     assert_eq!(page.matches("<script").count(), page.matches("</script>").count());
 }
+
+/// A disc of 15 mm by 0.3 mm opened as a flat spot, and nothing in the picture said at which scale it is drawn.
+#[test]
+fn a_flat_stack_opens_stretched_and_says_so() {
+    let html = Viewer::new("disc", b"x").to_html();
+    for part in ["class=\"tg-scale\"", "class=\"tg-true\">1:1<", "stretch: stretched", "heights ×", "true to scale"] {
+        assert!(html.contains(part), "{part} is missing");
+    }
+}

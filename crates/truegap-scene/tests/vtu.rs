@@ -58,11 +58,20 @@ fn quadratic_triangles_have_six_points_and_their_own_type() {
 
 #[test]
 fn notes_keep_their_text_even_where_it_looks_like_markup() {
-    let vtu = square().note("command", "solve --case <a>").to_vtu().expect("a grid");
-    assert!(!vtu.contains("--case") && vtu.contains("Name=\"command\""));
-    let codes = vtu.split("format=\"ascii\">").nth(1).expect("codes").split('<').next().expect("text");
-    let text: Vec<u8> = codes.split_whitespace().map(|c| c.parse().expect("a byte")).collect();
-    assert_eq!(text, b"solve --case <a>\0");
+    let vtu = square().note("command", "solve --case <a> ü").to_vtu().expect("a grid");
+    assert!(!vtu.contains("--case") && vtu.contains("Name=\"command\" NumberOfTuples=\"19\""));
+    assert_eq!(payload(&vtu, "command"), "solve --case <a> ü".as_bytes());
+}
+
+/// meshio 5.3.5 refuses the whole file otherwise: "Illegal data type 'String'".
+#[test]
+fn no_array_holds_text_and_regions_have_their_names() {
+    let names = ["air".to_owned(), "silicone & tin".to_owned()];
+    let grid = square().on_cells("region", Data::Label(vec![0, 1])).legend("region", &names).note("command", "solve");
+    let vtu = grid.to_vtu().expect("a grid");
+    assert!(!vtu.contains("String"));
+    assert_eq!(payload(&vtu, "region: air"), 0i32.to_le_bytes());
+    assert_eq!(payload(&vtu, "region: silicone &amp; tin"), 1i32.to_le_bytes());
 }
 
 #[test]

@@ -6,10 +6,14 @@ use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use truegap_fem::FemError;
-use truegap_fem::case::{Case, CaseError, CaseResult, Physics, mesh_case, read_case, solve_case_with_fields};
-use truegap_fem::io::{Field, write_msh, write_vtu};
+use truegap_fem::case::{
+    Case, CaseError, CaseResult, InTriangles, Physics, SolvedCase, mesh_case, read_case, solve_case_with_fields,
+};
+use truegap_fem::elasticity::Components;
+use truegap_fem::io::write_msh;
 use truegap_fem::mesh::{Mesh, Topology};
 use truegap_fem::space::Nodes;
+use truegap_scene::vtu::{Cells, Data, Grid, VtuError};
 
 /// Why a case cannot be read, or its mesh not be written.
 #[derive(Debug, thiserror::Error)]
@@ -28,6 +32,9 @@ pub enum CaseFileError {
     /// No such format.
     #[error("{file}: the ending says the format, and `{ending}` is none; end the name with .msh (gmsh 4.1) or .vtu (VTK)")]
     Format { file: PathBuf, ending: String },
+    /// The grid cannot be written.
+    #[error(transparent)]
+    Grid(#[from] VtuError),
     /// The disk says no.
     #[error("{file}: cannot be written: {source}; check that its folder is there and may be written to")]
     Write { file: PathBuf, source: io::Error },
@@ -56,8 +63,10 @@ pub struct Meshed {
     pub mesh: Mesh,
     /// what a solution says, where the case was solved
     pub result: Option<CaseResult>,
-    /// name and values at the quadratic nodes: a number a node, or three of a vector
-    field: Option<(&'static str, usize, Vec<f64>)>,
+    /// at the quadratic nodes
+    at_nodes: Vec<(&'static str, Data)>,
+    /// in the middle of the triangles
+    in_triangles: Vec<(&'static str, Data)>,
 }
 
 /// The first mesh of a case, before any refinement.
@@ -66,20 +75,40 @@ pub struct Meshed {
 /// [`CaseFileError::Fem`] where the drawing cannot be meshed.
 pub fn first_mesh(case: &Case) -> Result<Meshed, CaseFileError> {
     let mesh = mesh_case(case).map_err(|source| told(&case.file, &source))?;
-    Ok(Meshed { mesh, result: None, field: None })
+    Ok(Meshed { mesh, result: None, at_nodes: Vec::new(), in_triangles: Vec::new() })
 }
 
-/// The last mesh of a solved case, with the potential (V) or the displacement (m).
+/// The last mesh of a solved case, with the potential (V) and the electric field, or the displacement (m), strain and stress.
 ///
 /// # Errors
 /// [`CaseFileError::Fem`] where the case cannot be solved.
 pub fn solved_mesh(case: &Case) -> Result<Meshed, CaseFileError> {
-    let (result, mesh, values) = solve_case_with_fields(case).map_err(|source| told(&case.file, &source))?;
-    let field = match case.physics {
-        Physics::Electrostatics => ("potential (V)", 1, values),
-        Physics::Elasticity => ("displacement (m)", 3, values.chunks(2).flat_map(|u| [u[0], u[1], 0.0]).collect()),
+    let SolvedCase { result, mesh, at_nodes, in_triangles } =
+        solve_case_with_fields(case).map_err(|source| told(&case.file, &source))?;
+    let at_nodes = match case.physics {
+        Physics::Electrostatics => ("potential (V)", Data::Scalar(at_nodes)),
+        Physics::Elasticity => ("displacement (m)", Data::Vector(at_nodes.as_chunks::<2>().0.to_vec())),
     };
-    Ok(Meshed { mesh, result: Some(result), field: Some(field) })
+    Ok(Meshed { mesh, result: Some(result), at_nodes: vec![at_nodes], in_triangles: arrays(&in_triangles) })
+}
+
+fn arrays(in_triangles: &InTriangles) -> Vec<(&'static str, Data)> {
+    let tensor = |values: &[Components]| Data::Tensor(values.iter().map(|c| [c.rr, c.zz, c.tt, c.rz]).collect());
+    match in_triangles {
+        InTriangles::Electric(field) => vec![("electric field (V/m)", Data::Vector(field.clone()))],
+        InTriangles::Elastic { strain, stress } => vec![
+            ("strain (1)", tensor(strain)),
+            ("stress (Pa)", tensor(stress)),
+            ("von Mises stress (Pa)", Data::Scalar(stress.iter().map(von_mises).collect())),
+        ],
+    }
+}
+
+/// Size of the part of a stress that changes the shape, `sqrt(3/2 s:s)` of its deviator `s`.
+fn von_mises(c: &Components) -> f64 {
+    let mean = (c.rr + c.zz + c.tt) / 3.0;
+    let deviator = [c.rr - mean, c.zz - mean, c.tt - mean];
+    (1.5 * (deviator.iter().map(|d| d * d).sum::<f64>() + 2.0 * c.rz * c.rz)).sqrt()
 }
 
 /// Formats of mesh files.
@@ -107,7 +136,7 @@ impl MeshFormat {
 }
 
 impl Meshed {
-    /// Writes the mesh; `.msh` keeps regions and boundaries by name, `.vtu` the field.
+    /// Writes the mesh; both keep regions by name, `.msh` the boundaries, `.vtu` the fields.
     ///
     /// # Errors
     /// [`CaseFileError`] for another ending, or where the disk refuses.
@@ -116,23 +145,33 @@ impl Meshed {
         let mut name = file.file_name().map(ToOwned::to_owned).unwrap_or_default();
         name.push(format!(".{}.part", std::process::id()));
         let part = file.with_file_name(name);
-        let written = self.write_as(format, &part).and_then(|()| fs::rename(&part, file));
-        written.map_err(|source| {
+        let written = match format {
+            MeshFormat::Msh => write_whole(&part, |out| write_msh(out, &self.mesh)),
+            MeshFormat::Vtu => {
+                let text = self.vtu()?;
+                write_whole(&part, |out| out.write_all(text.as_bytes()))
+            }
+        };
+        written.and_then(|()| fs::rename(&part, file)).map_err(|source| {
             let _ = fs::remove_file(&part); // nothing more can be done where even removing fails
             CaseFileError::Write { file: file.to_owned(), source }
         })
     }
 
-    fn write_as(&self, format: MeshFormat, file: &Path) -> io::Result<()> {
-        let mut out = BufWriter::new(fs::File::create(file)?);
-        match format {
-            MeshFormat::Msh => write_msh(&mut out, &self.mesh)?,
-            MeshFormat::Vtu => {
-                let nodes = Nodes::new(&self.mesh, &Topology::new(&self.mesh));
-                let field = self.field.as_ref().map(|(name, components, values)| Field { name, components: *components, values });
-                write_vtu(&mut out, &nodes, field.as_slice(), &[])?;
-            }
-        }
-        out.flush()
+    fn vtu(&self) -> Result<String, VtuError> {
+        let nodes = Nodes::new(&self.mesh, &Topology::new(&self.mesh));
+        let cells = nodes.triangles.iter().map(|t| t.map(|n| n as usize)).collect();
+        let regions = self.mesh.triangle_regions.iter().map(|&r| i32::from(r)).collect();
+        let grid = Grid::new(nodes.points, Cells::QuadraticTriangles(cells))
+            .on_cells("region", Data::Label(regions))
+            .legend("region", &self.mesh.region_names);
+        let grid = self.at_nodes.iter().fold(grid, |grid, (name, data)| grid.on_points(name, data.clone()));
+        self.in_triangles.iter().fold(grid, |grid, (name, data)| grid.on_cells(name, data.clone())).to_vtu()
     }
+}
+
+fn write_whole(file: &Path, write: impl FnOnce(&mut BufWriter<fs::File>) -> io::Result<()>) -> io::Result<()> {
+    let mut out = BufWriter::new(fs::File::create(file)?);
+    write(&mut out)?;
+    out.flush()
 }

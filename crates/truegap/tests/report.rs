@@ -6,7 +6,8 @@
 mod fixture;
 
 use truegap::report::{html, terminal, wording};
-use truegap_diagnose::answer::{NotTestable, Verdict};
+use truegap_diagnose::answer::{Confirmation, Confirmed, Errors, ModelFacts, NotTestable, OtherFacts, Verdict};
+use truegap_diagnose::confirmation::{Compared, Judgement, NoiseFloor, Reading};
 
 /// The page with plain spaces where a number is kept on one line with its sign.
 fn breakable(page: &str) -> String {
@@ -200,4 +201,97 @@ fn where_a_wrong_form_leaves_misfit_is_told_and_drawn() {
     let page = html(&fixture.subject());
     let part = &page[page.find("Where misfit remains").unwrap()..];
     assert!(part.contains("the reading is behind while the temperature moves") && part.contains("on a scale of its own"));
+}
+
+fn confirmation() -> Confirmation {
+    let errors = |rmse| Errors { rmse, reading: Reading { gain: 1.0, offset: 0.0 } };
+    let facts = |text: &str| text.to_owned();
+    Confirmation {
+        schema: "truegap.confirmation/1",
+        made_by: facts("truegap"),
+        model: ModelFacts {
+            file: facts("augmented.toml"),
+            recording: facts("bench.csv"),
+            sha256: facts("0"),
+            verdict: facts("explained"),
+            effects: vec![facts("thermal_lag")],
+            base_is_known: true,
+        },
+        recording: OtherFacts { source: facts("other.csv"), sha256: facts("1"), rows: 500, runs: 2 },
+        unit: facts("pF"),
+        free: Vec::new(),
+        base: errors(0.0312),
+        augmented: errors(0.0051),
+        noise: NoiseFloor { rmse: 0.004, measured: true, says: facts("from rest") },
+        level: 0.01,
+        verdict: Judgement::Confirmed,
+        test: Compared { blocks: 20, better_in: 19, difference: 0.1, p_value: 1e-6, judgement: Judgement::Confirmed },
+        verdict_if_gain_and_offset_are_free: Judgement::Confirmed,
+        says: facts("better in 19 of 20 blocks"),
+        notes: Vec::new(),
+    }
+}
+
+/// The strongest thing that can be said of a finding stood far below the first screen.
+#[test]
+fn a_confirmation_stands_among_the_numbers_at_the_top() {
+    let mut fixture = fixture::thermal_lag();
+    fixture.diagnosis.confirmation = Some(Confirmed::Judged(Box::new(confirmation())));
+    let page = breakable(&html(&fixture.subject()));
+    let top = &page[page.find("<h1>").unwrap()..page.find("<h2>").unwrap()];
+    assert!(top.contains("<strong>confirmed</strong>") && top.contains("took no part: 0.0312 → 0.00510 pF"), "{top}");
+    fixture.diagnosis.confirmation = Some(Confirmed::Refused { source: "other.csv".into(), refused: "no load".into() });
+    assert!(html(&fixture.subject()).contains("<strong>not judged</strong>"));
+}
+
+/// An error below the noise removes "112 % of the reproducible misfit", which is no limit of anything.
+#[test]
+fn no_check_has_a_share_above_a_hundred_per_cent() {
+    let mut fixture = fixture::thermal_lag();
+    fixture.diagnosis.fit.held_out.misfit_removed = Some(1.12);
+    let page = breakable(&html(&fixture.subject()));
+    let row = &page[page.find("removed by a permuted history").unwrap()..];
+    let row = &row[..row.find("</tr>").unwrap()];
+    assert!(row.contains("≤ 100") && !row.contains("112"), "{row}");
+}
+
+/// One cell at 2700 noises left all others white.
+#[test]
+fn one_outlier_does_not_set_the_scale_of_the_map() {
+    let mut fixture = fixture::thermal_lag();
+    fixture.traces.map_before.as_mut().unwrap().values[0][0] = 2700.0;
+    let page = html(&fixture.subject());
+    assert!(page.contains("▲ beyond, to 2700") && page.contains("logarithmic beyond"));
+}
+
+#[test]
+fn curves_that_lie_on_one_another_are_said_to() {
+    let mut fixture = fixture::thermal_lag();
+    let lie = "The curves lie on one another";
+    assert!(html(&fixture.subject()).contains(lie), "a lag of 0.15 pF beside a range of 14 pF");
+    fixture.traces.before = fixture.response.iter().map(|r| r + 1.0).collect();
+    assert!(!html(&fixture.subject()).contains(lie));
+}
+
+/// In the figure of what remains the fuller model had the colour of the base model.
+#[test]
+fn a_model_has_one_colour_in_all_figures() {
+    let mut fixture = fixture::thermal_lag();
+    fixture.diagnosis.verdict = Verdict::WrongForm;
+    fixture.diagnosis.remains = fixture.diagnosis.mismatch.clone();
+    let page = html(&fixture.subject());
+    let part = &page[page.find("Where misfit remains").unwrap()..];
+    let end = part.find("<title>with what was missing</title>").unwrap();
+    let path = &part[part[..end].rfind("<path").unwrap()..end];
+    assert!(path.contains("#D55E00") || path.contains("#d55e00"), "{}", &path[path.len() - 200..]);
+}
+
+/// What a pointer reads comes from the drawing; the page must hold both parts of it.
+#[test]
+fn every_panel_says_its_axes_and_the_page_has_the_script_that_reads_them() {
+    let fixture = fixture::thermal_lag();
+    let page = html(&fixture.subject());
+    let panels = page.matches("class=\"tg-panel\"").count();
+    assert!(panels > 6 && page.matches("data-y-unit=").count() == panels && page.contains("tg-values"));
+    assert!(page.matches("data-cells=").count() == 2, "both maps");
 }

@@ -34,9 +34,12 @@ pub struct Export {
     /// Field that colours the file; a viewer page offers all of them
     #[arg(long, value_enum, visible_alias = "color", default_value = "displacement")]
     colour: Colour,
-    /// Cut a quarter out
+    /// Cut a quarter out, as a page has it anyway
     #[arg(long)]
     wedge: bool,
+    /// Leave the disc whole in a page, too
+    #[arg(long, conflicts_with = "wedge")]
+    whole: bool,
     /// How the beads behave
     #[arg(long, value_enum, default_value = "bonded")]
     beads: Beads,
@@ -85,7 +88,7 @@ struct Answer {
 
 impl Run for Export {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
-        Format::of(&self.output)?; // before the work
+        let format = Format::of(&self.output)?; // before the work
         let sensor = find_sensor(&self.sensor, None)?;
         let force_n = one("--load", &self.load, Dimension::Force)?;
         let temperature_c = match &self.temperature {
@@ -99,7 +102,8 @@ impl Run for Export {
                 force_n,
                 temperature_c,
                 colour: self.colour.into(),
-                wedge: self.wedge,
+                // uncut, a page opens on a disc of one colour
+                wedge: self.wedge || (format == Format::Page && !self.whole),
                 beads: self.beads.into(),
                 options: CoupledOptions { press, ..CoupledOptions::default() },
                 command: command_line(),

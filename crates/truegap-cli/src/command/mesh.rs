@@ -20,7 +20,7 @@ pub struct Mesh {
     /// File to write: .msh (gmsh 4.1) or .vtu (VTK)
     #[arg(long, short, value_name = "FILE")]
     output: PathBuf,
-    /// Solve the case first: the refined mesh, in a .vtu with the potential or the displacement
+    /// Solve the case first: the refined mesh, in a .vtu with potential and field, or displacement, strain and stress
     #[arg(long)]
     solved: bool,
 }

@@ -8,6 +8,7 @@ mod elastic_outputs;
 mod elasticity;
 mod electrostatics;
 mod error;
+mod fields;
 mod first_mesh;
 mod geometry;
 mod raw;
@@ -19,6 +20,7 @@ mod units;
 
 pub use description::{Case, Condition, Drive, Law, Material, MeshRequest, Output, OutputKind, Physics, Plate};
 pub use error::CaseError;
+pub use fields::{InTriangles, SolvedCase};
 pub use first_mesh::mesh_case;
 pub use read::read_case;
 pub use result::{CaseResult, ErrorsFrom, MeshCounts, PressureActs, QuantityValue, SecondsSpent};

@@ -1,10 +1,10 @@
 //! From a case to its quantities, whatever its physics.
 
 use super::description::{Case, Physics};
+use super::fields::SolvedCase;
 use super::result::CaseResult;
-use super::{elasticity, electrostatics};
+use super::{elasticity, electrostatics, fields};
 use crate::error::FemError;
-use crate::mesh::Mesh;
 
 /// Solves a case.
 pub fn solve_case(case: &Case) -> Result<CaseResult, FemError> {
@@ -14,19 +14,20 @@ pub fn solve_case(case: &Case) -> Result<CaseResult, FemError> {
     }
 }
 
-/// Solves a case and returns the last mesh as well, with the potential (V) at its quadratic nodes in
-/// electrostatics, the displacement (m, `2 node + component`) in elasticity.
-pub fn solve_case_with_fields(case: &Case) -> Result<(CaseResult, Mesh, Vec<f64>), FemError> {
+/// Solves a case and returns the last mesh with its fields as well.
+pub fn solve_case_with_fields(case: &Case) -> Result<SolvedCase, FemError> {
     match case.physics {
         Physics::Electrostatics => {
             let (result, mesh, outcome) = electrostatics::solve(case)?;
-            Ok((result, mesh, outcome.potential))
+            let in_triangles = fields::electric(&mesh, &outcome.potential);
+            Ok(SolvedCase { result, mesh, at_nodes: outcome.potential, in_triangles })
         }
         Physics::Elasticity => {
             let (result, outcome) = elasticity::solve(case)?;
             let body = outcome.solution.body();
-            let displacement = outcome.solution.state()[..body.displacements].to_vec();
-            Ok((result, body.problem.mesh.clone(), displacement))
+            let at_nodes = outcome.solution.state()[..body.displacements].to_vec();
+            let in_triangles = fields::elastic(&outcome.solution);
+            Ok(SolvedCase { result, mesh: body.problem.mesh.clone(), at_nodes, in_triangles })
         }
     }
 }

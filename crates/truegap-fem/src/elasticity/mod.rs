@@ -60,6 +60,7 @@ pub mod laws;
 mod load_steps;
 mod loads;
 mod material;
+mod middle;
 mod newton;
 mod obstacle;
 mod point;

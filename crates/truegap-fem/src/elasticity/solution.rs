@@ -174,7 +174,7 @@ impl Solution {
     }
 
     /// Stress or strain of the material of an element at a displacement gradient and a pressure.
-    fn tensor(&self, element: usize, at: Point, h: &Tensor, pressure: Option<f64>, stress: bool) -> Components {
+    pub(crate) fn tensor(&self, element: usize, at: Point, h: &Tensor, pressure: Option<f64>, stress: bool) -> Components {
         let law = material(&self.body, element).law;
         if !stress {
             let green = if law == LawKind::Linear { Tensor::zeros() } else { h.tr_mul(h) };

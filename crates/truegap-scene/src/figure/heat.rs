@@ -16,6 +16,7 @@ pub struct HeatMap {
     pub(super) cells: Vec<f64>,
     pub(super) map: ColourMap,
     pub(super) range: Option<(f64, f64)>,
+    pub(super) bend: Option<f64>,
     pub(super) height: f64,
 }
 
@@ -39,6 +40,7 @@ impl HeatMap {
             cells: cells.to_vec(),
             map: ColourMap::Sequential,
             range: None,
+            bend: None,
             height: 320.0,
         }
     }
@@ -65,6 +67,18 @@ impl HeatMap {
     pub fn diverging(mut self) -> Self {
         self.map = ColourMap::Diverging;
         self
+    }
+
+    /// Colours even up to about `unit` on both sides of zero and logarithmic beyond, so that one huge cell does not leave the others white.
+    pub fn bent(mut self, unit: f64) -> Self {
+        self.bend = Some(unit);
+        self
+    }
+
+    /// Place of a value between the ends of the colours: 0 to 1 within them.
+    pub(super) fn place(&self, value: f64, (low, high): (f64, f64)) -> f64 {
+        let bent = |v: f64| self.bend.map_or(v, |unit| (v / unit).asinh());
+        (bent(value) - bent(low)) / (bent(high) - bent(low))
     }
 
     /// Colours from `low` to `high`; values beyond take the end colour and the colour bar says so.

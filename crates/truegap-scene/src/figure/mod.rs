@@ -4,8 +4,9 @@
 //! [`HeatMap`] and [`Matrix`] colour a plane and a table. All check what they are given in `to_svg`.
 //!
 //! Why own code: plotters 0.3.7 draws on whole pixels (`BackendCoord = (i32, i32)`), which turns a slow drift into stairs,
-//! and writes colours into each element, which rules out dark pages; kuva 0.6 is too young to lean on. What is missing
-//! here: anything interactive, polar and 3D axes, more than one y axis.
+//! and writes colours into each element, which rules out dark pages; kuva 0.6 is too young to lean on. Each panel carries its
+//! axes as attributes (`data-x`, `data-y`), from which the script of a page reads values and zooms. What is missing
+//! here: polar and 3D axes, more than one y axis.
 
 mod bars;
 mod chart;

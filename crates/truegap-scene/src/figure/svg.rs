@@ -119,6 +119,15 @@ impl Svg {
         );
     }
 
+    /// Opens a group with attributes, written as they stand.
+    pub fn open_group(&mut self, attributes: &str) {
+        let _ = writeln!(self.body, "<g {attributes}>");
+    }
+
+    pub fn close_group(&mut self) {
+        self.body.push_str("</g>\n");
+    }
+
     pub fn close_window(&mut self) {
         self.body.push_str("</svg>\n");
     }

@@ -16,6 +16,15 @@ pub(super) struct Ticks {
     pub factor: String,
     /// Value that the labels count from, as text, or empty.
     pub offset: String,
+    /// Factor and offset as numbers: a label is `(value - from) / times`.
+    pub counts: Counts,
+}
+
+/// What the labels of an axis count.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Counts {
+    pub times: f64,
+    pub from: f64,
 }
 
 impl Ticks {
@@ -70,6 +79,7 @@ fn even(low: f64, high: f64, wanted: usize) -> Ticks {
         minor: Vec::new(),
         factor: power_of_ten(exponent),
         offset: String::new(),
+        counts: Counts { times: factor, from: 0.0 },
     }
 }
 
@@ -84,6 +94,7 @@ fn counted_from(offset: f64, places: &[f64], step: f64) -> Ticks {
         minor: Vec::new(),
         factor: power_of_ten(exponent),
         offset: fixed(offset, decimals_of(step)),
+        counts: Counts { times: factor, from: offset },
     }
 }
 
@@ -104,7 +115,7 @@ fn decades(scale: &Scale) -> Ticks {
     } else {
         (first..=last).flat_map(|k| (2..10).map(move |m| f64::from(m) * 10f64.powi(k))).filter(inside).collect()
     };
-    Ticks { major, minor, factor: String::new(), offset: String::new() }
+    Ticks { major, minor, factor: String::new(), offset: String::new(), counts: Counts { times: 1.0, from: 0.0 } }
 }
 
 fn log_label(multiple: f64, exponent: i32, plain: bool) -> String {

@@ -4,8 +4,8 @@ use super::escape::{escape, sentence};
 use super::table::Table;
 
 const STYLE: &str = include_str!("style.css");
-/// Buttons of the figures; a page without figures has none.
-const FIGURES: &str = include_str!("figures.js");
+/// Buttons, values and zoom of the figures; a page without figures has none.
+const FIGURES: &str = concat!(include_str!("figures.js"), include_str!("plots.js"));
 
 /// An HTML page, built top to bottom; blocks that are opened are closed by [`Page::to_html`].
 #[derive(Debug, Clone, PartialEq)]
@@ -66,7 +66,7 @@ impl Page {
     /// An SVG from this crate's figures with a caption below, which is also what a screen reader says of a figure without a title.
     pub fn figure(self, svg: &str, caption: &str) -> Self {
         let svg = svg.replacen("aria-label=\"\"", &format!("aria-label=\"{}\"", escape(caption)), 1);
-        self.add(&format!("<figure>\n{svg}<figcaption>{}</figcaption>\n</figure>\n", sentence(caption)))
+        self.add(&format!("<figure>\n<div class=\"plot\">{svg}</div><figcaption>{}</figcaption>\n</figure>\n", sentence(caption)))
     }
 
     /// Markup as it stands; the caller answers for it being well-formed and self-contained.

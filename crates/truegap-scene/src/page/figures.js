@@ -14,6 +14,7 @@ for (const [index, figure] of document.querySelectorAll("figure").entries()) {
     // on paper, whatever the page looks like
     const copy = svg.cloneNode(true);
     copy.style.color = "#1b1f24";
+    copy.querySelectorAll(".tg-cross, .tg-drag").forEach((part) => part.remove());
     copy.querySelectorAll(".tg-paper").forEach((part) => part.setAttribute("fill", "#ffffff"));
     copy.querySelectorAll(".tg-halo").forEach((part) => part.setAttribute("stroke", "#ffffff"));
     const link = document.createElement("a");

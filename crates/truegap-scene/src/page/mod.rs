@@ -1,6 +1,7 @@
 //! Self-contained HTML pages: text, tables, figures, foldable details; light, dark and on paper.
 //!
-//! No script, no link, no font: the file can be mailed. Everything that is not markup made here is escaped.
+//! No link, no font, and a script only for the figures (values under the pointer, zoom, saving), without which the page reads the same:
+//! the file can be mailed. Everything that is not markup made here is escaped.
 //!
 //! ```
 //! use truegap_scene::page::{Page, Tone};

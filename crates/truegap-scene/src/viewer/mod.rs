@@ -1,7 +1,7 @@
 //! A page that shows a GLB of this crate from a local file, without network: orbit, morph, layers, colour bar.
 //!
 //! The file is embedded as base64 and drawn by a small WebGL 2 program made for what [`crate::glb`] writes; it is no general
-//! glTF viewer. Without WebGL the page says so and still offers the file.
+//! glTF viewer. Flat stacks open with their height stretched, by a factor that stands in the picture; a button goes to 1:1. Without WebGL the page says so and still offers the file.
 
 use crate::page::{Page, escape};
 use base64::Engine;

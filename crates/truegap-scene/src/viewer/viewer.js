@@ -152,7 +152,9 @@
   const { parts, about } = parse(bytes);
   const targets = (about.deformation && about.deformation.targets) || [];
   const box = extent(parts);
-  const look = { target: 0, weight: targets.length ? 1 : 0, stretch: 1, apart: 0 };
+  // A disc 30 times as wide as high is a flat spot: it opens with its height stretched to half of its radius, by a round factor that is said.
+  const stretched = [30, 20, 15, 10, 8, 5, 4, 3, 2].find((factor) => factor * box.height <= 0.5 * box.radius) || 1;
+  const look = { target: 0, weight: targets.length ? 1 : 0, stretch: stretched, apart: 0 };
   let gl, locations, asked = false;
 
   function draw() {
@@ -199,6 +201,9 @@
     const from = about.provenance || {};
     find("tg-says").textContent = shown + tall + [from.source, from.command, from.version && "version " + from.version].filter(Boolean).join("; ");
     find("tg-stretch-says").textContent = number(look.stretch);
+    const moved = chosen && look.weight * chosen.factor;
+    const parts = [look.stretch > 1.005 && `heights × ${number(look.stretch)}`, chosen && Math.abs(moved - 1) > 0.005 && `displacements × ${number(moved)}`];
+    find("tg-scale").textContent = parts.filter(Boolean).join(", ") || "true to scale";
     redraw();
   }
 
@@ -242,7 +247,17 @@
     weight.addEventListener("input", () => { look.weight = Number(weight.value); describe(); });
     find("tg-stretch").addEventListener("input", (e) => { look.stretch = 10 ** Number(e.target.value); describe(); });
     find("tg-apart").addEventListener("input", (e) => { look.apart = Number(e.target.value); redraw(); });
-    find("tg-reset").addEventListener("click", () => { camera = home(); redraw(); });
+    const set = (name, value) => { find(name).value = value; find(name).dispatchEvent(new Event("input")); };
+    set("tg-stretch", Math.log10(stretched));
+    look.stretch = stretched; // the slider rounds
+    find("tg-reset").addEventListener("click", () => { camera = home(); set("tg-stretch", Math.log10(stretched)); redraw(); });
+    find("tg-true").addEventListener("click", () => {
+      set("tg-stretch", 0);
+      set("tg-apart", 0);
+      const exact = targets.findIndex((t) => t.factor === 1);
+      if (exact >= 0) { select.value = look.target = exact; set("tg-weight", 1); }
+      describe();
+    });
     let playing = 0;
     find("tg-play").addEventListener("click", (e) => {
       if (playing) { cancelAnimationFrame(playing); playing = 0; e.target.textContent = "Play"; return; }

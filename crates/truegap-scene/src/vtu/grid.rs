@@ -74,12 +74,13 @@ pub struct Grid {
     pub(super) on_points: Vec<(String, Data)>,
     pub(super) on_cells: Vec<(String, Data)>,
     pub(super) notes: Vec<(String, String)>,
+    pub(super) legend: Vec<(String, i32)>,
 }
 
 impl Grid {
     /// A grid of `cells` over `points` (r, z) or (x, y), m.
     pub fn new(points: Vec<[f64; 2]>, cells: Cells) -> Self {
-        Self { points, cells, on_points: Vec::new(), on_cells: Vec::new(), notes: Vec::new() }
+        Self { points, cells, on_points: Vec::new(), on_cells: Vec::new(), notes: Vec::new(), legend: Vec::new() }
     }
 
     /// Adds a field with a value for each point; the unit belongs into the name, as `temperature [K]`.
@@ -94,11 +95,19 @@ impl Grid {
         self
     }
 
-    /// Adds a fact about the file (source, command, version), kept as text in its field data.
+    /// Adds a fact about the file (source, command, version), kept in its field data as the codes of its UTF-8 text.
     ///
-    /// VTK and ParaView show it; meshio 5.3.5 refuses files with text arrays, so leave notes out for it.
+    /// meshio 5.3.5 refuses a whole file that holds VTK's own text arrays, so none is written.
     pub fn note(mut self, name: &str, text: &str) -> Self {
         self.notes.push((name.into(), text.into()));
+        self
+    }
+
+    /// Says what the numbers of a label field mean: `names[k]` is the name of `k`.
+    ///
+    /// Kept in the field data as one number called `field: name` for each, which VTK and meshio both read.
+    pub fn legend(mut self, field: &str, names: &[String]) -> Self {
+        self.legend.extend(names.iter().zip(0..).map(|(name, number)| (format!("{field}: {name}"), number)));
         self
     }
 

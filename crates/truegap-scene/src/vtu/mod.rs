@@ -1,7 +1,8 @@
 //! Meshes with fields as `.vtu` files (VTK XML unstructured grid) for ParaView and everything else that reads VTK.
 //!
 //! Sections keep their plane: x = r, y = z, and the third direction is θ. Numbers are stored as base64 of 64-bit floats, so
-//! nothing is rounded. Not written: time series, polyhedra, compression.
+//! nothing is rounded. Texts are written as numbers, since meshio refuses a file with text arrays. Not written: time series,
+//! polyhedra, compression.
 //!
 //! ```
 //! use truegap_scene::vtu::{Cells, Data, Grid};

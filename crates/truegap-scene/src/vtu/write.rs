@@ -26,9 +26,10 @@ fn file(grid: &Grid) -> String {
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
          header_type=\"UInt64\">\n<UnstructuredGrid>\n",
     );
-    if !grid.notes.is_empty() {
+    if !(grid.notes.is_empty() && grid.legend.is_empty()) {
         out += "<FieldData>\n";
-        grid.notes.iter().for_each(|(name, text)| note(&mut out, name, text));
+        grid.legend.iter().for_each(|(name, number)| whole(&mut out, name, "Int32", 1, &number.to_le_bytes()));
+        grid.notes.iter().for_each(|(name, text)| whole(&mut out, name, "UInt8", text.len(), text.as_bytes()));
         out += "</FieldData>\n";
     }
     let (points, cells) = (grid.points.len(), grid.cells.len());
@@ -82,20 +83,21 @@ fn flat<const N: usize>(rows: impl Iterator<Item = [f64; N]>) -> Vec<u8> {
 
 /// A data array; the block length goes before the data into one base64 stream.
 fn array(out: &mut String, name: &str, kind: &str, components: usize, bytes: &[u8]) {
+    data(out, name, kind, &format!("NumberOfComponents=\"{components}\""), bytes);
+}
+
+/// An array of the file as a whole, which has to say how long it is.
+fn whole(out: &mut String, name: &str, kind: &str, tuples: usize, bytes: &[u8]) {
+    data(out, name, kind, &format!("NumberOfTuples=\"{tuples}\""), bytes);
+}
+
+fn data(out: &mut String, name: &str, kind: &str, size: &str, bytes: &[u8]) {
     let mut block = (bytes.len() as u64).to_le_bytes().to_vec();
     block.extend_from_slice(bytes);
     let _ = writeln!(
         out,
-        "<DataArray type=\"{kind}\" Name=\"{}\" NumberOfComponents=\"{components}\" format=\"binary\">{}</DataArray>",
+        "<DataArray type=\"{kind}\" Name=\"{}\" {size} format=\"binary\">{}</DataArray>",
         escape(name),
         STANDARD.encode(block)
     );
-}
-
-/// A text as VTK keeps it: the codes of its bytes, ended by zero.
-fn note(out: &mut String, name: &str, text: &str) {
-    let codes: String = text.bytes().map(|b| format!("{b} ")).collect();
-    let name = escape(name);
-    let _ =
-        writeln!(out, "<DataArray type=\"String\" Name=\"{name}\" NumberOfTuples=\"1\" format=\"ascii\">{codes}0</DataArray>");
 }

@@ -22,7 +22,7 @@ pub(super) fn section(coupled: &Coupled, temperature_c: f64) -> Grid {
         .on_cells("von Mises stress [Pa]", Data::Scalar((0..mesh.triangles.len()).map(stress).collect()))
         .on_cells("field strength [V/m]", Data::Scalar(strength))
         .on_cells("region", Data::Label(mesh.triangle_regions.iter().map(|&r| i32::from(r)).collect()))
-        .note("regions", &mesh.region_names.join(", "))
+        .legend("region", &mesh.region_names)
 }
 
 /// Potential at the nodes (1 V in metals) and field strength of the cells (0 in metals).

@@ -90,7 +90,8 @@ fn errors(subject: &Subject<'_>) -> Vec<Check> {
         checks.push(at_most("error on rows left out, not above that of the base model", after, before, &scale.unit));
     }
     if let (Some(control), Some(removed)) = (held.permutation_control, held.misfit_removed) {
-        let [control, removed] = [control, removed].map(|share| 100.0 * share);
+        // an error below the noise would be "more than all of it"
+        let [control, removed] = [control, removed].map(|share| 100.0 * share.min(1.0));
         checks.push(at_most("removed by a permuted history, not above what the findings remove", control, removed, "%"));
     }
     checks

@@ -10,8 +10,7 @@ use truegap_scene::page::Page;
 /// The recording against both models, and what is left over each input.
 pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
     let page = page.section("Recording and models");
-    let page =
-        draw::figure(page, courses(subject, axis), "What was done (above), what was read, and what the models make of it.");
+    let page = draw::figure(page, courses(subject, axis), &caption(subject));
     let drivers = drivers(subject);
     if drivers.is_empty() {
         return page;
@@ -22,6 +21,24 @@ pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
         let caption = format!("Recorded less predicted over {}.", driver.label);
         draw::figure(page, over(subject, driver), &caption)
     })
+}
+
+/// Share of the recorded range below which two curves look like one.
+const APART: f64 = 0.02;
+
+fn caption(subject: &Subject<'_>) -> String {
+    let says = "What was done (above), what was read, and what the models make of it.";
+    let finite = |values: &[f64]| values.iter().copied().filter(|v| v.is_finite()).collect::<Vec<_>>();
+    let (read, scale) = (finite(subject.response), subject.error_scale());
+    let range = read.iter().copied().fold(f64::NEG_INFINITY, f64::max) - read.iter().copied().fold(f64::INFINITY, f64::min);
+    let largest = finite(&subject.residual(&subject.traces.before, &scale)).into_iter().fold(0.0, |m: f64, r| m.max(r.abs()));
+    if largest / scale.factor < APART * range {
+        let most = scale.text(largest / scale.factor);
+        return format!(
+            "{says} The curves lie on one another here: they differ by at most {most}, which the first figure shows."
+        );
+    }
+    says.into()
 }
 
 /// One recorded input in its display unit.
@@ -66,7 +83,8 @@ fn courses(subject: &Subject<'_>, axis: &Axis) -> Result<String, FigureError> {
     let scale = subject.value_scale();
     let lifted = |values: &[f64]| axis.lift(&scale.column(values));
     let panel = axis.on(Figure::new("").y("reading", &scale.unit).height(240.0), first);
-    let panel = panel.line("recorded", axis.x(), &lifted(subject.response)).colour(RECORDED);
+    // dots below lines: what lies on one another can still be told apart
+    let panel = panel.points("recorded", axis.x(), &lifted(subject.response)).colour(RECORDED);
     let panel = panel.line("calibrated model", axis.x(), &lifted(&subject.traces.before)).colour(BEFORE);
     let panel = if subject.is_augmented() {
         panel.dashed_line("with what was missing", axis.x(), &lifted(&subject.traces.after)).colour(AFTER)

@@ -33,7 +33,7 @@ fn remains(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
     }
     let says: Vec<&str> = left.iter().take(LISTED).map(|m| m.says.as_str()).collect();
     let page = page.subsection("Where misfit remains").list(&says);
-    let after = ("with what was missing", subject.traces.after.as_slice());
+    let after = (summary::FULLER, subject.traces.after.as_slice());
     draw::figure(
         page,
         summary::residual_stack(subject, axis, &[after]),
@@ -56,7 +56,7 @@ fn maps(page: Page, subject: &Subject<'_>) -> Page {
     let Some(before) = &traces.map_before else { return page };
     let both = [Some(before), traces.map_after.as_ref()];
     let cells = both.iter().flatten().flat_map(|map| map.values.iter().flatten());
-    let largest = cells.filter(|v| v.is_finite()).fold(3.0, |m: f64, v| m.max(v.abs()));
+    let largest = cells.filter(|v| v.is_finite()).fold(CHANCE, |m: f64, v| m.max(v.abs())).min(SHOWN);
     let first = draw_map("Calibrated model", before, largest);
     match traces.map_after.as_ref().filter(|_| subject.is_augmented()) {
         None => draw::figure(page, first, CAPTION),
@@ -67,7 +67,11 @@ fn maps(page: Page, subject: &Subject<'_>) -> Page {
     }
 }
 
-const CAPTION: &str = "Mean residual of each cell over the noise that such a mean has; beyond ± 3 it is not chance.";
+/// Up to here a mean may be chance.
+const CHANCE: f64 = 3.0;
+/// Beyond this size, in noises of a mean, colours no longer tell: one cell at 2700 would leave those at 3 white.
+const SHOWN: f64 = 100.0;
+const CAPTION: &str = "Mean residual of each cell over the noise that such a mean has; beyond ± 3 it is not chance. Colours are even up to about ± 3 and logarithmic beyond.";
 
 fn draw_map(title: &str, map: &Map, largest: f64) -> Result<String, FigureError> {
     let cells: Vec<f64> = map.values.iter().flatten().copied().collect();
@@ -76,6 +80,7 @@ fn draw_map(title: &str, map: &Map, largest: f64) -> Result<String, FigureError>
         .y(&map.y_label, "")
         .value("mean residual / its noise", "")
         .diverging()
+        .bent(CHANCE)
         .value_range(-largest, largest)
         .height(250.0)
         .to_svg()

@@ -3,11 +3,16 @@
 //! Limits: whoever reads nothing else has read the answer; details follow in the other sections.
 
 use super::draw::{self, AFTER, BEFORE, NOISE};
-use super::text::{Scale, capitalised};
+use super::text::{Scale, capitalised, significant};
 use super::{axis::Axis, subject::Subject, wording};
-use truegap_diagnose::answer::{Diagnosis, Verdict};
+use truegap_diagnose::answer::{Confirmed, Diagnosis, Verdict};
 use truegap_scene::figure::{Figure, FigureError, Stack};
 use truegap_scene::page::{Page, Tone};
+
+/// Name of the calibrated base model in figures and their legends.
+const BASE: &str = "calibrated model";
+/// Name of the model with the findings.
+pub(super) const FULLER: &str = "with what was missing";
 
 /// Verdict, findings, numbers and figure.
 pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
@@ -64,13 +69,25 @@ fn tiles(diagnosis: &Diagnosis) -> Vec<(String, String)> {
         let share = if share >= 0.995 { "> 99 %".to_owned() } else { format!("{:.0} %", 100.0 * share) };
         tiles.push((share, "of the reproducible misfit removed on unseen data".to_owned()));
     }
+    tiles.extend(diagnosis.confirmation.as_ref().map(confirmed));
     tiles
+}
+
+/// What a recording that took no part says.
+fn confirmed(confirmation: &Confirmed) -> (String, String) {
+    match confirmation {
+        Confirmed::Judged(c) => {
+            let [before, after] = [c.base.rmse, c.augmented.rmse].map(|error| significant(error, 3));
+            (c.verdict.words().to_owned(), format!("on a recording that took no part: {before} → {after} {}", c.unit))
+        }
+        Confirmed::Refused { .. } => ("not judged".to_owned(), "on a recording that took no part".to_owned()),
+    }
 }
 
 /// Residual before and after over the recording, one scale, with the noise band.
 pub(super) fn residuals(subject: &Subject<'_>, axis: &Axis) -> Result<String, FigureError> {
-    let before = ("calibrated model", subject.traces.before.as_slice());
-    let after = ("with what was missing", subject.traces.after.as_slice());
+    let before = (BASE, subject.traces.before.as_slice());
+    let after = (FULLER, subject.traces.after.as_slice());
     let both = [before, after];
     residual_stack(subject, axis, if subject.is_augmented() { &both } else { &both[..1] })
 }
@@ -80,12 +97,13 @@ pub(super) fn residual_stack(subject: &Subject<'_>, axis: &Axis, predictions: &[
     let scale = subject.error_scale();
     let residuals: Vec<Vec<f64>> = predictions.iter().map(|(_, p)| subject.residual(p, &scale)).collect();
     let largest = residuals.iter().flatten().filter(|r| r.is_finite()).fold(0.0, |m: f64, r| m.max(r.abs()));
-    let colours = [BEFORE, AFTER];
     let mut stack = Stack::new("Recorded less predicted");
+    // a model has the same colour in every figure
+    let colour = |label: &str| if label == BASE { BEFORE } else { AFTER };
     for (number, ((label, _), residual)) in predictions.iter().zip(&residuals).enumerate() {
         let height = if predictions.len() == 1 { 170.0 } else { 130.0 };
         let panel = axis.on(noise_panel(subject, axis, &scale).height(height), number == 0);
-        let panel = panel.points(label, axis.x(), &axis.lift(residual)).colour(colours[number.min(1)]);
+        let panel = panel.points(label, axis.x(), &axis.lift(residual)).colour(colour(label));
         stack = stack.panel(if largest > 0.0 { panel.y_range(-1.08 * largest, 1.08 * largest) } else { panel });
     }
     stack.to_svg()

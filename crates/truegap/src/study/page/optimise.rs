@@ -17,23 +17,50 @@ pub(in crate::study) fn figures(answer: &OptimiseAnswer) -> Result<Vec<(String, 
     PAIRS.iter().map(|&[a, b]| Ok((format!("{}_{}.svg", OBJECTIVES[a], OBJECTIVES[b]), plot(answer, a, b)?))).collect()
 }
 
-/// All designs that are known, in the plane of two objectives.
+/// All designs that are known, in the plane of two objectives; the axes end around them, wherever the starting design lies.
 fn plot(answer: &OptimiseAnswer, a: usize, b: usize) -> Result<String, FigureError> {
     let column = |designs: &[Candidate], o: usize| -> Vec<f64> { designs.iter().map(|d| d.ratios[o]).collect() };
     let axis = |o: usize| format!("{} over that of the starting design", spoken(OBJECTIVES[o]));
     let mut figure = Figure::new("").x(&axis(a), "").y(&axis(b), "").height(340.0);
-    let find = |places: &[usize]| answer.fronts.iter().find(|f| f.places == places);
-    if let Some(front) = find(&[0, 1, 2]) {
-        figure = figure.points("front of all three", &column(&front.designs, a), &column(&front.designs, b));
-    }
-    if let Some(front) = find(&[a, b]) {
-        figure = figure.points("front of these two", &column(&front.designs, a), &column(&front.designs, b));
+    let fronts = [("front of all three", vec![0, 1, 2]), ("front of these two", vec![a, b])];
+    let mut shown: Vec<&Candidate> = answer.vector.iter().collect();
+    for (label, places) in fronts {
+        let Some(front) = answer.fronts.iter().find(|f| f.places == places) else { continue };
+        figure = figure.points(label, &column(&front.designs, a), &column(&front.designs, b));
+        shown.extend(&front.designs);
     }
     if let Some(vector) = &answer.vector {
         figure = figure.points("along the vector", &[vector.ratios[a]], &[vector.ratios[b]]);
         figure = figure.dashed_line("minimisation vector", &[1.0, vector.ratios[a]], &[1.0, vector.ratios[b]]);
     }
-    figure.points("starting design", &[1.0], &[1.0]).y_include(0.0).to_svg()
+    let [x, y] = [a, b].map(|o| window(shown.iter().map(|d| d.ratios[o])));
+    let (label, start) = start(x, y, answer.vector.as_ref().map(|v| [v.ratios[a], v.ratios[b]]));
+    figure.points(label, &[start[0]], &[start[1]]).x_range(x.0, x.1).y_range(y.0, y.1).to_svg()
+}
+
+/// Ends of an axis around designs, with the starting design at 1 where that costs less than two thirds of the room.
+fn window(ratios: impl Iterator<Item = f64>) -> (f64, f64) {
+    let (low, high) = ratios.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), r| (low.min(r), high.max(r)));
+    if low > high {
+        return (0.0, 1.1);
+    }
+    let (with_low, with_high) = (low.min(1.0), high.max(1.0));
+    let is_near = with_high - with_low < 3.0 * (high - low);
+    let (low, high) = if is_near { (with_low, with_high) } else { (low, high) };
+    let margin = (0.08 * (high - low)).max(1e-3 * high.abs().max(1e-9));
+    ((low - margin).max(0.0), high + margin)
+}
+
+/// Where the starting design is drawn: at (1, 1), or at the edge on the way to it, which its name then says.
+fn start(x: (f64, f64), y: (f64, f64), from: Option<[f64; 2]>) -> (&'static str, [f64; 2]) {
+    let from = from.unwrap_or([0.5 * (x.0 + x.1), 0.5 * (y.0 + y.1)]);
+    let way = |from: f64, (low, high): (f64, f64)| {
+        let edge = if from < 1.0 { high } else { low };
+        if (low..=high).contains(&1.0) { 1.0 } else { (edge - from) / (1.0 - from) }
+    };
+    let share = way(from[0], x).min(way(from[1], y));
+    let label = if share < 1.0 { "to the starting design, beyond the edge at (1, 1)" } else { "starting design" };
+    (label, from.map(|f| f + share * (1.0 - f)))
 }
 
 /// The page.
@@ -48,7 +75,7 @@ pub(in crate::study) fn html(answer: &OptimiseAnswer) -> Result<String, StudyErr
     };
     page = page.section("Fronts").text(
         "Each point is a design that no other found one beats in the coefficients of its front. Coefficients count by their size, over those of the starting design at (1, 1); \
-         left and below is better.",
+         left and below is better. The axes end around the designs; where the starting design lies beyond, a point at the edge shows the way to it.",
     );
     for [a, b] in PAIRS {
         let third = OBJECTIVES[3 - a - b];
@@ -130,4 +157,31 @@ fn space(page: Page, answer: &OptimiseAnswer) -> Page {
          plates apart from 20 to 50 °C up to full load. \"Alone\" is what no other constraint excludes. The paper keeps \"useful\" designs without giving numbers; these are ours.",
         100.0 * answer.feasible, useful.baseline, useful.span, useful.linearity, useful.covered
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The front sat in a corner of an axis from 0 to the starting design at 1.
+    #[test]
+    fn a_front_far_from_the_start_fills_its_axes() {
+        let (low, high) = window([0.10, 0.12, 0.14].into_iter());
+        assert!(low > 0.08 && high < 0.16, "{low} {high}");
+        let (label, at) = start((low, high), (low, high), Some([0.12, 0.12]));
+        assert!(label.contains("beyond the edge") && (at[0] - high).abs() < 1e-12 && (at[1] - high).abs() < 1e-12, "{at:?}");
+    }
+
+    #[test]
+    fn a_front_near_the_start_shows_it_where_it_is() {
+        let (low, high) = window([0.4, 0.9].into_iter());
+        assert!(low < 0.4 && high > 1.0);
+        assert_eq!(start((low, high), (low, high), None), ("starting design", [1.0, 1.0]));
+    }
+
+    #[test]
+    fn a_start_beyond_one_axis_only_lies_on_the_edge_of_that_axis() {
+        let (_, at) = start((0.1, 0.2), (0.4, 1.1), Some([0.15, 0.5]));
+        assert!((at[0] - 0.2).abs() < 1e-12 && at[1] > 0.5 && at[1] < 1.0, "{at:?}");
+    }
 }

@@ -264,3 +264,24 @@ fn a_diagnosis_does_not_overwrite_what_it_did_not_write() {
     bench.refuses(&["-q", "diagnose", "r.csv", "-o", "out"], &["out", "file of this name", "-o"]);
     assert_eq!(std::fs::read_to_string(bench.path("out")).unwrap(), "mine");
 }
+
+/// Only names were compared: a page of the user's own, called as ours, was replaced without a word.
+#[test]
+fn no_command_replaces_a_page_that_truegap_did_not_write() {
+    let bench = Bench::new();
+    std::fs::create_dir(bench.path("mine")).unwrap();
+    bench.file("mine/report.html", "mine").file("r.csv", &ramp(4.5));
+    let sensor = ["--sensor", "singletact-s15-4.5n"];
+    let commands: [&[&str]; 5] = [
+        &["diagnose", "r.csv", sensor[0], sensor[1]],
+        &["audit"],
+        &["sensitivity", "--rows", "64"],
+        &["tolerance", "--samples", "64"],
+        &["optimise", "--searches", "1"],
+    ];
+    for command in commands {
+        let typed = [&["-q"], command, &["-o", "mine"]].concat();
+        bench.refuses(&typed, &["mine", "`report.html`", "would be lost", "-o"]);
+        assert_eq!(std::fs::read_to_string(bench.path("mine/report.html")).unwrap(), "mine", "{command:?}");
+    }
+}

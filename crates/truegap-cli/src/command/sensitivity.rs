@@ -13,6 +13,7 @@ use truegap::design::METRICS;
 use truegap::design::sensitivity::QuantityIndices;
 use truegap::sensors::DEFAULT_SENSOR;
 use truegap::study::SensorText;
+use truegap::study::{SensorText, check_place};
 use truegap::study::answer::sensitivity::SensorSensitivity;
 use truegap::study::sensitivity::SensitivityRequest;
 
@@ -44,6 +45,7 @@ impl Run for Sensitivity {
         anyhow::ensure!(
             self.change > 0.0 && self.change < 100.0,
             "--change {}: give a number of per cent above 0 and below 100",
+        self.output.as_deref().map_or(Ok(()), check_place)?;
             self.change
         );
         let sensors = [Some(&self.sensor), self.compare.as_ref()].into_iter().flatten();

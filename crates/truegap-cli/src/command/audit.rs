@@ -2,8 +2,8 @@
 //!
 //! Limits: reads, calls, prints; Ctrl-C stops between two solves, and what was finished is remembered.
 
-use super::diagnose::{STOP, stop_on_interrupt};
 use super::run::{Outcome, Run};
+use super::stop::{STOP, stop_on_interrupt};
 use super::study::Where;
 use super::typed::command_line;
 use crate::console::Console;

@@ -5,6 +5,7 @@
 mod bank_store;
 mod bases;
 mod clock;
+mod course;
 mod diagnosed;
 mod error;
 mod pace;

@@ -4,6 +4,7 @@
 
 use super::bases::{Bases, MATERIALS};
 use super::clock::utc_now;
+use super::course::Course;
 use super::diagnosed::Diagnosed;
 use super::request::{Opened, Request, named};
 use super::screen::{Screened, reserve, screen};
@@ -18,7 +19,7 @@ use truegap_diagnose::joint::{Member, Together};
 use truegap_diagnose::quality::{FEWEST_ROWS, Notice};
 use truegap_diagnose::{DiagnoseError, Known, Options, Outcome, Problem, Progress, RecordingFacts};
 
-/// Diagnoses what was opened; `files` are what was read, with their SHA-256.
+/// Diagnoses what was opened; `files` are what was read, with their SHA-256. `progress` is told the share of the whole that is over, which never falls.
 ///
 /// # Errors
 /// [`DiagnosisError`] where there is no base model or nothing can be concluded.
@@ -35,7 +36,11 @@ pub fn diagnose(
         let source = DiagnoseError::TooFewRows { rows, needed: FEWEST_ROWS };
         return Err(DiagnosisError::Diagnose { recording: named(&opened.recording), source });
     }
+    let course = Course::of(request);
+    let progress = &|stage: Progress| progress(course.over_all(stage));
+    progress(Progress { step: "rows", what: format!("what is wrong with {rows} of them"), done: 0.0 });
     let Screened { opened, bases, notices } = screen(opened)?;
+    progress(Progress { step: "noise", what: format!("{rows} rows"), done: 0.0 });
     let run = Run { request, notices: &notices, progress, stop };
     let outcome = match opened.parts.is_empty() {
         true => of_one(&opened, &bases, &files, &run),

@@ -104,11 +104,18 @@ pub enum RecordingError {
          this table; write all numbers with the same decimal sign, and none between thousands"
     )]
     PointOrThousands { file: PathBuf, line: usize, column: String, text: String },
-    /// An empty cell, NaN or infinity.
+    /// So many rows without a value that what is left is another recording.
     #[error(
-        "{file}, line {line}: column `{column}` has no finite value (`{text}`); leave the row out, there is no need for even sampling"
+        "{file}: {gone} of {rows} rows would be left out, more than half: they have no value in {columns} (the first is line {line}); fill the column, or \
+         rename it in the header so that it is not read"
     )]
-    NoValue { file: PathBuf, line: usize, column: String, text: String },
+    FewWhole { file: PathBuf, gone: usize, rows: usize, columns: String, line: usize },
+    /// A clock that stands more often than it goes.
+    #[error(
+        "{file}: {gone} of {rows} rows have the time of the row before, more than half (the first is line {line}); record the time with its fractions, or \
+         average the rows of one instant"
+    )]
+    FewInstants { file: PathBuf, gone: usize, rows: usize, line: usize },
     /// A number that cannot be, in SI.
     #[error("{file}, line {line}: {value} {unit} in column `{column}` cannot be: {why}; check the unit of the column")]
     Impossible { file: PathBuf, line: usize, column: String, value: f64, unit: String, why: String },
@@ -125,11 +132,6 @@ pub enum RecordingError {
     /// Time running backwards.
     #[error("{file}, line {line}: time goes back from {before} s to {after} s inside run {run}; start a new run there")]
     TimeRunsBack { file: PathBuf, line: usize, run: u32, before: f64, after: f64 },
-    /// Two rows of one run at one time.
-    #[error(
-        "{file}, line {line}: time stays at {time} s inside run {run}; average the rows of one instant or leave all but one out"
-    )]
-    EqualTimes { file: PathBuf, line: usize, run: u32, time: f64 },
     /// A recording made in the program has columns of different length.
     #[error("column {column} has {found} rows, the runs have {expected}; give every column one value a row")]
     Lengths { column: String, found: usize, expected: usize },

@@ -30,6 +30,7 @@ mod source;
 mod stamp;
 mod table;
 mod text;
+mod whole;
 mod words;
 mod write;
 

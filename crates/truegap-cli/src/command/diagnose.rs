@@ -11,6 +11,7 @@ use crate::console::Console;
 use std::path::{Path, PathBuf};
 use truegap::Recording;
 use truegap::confirm::{Free, confirm_within, other};
+use truegap::core::recording::Mapped;
 use truegap::diagnose::{Library, Progress, Verdict};
 use truegap::diagnosis::{Diagnosed, FILES, Pace, Request, diagnose, open, pace};
 use truegap::mechanism_file::with_effects;
@@ -29,6 +30,9 @@ pub struct Diagnose {
     /// Diagnose each recording by itself, into a folder of its own below --output
     #[arg(long)]
     batch: bool,
+    /// Column that plays a role in every recording, with its unit where the name has none: response=C_measured:pF. Roles: response, force, pressure, gap, temperature, humidity, time, run, simulated, sensor; may be given several times
+    #[arg(long, value_name = "ROLE=COLUMN[:UNIT]")]
+    map: Vec<Mapped>,
     /// Sensor in place of the recording's: built-in name or path of a sensor's TOML
     #[arg(long)]
     sensor: Option<String>,
@@ -94,7 +98,7 @@ impl Diagnose {
     fn other(&self, took_part: &[Recording]) -> anyhow::Result<Option<(Recording, Free)>> {
         let Some(path) = &self.confirm else { return Ok(None) };
         let free = Free::of(&self.free)?;
-        Ok(Some((other(recorded(path)?, self.channel.as_deref(), took_part)?, free)))
+        Ok(Some((other(recorded(path, &self.map)?, self.channel.as_deref(), took_part)?, free)))
     }
 
     /// All recordings as one physics, judged on that of --confirm.
@@ -109,7 +113,7 @@ impl Diagnose {
     }
 
     fn read(&self, paths: &[PathBuf]) -> anyhow::Result<Vec<Recording>> {
-        paths.iter().map(|path| Ok(recorded(path)?)).collect()
+        paths.iter().map(|path| Ok(recorded(path, &self.map)?)).collect()
     }
 
     fn one(&self, paths: &[PathBuf], recordings: Vec<Recording>, line: &Line, console: &Console) -> anyhow::Result<Diagnosed> {

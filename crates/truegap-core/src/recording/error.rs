@@ -50,7 +50,7 @@ pub enum RecordingError {
     /// A column that is needed or named is not there.
     #[error(
         "{file}: no column for {role}: {wanted} is not in the header; {near}found: {found}; name yours under [columns] of the TOML beside it: {role} = \"...\" (docs/recordings.md; \
-         `truegap init` writes that TOML)"
+         `truegap init` writes that TOML), or give --map {role}=COLUMN"
     )]
     MissingColumn { file: PathBuf, role: String, wanted: String, near: String, found: String },
     /// A name that stands over two columns.
@@ -64,7 +64,8 @@ pub enum RecordingError {
     Driver { file: PathBuf, line: usize, driver: String, why: String },
     /// A number without a unit.
     #[error(
-        "{file}: column `{column}` ({role}) has no unit in its name; write {role} = \"{example}\" under [units] of the TOML beside it, or one of {known}"
+        "{file}: column `{column}` ({role}) has no unit in its name; write {role} = \"{example}\" under [units] of the TOML beside it, or one of {known}; or give --map \
+         {role}=\"{column}:{example}\""
     )]
     MissingUnit { file: PathBuf, column: String, role: String, example: String, known: String },
     /// A column called after a role, with what is no unit of it.
@@ -76,6 +77,9 @@ pub enum RecordingError {
     /// A unit of something else.
     #[error("{file}, line {line}: unit of {role}: {source}")]
     WrongUnit { file: PathBuf, line: usize, role: String, source: UnitError },
+    /// A unit of something else, given beside the column's name.
+    #[error("{file}: --map {role}: {source}")]
+    MappedUnit { file: PathBuf, role: String, source: UnitError },
     /// A second column of readings in another unit than the response.
     #[error("{file}: column `{column}` is in {unit}, the response in {response}; convert one, or give both units under [units]")]
     UnitsDiffer { file: PathBuf, column: String, unit: String, response: String },

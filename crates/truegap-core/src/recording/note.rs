@@ -83,7 +83,7 @@ impl fmt::Display for Note {
             }
             Self::NotRead { columns } => write!(
                 f,
-                "not read: {columns}; name what they are in a TOML beside the CSV (`truegap init` writes one), or leave them as they are"
+                "not read: {columns}; name what they are in a TOML beside the CSV (`truegap init` writes one) or by --map, or leave them as they are"
             ),
             Self::OtherDegrees { column, unit, low, high, other } => write!(
                 f,

@@ -13,7 +13,7 @@ use truegap::Recording;
 use truegap::confirm::{Free, confirm_within, other};
 use truegap::core::recording::Mapped;
 use truegap::diagnose::{Library, Progress, Verdict};
-use truegap::diagnosis::{Diagnosed, FILES, Pace, Request, diagnose, open, pace};
+use truegap::diagnosis::{Diagnosed, FILES, Pace, Request, cache_folder, diagnose, open, pace};
 use truegap::mechanism_file::with_effects;
 use truegap::output::OutputFolder;
 use truegap::report::terminal;
@@ -72,6 +72,12 @@ pub struct Diagnose {
     /// Simulate recordings with known causes on this protocol, diagnose them too, and correct the probabilities by how often they were right
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "150", value_parser = clap::value_parser!(u32).range(30..=5000))]
     bank: Option<u32>,
+    /// Folder in which the answers of a slow program (model "command") are kept for the next diagnosis; `truegap/answers` in the user's cache folder where none is given
+    #[arg(long, value_name = "DIR")]
+    cache: Option<PathBuf>,
+    /// Ask a program for everything afresh and keep none of its answers
+    #[arg(long, conflicts_with = "cache")]
+    no_cache: bool,
 }
 
 impl Run for Diagnose {
@@ -162,6 +168,10 @@ impl Diagnose {
         Ok(if found { Outcome::LookAt } else { Outcome::Fine })
     }
 
+    fn answers(&self) -> Option<PathBuf> {
+        if self.no_cache { None } else { self.cache.clone().or_else(|| cache_folder("answers")) }
+    }
+
     fn request(&self, recording: Option<&Recording>) -> anyhow::Result<Request> {
         let library = with_effects(Library::default(), &self.effect_files, recording)?;
         Ok(Request {
@@ -178,6 +188,7 @@ impl Diagnose {
             // with one recording it is that of --confirm alone that has a gain or offset of its own
             free: if self.confirm.is_some() && self.recordings.len() == 1 { Vec::new() } else { self.free.clone() },
             bank: self.bank.map(|n| n as usize),
+            answers: self.answers(),
             command: command_line(),
         })
     }

@@ -33,7 +33,7 @@ impl Line {
             return Self { bar: ProgressBar::hidden(), due: None, began };
         }
         let bar = ProgressBar::new(1000);
-        if let Ok(style) = ProgressStyle::with_template("{spinner} {bar:24} {percent:>3} %  {wide_msg}  {elapsed}") {
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {bar:14} {percent:>3} %  {wide_msg}  {elapsed}") {
             bar.set_style(style);
         }
         bar.set_message(shown(what));

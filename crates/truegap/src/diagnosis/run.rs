@@ -2,6 +2,7 @@
 //!
 //! Limits: the base model is the recording's (or the request's); nothing is kept on disk here.
 
+use super::asking::counted;
 use super::bases::{Bases, MATERIALS};
 use super::clock::utc_now;
 use super::course::Course;
@@ -37,7 +38,22 @@ pub fn diagnose(
         return Err(DiagnosisError::Diagnose { recording: named(&opened.recording), source });
     }
     let course = Course::of(request);
-    let progress = &|stage: Progress| progress(course.over_all(stage));
+    let asks = matches!(opened.recording.base.model.as_str(), "command" | "function");
+    let programs = opened.programs.clone();
+    let work =
+        |progress: &(dyn Fn(Progress) + Sync)| under_way(opened, files, request, &|stage| progress(course.over_all(stage)), stop);
+    if asks { counted(&programs, progress, work) } else { work(progress) }
+}
+
+/// The diagnosis of what can tell something.
+fn under_way(
+    opened: Opened,
+    files: Vec<(String, String)>,
+    request: &Request,
+    progress: &(dyn Fn(Progress) + Sync),
+    stop: &AtomicBool,
+) -> Result<Diagnosed, DiagnosisError> {
+    let rows = opened.recording.len();
     progress(Progress { step: "rows", what: format!("what is wrong with {rows} of them"), done: 0.0 });
     let Screened { opened, bases, notices } = screen(opened)?;
     progress(Progress { step: "noise", what: format!("{rows} rows"), done: 0.0 });

@@ -46,8 +46,7 @@ impl Recording {
         let base = manifest.base.unwrap_or_else(|| open::assumed_base(&bound, &mut notes));
         let mut recording = Self::new(inputs, response, &unit, base)?;
         recording.columns = bound.iter().map(|c| (c.role, c.name.clone())).collect::<BTreeMap<_, _>>();
-        recording.notes = notes;
-        recording.notes.extend(recording.constants());
+        recording.notes = notes.into_iter().chain(recording.constants()).collect();
         recording.notes.extend(degrees::doubt(&recording, &bound));
         Ok(recording)
     }
@@ -59,6 +58,15 @@ fn same_length(table: &[(String, &[f64])]) -> Result<(), RecordingError> {
         Some((column, values)) => Err(RecordingError::Lengths { column: column.clone(), found: values.len(), expected }),
         None => Ok(()),
     }
+}
+
+/// What the clock says of the rows of a frame.
+#[derive(Default)]
+struct Clocked {
+    runs: Vec<u32>,
+    times: Vec<f64>,
+    again: Vec<bool>,
+    notes: Vec<Note>,
 }
 
 struct Frame<'a> {
@@ -90,24 +98,29 @@ impl Frame<'_> {
         Some(kept.iter().map(|&row| self.table[column.index].1[row] * factor + offset).collect())
     }
 
-    /// The columns in SI, runs and clock in order, rows of one instant as one.
-    fn columns(&self, kept: &[usize], gone: &mut Gone) -> Result<(Inputs, Vec<f64>, Vec<Note>), RecordingError> {
+    /// Runs and times in order, whether a row has the time of the row before, and what was noted.
+    fn clocked(&self, kept: &[usize], gone: &mut Gone) -> Result<Clocked, RecordingError> {
         let (time, run) = (self.column(Role::Time, kept), self.column(Role::Run, kept));
-        let mut clock = Clock::default();
-        let (mut runs, mut times, mut again) = (Vec::new(), Vec::new(), Vec::with_capacity(kept.len()));
+        let (mut clock, mut clocked) = (Clock::default(), Clocked::default());
         for (index, &row) in kept.iter().enumerate() {
             let run = run.as_ref().map(|run| self.run(run[index], row)).transpose()?;
             let tick = clock.tick(0, run, time.as_ref().map(|t| t[index]), row + 1);
-            again.push(matches!(tick, Ok(Tick::Repeat)));
+            clocked.again.push(matches!(tick, Ok(Tick::Repeat)));
             match tick {
                 Ok(Tick::Row { run, time_s }) => {
-                    runs.push(run);
-                    times.push(time_s);
+                    clocked.runs.push(run);
+                    clocked.times.push(time_s);
                 }
                 Ok(Tick::Repeat) => gone.again(row + 1),
                 Err(disorder) => return Err(disorder.at(self.path.to_owned(), row + 1)),
             }
         }
+        Ok(Clocked { notes: clock.notes, ..clocked })
+    }
+
+    /// The columns in SI, runs and clock in order, rows of one instant as one.
+    fn columns(&self, kept: &[usize], gone: &mut Gone) -> Result<(Inputs, Vec<f64>, Vec<Note>), RecordingError> {
+        let Clocked { runs, times, again, notes } = self.clocked(kept, gone)?;
         for role in [Role::Temperature, Role::Humidity] {
             self.possible(role, self.column(role, kept).as_deref(), kept)?;
         }
@@ -118,7 +131,7 @@ impl Frame<'_> {
             Driver { name: d.driver.clone(), unit: d.unit.clone(), values }
         };
         let inputs = Inputs {
-            time_s: time.is_some().then_some(times),
+            time_s: self.column(Role::Time, &[]).map(|_| times),
             run: runs,
             force_n: column(Role::Force),
             pressure_pa: column(Role::Pressure),
@@ -128,7 +141,7 @@ impl Frame<'_> {
             simulated: column(Role::Simulated),
             drivers: self.drivers.iter().map(driver).collect(),
         };
-        Ok((inputs, column(Role::Response).unwrap_or_default(), clock.notes))
+        Ok((inputs, column(Role::Response).unwrap_or_default(), notes))
     }
 
     /// Refuses the first value of a column that cannot be.

@@ -70,10 +70,7 @@ impl Rows {
         sensor: Option<&str>,
     ) -> Result<(), RecordingError> {
         if self.values.is_empty() {
-            let numbers = columns.iter().filter(|c| !matches!(c.role, Role::Run | Role::Sensor));
-            self.values = numbers.map(|c| (c.role, Vec::new())).collect();
-            let driver = |d: &DriverColumn| Driver { name: d.driver.clone(), unit: d.unit.clone(), values: Vec::new() };
-            self.drivers = drivers.iter().map(driver).collect();
+            self.begin(columns, drivers);
         }
         self.points = vec![Separators::default(); table.header.len()];
         let (first_note, mut row) = (self.clock.notes.len(), Vec::with_capacity(columns.len()));
@@ -89,6 +86,14 @@ impl Rows {
         self.gone.check(table.file(), self.runs.len() - first_row)?;
         self.gone = before.and(std::mem::take(&mut self.gone));
         self.name_lines(table, first_note)
+    }
+
+    /// Empty columns of numbers.
+    fn begin(&mut self, columns: &[Column], drivers: &[DriverColumn]) {
+        let numbers = columns.iter().filter(|c| !matches!(c.role, Role::Run | Role::Sensor));
+        self.values = numbers.map(|c| (c.role, Vec::new())).collect();
+        let driver = |d: &DriverColumn| Driver { name: d.driver.clone(), unit: d.unit.clone(), values: Vec::new() };
+        self.drivers = drivers.iter().map(driver).collect();
     }
 
     /// Points that may stand between thousands where commas are decimal points.

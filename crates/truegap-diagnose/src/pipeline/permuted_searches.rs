@@ -42,13 +42,11 @@ pub(super) fn permuted_searches(
     let predicted: Vec<f64> = problem.response.iter().zip(&misfit).map(|(reading, misfit)| reading - misfit).collect();
     let (runs, misfit) = (problem.runs(), DMatrix::from_vec(misfit.len(), 1, misfit));
     let random = &mut ChaCha8Rng::seed_from_u64(SEED);
-    // each search is one step of this stage, whatever it goes through itself
     let quiet = |_: Progress| {};
     let unheard = Told { options: told.options, progress: &quiet, asked: told.asked, stop: told.stop };
     let mut gains = Vec::new();
     while gains.len() < count && !told.stop.load(Ordering::Relaxed) {
-        let done = gains.len() as f64 / count as f64;
-        (told.progress)(Progress { step: "permuted histories", what: format!("{} of {count}", gains.len() + 1), done });
+        (told.progress)(under_way(gains.len(), count));
         let elsewhere = permute(&misfit, &runs, random);
         let response: Vec<f64> = predicted.iter().zip(elsewhere.iter()).map(|(value, misfit)| value + misfit).collect();
         let permuted = Problem { response: &response, ..*problem };
@@ -56,6 +54,12 @@ pub(super) fn permuted_searches(
         gains.push(gain(&examined(&again, &unheard)?.selection, prepared.testable.len()));
     }
     Ok((!gains.is_empty()).then(|| PermutedSearches::new(gain(selection, prepared.testable.len()), gains)))
+}
+
+/// How far it is: each search is one step, whatever it goes through itself.
+fn under_way(searched: usize, count: usize) -> Progress {
+    let what = format!("{} of {count}", searched + 1);
+    Progress { step: "permuted histories", what, done: searched as f64 / count as f64 }
 }
 
 /// Log odds of the likeliest model that names something over the base model, evidence as it is; below 0 where nothing is likelier.

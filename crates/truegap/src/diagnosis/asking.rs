@@ -26,22 +26,25 @@ pub(super) fn counted<T>(
     };
     let over = (Mutex::new(false), Condvar::new());
     std::thread::scope(|scope| {
-        scope.spawn(|| {
-            let mut counted = 0;
-            while !wait(&over) {
-                let (count, stage) = (programs.calls().count, last.lock().unwrap_or_else(PoisonError::into_inner).clone());
-                if let Some(stage) = stage.filter(|_| count != counted) {
-                    tell(stage);
-                }
-                counted = count;
-            }
-        });
+        scope.spawn(|| look(programs, &last, &over, &tell));
         let _end = End(&over);
         work(&|stage: Progress| {
             *last.lock().unwrap_or_else(PoisonError::into_inner) = Some(stage.clone());
             tell(stage);
         })
     })
+}
+
+/// Tells the last stage again whenever something more was asked, until it is over.
+fn look(programs: &Programs, last: &Mutex<Option<Progress>>, over: &(Mutex<bool>, Condvar), tell: &dyn Fn(Progress)) {
+    let mut counted = 0;
+    while !wait(over) {
+        let (count, stage) = (programs.calls().count, last.lock().unwrap_or_else(PoisonError::into_inner).clone());
+        if let Some(stage) = stage.filter(|_| count != counted) {
+            tell(stage);
+        }
+        counted = count;
+    }
 }
 
 /// Says that it is over when it goes, whatever ended the work.

@@ -69,16 +69,13 @@ fn under_way(
     }
     let outcome = outcome.map_err(|error| noticed(error, &notices))?;
     let base = bases.bases.into_iter().next().ok_or(DiagnosisError::NoRecording)?;
-    let provenance = Provenance {
-        command: request.command.clone(),
-        made_at: utc_now(),
-        files,
-        interrupted: outcome.interrupted,
-        has_model: true,
-    };
-    let library = request.library.clone();
+    let (provenance, library) = (provenance(files, request, outcome.interrupted), request.library.clone());
     let programs = opened.programs;
     Ok(Diagnosed { recording: opened.recording, parts: opened.parts, base, outcome, provenance, library, programs })
+}
+
+fn provenance(files: Vec<(String, String)>, request: &Request, interrupted: bool) -> Provenance {
+    Provenance { command: request.command.clone(), made_at: utc_now(), files, interrupted, has_model: true }
 }
 
 /// Where the model has no answer and something is known to be wrong with the recording, that is the reason to be told.

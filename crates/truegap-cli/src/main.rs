@@ -1,4 +1,4 @@
-//! The command `truegap`: text in, text out, exit code 0 (fine), 1 (something to look at) or 2 (could not run).
+//! The command `truegap`: text in, text out, exit code 0 (fine), 1 (something to look at), 2 (could not run) or 130 (stopped).
 //!
 //! Limits: no physics and no files of its own; every subcommand is one file of [`command`].
 
@@ -7,7 +7,7 @@ mod console;
 mod table;
 
 use clap::{CommandFactory, Parser};
-use command::{Command, run::Outcome};
+use command::{Command, run::Outcome, stop::exit_code};
 use console::Console;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
@@ -15,7 +15,9 @@ use std::process::ExitCode;
 /// Predict, verify and explain a capacitive tactile sensor.
 #[derive(Debug, Parser)]
 #[command(name = "truegap", version, propagate_version = true, arg_required_else_help = true)]
-#[command(after_help = "Exit codes: 0 fine, 1 the tool found something to look at, 2 it could not run.")]
+#[command(
+    after_help = "Exit codes: 0 fine, 1 the tool found something to look at, 2 it could not run, 130 it was stopped by Ctrl-C."
+)]
 struct Arguments {
     /// Print JSON instead of tables
     #[arg(long, global = true)]
@@ -45,11 +47,11 @@ fn main() -> ExitCode {
 fn run(Arguments { json, quiet, command }: &Arguments) -> ExitCode {
     let console = Console { json: *json, quiet: *quiet };
     match command.run(&console, Arguments::command) {
-        Ok(Outcome::Fine) => ExitCode::SUCCESS,
-        Ok(Outcome::LookAt) => ExitCode::from(1),
+        Ok(Outcome::Fine) => exit_code(0),
+        Ok(Outcome::LookAt) => exit_code(1),
         Err(error) => {
             console.fail(&error);
-            ExitCode::from(2)
+            exit_code(2)
         }
     }
 }

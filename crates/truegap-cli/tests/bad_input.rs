@@ -44,9 +44,9 @@ fn an_empty_file_and_a_header_alone_are_named() {
 }
 
 #[test]
-fn nan_and_an_empty_cell_are_named() {
-    refuse_csv("time_s,force_n,capacitance_pf\n0,1,74\n1,NaN,75\n", &["line 3", "`NaN`", "leave the row out"]);
-    refuse_csv("time_s,force_n,capacitance_pf\n0,1,\n", &["line 2", "`capacitance_pf`", "leave the row out"]);
+fn a_column_that_is_mostly_empty_is_named() {
+    refuse_csv("time_s,force_n,capacitance_pf\n0,1,74\n1,NaN,75\n2,,76\n", &["2 of 3 rows", "line 3", "`force_n`", "fill"]);
+    refuse_csv("time_s,force_n,capacitance_pf\n0,1,\n", &["1 of 1 rows", "line 2", "`capacitance_pf`"]);
 }
 
 #[test]
@@ -152,8 +152,8 @@ fn a_diagnosis_of_a_bad_csv_leaves_no_folder() {
             &["r.csv", "line 3", "`heavy`", "`force_n`", "leave the row out"],
         ),
         ("time_s,force_n,capacitance_pf\n0,1,74\n5,1,74\n4,1,75\n", &["r.csv", "line 4", "from 5 s to 4 s", "start a new run"]),
-        ("time_s,force_n,capacitance_pf\n0,1,74\n1,NaN,75\n", &["r.csv", "line 3", "`NaN`", "leave the row out"]),
-        ("time_s,force_n,capacitance_pf\n0,1,\n", &["r.csv", "line 2", "`capacitance_pf`", "leave the row out"]),
+        ("time_s,force_n,capacitance_pf\n0,1,74\n1,NaN,75\n2,,76\n", &["r.csv", "2 of 3 rows", "line 3", "`force_n`"]),
+        ("time_s,force_n,capacitance_pf\n0,1,\n", &["r.csv", "line 2", "`capacitance_pf`", "rename it"]),
         ("time_s,force_n,capacitance_pf\n0,1,74\n1,1,75\n", &["r.csv", "2 rows are too few", "at least"]),
     ];
     for (text, parts) in cases {
@@ -263,4 +263,25 @@ fn a_diagnosis_does_not_overwrite_what_it_did_not_write() {
     bench.file("out", "mine").file("r.csv", &ramp(4.5));
     bench.refuses(&["-q", "diagnose", "r.csv", "-o", "out"], &["out", "file of this name", "-o"]);
     assert_eq!(std::fs::read_to_string(bench.path("out")).unwrap(), "mine");
+}
+
+/// Only names were compared: a page of the user's own, called as ours, was replaced without a word.
+#[test]
+fn no_command_replaces_a_page_that_truegap_did_not_write() {
+    let bench = Bench::new();
+    std::fs::create_dir(bench.path("mine")).unwrap();
+    bench.file("mine/report.html", "mine").file("r.csv", &ramp(4.5));
+    let sensor = ["--sensor", "singletact-s15-4.5n"];
+    let commands: [&[&str]; 5] = [
+        &["diagnose", "r.csv", sensor[0], sensor[1]],
+        &["audit"],
+        &["sensitivity", "--rows", "64"],
+        &["tolerance", "--samples", "64"],
+        &["optimise", "--searches", "1"],
+    ];
+    for command in commands {
+        let typed = [&["-q"], command, &["-o", "mine"]].concat();
+        bench.refuses(&typed, &["mine", "`report.html`", "would be lost", "-o"]);
+        assert_eq!(std::fs::read_to_string(bench.path("mine/report.html")).unwrap(), "mine", "{command:?}");
+    }
 }

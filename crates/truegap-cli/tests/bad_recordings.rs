@@ -166,14 +166,39 @@ fn another_sensor_is_not_explained() {
     withheld(&femto, "wrong_sensor", &["power of a thousand", "unit"], &[]);
 }
 
+/// What a logger leaves out or writes twice stopped the program, a row at a time; frames with the same holes were read.
 #[test]
-fn duplicate_time_stamps_are_refused_with_their_line() {
+fn empty_cells_and_repeated_times_are_counted_and_told() {
     let bench = Bench::new();
-    let rows: String = (0..40)
-        .map(|i| format!("{},{},{}\n", if i == 30 { 29 } else { i }, 0.1 * f64::from(i), 232.0 + 0.05 * f64::from(i)))
-        .collect();
+    std::fs::create_dir(bench.path("r")).unwrap();
+    clean(4.0).write(bench.path("r")).unwrap();
+    let text = std::fs::read_to_string(bench.path("r/recording.csv")).unwrap();
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    for line in [40, 41, 300] {
+        let (head, _) = lines[line].rsplit_once(',').unwrap();
+        lines[line] = format!("{head},");
+    }
+    lines.insert(200, lines[199].clone());
+    bench.file("r/recording.csv", &(lines.join("\n") + "\n"));
+    let said = bench.run(&["diagnose", "r/recording.toml", "-o", "out"]);
+    assert_eq!(said.code, 0, "{}{}", said.out, said.err);
+    let json: Value = serde_json::from_str(&std::fs::read_to_string(bench.path("out/diagnosis.json")).unwrap()).unwrap();
+    assert_eq!((json["verdict"].as_str(), json["recording"]["rows"].as_u64()), (Some("agrees"), Some(867)));
+    for told in
+        ["3 rows without a value in", "the first on line 41", "1 rows have the time of the row before, the first on line 201"]
+    {
+        assert!(said.err.contains(told), "`{told}` is missing in: {}", said.err);
+        assert!(json["recording_issues"].to_string().contains(told), "`{told}` is missing in: {}", json["recording_issues"]);
+    }
+}
+
+#[test]
+fn a_clock_that_stands_more_often_than_it_goes_is_refused() {
+    let bench = Bench::new();
+    let rows: String = (0..40).map(|i| format!("{},{},{}\n", i / 4, 0.1 * f64::from(i), 232.0 + 0.05 * f64::from(i))).collect();
     bench.file("r.csv", &format!("time_s,force_n,capacitance_pf\n{rows}"));
-    bench.refuses(&["-q", "diagnose", "r.csv", "-o", "out"], &["line 32", "time stays at 29 s", "average the rows"]);
+    let parts = ["30 of 40 rows have the time of the row before", "line 3", "average the rows"];
+    bench.refuses(&["-q", "diagnose", "r.csv", "-o", "out"], &parts);
 }
 
 #[test]

@@ -47,19 +47,25 @@ fn ctrl_c_leaves_a_report_of_what_is_known() {
     assert!(first.starts_with("note:"), "{first}");
     let kill = Command::new("kill").args(["-INT", &program.id().to_string()]).status().unwrap();
     assert!(kill.success());
-    lines.for_each(drop);
+    let rest: Vec<String> = lines.map(|line| line.unwrap()).collect();
+    assert_eq!(rest.iter().filter(|line| line.starts_with("stopping")).count(), 1, "{rest:?}");
     let status = program.wait().unwrap();
     let mut out = String::new();
     program.stdout.take().unwrap().read_to_string(&mut out).unwrap();
-    assert_eq!(status.code(), Some(1), "{out}");
+    // 128 + SIGINT: 1 would say that something was found, and a script could not tell the two apart
+    assert_eq!(status.code(), Some(130), "{out}");
+    // what was not looked for to the end is not said to be absent
+    assert!(!out.contains("nothing is missing"), "{out}");
     let json = std::fs::read_to_string(bench.path("out/diagnosis.json")).unwrap();
     let diagnosis: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert_eq!(diagnosis["verdict"], "undecided");
     assert!(diagnosis["says"].as_str().unwrap().contains("stopped"), "{}", diagnosis["says"]);
+    let next = diagnosis["next_experiment"]["says"].as_str().unwrap();
+    assert!(next.contains("let the search end"), "{next}");
     assert_eq!(diagnosis["findings"].as_array().unwrap().len(), 0);
     // what is known by then: the calibrated base model and its errors
     assert!(diagnosis["base"]["parameters"].as_array().unwrap().iter().all(|p| p["sd"].as_f64().unwrap() > 0.0));
     assert!(diagnosis["fit"]["in_sample"]["rmse_before"].as_f64().unwrap() > 0.0);
     let page = std::fs::read_to_string(bench.path("out/report.html")).unwrap();
-    assert!(page.contains("stopped before its end"));
+    assert!(page.contains("stopped before its end") && !page.contains("nothing is missing"));
 }

@@ -227,7 +227,7 @@ fn a_driver_that_cannot_be_taken_is_refused_with_its_line_and_what_to_do() {
         (refused("position =", "gap =", csv), ["a.toml, line 8", "`gap` is a role", "under [columns]"]),
         (refused("\"x_mm\"", "\"time_s\"", csv), ["a.toml, line 8", "is the time already", "leave it out of [drivers]"]),
         (refused(", unit = \"rpm\"", "", csv), ["a.toml, line 9", "`speed` has no unit in its name", "unit = \"1\""]),
-        (refused("", "", "time_s,x_mm,speed,pull_n\n0,,300,7\n"), ["line 2", "`x_mm` has no finite value", "leave the row out"]),
+        (refused("", "", "time_s,x_mm,speed,pull_n\n0,,300,7\n"), ["1 of 1 rows", "no value in `x_mm`", "fill the column"]),
     ];
     for (message, parts) in cases {
         parts.iter().for_each(|part| assert!(message.contains(part), "`{part}` is not in: {message}"));
@@ -268,10 +268,10 @@ fn what_is_wrong_is_told_with_file_line_value_and_remedy() {
         ("0,74.5\n1,75\n", &["line 1", "`0`", "write a header"]),
         ("time_s,force_n\n0,1\n", &["`capacitance_pf`", "`time_s`, `force_n`", "[columns]", "response"]),
         ("time_s,capacitance_pf\n0,74\n1,abc\n", &["line 3", "`abc`", "`capacitance_pf`", "correct it"]),
-        ("time_s,capacitance_pf\n\n0,74\n\n1,\n", &["line 5", "`capacitance_pf`", "leave the row out"]),
-        ("time_s,capacitance_pf\r\n0,74\r\n1,NaN\r\n", &["line 3", "`NaN`", "leave the row out"]),
+        ("time_s,capacitance_pf\n\n0,74\n\n1,\n2,\n", &["2 of 3 rows", "line 5", "`capacitance_pf`", "fill the column"]),
+        ("time_s,capacitance_pf\r\n0,NaN\r\n", &["1 of 1 rows", "line 2", "`capacitance_pf`", "rename it"]),
         ("time_s,capacitance_pf\n0,74\n5,74\n4,75", &["line 4", "from 5 s to 4 s", "run 1", "start a new run"]),
-        ("time_s,capacitance_pf\n0,74\n5,74\n5,75\n", &["line 4", "stays at 5 s", "average"]),
+        ("time_s,capacitance_pf\n0,74\n5,74\n5,75\n5,76\n5,76\n", &["3 of 5 rows", "line 4", "average"]),
         ("time_s,capacitance_pf\n0,74,5\n", &["line 2", "3 cells", "header has 2"]),
         ("run,time_s,capacitance_pf\n1,0,74\nb,1,75\n", &["line 3", "`b`", "number the runs"]),
         ("time_s,temperature_c,capacitance_pf\n0,20,74\n1,-300,75\n", &["line 3", "-300", "absolute zero", "unit"]),

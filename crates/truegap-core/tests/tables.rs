@@ -154,7 +154,7 @@ fn what_is_wrong_with_a_column_is_told_once_for_all_rows() {
         ("time_s,force_n,force_n,capacitance_pf\n0,1,1,74\n", &["columns 2 and 3", "both called `force_n`"]),
         (
             "time_s,temperature_c,capacitance_pf\n0,nan,74\n1,nan,75\n",
-            &["`temperature_c`", "no number in any of its 2 rows", "delete"],
+            &["2 of 2 rows", "no value in `temperature_c`", "rename it"],
         ),
         ("time_s,temperature_c,capacitance_pf\n0,warm,74\n1,cold,75\n", &["`temperature_c`", "no number in any", "`warm`"]),
         ("time_s,temperature_c,capacitance_pf\n0,warm,74\n1,20,75\n", &["line 2", "`warm`", "correct it"]),

@@ -8,11 +8,12 @@ use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 use truegap::audit::{Cache, Options, Watch};
-use truegap::audit_run::{AuditRequest, default_cache};
+use truegap::audit_run::{AuditRequest, FILES, default_cache};
 use truegap::core::sensor::builtin_sensors;
 use truegap::diagnose::Library;
 use truegap::explain::{effects, explained};
 use truegap::model::{CoefficientOptions, StackOptions};
+use truegap::output::OutputFolder;
 use truegap::sensors::find_sensor;
 
 /// The analytic model at every force and temperature, as JSON.
@@ -46,6 +47,7 @@ pub(crate) fn audit(
     remember: bool,
     folder: Option<PathBuf>,
 ) -> PyResult<String> {
+    folder.as_ref().map_or(Ok(()), |folder| OutputFolder::check(folder, &FILES)).map_err(failed)?;
     let request = AuditRequest {
         sensor: find_sensor(sensor, None).map_err(failed)?,
         only,

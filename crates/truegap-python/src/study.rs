@@ -17,7 +17,7 @@ use truegap::study::optimise::OptimiseRequest;
 use truegap::study::sensitivity::SensitivityRequest;
 use truegap::study::tolerance::{Between, ToleranceRequest};
 use truegap::study::vary::axes;
-use truegap::study::{Finished, SensorText, StudyError, Work};
+use truegap::study::{Finished, SensorText, StudyError, Work, check_place};
 use truegap::sweep::{Control, Progress as Cases, Shard};
 
 fn json(answer: &impl Serialize) -> PyResult<String> {
@@ -49,6 +49,7 @@ pub(crate) fn sensitivity(
     folder: Option<PathBuf>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<String> {
+    folder.as_deref().map_or(Ok(()), check_place).map_err(failed)?;
     let request = SensitivityRequest { sensors: texts(&sensors)?, change_pct, rows, seed };
     let stop = AtomicBool::new(false);
     let answer = serve(py, None, progress.as_ref(), &stop, |tell| {

@@ -11,6 +11,9 @@ use truegap_audit::disc::CoupledOptions;
 use truegap_audit::{AuditError, Cache, Options, Watch, chosen, run};
 use truegap_core::Sensor;
 
+/// Names of the files that an audit writes.
+pub const FILES: [&str; 4] = ["audit.json", "report.html", "stack.glb", "stack.vtu"];
+
 /// Why there is no audit.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -80,7 +83,7 @@ impl Audited {
     /// # Errors
     /// [`AuditRunError`] where the disk refuses.
     pub fn write(&self, folder: &Path, bodies: &[Body]) -> Result<PathBuf, AuditRunError> {
-        let out = OutputFolder::begin(folder)?;
+        let out = OutputFolder::begin(folder)?.replacing(&FILES);
         out.write("audit.json", serde_json::to_string_pretty(&self.audit)? + "\n")?;
         out.write("report.html", audit_report::html(self, bodies))?;
         for body in bodies {

@@ -5,6 +5,8 @@
 mod columns;
 mod command;
 mod declared;
+mod identity;
+mod kept;
 mod process;
 mod programs;
 mod remembered;

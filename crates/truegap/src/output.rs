@@ -3,6 +3,9 @@
 //! Limits: files are written beside the target as `NAME.PID.part` and renamed at the end, so target and its parent must be on one disk; a process that
 //! is killed leaves the `.part` folder behind, never a target.
 
+mod earlier;
+
+use earlier::holds_a_result;
 use std::ffi::OsString;
 use std::fs;
 use std::io;
@@ -21,6 +24,12 @@ pub enum OutputError {
         "{folder}: holds `{entry}`, which would be lost; give -o a folder that is new or holds an earlier result, or move `{entry}`"
     )]
     Foreign { folder: PathBuf, entry: String },
+    /// The folder holds what is called as a result is, and no document says that this program wrote it.
+    #[error(
+        "{folder}: holds `{entry}`, which would be lost and is not known to be a result of truegap: no document of it, as diagnosis.json is one, stands in the \
+         folder; give -o a folder that is new or holds an earlier result, or move `{entry}`"
+    )]
+    NotAResult { folder: PathBuf, entry: String },
     /// The disk says no.
     #[error("{path}: cannot be written: {source}; check that its parent is there and may be written to")]
     Write { path: PathBuf, source: io::Error },
@@ -71,9 +80,7 @@ impl OutputFolder {
         }
         if target.is_dir() {
             let there = entries(target).map_err(|source| failed(target, source))?;
-            if let Some(entry) = there.into_iter().find(|entry| files.iter().all(|file| entry != file)) {
-                return Err(OutputError::Foreign { folder: target.to_owned(), entry: entry.to_string_lossy().into_owned() });
-            }
+            replaceable(target, &there, |entry| files.iter().any(|file| entry == file))?;
         }
         // the part folder is made beside the target, in the nearest parent that is there
         let parents =
@@ -84,6 +91,24 @@ impl OutputFolder {
         }
         let trial = beside(&parent.join("out"), "trial.part");
         fs::create_dir(&trial).and_then(|()| fs::remove_dir(&trial)).map_err(|source| failed(target, source))
+    }
+
+    /// Whether files of these names, and figures, may be put into `folder` beside whatever else stands there: none stands there already, or a document says
+    /// that it is an earlier result. Asked before the work begins, where a folder is filled file by file.
+    ///
+    /// # Errors
+    /// [`OutputError::NotAResult`] names what would be lost.
+    pub fn check_beside(folder: &Path, files: &[&str]) -> Result<(), OutputError> {
+        if !folder.is_dir() {
+            return Ok(());
+        }
+        let there = entries(folder).map_err(|source| OutputError::Write { path: folder.to_owned(), source })?;
+        let is_figure = |entry: &OsString| Path::new(entry).extension().is_some_and(|ending| ending == "svg");
+        let lost = there.into_iter().find(|entry| is_figure(entry) || files.iter().any(|file| entry == file));
+        match lost.filter(|_| !holds_a_result(folder)) {
+            Some(entry) => Err(OutputError::NotAResult { folder: folder.to_owned(), entry: shown(&entry) }),
+            None => Ok(()),
+        }
     }
 
     /// Where files are to be written meanwhile.
@@ -132,11 +157,8 @@ impl OutputFolder {
     fn check_replaceable(&self) -> Result<(), OutputError> {
         let new = entries(&self.part).map_err(|source| self.failed(&self.part, source))?;
         let old = entries(&self.target).map_err(|source| self.failed(&self.target, source))?;
-        let earlier = |entry: &std::ffi::OsString| self.replaced.iter().any(|file| *entry == **file);
-        match old.into_iter().find(|entry| !new.contains(entry) && !earlier(entry)) {
-            Some(entry) => Err(OutputError::Foreign { folder: self.target.clone(), entry: entry.to_string_lossy().into_owned() }),
-            None => Ok(()),
-        }
+        let earlier = |entry: &OsString| self.replaced.iter().any(|file| *entry == **file);
+        replaceable(&self.target, &old, |entry| new.contains(entry) || earlier(entry))
     }
 
     fn failed(&self, path: &Path, source: io::Error) -> OutputError {
@@ -150,6 +172,21 @@ impl Drop for OutputFolder {
             let _ = remove(&self.part); // nothing more can be done where even removing fails
         }
     }
+}
+
+/// Whether a folder with these entries may be replaced: each is one that `is_written` here, and a document says that they were written by this program.
+fn replaceable(folder: &Path, entries: &[OsString], is_written: impl Fn(&OsString) -> bool) -> Result<(), OutputError> {
+    if let Some(entry) = entries.iter().find(|entry| !is_written(entry)) {
+        return Err(OutputError::Foreign { folder: folder.to_owned(), entry: shown(entry) });
+    }
+    match entries.iter().min().filter(|_| !holds_a_result(folder)) {
+        Some(entry) => Err(OutputError::NotAResult { folder: folder.to_owned(), entry: shown(entry) }),
+        None => Ok(()),
+    }
+}
+
+fn shown(entry: &OsString) -> String {
+    entry.to_string_lossy().into_owned()
 }
 
 /// What a link points at: a link to a folder stays one, and the folder behind it is filled.
@@ -185,133 +222,4 @@ fn entries(folder: &Path) -> io::Result<Vec<OsString>> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn place(name: &str) -> PathBuf {
-        let path = std::env::temp_dir().join(format!("truegap-output-{}-{name}", std::process::id()));
-        remove(&path).unwrap();
-        fs::create_dir_all(&path).unwrap();
-        path
-    }
-
-    #[test]
-    fn a_folder_appears_whole() {
-        let place = place("whole");
-        let target = place.join("deep/er/out");
-        let folder = OutputFolder::begin(&target).unwrap();
-        folder.write("meshes/a.glb", "1").unwrap();
-        assert!(!target.exists());
-        folder.publish().unwrap();
-        assert_eq!(fs::read_to_string(target.join("meshes/a.glb")).unwrap(), "1");
-        assert_eq!(entries(target.parent().unwrap()).unwrap(), ["out"]);
-        remove(&place).unwrap();
-    }
-
-    #[test]
-    fn what_is_given_up_leaves_nothing() {
-        let place = place("dropped");
-        let folder = OutputFolder::begin(place.join("out")).unwrap();
-        folder.write("a", "1").unwrap();
-        drop(folder);
-        assert!(entries(&place).unwrap().is_empty());
-        remove(&place).unwrap();
-    }
-
-    #[test]
-    fn an_earlier_result_is_replaced_and_anything_else_is_not() {
-        let place = place("again");
-        let target = place.join("out");
-        for round in ["1", "2"] {
-            let folder = OutputFolder::begin(&target).unwrap();
-            folder.write("a", round).unwrap();
-            folder.publish().unwrap();
-        }
-        assert_eq!(fs::read_to_string(target.join("a")).unwrap(), "2");
-        fs::write(target.join("thesis.tex"), "mine").unwrap();
-        let folder = OutputFolder::begin(&target).unwrap();
-        folder.write("a", "3").unwrap();
-        assert!(matches!(folder.publish(), Err(OutputError::Foreign { entry, .. }) if entry == "thesis.tex"));
-        assert_eq!(fs::read_to_string(target.join("a")).unwrap(), "2");
-        assert_eq!(entries(&place).unwrap(), ["out"]);
-        remove(&place).unwrap();
-    }
-
-    #[test]
-    fn a_place_is_checked_without_a_trace() {
-        let place = place("checked");
-        let files = ["a.json"];
-        OutputFolder::check(place.join("new/deep"), &files).unwrap();
-        assert!(entries(&place).unwrap().is_empty());
-        fs::write(place.join("file"), "x").unwrap();
-        assert!(matches!(OutputFolder::check(place.join("file"), &files), Err(OutputError::NotAFolder { .. })));
-        assert!(matches!(OutputFolder::check(place.join("file/out"), &files), Err(OutputError::NotAFolder { .. })));
-        fs::create_dir(place.join("old")).unwrap();
-        fs::write(place.join("old/a.json"), "x").unwrap();
-        OutputFolder::check(place.join("old"), &files).unwrap();
-        fs::write(place.join("old/thesis.tex"), "x").unwrap();
-        assert!(
-            matches!(OutputFolder::check(place.join("old"), &files), Err(OutputError::Foreign { entry, .. }) if entry == "thesis.tex")
-        );
-        remove(&place).unwrap();
-    }
-
-    /// A second result with fewer files than the first: found by running a diagnosis twice into one folder, once with a mechanism and once without.
-    #[test]
-    fn a_result_with_fewer_files_replaces_an_earlier_one() {
-        let place = place("fewer");
-        let write = |files: &[&str]| {
-            let folder = OutputFolder::begin(place.join("out")).unwrap().replacing(&["a", "b"]);
-            files.iter().for_each(|file| folder.write(file, "x").unwrap());
-            folder.publish()
-        };
-        write(&["a", "b"]).unwrap();
-        write(&["a"]).unwrap();
-        assert_eq!(entries(&place.join("out")).unwrap(), ["a"]);
-        fs::write(place.join("out/thesis.tex"), "x").unwrap();
-        assert!(matches!(write(&["a"]), Err(OutputError::Foreign { entry, .. }) if entry == "thesis.tex"));
-        remove(&place).unwrap();
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn a_link_stays_a_link() {
-        let place = place("link");
-        fs::create_dir(place.join("real")).unwrap();
-        std::os::unix::fs::symlink("real", place.join("out")).unwrap();
-        std::os::unix::fs::symlink("nowhere", place.join("lost")).unwrap();
-        for round in ["1", "2"] {
-            OutputFolder::check(place.join("out"), &["a"]).unwrap();
-            let folder = OutputFolder::begin(place.join("out")).unwrap();
-            folder.write("a", round).unwrap();
-            folder.publish().unwrap();
-            assert!(place.join("out").is_symlink());
-            assert_eq!(fs::read_to_string(place.join("real/a")).unwrap(), round);
-        }
-        assert!(matches!(OutputFolder::check(place.join("lost"), &["a"]), Err(OutputError::NotAFolder { .. })));
-        assert_eq!(entries(&place).unwrap().len(), 3);
-        remove(&place).unwrap();
-    }
-
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn there_is_a_folder_at_every_moment_of_a_replacement() {
-        let place = place("exchange");
-        for (name, text) in [("part", "new"), ("target", "old")] {
-            fs::create_dir(place.join(name)).unwrap();
-            fs::write(place.join(name).join("a"), text).unwrap();
-        }
-        assert!(exchange(&place.join("part"), &place.join("target")));
-        let read = |name: &str| fs::read_to_string(place.join(name).join("a")).unwrap();
-        assert_eq!((read("target").as_str(), read("part").as_str()), ("new", "old"));
-        remove(&place).unwrap();
-    }
-
-    #[test]
-    fn a_file_is_not_a_folder() {
-        let place = place("file");
-        fs::write(place.join("out"), "x").unwrap();
-        assert!(matches!(OutputFolder::begin(place.join("out")), Err(OutputError::NotAFolder { .. })));
-        remove(&place).unwrap();
-    }
-}
+mod tests;

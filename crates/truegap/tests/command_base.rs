@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
+use truegap::base::{Programs, base_model_with};
 use truegap::base_model;
 use truegap::core::{Recording, SimulationError};
 use truegap::diagnosis::{Diagnosed, DiagnosisError, Request, diagnose, open};
@@ -187,4 +188,35 @@ fn what_is_wrong_under_base_is_told_by_name() {
     assert!(fails("model = \"command\"\n").contains("run = [\"python3\", \"sim.py\"]"));
     assert!(fails("model = \"command\"\nrun = \"sim\"\n").contains("under [base], run = \"sim\" is not known"));
     assert!(fails("model = \"function\"\n").contains("docs/python.md"));
+}
+
+/// A slow program is asked once for what does not change: not by another diagnosis, and again where its file is another one.
+#[test]
+fn what_a_slow_program_has_answered_is_known_the_next_time() {
+    if !there_is("python3") {
+        return;
+    }
+    let (folder, cache) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let client = std::fs::read_to_string(Path::new(CLIENTS).join("spring.py")).unwrap();
+    let write = |by: &str| {
+        let slow =
+            client.replace("    elif word == \"ask\":\n", &format!("    elif word == \"ask\":\n        time.sleep({by})\n"));
+        std::fs::write(folder.path().join("spring.py"), slow.replace("import sys", "import sys, time")).unwrap();
+    };
+    let recording = recording(folder.path(), &program("[\"python3\", \"spring.py\"]"));
+    let ask = |folder: Option<&Path>| {
+        let programs = Programs::keeping(folder.map(Path::to_owned));
+        let model = base_model_with(&recording, &programs).unwrap().simulator;
+        let values = [[2.0, 0.0], [2.0, 1.0], [3.0, 0.0]];
+        let answers = values.map(|values| model.respond(&values, &recording.inputs, &[]).unwrap());
+        (answers, programs.calls())
+    };
+    write("0.03");
+    let (first, calls) = ask(Some(cache.path()));
+    assert_eq!((calls.count, calls.found), (3, 0));
+    let (second, calls) = ask(Some(cache.path()));
+    assert_eq!((calls.count, calls.found, second == first), (0, 3, true));
+    assert_eq!(ask(None).1.count, 3);
+    write("0.031");
+    assert_eq!(ask(Some(cache.path())).1.count, 3);
 }

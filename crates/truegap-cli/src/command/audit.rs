@@ -2,8 +2,8 @@
 //!
 //! Limits: reads, calls, prints; Ctrl-C stops between two solves, and what was finished is remembered.
 
-use super::diagnose::{STOP, stop_on_interrupt};
 use super::run::{Outcome, Run};
+use super::stop::{STOP, stop_on_interrupt};
 use super::study::Where;
 use super::typed::command_line;
 use crate::console::Console;
@@ -13,9 +13,10 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use truegap::audit::{Cache, Options, Progress, Verdict, Watch};
 use truegap::audit_report::{count, summary_lines};
-use truegap::audit_run::{AuditRequest, audit, default_cache, loaded_stack};
+use truegap::audit_run::{AuditRequest, FILES, audit, default_cache, loaded_stack};
 use truegap::audited::{Audited, Body};
 use truegap::design::optimise::Space;
+use truegap::output::OutputFolder;
 use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
 use truegap::study::SensorText;
 use truegap::study::answer::audit::SpaceAuditAnswer;
@@ -57,7 +58,8 @@ impl Run for Audit {
         if let Some(file) = &self.space {
             return self.audit_space(file, console);
         }
-        stop_on_interrupt()?;
+        OutputFolder::check(&self.output, &FILES)?;
+        stop_on_interrupt(console)?;
         let bar = bar(console);
         let tell = |p: &Progress| {
             bar.set_length(p.total as u64);

@@ -1,19 +1,19 @@
 //! `truegap diagnose`: where simulation and recording differ, what was left out, and whether it predicts what the fit has not seen.
 //!
-//! Limits: reads, calls, prints; a first Ctrl-C ends the search with what is known, a second one ends the program.
+//! Limits: reads, calls, prints; Ctrl-C ends the search with what is known ([`super::stop`]).
 
+use super::progress::{Line, above};
 use super::recorded::recorded;
 use super::run::{Outcome, Run};
+use super::stop::{STOP, is_stopped, stop_on_interrupt};
 use super::typed::command_line;
-use crate::console::{Console, shown};
-use anyhow::Context;
-use indicatif::{ProgressBar, ProgressStyle};
+use crate::console::Console;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 use truegap::Recording;
 use truegap::confirm::{Free, confirm_within, other};
+use truegap::core::recording::Mapped;
 use truegap::diagnose::{Library, Progress, Verdict};
-use truegap::diagnosis::{Diagnosed, FILES, Pace, Request, diagnose, open, pace};
+use truegap::diagnosis::{Diagnosed, FILES, Pace, Request, cache_folder, diagnose, open, pace};
 use truegap::mechanism_file::with_effects;
 use truegap::output::OutputFolder;
 use truegap::report::terminal;
@@ -30,6 +30,9 @@ pub struct Diagnose {
     /// Diagnose each recording by itself, into a folder of its own below --output
     #[arg(long)]
     batch: bool,
+    /// Column that plays a role in every recording, with its unit where the name has none: response=C_measured:pF. Roles: response, force, pressure, gap, temperature, humidity, time, run, simulated, sensor; may be given several times
+    #[arg(long, value_name = "ROLE=COLUMN[:UNIT]")]
+    map: Vec<Mapped>,
     /// Sensor in place of the recording's: built-in name or path of a sensor's TOML
     #[arg(long)]
     sensor: Option<String>,
@@ -69,23 +72,22 @@ pub struct Diagnose {
     /// Simulate recordings with known causes on this protocol, diagnose them too, and correct the probabilities by how often they were right
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "150", value_parser = clap::value_parser!(u32).range(30..=5000))]
     bank: Option<u32>,
+    /// Folder in which the answers of a slow program (model "command") are kept for the next diagnosis; `truegap/answers` in the user's cache folder where none is given
+    #[arg(long, value_name = "DIR")]
+    cache: Option<PathBuf>,
+    /// Ask a program for everything afresh and keep none of its answers
+    #[arg(long, conflicts_with = "cache")]
+    no_cache: bool,
 }
-
-pub(super) static STOP: AtomicBool = AtomicBool::new(false);
 
 impl Run for Diagnose {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
-        stop_on_interrupt()?;
+        stop_on_interrupt(console)?;
         if self.batch {
             return self.each(console);
         }
         OutputFolder::check(&self.output, &FILES)?;
-        let recordings = read(&self.recordings)?;
-        let other = self.other(&recordings)?;
-        let mut diagnosed = self.one(&self.recordings, recordings, console)?;
-        if let Some((other, free)) = other {
-            confirm_within(&mut diagnosed, other, free);
-        }
+        let diagnosed = self.all(&Line::begin(console, "reading"), console)?;
         let folder = diagnosed.write(&self.output)?;
         if console.json {
             console.print_json(&diagnosed.outcome.diagnosis)?;
@@ -102,25 +104,33 @@ impl Diagnose {
     fn other(&self, took_part: &[Recording]) -> anyhow::Result<Option<(Recording, Free)>> {
         let Some(path) = &self.confirm else { return Ok(None) };
         let free = Free::of(&self.free)?;
-        Ok(Some((other(recorded(path)?, self.channel.as_deref(), took_part)?, free)))
+        Ok(Some((other(recorded(path, &self.map)?, self.channel.as_deref(), took_part)?, free)))
     }
 
-    fn one(&self, paths: &[PathBuf], recordings: Vec<Recording>, console: &Console) -> anyhow::Result<Diagnosed> {
+    /// All recordings as one physics, judged on that of --confirm.
+    fn all(&self, line: &Line, console: &Console) -> anyhow::Result<Diagnosed> {
+        let recordings = self.read(&self.recordings)?;
+        let other = self.other(&recordings)?;
+        let mut diagnosed = self.one(&self.recordings, recordings, line, console)?;
+        if let Some((other, free)) = other {
+            confirm_within(&mut diagnosed, other, free);
+        }
+        Ok(diagnosed)
+    }
+
+    fn read(&self, paths: &[PathBuf]) -> anyhow::Result<Vec<Recording>> {
+        paths.iter().map(|path| Ok(recorded(path, &self.map)?)).collect()
+    }
+
+    fn one(&self, paths: &[PathBuf], recordings: Vec<Recording>, line: &Line, console: &Console) -> anyhow::Result<Diagnosed> {
         let files = paths.iter().zip(&recordings).map(|(path, r)| (path.display().to_string(), r.sha256.clone())).collect();
         let request = self.request(recordings.first())?;
         let opened = open(recordings, &request)?;
-        opened.recording.notes.iter().for_each(|note| console.note(note));
+        above(|| opened.recording.notes.iter().for_each(|note| console.note(note)));
         if let Some(pace) = pace(&opened).filter(Pace::is_slow) {
-            console.note(pace);
+            above(|| console.note(pace));
         }
-        let bar = bar(console);
-        let progress = |p: Progress| {
-            bar.set_position((1000.0 * p.done) as u64);
-            bar.set_message(shown(&format!("{}: {}", p.step, p.what)));
-        };
-        let diagnosed = diagnose(opened, files, &request, &progress, &STOP);
-        bar.finish_and_clear();
-        Ok(diagnosed?)
+        Ok(diagnose(opened, files, &request, &|p: Progress| line.tell(&p), &STOP)?)
     }
 
     /// Every recording by itself; one that cannot be diagnosed is named and does not keep the others waiting.
@@ -129,14 +139,16 @@ impl Diagnose {
         let names = case_names(&self.recordings);
         names.iter().try_for_each(|name| OutputFolder::check(self.output.join(name), &FILES))?;
         for (path, name) in self.recordings.iter().zip(names) {
-            if STOP.load(Ordering::Relaxed) {
+            if is_stopped() {
                 break;
             }
             let paths = std::slice::from_ref(path);
-            let done = read(paths).and_then(|read| self.one(paths, read, console)).and_then(|diagnosed| {
+            let line_drawn = Line::begin(console, &format!("reading {name}"));
+            let done = self.read(paths).and_then(|read| self.one(paths, read, &line_drawn, console)).and_then(|diagnosed| {
                 diagnosed.write(&self.output.join(&name))?;
                 Ok(diagnosed)
             });
+            drop(line_drawn);
             match done {
                 Ok(diagnosed) => {
                     found |= outcome(&diagnosed) == Outcome::LookAt;
@@ -156,6 +168,10 @@ impl Diagnose {
         Ok(if found { Outcome::LookAt } else { Outcome::Fine })
     }
 
+    fn answers(&self) -> Option<PathBuf> {
+        if self.no_cache { None } else { self.cache.clone().or_else(|| cache_folder("answers")) }
+    }
+
     fn request(&self, recording: Option<&Recording>) -> anyhow::Result<Request> {
         let library = with_effects(Library::default(), &self.effect_files, recording)?;
         Ok(Request {
@@ -172,13 +188,10 @@ impl Diagnose {
             // with one recording it is that of --confirm alone that has a gain or offset of its own
             free: if self.confirm.is_some() && self.recordings.len() == 1 { Vec::new() } else { self.free.clone() },
             bank: self.bank.map(|n| n as usize),
+            answers: self.answers(),
             command: command_line(),
         })
     }
-}
-
-fn read(paths: &[PathBuf]) -> anyhow::Result<Vec<Recording>> {
-    paths.iter().map(|path| Ok(recorded(path)?)).collect()
 }
 
 fn outcome(diagnosed: &Diagnosed) -> Outcome {
@@ -223,26 +236,6 @@ fn case_names(paths: &[PathBuf]) -> Vec<String> {
         names.extend(free);
     }
     names
-}
-
-fn bar(console: &Console) -> ProgressBar {
-    if console.quiet {
-        return ProgressBar::hidden();
-    }
-    let bar = ProgressBar::new(1000);
-    if let Ok(style) = ProgressStyle::with_template("{bar:24} {percent:>3} %  {wide_msg}  {elapsed}") {
-        bar.set_style(style);
-    }
-    bar
-}
-
-pub(super) fn stop_on_interrupt() -> anyhow::Result<()> {
-    let handler = || {
-        if STOP.swap(true, Ordering::Relaxed) {
-            std::process::exit(2);
-        }
-    };
-    ctrlc::set_handler(handler).context("Ctrl-C cannot be watched for on this system")
 }
 
 #[cfg(test)]

@@ -17,6 +17,7 @@ mod merge;
 #[cfg(feature = "fem")]
 mod mesh;
 mod optimise;
+pub mod progress;
 mod prove;
 mod recorded;
 pub mod run;
@@ -26,6 +27,7 @@ mod sensors;
 mod simulate;
 #[cfg(feature = "fem")]
 mod solve;
+pub mod stop;
 mod study;
 mod tolerance;
 mod typed;

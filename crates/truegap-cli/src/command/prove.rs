@@ -2,8 +2,8 @@
 //!
 //! Limits: reads, calls, prints; a first Ctrl-C keeps what is done for `--resume`, a second one ends the program.
 
-use super::diagnose::{STOP, stop_on_interrupt};
 use super::run::{Outcome, Run};
+use super::stop::{STOP, stop_on_interrupt};
 use crate::console::Console;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::PathBuf;
@@ -44,7 +44,7 @@ pub struct Prove {
 
 impl Run for Prove {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
-        stop_on_interrupt()?;
+        stop_on_interrupt(console)?;
         let plan = self.study(console)?;
         self.commit(&plan, console)?;
         let bar = bar(console, plan.cases as u64);

@@ -2,19 +2,18 @@
 //!
 //! Limits: reads, calls, prints.
 
-use super::diagnose::{STOP, stop_on_interrupt};
 use super::run::{Outcome, Run};
+use super::stop::{is_stopped, stop_on_interrupt};
 use super::study;
 use crate::console::Console;
 use crate::table::{digits, table};
 use std::path::PathBuf;
-use std::sync::atomic::Ordering;
 use truegap::design::METRICS;
 use truegap::design::sensitivity::QuantityIndices;
 use truegap::sensors::DEFAULT_SENSOR;
-use truegap::study::SensorText;
 use truegap::study::answer::sensitivity::SensorSensitivity;
 use truegap::study::sensitivity::SensitivityRequest;
+use truegap::study::{SensorText, check_place};
 
 /// Which quantity moves which number: one at a time, derivatives, Sobol indices over the tolerances
 #[derive(Debug, clap::Args)]
@@ -46,15 +45,16 @@ impl Run for Sensitivity {
             "--change {}: give a number of per cent above 0 and below 100",
             self.change
         );
+        self.output.as_deref().map_or(Ok(()), check_place)?;
         let sensors = [Some(&self.sensor), self.compare.as_ref()].into_iter().flatten();
         let sensors = sensors.map(|name| SensorText::find(name)).collect::<Result<_, _>>()?;
         let request = SensitivityRequest { sensors, change_pct: self.change, rows: self.rows, seed: self.seed };
-        stop_on_interrupt()?;
+        stop_on_interrupt(console)?;
         let bar = study::bar(console);
         let answer = request.run(|done, of| {
             bar.set_length(of as u64);
             bar.set_position(done as u64);
-            !STOP.load(Ordering::Relaxed)
+            !is_stopped()
         });
         bar.finish_and_clear();
         let answer = answer?;
@@ -66,7 +66,7 @@ impl Run for Sensitivity {
         } else {
             answer.sensors.iter().try_for_each(|of| self.print(console, of))?;
         }
-        let stopped = STOP.load(Ordering::Relaxed);
+        let stopped = is_stopped();
         if stopped {
             console.note("stopped; the Sobol indices rest on the rows that were done");
         }

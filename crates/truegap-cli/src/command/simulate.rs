@@ -70,7 +70,7 @@ impl Run for Simulate {
         let sensor = find_sensor(&self.sensor, None)?;
         let options = StackOptions { warp: !self.no_warp, series: self.series.into() };
         if let Some(path) = &self.drive {
-            let recording = recorded(path)?;
+            let recording = recorded(path, &[])?;
             let rows = drive(&sensor, options, &recording)?;
             recording.notes.iter().for_each(|note| console.note(note));
             return if console.json { console.print_json_lines(&rows) } else { print_history(console, &rows) }
@@ -103,7 +103,7 @@ impl Simulate {
         let answers = if let Some(name) = &self.profile {
             answer::on_profile(&model, name)?
         } else if let Some(path) = &self.drive {
-            let recording = recorded(path)?;
+            let recording = recorded(path, &[])?;
             recording.notes.iter().for_each(|note| console.note(note));
             answer::along(&model, &recording)?
         } else {

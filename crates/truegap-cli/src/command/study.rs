@@ -2,8 +2,8 @@
 //!
 //! Limits: the first Ctrl-C keeps the cases that are done, a second one ends the program.
 
-use super::diagnose::{STOP, stop_on_interrupt};
 use super::run::Outcome;
+use super::stop::{STOP, stop_on_interrupt};
 use crate::console::Console;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::PathBuf;
@@ -29,7 +29,7 @@ impl Where {
         console: &Console,
         study: impl FnOnce(Work<'_>) -> Result<Finished<A>, StudyError>,
     ) -> anyhow::Result<Option<A>> {
-        stop_on_interrupt()?;
+        stop_on_interrupt(console)?;
         let bar = bar(console);
         let progress = |p: Progress| {
             bar.set_length(p.of as u64);

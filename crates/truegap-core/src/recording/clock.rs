@@ -11,7 +11,7 @@ use std::path::PathBuf;
 pub(super) enum Tick {
     /// a row of `run`, at this time on the common clock
     Row { run: u32, time_s: f64 },
-    /// repeats the time of the row before and is to be left out
+    /// has the time of the row before
     Repeat,
 }
 
@@ -20,7 +20,6 @@ pub(super) enum Tick {
 pub(super) enum Disorder {
     RunReturns { run: u32 },
     RunsBack { run: u32, before: f64, after: f64 },
-    Equal { run: u32, time: f64 },
 }
 
 impl Disorder {
@@ -28,7 +27,6 @@ impl Disorder {
         match self {
             Self::RunReturns { run } => RecordingError::RunReturns { file, line, run },
             Self::RunsBack { run, before, after } => RecordingError::TimeRunsBack { file, line, run, before, after },
-            Self::Equal { run, time } => RecordingError::EqualTimes { file, line, run, time },
         }
     }
 }
@@ -49,7 +47,7 @@ pub(super) struct Clock {
     left: HashSet<(u32, u32)>,
     step: f64,
     shift: f64,
-    /// falling time starts a new run, equal times are left out
+    /// falling time starts a new run
     pub lenient: bool,
     /// number runs afresh, as several sensors share them
     pub renumber: bool,
@@ -73,8 +71,7 @@ impl Clock {
         match time {
             Some(now) if now < last.time && self.lenient => Ok(self.tare(last, now, byte)),
             Some(after) if after < last.time => Err(Disorder::RunsBack { run: last.run, before: last.time, after }),
-            Some(now) if now == last.time && self.lenient => Ok(Tick::Repeat),
-            Some(now) if now == last.time => Err(Disorder::Equal { run: last.run, time: now }),
+            Some(now) if now == last.time => Ok(Tick::Repeat),
             _ => {
                 self.step = time_now - last.time;
                 self.last = Some(Last { time: time_now, ..last });

@@ -6,6 +6,7 @@ use super::{
     error::RecordingError,
     heading::Heading,
     manifest::{Manifest, Named, NamedDriver},
+    map::NO_LINE,
     note::Note,
     roles::ROLES,
 };
@@ -119,7 +120,7 @@ pub(super) fn bind_drivers(
             let role = column.role.key();
             return Err(refused(wanted, format!("column `{}` is the {role} already; leave it out of [drivers]", column.name)));
         }
-        let unit = wanted.unit.clone().or_else(|| header[index].unit().map(str::to_owned));
+        let unit = wanted.unit.clone().or_else(|| header[index].proper_unit().map(str::to_owned));
         let unit = unit.ok_or_else(|| {
             let example = format!("{} = {{ column = \"{}\", unit = \"mm\" }}", wanted.name, wanted.column);
             refused(wanted, format!("column `{}` has no unit in its name; write {example}, or unit = \"1\"", wanted.column))
@@ -256,7 +257,7 @@ impl Binder<'_> {
             }
             (None, Some(named)) => named.to_owned(),
             (None, None) if role == Role::Simulated => heading.below.clone().unwrap_or_default(),
-            (None, None) => heading.unit().unwrap_or(&heading.name).to_owned(),
+            (None, None) => heading.proper_unit().unwrap_or(&heading.name).to_owned(),
         };
         if let Some(given) = given {
             self.not_another_case(role, given)?;
@@ -296,6 +297,9 @@ impl Binder<'_> {
     }
 
     fn wrong_unit(&self, role: Role, line: usize, source: UnitError) -> RecordingError {
+        if line == NO_LINE {
+            return RecordingError::MappedUnit { file: self.file.to_owned(), role: role.key().to_owned(), source };
+        }
         RecordingError::WrongUnit { file: self.toml.to_owned(), line, role: role.key().to_owned(), source }
     }
 

@@ -50,7 +50,7 @@ pub enum RecordingError {
     /// A column that is needed or named is not there.
     #[error(
         "{file}: no column for {role}: {wanted} is not in the header; {near}found: {found}; name yours under [columns] of the TOML beside it: {role} = \"...\" (docs/recordings.md; \
-         `truegap init` writes that TOML)"
+         `truegap init` writes that TOML), or give --map {role}=COLUMN"
     )]
     MissingColumn { file: PathBuf, role: String, wanted: String, near: String, found: String },
     /// A name that stands over two columns.
@@ -64,7 +64,8 @@ pub enum RecordingError {
     Driver { file: PathBuf, line: usize, driver: String, why: String },
     /// A number without a unit.
     #[error(
-        "{file}: column `{column}` ({role}) has no unit in its name; write {role} = \"{example}\" under [units] of the TOML beside it, or one of {known}"
+        "{file}: column `{column}` ({role}) has no unit in its name; write {role} = \"{example}\" under [units] of the TOML beside it, or one of {known}; or give --map \
+         {role}=\"{column}:{example}\""
     )]
     MissingUnit { file: PathBuf, column: String, role: String, example: String, known: String },
     /// A column called after a role, with what is no unit of it.
@@ -76,6 +77,9 @@ pub enum RecordingError {
     /// A unit of something else.
     #[error("{file}, line {line}: unit of {role}: {source}")]
     WrongUnit { file: PathBuf, line: usize, role: String, source: UnitError },
+    /// A unit of something else, given beside the column's name.
+    #[error("{file}: --map {role}: {source}")]
+    MappedUnit { file: PathBuf, role: String, source: UnitError },
     /// A second column of readings in another unit than the response.
     #[error("{file}: column `{column}` is in {unit}, the response in {response}; convert one, or give both units under [units]")]
     UnitsDiffer { file: PathBuf, column: String, unit: String, response: String },
@@ -104,11 +108,18 @@ pub enum RecordingError {
          this table; write all numbers with the same decimal sign, and none between thousands"
     )]
     PointOrThousands { file: PathBuf, line: usize, column: String, text: String },
-    /// An empty cell, NaN or infinity.
+    /// So many rows without a value that what is left is another recording.
     #[error(
-        "{file}, line {line}: column `{column}` has no finite value (`{text}`); leave the row out, there is no need for even sampling"
+        "{file}: {gone} of {rows} rows would be left out, more than half: they have no value in {columns} (the first is line {line}); fill the column, or \
+         rename it in the header so that it is not read"
     )]
-    NoValue { file: PathBuf, line: usize, column: String, text: String },
+    FewWhole { file: PathBuf, gone: usize, rows: usize, columns: String, line: usize },
+    /// A clock that stands more often than it goes.
+    #[error(
+        "{file}: {gone} of {rows} rows have the time of the row before, more than half (the first is line {line}); record the time with its fractions, or \
+         average the rows of one instant"
+    )]
+    FewInstants { file: PathBuf, gone: usize, rows: usize, line: usize },
     /// A number that cannot be, in SI.
     #[error("{file}, line {line}: {value} {unit} in column `{column}` cannot be: {why}; check the unit of the column")]
     Impossible { file: PathBuf, line: usize, column: String, value: f64, unit: String, why: String },
@@ -125,11 +136,6 @@ pub enum RecordingError {
     /// Time running backwards.
     #[error("{file}, line {line}: time goes back from {before} s to {after} s inside run {run}; start a new run there")]
     TimeRunsBack { file: PathBuf, line: usize, run: u32, before: f64, after: f64 },
-    /// Two rows of one run at one time.
-    #[error(
-        "{file}, line {line}: time stays at {time} s inside run {run}; average the rows of one instant or leave all but one out"
-    )]
-    EqualTimes { file: PathBuf, line: usize, run: u32, time: f64 },
     /// A recording made in the program has columns of different length.
     #[error("column {column} has {found} rows, the runs have {expected}; give every column one value a row")]
     Lengths { column: String, found: usize, expected: usize },

@@ -3,6 +3,7 @@
 //! Limits: text; which units there are is known to [`crate::units`].
 
 use super::notation::{split, split_of};
+use super::small_letters::proper;
 use crate::units::{Dimension, is_unit};
 
 /// A column of the header.
@@ -30,6 +31,11 @@ impl Heading {
     /// The unit as it is written, in any notation that shows it.
     pub fn unit(&self) -> Option<&str> {
         self.below.as_deref().or_else(|| self.unit_in_name().map(|(_, unit)| unit))
+    }
+
+    /// The unit as it should be written: a name in small letters, as `response_v`, has no capitals for it.
+    pub fn proper_unit(&self) -> Option<&str> {
+        self.unit().map(|unit| if self.below.is_some() { unit } else { proper(&self.name, unit) })
     }
 
     /// The unit among those of `dimension`.

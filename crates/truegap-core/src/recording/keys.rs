@@ -13,7 +13,7 @@ const TOP: [&str; 6] = ["schema", "file", "columns", "units", "drivers", "base"]
 /// Keys of a driver.
 const DRIVER: [&str; 2] = ["column", "unit"];
 /// Other words for a role.
-const ROLES_CALLED: [(&str, &str); 14] = [
+pub(super) const ROLES_CALLED: [(&str, &str); 14] = [
     ("t", "time"),
     ("f", "force"),
     ("load", "force"),

@@ -16,6 +16,8 @@ pub enum Note {
     RowsWithoutValue { column: String, rows: usize, first_line: usize },
     /// Rows were left out because they repeat the time of the row before.
     RepeatedStamps { rows: usize, first_line: usize },
+    /// Rows of one instant became one row, the mean of theirs.
+    RowsOfOneInstant { rows: usize, first_line: usize },
     /// The clock fell back, so a new run began.
     TareReset { line: usize, run: u32 },
     /// The clock of a run began below the end of the run before, and was carried on.
@@ -53,6 +55,12 @@ impl fmt::Display for Note {
             Self::RepeatedStamps { rows, first_line } => {
                 write!(f, "{rows} rows that repeat the time before them were left out, the first on line {first_line}")
             }
+            Self::RowsOfOneInstant { rows, first_line } => {
+                write!(
+                    f,
+                    "{rows} rows have the time of the row before, the first on line {first_line}; the rows of an instant were taken as one, with their means"
+                )
+            }
             Self::TareReset { line, run } => write!(f, "the clock falls back on line {line} (a tare): run {run} begins there"),
             Self::ClockCarriedOn { line, run, shift_s } => {
                 write!(
@@ -75,7 +83,7 @@ impl fmt::Display for Note {
             }
             Self::NotRead { columns } => write!(
                 f,
-                "not read: {columns}; name what they are in a TOML beside the CSV (`truegap init` writes one), or leave them as they are"
+                "not read: {columns}; name what they are in a TOML beside the CSV (`truegap init` writes one) or by --map, or leave them as they are"
             ),
             Self::OtherDegrees { column, unit, low, high, other } => write!(
                 f,

@@ -8,6 +8,7 @@ use super::{
     degrees,
     error::RecordingError,
     manifest::{BaseSpec, Manifest, Named},
+    map::Mapped,
     note::Note,
     packed::{open_csv, unread},
     rows::Rows,
@@ -23,6 +24,8 @@ use std::path::{Path, PathBuf};
 struct Origin<'a> {
     csv: &'a Path,
     toml: Option<&'a Path>,
+    /// columns that are named beside them
+    map: &'a [Mapped],
 }
 
 impl Recording {
@@ -32,14 +35,22 @@ impl Recording {
     /// # Errors
     /// [`RecordingError`] names file, line and value, and says what to do.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, RecordingError> {
+        Self::open_mapped(path, &[])
+    }
+
+    /// As [`Recording::open`], with columns that are named beside it; they go before those of the TOML.
+    ///
+    /// # Errors
+    /// As [`Recording::open`].
+    pub fn open_mapped(path: impl AsRef<Path>, map: &[Mapped]) -> Result<Self, RecordingError> {
         let path = path.as_ref();
         if path.is_dir() {
-            return Self::open(path.join("recording.toml"));
+            return Self::open_mapped(path.join("recording.toml"), map);
         }
         if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
-            return Self::open_manifest(path);
+            return Self::open_manifest(path, map);
         }
-        let mut recording = read(open_csv(path)?, &Origin { csv: path, toml: None }, Manifest::default())?;
+        let mut recording = read(open_csv(path)?, &Origin { csv: path, toml: None, map }, Manifest::default())?;
         let beside = path.with_extension("toml");
         if beside.is_file() {
             recording.notes.push(Note::ManifestNotRead { file: beside.display().to_string() });
@@ -47,11 +58,11 @@ impl Recording {
         Ok(recording)
     }
 
-    fn open_manifest(path: &Path) -> Result<Self, RecordingError> {
+    fn open_manifest(path: &Path, map: &[Mapped]) -> Result<Self, RecordingError> {
         let text = truegap_limits::read_text(path).map_err(|source| unread(path, source))?;
         let manifest = Manifest::parse(path, &text)?;
         let csv = path.parent().unwrap_or(Path::new("")).join(&manifest.file);
-        read(open_csv(&csv)?, &Origin { csv: &csv, toml: Some(path) }, manifest)
+        read(open_csv(&csv)?, &Origin { csv: &csv, toml: Some(path), map }, manifest)
     }
 
     /// Reads a recording from the text of its TOML and of its CSV; `name` stands for the files in messages.
@@ -62,12 +73,13 @@ impl Recording {
         let path = PathBuf::from(format!("{name}.toml"));
         let manifest = Manifest::parse(&path, toml)?;
         let csv_path = PathBuf::from(&manifest.file);
-        read(Cursor::new(csv.as_bytes()), &Origin { csv: &csv_path, toml: Some(&path) }, manifest)
+        read(Cursor::new(csv.as_bytes()), &Origin { csv: &csv_path, toml: Some(&path), map: &[] }, manifest)
     }
 }
 
 fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> Result<Recording, RecordingError> {
     let mut table = Table::open(origin.csv, source)?;
+    let manifest = manifest.mapped(origin.map, &table.header);
     let sensors = vendor_sensors(&table, &manifest);
     let several = sensors.len() > 1;
     let mut rows = Rows::default();

@@ -2,13 +2,7 @@
 //!
 //! Limits: looks on from the first row only, so that a table is read twice at most.
 
-use super::{
-    error::RecordingError,
-    hint::hint,
-    number::{Fault, number},
-    table::Table,
-    text::text,
-};
+use super::{error::RecordingError, hint::hint, number::number, table::Table, text::text};
 use std::io::{Read, Seek};
 
 /// The error of a cell; `is_first` in the first row, where the whole column may be at fault.
@@ -17,7 +11,6 @@ pub(super) fn refuse<R: Read + Seek>(
     index: usize,
     column: &str,
     role: &str,
-    fault: Fault,
     is_first: bool,
 ) -> RecordingError {
     let cell = text(table.row().get(index).unwrap_or_default()).0.into_owned();
@@ -29,10 +22,7 @@ pub(super) fn refuse<R: Read + Seek>(
     if let Some(rows) = is_first.then(|| rows_without_number(table, index, &cell)).flatten() {
         return RecordingError::NoNumbers { file, column: name, role: role.to_owned(), rows, text: cell };
     }
-    match fault {
-        Fault::NoValue => RecordingError::NoValue { file, line, column: name, text: cell },
-        Fault::Text => RecordingError::NotANumber { file, line, column: name, text: cell, hint },
-    }
+    RecordingError::NotANumber { file, line, column: name, text: cell, hint }
 }
 
 /// Rows from this one on, where none has a number in this column and there is more than one.

@@ -1,19 +1,20 @@
 //! The rows of a table, checked and converted, as columns.
 //!
-//! Limits: every column that plays a role must have a value in every row; only the vendor's tool may mark one as missing.
+//! Limits: a row without a value in a column that plays a role is left out, and rows of one instant become one; both are counted.
 
 use super::{
     clock::{Clock, Tick},
     columns::{Column, DriverColumn},
     error::RecordingError,
     note::Note,
-    number::number,
+    number::{Fault, number},
     refuse::refuse,
     separators::Separators,
     singletact,
     stamp::stamp,
     table::Table,
     text::text,
+    whole::{Gone, Instant, is_angle},
 };
 use crate::inputs::{Driver, Inputs, Role};
 use crate::units::ABSOLUTE_ZERO_C;
@@ -47,6 +48,8 @@ pub(super) struct Rows {
     runs: Vec<u32>,
     missing: Option<Note>,
     repeated: Option<Note>,
+    gone: Gone,
+    instant: Instant,
     /// whether a comma was read as a decimal point
     pub commas: bool,
     /// points that may stand between thousands, a column each
@@ -67,13 +70,11 @@ impl Rows {
         sensor: Option<&str>,
     ) -> Result<(), RecordingError> {
         if self.values.is_empty() {
-            let numbers = columns.iter().filter(|c| !matches!(c.role, Role::Run | Role::Sensor));
-            self.values = numbers.map(|c| (c.role, Vec::new())).collect();
-            let driver = |d: &DriverColumn| Driver { name: d.driver.clone(), unit: d.unit.clone(), values: Vec::new() };
-            self.drivers = drivers.iter().map(driver).collect();
+            self.begin(columns, drivers);
         }
         self.points = vec![Separators::default(); table.header.len()];
         let (first_note, mut row) = (self.clock.notes.len(), Vec::with_capacity(columns.len()));
+        let (first_row, before) = (self.runs.len(), std::mem::take(&mut self.gone));
         while table.advance()? {
             self.check_width(table)?;
             if self.parse(table, columns, drivers, &mut row)? {
@@ -81,7 +82,18 @@ impl Rows {
             }
         }
         self.points_or_thousands(table)?;
+        self.gone.find_lines(|byte| table.line(byte as u64))?;
+        self.gone.check(table.file(), self.runs.len() - first_row)?;
+        self.gone = before.and(std::mem::take(&mut self.gone));
         self.name_lines(table, first_note)
+    }
+
+    /// Empty columns of numbers.
+    fn begin(&mut self, columns: &[Column], drivers: &[DriverColumn]) {
+        let numbers = columns.iter().filter(|c| !matches!(c.role, Role::Run | Role::Sensor));
+        self.values = numbers.map(|c| (c.role, Vec::new())).collect();
+        let driver = |d: &DriverColumn| Driver { name: d.driver.clone(), unit: d.unit.clone(), values: Vec::new() };
+        self.drivers = drivers.iter().map(driver).collect();
     }
 
     /// Points that may stand between thousands where commas are decimal points.
@@ -97,14 +109,14 @@ impl Rows {
         }
     }
 
-    /// Number of a cell, as it stands.
+    /// Number of a cell, as it stands; `None` where it is empty, NaN or infinite.
     fn number<R: Read + Seek>(
         &mut self,
         table: &mut Table<R>,
         index: usize,
         column: &str,
         role: &str,
-    ) -> Result<f64, RecordingError> {
+    ) -> Result<Option<f64>, RecordingError> {
         let cell = table.row().get(index).unwrap_or_default();
         match number(cell, table.decimal_comma) {
             Ok(value) => {
@@ -112,9 +124,10 @@ impl Rows {
                     self.commas |= cell.contains(&b',');
                     self.points[index].see(cell, table.byte());
                 }
-                Ok(value)
+                Ok(Some(value))
             }
-            Err(fault) => Err(refuse(table, index, column, role, fault, self.runs.is_empty())),
+            Err(Fault::NoValue) => Ok(None),
+            Err(Fault::Text) => Err(refuse(table, index, column, role, self.runs.is_empty())),
         }
     }
 
@@ -145,7 +158,7 @@ impl Rows {
         Err(RecordingError::Ragged { file: table.file(), line: table.line(byte)?, found, expected })
     }
 
-    /// Numbers of the row into `row`; false where the vendor's tool marks one as missing.
+    /// Numbers of the row into `row`; false where it lacks one, and is left out.
     fn parse<R: Read + Seek>(
         &mut self,
         table: &mut Table<R>,
@@ -154,44 +167,57 @@ impl Rows {
         row: &mut Vec<f64>,
     ) -> Result<bool, RecordingError> {
         row.clear();
-        for column in columns.iter().filter(|c| !matches!(c.role, Role::Run | Role::Sensor)) {
-            let cell = table.row().get(column.index).unwrap_or_default();
-            if table.singletact && singletact::is_null(cell) {
-                return self.leave_out(table, &column.name).map(|()| false);
-            }
-            let cell = if column.dated {
-                self.seconds(table, column)?
-            } else {
-                self.number(table, column.index, &column.name, column.role.key())?
-            };
-            let value = cell * column.scale.0 + column.scale.1;
-            row.push(value);
-            if let Some(Impossible { unit, why }) = impossible(column.role, value) {
-                let (file, name, byte) = (table.file(), column.name.clone(), table.byte());
-                let (line, unit, why) = (table.line(byte)?, unit.to_owned(), why.to_owned());
-                return Err(RecordingError::Impossible { file, line, column: name, value, unit, why });
-            }
+        for column in columns {
+            let Some(value) = self.value(table, column)? else { return self.leave_out(table, column.index, &column.name) };
+            row.extend((!matches!(column.role, Role::Run | Role::Sensor)).then_some(value));
         }
         for driver in drivers {
             let cell = table.row().get(driver.index).unwrap_or_default();
-            if table.singletact && singletact::is_null(cell) {
-                return self.leave_out(table, &driver.name).map(|()| false);
-            }
-            row.push(self.number(table, driver.index, &driver.name, &driver.driver)?);
+            let is_null = table.singletact && singletact::is_null(cell);
+            let value = if is_null { None } else { self.number(table, driver.index, &driver.name, &driver.driver)? };
+            let Some(value) = value else { return self.leave_out(table, driver.index, &driver.name) };
+            row.push(value);
         }
         Ok(true)
     }
 
-    fn leave_out<R: Read + Seek>(&mut self, table: &mut Table<R>, column: &str) -> Result<(), RecordingError> {
+    /// Value of a column in SI, whatever a run's or a sensor's is; `None` where the cell has none.
+    fn value<R: Read + Seek>(&mut self, table: &mut Table<R>, column: &Column) -> Result<Option<f64>, RecordingError> {
+        let cell = table.row().get(column.index).unwrap_or_default();
+        let is_null = table.singletact && singletact::is_null(cell);
+        let is_empty = (column.dated || column.role == Role::Run) && number(cell, false) == Err(Fault::NoValue);
+        if is_null || is_empty {
+            return Ok(None);
+        }
+        let number = match column.role {
+            Role::Run | Role::Sensor => return Ok(Some(0.0)),
+            _ if column.dated => Some(self.seconds(table, column)?),
+            role => self.number(table, column.index, &column.name, role.key())?,
+        };
+        let Some(value) = number.map(|number| number * column.scale.0 + column.scale.1) else { return Ok(None) };
+        match impossible(column.role, value) {
+            None => Ok(Some(value)),
+            Some(Impossible { unit, why }) => {
+                let (file, name, byte) = (table.file(), column.name.clone(), table.byte());
+                let (line, unit, why) = (table.line(byte)?, unit.to_owned(), why.to_owned());
+                Err(RecordingError::Impossible { file, line, column: name, value, unit, why })
+            }
+        }
+    }
+
+    /// Counts a row that lacks a value, with those that the vendor's tool marks by themselves; false, as it is not taken.
+    fn leave_out<R: Read + Seek>(&mut self, table: &mut Table<R>, index: usize, column: &str) -> Result<bool, RecordingError> {
+        let byte = table.byte();
+        let marked = table.singletact && singletact::is_null(table.row().get(index).unwrap_or_default());
         match &mut self.missing {
+            _ if !marked => self.gone.empty(column, byte as usize),
             Some(Note::RowsWithoutValue { rows, .. }) => *rows += 1,
             _ => {
-                let byte = table.byte();
                 let first_line = table.line(byte)?;
                 self.missing = Some(Note::RowsWithoutValue { column: column.to_owned(), rows: 1, first_line });
             }
         }
-        Ok(())
+        Ok(false)
     }
 
     fn push<R: Read + Seek>(
@@ -208,15 +234,11 @@ impl Rows {
         let tick = self.clock.tick(sensor.unwrap_or(0), run, clock.map(|at| row[at]), byte as usize);
         match tick {
             Err(disorder) => return Err(disorder.at(table.file(), table.line(byte)?)),
-            Ok(Tick::Repeat) => return self.repeat(table),
+            Ok(Tick::Repeat) if table.singletact => return self.repeat(table),
+            Ok(Tick::Repeat) => self.same_instant(row, byte as usize),
             Ok(Tick::Row { run, time_s }) => {
-                let drivers = self.drivers.iter_mut().map(|driver| &mut driver.values);
-                self.values
-                    .iter_mut()
-                    .map(|(_, column)| column)
-                    .chain(drivers)
-                    .zip(row)
-                    .for_each(|(column, value)| column.push(*value));
+                self.instant.next();
+                self.columns().zip(row).for_each(|((column, _), value)| column.push(*value));
                 if let Some(time) = clock.and_then(|at| self.values[at].1.last_mut()) {
                     *time = time_s;
                 }
@@ -225,6 +247,26 @@ impl Rows {
             }
         }
         Ok(())
+    }
+
+    /// The columns of numbers in the order of a row's, and whether a mean of them says anything: half-way from 359 degrees to 1 is no place between them.
+    fn columns(&mut self) -> impl Iterator<Item = (&mut Vec<f64>, bool)> {
+        let drivers = self.drivers.iter_mut().map(|driver| {
+            let mean = !is_angle(&driver.unit);
+            (&mut driver.values, mean)
+        });
+        self.values.iter_mut().map(|(role, column)| (column, *role != Role::Time)).chain(drivers)
+    }
+
+    /// Takes a row into the one before it, which has the same time.
+    fn same_instant(&mut self, row: &[f64], byte: usize) {
+        self.instant.again();
+        self.gone.again(byte);
+        let instant = self.instant.clone();
+        let averaged = self.columns().zip(row).filter(|((_, mean), _)| *mean);
+        averaged.for_each(|((column, _), value)| {
+            column.iter_mut().last().into_iter().for_each(|last| *last = instant.mean(*last, *value))
+        });
     }
 
     fn repeat<R: Read + Seek>(&mut self, table: &mut Table<R>) -> Result<(), RecordingError> {
@@ -278,7 +320,7 @@ impl Rows {
                 Role::Run | Role::Sensor => {}
             }
         }
-        let notes = self.missing.into_iter().chain(self.repeated).chain(self.clock.notes).collect();
+        let notes = self.missing.into_iter().chain(self.repeated).chain(self.gone.notes()).chain(self.clock.notes).collect();
         (inputs, response, notes)
     }
 }

@@ -31,6 +31,9 @@ const RECORD_IT: &str =
 const WIDEN_IT: &str =
     "nothing is missing that this recording could show; widen the range of load, temperature and time to see more";
 
+/// What to do where the search was stopped: what this recording could show is not known.
+const LET_IT_END: &str = "diagnose the recording again and let the search end: what is missing was not looked for to the end";
+
 /// What to do where nothing of the library explains what is there.
 const VARY_IT: &str =
     "no cause of the library explains it; change one input at a time, slow and fast, and look which one the mismatch follows";
@@ -42,6 +45,7 @@ pub(crate) fn next(found: &Found<'_>) -> NextExperiment {
         Some(reserved) if reserved.input_missing => return only(RECORD_IT),
         Some(reserved) if reserved.withheld => return only(REPAIR_IT),
         None if found.is_about_interference() => return only(LISTEN),
+        _ if found.interrupted => return only(LET_IT_END),
         _ => {}
     }
     let models = &found.selection.models;

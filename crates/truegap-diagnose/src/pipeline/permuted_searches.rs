@@ -15,7 +15,7 @@ use crate::{
         judged::{Told, examined},
         prepare::Prepared,
     },
-    selection::{posterior::Selection, prior::log_prior},
+    selection::{candidates::Progress, posterior::Selection, prior::log_prior},
     validation::permutation::permute,
 };
 use nalgebra::DMatrix;
@@ -42,15 +42,24 @@ pub(super) fn permuted_searches(
     let predicted: Vec<f64> = problem.response.iter().zip(&misfit).map(|(reading, misfit)| reading - misfit).collect();
     let (runs, misfit) = (problem.runs(), DMatrix::from_vec(misfit.len(), 1, misfit));
     let random = &mut ChaCha8Rng::seed_from_u64(SEED);
+    let quiet = |_: Progress| {};
+    let unheard = Told { options: told.options, progress: &quiet, asked: told.asked, stop: told.stop };
     let mut gains = Vec::new();
     while gains.len() < count && !told.stop.load(Ordering::Relaxed) {
+        (told.progress)(under_way(gains.len(), count));
         let elsewhere = permute(&misfit, &runs, random);
         let response: Vec<f64> = predicted.iter().zip(elsewhere.iter()).map(|(value, misfit)| value + misfit).collect();
         let permuted = Problem { response: &response, ..*problem };
         let again = Prepared::new(&permuted, prepared.noise.clone(), told.options)?;
-        gains.push(gain(&examined(&again, told)?.selection, prepared.testable.len()));
+        gains.push(gain(&examined(&again, &unheard)?.selection, prepared.testable.len()));
     }
     Ok((!gains.is_empty()).then(|| PermutedSearches::new(gain(selection, prepared.testable.len()), gains)))
+}
+
+/// How far it is: each search is one step, whatever it goes through itself.
+fn under_way(searched: usize, count: usize) -> Progress {
+    let what = format!("{} of {count}", searched + 1);
+    Progress { step: "permuted histories", what, done: searched as f64 / count as f64 }
 }
 
 /// Log odds of the likeliest model that names something over the base model, evidence as it is; below 0 where nothing is likelier.

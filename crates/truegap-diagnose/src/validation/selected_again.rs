@@ -9,7 +9,11 @@
 use crate::{
     adequacy::{directions::Direction, lack_of_fit::LackOfFitTests},
     fit::{model::Model, tuning::LOOSE},
-    selection::{candidates::Search, examine::examine, verdict::Verdict},
+    selection::{
+        candidates::{Progress, Search},
+        examine::examine,
+        verdict::Verdict,
+    },
     validation::cross_validation::{AllRows, Part, kept, parts_of},
     whitening::noise_model::NoiseModel,
 };
@@ -36,14 +40,18 @@ pub(crate) fn selected_again(
     all: AllRows<'_>,
 ) -> Vec<ChosenWithout> {
     let going_on = || !search.stop.load(Ordering::Relaxed);
-    let one = |part: Part| {
+    let parts = parts_of(all.problem).1;
+    let count = parts.len();
+    let one = |(index, part): (usize, Part)| {
+        let (what, done) = (format!("{} of {count} parts left out", index + 1), index as f64 / count as f64);
+        (search.progress)(Progress { step: "chosen again", what, done });
         let (verdict, mut effects, z) = without(search, noise, directions, &part, all.first).filter(|_| going_on())?;
         let model = Model::new(all.problem, search.context, effects.iter().map(|e| search.library[*e]).collect());
         let prediction = model.respond(&z).ok();
         effects.sort_unstable();
         Some(ChosenWithout { part, verdict, effects, prediction })
     };
-    parts_of(all.problem).1.into_iter().take_while(|_| going_on()).filter_map(one).collect()
+    parts.into_iter().enumerate().take_while(|_| going_on()).filter_map(one).collect()
 }
 
 /// Verdict, effects and coordinates of the model stood behind without a part.
@@ -59,7 +67,10 @@ fn without(
     let whitener = noise.whitener(&runs, Some(&keep));
     let loose = noise.scaled(LOOSE).whitener(&runs, Some(&keep));
     let lack_of_fit = LackOfFitTests::new(directions, &whitener, stretches(&runs, &keep), noise.uncertainty);
-    let fewer = Search { whitener: &whitener, loose: &loose, scout: None, library: search.library.clone(), ..*search };
+    // a search of its own is one step of this stage, whatever it goes through itself
+    let quiet = |_: Progress| {};
+    let library = search.library.clone();
+    let fewer = Search { whitener: &whitener, loose: &loose, scout: None, library, progress: &quiet, ..*search };
     let examined = examine(&fewer, &lack_of_fit).ok()?;
     let model = &examined.selection.models[examined.decision.model];
     Some((examined.decision.verdict, model.effects.clone(), model.fit.z.clone()))

@@ -32,7 +32,7 @@ pub(super) struct Running {
 }
 
 /// A program that is named by a path is looked for in the folder, any other where the system looks.
-fn program(name: &str, folder: &Path) -> PathBuf {
+pub(super) fn program(name: &str, folder: &Path) -> PathBuf {
     let path = Path::new(name);
     let beside = (path.components().count() > 1).then(|| folder.join(path).canonicalize().ok()).flatten();
     beside.unwrap_or_else(|| path.to_owned())

@@ -3,6 +3,8 @@
 //! Limits: one program for each `run` and folder; a program lives as long as what asks it.
 
 use super::command::Program;
+use super::identity::identity;
+use super::kept::Kept;
 use super::remembered::{Calls, Remembered};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -23,6 +25,8 @@ pub struct Function {
 pub struct Programs {
     function: Option<Function>,
     started: Arc<Mutex<Vec<Started>>>,
+    /// where answers are kept for the next time
+    answers: Option<PathBuf>,
 }
 
 struct Started {
@@ -32,6 +36,11 @@ struct Started {
 }
 
 impl Programs {
+    /// Whatever programs the recordings name, their answers kept in a folder for the next time.
+    pub fn keeping(answers: Option<PathBuf>) -> Self {
+        Self { answers, ..Self::default() }
+    }
+
     /// A function, and whatever programs the recordings name.
     pub fn with_function(function: Function) -> Self {
         Self { function: Some(function), ..Self::default() }
@@ -71,12 +80,14 @@ impl Programs {
         if let Some(found) = started.iter().find(same) {
             return found.responder.clone();
         }
-        let names = match spec {
+        let names: Vec<String> = match spec {
             BaseModel::Command { simulator, .. } => simulator.parameters.iter().map(|p| p.name.clone()).collect(),
             _ => Vec::new(),
         };
+        let known = self.answers.as_ref().and_then(|answers| Some((answers, identity(run, folder, &names)?)));
+        let kept = known.map(|(answers, identity)| Kept::open(answers, &identity));
         let program = Program::new(run.to_vec(), folder.to_owned(), timeout_s, names);
-        let responder = Arc::new(Remembered::new(Box::new(program)));
+        let responder = Arc::new(Remembered::keeping(Box::new(program), kept));
         started.push(Started { run: run.to_vec(), folder: folder.to_owned(), responder: responder.clone() });
         responder
     }
@@ -94,7 +105,11 @@ impl Programs {
 
     /// How often all of them were asked.
     pub fn calls(&self) -> Calls {
-        let add = |sum: Calls, next: Calls| Calls { count: sum.count + next.count, seconds: sum.seconds + next.seconds };
+        let add = |sum: Calls, next: Calls| Calls {
+            count: sum.count + next.count,
+            found: sum.found + next.found,
+            seconds: sum.seconds + next.seconds,
+        };
         self.all().iter().map(|responder| responder.calls()).fold(Calls::default(), add)
     }
 }

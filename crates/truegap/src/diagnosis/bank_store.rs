@@ -1,7 +1,8 @@
 //! Recovery banks kept between runs: one file a protocol, named by the hash of everything that its answers depend on.
 //!
-//! Limits: kept in `$TRUEGAP_CACHE`, else `$XDG_CACHE_HOME/truegap`, else `~/.cache/truegap`; where none can be written, nothing is kept.
+//! Limits: kept in the user's cache folder ([`super::cache_folder`]); where none can be written, nothing is kept.
 
+use super::cache_folder::cache_folder;
 use std::{
     collections::BTreeMap,
     path::{Path, PathBuf},
@@ -11,14 +12,7 @@ use truegap_diagnose::recovery::{BankCase, BankOptions, BankStore};
 
 /// A bank of so many recordings, kept in the cache folder.
 pub(super) fn options(recordings: usize) -> Arc<BankOptions> {
-    Arc::new(BankOptions { recordings, store: Box::new(Cache(folder())) })
-}
-
-/// Folder of the banks.
-fn folder() -> Option<PathBuf> {
-    let variable = |name: &str| std::env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
-    let cache = variable("TRUEGAP_CACHE").or_else(|| variable("XDG_CACHE_HOME").map(|c| c.join("truegap")));
-    cache.or_else(|| variable("HOME").map(|h| h.join(".cache/truegap"))).map(|c| c.join("bank"))
+    Arc::new(BankOptions { recordings, store: Box::new(Cache(cache_folder("bank"))) })
 }
 
 struct Cache(Option<PathBuf>);

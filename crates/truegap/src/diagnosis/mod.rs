@@ -2,9 +2,12 @@
 //!
 //! Limits: one kind of reading for all recordings given together; decides nothing that `truegap_diagnose` does not decide.
 
+mod asking;
 mod bank_store;
 mod bases;
+mod cache_folder;
 mod clock;
+mod course;
 mod diagnosed;
 mod error;
 mod pace;
@@ -13,6 +16,7 @@ mod request;
 mod run;
 mod screen;
 
+pub use cache_folder::cache_folder;
 pub use diagnosed::{Diagnosed, FILES};
 pub use error::DiagnosisError;
 pub use pace::{Pace, pace};

@@ -54,7 +54,7 @@ impl fmt::Display for Pace {
 }
 
 /// A time with one or two digits.
-fn duration(seconds: f64) -> String {
+pub(super) fn duration(seconds: f64) -> String {
     let (value, unit) = match seconds {
         s if s < 0.95 => (1e3 * s, "ms"),
         s if s < 90.0 => (s, "s"),

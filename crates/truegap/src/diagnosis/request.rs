@@ -4,6 +4,7 @@
 
 use super::DiagnosisError;
 use crate::base::Programs;
+use std::path::PathBuf;
 use truegap_core::nearest::nearest;
 use truegap_core::{Inputs, Note, Recording};
 use truegap_diagnose::Library;
@@ -41,6 +42,8 @@ pub struct Request {
     pub free: Vec<String>,
     /// recordings of the recovery bank; none where absent
     pub bank: Option<usize>,
+    /// folder in which answers of a program are kept for the next diagnosis; nowhere where absent
+    pub answers: Option<PathBuf>,
     /// command line, for the record
     pub command: String,
 }
@@ -64,7 +67,7 @@ pub struct Opened {
 /// # Errors
 /// [`DiagnosisError`] where they do not belong together, or `request` names what is not there.
 pub fn open(recordings: Vec<Recording>, request: &Request) -> Result<Opened, DiagnosisError> {
-    open_with(recordings, request, Programs::default())
+    open_with(recordings, request, Programs::keeping(request.answers.clone()))
 }
 
 /// As [`open`], with a function that answers for the base model `function`.

@@ -2,8 +2,10 @@
 //!
 //! Limits: the base model is the recording's (or the request's); nothing is kept on disk here.
 
+use super::asking::counted;
 use super::bases::{Bases, MATERIALS};
 use super::clock::utc_now;
+use super::course::Course;
 use super::diagnosed::Diagnosed;
 use super::request::{Opened, Request, named};
 use super::screen::{Screened, reserve, screen};
@@ -18,7 +20,7 @@ use truegap_diagnose::joint::{Member, Together};
 use truegap_diagnose::quality::{FEWEST_ROWS, Notice};
 use truegap_diagnose::{DiagnoseError, Known, Options, Outcome, Problem, Progress, RecordingFacts};
 
-/// Diagnoses what was opened; `files` are what was read, with their SHA-256.
+/// Diagnoses what was opened; `files` are what was read, with their SHA-256. `progress` is told the share of the whole that is over, which never falls.
 ///
 /// # Errors
 /// [`DiagnosisError`] where there is no base model or nothing can be concluded.
@@ -35,7 +37,26 @@ pub fn diagnose(
         let source = DiagnoseError::TooFewRows { rows, needed: FEWEST_ROWS };
         return Err(DiagnosisError::Diagnose { recording: named(&opened.recording), source });
     }
+    let course = Course::of(request);
+    let asks = matches!(opened.recording.base.model.as_str(), "command" | "function");
+    let programs = opened.programs.clone();
+    let work =
+        |progress: &(dyn Fn(Progress) + Sync)| under_way(opened, files, request, &|stage| progress(course.over_all(stage)), stop);
+    if asks { counted(&programs, progress, work) } else { work(progress) }
+}
+
+/// The diagnosis of what can tell something.
+fn under_way(
+    opened: Opened,
+    files: Vec<(String, String)>,
+    request: &Request,
+    progress: &(dyn Fn(Progress) + Sync),
+    stop: &AtomicBool,
+) -> Result<Diagnosed, DiagnosisError> {
+    let rows = opened.recording.len();
+    progress(Progress { step: "rows", what: format!("what is wrong with {rows} of them"), done: 0.0 });
     let Screened { opened, bases, notices } = screen(opened)?;
+    progress(Progress { step: "noise", what: format!("{rows} rows"), done: 0.0 });
     let run = Run { request, notices: &notices, progress, stop };
     let outcome = match opened.parts.is_empty() {
         true => of_one(&opened, &bases, &files, &run),
@@ -48,16 +69,13 @@ pub fn diagnose(
     }
     let outcome = outcome.map_err(|error| noticed(error, &notices))?;
     let base = bases.bases.into_iter().next().ok_or(DiagnosisError::NoRecording)?;
-    let provenance = Provenance {
-        command: request.command.clone(),
-        made_at: utc_now(),
-        files,
-        interrupted: outcome.interrupted,
-        has_model: true,
-    };
-    let library = request.library.clone();
+    let (provenance, library) = (provenance(files, request, outcome.interrupted), request.library.clone());
     let programs = opened.programs;
     Ok(Diagnosed { recording: opened.recording, parts: opened.parts, base, outcome, provenance, library, programs })
+}
+
+fn provenance(files: Vec<(String, String)>, request: &Request, interrupted: bool) -> Provenance {
+    Provenance { command: request.command.clone(), made_at: utc_now(), files, interrupted, has_model: true }
 }
 
 /// Where the model has no answer and something is known to be wrong with the recording, that is the reason to be told.

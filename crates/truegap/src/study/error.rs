@@ -2,6 +2,7 @@
 //!
 //! Limits: the first reason found.
 
+use crate::output::OutputError;
 use crate::sensors::FindSensorError;
 use std::path::PathBuf;
 use truegap_core::sensor::SensorError;
@@ -34,6 +35,9 @@ pub enum StudyError {
         "{path}: cannot be written: {source}; nothing of this answer is left behind: make room, or name another folder with -o"
     )]
     Write { path: PathBuf, source: std::io::Error },
+    /// The folder holds what is not ours.
+    #[error(transparent)]
+    Output(#[from] OutputError),
     /// Cases cannot be kept.
     #[error(transparent)]
     Sweep(Box<SweepError>),

@@ -20,4 +20,4 @@ mod work;
 pub use error::StudyError;
 pub use merge::{Study, merge};
 pub use subject::SensorText;
-pub use work::{Finished, Work};
+pub use work::{Finished, Work, check_place};

@@ -3,7 +3,7 @@
 //! Limits: a study of seconds, computed in one process; stopped, it keeps the rows it has.
 
 use super::answer::sensitivity::{SensitivityAnswer, SensorSensitivity};
-use super::work::write;
+use super::work::{check_place, write};
 use super::{SensorText, StudyError, page};
 use std::path::Path;
 use truegap_design::sensitivity::{PAPER_QUANTITIES, SobolOptions, local, one_at_a_time, tolerance_indices};
@@ -65,6 +65,7 @@ impl SensitivityAnswer {
         ];
         files.extend(page::sensitivity::figures(self)?);
         files.push(("report.html".to_owned(), page::sensitivity::html(self)?));
+        check_place(folder)?;
         write(folder, &files)
     }
 }

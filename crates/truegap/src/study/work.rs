@@ -3,6 +3,7 @@
 //! Limits: without a folder nothing survives the process.
 
 use super::StudyError;
+use crate::output::{OutputError, OutputFolder};
 use serde::{Serialize, de::DeserializeOwned};
 use std::fs;
 use std::io::Write;
@@ -30,6 +31,28 @@ pub struct Finished<A> {
     pub answer: Option<A>,
 }
 
+/// Names of the files that studies write, figures left out.
+const FILES: [&str; 10] = [
+    "report.html",
+    "sensitivity.json",
+    "sensitivity.csv",
+    "tolerance.json",
+    "scatter.csv",
+    "tighten.csv",
+    "optimise.json",
+    "fronts.csv",
+    "audit-space.json",
+    "audit-space.csv",
+];
+
+/// Whether a study may write into `folder`: asked before it begins.
+///
+/// # Errors
+/// [`OutputError`] names what would be lost.
+pub fn check_place(folder: &Path) -> Result<(), OutputError> {
+    OutputFolder::check_beside(folder, &FILES)
+}
+
 /// Answers in the order of the cases, `None` for those not begun.
 pub(super) type Answers<R> = Vec<Option<R>>;
 
@@ -53,6 +76,7 @@ impl Work<'_> {
             }
             None => return Err(StudyError::NoFolder { shard: self.shard.to_string() }),
             Some(folder) => {
+                check_place(folder)?;
                 let (was_there, was_claimed) = (folder.exists(), folder.join("sweep.json").exists());
                 let ran = sweep.run(folder, self.shard, self.control, solve);
                 let in_vain = ran.as_ref().map_or(true, |ran| !ran.failed.is_empty() && ran.found + ran.computed == 0);

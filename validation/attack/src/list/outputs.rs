@@ -21,6 +21,9 @@ pub fn all() -> Vec<Attack> {
         recorded("outputs", "an answer into somebody's folder")
             .file("out/thesis.tex", "mine")
             .says(&["thesis.tex", "would be lost"]),
+        recorded("outputs", "an answer onto a page of somebody else's")
+            .file("out/report.html", "mine")
+            .says(&["report.html", "would be lost"]),
         recorded("outputs", "an answer onto a full disk").full_disk(8).says(&["cannot be written"]),
     ];
     let studies: [(&str, &[&str]); 3] = [

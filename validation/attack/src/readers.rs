@@ -258,7 +258,7 @@ fn sensor(text: &str) -> Result<bool, String> {
 fn case(text: &str) -> Result<bool, String> {
     let Ok(case) = read_case(text, "c.toml") else { return Ok(false) };
     let size = case.mesh.max_edge.unwrap_or(1.0);
-    if !(size > 0.0) || case.outputs.is_empty() {
+    if size.is_nan() || size <= 0.0 || case.outputs.is_empty() {
         return Err(format!("a case that cannot be: {:?}", case.mesh));
     }
     Ok(true)
@@ -316,7 +316,7 @@ fn quantity(text: &str) -> Result<bool, String> {
     for dimension in [Dimension::Length, Dimension::Force, Dimension::Temperature, Dimension::Ratio, Dimension::PerKelvin] {
         for line in text.lines() {
             let measure = Measure::parse(line, dimension);
-            if measure.is_ok_and(|m| !m.value.is_finite() || !(m.sd >= 0.0)) {
+            if measure.is_ok_and(|m| !m.value.is_finite() || m.sd.is_nan() || m.sd < 0.0) {
                 return Err(format!("`{line}` is no {dimension:?}"));
             }
             let values = truegap::axis::values(line, dimension);

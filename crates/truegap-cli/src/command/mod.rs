@@ -1,6 +1,6 @@
 //! The subcommands, one file each.
 //!
-//! A new one is a file with a struct of arguments that implements [`Run`] (or [`RunDefined`]), a `mod` line and a line in [`commands`], at its place by use.
+//! A new one is a file with a struct of arguments that implements [`Run`] (or [`RunDefined`]), a `mod` line and a line in `commands!`, at its place by use.
 
 #[cfg(feature = "fem")]
 mod audit;

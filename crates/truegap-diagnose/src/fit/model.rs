@@ -201,7 +201,7 @@ impl<'m, 'a> Near<'m, 'a> {
         let mut stages = model.stages(z);
         // each of several recordings has inputs of its own, and may have the same columns on another clock: nothing to remember
         if model.problem.simulator.joined().is_none() {
-            stages = stages.into_iter().map(Remembered::new).collect();
+            stages = stages.into_iter().map(Remembered::boxed).collect();
         }
         let borrowed: Vec<&dyn Stage> = stages.iter().map(AsRef::as_ref).collect();
         let values = model.values(&z[..model.base]);

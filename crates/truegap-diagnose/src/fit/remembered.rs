@@ -19,7 +19,7 @@ pub(crate) struct Remembered {
 
 impl Remembered {
     /// A stage that will be asked about the same inputs again.
-    pub fn new(inner: Box<dyn Stage>) -> Box<dyn Stage> {
+    pub fn boxed(inner: Box<dyn Stage>) -> Box<dyn Stage> {
         Box::new(Self {
             inner,
             load: Memo::default(),
@@ -188,7 +188,7 @@ mod tests {
 
     #[test]
     fn it_answers_as_the_stage_inside_does_at_every_place_and_again() {
-        let (inner, wrapped) = (Everywhere(Arc::default()), Remembered::new(Box::new(Everywhere(Arc::default()))));
+        let (inner, wrapped) = (Everywhere(Arc::default()), Remembered::boxed(Box::new(Everywhere(Arc::default()))));
         for load in [[0.1, 0.2], [0.1, 0.2], [0.3, 0.2]] {
             assert_eq!(everything(wrapped.as_ref(), &load), everything(&inner, &load));
         }
@@ -197,7 +197,7 @@ mod tests {
     #[test]
     fn the_same_is_not_computed_again() {
         let count = Arc::<AtomicUsize>::default();
-        let wrapped = Remembered::new(Box::new(Everywhere(Arc::clone(&count))));
+        let wrapped = Remembered::boxed(Box::new(Everywhere(Arc::clone(&count))));
         let inputs = Inputs { run: vec![1; 2], ..Inputs::default() };
         let ask = |load: &[f64], strain: f64| {
             let mut column = vec![strain; 2];

@@ -20,13 +20,11 @@ use crate::{
 };
 use truegap_core::EffectId;
 
+/// A number of an effect, by its name.
+type Number = (EffectId, &'static str);
+
 /// Numbers of the model `tried` that are better held at nothing, by effect and name; empty where all are borne out.
-pub(crate) fn not_borne_out(
-    search: &Search<'_>,
-    noise: &NoiseModel,
-    tried: &Tried,
-    all: AllRows<'_>,
-) -> Vec<(EffectId, &'static str)> {
+pub(crate) fn not_borne_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> Vec<Number> {
     let of_effect = |e: &usize| {
         let effect = search.library[*e];
         effect.may_be_nothing().iter().map(|name| (effect.id(), *name)).collect::<Vec<_>>()
@@ -35,7 +33,7 @@ pub(crate) fn not_borne_out(
     let (mut held, mut best) = (Vec::new(), held_out(search, noise, tried, all));
     let doubtful = on_a_limit(search, tried);
     // one at a time, the one without which most is gained
-    while let Some((place, predicted)) = best_without_one(search, noise, tried, all, (&open, &held, &best, &doubtful)) {
+    while let Some((place, predicted)) = best_without_one(search, noise, tried, all, (&open, &held), &best, &doubtful) {
         held.push(open.remove(place));
         best = predicted;
     }
@@ -58,7 +56,9 @@ fn best_without_one(
     noise: &NoiseModel,
     tried: &Tried,
     all: AllRows<'_>,
-    (open, held, best, doubtful): (&[(EffectId, &'static str)], &[(EffectId, &'static str)], &HeldOutFit, &[(EffectId, String)]),
+    (open, held): (&[Number], &[Number]),
+    best: &HeldOutFit,
+    doubtful: &[(EffectId, String)],
 ) -> Option<(usize, HeldOutFit)> {
     let without = |one: &(EffectId, &'static str)| {
         let context = search.context.holding([held, &[*one]].concat());

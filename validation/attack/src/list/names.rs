@@ -67,10 +67,9 @@ fn marked() -> Vec<Attack> {
         .map(|(k, line)| if k == 0 { format!("{line}\n") } else { format!("{line},{}\n", k % 17) })
         .collect();
     let toml = format!(
-        "schema = \"truegap.recording/1\"\nfile = {}\n[columns]\nresponse = \"capacitance_pf\"\n[units]\nresponse = {}\n[drivers]\n{} = {{ column = {}, unit = {} }}\n[base]\nmodel = \"linear\"\n",
+        "schema = \"truegap.recording/1\"\nfile = {}\n[columns]\nresponse = \"capacitance_pf\"\n[units]\nresponse = {}\n[drivers]\n{MARKUP:?} = {{ column = {}, unit = {} }}\n[base]\nmodel = \"linear\"\n",
         quoted("<b>&'.csv"),
         quoted(MARKUP),
-        format!("{MARKUP:?}"),
         quoted(MARKUP),
         quoted(MARKUP)
     );

@@ -1,6 +1,6 @@
 //! Numbers that a diagnosis states, beside what was drawn: of the sensor and of effects.
 //!
-//! Limits: a number counts where the recording says more of it than was known beforehand; of an effect's, those that generator and tool define alike ([`ALIKE`]).
+//! Limits: a number counts where the recording says more of it than was known beforehand; of an effect's, those that generator and tool define alike (`ALIKE`).
 
 use serde::Serialize;
 use serde_json::Value;

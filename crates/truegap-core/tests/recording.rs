@@ -261,7 +261,7 @@ fn a_column_of_another_length_is_refused() {
 
 #[test]
 fn what_is_wrong_is_told_with_file_line_value_and_remedy() {
-    let cases: [(&str, &[&str]); 14] = [
+    let cases: [(&str, &[&str]); 15] = [
         ("", &["bare.csv", "empty", "header line"]),
         ("\n\n", &["bare.csv", "empty"]),
         ("time_s,capacitance_pf\n", &["bare.csv", "no row below the header"]),
@@ -271,6 +271,8 @@ fn what_is_wrong_is_told_with_file_line_value_and_remedy() {
         ("time_s,capacitance_pf\n\n0,74\n\n1,\n2,\n", &["2 of 3 rows", "line 5", "`capacitance_pf`", "fill the column"]),
         ("time_s,capacitance_pf\r\n0,NaN\r\n", &["1 of 1 rows", "line 2", "`capacitance_pf`", "rename it"]),
         ("time_s,capacitance_pf\n0,74\n5,74\n4,75", &["line 4", "from 5 s to 4 s", "run 1", "start a new run"]),
+        // a clock that is carried on behind it would be infinite
+        ("time_s,capacitance_pf,run\n0,74,1\n1e308,75,1\n0,74,2\n1,75,2", &["line 3", "1e308 s", "no time of a clock"]),
         ("time_s,capacitance_pf\n0,74\n5,74\n5,75\n5,76\n5,76\n", &["3 of 5 rows", "line 4", "average"]),
         ("time_s,capacitance_pf\n0,74,5\n", &["line 2", "3 cells", "header has 2"]),
         ("run,time_s,capacitance_pf\n1,0,74\nb,1,75\n", &["line 3", "`b`", "number the runs"]),

@@ -20,6 +20,7 @@ pub(super) enum Tick {
 pub(super) enum Disorder {
     RunReturns { run: u32 },
     RunsBack { run: u32, before: f64, after: f64 },
+    NoClock { time: f64 },
 }
 
 impl Disorder {
@@ -27,9 +28,13 @@ impl Disorder {
         match self {
             Self::RunReturns { run } => RecordingError::RunReturns { file, line, run },
             Self::RunsBack { run, before, after } => RecordingError::TimeRunsBack { file, line, run, before, after },
+            Self::NoClock { time } => RecordingError::NoClock { file, line, time },
         }
     }
 }
+
+/// Seconds beyond which a number is no time of a clock: nanoseconds since 1970, taken for seconds, are 1.8e18. Sums of times that large would lose every step, or be infinite.
+const FARTHEST: f64 = 1e20;
 
 /// The last row seen.
 #[derive(Clone, Copy, Debug)]
@@ -60,6 +65,9 @@ impl Clock {
     /// Takes the next row; `time` is absent where no clock was recorded; `byte` stands for the line.
     pub fn tick(&mut self, sensor: u32, run: Option<u32>, time: Option<f64>, byte: usize) -> Result<Tick, Disorder> {
         let time_now = time.unwrap_or(0.0);
+        if time_now.abs() > FARTHEST {
+            return Err(Disorder::NoClock { time: time_now });
+        }
         let Some(last) = self.last else {
             let first = if self.lenient || self.renumber { self.count + 1 } else { run.unwrap_or(1) };
             return Ok(self.begin(sensor, run, first, time_now));

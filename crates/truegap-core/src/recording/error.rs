@@ -136,6 +136,9 @@ pub enum RecordingError {
     /// Time running backwards.
     #[error("{file}, line {line}: time goes back from {before} s to {after} s inside run {run}; start a new run there")]
     TimeRunsBack { file: PathBuf, line: usize, run: u32, before: f64, after: f64 },
+    /// A number that no clock shows.
+    #[error("{file}, line {line}: {time:e} s is no time of a clock; look at the column and its unit, or leave the row out")]
+    NoClock { file: PathBuf, line: usize, time: f64 },
     /// A recording made in the program has columns of different length.
     #[error("column {column} has {found} rows, the runs have {expected}; give every column one value a row")]
     Lengths { column: String, found: usize, expected: usize },

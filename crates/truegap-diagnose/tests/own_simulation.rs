@@ -360,6 +360,29 @@ fn a_part_that_comes_at_once_and_a_slow_rest_are_a_thermal_lag() {
     assert!(said.findings[0].parameters.iter().all(|p| !p.at_limit), "{}", said.findings[0].says);
 }
 
+/// A rig that was carried in from the cold: the reading follows the thermometer with 90 s, and stands 2 K below it at the first row.
+#[test]
+fn a_recording_may_begin_out_of_equilibrium() {
+    let rows = 1500;
+    let time: Vec<f64> = (0..rows).map(|row| 2.0 * f64::from(row)).collect();
+    let warm: Vec<f64> = time.iter().map(|t| 22.0 + 6.0 * (t / 600.0).sin()).collect();
+    let (mut behind, step) = (20.0, (-2.0f64 / 90.0).exp());
+    let truth: Vec<f64> = warm
+        .iter()
+        .map(|now| {
+            behind = now + (behind - now) * step;
+            3.0 + 0.05 * (behind - 22.0)
+        })
+        .collect();
+    let inputs = Inputs { time_s: Some(time), run: vec![1; rows as usize], temperature_c: Some(warm), ..Inputs::default() };
+    let said = said(&Given::with_level(), &inputs, &noisy(11, |row| truth[row], rows as usize));
+    let mut named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    named.sort_unstable();
+    assert_eq!((said.verdict, named), (Verdict::Explained, vec!["temperature_coefficient", "thermal_lag"]), "{}", said.says);
+    let tau = said.findings.iter().find(|f| f.effect == "thermal_lag").unwrap().parameters[0].clone();
+    assert!((tau.value - 90.0).abs() < 3.0 * tau.sd && tau.sd < 20.0, "{} (sd {})", tau.value, tau.sd);
+}
+
 /// Water that cools after the kettle was switched off: nothing moves but the clock, and the way down was begun before the first row.
 #[test]
 fn what_was_switched_off_before_the_first_row_is_on_its_way_down() {

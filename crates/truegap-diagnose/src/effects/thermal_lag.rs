@@ -10,6 +10,7 @@ use crate::{
         slow_response::{self, OneAfterTheOther},
     },
 };
+use std::cell::Cell;
 use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 
 /// Thermal lag of a part that follows at once with its surface and a part that follows more slowly.
@@ -19,13 +20,15 @@ pub struct ThermalLag;
 struct Lag {
     /// time constant in s, and share of the sensor that follows with it
     parts: Vec<(f64, f64)>,
+    /// change of the temperature before the first row of the recording, K/s; later runs begin in equilibrium
+    before: f64,
 }
 
 impl Lag {
     /// A quick part and a part, `share` of the whole, that follows `slower` times more slowly; `tau_s` is the mean of both time constants.
     fn of_two(tau_s: f64, share: f64, slower: f64) -> Self {
         let quick = tau_s / (1.0 - share + share * slower);
-        Self { parts: vec![(quick, 1.0 - share), (quick * slower, share)] }
+        Self { parts: vec![(quick, 1.0 - share), (quick * slower, share)], before: 0.0 }
     }
 }
 
@@ -38,7 +41,13 @@ impl Stage for Lag {
         temperature_c.fill(0.0);
         for (tau_s, share) in self.parts.iter().filter(|(_, share)| *share > 0.0) {
             let mut part = given.clone();
-            first_order_lag(inputs, *tau_s, &mut part, |first| first);
+            let begun = Cell::new(false);
+            first_order_lag(
+                inputs,
+                *tau_s,
+                &mut part,
+                |first| if begun.replace(true) { first } else { first - tau_s * self.before },
+            );
             temperature_c.iter_mut().zip(&part).for_each(|(sum, part)| *sum += share * part);
         }
     }
@@ -48,7 +57,17 @@ impl Stage for Lag {
 fn slab(tau_s: f64) -> Lag {
     const MODES: [f64; 4] = [1.0, 3.0, 5.0, 7.0];
     let all: f64 = MODES.iter().map(|n| (n * n).recip()).sum();
-    Lag { parts: MODES.iter().map(|n| (1.1 * tau_s / (n * n), (n * n * all).recip())).collect() }
+    Lag { parts: MODES.iter().map(|n| (1.1 * tau_s / (n * n), (n * n * all).recip())).collect(), before: 0.0 }
+}
+
+/// Whether how the recording began is open. A stack of plates, whose every number its priors know, begins its runs in equilibrium; a rig begins when somebody presses the button.
+fn begins_anyhow(context: &Context<'_>) -> bool {
+    context.has(StageName::Dielectric).is_err()
+}
+
+/// Usual change of the temperature before the first row, K/s: five times its range in a run.
+fn usual_rate(context: &Context<'_>) -> f64 {
+    5.0 * context.temperature_span().max(1.0) / context.longest_run_s.max(1.0)
 }
 
 impl Effect for ThermalLag {
@@ -67,7 +86,7 @@ impl Effect for ThermalLag {
     fn about(&self) -> About {
         About {
             physics: "heat takes time to arrive, so what is read is behind the temperature beside it",
-            equation: "T_s = (1 - s) lag(T; q) + s lag(T; r q), lag first-order, tau = (1 - s) q + s r q; s = 0 is a single time constant",
+            equation: "T_s = (1 - s) lag(T; q) + s lag(T; r q), lag first-order, tau = (1 - s) q + s r q; s = 0 is a single time constant; without plates, `before` is the rate of T before the first row",
             excitation: "temperature that changes faster than the sensor can follow, with a clock",
             impostors: &["thermal_hysteresis", "offset_drift", "readout_lag"],
             separates: "the loop over temperature grows with the rate of heating and closes in a hold",
@@ -79,24 +98,38 @@ impl Effect for ThermalLag {
             return slow_response::parameters(context);
         }
         let scale = (0.2 * context.longest_run_s).max(1.0);
-        vec![
+        let mut list = vec![
             Parameter::normal("tau", "s", 0.0, scale, "time constant of the thermal path, mean of both parts")
                 .within(0.0, 2.0 * context.longest_run_s),
             Parameter::normal("slow_share", "1", 0.0, 0.4, "part that follows more slowly").within(0.0, 0.95),
             Parameter::log_normal("slower", "1", 10.0, 0.7, "its time constant over that of the quick part").within(2.0, 200.0),
-        ]
+        ];
+        if begins_anyhow(context) {
+            list.push(Parameter::normal(
+                "before",
+                "K/s",
+                0.0,
+                usual_rate(context),
+                "change of the temperature before the first row",
+            ));
+        }
+        list
     }
     fn of_start(&self, context: &Context<'_>) -> &'static [&'static str] {
-        if reads_temperature(context) { slow_response::BEFORE } else { &[] }
+        if reads_temperature(context) || begins_anyhow(context) { slow_response::BEFORE } else { &[] }
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         if reads_temperature(context) {
             return slow_response::starts(context);
         }
-        vec![vec![0.02, 10.0], vec![0.5, 15.0]]
+        if !begins_anyhow(context) {
+            return vec![vec![0.02, 10.0], vec![0.5, 15.0]];
+        }
+        let rate = usual_rate(context);
+        vec![vec![0.02, 10.0, 0.0], vec![0.5, 15.0, 0.0], vec![0.02, 10.0, rate], vec![0.02, 10.0, -rate]]
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
-        &["slow_share"]
+        &["slow_share", "before"]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.needs_clock()?;
@@ -110,7 +143,8 @@ impl Effect for ThermalLag {
         if reads_temperature(context) {
             return slow_response::late(values);
         }
-        Box::new(Lag::of_two(values[0], values[1], values[2]))
+        let before = values.get(3).copied().unwrap_or(0.0);
+        Box::new(Lag { before, ..Lag::of_two(values[0], values[1], values[2]) })
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
         if reads_temperature(context) {

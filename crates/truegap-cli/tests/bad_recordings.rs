@@ -184,9 +184,7 @@ fn empty_cells_and_repeated_times_are_counted_and_told() {
     assert_eq!(said.code, 0, "{}{}", said.out, said.err);
     let json: Value = serde_json::from_str(&std::fs::read_to_string(bench.path("out/diagnosis.json")).unwrap()).unwrap();
     assert_eq!((json["verdict"].as_str(), json["recording"]["rows"].as_u64()), (Some("agrees"), Some(867)));
-    for told in
-        ["3 rows without a value in", "the first on line 41", "1 rows have the time of the row before, the first on line 201"]
-    {
+    for told in ["3 rows without a value in", "the first on line 41", "1 row has the time of the row before, on line 201"] {
         assert!(said.err.contains(told), "`{told}` is missing in: {}", said.err);
         assert!(json["recording_issues"].to_string().contains(told), "`{told}` is missing in: {}", json["recording_issues"]);
     }

@@ -72,7 +72,7 @@ def test_rows_with_holes_are_left_out_and_counted():
     made = pressed()
     made["force_n"][7] = np.nan
     d = tg.diagnose(made, base="linear")
-    assert any("1 rows without a value in `force_n`" in note for note in d.notes)
+    assert any("1 row without a value in `force_n`" in note for note in d.notes)
     assert len(d.table["run"]) == 299
 
 

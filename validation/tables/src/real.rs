@@ -122,7 +122,7 @@ impl Finding {
         let (told, rest) = self.rivals.split_at(self.rivals.len().min(SPELLED_OUT - 1));
         let mut names: Vec<&str> = vec![&self.effect];
         names.extend(told.iter().map(String::as_str));
-        let others = format!("one of {} others", rest.len());
+        let others = if let [only] = rest { only.clone() } else { format!("one of {} others", rest.len()) };
         if !rest.is_empty() {
             names.push(&others);
         }
@@ -142,6 +142,7 @@ mod tests {
         };
         assert_eq!(named(&[]), "a");
         assert_eq!(named(&["b", "c"]), "a or b or c");
+        assert_eq!(named(&["b", "c", "d"]), "a or b or c or d");
         assert_eq!(named(&["b", "c", "d", "e"]), "a or b or c or one of 2 others");
     }
 }

@@ -50,15 +50,19 @@ impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::RowsWithoutValue { column, rows, first_line } => {
-                write!(f, "{rows} rows without a value in `{column}` were left out, the first on line {first_line}")
+                let were = if *rows == 1 { "1 row without a value in" } else { &format!("{rows} rows without a value in") };
+                let left = if *rows == 1 { "was left out, on" } else { "were left out, the first on" };
+                write!(f, "{were} `{column}` {left} line {first_line}")
             }
             Self::RepeatedStamps { rows, first_line } => {
                 write!(f, "{rows} rows that repeat the time before them were left out, the first on line {first_line}")
             }
             Self::RowsOfOneInstant { rows, first_line } => {
+                let have = if *rows == 1 { "1 row has" } else { &format!("{rows} rows have") };
+                let first = if *rows == 1 { "on" } else { "the first on" };
                 write!(
                     f,
-                    "{rows} rows have the time of the row before, the first on line {first_line}; the rows of an instant were taken as one, with their means"
+                    "{have} the time of the row before, {first} line {first_line}; the rows of an instant were taken as one, with their means"
                 )
             }
             Self::TareReset { line, run } => write!(f, "the clock falls back on line {line} (a tare): run {run} begins there"),

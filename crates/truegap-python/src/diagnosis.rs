@@ -62,6 +62,8 @@ impl Asked {
             select_in_folds,
             permuted_searches: permuted_searches.unwrap_or(0),
             command,
+            // a notebook asks its own function again where it was changed; answers of programs are kept by the command line alone
+            answers: None,
         })
     }
 }

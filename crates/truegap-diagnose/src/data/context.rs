@@ -165,7 +165,7 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// What is missing.
-    pub fn needs_course(&self) -> Result<(), String> {
+    fn needs_course(&self) -> Result<(), String> {
         if self.inputs.gap_m.is_some() || self.inputs.simulated.is_some() { Ok(()) } else { self.needs_load() }
     }
 

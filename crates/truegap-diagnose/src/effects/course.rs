@@ -132,8 +132,8 @@ impl Course {
             return Ok(Self::Simulated);
         }
         let Err(why) = context.needs_load() else { return Ok(Self::Load) };
-        let drivers = (0..context.moved.drivers.len()).filter_map(|number| Self::of(context, number));
-        drivers.into_iter().find(|course| course.is_followed(context)).ok_or(why)
+        let mut drivers = (0..context.moved.drivers.len()).filter_map(|number| Self::of(context, number));
+        drivers.find(|course| course.is_followed(context)).ok_or(why)
     }
 
     /// What it is in words.

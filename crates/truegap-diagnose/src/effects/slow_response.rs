@@ -39,7 +39,7 @@ pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
     let run = context.longest_run_s.max(1.0);
     // somewhere between a step and a run, in the logarithm
     let middle = 0.3 * (context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0) * run).sqrt();
-    let rate = usual_rate(context);
+    let rate = usual_rate(context.response_span.abs(), context);
     vec![
         Parameter::normal("tau", "s", 0.0, middle, "time constant of the reading, of its quick way where there are two")
             .within(0.0, run),
@@ -52,14 +52,13 @@ pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
 /// Most times that the slow way is slower: the quick one then comes at once, beside any clock. (200 was a limit to which the fit of two thermometers ran, one of which follows at once for the most part.)
 pub(crate) const AT_ONCE: f64 = 1e4;
 
-/// Usual change of the true value before the first row, in its unit a second: five spans in a run.
-fn usual_rate(context: &Context<'_>) -> f64 {
-    5.0 * context.response_span.abs() / context.longest_run_s.max(1.0)
+/// Usual change before the first row, a second: five spans in a run.
+pub(crate) fn usual_rate(span: f64, context: &Context<'_>) -> f64 {
+    5.0 * span / context.longest_run_s.max(1.0)
 }
 
-/// In equilibrium at first, or on its way up or down: what was switched on or poured in just before the first row.
-pub(crate) fn starts(context: &Context<'_>) -> Vec<Vec<f64>> {
-    let rate = usual_rate(context);
+/// In equilibrium at first, or on its way up or down by `rate`: what was switched on or poured in just before the first row.
+pub(crate) fn starts(rate: f64) -> Vec<Vec<f64>> {
     vec![vec![0.02, 10.0, 0.0], vec![0.5, 15.0, 0.0], vec![0.02, 10.0, rate], vec![0.02, 10.0, -rate]]
 }
 
@@ -127,7 +126,7 @@ impl Effect for SlowResponse {
         BEFORE
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        starts(context)
+        starts(usual_rate(context.response_span.abs(), context))
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["slow_share"]

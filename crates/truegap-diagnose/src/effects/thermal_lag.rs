@@ -65,9 +65,10 @@ fn begins_anyhow(context: &Context<'_>) -> bool {
     context.has(StageName::Dielectric).is_err()
 }
 
-/// Usual change of the temperature before the first row, K/s: five times its range in a run.
+/// Usual change before the first row, of what is late: the reading that is a temperature, else the temperature, K/s.
 fn usual_rate(context: &Context<'_>) -> f64 {
-    5.0 * context.temperature_span().max(1.0) / context.longest_run_s.max(1.0)
+    let span = if reads_temperature(context) { context.response_span.abs() } else { context.temperature_span().max(1.0) };
+    slow_response::usual_rate(span, context)
 }
 
 impl Effect for ThermalLag {
@@ -119,14 +120,10 @@ impl Effect for ThermalLag {
         if reads_temperature(context) || begins_anyhow(context) { slow_response::BEFORE } else { &[] }
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        if reads_temperature(context) {
-            return slow_response::starts(context);
+        if reads_temperature(context) || begins_anyhow(context) {
+            return slow_response::starts(usual_rate(context));
         }
-        if !begins_anyhow(context) {
-            return vec![vec![0.02, 10.0], vec![0.5, 15.0]];
-        }
-        let rate = usual_rate(context);
-        vec![vec![0.02, 10.0, 0.0], vec![0.5, 15.0, 0.0], vec![0.02, 10.0, rate], vec![0.02, 10.0, -rate]]
+        vec![vec![0.02, 10.0], vec![0.5, 15.0]]
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["slow_share", "before"]

@@ -5,12 +5,10 @@
 use crate::{
     data::{context::load_column, problem::Problem},
     noise::{
-        follows_drivers::without_what_follows_drivers,
         louder::Louder,
         reml::estimate,
         rescale::not_above,
-        response::{blocks, no_finer_than_read},
-        tones::without_tones,
+        response::{blocks, follows_nothing, no_finer_than_read},
         tuning::UNSEEN,
     },
     whitening::noise_model::NoiseModel,
@@ -24,7 +22,7 @@ pub fn beside_louder_rows(problem: &Problem<'_>, noise: &NoiseModel, found: Loud
         found.clean
     } else {
         // as it was estimated before, from what follows nothing
-        without_tones(problem.inputs, without_what_follows_drivers(problem.inputs, found.clean))
+        follows_nothing(problem.inputs, found.clean)
     };
     let (response, uncertainty) = estimate(&clean, &blocks);
     let mut input_error = noise.input_error.clone();

@@ -7,10 +7,8 @@
 use crate::{
     data::{context::load_column, problem::Problem},
     noise::{
-        follows_drivers::without_what_follows_drivers,
         rescale::not_above,
-        response::{blocks, from_misfit},
-        tones::without_tones,
+        response::{blocks, follows_nothing, from_misfit},
         tuning::{LOUDER_AT_WORK, ONE_READING},
     },
     stats::spread,
@@ -23,7 +21,7 @@ pub(crate) fn at_work(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel)
     if !noise.measured || noise.lasts() || !one_with_a_clock || !is_off_at_rest(problem, noise) {
         return None;
     }
-    let clean = without_tones(problem.inputs, without_what_follows_drivers(problem.inputs, misfit.to_vec()));
+    let clean = follows_nothing(problem.inputs, misfit.to_vec());
     let found = from_misfit(problem, &clean, &NoiseModel { measured: false, ..noise.clone() });
     let says = format!("at rest the reading is off, which says nothing of its noise at work; {}", found.says);
     let of_reading = |noise: &NoiseModel| noise.response.white_sd.hypot(noise.response.ar_sd);

@@ -7,11 +7,13 @@ use crate::{
     noise::neighbours::{lie_apart, neighbours},
     noise::tuning::{ENOUGH_ROWS, FEWEST_NEIGHBOURS, FEWEST_REPLICATES, PLENTY_OF_ROWS, UNSEEN},
     noise::{
+        follows_drivers::without_what_follows_drivers,
         input_error::{Left, input_error},
         reml::{Block, estimate, without_outliers},
         rest,
         rounding::rounded,
         slow::{beside, slow},
+        tones::without_tones,
     },
     stats::resolution,
     whitening::{
@@ -19,7 +21,7 @@ use crate::{
         whitener::{InputError, Lasting, Noise},
     },
 };
-use truegap_core::SimulationError;
+use truegap_core::{Inputs, SimulationError};
 
 /// Noise of a problem whose inputs were denoised: `inputs` as recorded, `left` what denoising left of it, `base` the parameter values at which all that is carried
 /// through.
@@ -68,6 +70,11 @@ pub fn from_misfit(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) ->
         "no rest record: from what the calibrated model leaves over in {rows} rows of short stretches; slow noise would go unseen{louder}"
     );
     NoiseModel { response, rows, uncertainty: uncertainty.max(UNSEEN), says, ..noise.clone() }
+}
+
+/// What of a misfit follows no driver and is no tone.
+pub(crate) fn follows_nothing(inputs: &Inputs, misfit: Vec<f64>) -> Vec<f64> {
+    without_tones(inputs, without_what_follows_drivers(inputs, misfit))
 }
 
 /// The noise of a reading that is written in steps: what they make of it lasts as long as it stays on one value.

@@ -8,15 +8,13 @@ use crate::{
     noise::{
         beside_louder::beside_louder_rows,
         denoised_inputs::{DenoisedInputs, denoised_inputs},
-        follows_drivers::without_what_follows_drivers,
         grows::Beside,
         input_error::Left,
         louder::{Louder, louder},
         rescale::not_above,
-        response::{from_misfit, noise_model},
+        response::{follows_nothing, from_misfit, noise_model},
         scout::calibrated,
         switching::load_switches,
-        tones::without_tones,
         tuning::{CARRIED_ANEW, KNOWN_TO_BE_WILD},
     },
     whitening::{
@@ -215,8 +213,7 @@ fn without_rest(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, 
     let model = Model::new(problem, &context, Vec::new());
     let mut known = noise;
     for _ in 0..2 {
-        let misfit = without_what_follows_drivers(problem.inputs, model.misfit(&calibrated(&model, &known)?.z)?);
-        let misfit = without_tones(problem.inputs, misfit);
+        let misfit = follows_nothing(problem.inputs, model.misfit(&calibrated(&model, &known)?.z)?);
         known = from_misfit(problem, &misfit, &known);
     }
     Ok(not_above(problem, &model.misfit(&calibrated(&model, &known)?.z)?, known))

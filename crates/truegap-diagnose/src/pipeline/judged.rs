@@ -132,9 +132,9 @@ impl Judged {
     /// Whether it names something that foretells rows left out as well as what `other` names; clearly better where its laws are `strained`, that is have run to their limits.
     fn stands_before(&self, other: &Self, strained: bool) -> bool {
         let borne_out = |judged: &Self, beside: &Self| {
-            let told = |judged: &Self| (judged.predicted.unseen.stood_behind().clone(), judged.stood_behind().fit.clone());
-            let ((own, own_fit), (others, others_fit)) = (told(judged), told(beside));
-            Unseen::of((others, &others_fit), (own, &own_fit)).against(false).is_none()
+            let told = |judged: &Self| judged.predicted.unseen.stood_behind().clone();
+            let base = (told(beside), &beside.stood_behind().fit);
+            Unseen::of(base, (told(judged), &judged.stood_behind().fit)).against(false).is_none()
         };
         let better = || if strained { borne_out(self, other) } else { !other.names_something() || !borne_out(other, self) };
         self.names_something() && better()

@@ -53,26 +53,15 @@ pub fn diagnose(
 
     let mut prepared = Prepared::new(problem, noise, options)?;
     let mut examined = judged::examined(&prepared, &told)?;
-    // what the base model leaves may hide wild rows, which take the verdict and the noise with them
-    if !told.stop.load(Ordering::Relaxed)
-        && let Some(louder) = prepared.with_wild_rows(&examined.selection)?
-    {
-        prepared = Prepared::new(problem, louder, options)?;
-        examined = judged::examined(&prepared, &told)?;
-    }
-    // no noise is louder than what a model leaves: where it was, everything is done once more with less
-    if !told.stop.load(Ordering::Relaxed)
-        && let Some(quieter) = prepared.quieter(&examined.selection)?
-    {
-        prepared = Prepared::new(problem, quieter, options)?;
-        examined = judged::examined(&prepared, &told)?;
-    }
-    // rest in which the instrument was off says nothing of its noise at work
-    if !told.stop.load(Ordering::Relaxed)
-        && let Some(at_work) = prepared.at_work(&examined)?
-    {
-        prepared = Prepared::new(problem, at_work, options)?;
-        examined = judged::examined(&prepared, &told)?;
+    // what the base model leaves may hide wild rows, which take the verdict and the noise with them; no noise is louder than what a model leaves; and rest in which the instrument is off says
+    // nothing of its noise at work: everything is done once more with the noise as it is then
+    for otherwise in [Prepared::with_wild_rows, Prepared::quieter, Prepared::at_work] {
+        if !told.stop.load(Ordering::Relaxed)
+            && let Some(noise) = otherwise(&prepared, &examined)?
+        {
+            prepared = Prepared::new(problem, noise, options)?;
+            examined = judged::examined(&prepared, &told)?;
+        }
     }
     let mut composition = composed(&prepared, &examined, &told);
     // where stretches at rest cannot tell slow noise from noise with one memory, the whole recording does

@@ -23,7 +23,6 @@ use crate::{
     selection::{
         candidates::{Progress, Search, Tried},
         examine::Examined,
-        posterior::Selection,
         tuning::LOUD_REST,
         verdict::Verdict,
     },
@@ -143,8 +142,8 @@ impl<'a> Prepared<'a> {
     ///
     /// # Errors
     /// Those of the simulator.
-    pub fn quieter(&self, selection: &Selection) -> Result<Option<NoiseModel>, DiagnoseError> {
-        let Some(best) = selection.least() else { return Ok(None) };
+    pub fn quieter(&self, examined: &Examined) -> Result<Option<NoiseModel>, DiagnoseError> {
+        let Some(best) = examined.selection.least() else { return Ok(None) };
         let rows = self.whitener.rows.max(1) as f64;
         if self.problem.simulator.joined().is_some() || best.fit.chi2 / rows > too_loud(&self.noise) {
             return Ok(None);
@@ -156,8 +155,8 @@ impl<'a> Prepared<'a> {
     ///
     /// # Errors
     /// Those of the simulator.
-    pub fn with_wild_rows(&self, selection: &Selection) -> Result<Option<NoiseModel>, DiagnoseError> {
-        let Some(best) = selection.least() else { return Ok(None) };
+    pub fn with_wild_rows(&self, examined: &Examined) -> Result<Option<NoiseModel>, DiagnoseError> {
+        let Some(best) = examined.selection.least() else { return Ok(None) };
         Ok(with_wild_rows(self.problem, &self.misfit(best)?, &self.noise))
     }
 

@@ -8,7 +8,7 @@ use crate::{
         diagnosis::{AdequacyFacts, BaseFacts, Diagnosis, NotTestable, SCHEMA},
         discovered::{discovered, model_of},
         errors::{concealed, fit_facts, in_sample, respond, unseen},
-        findings::findings,
+        findings::{Named, findings},
         found::Found,
         known::Known,
         next::next,
@@ -44,7 +44,7 @@ pub(crate) fn outcome(
         in_sample(found, &before, &after).ok_or(DiagnoseError::TooFewRows { rows: before.len(), needed: FEWEST_ROWS })?;
     let fit = fit_facts(found, in_sample, unseen_before, unseen_after);
     let reference = reference(found);
-    let (findings, order) = findings(found, unseen_before, unseen_after);
+    let Named { findings, order, carried } = findings(found, unseen_before, unseen_after);
     let with_mechanisms = model_of(found).map(|tried| match found.chosen().key() == tried.key() {
         true => unseen_after.clone(),
         false => unseen(found, tried),
@@ -79,7 +79,7 @@ pub(crate) fn outcome(
         noise: noise(found),
         verdict: found.decision.verdict,
         probability_agrees: found.selection.probability_agrees(),
-        says: says(found, (&findings, &order)),
+        says: says(found, (&findings, &order), &carried),
         concealed: concealed(found, &conflicts, &fit),
         conflicts,
         mismatch: if found.decision.verdict == Verdict::Agrees { Vec::new() } else { located(found, base) },
@@ -92,6 +92,7 @@ pub(crate) fn outcome(
         reference,
         fit,
         findings,
+        carried,
         prediction_only: term,
         permuted_searches: found.permuted_searches.clone(),
         confirmation: None,

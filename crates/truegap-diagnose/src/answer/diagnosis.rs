@@ -57,6 +57,9 @@ pub struct Diagnosis {
     pub remains: Vec<Mismatch>,
     /// effects that the tool stands behind
     pub findings: Vec<Finding>,
+    /// smaller effects of the same model, without a claim to their names: an equation of a finding that is slightly off leaves as much
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub carried: Vec<Finding>,
     /// mechanisms composed of words where the library left something, named or not
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub discovered: Vec<DiscoveredFacts>,

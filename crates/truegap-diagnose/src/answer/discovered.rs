@@ -37,7 +37,7 @@ pub(crate) fn discovered(found: &Found<'_>, before: &HeldOutFit, after: Option<&
             form: words.form.word().into(),
             action: words.action.word().into(),
             sentence: words.clone(),
-            named: found.chosen().effects.contains(&index),
+            named: found.chosen().effects.contains(&index) && !found.carries(index),
             probability: mechanism.words.clone(),
             file: MechanismFile::of(&mechanism.effect, &values, |name| number_unit(name, words, found.search.context)),
             clause: clause(words),

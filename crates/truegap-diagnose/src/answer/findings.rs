@@ -18,14 +18,24 @@ use crate::{
     validation::cross_validation::{HeldOutFit, compared},
 };
 
-/// The effects of the model stood behind, what matters most on rows left out first, and the place of each in that model; `before` and `after` are the predictions of rows left out by the base
-/// model and by that model.
-pub(crate) fn findings(found: &Found<'_>, before: &HeldOutFit, after: &HeldOutFit) -> (Vec<Finding>, Vec<usize>) {
-    let mut all: Vec<(usize, Finding)> =
-        (0..found.chosen().effects.len()).map(|index| (index, finding(found, index, before, after))).collect();
+/// Effects of the model stood behind.
+pub(crate) struct Named {
+    /// those that are claimed
+    pub findings: Vec<Finding>,
+    /// place of each in that model
+    pub order: Vec<usize>,
+    /// those that it only carries
+    pub carried: Vec<Finding>,
+}
+
+/// The effects of the model stood behind, what matters most on rows left out first; `before` and `after` are the predictions of rows left out by the base model and by that model.
+pub(crate) fn findings(found: &Found<'_>, before: &HeldOutFit, after: &HeldOutFit) -> Named {
+    let effects = &found.chosen().effects;
+    let mut all: Vec<(usize, Finding)> = (0..effects.len()).map(|index| (index, finding(found, index, before, after))).collect();
     all.sort_by(|a, b| lost_without(&b.1.held_out).total_cmp(&lost_without(&a.1.held_out)));
-    let (order, findings) = all.into_iter().unzip();
-    (findings, order)
+    let (claimed, carried): (Vec<_>, Vec<_>) = all.into_iter().partition(|(index, _)| !found.carries(effects[*index]));
+    let (order, findings) = claimed.into_iter().unzip();
+    Named { findings, order, carried: carried.into_iter().map(|(_, finding)| finding).collect() }
 }
 
 /// How many times larger the error on rows left out is without a finding; 0 where it was not asked.

@@ -90,6 +90,11 @@ impl Found<'_> {
         &self.selection.models[self.decision.model]
     }
 
+    /// Whether the model stood behind only carries an effect, without a claim to its name.
+    pub fn carries(&self, effect: usize) -> bool {
+        self.decision.carried.contains(&effect)
+    }
+
     /// Standard deviations of the coordinates of a model, with what is not named counted in where that was computed.
     pub fn sd<'t>(&'t self, tried: &'t Tried) -> &'t [f64] {
         let own = self.widened.iter().find(|(known, _)| known.effects == tried.effects);

@@ -18,8 +18,17 @@ use crate::{
 pub(crate) const STOPPED: &str =
     "the search was stopped before its end: verdict and probabilities are among what had been tried by then";
 
-/// The verdict as a sentence with its reasons.
-pub(crate) fn says(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) -> String {
+/// The verdict as a sentence with its reasons; with what the model carries beside the findings.
+pub(crate) fn says(found: &Found<'_>, (findings, order): (&[Finding], &[usize]), carried: &[Finding]) -> String {
+    let verdict = verdict_says(found, (findings, order));
+    if carried.is_empty() {
+        return verdict;
+    }
+    let names = carried.iter().map(|f| f.effect.as_str()).collect::<Vec<_>>().join(" and ");
+    format!("{verdict}; smaller parts of the misfit follow {names}, which is not claimed as a cause: an equation that is slightly off leaves as much")
+}
+
+fn verdict_says(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) -> String {
     if let Some(reserved) = &found.reserved {
         return reserved.says.clone();
     }
@@ -58,7 +67,7 @@ fn composed(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) -> Opt
     let sentence = |(effect, finding): (&usize, &Finding)| {
         named(effect).map_or_else(|| finding.effect.clone(), |m| format!("{} [{}]", finding.says, m.words.says()))
     };
-    chosen.iter().any(|e| named(e).is_some()).then(|| {
+    order.iter().any(|place| named(&chosen[*place]).is_some()).then(|| {
         let each = order.iter().map(|place| &chosen[*place]).zip(findings).map(sentence).collect::<Vec<_>>().join("; and ");
         let left = match found.leaves_something() {
             true => format!("; {} of the misfit is left beside it", share_left(found.decision.removed)),

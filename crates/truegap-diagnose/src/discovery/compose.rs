@@ -163,7 +163,7 @@ impl Composition {
             return (if likelier && named { Decision::nothing(Verdict::Unexplained, selection.base) } else { decision }, None);
         };
         let sets = self.tried.effects.iter().map(|e| vec![*e]).collect();
-        (Decision { verdict, model, sets, removed, unmodelled: None, unmodelled_rivals: false }, Some(after))
+        (Decision { model, sets, removed, ..Decision::nothing(verdict, selection.base) }, Some(after))
     }
 
     /// The verdict where the mechanisms stand; `None` where they leave too much.

@@ -123,7 +123,7 @@ impl Judged {
             false if Decision::adequate(removed, &after) => Verdict::Explained,
             false => Verdict::WrongForm,
         };
-        let decision = Decision { verdict, model, sets, removed, unmodelled: None, unmodelled_rivals: false };
+        let decision = Decision { model, sets, removed, ..Decision::nothing(verdict, selection.base) };
         self.examined.selection = selection;
         self.predicted = Predicted { unseen, decision, after: Some(after), ..self.predicted };
         self.held = held;

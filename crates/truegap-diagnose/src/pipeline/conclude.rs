@@ -8,6 +8,7 @@ use crate::{
     discovery::{compose::Composition, discover::with_mechanisms},
     pipeline::{
         by_name::by_name,
+        carried::with_carried,
         judged::{Judged, Told, composed, judged},
         options::Options,
         permuted_searches::permuted_searches,
@@ -56,6 +57,7 @@ pub(crate) fn conclude(
     let mechanisms = composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
     let search = &with_mechanisms(search, mechanisms);
     let (selection, all) = (&examined.selection, prepared.all_rows());
+    let decision = with_carried(prepared, search, selection, (decision, unseen.stood_behind()), &by_base);
     let base = by_base.alone.as_ref().map_or(selection.base(), |alone| &alone.tried);
     let mut told_of = vec![base];
     for tried in [&selection.models[decision.model]].into_iter().chain(composition.as_ref().map(|c| &c.tried)) {

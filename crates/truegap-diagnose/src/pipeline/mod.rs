@@ -4,6 +4,7 @@
 
 mod alone;
 mod by_name;
+mod carried;
 mod conclude;
 mod judged;
 mod noise_choice;

@@ -61,6 +61,8 @@ pub struct Decision {
     pub unmodelled: Option<Unmodelled>,
     /// whether an unmodelled cause cannot be excluded
     pub unmodelled_rivals: bool,
+    /// effects of the model stood behind (indices into the library) that it carries without a claim to their names
+    pub carried: Vec<usize>,
 }
 
 impl Decision {
@@ -86,6 +88,21 @@ impl Decision {
         self
     }
 
+    /// The same where these of the `effects` of its model are only carried: what they leave open is not open any more. `after` is what the model leaves.
+    #[must_use]
+    pub(crate) fn carrying(self, carried: Vec<usize>, effects: &[usize], after: &Adequacy) -> Self {
+        if carried.is_empty() {
+            return self;
+        }
+        let claimed = || effects.iter().zip(&self.sets).filter(|(effect, _)| !carried.contains(effect)).map(|(_, set)| set);
+        let verdict = match claimed().any(|set| set.len() > 1) || self.unmodelled_rivals {
+            true => Verdict::Ambiguous,
+            false if Self::adequate(self.removed, after) => Verdict::Explained,
+            false => Verdict::WrongForm,
+        };
+        Self { verdict, carried, ..self }
+    }
+
     /// Whether what is left beside a model that removes this share of the misfit is no reason to doubt it.
     pub(crate) fn adequate(removed: f64, after: &Adequacy) -> bool {
         !after.fires() || (removed >= ADEQUATE && after.left_over_noise < LOUD_REST)
@@ -93,7 +110,7 @@ impl Decision {
 
     /// A verdict that names nothing, where model `base` is the base model.
     pub(crate) fn nothing(verdict: Verdict, base: usize) -> Self {
-        Self { verdict, model: base, sets: Vec::new(), removed: 0.0, unmodelled: None, unmodelled_rivals: false }
+        Self { verdict, model: base, sets: Vec::new(), removed: 0.0, unmodelled: None, unmodelled_rivals: false, carried: Vec::new() }
     }
 }
 
@@ -161,7 +178,7 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_f
         false => Verdict::Undecided,
     };
     let model = if verdict == Verdict::Undecided { selection.base } else { best };
-    Decision { verdict, model, sets, removed, unmodelled: None, unmodelled_rivals }
+    Decision { verdict, model, sets, removed, unmodelled_rivals, ..nothing(verdict) }
 }
 
 /// The decision for a smaller model than the one stood behind, some of whose effects are not claimed; `after` is the adequacy of the smaller one.

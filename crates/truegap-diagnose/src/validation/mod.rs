@@ -6,6 +6,7 @@ pub(crate) mod among_rivals;
 pub mod confirmation;
 pub(crate) mod cross_validation;
 pub(crate) mod held_numbers;
+pub(crate) mod main_causes;
 pub(crate) mod permutation;
 pub mod recovery;
 pub(crate) mod reference;

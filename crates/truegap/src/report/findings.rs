@@ -16,7 +16,19 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     let diagnosis = subject.diagnosis;
     let page = if diagnosis.findings.is_empty() { page } else { page.section(heading(diagnosis.verdict)) };
     let page = diagnosis.findings.iter().fold(page, |page, finding| one(page, subject, finding));
-    ambiguity(page, subject, &diagnosis.ambiguity)
+    let page = ambiguity(page, subject, &diagnosis.ambiguity);
+    carried(page, subject)
+}
+
+/// Effects that the model carries without a claim to their names, one part each.
+fn carried(page: Page, subject: &Subject<'_>) -> Page {
+    let smaller = &subject.diagnosis.carried;
+    if smaller.is_empty() {
+        return page;
+    }
+    let says = format!("The model carries {}. They stay in it because it predicts better with them.", wording::CARRIED);
+    let page = page.section("Smaller parts, without a claim to their names").text(&says);
+    smaller.iter().fold(page, |page, finding| one(page, subject, finding))
 }
 
 fn heading(verdict: Verdict) -> &'static str {

@@ -24,6 +24,10 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
             ));
         }
     }
+    if !diagnosis.carried.is_empty() {
+        lines.push(format!("Beside it the model carries {}:", wording::CARRIED));
+        lines.extend(diagnosis.carried.iter().map(|smaller| format!("  {}: {}", spoken(&smaller.effect), smaller.says)));
+    }
     for mechanism in &diagnosis.discovered {
         if !mechanism.named {
             lines.push(format!("  Of mechanisms composed of words, nearest is: {}", mechanism.says));

@@ -11,6 +11,9 @@ pub const SURE: f64 = 10.0;
 /// Sets larger than this are not spelled out in a sentence.
 const MANY: usize = 5;
 
+/// What the model carries beside the findings.
+pub(super) const CARRIED: &str = "smaller parts of the misfit, which are not claimed as causes: an equation that is slightly off leaves as much";
+
 /// The headline where mechanisms of words are named; `None` where none is.
 fn beyond_the_library(diagnosis: &Diagnosis) -> Option<String> {
     let named: Vec<&DiscoveredFacts> = diagnosis.discovered.iter().filter(|m| m.named).collect();

@@ -1,0 +1,85 @@
+//! Which effects of the model stood behind are causes, and which it only carries: told with their numbers, not claimed by name.
+//!
+//! A right cause whose equation is slightly off leaves a rest, and another effect can follow a part of that. It is small beside what the cause explains, and tests still see the other part.
+//! So where tests see something in what the whole model leaves, the causes are the fewest effects that remove most of what it removes on rows left out. The model keeps the others, for
+//! they predict. Where tests see nothing, the equations hold, and each effect that was named is a cause.
+//!
+//! Effects are left out together as well as one by one: a late clock and a lag of the reading may undo one another, and then each looks needed beside the other.
+//!
+//! Not for a base model with plates: the equations of its effects are derived from sizes, and what tests see beside them is there. Other equations only describe.
+//!
+//! Limits: mechanisms that were composed together are one part; a number for whatever happens foretells nothing, and nothing is carried beside it.
+
+use crate::{
+    fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit},
+    pipeline::{
+        predicted::{ByBase, predictions},
+        prepare::Prepared,
+    },
+    selection::{
+        candidates::{Search, Tried},
+        posterior::Selection,
+        verdict::Decision,
+    },
+    validation::{
+        cross_validation::{HeldOutFit, compared},
+        main_causes::fewest,
+    },
+};
+use truegap_core::simulator::StageName;
+
+/// The decision with the effects that are only carried; `named` are the predictions of rows left out by its model.
+pub(crate) fn with_carried(
+    prepared: &Prepared<'_>,
+    search: &Search<'_>,
+    selection: &Selection,
+    (decision, named): (Decision, &HeldOutFit),
+    by_base: &ByBase,
+) -> Decision {
+    let chosen = &selection.models[decision.model];
+    let parts = parts(&chosen.effects, prepared.testable.len());
+    let foretells = chosen.effects.iter().all(|e| !search.library[*e].free_form());
+    let derived = search.context.has(StageName::Dielectric).is_ok();
+    let after = prepared.lack_of_fit.adequacy(&chosen.fit);
+    if derived || !after.fires() || parts.len() < 2 || !foretells {
+        return decision;
+    }
+    let squares = |kept: &[usize]| {
+        let effects: Vec<usize> = kept.iter().flat_map(|part| parts[*part].clone()).collect();
+        let unseen = match selection.with(&effects) {
+            Some(tried) => predictions(prepared, search, by_base, tried),
+            None => predictions(prepared, search, by_base, &without_others(search, chosen, &effects)?),
+        };
+        removed(&by_base.unseen, &unseen)
+    };
+    let Some(whole) = removed(&by_base.unseen, named) else { return decision };
+    let causes = fewest(parts.len(), whole, squares);
+    let carried = (0..parts.len()).filter(|part| !causes.contains(part)).flat_map(|part| parts[part].clone()).collect();
+    decision.carrying(carried, &chosen.effects, &after)
+}
+
+/// Effects one by one, and all mechanisms from behind the `library` together.
+fn parts(effects: &[usize], library: usize) -> Vec<Vec<usize>> {
+    let (own, composed): (Vec<usize>, Vec<usize>) = effects.iter().partition(|e| **e < library);
+    own.into_iter().map(|e| vec![e]).chain(Some(composed).filter(|composed| !composed.is_empty())).collect()
+}
+
+/// Squares by which a model predicts rows left out better than the base model, a row.
+fn removed(base: &HeldOutFit, model: &HeldOutFit) -> Option<f64> {
+    let [before, after] = compared(base, model)?.rmse;
+    Some(before.powi(2) - after.powi(2))
+}
+
+/// A part of a model, fitted from where the whole one lies.
+fn without_others(search: &Search<'_>, whole: &Tried, effects: &[usize]) -> Option<Tried> {
+    let (larger, smaller) = (search.model(&whole.effects), search.model(effects));
+    let own = larger.range_of(0).start;
+    let of = |effect: &usize| {
+        let place = whole.effects.iter().position(|e| e == effect)?;
+        Some(whole.fit.z[larger.range_of(place)].to_vec())
+    };
+    let numbers: Vec<Vec<f64>> = effects.iter().map(of).collect::<Option<_>>()?;
+    let start: Vec<f64> = whole.fit.z[..own].iter().copied().chain(numbers.concat()).collect();
+    let fit = fit(&smaller, search.whitener, &start, &FitOptions::default()).ok()?;
+    Some(Tried { effects: effects.to_vec(), fit })
+}

@@ -1,0 +1,62 @@
+//! The fewest parts of a model that remove most of what the whole model removes on rows left out.
+//!
+//! Limits: every choice of parts is asked for, so a model has few.
+
+use crate::validation::tuning::{MAIN_SHARE, MOST_PARTS_OF_A_MODEL};
+
+/// The fewest of `count` parts that remove [`MAIN_SHARE`] of the `whole`, of as many the ones that remove most; all of them where no fewer do. `removed` gives the squares that a choice of parts
+/// removes a row, `None` where it could not be fitted.
+pub(crate) fn fewest(count: usize, whole: f64, removed: impl Fn(&[usize]) -> Option<f64>) -> Vec<usize> {
+    let all: Vec<usize> = (0..count).collect();
+    if count > MOST_PARTS_OF_A_MODEL || whole <= 0.0 {
+        return all;
+    }
+    for size in 1..count {
+        let choices = (1_usize..1 << count).filter(|choice| choice.count_ones() as usize == size);
+        let enough = choices.filter_map(|choice| {
+            let kept: Vec<usize> = all.iter().copied().filter(|part| choice & (1 << part) != 0).collect();
+            removed(&kept).filter(|squares| *squares >= MAIN_SHARE * whole).map(|squares| (squares, kept))
+        });
+        if let Some((_, kept)) = enough.max_by(|a, b| a.0.total_cmp(&b.0)) {
+            return kept;
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The first part removes 95 of 100, the second 6, the third 1.
+    #[test]
+    fn a_small_part_beside_a_large_one_is_not_among_the_causes() {
+        let of = |kept: &[usize]| Some(kept.iter().map(|part| [93.0, 6.0, 1.0][*part]).sum());
+        assert_eq!(fewest(3, 100.0, of), [0]);
+    }
+
+    #[test]
+    fn parts_that_matter_alike_stay() {
+        let of = |kept: &[usize]| Some(kept.iter().map(|part| [60.0, 40.0][*part]).sum());
+        assert_eq!(fewest(2, 100.0, of), [0, 1]);
+    }
+
+    /// Two parts undo one another: without either the model is far off, without both it is as good.
+    #[test]
+    fn parts_that_undo_one_another_are_seen_together() {
+        let of = |kept: &[usize]| {
+            Some(match kept {
+                [0, 1] | [0, 2] => 40.0,
+                [0] => 97.0,
+                _ => 0.0,
+            })
+        };
+        assert_eq!(fewest(3, 100.0, of), [0]);
+    }
+
+    #[test]
+    fn where_nothing_is_removed_or_fitted_all_stay() {
+        assert_eq!(fewest(2, 0.0, |_| Some(0.0)), [0, 1]);
+        assert_eq!(fewest(2, 1.0, |_| None), [0, 1]);
+    }
+}

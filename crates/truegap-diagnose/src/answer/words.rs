@@ -25,7 +25,9 @@ pub(crate) fn says(found: &Found<'_>, (findings, order): (&[Finding], &[usize]),
         return verdict;
     }
     let names = carried.iter().map(|f| f.effect.as_str()).collect::<Vec<_>>().join(" and ");
-    format!("{verdict}; smaller parts of the misfit follow {names}, which is not claimed as a cause: an equation that is slightly off leaves as much")
+    format!(
+        "{verdict}; smaller parts of the misfit follow {names}, which is not claimed as a cause: an equation that is slightly off leaves as much"
+    )
 }
 
 fn verdict_says(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) -> String {

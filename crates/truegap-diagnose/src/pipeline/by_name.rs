@@ -16,7 +16,7 @@ use crate::{
     },
     pipeline::{
         judged::{Judged, Told},
-        predicted::{Predicted, predictions},
+        predicted::{ByBase, predictions},
         prepare::Prepared,
     },
     selection::{
@@ -92,42 +92,57 @@ fn with_followed_driver(words: InWords, context: &Context<'_>) -> InWords {
 /// A model with an effect of the library last, fitted to the end and asked for rows left out; `None` where the effect does not stand out of the noise.
 fn asked(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged, tried: &Tried) -> Option<ByName> {
     let tried = search.polished(tried)?;
-    let held = not_borne_out(search, &prepared.searched_noise, &tried, prepared.all_rows());
-    let context: Context<'_> = search.context.holding([search.context.held.as_slice(), &held].concat());
-    let simple = Search { context: &context, library: search.library.clone(), ..*search };
-    let tried = if held.is_empty() { tried } else { refitted(&simple, &tried)? };
-    if detectability(&simple, &tried, tried.effects.len() - 1) < VISIBLE {
+    let Simple { tried, held, unseen } = simple(prepared, search, &judged.by_base, &tried)?;
+    let context: Context<'_> = search.context.holding(held.clone());
+    let narrow = Search { context: &context, library: search.library.clone(), ..*search };
+    if detectability(&narrow, &tried, tried.effects.len() - 1) < VISIBLE {
         return None;
     }
-    let unseen = predictions(prepared, &simple, &judged.by_base, &tried);
     let (rmse, after) = (compared(&judged.by_base.unseen, &unseen)?.rmse[1], prepared.lack_of_fit.adequacy(&tried.fit));
-    Some(ByName { held: context.held.clone(), tried, unseen, rmse, after })
+    Some(ByName { held, tried, unseen, rmse, after })
+}
+
+/// A model with the simple laws that its effects hold as special cases, where rows left out do not bear out the richer ones.
+pub(crate) struct Simple {
+    /// the model
+    pub tried: Tried,
+    /// numbers that are held at nothing
+    pub held: Vec<(EffectId, &'static str)>,
+    /// what it foretells of rows left out
+    pub unseen: HeldOutFit,
+}
+
+/// A model with the laws that rows left out bear out; `None` where it has no answer with them.
+pub(crate) fn simple(prepared: &Prepared<'_>, search: &Search<'_>, by_base: &ByBase, tried: &Tried) -> Option<Simple> {
+    let held = not_borne_out(search, &prepared.searched_noise, tried, prepared.all_rows());
+    let held = [search.context.held.as_slice(), &held].concat();
+    let context: Context<'_> = search.context.holding(held.clone());
+    let narrow = Search { context: &context, library: search.library.clone(), ..*search };
+    let tried = if held.is_empty() { tried.clone() } else { refitted(&narrow, tried)? };
+    let unseen = predictions(prepared, &narrow, by_base, &tried);
+    Some(Simple { tried, held, unseen })
 }
 
 impl Judged {
     /// The same with an effect of the library named in the place of the mechanism.
-    pub(crate) fn told_by(mut self, name: ByName) -> Self {
+    pub(crate) fn told_by(self, name: ByName) -> Self {
         let ByName { tried, held, unseen, after, .. } = name;
-        let (place, selection) = (self.predicted.decision.model, self.examined.selection);
+        let (place, selection) = (self.predicted.decision.model, &self.examined.selection);
         let explained = 2.0 * (selection.base().fit.objective() - tried.fit.objective());
         let removed = removed_by(explained, &after);
         let sets: Vec<Vec<usize>> =
             tried.effects.iter().map(|e| set_of(&selection.models[place], &self.predicted.decision, *e)).collect();
-        let key = tried.key();
-        let named = (unseen, &tried.fit);
-        let unseen = Unseen::of((self.by_base.unseen.clone(), &selection.base().fit), named);
-        let selection = selection.told_as(place, tried.clone());
-        let model = selection.models.iter().position(|m| m.key() == key).unwrap_or(selection.base);
         let verdict = match sets.iter().any(|set| set.len() > 1) {
             true => Verdict::Ambiguous,
             false if Decision::adequate(removed, &after) => Verdict::Explained,
             false => Verdict::WrongForm,
         };
-        let decision = Decision { model, sets, removed, ..Decision::nothing(verdict, selection.base) };
-        self.examined.selection = selection;
-        self.predicted = Predicted { unseen, decision, after: Some(after), ..self.predicted };
-        self.held = held;
-        self
+        self.stands_behind(tried, held, unseen, after, |model, base| Decision {
+            model,
+            sets,
+            removed,
+            ..Decision::nothing(verdict, base)
+        })
     }
 }
 

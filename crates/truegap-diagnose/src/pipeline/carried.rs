@@ -1,8 +1,8 @@
 //! Which effects of the model stood behind are causes, and which it only carries: told with their numbers, not claimed by name.
 //!
 //! A right cause whose equation is slightly off leaves a rest, and another effect can follow a part of that. It is small beside what the cause explains, and tests still see the other part.
-//! So where tests see something in what the whole model leaves, the causes are the fewest effects that remove most of what it removes on rows left out. The model keeps the others, for
-//! they predict. Where tests see nothing, the equations hold, and each effect that was named is a cause.
+//! So unless the whole model leaves nothing but a noise that was measured, the causes are the fewest effects that remove most of what it removes on rows left out. The model keeps the others, for
+//! they predict. Where the noise was measured and tests see nothing beside it, the equations hold, and each effect that was named is a cause.
 //!
 //! Effects are left out together as well as one by one: a late clock and a lag of the reading may undo one another, and then each looks needed beside the other.
 //!
@@ -41,7 +41,8 @@ pub(crate) fn with_carried(
     let foretells = chosen.effects.iter().all(|e| !search.library[*e].free_form());
     let derived = search.context.has(StageName::Dielectric).is_ok();
     let after = prepared.lack_of_fit.adequacy(&chosen.fit);
-    if derived || !after.fires() || parts.len() < 2 || !foretells {
+    let holds = prepared.noise_is_known() && !after.fires();
+    if derived || holds || parts.len() < 2 || !foretells {
         return decision;
     }
     let squares = |kept: &[usize]| {

@@ -8,6 +8,7 @@ use crate::{
     discovery::{compose::Composition, discover::with_mechanisms},
     pipeline::{
         by_name::by_name,
+        by_rows_left_out::by_rows_left_out,
         carried::with_carried,
         judged::{Judged, Told, composed, judged},
         options::Options,
@@ -46,6 +47,10 @@ pub(crate) fn conclude(
     let judged = judged(&prepared, told, examined, composition)?;
     let judged = match by_name(&prepared, told, &judged) {
         Some(name) => judged.told_by(name),
+        None => judged,
+    };
+    let judged = match by_rows_left_out(&prepared, told, &judged) {
+        Some(better) => judged.told_by_rows_left_out(better),
         None => judged,
     };
     let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held } = judged;

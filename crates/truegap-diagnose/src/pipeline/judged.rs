@@ -7,7 +7,10 @@
 //! Limits: nothing is put into words here.
 
 use crate::{
-    adequacy::{interference::every_row::Interference, lack_of_fit::LackOfFitTests},
+    adequacy::{
+        interference::every_row::Interference,
+        lack_of_fit::{Adequacy, LackOfFitTests},
+    },
     answer::Reserved,
     data::error::DiagnoseError,
     discovery::{
@@ -27,7 +30,7 @@ use crate::{
         posterior::Selection,
         verdict::{Decision, Verdict, interrupted},
     },
-    validation::veto::Unseen,
+    validation::{cross_validation::HeldOutFit, veto::Unseen},
 };
 use std::sync::atomic::AtomicBool;
 use truegap_core::EffectId;
@@ -161,6 +164,28 @@ impl Judged {
         let before = self.examined.before;
         let composition = compose(search, &selection, &decision, &before, &prepared.lack_of_fit, true)?;
         Some((Examined { selection, before, after: before, decision }, composition))
+    }
+
+    /// The same with `tried` stood behind in the place of the model that was: what it `holds` at nothing, what it foretells, what it leaves, and the decision for its place and that of the base
+    /// model.
+    pub(crate) fn stands_behind(
+        mut self,
+        tried: Tried,
+        held: Vec<(EffectId, &'static str)>,
+        unseen: HeldOutFit,
+        after: Adequacy,
+        decide: impl FnOnce(usize, usize) -> Decision,
+    ) -> Self {
+        let (place, selection) = (self.predicted.decision.model, self.examined.selection);
+        let key = tried.key();
+        let unseen = Unseen::of((self.by_base.unseen.clone(), &selection.base().fit), (unseen, &tried.fit));
+        let selection = selection.told_as(place, tried);
+        let model = selection.models.iter().position(|m| m.key() == key).unwrap_or(selection.base);
+        let decision = decide(model, selection.base);
+        self.examined.selection = selection;
+        self.predicted = Predicted { unseen, decision, after: Some(after), ..self.predicted };
+        self.held = held;
+        self
     }
 
     /// The same with what was left out on the way.

@@ -4,6 +4,7 @@
 
 mod alone;
 mod by_name;
+mod by_rows_left_out;
 mod carried;
 mod conclude;
 mod judged;

@@ -110,7 +110,15 @@ impl Decision {
 
     /// A verdict that names nothing, where model `base` is the base model.
     pub(crate) fn nothing(verdict: Verdict, base: usize) -> Self {
-        Self { verdict, model: base, sets: Vec::new(), removed: 0.0, unmodelled: None, unmodelled_rivals: false, carried: Vec::new() }
+        Self {
+            verdict,
+            model: base,
+            sets: Vec::new(),
+            removed: 0.0,
+            unmodelled: None,
+            unmodelled_rivals: false,
+            carried: Vec::new(),
+        }
     }
 }
 

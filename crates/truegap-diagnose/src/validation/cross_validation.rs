@@ -6,7 +6,7 @@ use crate::{
     data::problem::Problem,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model, optimum::Fit},
     selection::candidates::{Search, Tried},
-    validation::tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, THERE},
+    validation::tuning::{CLEARLY_WORSE, MOST_PARTS, PARTS_OF_ONE_RUN, THERE},
     whitening::noise_model::NoiseModel,
 };
 use rayon::prelude::*;
@@ -60,6 +60,14 @@ pub struct Compared {
     pub rmse: [f64; 2],
     /// the same part by part, with its name
     pub parts: Vec<(String, f64, f64)>,
+}
+
+impl Compared {
+    /// Whether the second model predicts clearly better: over all rows by more than [`CLEARLY_WORSE`], and in more than half of the parts.
+    pub fn clearly_better(&self) -> bool {
+        let better = self.parts.iter().filter(|(_, first, second)| second < first).count();
+        self.rmse[0] > CLEARLY_WORSE * self.rmse[1] && 2 * better > self.parts.len()
+    }
 }
 
 /// Compares two models on the same rows; `None` where no part was predicted by both.

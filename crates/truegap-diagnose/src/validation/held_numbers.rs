@@ -50,7 +50,7 @@ fn on_a_limit(search: &Search<'_>, tried: &Tried) -> Vec<(EffectId, String)> {
     model.effects.iter().enumerate().flat_map(of_effect).collect()
 }
 
-/// The number of `open` that is best held besides those of `held`, and what the model then foretells; `None` where that is not clearly better than `best`, or for a `doubtful` one as good.
+/// The number of `open` that is best held besides those of `held`, and what the model then foretells; `None` where that is not better than `best`, or for a `doubtful` one clearly worse.
 fn best_without_one(
     search: &Search<'_>,
     noise: &NoiseModel,
@@ -68,9 +68,8 @@ fn best_without_one(
     let better = open.iter().enumerate().filter_map(|(place, one)| {
         let predicted = without(one)?;
         let [before, after] = compared(best, &predicted)?.rmse;
-        // on its bound a number has to be felt to be told
-        let least =
-            if doubtful.iter().any(|(id, name)| (*id, name.as_str()) == *one) { CLEARLY_WORSE.recip() } else { CLEARLY_WORSE };
+        // a number has to foretell something to be told; on its bound it has to be felt
+        let least = if doubtful.iter().any(|(id, name)| (*id, name.as_str()) == *one) { CLEARLY_WORSE.recip() } else { 1.0 };
         (before > least * after).then_some((after, (place, predicted)))
     });
     better.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, found)| found)

@@ -38,6 +38,14 @@ pub(crate) const THERE: f64 = 4.0;
 /// Probability from which a model is fitted again with numbers held: less likely ones are neither told nor weighed any more.
 pub(crate) const REFITTED_FROM: f64 = 1e-3;
 
+// pipeline/by_rows_left_out.rs
+
+/// Most effects that are added by what rows left out say: as many as the model space has in one model.
+pub(crate) const MOST_ADDED: usize = 3;
+
+/// Effects that are asked for rows left out at each step, those that promise most.
+pub(crate) const MOST_ASKED: usize = 8;
+
 // main_causes.rs
 
 /// Share of what a whole model removes on rows left out, in squares, that its causes remove. An equation that is off by a third of a cause leaves a tenth of its squares, and another effect

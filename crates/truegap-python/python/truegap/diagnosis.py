@@ -130,6 +130,11 @@ class Diagnosis:
         return [Finding.of(raw) for raw in self.document["findings"]]
 
     @property
+    def carried(self) -> list[Finding]:
+        """Smaller effects of the same model; their names are not claimed."""
+        return [Finding.of(raw) for raw in self.document.get("carried", [])]
+
+    @property
     def ambiguity(self) -> list[list[str]]:
         """Sets of effects of which the recording cannot tell the members apart."""
         return [list(names) for names in self.document["ambiguity"]]

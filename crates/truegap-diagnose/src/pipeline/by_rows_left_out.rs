@@ -1,0 +1,185 @@
+//! A model of the library that predicts rows left out clearly better than the likeliest one under the noise, found by adding one effect after another.
+//!
+//! Evidence weighs models by a noise and by equations that are taken to hold. Where equations only describe, all models are off by more than the noise, and the likeliest one is
+//! the one that follows the rows that it has seen. So a second choice is made by prediction alone: at each step the effect that foretells rows left out best, while it foretells them clearly
+//! better than the model before it. It takes the place of the first choice where it predicts clearly better, or as well with fewer effects.
+//!
+//! **Source:** Stone, Cross-validatory choice and assessment of statistical predictions, J. R. Stat. Soc. B 36 (1974) 111.
+//!
+//! Limits: not for a base model with plates, the equations of whose effects are derived; effects that promise most at each step; no number for whatever happens.
+
+use crate::{
+    adequacy::lack_of_fit::Adequacy,
+    pipeline::{
+        by_name::{Simple, simple},
+        judged::{Judged, Told},
+        predicted::predicted_like_base,
+        prepare::Prepared,
+    },
+    selection::{
+        candidates::{Search, Tried},
+        tuning::RIGHT_FAMILY,
+        verdict::{Decision, Verdict, removed_by},
+    },
+    text::{significant, spoken},
+    validation::{
+        cross_validation::{HeldOutFit, compared},
+        tuning::{MOST_ADDED, MOST_ASKED, MOST_RIVALS},
+    },
+};
+use std::sync::atomic::Ordering;
+use truegap_core::{EffectId, simulator::StageName};
+
+/// A model that predicts rows left out better.
+pub(crate) struct ByRowsLeftOut {
+    /// the model
+    pub tried: Tried,
+    /// numbers of its laws that are held at nothing
+    pub held: Vec<(EffectId, &'static str)>,
+    /// what it foretells of rows left out
+    pub unseen: HeldOutFit,
+    /// what may stand in the place of each of its effects, itself first: what predicts rows left out nearly as well
+    pub sets: Vec<Vec<usize>>,
+    /// what it leaves over
+    pub after: Adequacy,
+    /// share of the misfit that it removes
+    pub removed: f64,
+    /// why it stands, for a reader
+    pub says: String,
+}
+
+/// A model and what it foretells.
+struct Asked {
+    tried: Tried,
+    unseen: HeldOutFit,
+}
+
+/// What a choice is made with.
+struct Choice<'s, 'a> {
+    prepared: &'s Prepared<'a>,
+    search: &'s Search<'s>,
+    judged: &'s Judged,
+}
+
+/// The model that predicts rows left out clearly better than what `judged` stands behind, or as well with fewer effects; `None` where there is none.
+pub(crate) fn by_rows_left_out(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<ByRowsLeftOut> {
+    let searched = prepared.searched();
+    let search = &prepared.search(&searched, told.progress, told.stop);
+    let derived = search.context.has(StageName::Dielectric).is_ok();
+    let free = told.options.withheld.is_none() && told.options.restricted.is_none() && judged.kept_back.is_none();
+    let names = judged.predicted.decision.model != judged.examined.selection.base;
+    if derived || !free || !names || told.stop.load(Ordering::Relaxed) {
+        return None;
+    }
+    Choice { prepared, search, judged }.made()
+}
+
+impl Choice<'_, '_> {
+    fn made(&self) -> Option<ByRowsLeftOut> {
+        let selection = &self.judged.examined.selection;
+        let chosen = &selection.models[self.judged.predicted.decision.model];
+        let told = self.judged.predicted.unseen.stood_behind();
+        let found = self.forward(Asked { tried: selection.base().clone(), unseen: self.judged.by_base.unseen.clone() })?;
+        let both = compared(told, &found.unseen)?;
+        let ([first, second], clearly) = (both.rmse, both.clearly_better());
+        if found.tried.key() == chosen.key()
+            || !(clearly || (second <= first && found.tried.effects.len() < chosen.effects.len()))
+        {
+            return None;
+        }
+        let Simple { tried, held, unseen } =
+            simple(self.prepared, self.search, &self.judged.by_base, &self.search.polished(&found.tried)?)?;
+        let after = self.prepared.lack_of_fit.adequacy(&tried.fit);
+        let removed = self.removed(&tried, &unseen, &after);
+        if after.fires() && removed < RIGHT_FAMILY {
+            return None;
+        }
+        let unit = self.search.problem.simulator.unit();
+        let says = format!(
+            "{} would fit better under the noise, but {} predicts rows left out {} ({} against {} {unit}), so that is named",
+            self.names(&chosen.effects),
+            self.names(&tried.effects),
+            if clearly { "better" } else { "as well" },
+            significant(second, 3),
+            significant(first, 3),
+        );
+        let sets = self.sets(&found);
+        Some(ByRowsLeftOut { tried, held, unseen, sets, after, removed, says })
+    }
+
+    /// One effect after another, each the one that foretells rows left out best; `None` where none foretells them clearly better than the base model.
+    fn forward(&self, base: Asked) -> Option<Asked> {
+        let mut best = base;
+        for _ in 0..MOST_ADDED {
+            let added = self.added(&best.tried, MOST_ASKED);
+            let better = added.into_iter().filter_map(|asked| {
+                let both = compared(&best.unseen, &asked.unseen)?;
+                both.clearly_better().then_some((both.rmse[1], asked))
+            });
+            let Some((_, asked)) = better.min_by(|a, b| a.0.total_cmp(&b.0)) else { break };
+            best = asked;
+        }
+        Some(best).filter(|best| !best.tried.effects.is_empty())
+    }
+
+    /// Models with one effect more, the `most` that promise most, asked for rows left out.
+    fn added(&self, from: &Tried, most: usize) -> Vec<Asked> {
+        let search = self.search;
+        let of_equations: Vec<usize> = (0..search.library.len()).filter(|e| !search.library[*e].free_form()).collect();
+        let asked = |tried: Tried| {
+            let unseen = predicted_like_base(self.prepared, search, &self.judged.by_base, &tried);
+            Asked { tried, unseen }
+        };
+        search.add_each(from, &of_equations, most, "rows left out").into_iter().map(asked).collect()
+    }
+
+    /// For each effect of a model: itself, and those with which it predicts rows left out nearly as well.
+    fn sets(&self, model: &Asked) -> Vec<Vec<usize>> {
+        let own = self.search.without_each(&model.tried);
+        // clearly worse is what the model is clearly better than
+        let near = |asked: &Asked| compared(&asked.unseen, &model.unseen).is_some_and(|both| !both.clearly_better());
+        let set = |effect: &usize| {
+            let without =
+                own.iter().find(|tried| !tried.effects.contains(effect) && tried.effects.len() + 1 == model.tried.effects.len());
+            let exchanged = without.map_or_else(Vec::new, |without| self.added(without, MOST_RIVALS));
+            let new = exchanged.iter().filter(|asked| near(asked)).filter_map(|asked| asked.tried.effects.last().copied());
+            std::iter::once(*effect).chain(new.filter(|new| !model.tried.effects.contains(new))).collect()
+        };
+        model.tried.effects.iter().map(set).collect()
+    }
+
+    /// Share of the misfit that a model removes: under the noise or on rows left out, whichever is more.
+    fn removed(&self, tried: &Tried, unseen: &HeldOutFit, after: &Adequacy) -> f64 {
+        let base = self.judged.examined.selection.base();
+        let under_noise = removed_by(2.0 * (base.fit.objective() - tried.fit.objective()), after);
+        let [before, left] = compared(&self.judged.by_base.unseen, unseen).map_or([1.0, 1.0], |both| both.rmse);
+        let floor = self.prepared.noise.floor().min(left);
+        under_noise.max(1.0 - (left * left - floor * floor) / (before * before - floor * floor).max(f64::MIN_POSITIVE))
+    }
+
+    fn names(&self, effects: &[usize]) -> String {
+        let id = |e: &usize| {
+            self.search.library.get(*e).map_or_else(|| "a composed mechanism".to_owned(), |effect| spoken(effect.id().0))
+        };
+        effects.iter().map(id).collect::<Vec<_>>().join(" and ")
+    }
+}
+
+impl Judged {
+    /// The same with the model that predicts rows left out better stood behind.
+    pub(crate) fn told_by_rows_left_out(mut self, better: ByRowsLeftOut) -> Self {
+        let ByRowsLeftOut { tried, held, unseen, sets, after, removed, says } = better;
+        let verdict = match sets.iter().any(|set| set.len() > 1) {
+            true => Verdict::Ambiguous,
+            false if Decision::adequate(removed, &after) => Verdict::Explained,
+            false => Verdict::WrongForm,
+        };
+        self.predicted.left_out = vec![says];
+        self.stands_behind(tried, held, unseen, after, |model, base| Decision {
+            model,
+            sets,
+            removed,
+            ..Decision::nothing(verdict, base)
+        })
+    }
+}

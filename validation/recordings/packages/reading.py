@@ -1,6 +1,8 @@
 """Formats that several recordings share, from bytes to columns."""
 
+import gzip
 import io
+import json
 import re
 import struct
 import zipfile
@@ -280,3 +282,100 @@ def poses(content):
 def track(content):
     """Times, places and turns of a camera, one row each; lines that begin with # are comments."""
     return np.array([[float(v) for v in line.split()] for line in content.decode().splitlines() if line[:1] != "#"])
+
+
+def flight(content):
+    """Positions of an aircraft by time, from gzipped JSON: its numbers by name, and seconds since the first row."""
+    cells = json.loads(gzip.decompress(content))
+    frame = pd.DataFrame(cells).sort_values("timestamp").drop_duplicates("timestamp").reset_index(drop=True)
+    return frame.assign(time_s=(frame.timestamp - frame.timestamp.iloc[0]) / 1000)
+
+
+NGB_RECORD = re.compile(rb"\x18\xfc\xff\xff\x03\x80\x01(..)\x00\x00\x01\x00\x00\x00\x0c\x00\x17\xfc\xff\xff(.)(\x80\x01|\xa0\x01)", re.S)
+NGB_CHANNELS = {0x8C: "minutes", 0x8D: "sample_c", 0x8E: "heat_flow_uv", 0x8F: "length_um", 0x90: "mass_mg", 0x30: "furnace_c", 0x32: "power"}
+
+
+def thermal_analysis(content, run=0):
+    """Channels of a thermobalance or a dilatometer by name, from the tables of its file; of two runs in one file the first is the sample, the second the correction."""
+    found, now = {}, None
+    with zipfile.ZipFile(io.BytesIO(content)) as file:
+        tables = [file.read(f"Streams/stream_{number}.table") for number in (2, 3)]
+    for raw in tables:
+        at = 0
+        while record := NGB_RECORD.search(raw, at):
+            field, kind, at = struct.unpack("<H", record[1])[0], record[2][0], record.end()
+            if record[3] == b"\xa0\x01" and (field, kind) in {(0x0F40, 5), (0x0F3D, 4)}:
+                values = np.frombuffer(raw, "<f8" if kind == 5 else "<f4", struct.unpack_from("<I", raw, at)[0], at + 4)
+                now.append(values)
+                at += 4 + values.nbytes
+            elif kind == 0x1A and (tag := raw.find(b"\x02\x00\x00\x80", at, at + 64)) >= 0 and raw[tag + 4 : tag + 6] == b"\x22\x2b":
+                now = []
+                found.setdefault(NGB_CHANNELS.get(field & 0xFF), []).append(now)
+    return pd.DataFrame({name: np.concatenate(runs[run]).astype(float) for name, runs in found.items() if name and runs[run]})
+
+
+FITS_KINDS = {"D": ">f8", "E": ">f4", "J": ">i4", "I": ">i2", "B": "u1", "A": "S1", "L": "u1"}
+
+
+def fits_tables(content):
+    """Binary tables of a FITS file by their names, each an array with named fields."""
+    at, found = 0, {}
+    while at < len(content):
+        end = at
+        while not any(content[k : k + 8] == b"END     " for k in range(end, end + 2880, 80)):
+            end += 2880
+        end += 2880
+        cards = [content[k : k + 80].decode("latin1") for k in range(at, end, 80)]
+        told = {card[:8].strip(): card[10:].split(" /")[0].strip(" '") for card in cards if card[8:10] == "= "}
+        axes = [int(told[f"NAXIS{k}"]) for k in range(1, int(told["NAXIS"]) + 1)]
+        if told.get("XTENSION") == "BINTABLE":
+            forms = [re.match(r"(\d*)([A-Z])", told[f"TFORM{k}"]) for k in range(1, int(told["TFIELDS"]) + 1)]
+            kinds = [(told[f"TTYPE{k}"], FITS_KINDS[form[2]], (int(form[1] or 1),)) for k, form in enumerate(forms, 1)]
+            found[told["EXTNAME"]] = np.frombuffer(content, np.dtype(kinds), axes[1], end)
+        size = int(np.prod(axes)) * abs(int(told["BITPIX"])) // 8 if axes else 0
+        at = end + -(-size // 2880) * 2880
+    return found
+
+
+STEIM = {(1, 0): (4, 8), (2, 1): (1, 30), (2, 2): (2, 15), (2, 3): (3, 10), (3, 0): (5, 6), (3, 1): (6, 5), (3, 2): (7, 4)}
+
+
+def seismogram(content, rows):
+    """The first samples of one channel of miniSEED that is packed by Steim's second way and has no gap."""
+    out, at = np.empty(0), 0
+    while len(out) < rows:
+        count, begin = struct.unpack_from(">H", content, at + 30)[0], struct.unpack_from(">H", content, at + 44)[0]
+        length = 1 << content[at + 54]
+        words = np.frombuffer(content, ">u4", (length - begin) // 4, at + begin).reshape(-1, 16).tolist()
+        steps = []
+        for frame in words:
+            for k, word in enumerate(frame[1:], 1):
+                if kind := frame[0] >> (30 - 2 * k) & 3:
+                    many, bits = STEIM[kind, 0 if kind == 1 else word >> 30]
+                    parts = [word >> bits * (many - 1 - j) & (1 << bits) - 1 for j in range(many)]
+                    steps += [part - (1 << bits) if part >> (bits - 1) else part for part in parts]
+        steps[0] = struct.unpack_from(">i", content, at + begin + 4)[0]
+        out = np.append(out, np.cumsum(steps[:count]))
+        at += length
+    return out[:rows]
+
+
+def cytometer(content):
+    """Events of a flow cytometer file of floating numbers (FCS), by the names of its channels."""
+    first, last, data = int(content[10:18]), int(content[18:26]), int(content[26:34])
+    text = content[first : last + 1].decode("latin1")
+    words = text[1:].split(text[0])
+    told = dict(zip(words[::2], words[1::2]))
+    channels, events = int(told["$PAR"]), int(told["$TOT"])
+    values = np.frombuffer(content, ("<" if told["$BYTEORD"][0] == "1" else ">") + {"F": "f4", "D": "f8"}[told["$DATATYPE"]], channels * events, data)
+    return pd.DataFrame(values.reshape(events, channels).astype(float), columns=[told[f"$P{k}N"] for k in range(1, channels + 1)])
+
+
+def trackpoints(content):
+    """Points of a training file (TCX) that have all of time, place, heart rate, speed and power: numbers by name, and seconds since the first."""
+    tags = {"when": "Time", "north": "LatitudeDegrees", "east": "LongitudeDegrees", "heart": "Value", "speed": "ns3:Speed", "watts": "ns3:Watts"}
+    points = re.findall(r"<Trackpoint>(.*?)</Trackpoint>", content.decode(), re.S)
+    found = [[re.search(rf"<{tag}>([^<]*)<", point) for tag in tags.values()] for point in points]
+    frame = pd.DataFrame([[cell[1] for cell in row] for row in found if all(row)], columns=list(tags))
+    when = pd.to_datetime(frame.pop("when"))
+    return frame.astype(float).assign(time_s=seconds(when))

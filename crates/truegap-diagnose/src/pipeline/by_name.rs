@@ -3,6 +3,8 @@
 //! A computed or derived equation is worth more than a composed one, and its name is what a reader knows. Where its richer law foretells worse than the composed one, the simple law that it
 //! holds as a special case is asked.
 //!
+//! So is one whose law predicts worse, while it removes nine tenths of what the composed one removes: the law is a matter of form then, and the composed one stands beside the answer.
+//!
 //! Only where the noise was not measured: one that was has weighed a law of the library against the composed one by what tells the two apart.
 //!
 //! Limits: an answer with one mechanism; effects that follow the same driver in the same way at the same place.
@@ -28,6 +30,8 @@ use crate::{
     validation::{
         cross_validation::{HeldOutFit, compared},
         held_numbers::{not_borne_out, refitted},
+        main_causes::removed,
+        tuning::{CLEARLY_WORSE, MAIN_SHARE},
         veto::Unseen,
     },
 };
@@ -70,7 +74,12 @@ pub(crate) fn by_name(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged)
         let composed = (judged.predicted.unseen.stood_behind().clone(), &chosen.fit);
         Unseen::of((own.unseen.clone(), &own.tried.fit), composed).against(false).is_some()
     };
-    asked.filter(as_well).min_by(|a, b| a.rmse.total_cmp(&b.rmse))
+    // another law of the same place, driver and kinetics is a matter of form
+    let base = &judged.by_base.unseen;
+    let composed = removed(base, judged.predicted.unseen.stood_behind());
+    let most_of_it =
+        |own: &ByName| removed(base, &own.unseen).zip(composed).is_some_and(|(own, composed)| own >= MAIN_SHARE * composed);
+    asked.filter(|own| as_well(own) || most_of_it(own)).min_by(|a, b| a.rmse.total_cmp(&b.rmse))
 }
 
 fn says(search: &Search<'_>, effect: usize) -> Option<InWords> {
@@ -92,7 +101,7 @@ fn with_followed_driver(words: InWords, context: &Context<'_>) -> InWords {
 /// A model with an effect of the library last, fitted to the end and asked for rows left out; `None` where the effect does not stand out of the noise.
 fn asked(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged, tried: &Tried) -> Option<ByName> {
     let tried = search.polished(tried)?;
-    let Simple { tried, held, unseen } = simple(prepared, search, &judged.by_base, &tried)?;
+    let Simple { tried, held, unseen } = simple(prepared, search, &judged.by_base, &tried, CLEARLY_WORSE)?;
     let context: Context<'_> = search.context.holding(held.clone());
     let narrow = Search { context: &context, library: search.library.clone(), ..*search };
     if detectability(&narrow, &tried, tried.effects.len() - 1) < VISIBLE {
@@ -112,9 +121,15 @@ pub(crate) struct Simple {
     pub unseen: HeldOutFit,
 }
 
-/// A model with the laws that rows left out bear out; `None` where it has no answer with them.
-pub(crate) fn simple(prepared: &Prepared<'_>, search: &Search<'_>, by_base: &ByBase, tried: &Tried) -> Option<Simple> {
-    let held = not_borne_out(search, &prepared.searched_noise, tried, prepared.all_rows());
+/// A model with the laws that rows left out bear out, which are predicted `least` times better or more without what is held; `None` where it has no answer with them.
+pub(crate) fn simple(
+    prepared: &Prepared<'_>,
+    search: &Search<'_>,
+    by_base: &ByBase,
+    tried: &Tried,
+    least: f64,
+) -> Option<Simple> {
+    let held = not_borne_out(search, &prepared.searched_noise, tried, prepared.all_rows(), least);
     let held = [search.context.held.as_slice(), &held].concat();
     let context: Context<'_> = search.context.holding(held.clone());
     let narrow = Search { context: &context, library: search.library.clone(), ..*search };

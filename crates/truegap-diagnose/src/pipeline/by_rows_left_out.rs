@@ -2,7 +2,7 @@
 //!
 //! Evidence weighs models by a noise and by equations that are taken to hold. Where equations only describe, all models are off by more than the noise, and the likeliest one is
 //! the one that follows the rows that it has seen. So a second choice is made by prediction alone: at each step the effect that foretells rows left out best, while it foretells them clearly
-//! better than the model before it. It takes the place of the first choice where it predicts clearly better, or as well with fewer effects.
+//! better than the model before it. It takes the place of the first choice where it predicts better by a tenth, or as well with fewer effects.
 //!
 //! **Source:** Stone, Cross-validatory choice and assessment of statistical predictions, J. R. Stat. Soc. B 36 (1974) 111.
 //!
@@ -10,6 +10,7 @@
 
 use crate::{
     adequacy::lack_of_fit::Adequacy,
+    data::context::Context,
     pipeline::{
         by_name::{Simple, simple},
         judged::{Judged, Told},
@@ -24,7 +25,8 @@ use crate::{
     text::{significant, spoken},
     validation::{
         cross_validation::{HeldOutFit, compared},
-        tuning::{MOST_ADDED, MOST_ASKED, MOST_RIVALS},
+        held_numbers::refitted,
+        tuning::{CLEARLY_WORSE, FELT, MOST_ADDED, MOST_ASKED, MOST_RIVALS},
     },
 };
 use std::sync::atomic::Ordering;
@@ -48,9 +50,10 @@ pub(crate) struct ByRowsLeftOut {
     pub says: String,
 }
 
-/// A model and what it foretells.
+/// A model, the numbers of its laws that are held at nothing, and what it foretells.
 struct Asked {
     tried: Tried,
+    held: Vec<(EffectId, &'static str)>,
     unseen: HeldOutFit,
 }
 
@@ -79,19 +82,22 @@ impl Choice<'_, '_> {
         let selection = &self.judged.examined.selection;
         let chosen = &selection.models[self.judged.predicted.decision.model];
         let told = self.judged.predicted.unseen.stood_behind();
-        let found = self.forward(Asked { tried: selection.base().clone(), unseen: self.judged.by_base.unseen.clone() })?;
+        let base = Asked { tried: selection.base().clone(), held: Vec::new(), unseen: self.judged.by_base.unseen.clone() };
+        let found = self.forward(base)?;
         let both = compared(told, &found.unseen)?;
-        let ([first, second], clearly) = (both.rmse, both.clearly_better());
+        let ([first, second], clearly) = (both.rmse, both.better_by(FELT));
         if found.tried.key() == chosen.key()
             || !(clearly || (second <= first && found.tried.effects.len() < chosen.effects.len()))
         {
             return None;
         }
+        let context = self.search.context.holding(found.held.clone());
+        let narrow = &self.narrow(&context);
         let Simple { tried, held, unseen } =
-            simple(self.prepared, self.search, &self.judged.by_base, &self.search.polished(&found.tried)?)?;
+            simple(self.prepared, narrow, &self.judged.by_base, &narrow.polished(&found.tried)?, 1.0)?;
         let after = self.prepared.lack_of_fit.adequacy(&tried.fit);
         let removed = self.removed(&tried, &unseen, &after);
-        if after.fires() && removed < RIGHT_FAMILY {
+        if (after.fires() && removed < RIGHT_FAMILY) || runs_to_limit(narrow, &tried) {
             return None;
         }
         let unit = self.search.problem.simulator.unit();
@@ -111,10 +117,11 @@ impl Choice<'_, '_> {
     fn forward(&self, base: Asked) -> Option<Asked> {
         let mut best = base;
         for _ in 0..MOST_ADDED {
-            let added = self.added(&best.tried, MOST_ASKED);
+            let added = self.added(&best.tried, &best.held, MOST_ASKED);
+            let least = if best.tried.effects.is_empty() { CLEARLY_WORSE } else { FELT };
             let better = added.into_iter().filter_map(|asked| {
                 let both = compared(&best.unseen, &asked.unseen)?;
-                both.clearly_better().then_some((both.rmse[1], asked))
+                both.better_by(least).then_some((both.rmse[1], asked))
             });
             let Some((_, asked)) = better.min_by(|a, b| a.0.total_cmp(&b.0)) else { break };
             best = asked;
@@ -122,26 +129,52 @@ impl Choice<'_, '_> {
         Some(best).filter(|best| !best.tried.effects.is_empty())
     }
 
-    /// Models with one effect more, the `most` that promise most, asked for rows left out.
-    fn added(&self, from: &Tried, most: usize) -> Vec<Asked> {
-        let search = self.search;
+    /// Models with one effect more, the `most` that promise most, asked for rows left out; each with the law of its new effect as it is and with the simple law that it holds as a special case.
+    fn added(&self, from: &Tried, held: &[(EffectId, &'static str)], most: usize) -> Vec<Asked> {
+        let context = self.search.context.holding(held.to_vec());
+        let search = &self.narrow(&context);
         let of_equations: Vec<usize> = (0..search.library.len()).filter(|e| !search.library[*e].free_form()).collect();
-        let asked = |tried: Tried| {
+        let added = search.add_each(from, &of_equations, most, "rows left out");
+        added.into_iter().filter_map(|tried| self.asked(search, tried)).collect()
+    }
+
+    /// A model asked for rows left out, with the better of both laws of its last effect; `None` where a law has run to a limit of its numbers: there it does not hold.
+    fn asked(&self, search: &Search<'_>, tried: Tried) -> Option<Asked> {
+        let effect = search.library[*tried.effects.last()?];
+        let ask = |search: &Search<'_>, tried: Tried| {
             let unseen = predicted_like_base(self.prepared, search, &self.judged.by_base, &tried);
-            Asked { tried, unseen }
+            let runs_to_limit = runs_to_limit(search, &tried);
+            (!runs_to_limit).then(|| Asked { tried, held: search.context.held.clone(), unseen })
         };
-        search.add_each(from, &of_equations, most, "rows left out").into_iter().map(asked).collect()
+        let numbers: Vec<_> = effect.may_be_nothing().iter().map(|name| (effect.id(), *name)).collect();
+        let plain = (!numbers.is_empty()).then(|| {
+            let context = search.context.holding([search.context.held.as_slice(), &numbers].concat());
+            let search = &self.narrow(&context);
+            ask(search, refitted(search, &tried)?)
+        });
+        match (ask(search, tried), plain.flatten()) {
+            (Some(rich), Some(plain)) => {
+                let [rich_error, plain_error] = compared(&rich.unseen, &plain.unseen)?.rmse;
+                Some(if rich_error < plain_error { rich } else { plain })
+            }
+            (rich, plain) => rich.or(plain),
+        }
+    }
+
+    /// The same search in another context.
+    fn narrow<'n>(&'n self, context: &'n Context<'n>) -> Search<'n> {
+        Search { context, library: self.search.library.clone(), ..*self.search }
     }
 
     /// For each effect of a model: itself, and those with which it predicts rows left out nearly as well.
     fn sets(&self, model: &Asked) -> Vec<Vec<usize>> {
         let own = self.search.without_each(&model.tried);
         // clearly worse is what the model is clearly better than
-        let near = |asked: &Asked| compared(&asked.unseen, &model.unseen).is_some_and(|both| !both.clearly_better());
+        let near = |asked: &Asked| compared(&asked.unseen, &model.unseen).is_some_and(|both| !both.better_by(CLEARLY_WORSE));
         let set = |effect: &usize| {
             let without =
                 own.iter().find(|tried| !tried.effects.contains(effect) && tried.effects.len() + 1 == model.tried.effects.len());
-            let exchanged = without.map_or_else(Vec::new, |without| self.added(without, MOST_RIVALS));
+            let exchanged = without.map_or_else(Vec::new, |without| self.added(without, &model.held, MOST_RIVALS));
             let new = exchanged.iter().filter(|asked| near(asked)).filter_map(|asked| asked.tried.effects.last().copied());
             std::iter::once(*effect).chain(new.filter(|new| !model.tried.effects.contains(new))).collect()
         };
@@ -165,7 +198,37 @@ impl Choice<'_, '_> {
     }
 }
 
+/// Whether an effect of a model has a number on a limit that is no plain special case (nothing or all of a part).
+fn runs_to_limit(search: &Search<'_>, tried: &Tried) -> bool {
+    let model = search.model(&tried.effects);
+    let values = model.values(&tried.fit.z);
+    let special = |value: f64| value == 0.0 || (value - 1.0).abs() < 1e-9;
+    let on_limit = |place: usize| tried.fit.at_limit[place] && !special(values[place]);
+    (0..tried.effects.len()).any(|index| model.range_of(index).skip(1).any(on_limit))
+}
+
+/// What is stood behind with the simple laws that foretell rows left out as well, once it is decided what that is; `None` where no number is held for it, or mechanisms of words are part of it.
+pub(crate) fn told_simply(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<Simple> {
+    let chosen = &judged.examined.selection.models[judged.predicted.decision.model];
+    let of_library = !chosen.effects.is_empty() && chosen.effects.iter().all(|e| *e < prepared.testable.len());
+    if !of_library || told.stop.load(Ordering::Relaxed) {
+        return None;
+    }
+    let searched = prepared.searched();
+    let context = prepared.context.holding(judged.held.clone());
+    let search = Search { context: &context, ..prepared.search(&searched, told.progress, told.stop) };
+    let simple = simple(prepared, &search, &judged.by_base, chosen, 1.0)?;
+    (simple.held.len() > judged.held.len()).then_some(simple)
+}
+
 impl Judged {
+    /// The same with simple laws in the model that is stood behind.
+    pub(crate) fn with_simple_laws(self, prepared: &Prepared<'_>, simple: Simple) -> Self {
+        let Simple { tried, held, unseen } = simple;
+        let (after, decision) = (prepared.lack_of_fit.adequacy(&tried.fit), self.predicted.decision.clone());
+        self.stands_behind(tried, held, unseen, after, |model, _| Decision { model, ..decision })
+    }
+
     /// The same with the model that predicts rows left out better stood behind.
     pub(crate) fn told_by_rows_left_out(mut self, better: ByRowsLeftOut) -> Self {
         let ByRowsLeftOut { tried, held, unseen, sets, after, removed, says } = better;

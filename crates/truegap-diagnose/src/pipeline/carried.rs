@@ -22,8 +22,8 @@ use crate::{
         verdict::Decision,
     },
     validation::{
-        cross_validation::{HeldOutFit, compared},
-        main_causes::fewest,
+        cross_validation::HeldOutFit,
+        main_causes::{fewest, removed},
     },
 };
 use truegap_core::simulator::StageName;
@@ -54,21 +54,15 @@ pub(crate) fn with_carried(
         removed(&by_base.unseen, &unseen)
     };
     let Some(whole) = removed(&by_base.unseen, named) else { return decision };
-    let causes = fewest(parts.len(), whole, squares);
+    let (causes, share) = fewest(parts.len(), whole, squares);
     let carried = (0..parts.len()).filter(|part| !causes.contains(part)).flat_map(|part| parts[part].clone()).collect();
-    decision.carrying(carried, &chosen.effects, &after)
+    decision.carrying((carried, share), &chosen.effects, &after)
 }
 
 /// Effects one by one, and all mechanisms from behind the `library` together.
 fn parts(effects: &[usize], library: usize) -> Vec<Vec<usize>> {
     let (own, composed): (Vec<usize>, Vec<usize>) = effects.iter().partition(|e| **e < library);
     own.into_iter().map(|e| vec![e]).chain(Some(composed).filter(|composed| !composed.is_empty())).collect()
-}
-
-/// Squares by which a model predicts rows left out better than the base model, a row.
-fn removed(base: &HeldOutFit, model: &HeldOutFit) -> Option<f64> {
-    let [before, after] = compared(base, model)?.rmse;
-    Some(before.powi(2) - after.powi(2))
 }
 
 /// A part of a model, fitted from where the whole one lies.

@@ -8,7 +8,7 @@ use crate::{
     discovery::{compose::Composition, discover::with_mechanisms},
     pipeline::{
         by_name::by_name,
-        by_rows_left_out::by_rows_left_out,
+        by_rows_left_out::{by_rows_left_out, told_simply},
         carried::with_carried,
         judged::{Judged, Told, composed, judged},
         options::Options,
@@ -45,12 +45,15 @@ pub(crate) fn conclude(
 ) -> Result<Outcome, DiagnoseError> {
     let (bank, examined, composition) = sharpened(&prepared, examined, composition, told)?;
     let judged = judged(&prepared, told, examined, composition)?;
-    let judged = match by_name(&prepared, told, &judged) {
-        Some(name) => judged.told_by(name),
-        None => judged,
+    let judged = if let Some(name) = by_name(&prepared, told, &judged) {
+        judged.told_by(name)
+    } else if let Some(better) = by_rows_left_out(&prepared, told, &judged) {
+        judged.told_by_rows_left_out(better)
+    } else {
+        judged
     };
-    let judged = match by_rows_left_out(&prepared, told, &judged) {
-        Some(better) => judged.told_by_rows_left_out(better),
+    let judged = match told_simply(&prepared, told, &judged) {
+        Some(simple) => judged.with_simple_laws(&prepared, simple),
         None => judged,
     };
     let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held } = judged;

@@ -22,7 +22,10 @@ use crate::{
     noise::several::measured,
     quality::preconditions::check,
     selection::{candidates::Progress, examine::Examined},
-    validation::held_numbers::{not_borne_out, with_held},
+    validation::{
+        held_numbers::{not_borne_out, with_held},
+        tuning::CLEARLY_WORSE,
+    },
 };
 use conclude::conclude;
 use judged::{Told, composed};
@@ -92,6 +95,6 @@ fn held(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> Option
     }
     let searched = prepared.searched();
     let search = prepared.search(&searched, told.progress, told.stop);
-    let held = not_borne_out(&search, &prepared.searched_noise, stood_behind, prepared.all_rows());
+    let held = not_borne_out(&search, &prepared.searched_noise, stood_behind, prepared.all_rows(), CLEARLY_WORSE);
     (!held.is_empty()).then_some(held)
 }

@@ -88,16 +88,17 @@ impl Decision {
         self
     }
 
-    /// The same where these of the `effects` of its model are only carried: what they leave open is not open any more. `after` is what the model leaves.
+    /// The same where these of the `effects` of its model are only carried: what they leave open is not open any more. The others stand for a `share` of what the model removes, and are all
+    /// there is to explain only where that is as much as an adequate equation removes; `after` is what the model leaves.
     #[must_use]
-    pub(crate) fn carrying(self, carried: Vec<usize>, effects: &[usize], after: &Adequacy) -> Self {
+    pub(crate) fn carrying(self, (carried, share): (Vec<usize>, f64), effects: &[usize], after: &Adequacy) -> Self {
         if carried.is_empty() {
             return self;
         }
         let claimed = || effects.iter().zip(&self.sets).filter(|(effect, _)| !carried.contains(effect)).map(|(_, set)| set);
         let verdict = match claimed().any(|set| set.len() > 1) || self.unmodelled_rivals {
             true => Verdict::Ambiguous,
-            false if Self::adequate(self.removed, after) => Verdict::Explained,
+            false if share >= ADEQUATE && Self::adequate(self.removed, after) => Verdict::Explained,
             false => Verdict::WrongForm,
         };
         Self { verdict, carried, ..self }
@@ -268,6 +269,18 @@ mod tests {
         assert_eq!((large.verdict, large.model), (Verdict::Explained, 3));
         assert_eq!(Decision::nothing(Verdict::Agrees, 0).with_interference(0, 0.0, 1.0).verdict, Verdict::Unexplained);
         assert_eq!(Decision::nothing(Verdict::Undecided, 0).with_interference(0, 0.0, 99.0).verdict, Verdict::Undecided);
+    }
+
+    /// A curve stands for 93 or 99.5 % of what is removed, and beside it a lag with a rival is carried: nothing is open, and whether the curve explains all that counts is its share's matter.
+    #[test]
+    fn what_is_carried_leaves_nothing_open() {
+        let both = || Decision { verdict: Verdict::Ambiguous, sets: vec![vec![7], vec![1, 2]], removed: 0.999, ..explained() };
+        let of = |share| both().carrying((vec![1], share), &[7, 1], &left(0.0));
+        assert_eq!((of(0.93).verdict, of(0.995).verdict), (Verdict::WrongForm, Verdict::Explained));
+        assert_eq!(of(0.93).carried, [1]);
+        let rivals = both().carrying((vec![7], 0.995), &[7, 1], &left(0.0));
+        assert_eq!(rivals.verdict, Verdict::Ambiguous);
+        assert_eq!(both().carrying((Vec::new(), 1.0), &[7, 1], &left(0.0)).verdict, Verdict::Ambiguous);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use crate::{
     data::problem::Problem,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model, optimum::Fit},
     selection::candidates::{Search, Tried},
-    validation::tuning::{CLEARLY_WORSE, MOST_PARTS, PARTS_OF_ONE_RUN, THERE},
+    validation::tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, THERE},
     whitening::noise_model::NoiseModel,
 };
 use rayon::prelude::*;
@@ -63,10 +63,10 @@ pub struct Compared {
 }
 
 impl Compared {
-    /// Whether the second model predicts clearly better: over all rows by more than [`CLEARLY_WORSE`], and in more than half of the parts.
-    pub fn clearly_better(&self) -> bool {
+    /// Whether the second model predicts better, over all rows by more than `times`, and in more than half of the parts.
+    pub fn better_by(&self, times: f64) -> bool {
         let better = self.parts.iter().filter(|(_, first, second)| second < first).count();
-        self.rmse[0] > CLEARLY_WORSE * self.rmse[1] && 2 * better > self.parts.len()
+        self.rmse[0] > times * self.rmse[1] && 2 * better > self.parts.len()
     }
 }
 

@@ -23,8 +23,8 @@ use truegap_core::EffectId;
 /// A number of an effect, by its name.
 type Number = (EffectId, &'static str);
 
-/// Numbers of the model `tried` that are better held at nothing, by effect and name; empty where all are borne out.
-pub(crate) fn not_borne_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> Vec<Number> {
+/// Numbers of the model `tried` that are better held at nothing, by effect and name; empty where all are borne out. Rows left out are predicted better without them, `least` times or more.
+pub(crate) fn not_borne_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>, least: f64) -> Vec<Number> {
     let of_effect = |e: &usize| {
         let effect = search.library[*e];
         effect.may_be_nothing().iter().map(|name| (effect.id(), *name)).collect::<Vec<_>>()
@@ -33,7 +33,7 @@ pub(crate) fn not_borne_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tri
     let (mut held, mut best) = (Vec::new(), held_out(search, noise, tried, all));
     let doubtful = on_a_limit(search, tried);
     // one at a time, the one without which most is gained
-    while let Some((place, predicted)) = best_without_one(search, noise, tried, all, (&open, &held), &best, &doubtful) {
+    while let Some((place, predicted)) = best_without_one(search, noise, tried, all, (&open, &held), &best, (&doubtful, least)) {
         held.push(open.remove(place));
         best = predicted;
     }
@@ -50,7 +50,7 @@ fn on_a_limit(search: &Search<'_>, tried: &Tried) -> Vec<(EffectId, String)> {
     model.effects.iter().enumerate().flat_map(of_effect).collect()
 }
 
-/// The number of `open` that is best held besides those of `held`, and what the model then foretells; `None` where that is not better than `best`, or for a `doubtful` one clearly worse.
+/// The number of `open` that is best held besides those of `held`, and what the model then foretells; `None` where that is not better than `best` by as much as is asked for, or for a `doubtful` one clearly worse.
 fn best_without_one(
     search: &Search<'_>,
     noise: &NoiseModel,
@@ -58,7 +58,7 @@ fn best_without_one(
     all: AllRows<'_>,
     (open, held): (&[Number], &[Number]),
     best: &HeldOutFit,
-    doubtful: &[(EffectId, String)],
+    (doubtful, least): (&[(EffectId, String)], f64),
 ) -> Option<(usize, HeldOutFit)> {
     let without = |one: &(EffectId, &'static str)| {
         let context = search.context.holding([held, &[*one]].concat());
@@ -68,8 +68,9 @@ fn best_without_one(
     let better = open.iter().enumerate().filter_map(|(place, one)| {
         let predicted = without(one)?;
         let [before, after] = compared(best, &predicted)?.rmse;
-        // a number has to foretell something to be told; on its bound it has to be felt
-        let least = if doubtful.iter().any(|(id, name)| (*id, name.as_str()) == *one) { CLEARLY_WORSE.recip() } else { 1.0 };
+        // on its bound a number has to be felt to be told
+        let on_its_bound = doubtful.iter().any(|(id, name)| (*id, name.as_str()) == *one);
+        let least = if on_its_bound { CLEARLY_WORSE.recip() } else { least };
         (before > least * after).then_some((after, (place, predicted)))
     });
     better.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, found)| found)

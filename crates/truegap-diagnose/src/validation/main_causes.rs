@@ -2,14 +2,23 @@
 //!
 //! Limits: every choice of parts is asked for, so a model has few.
 
-use crate::validation::tuning::{MAIN_SHARE, MOST_PARTS_OF_A_MODEL};
+use crate::validation::{
+    cross_validation::{HeldOutFit, compared},
+    tuning::{MAIN_SHARE, MOST_PARTS_OF_A_MODEL},
+};
 
-/// The fewest of `count` parts that remove [`MAIN_SHARE`] of the `whole`, of as many the ones that remove most; all of them where no fewer do. `removed` gives the squares that a choice of parts
+/// Squares by which a model predicts rows left out better than the base model, a row; `None` where no part was predicted by both.
+pub(crate) fn removed(base: &HeldOutFit, model: &HeldOutFit) -> Option<f64> {
+    let [before, after] = compared(base, model)?.rmse;
+    Some(before.powi(2) - after.powi(2))
+}
+
+/// The fewest of `count` parts that remove [`MAIN_SHARE`] of the `whole`, of as many the ones that remove most, and their share; all of them where no fewer do. `removed` gives the squares that a choice of parts
 /// removes a row, `None` where it could not be fitted.
-pub(crate) fn fewest(count: usize, whole: f64, removed: impl Fn(&[usize]) -> Option<f64>) -> Vec<usize> {
+pub(crate) fn fewest(count: usize, whole: f64, removed: impl Fn(&[usize]) -> Option<f64>) -> (Vec<usize>, f64) {
     let all: Vec<usize> = (0..count).collect();
     if count > MOST_PARTS_OF_A_MODEL || whole <= 0.0 {
-        return all;
+        return (all, 1.0);
     }
     for size in 1..count {
         let choices = (1_usize..1 << count).filter(|choice| choice.count_ones() as usize == size);
@@ -17,11 +26,11 @@ pub(crate) fn fewest(count: usize, whole: f64, removed: impl Fn(&[usize]) -> Opt
             let kept: Vec<usize> = all.iter().copied().filter(|part| choice & (1 << part) != 0).collect();
             removed(&kept).filter(|squares| *squares >= MAIN_SHARE * whole).map(|squares| (squares, kept))
         });
-        if let Some((_, kept)) = enough.max_by(|a, b| a.0.total_cmp(&b.0)) {
-            return kept;
+        if let Some((squares, kept)) = enough.max_by(|a, b| a.0.total_cmp(&b.0)) {
+            return (kept, squares / whole);
         }
     }
-    all
+    (all, 1.0)
 }
 
 #[cfg(test)]
@@ -32,13 +41,13 @@ mod tests {
     #[test]
     fn a_small_part_beside_a_large_one_is_not_among_the_causes() {
         let of = |kept: &[usize]| Some(kept.iter().map(|part| [93.0, 6.0, 1.0][*part]).sum());
-        assert_eq!(fewest(3, 100.0, of), [0]);
+        assert_eq!(fewest(3, 100.0, of).0, [0]);
     }
 
     #[test]
     fn parts_that_matter_alike_stay() {
         let of = |kept: &[usize]| Some(kept.iter().map(|part| [60.0, 40.0][*part]).sum());
-        assert_eq!(fewest(2, 100.0, of), [0, 1]);
+        assert_eq!(fewest(2, 100.0, of), (vec![0, 1], 1.0));
     }
 
     /// Two parts undo one another: without either the model is far off, without both it is as good.
@@ -51,12 +60,12 @@ mod tests {
                 _ => 0.0,
             })
         };
-        assert_eq!(fewest(3, 100.0, of), [0]);
+        assert_eq!(fewest(3, 100.0, of).0, [0]);
     }
 
     #[test]
     fn where_nothing_is_removed_or_fitted_all_stay() {
-        assert_eq!(fewest(2, 0.0, |_| Some(0.0)), [0, 1]);
-        assert_eq!(fewest(2, 1.0, |_| None), [0, 1]);
+        assert_eq!(fewest(2, 0.0, |_| Some(0.0)).0, [0, 1]);
+        assert_eq!(fewest(2, 1.0, |_| None).0, [0, 1]);
     }
 }

@@ -24,7 +24,7 @@ const NOISE_PF: f64 = 0.01;
 
 /// Rest and two staircases up and down at a warming temperature, in two runs, on the default sensor, to which nothing is missing.
 fn clean(full_load_n: f64) -> Recording {
-    let sensor = truegap::find_sensor(SENSOR, None).unwrap();
+    let sensor = truegap::predict::find_sensor(SENSOR, None).unwrap();
     let stack = Stack::new(&sensor, StackOptions::default());
     let rows = 29 * 15;
     let level = |row: usize| (10.0 - ((row / 15) as f64 - 18.0).abs()).max(0.0) / 10.0;

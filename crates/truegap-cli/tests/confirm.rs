@@ -9,7 +9,7 @@ use serde_json::Value;
 
 /// The built-in example in two folders: the first runs, and the last ones.
 fn in_two_folders(bench: &Bench) {
-    let whole = truegap::example_recording().unwrap();
+    let whole = truegap::diagnosis::example_recording().unwrap();
     for (name, runs) in [("a", 1..=4), ("b", 5..=7)] {
         let rows: Vec<usize> = (0..whole.len()).filter(|row| runs.contains(&whole.inputs.run[*row])).collect();
         std::fs::create_dir(bench.path(name)).unwrap();

@@ -59,7 +59,7 @@ fn simulates(bench: &Bench) {
         said.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
     };
     let history = lines(&["-q", "simulate", "--model", "out/augmented.toml", "--drive", "example", "--json"]);
-    let recording = truegap::example_recording().unwrap();
+    let recording = truegap::diagnosis::example_recording().unwrap();
     assert_eq!(history.len(), recording.len());
     // noise of the response (4 fF) and what 0.05 K and 5 mN of noise on the inputs make of it: below 20 fF together; the range is 3 pF
     let squares = history.iter().zip(&recording.response).map(|(row, read)| (row["response"].as_f64().unwrap() - read).powi(2));

@@ -14,7 +14,7 @@ use std::process::{Command, Stdio};
 
 /// The built-in example many times over, a run after another.
 fn long_recording() -> String {
-    let example = truegap::example_recording().unwrap();
+    let example = truegap::diagnosis::example_recording().unwrap();
     let (time, force) = (example.inputs.time_s.as_ref().unwrap(), example.inputs.force_n.as_ref().unwrap());
     let temperature = example.inputs.temperature_c.as_ref().unwrap();
     let mut text = String::from("run,time_s,force_n,temperature_c,capacitance_pf\n");

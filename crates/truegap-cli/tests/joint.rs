@@ -10,7 +10,7 @@ use truegap::Recording;
 
 /// The built-in example in two folders, the second one read 0.2 pF higher.
 fn in_two_folders(bench: &Bench) {
-    let whole = truegap::example_recording().unwrap();
+    let whole = truegap::diagnosis::example_recording().unwrap();
     let write = |name: &str, runs: std::ops::RangeInclusive<u32>, higher: f64| {
         let rows: Vec<usize> = (0..whole.len()).filter(|row| runs.contains(&whole.inputs.run[*row])).collect();
         let mut part: Recording = whole.select(&rows);

@@ -38,7 +38,7 @@ fn simulate_prints_one_object_a_point_with_the_keys_of_the_contract() {
     let points = lines(&said.out);
     assert_eq!(points.len(), 6);
     assert!(points.iter().all(|p| keys(p) == STATE));
-    let sensor = truegap::find_sensor("singletact-s15-4.5n", None).unwrap();
+    let sensor = truegap::predict::find_sensor("singletact-s15-4.5n", None).unwrap();
     let asked = [Point { force_n: 4.5, temperature_c: 50.0 }];
     let known = states(&sensor, StackOptions::default(), &asked).unwrap()[0];
     assert_eq!(points[5]["c_total_pf"].as_f64(), Some(known.c_total_pf), "JSON must keep every digit");
@@ -98,7 +98,7 @@ fn coefficients_have_the_keys_of_the_contract_and_are_secants_of_simulate() {
         "k_linearity_pct_per_k",
     ];
     assert_eq!(keys(&c), wanted);
-    let sensor = truegap::find_sensor("singletact-s8-optimised", None).unwrap();
+    let sensor = truegap::predict::find_sensor("singletact-s8-optimised", None).unwrap();
     let load = format!("0,{} N", sensor.full_scale);
     let points = lines(
         &bench
@@ -141,7 +141,7 @@ fn sensors_lists_what_find_sensor_finds() {
     let listed = listed.as_array().unwrap();
     assert!(listed.len() >= 3);
     for sensor in listed {
-        assert!(truegap::find_sensor(sensor["name"].as_str().unwrap(), None).is_ok());
+        assert!(truegap::predict::find_sensor(sensor["name"].as_str().unwrap(), None).is_ok());
     }
     assert!(bench.run(&["sensors"]).out.contains("singletact-s8-optimised"));
 }

@@ -104,7 +104,7 @@ fn refuses(bench: &Bench, file: &str, change: impl Fn(&str) -> Option<String>, w
 fn refuses_what_was_changed(bench: &Bench) {
     let read = |file: &str| fs::read_to_string(bench.path(file)).unwrap();
     let altered = |file: &str, list: &str| {
-        [file.to_owned(), format!("SHA-256 is"), format!("altered after {list} was written: put it back")]
+        [file.to_owned(), "SHA-256 is".to_owned(), format!("altered after {list} was written: put it back")]
     };
     let changed = |file: &str, line: &str, list: &str, change: &dyn Fn(&str) -> Option<String>| {
         let words = altered(line, list);

@@ -7,14 +7,14 @@ use crate::source::failed;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
+use truegap::OutputFolder;
 use truegap::audit::{Cache, Options, Watch};
-use truegap::audit_run::{AuditRequest, FILES, default_cache};
 use truegap::core::sensor::builtin_sensors;
 use truegap::diagnose::Library;
-use truegap::explain::{effects, explained};
+use truegap::diagnosis::{effects, explained};
 use truegap::model::{CoefficientOptions, StackOptions};
-use truegap::output::OutputFolder;
-use truegap::sensors::find_sensor;
+use truegap::predict::find_sensor;
+use truegap::verify::{AuditRequest, FILES, default_cache};
 
 /// The analytic model at every force and temperature, as JSON.
 #[pyfunction]
@@ -23,7 +23,8 @@ pub(crate) fn simulate(sensor: &str, forces_n: Vec<f64>, temperatures_c: Option<
     let sensor = find_sensor(sensor, None).map_err(failed)?;
     let temperatures_c = temperatures_c.unwrap_or_else(|| vec![sensor.reference_c]);
     let options = StackOptions { warp, ..StackOptions::default() };
-    let states = truegap::simulate(&sensor, options, &truegap::grid(&forces_n, &temperatures_c)).map_err(failed)?;
+    let states =
+        truegap::predict::simulate(&sensor, options, &truegap::predict::grid(&forces_n, &temperatures_c)).map_err(failed)?;
     serde_json::to_string(&states).map_err(failed)
 }
 
@@ -33,7 +34,8 @@ pub(crate) fn simulate(sensor: &str, forces_n: Vec<f64>, temperatures_c: Option<
 pub(crate) fn coefficients(sensor: &str, warp: bool) -> PyResult<String> {
     let sensor = find_sensor(sensor, None).map_err(failed)?;
     let stack = StackOptions { warp, ..StackOptions::default() };
-    let coefficients = truegap::coefficients(&sensor, CoefficientOptions { stack, ..Default::default() }).map_err(failed)?;
+    let coefficients =
+        truegap::predict::coefficients(&sensor, CoefficientOptions { stack, ..Default::default() }).map_err(failed)?;
     serde_json::to_string(&coefficients).map_err(failed)
 }
 
@@ -57,7 +59,7 @@ pub(crate) fn audit(
     };
     let stop = AtomicBool::new(false);
     let work = |_: &(dyn Fn(truegap::diagnose::Progress) + Sync)| {
-        truegap::audit_run::audit(request, &Watch { progress: None, cancel: Some(&stop) })
+        truegap::verify::audit(request, &Watch { progress: None, cancel: Some(&stop) })
     };
     let audited = serve(py, None, None, &stop, work)?.map_err(failed)?;
     if let Some(folder) = folder {

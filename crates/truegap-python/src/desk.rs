@@ -12,10 +12,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
-use truegap::base::{Function, Programs, Remembered, columns, declared};
 use truegap::core::{Inputs, Parameter, SimulationError};
 use truegap::diagnose::Progress;
 use truegap::model::{Asked, Responder, Who};
+use truegap::models::{Function, Programs, Remembered, columns, declared};
 
 use crate::source::failed;
 

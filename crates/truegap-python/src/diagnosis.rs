@@ -9,15 +9,11 @@ use pyo3::prelude::*;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
-use truegap::Recording;
-use truegap::base::Programs;
-use truegap::confirm::{Confirmed, Free, confirm_with};
 use truegap::diagnose::Library;
-use truegap::diagnosis::{Diagnosed, FILES, Request, open_with};
-use truegap::mechanism_file::with_effects;
-use truegap::model_file::{ModelFile, ModelFileError};
-use truegap::output::OutputFolder;
-use truegap::report;
+use truegap::diagnosis::confirm::{Confirmed, Free, confirm_with};
+use truegap::diagnosis::{Diagnosed, FILES, Request, open_with, report};
+use truegap::models::{ModelFile, ModelFileError, Programs, with_effects};
+use truegap::{OutputFolder, Recording};
 
 /// Columns by their names.
 type Column<'py> = Bound<'py, PyArray1<f64>>;

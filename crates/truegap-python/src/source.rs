@@ -8,7 +8,8 @@ use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 use truegap::core::{BaseSpec, Note};
-use truegap::{EXAMPLE, Recording, RecordingError, example_recording};
+use truegap::diagnosis::{EXAMPLE, example_recording};
+use truegap::{Recording, RecordingError};
 
 create_exception!(truegap, TruegapError, PyException, "What truegap cannot do, and what to do about it.");
 

@@ -8,7 +8,6 @@ use pyo3::prelude::*;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use truegap::case_file::{open_case, told};
 use truegap::design::Metric;
 use truegap::design::optimise::{SearchOptions, Useful};
 use truegap::diagnose::Progress;
@@ -19,6 +18,7 @@ use truegap::study::tolerance::{Between, ToleranceRequest};
 use truegap::study::vary::axes;
 use truegap::study::{Finished, SensorText, StudyError, Work, check_place};
 use truegap::sweep::{Control, Progress as Cases, Shard};
+use truegap::verify::case_file::{open_case, told};
 
 fn json(answer: &impl Serialize) -> PyResult<String> {
     serde_json::to_string(answer).map_err(failed)

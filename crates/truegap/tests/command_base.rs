@@ -6,11 +6,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
-use truegap::base::{Programs, base_model_with};
-use truegap::base_model;
 use truegap::core::{Recording, SimulationError};
 use truegap::diagnosis::{Diagnosed, DiagnosisError, Request, diagnose, open};
-use truegap::model_file::ModelFile;
+use truegap::models::{ModelFile, Programs, base_model, base_model_with};
 
 const CLIENTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/clients");
 

@@ -6,8 +6,7 @@ use std::sync::atomic::AtomicBool;
 use truegap::core::{BaseSpec, Inputs, Recording};
 use truegap::diagnose::answer::Verdict;
 use truegap::diagnose::answer::{ConcealedColumn, Through};
-use truegap::diagnosis::{Diagnosed, Request, diagnose, open};
-use truegap::example_recording;
+use truegap::diagnosis::{Diagnosed, Request, diagnose, example_recording, open};
 
 fn concealed(recording: Recording) -> (Diagnosed, ConcealedColumn) {
     let request = Request { conceal: vec!["temperature".into()], ..Request::default() };
@@ -56,7 +55,7 @@ fn a_hidden_temperature_is_missed_and_its_course_followed() {
     let [slope, low, high] = column.slope.unwrap();
     assert!((slope - 0.05).abs() < 0.002 && low < 0.05 && 0.05 < high && low > 0.04, "{slope} {low} {high}");
     assert!(column.all.rmse_after.unwrap() < 0.025 && column.all.rmse_before.unwrap() > 0.1, "{:?}", column.all);
-    let page = truegap::report::html(&diagnosed.subject());
+    let page = truegap::diagnosis::report::html(&diagnosed.subject());
     assert!(
         page.contains("The hidden column") && (page.contains("recovered course (mV)") || page.contains("recovered course / mV")),
         "no axis"

@@ -4,14 +4,13 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::{OnceLock, atomic::AtomicBool};
-use truegap::confirm::{ConfirmError, Confirmation, Free, SCHEMA, confirm};
 use truegap::core::{Inputs, Recording};
 use truegap::diagnose::answer::{AddedEffect, NamedValue};
 use truegap::diagnose::confirmation::Judgement;
 use truegap::diagnose::{Context, library};
-use truegap::diagnosis::{Request, diagnose, open};
-use truegap::example_recording;
-use truegap::model_file::ModelFile;
+use truegap::diagnosis::confirm::{ConfirmError, Confirmation, Free, SCHEMA, confirm};
+use truegap::diagnosis::{Request, diagnose, example_recording, open};
+use truegap::models::ModelFile;
 
 const FIXED: Free = Free { gain: false, offset: false };
 const BOTH: Free = Free { gain: true, offset: true };

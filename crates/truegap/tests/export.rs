@@ -5,7 +5,7 @@
 use std::path::Path;
 use truegap::audit::disc::{CoupledOptions, Fineness, Press};
 use truegap::core::sensor::builtin_sensor;
-use truegap::export::{BeadModel, Colour, Request, Solved, solve};
+use truegap::verify::export::{BeadModel, Colour, Request, Solved, solve};
 use truegap_core::Sensor;
 
 fn sensor() -> Sensor {
@@ -73,6 +73,6 @@ fn the_section_is_a_file_of_vtk_with_the_same_fields() {
 
 #[test]
 fn an_ending_that_is_no_format_is_refused_before_the_disk_is_touched() {
-    let told = truegap::export::Format::of(Path::new("stack.stl")).unwrap_err().to_string();
+    let told = truegap::verify::export::Format::of(Path::new("stack.stl")).unwrap_err().to_string();
     assert!(told.contains("stl") && told.contains(".glb") && told.contains(".vtu"), "{told}");
 }

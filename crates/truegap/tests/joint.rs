@@ -4,19 +4,19 @@
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
+use truegap::Sensor;
 use truegap::core::{BaseSpec, Inputs, Recording, Simulator};
 use truegap::diagnose::answer::{Diagnosis, Verdict};
 use truegap::diagnose::{Context, library};
-use truegap::diagnosis::{Request, diagnose, open};
+use truegap::diagnosis::{Request, diagnose, example_recording, open};
 use truegap::model::Stack;
-use truegap::{Sensor, example_recording};
 
 fn diagnosed(recordings: Vec<Recording>, request: &Request) -> Diagnosis {
     let files = recordings.iter().enumerate().map(|(k, r)| (format!("{}.csv", k + 1), r.sha256.clone())).collect();
     let several = recordings.len() > 1;
     let opened = open(recordings, request).unwrap();
     let diagnosed = diagnose(opened, files, request, &|_| (), &AtomicBool::new(false)).unwrap();
-    assert_eq!(truegap::report::html(&diagnosed.subject()).contains("The recordings"), several);
+    assert_eq!(truegap::diagnosis::report::html(&diagnosed.subject()).contains("The recordings"), several);
     assert_eq!(diagnosed.prediction_csv().starts_with("run,recording,time_s"), several);
     diagnosed.outcome.diagnosis
 }

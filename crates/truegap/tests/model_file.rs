@@ -7,7 +7,7 @@ use truegap::core::{Driver, Inputs, Parameter, Simulator, sensor::builtin_sensor
 use truegap::diagnose::answer::{AddedEffect, NamedValue, Scales};
 use truegap::diagnose::{Context, Effect, library};
 use truegap::model::{BaseModel, SeriesOrder, Stack, StackOptions};
-use truegap::model_file::{ModelFile, ModelFileError, SCHEMA};
+use truegap::models::{MODEL_SCHEMA, ModelFile, ModelFileError};
 
 const EFFECTS: [&str; 2] = ["thermal_lag", "viscoelastic_creep"];
 
@@ -56,7 +56,7 @@ fn file() -> ModelFile {
         }
     };
     ModelFile {
-        schema: SCHEMA.into(),
+        schema: MODEL_SCHEMA.into(),
         made_by: "truegap".into(),
         recording: "a.csv".into(),
         sha256: "ab".repeat(32),
@@ -148,7 +148,7 @@ fn head(base: &str, unit: &str, parameter: &str) -> ModelFile {
         "longest_run_s = 1198.0\nshortest_step_s = 2.0\nduration_s = 1198.0\nresponse_span = 7.0\nnoise_sd = 0.01\nruns = 1";
     let parameter = format!("name = \"{parameter}\"\nunit = \"{unit}\"\nvalue = 0.3\nsd = 0.1");
     read(&format!(
-        "schema = \"{SCHEMA}\"\nmade_by = \"test\"\nrecording = \"a\"\nsha256 = \"b\"\nverdict = \"explained\"\nunit = \"{unit}\"\neffect = []\n\
+        "schema = \"{MODEL_SCHEMA}\"\nmade_by = \"test\"\nrecording = \"a\"\nsha256 = \"b\"\nverdict = \"explained\"\nunit = \"{unit}\"\neffect = []\n\
          [base]\n{base}\n[scales]\n{scales}\n[[parameter]]\n{parameter}\n[[base_alone]]\n{parameter}\n"
     ))
     .unwrap()

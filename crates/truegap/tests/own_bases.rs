@@ -41,7 +41,7 @@ fn diagnosed(recording: Recording) -> Diagnosed {
     let opened = open(vec![recording], &request).unwrap();
     let diagnosed = diagnose(opened, files, &request, &|_| (), &AtomicBool::new(false)).unwrap();
     // page and model file have words for every base
-    assert!(truegap::report::html(&diagnosed.subject()).contains("Base model"));
+    assert!(truegap::diagnosis::report::html(&diagnosed.subject()).contains("Base model"));
     let model = diagnosed.model_file().unwrap().to_toml().unwrap();
     assert!(model.contains("[base]"), "{model}");
     diagnosed
@@ -135,7 +135,7 @@ fn a_line_follows_a_named_driver() {
         let (_folder, recording) = recorded(&base, "time_s,position_mm,response_mv", 800, row);
         let diagnosed = diagnosed(recording);
         let file = diagnosed.model_file().unwrap();
-        assert_eq!(truegap::model_file::ModelFile::parse(&file.to_toml().unwrap(), "m.toml".as_ref()).unwrap(), file);
+        assert_eq!(truegap::models::ModelFile::parse(&file.to_toml().unwrap(), "m.toml".as_ref()).unwrap(), file);
         let diagnosis = diagnosed.outcome.diagnosis;
         assert_eq!((diagnosis.verdict, diagnosis.findings.len()), (Verdict::Agrees, 0), "{}", diagnosis.says);
         let value = |name: &str| diagnosis.base.parameters.iter().find(|p| p.name == name).unwrap().value;
@@ -172,7 +172,7 @@ fn a_row_that_the_table_does_not_hold_is_named() {
     let row = |i: usize| vec![0.5 * i as f64, if i == 33 { 9.0 } else { force(i) }, 25.0, 10.0 + force(i)];
     let header = "time_s,force_n,temperature_c,response_mv";
     let (_folder, recording) = recorded("model = \"table\"\ntable = \"table.csv\"\n", header, 100, row);
-    let told = truegap::base_model(&recording).err().unwrap().to_string();
+    let told = truegap::models::base_model(&recording).err().unwrap().to_string();
     assert!(told.contains("row 34: force is 9") && told.contains("extend the table"), "{told}");
 }
 
@@ -188,7 +188,7 @@ fn words_under_base_that_mean_nothing_are_refused_with_those_that_do() {
     ] {
         let row = |i: usize| vec![i as f64, force(i), force(i), force(i)];
         let (_folder, recording) = recorded(base, "time_s,force_n,simulated,response_mv", 40, row);
-        let told = truegap::base_model(&recording).err().unwrap().to_string();
+        let told = truegap::models::base_model(&recording).err().unwrap().to_string();
         assert!(told.contains(part), "`{part}` is missing in: {told}");
     }
 }

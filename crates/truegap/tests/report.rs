@@ -5,7 +5,7 @@
 #[path = "report/fixture.rs"]
 mod fixture;
 
-use truegap::report::{html, terminal, wording};
+use truegap::diagnosis::report::{html, terminal, wording};
 use truegap_diagnose::answer::{Confirmation, Confirmed, Errors, ModelFacts, NotTestable, OtherFacts, Verdict};
 use truegap_diagnose::confirmation::{Compared, Judgement, NoiseFloor, Reading};
 

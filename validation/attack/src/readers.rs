@@ -7,7 +7,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use std::cell::Cell;
 use std::fs;
 use std::path::{Path, PathBuf};
-use truegap::model_file::ModelFile;
+use truegap::models::ModelFile;
 use truegap::study::audit::SpaceFile;
 use truegap_core::{Dimension, Measure, Recording, Sensor};
 use truegap_diagnose::mechanism::MechanismFile;
@@ -251,7 +251,7 @@ fn sensor(text: &str) -> Result<bool, String> {
         return Err(format!("a sensor that cannot be: {sensor:?}"));
     }
     // whatever passed the check has coefficients or a reason why not
-    drop(truegap::coefficients(&sensor, Default::default()));
+    drop(truegap::predict::coefficients(&sensor, Default::default()));
     Ok(true)
 }
 
@@ -276,7 +276,7 @@ fn mechanism(text: &str) -> Result<bool, String> {
 
 fn model(text: &str) -> Result<bool, String> {
     let Ok(model) = ModelFile::parse(text, Path::new("m.toml")).and_then(|file| file.build()) else { return Ok(false) };
-    match truegap::answer::at_points(&model, &[0.0, 1.0], &[20.0]) {
+    match truegap::models::at_points(&model, &[0.0, 1.0], &[20.0]) {
         Ok(answers) if answers.iter().any(|a| !a.response.is_finite()) => Err("a response that is not finite".into()),
         _ => Ok(true),
     }
@@ -319,7 +319,7 @@ fn quantity(text: &str) -> Result<bool, String> {
             if measure.is_ok_and(|m| !m.value.is_finite() || m.sd.is_nan() || m.sd < 0.0) {
                 return Err(format!("`{line}` is no {dimension:?}"));
             }
-            let values = truegap::axis::values(line, dimension);
+            let values = truegap::predict::axis::values(line, dimension);
             if values.is_ok_and(|values| values.iter().any(|v| !v.is_finite())) {
                 return Err(format!("`{line}` is no list of {dimension:?}"));
             }

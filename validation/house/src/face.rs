@@ -43,6 +43,16 @@ impl House {
         }
     }
 
+    /// Public items of the package named `package` that no other package names: the file that defines each, and its name.
+    pub(crate) fn unnamed(&self, package: usize) -> Vec<(String, String)> {
+        let Some(&root) = self.modules.libraries.get(&self.packages[package].identifier()) else { return Vec::new() };
+        let others = self.named(&|k, _| k != package);
+        public(&self.modules, root)
+            .difference(&others)
+            .map(|(at, name)| (self.modules.all[*at].file.clone(), name.clone()))
+            .collect()
+    }
+
     /// Items that the modules chosen by `who` name, wherever they are defined.
     fn named(&self, who: &dyn Fn(usize, Part) -> bool) -> BTreeSet<Item> {
         let all = self.modules.all.iter().enumerate().filter(|(_, m)| who(m.package, m.part));

@@ -27,6 +27,6 @@ pub use finding::Finding;
 pub use graph::Arrow;
 pub use house::House;
 pub use order::ORDER;
-pub use print::{Dot, Numbers, Plan, Reviewed};
+pub use print::{Dot, Numbers, Plan, Reviewed, Unnamed};
 pub use review::Row;
 pub use workspace::Files;

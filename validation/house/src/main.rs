@@ -4,13 +4,14 @@ use std::{
     path::{Path, PathBuf},
     process::ExitCode,
 };
-use truegap_house::{Dot, Finding, House, HouseError, Numbers, Plan, Reviewed};
+use truegap_house::{Dot, Finding, House, HouseError, Numbers, Plan, Reviewed, Unnamed};
 
-const HELP: &str = "truegap-house [--table | --review | --dot] [FOLDER]
+const HELP: &str = "truegap-house [--table | --review | --unnamed | --dot] [FOLDER]
 
 Prints rooms, arrows and circles of the workspace in FOLDER (default: this one), then all that breaks validation/house/order.toml.
   --table   one row a package, in Markdown
   --review  the numbers that a review of the workspace asked for, as CSV
+  --unnamed public items that no other package names, with the file that defines each
   --dot     for Graphviz: cargo run -p truegap-house -- --dot | dot -Tsvg > house.svg";
 
 fn main() -> ExitCode {
@@ -18,7 +19,7 @@ fn main() -> ExitCode {
     let mut form = String::new();
     for argument in std::env::args().skip(1) {
         match argument.as_str() {
-            "--table" | "--review" | "--dot" => form = argument,
+            "--table" | "--review" | "--unnamed" | "--dot" => form = argument,
             option if option.starts_with('-') => {
                 println!("{HELP}");
                 return ExitCode::from(if matches!(option, "-h" | "--help") { 0 } else { 2 });
@@ -37,6 +38,7 @@ fn print(root: &Path, form: &str) -> Result<ExitCode, HouseError> {
     match form {
         "--table" => print!("{}", Numbers(&house)),
         "--review" => print!("{}", Reviewed(&house)),
+        "--unnamed" => print!("{}", Unnamed(&house)),
         "--dot" => print!("{}", Dot(&house)),
         _ => return Ok(report(&house)),
     }

@@ -155,3 +155,17 @@ impl Display for Dot<'_> {
         writeln!(f, "}}")
     }
 }
+
+/// Public items that no other package names, one a line: `file: name`.
+#[derive(Debug)]
+pub struct Unnamed<'a>(pub &'a House);
+
+impl Display for Unnamed<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let items = (0..self.0.packages.len()).flat_map(|package| self.0.unnamed(package));
+        for (file, name) in items {
+            writeln!(f, "{file}: {name}")?;
+        }
+        Ok(())
+    }
+}

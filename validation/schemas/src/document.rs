@@ -71,7 +71,7 @@ pub const DOCUMENTS: &[Document] = &[
         ("truegap_diagnose::answer::diagnosis", "Diagnosis"),
     )
     .id("truegap.diagnosis/1"),
-    written_as("explain", "`truegap --json explain EFFECT`", ("truegap::explain", "Explained")),
+    written_as("explain", "`truegap --json explain EFFECT`", ("truegap::diagnosis::explain", "Explained")),
     written_as("export", "`truegap --json export`", ("truegap_cli::command::export", "Answer")),
     read_as(
         "mechanism",
@@ -83,7 +83,7 @@ pub const DOCUMENTS: &[Document] = &[
     read_as(
         "model",
         "augmented.toml, which `truegap simulate --model` and `truegap confirm` read",
-        ("truegap::model_file", "ModelFile"),
+        ("truegap::models::model_file", "ModelFile"),
         "truegap.model/1",
     ),
     written_as(
@@ -113,9 +113,9 @@ pub const DOCUMENTS: &[Document] = &[
     written_as(
         "simulate-drive",
         "each line of `truegap --json simulate --sensor S --drive RECORDING`",
-        ("truegap::predict", "Driven"),
+        ("truegap::predict::states", "Driven"),
     ),
-    written_as("simulate-model", "each line of `truegap --json simulate --model FILE`", ("truegap::answer", "Answer")),
+    written_as("simulate-model", "each line of `truegap --json simulate --model FILE`", ("truegap::models::answer", "Answer")),
     written_as("solve", "`truegap --json solve CASE.toml`", ("truegap_fem::case::result", "CaseResult")),
     written_as(
         "tolerance",

@@ -11,18 +11,16 @@ use crate::table::{digits, table};
 use anyhow::anyhow;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
+use truegap::OutputFolder;
 use truegap::audit::{Cache, Options, Progress, Verdict, Watch};
-use truegap::audit_report::{count, summary_lines};
-use truegap::audit_run::{AuditRequest, FILES, audit, default_cache, loaded_stack};
-use truegap::audited::{Audited, Body};
 use truegap::design::optimise::Space;
-use truegap::output::OutputFolder;
-use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
+use truegap::predict::{DEFAULT_SENSOR, find_sensor};
 use truegap::study::SensorText;
 use truegap::study::answer::audit::SpaceAuditAnswer;
 use truegap::study::audit::{SpaceAuditRequest, SpaceFile};
 use truegap::study::vary::axis;
 use truegap::sweep::Shard;
+use truegap::verify::{AuditRequest, Audited, Body, FILES, audit, count, default_cache, loaded_stack, summary_lines};
 
 /// Say which assumptions of the analytic model hold for a sensor, by how much the others are off, and what that does
 #[derive(Debug, clap::Args)]

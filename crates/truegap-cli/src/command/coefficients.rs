@@ -7,8 +7,7 @@ use crate::table::{digits, table};
 use serde::Serialize;
 use truegap::core::units::readable;
 use truegap::model::{CoefficientOptions, Coefficients as Numbers, StackOptions};
-use truegap::printed::{Planes, Strains, planes, strains};
-use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
+use truegap::predict::{DEFAULT_SENSOR, Planes, Strains, find_sensor, planes, strains};
 
 /// Temperature coefficients and linearity of a sensor, between 20 and 50 degC
 #[derive(Debug, clap::Args)]
@@ -45,7 +44,7 @@ impl Run for Coefficients {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
         let sensor = find_sensor(&self.sensor, None)?;
         let stack = StackOptions { warp: !self.no_warp, series: self.series.into() };
-        let coefficients = truegap::coefficients(&sensor, CoefficientOptions { stack, ..Default::default() })?;
+        let coefficients = truegap::predict::coefficients(&sensor, CoefficientOptions { stack, ..Default::default() })?;
         let as_printed = self.as_printed.then(|| AsPrinted { equation_12: strains(&sensor), equation_17: planes() });
         let answer = Answer { coefficients, as_printed };
         if console.json {

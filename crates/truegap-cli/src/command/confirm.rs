@@ -7,10 +7,10 @@ use super::run::{Outcome, Run};
 use crate::console::Console;
 use crate::table::{digits, table};
 use std::path::PathBuf;
-use truegap::confirm::{Confirmation, FILES, Free, confirm, words};
+use truegap::OutputFolder;
 use truegap::core::recording::Mapped;
 use truegap::diagnose::confirmation::Judgement;
-use truegap::output::OutputFolder;
+use truegap::diagnosis::confirm::{Confirmation, FILES, Free, confirm, words};
 
 /// Judge the augmented model of a diagnosis on a recording that took no part in it
 #[derive(Debug, clap::Args)]

@@ -9,14 +9,13 @@ use super::stop::{STOP, is_stopped, stop_on_interrupt};
 use super::typed::command_line;
 use crate::console::Console;
 use std::path::{Path, PathBuf};
-use truegap::Recording;
-use truegap::confirm::{Free, confirm_within, other};
 use truegap::core::recording::Mapped;
 use truegap::diagnose::{Library, Progress, Verdict};
+use truegap::diagnosis::confirm::{Free, confirm_within, other};
+use truegap::diagnosis::report::terminal;
 use truegap::diagnosis::{Diagnosed, FILES, Pace, Request, cache_folder, diagnose, open, pace};
-use truegap::mechanism_file::with_effects;
-use truegap::output::OutputFolder;
-use truegap::report::terminal;
+use truegap::models::with_effects;
+use truegap::{OutputFolder, Recording};
 
 /// Say what physics a simulation leaves out of a recording, and show it
 #[derive(Debug, clap::Args)]

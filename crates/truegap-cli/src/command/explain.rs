@@ -4,7 +4,7 @@ use super::run::{Outcome, Run};
 use crate::console::Console;
 use serde::Serialize;
 use truegap::diagnose::Library;
-use truegap::explain::{effects, explained};
+use truegap::diagnosis::{effects, explained};
 
 /// Say what an effect is: physics, equation, what shows it, its rivals and what tells it from them; all effects where none is named
 #[derive(Debug, clap::Args)]

@@ -11,10 +11,9 @@ use anyhow::bail;
 use serde::Serialize;
 use std::path::PathBuf;
 use truegap::audit::disc::{CoupledOptions, Press};
-use truegap::axis;
 use truegap::core::Dimension;
-use truegap::export::{self, BeadModel, Format, Request};
-use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
+use truegap::predict::{DEFAULT_SENSOR, axis, find_sensor};
+use truegap::verify::export::{self, BeadModel, Format, Request};
 
 /// Write the deformed stack under load and heat: glTF (.glb), a page that shows it (.html) or its section (.vtu)
 #[derive(Debug, clap::Args)]

@@ -9,7 +9,7 @@ use crate::console::Console;
 use crate::table::digits;
 use serde::Serialize;
 use std::path::PathBuf;
-use truegap::case_file::{MeshFormat, first_mesh, open_case, solved_mesh};
+use truegap::verify::case_file::{MeshFormat, first_mesh, open_case, solved_mesh};
 
 /// Mesh a finite-element case and write it as .msh or .vtu
 #[derive(Debug, clap::Args)]

@@ -10,7 +10,7 @@ use anyhow::ensure;
 use std::time::Instant;
 use truegap::design::METRICS;
 use truegap::design::optimise::{OBJECTIVES, SearchOptions, Useful};
-use truegap::sensors::DEFAULT_SENSOR;
+use truegap::predict::DEFAULT_SENSOR;
 use truegap::study::SensorText;
 use truegap::study::answer::optimise::OptimiseAnswer;
 use truegap::study::optimise::OptimiseRequest;

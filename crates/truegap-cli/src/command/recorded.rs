@@ -2,7 +2,8 @@
 
 use std::path::Path;
 use truegap::core::recording::Mapped;
-use truegap::{EXAMPLE, Recording, RecordingError, example_recording};
+use truegap::diagnosis::{EXAMPLE, example_recording};
+use truegap::{Recording, RecordingError};
 
 /// The built-in recording where its name is given and nothing on disk has that name; the columns of any other are also those of `map`.
 pub fn recorded(path: &Path, map: &[Mapped]) -> Result<Recording, RecordingError> {

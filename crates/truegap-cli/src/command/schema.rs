@@ -3,7 +3,7 @@
 use super::run::{Outcome, Run};
 use crate::console::Console;
 use serde::Serialize;
-use truegap::schemas::{SCHEMAS, schema};
+use truegap::{SCHEMAS, schema};
 
 /// Print the JSON Schema of a file or an output; all names where none is given
 #[derive(Debug, clap::Args)]

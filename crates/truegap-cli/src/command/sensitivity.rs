@@ -10,7 +10,7 @@ use crate::table::{digits, table};
 use std::path::PathBuf;
 use truegap::design::METRICS;
 use truegap::design::sensitivity::QuantityIndices;
-use truegap::sensors::DEFAULT_SENSOR;
+use truegap::predict::DEFAULT_SENSOR;
 use truegap::study::answer::sensitivity::SensorSensitivity;
 use truegap::study::sensitivity::SensitivityRequest;
 use truegap::study::{SensorText, check_place};

@@ -6,14 +6,11 @@ use crate::console::Console;
 use crate::table::{digits, table};
 use anyhow::bail;
 use std::path::{Path, PathBuf};
-use truegap::answer::{self, Answer};
-use truegap::axis;
 use truegap::core::Dimension;
 use truegap::core::units::twelve_digits;
 use truegap::model::{SeriesOrder, StackOptions, State};
-use truegap::model_file::ModelFile;
-use truegap::predict::{Driven, check_points, drive, grid};
-use truegap::sensors::{DEFAULT_SENSOR, find_sensor};
+use truegap::models::{self, Answer, ModelFile};
+use truegap::predict::{DEFAULT_SENSOR, Driven, axis, check_points, drive, find_sensor, grid};
 
 /// Capacitance at given loads and temperatures, or along the history of a recording
 #[derive(Debug, clap::Args)]
@@ -79,7 +76,7 @@ impl Run for Simulate {
         let forces = self.loads(Dimension::Force)?;
         let temperatures = self.temperatures(sensor.reference_c)?;
         check_points(forces.len(), temperatures.len())?;
-        let states = truegap::simulate(&sensor, options, &grid(&forces, &temperatures))?;
+        let states = truegap::predict::simulate(&sensor, options, &grid(&forces, &temperatures))?;
         if console.json { console.print_json_lines(&states) } else { print_states(console, &states) }.map(|()| Outcome::Fine)
     }
 }
@@ -101,16 +98,16 @@ impl Simulate {
     fn augmented(&self, file: &Path, console: &Console) -> anyhow::Result<Outcome> {
         let model = ModelFile::open(file)?.build()?;
         let answers = if let Some(name) = &self.profile {
-            answer::on_profile(&model, name)?
+            models::on_profile(&model, name)?
         } else if let Some(path) = &self.drive {
             let recording = recorded(path, &[])?;
             recording.notes.iter().for_each(|note| console.note(note));
-            answer::along(&model, &recording)?
+            models::along(&model, &recording)?
         } else {
-            let loads = self.loads(answer::load_dimension(&model)?)?;
+            let loads = self.loads(models::load_dimension(&model)?)?;
             let temperatures = self.temperatures(model.simulator().reference_c())?;
             check_points(loads.len(), temperatures.len())?;
-            answer::at_points(&model, &loads, &temperatures)?
+            models::at_points(&model, &loads, &temperatures)?
         };
         if console.json { console.print_json_lines(&answers) } else { print_answers(console, &answers) }.map(|()| Outcome::Fine)
     }

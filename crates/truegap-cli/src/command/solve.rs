@@ -7,8 +7,8 @@ use super::wait::waiting;
 use crate::console::Console;
 use crate::table::{digits, table};
 use std::path::PathBuf;
-use truegap::case_file::{open_case, told};
 use truegap::fem::case::{Case, CaseResult, ErrorsFrom, solve_case};
+use truegap::verify::case_file::{open_case, told};
 
 /// Solve a finite-element case: electrostatics or elasticity, axisymmetric or planar
 #[derive(Debug, clap::Args)]

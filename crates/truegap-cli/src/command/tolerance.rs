@@ -9,7 +9,7 @@ use crate::table::{digits, table};
 use anyhow::Context;
 use std::time::Instant;
 use truegap::design::{METRICS, Metric};
-use truegap::sensors::DEFAULT_SENSOR;
+use truegap::predict::DEFAULT_SENSOR;
 use truegap::study::SensorText;
 use truegap::study::answer::tolerance::{BatchAnswer, ToleranceAnswer};
 use truegap::study::tolerance::{Between, ToleranceRequest};

@@ -11,7 +11,7 @@ use studies::{along, leaders, scatter};
 use truegap::core::Sensor;
 use truegap::design::optimise::OBJECTIVES;
 use truegap::design::{Metric, Metrics, Quantity};
-use truegap::find_sensor;
+use truegap::predict::find_sensor;
 
 type Failure = Box<dyn std::error::Error>;
 

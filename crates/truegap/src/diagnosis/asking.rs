@@ -3,7 +3,7 @@
 //! Limits: the time that is left follows from the share of the stages that is over, which is not known before it is a twentieth.
 
 use super::pace::duration;
-use crate::base::{Calls, Programs};
+use crate::models::{Calls, Programs};
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use truegap_diagnose::Progress;

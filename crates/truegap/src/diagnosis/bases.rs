@@ -4,7 +4,7 @@
 
 use super::DiagnosisError;
 use super::request::{Opened, together};
-use crate::base::{Base, base_model_with};
+use crate::models::{Base, base_model_with};
 use truegap_core::Recording;
 
 /// Parameters of the stack that belong to a material, and are therefore common to sensors of different size.

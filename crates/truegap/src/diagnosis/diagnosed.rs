@@ -3,10 +3,9 @@
 //! Limits: what is there is replaced as a whole or left as it was.
 
 use super::{DiagnosisError, prediction};
-use crate::base::{Base, Programs};
-use crate::model_file::{ModelFile, ModelFileError};
+use crate::diagnosis::report::{self, Provenance, Subject};
+use crate::models::{Base, ModelFile, ModelFileError, Programs};
 use crate::output::OutputFolder;
-use crate::report::{self, Provenance, Subject};
 use std::path::{Path, PathBuf};
 use truegap_core::Recording;
 use truegap_diagnose::{Library, Outcome};

@@ -2,8 +2,7 @@
 //!
 //! Limits: what is wrong with the recording's content is told by the crates that find it.
 
-use crate::base::BaseModelError;
-use crate::model_file::ModelFileError;
+use crate::models::{BaseModelError, ModelFileError};
 use crate::output::OutputError;
 use truegap_core::RecordingError;
 use truegap_diagnose::DiagnoseError;

@@ -3,7 +3,7 @@
 //! Limits: recordings given together must be read in the same unit.
 
 use super::DiagnosisError;
-use crate::base::Programs;
+use crate::models::Programs;
 use std::path::PathBuf;
 use truegap_core::nearest::nearest;
 use truegap_core::{Inputs, Note, Recording};

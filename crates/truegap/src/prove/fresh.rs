@@ -3,7 +3,7 @@
 //! Limits: one fresh history per case; the reading before is that of the declared base model with the true sensor.
 
 use super::answers::place;
-use crate::model_file::ModelFile;
+use crate::models::ModelFile;
 use std::path::Path;
 use truegap_core::{Driver, Inputs};
 use truegap_generator::Study;

@@ -3,7 +3,7 @@
 //! Limits: the first reason found.
 
 use crate::output::OutputError;
-use crate::sensors::FindSensorError;
+use crate::predict::FindSensorError;
 use std::path::PathBuf;
 use truegap_core::sensor::SensorError;
 use truegap_design::DesignError;

@@ -2,7 +2,7 @@
 //!
 //! Limits: comments in a sensor's file count: a changed comment is another study.
 
-use crate::sensors::{FindSensorError, find_sensor};
+use crate::predict::{FindSensorError, find_sensor};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use truegap_core::Sensor;

@@ -1,6 +1,6 @@
 //! A diagnosis with made-up numbers: a load that goes up and down in three runs while the temperature rises, and a sensor that lags.
 
-use truegap::report::{Provenance, Subject};
+use truegap::diagnosis::report::{Provenance, Subject};
 use truegap_core::Inputs;
 use truegap_diagnose::Library;
 use truegap_diagnose::answer::*;

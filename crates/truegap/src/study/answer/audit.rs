@@ -2,7 +2,7 @@
 //!
 //! Limits: numbers, no figures.
 
-use crate::audit_report::word;
+use crate::verify::word;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt::Write;

@@ -3,12 +3,12 @@
 //! Limits: one axis at a time; which axes act together is not asked.
 
 use super::number;
-use crate::audit_report::{MOVED, short_percent, word};
 use crate::study::answer::audit::{Audited, Row, SpaceAuditAnswer};
 use crate::study::{
     StudyError,
     where_broken::{Where, wheres},
 };
+use crate::verify::{MOVED, short_percent, word};
 use truegap_audit::{EffectOn, Verdict};
 use truegap_design::optimise::{Axis, Choice};
 use truegap_scene::figure::{Bars, Figure, Matrix};

@@ -2,10 +2,9 @@
 //!
 //! Limits: the physics is in `truegap-audit`; here are names, files and the place of the cache.
 
-use crate::audit_report;
-use crate::audited::{Audited, Body};
-use crate::export;
 use crate::output::{OutputError, OutputFolder};
+use crate::verify::audited::{Audited, Body};
+use crate::verify::{audit_report, export};
 use std::path::{Path, PathBuf};
 use truegap_audit::disc::CoupledOptions;
 use truegap_audit::{AuditError, Cache, Options, Watch, chosen, run};

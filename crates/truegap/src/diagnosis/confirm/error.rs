@@ -1,8 +1,7 @@
 //! Why nothing can be judged.
 
-use crate::answer::AnswerError;
 use crate::diagnosis::DiagnosisError;
-use crate::model_file::ModelFileError;
+use crate::models::{AnswerError, ModelFileError};
 use crate::output::OutputError;
 use truegap_diagnose::DiagnoseError;
 

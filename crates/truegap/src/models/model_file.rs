@@ -2,7 +2,7 @@
 //!
 //! Limits: values and standard deviations, no correlations between them; an effect is known by its id, so a program must have it in its library.
 
-use crate::base::{Programs, foreseen};
+use crate::models::base::{Programs, foreseen};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use truegap_core::sensor::{SensorError, builtin_sensors};

@@ -17,7 +17,7 @@ use declared::{EXAMPLE, Undeclared};
 pub use programs::{Function, Programs};
 pub use remembered::{Calls, Remembered};
 
-use crate::sensors::{FindSensorError, find_sensor, sensor_names};
+use crate::predict::{FindSensorError, find_sensor, sensor_names};
 use std::path::{Path, PathBuf};
 use truegap_audit::corrections::curves;
 use truegap_core::nearest::instead;

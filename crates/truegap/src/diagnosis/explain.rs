@@ -2,8 +2,8 @@
 //!
 //! Limits: all words are the library's own; numbers of a recording are in its report.
 
-use crate::base::{BaseModelError, base_model};
-use crate::example::example_recording;
+use crate::diagnosis::example::example_recording;
+use crate::models::{BaseModelError, base_model};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt;

@@ -7,8 +7,8 @@ use truegap_core::{Recording, RecordingError};
 /// The word that stands for the recording on the command line.
 pub const EXAMPLE: &str = "example";
 
-const TOML: &str = include_str!("../../../validation/recordings/example/recording.toml");
-const CSV: &str = include_str!("../../../validation/recordings/example/recording.csv");
+const TOML: &str = include_str!("../../../../validation/recordings/example/recording.toml");
+const CSV: &str = include_str!("../../../../validation/recordings/example/recording.csv");
 
 /// The built-in recording: 1160 rows of a thermal protocol on the paper's sensor.
 ///

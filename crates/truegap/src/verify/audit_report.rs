@@ -2,8 +2,8 @@
 //!
 //! Limits: tells what the audit says; decides nothing.
 
-use crate::audited::{Audited, Body};
-use truegap_audit::{Audit, EffectOn, Figure, Finding, Verdict};
+use crate::verify::audited::{Audited, Body};
+use truegap_audit::{Audit, Figure, Finding, Verdict};
 use truegap_scene::Viewer;
 use truegap_scene::figure::{Bars, Figure as Plot, FigureError};
 use truegap_scene::page::{Page, Table, Tone};
@@ -174,11 +174,6 @@ fn viewers(page: Page, bodies: &[Body]) -> Page {
 
 fn provenance(page: Page, audited: &Audited) -> Page {
     page.section("How to make this page again").code(&audited.command)
-}
-
-/// Names of the coefficients, for headings.
-pub fn coefficient_names() -> [&'static str; 5] {
-    EffectOn::NAMES
 }
 
 fn number(value: f64) -> String {

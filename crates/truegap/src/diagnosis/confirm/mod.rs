@@ -9,10 +9,8 @@ pub use document::{Confirmed, FILES, SCHEMA, words};
 pub use error::ConfirmError;
 pub use truegap_diagnose::answer::{Confirmation, Errors, ModelFacts, OtherFacts};
 
-use crate::answer::{of_recording, refused};
-use crate::base::Programs;
 use crate::diagnosis::{Diagnosed, Request, open};
-use crate::model_file::{ModelFile, RunningModel};
+use crate::models::{ModelFile, Programs, RunningModel, of_recording, refused};
 use document::says;
 use std::path::Path;
 use truegap_core::Recording;

@@ -11,7 +11,7 @@
 //! | a recording, from its files | [`Recording`], [`recording`] |
 //! | what was done to a sensor | [`Inputs`], [`Role`] |
 //! | the chain from load to reading, and what plugs in | [`Stage`], [`StageName`], [`Drive`], [`Geometry`], [`Dielectric`], [`FieldView`], [`Readout`] |
-//! | a model of the response | [`Simulator`], [`Parameter`], [`Prior`], [`SimulationError`] |
+//! | a model of the response | [`Instrument`], where it is an equation of the load; [`Simulator`], [`Parameter`], [`Prior`], [`SimulationError`] |
 //! | how a model walks the chain | [`walk`], [`Plates`], [`walk_without_plates`] |
 //! | what finite elements say of a sensor | [`Corrections`], [`Curve`] |
 //!
@@ -51,6 +51,7 @@ mod corrections;
 mod curve;
 mod effect;
 mod inputs;
+mod instrument;
 pub mod nearest;
 mod parameter;
 pub mod recording;
@@ -65,6 +66,7 @@ pub use corrections::Corrections;
 pub use curve::{Curve, CurveError};
 pub use effect::EffectId;
 pub use inputs::{Driver, Inputs, Role};
+pub use instrument::Instrument;
 pub use parameter::{Parameter, Prior};
 pub use recording::{BaseSpec, Note, Recording, RecordingError};
 pub use sensor::{Material, Sensor};

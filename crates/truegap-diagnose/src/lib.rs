@@ -7,7 +7,7 @@
 //! | what | items |
 //! |---|---|
 //! | a recording and the model of it | [`Problem`], [`joint`] for several recordings as one |
-//! | run a diagnosis | [`diagnose`], [`Options`], [`Progress`] |
+//! | run a diagnosis | [`diagnose_recording`], or [`diagnose`] with progress and a stop; [`Options`], [`Progress`] |
 //! | the answer | [`Outcome`]: [`Diagnosis`], [`Traces`], [`Augmented`]; all of `diagnosis.json` is in [`answer`] |
 //! | the omitted physics that is known, and how to add some | [`effects`], [`Effect`], [`Library`], [`Context`] |
 //! | what is wrong with the recording itself | [`quality`] |
@@ -89,7 +89,7 @@ pub use effects::{
     library,
     sentence::sentence,
 };
-pub use pipeline::{Options, Restriction, diagnose};
+pub use pipeline::{Options, Restriction, diagnose, recording::diagnose_recording};
 pub use selection::candidates::Progress;
 
 pub use validation::{confirmation, cross_validation::parts, recovery};

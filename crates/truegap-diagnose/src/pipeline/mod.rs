@@ -13,6 +13,7 @@ mod options;
 mod permuted_searches;
 mod predicted;
 mod prepare;
+pub(crate) mod recording;
 
 pub use options::{Options, Restriction};
 

@@ -50,7 +50,7 @@ pub enum SimulationError {
         /// greatest value of the table
         high: f64,
     },
-    /// A number that is not finite came out.
+    /// No number, or one that is not finite, came out.
     #[error(
         "row {row}: the model has no finite response there{}; check load and temperature of the row, and the sensor's file or the simulator that was asked",
         parameters_told(parameters)
@@ -58,8 +58,6 @@ pub enum SimulationError {
     NotFinite {
         /// row of the inputs
         row: usize,
-        /// response
-        value: f64,
         /// parameter values
         parameters: Vec<f64>,
     },
@@ -104,7 +102,7 @@ impl Refusal {
     pub fn at(self, row: usize, load_si: f64, values: &[f64]) -> SimulationError {
         match self {
             Self::Touches { strain } => SimulationError::GapCloses { row, load_si, strain },
-            Self::NoAnswer => SimulationError::NotFinite { row, value: f64::NAN, parameters: values.to_vec() },
+            Self::NoAnswer => SimulationError::NotFinite { row, parameters: values.to_vec() },
         }
     }
 }
@@ -116,6 +114,6 @@ impl Refusal {
 pub fn check_finite(response: Vec<f64>, values: &[f64]) -> Result<Vec<f64>, SimulationError> {
     match response.iter().position(|value| !value.is_finite()) {
         None => Ok(response),
-        Some(row) => Err(SimulationError::NotFinite { row, value: response[row], parameters: values.to_vec() }),
+        Some(row) => Err(SimulationError::NotFinite { row, parameters: values.to_vec() }),
     }
 }

@@ -115,12 +115,7 @@ pub mod mechanism {
 /// Calibration of a model to a recording, noise and all: what a diagnosis does first.
 pub mod calibration {
     pub use crate::{
-        fit::{
-            levenberg_marquardt::FitOptions,
-            maximum_a_posteriori::{fit, fit_onwards},
-            model::Model,
-            optimum::Fit,
-        },
+        fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model, optimum::Fit},
         whitening::whitener::{InputError, Noise, Whitener},
     };
 }

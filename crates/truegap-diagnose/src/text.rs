@@ -126,7 +126,7 @@ fn to_place(value: f64, places: i32) -> String {
 ///
 /// Three significant digits at most, fewer where the error is large, in the unit that fits; the error has two at most, and no place that the number does not
 /// have. Where it is smaller than the number's last place it is told as `sd < 0.01`; where there is none, it is left out.
-pub fn with_sd(value: f64, sd: f64, unit: &str) -> String {
+pub(crate) fn with_sd(value: f64, sd: f64, unit: &str) -> String {
     if !(sd.is_finite() && sd > 0.0 && value.is_finite()) {
         return rounded(value, unit);
     }
@@ -141,12 +141,12 @@ pub fn with_sd(value: f64, sd: f64, unit: &str) -> String {
 }
 
 /// A share with its error in per cent, or in ppm where it is small.
-pub fn percent_with_sd(share: f64, sd: f64) -> String {
+pub(crate) fn percent_with_sd(share: f64, sd: f64) -> String {
     with_sd(100.0 * share, 100.0 * sd, "%")
 }
 
 /// A share in per cent with two significant digits, or in ppm where it is small.
-pub fn percent_of(share: f64) -> String {
+pub(crate) fn percent_of(share: f64) -> String {
     let scale = Scale::of("%", 100.0 * share.abs());
     join(&significant(100.0 * share * scale.factor, 2), &scale.unit)
 }
@@ -175,7 +175,7 @@ pub fn measured(value: f64, sd: f64, unit: &str) -> String {
 }
 
 /// `1.20 to 3.40 N`: both ends in the unit that fits the larger, with three significant digits of it.
-pub fn interval(low: f64, high: f64, unit: &str) -> String {
+pub(crate) fn interval(low: f64, high: f64, unit: &str) -> String {
     let scale = Scale::of(unit, low.abs().max(high.abs()));
     let (low, high) = (low * scale.factor, high * scale.factor);
     let largest = low.abs().max(high.abs());
@@ -194,7 +194,7 @@ fn fixed(value: f64, decimals: usize) -> String {
 }
 
 /// Two values of one quantity in one unit: three significant digits, more where they would read the same.
-pub fn two(first: f64, second: f64, unit: &str) -> (String, String) {
+pub(crate) fn two(first: f64, second: f64, unit: &str) -> (String, String) {
     let scale = Scale::of(unit, first.abs().max(second.abs()));
     let text = |value: f64, digits: usize| join(&significant(value * scale.factor, digits), &scale.unit);
     let apart = |digits: &usize| text(first, *digits) != text(second, *digits);
@@ -214,7 +214,7 @@ pub fn percent(probability: f64) -> String {
 }
 
 /// Standard deviations between two things: three digits, and a ceiling above which they mean nothing.
-pub fn deviations(count: f64) -> String {
+pub(crate) fn deviations(count: f64) -> String {
     match count {
         n if n >= 1000.0 => "more than 1000".into(),
         n if n < 10.0 => significant(n, 2),
@@ -249,7 +249,7 @@ pub fn capitalised(text: &str) -> String {
 }
 
 /// The text with its first letter made small, where it is not a name (`Young's modulus` stays).
-pub fn uncapitalised(text: &str) -> String {
+pub(crate) fn uncapitalised(text: &str) -> String {
     const NAMES: [&str; 2] = ["Young", "Poisson"];
     let mut characters = text.chars();
     match characters.next() {
@@ -271,7 +271,7 @@ pub fn listed<S: AsRef<str>>(items: &[S], last: &str) -> String {
 }
 
 /// What is left where `removed` is removed, in words that never say that nothing is.
-pub fn share_left(removed: f64) -> String {
+pub(crate) fn share_left(removed: f64) -> String {
     let left = 100.0 * (1.0 - removed);
     if left < 1.0 { "less than 1 %".into() } else { format!("{left:.0} %") }
 }

@@ -122,7 +122,7 @@ fn what_could_not_be_tested_is_told_by_what_is_missing() {
 #[test]
 fn weak_evidence_is_worded_weakly() {
     let mut fixture = fixture::thermal_lag();
-    fixture.diagnosis.findings[0].detectability = 7.0;
+    fixture.diagnosis.findings[0].detectability = Some(7.0);
     assert!(wording::headline(&fixture.diagnosis).contains("most consistent with thermal lag"));
     fixture.diagnosis.verdict = Verdict::Ambiguous;
     fixture.diagnosis.ambiguity = vec![vec!["thermal_lag".into(), "viscoelastic_creep".into()]];

@@ -109,7 +109,8 @@ impl Simulator for Corrected {
     fn respond(&self, values: &[f64], inputs: &Inputs, _stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         self.check(values, inputs)?;
         let force = self.column(inputs, Role::Force)?;
-        let outside = || SimulationError::NotFinite { row: 0, value: f64::NAN, parameters: values.to_vec() };
+        // the pieces are the sensor's: where they cannot be, no row has an answer, and the first stands for all
+        let outside = || SimulationError::NotFinite { row: 0, parameters: values.to_vec() };
         let pieces = Pieces::new(&self.stack.calibrated(values)).map_err(|_| outside())?;
         let row = |(row, &force_n): (usize, &f64)| {
             let temperature = inputs.temperature_c.as_ref().map_or(self.sensor.reference_c, |t| t[row]);

@@ -10,6 +10,7 @@ use super::typed::command_line;
 use crate::console::Console;
 use std::path::{Path, PathBuf};
 use truegap::core::recording::Mapped;
+use truegap::diagnose::answer::Finding;
 use truegap::diagnose::{Library, Progress, Verdict};
 use truegap::diagnosis::confirm::{Free, confirm_within, other};
 use truegap::diagnosis::report::terminal;
@@ -201,8 +202,9 @@ fn outcome(diagnosed: &Diagnosed) -> Outcome {
 /// One line of a batch: name, verdict, findings with their probability, seconds.
 fn line(name: &str, diagnosed: &Diagnosed) -> String {
     let diagnosis = &diagnosed.outcome.diagnosis;
-    let found: Vec<String> =
-        diagnosis.findings.iter().map(|f| format!("{} {:.3} (d {:.1})", f.effect, f.probability, f.detectability)).collect();
+    let seen = |d: Option<f64>| d.map_or(String::new(), |d| format!(" (d {d:.1})"));
+    let told = |f: &Finding| format!("{} {:.3}{}", f.effect, f.probability, seen(f.detectability));
+    let found: Vec<String> = diagnosis.findings.iter().map(told).collect();
     let sets: Vec<String> = diagnosis.ambiguity.iter().map(|set| set.join("|")).collect();
     let verdict = format!("{:?}", diagnosis.verdict).to_lowercase();
     format!("{name}  {verdict:11}  {}  {}  {:.1} s", found.join(" + "), sets.join("; "), diagnosis.seconds)

@@ -229,8 +229,8 @@ pub struct Finding {
     pub probability: f64,
     /// sentence with numbers
     pub says: String,
-    /// sqrt of what calibration cannot absorb, in noise units
-    pub detectability: f64,
+    /// sqrt of what calibration cannot absorb, in noise units; null where the model has no answer without the effect
+    pub detectability: Option<f64>,
     /// fitted parameters
     pub parameters: Vec<ParameterFacts>,
     /// error on runs left out, before and after this effect is added

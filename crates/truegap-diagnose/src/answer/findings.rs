@@ -64,8 +64,8 @@ fn finding(found: &Found<'_>, index: usize, before: &HeldOutFit, after: &HeldOut
         effect: found.id(effect),
         probability,
         says: match detectability {
-            d if d < NOTHING && probability > SURE => nothing_stands_out(&found.id(effect)),
-            d if d < PLAINLY_SEEN => {
+            Some(d) if d < NOTHING && probability > SURE => nothing_stands_out(&found.id(effect)),
+            Some(d) if d < PLAINLY_SEEN => {
                 format!("most consistent with: {sentence} (detectability {})", significant(d, 2))
             }
             _ => sentence,

@@ -30,7 +30,7 @@ pub use crate::{
         interference::{burst::Burst, tone::Tone},
         lack_of_fit::Adequacy,
     },
-    data::{context::NO_CLOCK, joint::share::Sharing},
+    data::joint::share::Sharing,
     explain::{
         conflicts::Conflict,
         hidden_input::{

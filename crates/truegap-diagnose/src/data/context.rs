@@ -9,7 +9,7 @@ use std::sync::{Arc, OnceLock};
 use truegap_core::{Corrections, EffectId, Inputs, Joined, Parameter, Prior, Simulator, simulator::StageName};
 
 /// Why nothing that takes time can be looked for.
-pub const NO_CLOCK: &str = "no time column";
+pub(crate) const NO_CLOCK: &str = "no time column";
 
 /// Facts that priors, starting values and testability rest on.
 #[derive(Clone)]

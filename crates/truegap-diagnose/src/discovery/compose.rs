@@ -131,10 +131,11 @@ pub fn is_strained(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: &Tri
         model.range_of(*index).skip(1).any(|i| tried.fit.at_limit[i] && !special(values[i]) && beyond(i))
     };
     let law = |index: &usize| !search.library[tried.effects[*index]].describes();
-    let carried: f64 =
-        (0..tried.effects.len()).filter(law).filter(at_limit).map(|index| detectability(search, tried, index).powi(2)).sum();
+    let strained = (0..tried.effects.len()).filter(law).filter(at_limit);
+    // nothing is said of a law without which the model has no answer
+    let carried: Option<f64> = strained.map(|index| detectability(search, tried, index).map(|d| d.powi(2))).sum();
     let explained = 2.0 * (base.fit.objective() - tried.fit.objective());
-    carried > 0.0 && carried > (1.0 - RIGHT_FAMILY) * explained
+    carried.is_some_and(|carried| carried > 0.0 && carried > (1.0 - RIGHT_FAMILY) * explained)
 }
 
 impl Composition {

@@ -177,6 +177,7 @@ pub fn map(problem: &Problem<'_>, residual: &[f64]) -> Option<Map> {
         let cell = &mut sums[bin(&y_edges, y[row])][bin(&x_edges, x[row])];
         *cell = (cell.0 + residual[row], cell.1 + 1);
     }
+    // a cell of the map without rows has no value: NaN, which JSON writes as null
     let mean = |(sum, count): (f64, usize)| if count == 0 { f64::NAN } else { sum / (count as f64).sqrt() };
     let values = sums.into_iter().map(|line| line.into_iter().map(mean).collect()).collect();
     Some(Map { x_label, y_label, x_edges, y_edges, values })

@@ -135,6 +135,7 @@ pub(crate) fn finish(
     let gradient = DVector::from_iterator(z.len(), prior.gradient()) - jacobian.tr_mul(&DVector::from_column_slice(&residual));
     let at_limit: Vec<bool> =
         z.iter().zip(bounds).map(|(z, b)| laplace::on_bound(*z, b.0) || laplace::on_bound(*z, b.1)).collect();
+    // a curvature that has no inverse gives no errors: NaN, which texts write as a dash and JSON as null, so that a fit without errors is still a fit
     let sd: Vec<f64> = Cholesky::new(hessian.clone())
         .map(|f| f.inverse().diagonal().iter().map(|v| v.sqrt()).collect())
         .unwrap_or_else(|| vec![f64::NAN; z.len()]);

@@ -104,7 +104,7 @@ fn asked(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged, tried: &
     let Simple { tried, held, unseen } = simple(prepared, search, &judged.by_base, &tried, CLEARLY_WORSE)?;
     let context: Context<'_> = search.context.holding(held.clone());
     let narrow = Search { context: &context, library: search.library.clone(), ..*search };
-    if detectability(&narrow, &tried, tried.effects.len() - 1) < VISIBLE {
+    if detectability(&narrow, &tried, tried.effects.len() - 1).is_some_and(|d| d < VISIBLE) {
         return None;
     }
     let (rmse, after) = (compared(&judged.by_base.unseen, &unseen)?.rmse[1], prepared.lack_of_fit.adequacy(&tried.fit));

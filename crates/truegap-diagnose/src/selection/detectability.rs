@@ -8,16 +8,17 @@ use crate::{
 };
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-/// Detectability of effect number `index` in a fitted model: sqrt of what the other parameters leave of its contribution.
-pub fn detectability(search: &Search<'_>, tried: &Tried, index: usize) -> f64 {
+/// Detectability of effect number `index` in a fitted model: sqrt of what the other parameters leave of its contribution; `None` where the model has no answer
+/// without the effect.
+pub fn detectability(search: &Search<'_>, tried: &Tried, index: usize) -> Option<f64> {
     let model = search.model(&tried.effects);
     let mut without = tried.fit.z.clone();
     without[model.first_of(index)] = zero_size(&model, index);
-    let Ok(there) = model.residual(&without, search.whitener) else { return f64::NAN };
+    let there = model.residual(&without, search.whitener).ok()?;
     let contribution: Vec<f64> = there.iter().zip(&tried.fit.residual).map(|(a, b)| a - b).collect();
     let own = model.range_of(index);
     let others: Vec<usize> = (0..tried.fit.z.len()).filter(|i| !own.contains(i)).collect();
-    left_over(&tried.fit, &others, &contribution).sqrt()
+    Some(left_over(&tried.fit, &others, &contribution).sqrt())
 }
 
 /// Squared length of `column` that the parameters `others` of a fit cannot absorb within their priors.

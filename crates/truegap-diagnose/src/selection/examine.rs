@@ -64,9 +64,9 @@ fn invisible(search: &Search<'_>, models: &[Tried], tried: &Tried, nothing: f64)
         let key = tried.key().without(effect);
         models.iter().find(|m| m.key() == key).map(|m| m.fit.objective())
     };
-    let seen = (0..tried.effects.len()).map(|index| {
+    let seen = (0..tried.effects.len()).filter_map(|index| {
         let exact = without(tried.effects[index]).map(deviance);
-        (exact.unwrap_or_else(|| detectability(search, tried, index)), tried.effects[index])
+        Some((exact.or_else(|| detectability(search, tried, index))?, tried.effects[index]))
     });
     let least = seen.min_by(|a, b| a.0.total_cmp(&b.0));
     least.filter(|(d, _)| *d < needed).map(|(_, effect)| effect)

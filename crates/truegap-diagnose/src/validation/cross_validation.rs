@@ -197,6 +197,7 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
     };
     let predicted: Vec<Option<(Vec<f64>, f64)>> = parts.par_iter().map(predict).collect();
     let response = all.problem.response;
+    // NaN marks the rows that no part predicts; every error below is taken over the finite ones only, and there is none where there are none
     let mut prediction = vec![f64::NAN; response.len()];
     for (part, values) in parts.iter().zip(&predicted) {
         let Some((values, _)) = values else { continue };

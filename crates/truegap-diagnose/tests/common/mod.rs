@@ -112,7 +112,7 @@ impl Plate {
         let span = values[0] / (1.0 - 1.0 / values[1]) - values[0];
         stages.iter().for_each(|s| s.readout(&drive, &Readout { zero: values[0] + 200.0, span }, &mut value));
         match value.iter().position(|v| !v.is_finite()) {
-            Some(row) => Err(SimulationError::NotFinite { row, value: value[row], parameters: values.to_vec() }),
+            Some(row) => Err(SimulationError::NotFinite { row, parameters: values.to_vec() }),
             None => Ok(value),
         }
     }

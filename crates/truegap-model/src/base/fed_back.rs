@@ -51,7 +51,8 @@ pub(super) fn fed_back(
             lefts.remove(0);
         }
     }
-    Err(SimulationError::NotFinite { row: 0, value: f64::NAN, parameters: Vec::new() })
+    // all rows are solved together: the first stands for all
+    Err(SimulationError::NotFinite { row: 0, parameters: Vec::new() })
 }
 
 /// The next load: that combination of the last ones at which what is left, taken as linear, is least.

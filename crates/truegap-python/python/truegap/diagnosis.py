@@ -52,8 +52,8 @@ class Finding:
 
     effect: str
     probability: float
-    #: how far it stands out of the noise
-    detectability: float
+    #: how far it stands out of the noise; None where the model has no answer without it
+    detectability: float | None
     says: str
     parameters: tuple[Value, ...]
     #: effects that this recording cannot quite exclude in its place

@@ -176,7 +176,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             effect: "thermal_lag".into(),
             probability: 0.98,
             says: "the sensor follows the thermometer with a time constant of 120 s (sd 6)".into(),
-            detectability: 31.0,
+            detectability: Some(31.0),
             parameters: vec![parameter("tau", "s", [0.0, 120.0], 120.0, 6.0)],
             held_out: BeforeAfterUnit { rmse_before: Some(before), rmse_after: Some(after), unit: "pF".into() },
             rivals: vec!["readout_lag".into()],

@@ -247,9 +247,7 @@ impl Simulator for Joint<'_> {
 fn moved_down(error: SimulationError, rows: usize) -> SimulationError {
     match error {
         SimulationError::GapCloses { row, load_si, strain } => SimulationError::GapCloses { row: row + rows, load_si, strain },
-        SimulationError::NotFinite { row, value, parameters } => {
-            SimulationError::NotFinite { row: row + rows, value, parameters }
-        }
+        SimulationError::NotFinite { row, parameters } => SimulationError::NotFinite { row: row + rows, parameters },
         other => other,
     }
 }

@@ -136,6 +136,7 @@ impl SlowInput {
         let sd = along(&self.course.knots.hats(all.inputs), &self.course.sd);
         let runs = all.inputs.runs();
         let known = determined(&course, &sd);
+        // a straight line is drawn through the rows that are finite; those that the recording does not determine are not among them
         let seen: Vec<f64> = course.iter().zip(&known).map(|(c, known)| if *known { *c } else { f64::NAN }).collect();
         let share = known.iter().filter(|k| **k).count() as f64 / known.len().max(1) as f64;
         let line = crate::explain::hidden_input::opened::line(&hidden.values, &seen, &runs);

@@ -107,7 +107,7 @@ fn detectability_is_what_the_others_leave_of_a_term() {
             let with = |from, e| search.add_each(&from, &[e], 1, "test").pop().unwrap();
             search.polished(&effects.iter().fold(from, |from, e| with(from, *e))).unwrap()
         };
-        approx::assert_relative_eq!(detectability(search, &tried(&[0, 1]), 0), exact, max_relative = 1e-4);
+        approx::assert_relative_eq!(detectability(search, &tried(&[0, 1]), 0).unwrap(), exact, max_relative = 1e-4);
         let visible = visible_size(search, &search.base().unwrap(), &tried(&[0]), 6.0).unwrap();
         // in the unit of the size: the prior's standard deviation is 2
         approx::assert_relative_eq!(visible, 6.0 / alone * 2.0, max_relative = 1e-4);

@@ -31,7 +31,8 @@ pub struct Reference {
     pub held_out: Option<f64>,
 }
 
-/// A straight line and a smooth curve through the inputs that move, on the same parts left out as `predicted`; empty where no input moves.
+/// A straight line and a smooth curve through the inputs that move, on the same parts left out as `predicted`; empty where no input moves, and without
+/// one that gives no number for any row.
 ///
 /// The line is least squares in the inputs, the curve least squares in a natural cubic spline of [`KNOTS`] knots of each, added up; both have a constant, of each
 /// recording where recordings have a level of their own.
@@ -46,10 +47,16 @@ pub(crate) fn references(problem: &Problem<'_>, parts: &[Part], predicted: [&Hel
     let curve = inputs.iter().flat_map(|input| spline::basis(&input.values, KNOTS)).collect();
     let counted = judged_rows(parts, predicted);
     let of = |name, columns| one(name, &inputs, problem, columns, &counted);
-    vec![of("straight_line", line), of("smooth_curve", curve)]
+    [of("straight_line", line), of("smooth_curve", curve)].into_iter().flatten().collect()
 }
 
-fn one(name: &'static str, inputs: &[Column], problem: &Problem<'_>, columns: Vec<Vec<f64>>, counted: &[&Part]) -> Reference {
+fn one(
+    name: &'static str,
+    inputs: &[Column],
+    problem: &Problem<'_>,
+    columns: Vec<Vec<f64>>,
+    counted: &[&Part],
+) -> Option<Reference> {
     let response = problem.response;
     let design = Design::new(intercepts(problem), columns, response);
     let all = design.without(&[]);
@@ -62,12 +69,12 @@ fn one(name: &'static str, inputs: &[Column], problem: &Problem<'_>, columns: Ve
         }
     }
     let prediction: Vec<f64> = (0..response.len()).map(|row| design.predict(&all, row)).collect();
-    Reference {
+    Some(Reference {
         name,
         inputs: inputs.iter().map(|input| input.name.clone()).collect(),
-        rmse: rmse(&prediction, response, 0..response.len()).unwrap_or_default(),
+        rmse: rmse(&prediction, response, 0..response.len())?,
         held_out: (rows > 0).then(|| (squares / rows as f64).sqrt()),
-    }
+    })
 }
 
 #[cfg(test)]

@@ -98,14 +98,17 @@ fn errors(subject: &Subject<'_>) -> Vec<Check> {
 }
 
 fn findings(diagnosis: &Diagnosis) -> Vec<Check> {
-    let check = |finding: &truegap_diagnose::answer::Finding| Check {
-        what: format!("detectability of {}", spoken(&finding.effect)),
-        value: significant(finding.detectability, 3),
-        limit: format!("≥ {}", significant(SURE, 3)),
-        unit: "noise".into(),
-        passed: finding.detectability >= SURE,
+    let check = |finding: &truegap_diagnose::answer::Finding| {
+        let d = finding.detectability?;
+        Some(Check {
+            what: format!("detectability of {}", spoken(&finding.effect)),
+            value: significant(d, 3),
+            limit: format!("≥ {}", significant(SURE, 3)),
+            unit: "noise".into(),
+            passed: d >= SURE,
+        })
     };
-    diagnosis.findings.iter().filter(|f| f.detectability.is_finite()).map(check).collect()
+    diagnosis.findings.iter().filter_map(check).collect()
 }
 
 fn parameters(diagnosis: &Diagnosis) -> Vec<Check> {

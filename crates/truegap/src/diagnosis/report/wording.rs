@@ -12,7 +12,8 @@ pub const SURE: f64 = 10.0;
 const MANY: usize = 5;
 
 /// What the model carries beside the findings.
-pub(super) const CARRIED: &str = "smaller parts of the misfit, which are not claimed as causes: an equation that is slightly off leaves as much";
+pub(super) const CARRIED: &str =
+    "smaller parts of the misfit, which are not claimed as causes: an equation that is slightly off leaves as much";
 
 /// The headline where mechanisms of words are named; `None` where none is.
 fn beyond_the_library(diagnosis: &Diagnosis) -> Option<String> {
@@ -33,7 +34,7 @@ fn beyond_the_library(diagnosis: &Diagnosis) -> Option<String> {
 /// The verdict in one plain sentence.
 pub fn headline(diagnosis: &Diagnosis) -> String {
     let names = || listed(&named(&diagnosis.findings), "and");
-    let sure = diagnosis.findings.iter().all(|f| f.detectability >= SURE);
+    let sure = diagnosis.findings.iter().all(|f| f.detectability.is_some_and(|d| d >= SURE));
     let no_finding = diagnosis.findings.is_empty();
     if diagnosis.notices.iter().any(|n| n.withholds) {
         return "Something is wrong with this recording, so no physics is named.".into();
@@ -121,14 +122,14 @@ pub(super) fn chosen_again(diagnosis: &Diagnosis, again: &SelectedAgain) -> Stri
 
 /// How sure a finding is, in words with the two numbers.
 pub fn how_sure(finding: &Finding) -> String {
-    let strength = match finding.detectability {
-        d if !d.is_finite() => return format!("probability {}", percent(finding.probability)),
+    let Some(d) = finding.detectability else { return format!("probability {}", percent(finding.probability)) };
+    let strength = match d {
         d if d >= 16.0 => "stands far out of the noise",
         d if d >= SURE => "stands clear of the noise",
         d if d >= 5.0 => "visible, not beyond doubt",
         _ => "barely visible",
     };
-    let d = detectability(finding.detectability);
+    let d = detectability(d);
     format!("probability {}, detectability d = {d} ({strength})", percent(finding.probability))
 }
 
@@ -156,7 +157,7 @@ pub fn misfit_removed(diagnosis: &Diagnosis) -> Option<String> {
 mod tests {
     use super::*;
 
-    fn finding(detectability: f64) -> Finding {
+    fn finding(detectability: Option<f64>) -> Finding {
         Finding {
             effect: "thermal_lag".into(),
             probability: 0.97,
@@ -175,10 +176,10 @@ mod tests {
 
     #[test]
     fn how_sure_a_finding_is_follows_its_detectability() {
-        assert!(how_sure(&finding(31.0)).contains("far out of the noise"));
-        assert!(how_sure(&finding(7.0)).contains("not beyond doubt"));
-        assert!(how_sure(&finding(3.0)).contains("barely"));
-        assert!(!how_sure(&finding(f64::NAN)).contains("NaN"));
-        assert!(how_sure(&finding(1_159_754.8)).contains("d = over 1000"));
+        assert!(how_sure(&finding(Some(31.0))).contains("far out of the noise"));
+        assert!(how_sure(&finding(Some(7.0))).contains("not beyond doubt"));
+        assert!(how_sure(&finding(Some(3.0))).contains("barely"));
+        assert_eq!(how_sure(&finding(None)), "probability 97 %");
+        assert!(how_sure(&finding(Some(1_159_754.8))).contains("d = over 1000"));
     }
 }

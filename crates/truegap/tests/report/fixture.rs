@@ -182,6 +182,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             rivals: vec!["readout_lag".into()],
             words: Default::default(),
         }],
+        carried: Vec::new(),
         candidates: vec![
             Candidate { effect: "thermal_lag".into(), probability: 0.98, score: 480.0, chi2_drop: 970.0, freedom: 1 },
             Candidate { effect: "viscoelastic_creep".into(), probability: 0.01, score: 120.0, chi2_drop: 250.0, freedom: 2 },

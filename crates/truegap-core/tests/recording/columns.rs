@@ -1,0 +1,87 @@
+//! Columns in memory, and headers: sketched, below remarks, behind a hash.
+
+use super::*;
+
+/// The same numbers as a CSV and as columns in memory are the same recording; the route over text shares neither the parser nor the rows.
+#[test]
+fn columns_in_memory_are_read_as_a_csv_is() {
+    let toml = "schema = \"truegap.recording/1\"\nfile = \"a.csv\"\n[columns]\nforce = \"load\"\n[units]\nforce = \"mN\"\n\
+                [drivers]\npump = { column = \"pump [V]\" }\n[base]\nmodel = \"linear\"\n";
+    let csv = "time_s,load,temperature_c,capacitance_ff,pump [V],run\n0,0,20,240000,5,1\n1,1500,21,238000,5.5,1\n0,4500,22,229000,6,2\n";
+    let from_text = truegap_core::Recording::from_text("a", toml, csv).unwrap();
+    let table: [(&str, &[f64]); 6] = [
+        ("time_s", &[0.0, 1.0, 0.0]),
+        ("load", &[0.0, 1500.0, 4500.0]),
+        ("temperature_c", &[20.0, 21.0, 22.0]),
+        ("capacitance_ff", &[240_000.0, 238_000.0, 229_000.0]),
+        ("pump [V]", &[5.0, 5.5, 6.0]),
+        ("run", &[1.0, 1.0, 2.0]),
+    ];
+    let table: Vec<(String, &[f64])> = table.into_iter().map(|(name, column)| (name.to_owned(), column)).collect();
+    let from_columns = truegap_core::Recording::from_columns("frame", toml, &table).unwrap();
+    assert_eq!(from_columns.inputs, from_text.inputs);
+    assert_eq!((&from_columns.response, &from_columns.response_unit), (&from_text.response, &from_text.response_unit));
+    assert_eq!((&from_columns.columns, &from_columns.base), (&from_text.columns, &from_text.base));
+    assert_eq!(from_columns.inputs.drivers[0].unit, "V");
+}
+
+#[test]
+fn rows_of_a_frame_with_holes_are_left_out_and_counted() {
+    let toml = "schema = \"truegap.recording/1\"\nfile = \"frame\"\n";
+    let table: Vec<(String, &[f64])> = vec![
+        ("force_n".into(), &[0.0, f64::NAN, 2.0, 3.0]),
+        ("capacitance_pf".into(), &[1.0, 2.0, 3.0, f64::NAN]),
+        ("notes".into(), &[f64::NAN; 4]),
+    ];
+    let read = truegap_core::Recording::from_columns("frame", toml, &table).unwrap();
+    assert_eq!(read.response, [1.0, 3.0]);
+    assert!(read.notes.iter().any(|n| n.to_string().starts_with("2 rows without a value in `force_n`")), "{:?}", read.notes);
+    let short: Vec<(String, &[f64])> = vec![("force_n".into(), &[0.0]), ("capacitance_pf".into(), &[1.0, 2.0])];
+    assert!(truegap_core::Recording::from_columns("frame", toml, &short).is_err());
+    let back: Vec<(String, &[f64])> = vec![("time_s".into(), &[1.0, 0.0]), ("capacitance_pf".into(), &[1.0, 2.0])];
+    assert!(truegap_core::Recording::from_columns("frame", toml, &back).unwrap_err().to_string().contains("line 2"));
+}
+
+/// What a header tells is read back as the roles and units that a person would write; what it does not tell is said and left open.
+#[test]
+fn a_header_is_sketched_and_read_back() {
+    let folder = std::env::temp_dir().join(format!("truegap-sketch-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let csv = folder.join("bench 1.csv");
+    std::fs::write(
+        &csv,
+        "Elapsed (s),Load cell [mN],Chamber temp [K],cap_pF,pump [V],label\n0,0,293.15,240,5,a\n1,1500,294.15,239,5,b\n",
+    )
+    .unwrap();
+    let sketch = truegap_core::recording::sketch(&csv).unwrap();
+    assert_eq!(sketch.open.len(), 1, "{:?}", sketch.open);
+    assert!(sketch.open[0].contains("[base]") && sketch.toml.contains("# Not used: pump [V]"), "{}", sketch.toml);
+    std::fs::write(folder.join("b.toml"), &sketch.toml).unwrap();
+    let read = truegap_core::Recording::open(folder.join("b.toml")).unwrap();
+    assert_eq!(read.inputs.force_n, Some(vec![0.0, 1.5]));
+    assert_eq!(read.inputs.temperature_c, Some(vec![20.0, 21.0]));
+    assert_eq!((read.inputs.time_s, read.response_unit.as_str()), (Some(vec![0.0, 1.0]), "pF"));
+    std::fs::write(&csv, "force,a,b\n1,2,3\n").unwrap();
+    let sketch = truegap_core::recording::sketch(&csv).unwrap();
+    let open = sketch.open.join("\n");
+    assert!(open.contains("which column is the reading") && open.contains("unit of `force`"), "{open}");
+    assert!(sketch.toml.contains("# force = \"N\"") && sketch.toml.contains("one of: `a`, `b`"), "{}", sketch.toml);
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
+fn remarks_above_the_header_are_left_out_and_a_header_behind_a_hash_is_not() {
+    let plain = "time_s,capacitance_pf\n0,210.1\n0.1,210.2\n0.2,210.4\n";
+    let remarks = csv(format!("# rig 3, load cell 20 N\n# operator JK\n{plain}# end\n")).unwrap();
+    assert_eq!(remarks.inputs.time_s.as_deref(), Some(&[0.0, 0.1, 0.2][..]));
+    // names of the columns behind a hash, as numpy writes them
+    let numpy = csv(format!("# {plain}")).unwrap();
+    assert_eq!((numpy.response, numpy.inputs), (remarks.response, remarks.inputs));
+}
+
+#[test]
+fn commas_are_told_of_only_where_one_was_read_as_a_point() {
+    let told = |text: &str| csv(text).unwrap().notes.contains(&Note::DecimalCommas);
+    assert!(!told("time_s;capacitance_pf\n0;210.1\n0.1;210.2\n"));
+    assert!(told("time_s;capacitance_pf\n0;210,1\n0,1;210,2\n"));
+}

@@ -1,6 +1,8 @@
 //! Exact recursions for physics that remembers, on uneven time steps, restarted with each run.
 //!
 //! Limits: inputs are taken as linear between rows (lags) or as given at rows (plays, running maxima).
+//!
+//! **Source:** the step of a lag is `tau dy/dt + y = x` integrated over a straight line, derived here; plays as in Visintin, Differential Models of Hysteresis (1994), ch. III.
 
 use std::ops::Range;
 use truegap_core::Inputs;

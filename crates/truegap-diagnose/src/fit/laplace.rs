@@ -1,6 +1,8 @@
 //! Log evidence of a fit: Laplace's approximation, with one-sided parameters integrated over their half line.
 //!
 //! Limits: Gaussian away from bounds; checked by sampling near the top ([`crate::fit::importance`]).
+//!
+//! **Source:** Tierney & Kadane, J. Am. Stat. Assoc. 81 (1986) 82; Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773, section 4.1. What is done at bounds is derived here.
 
 use crate::{
     fit::tuning::{FAR_FROM_BOUND, SIZE_SCALES},
@@ -11,7 +13,7 @@ use statrs::function::erf::erfc;
 
 /// Log evidence up to the constant of the likelihood: `-chi2/2 - penalty/2 - log det(H)/2`, with corrections at bounds.
 ///
-/// `penalty` is the prior's, |z|^2 for Gaussians. /// `gradient` is that of the objective at `z`; `bounds` in z.
+/// `penalty` is the prior's, |z|^2 for Gaussians; `gradient` is that of the objective at `z`; `bounds` in z.
 pub fn laplace(chi2: f64, z: &[f64], penalty: f64, hessian: &DMatrix<f64>, gradient: &[f64], bounds: &[(f64, f64)]) -> f64 {
     let Some(factor) = Cholesky::new(hessian.clone()) else {
         return f64::NEG_INFINITY;

@@ -3,6 +3,8 @@
 //! At a MAP point with whitened residual r and Jacobian J, `(1 + J J^T)^-1` applied to the linearised data is r itself, so the score along b is
 //! `b . r` and its variance `b . b - (J^T b)^T (J^T J + 1)^-1 (J^T b)`.
 //!
+//! **Source:** Rao, Math. Proc. Camb. Phil. Soc. 44 (1948) 50 (the score test); priors as further rows of the Jacobian are derived here.
+//!
 //! Limits: linear about the fit.
 
 use crate::{

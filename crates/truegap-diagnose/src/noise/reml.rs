@@ -1,6 +1,8 @@
 //! Restricted maximum likelihood of white plus autoregressive noise in blocks whose slow course is taken out.
 //!
 //! Limits: a grid over correlation and share, which is finer than the data can tell.
+//!
+//! **Source:** Patterson & Thompson, Biometrika 58 (1971) 545.
 
 use crate::{
     noise::{

@@ -100,8 +100,14 @@ pub struct Readout {
 #[allow(unused_variables)]
 pub trait Stage: Send + Sync {
     /// Whether the inputs are shifted against the response's clock: seconds by which the load is late, `elapsed_s` seconds after the recording's first row.
+    ///
+    /// On a straight line in the elapsed time: see [`Stage::shifts`].
     fn late_s(&self, elapsed_s: f64) -> f64 {
         0.0
+    }
+    /// Whether the load is late anywhere: a straight line that is zero at two places is zero everywhere.
+    fn shifts(&self) -> bool {
+        self.late_s(0.0) != 0.0 || self.late_s(1.0) != 0.0
     }
     /// The same physics in a recording that begins after so many runs of others; `None` where the number of a run plays no part.
     fn after_runs(&self, runs: usize) -> Option<Box<dyn Stage>> {

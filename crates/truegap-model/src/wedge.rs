@@ -15,6 +15,9 @@
 /// **Source:** own; the integral over the angle is 2π / sqrt(q), and q is a quadratic in u. s = 0: 2 / (1 + sqrt(1 - t²)); t = 0: (19) for a shallow dome.
 /// **Assumes:** `SHALLOW-WARP`. **Accuracy:** 1e-12 against quadrature in two dimensions, `dome_and_wedge_together_are_their_integral`.
 pub(crate) fn shape_factor(tilt: f64, sag: f64) -> Option<f64> {
+    if tilt == 0.0 && sag == 0.0 {
+        return Some(1.0);
+    }
     let (centre, rim) = (1.0 - 0.5 * sag, 1.0 + 0.5 * sag);
     let left = rim * rim - tilt * tilt;
     if !(centre > 0.0 && rim > tilt.abs() && least_squared(tilt, sag) > 0.0) {
@@ -66,7 +69,7 @@ mod tests {
 
     #[test]
     fn dome_and_wedge_together_are_their_integral() {
-        for (tilt, sag) in [(0.3, 0.2), (0.3, -0.2), (0.7, 0.4), (0.1, 1e-5), (0.5, 0.0), (0.0, 0.6), (-0.4, -0.5)] {
+        for (tilt, sag) in [(0.3, 0.2), (0.3, -0.2), (0.7, 0.4), (0.1, 1e-5), (0.5, 0.0), (0.0, 0.6), (-0.4, -0.5), (0.0, 0.0)] {
             approx::assert_relative_eq!(shape_factor(tilt, sag).unwrap(), by_quadrature(tilt, sag), max_relative = 1e-12);
         }
     }

@@ -86,6 +86,10 @@ pub fn reduced_load_slope(law: BeadLaw, strain: f64) -> f64 {
 pub fn compressive_strain(reduced_load: f64, law: BeadLaw) -> Option<f64> {
     let nu = law.poisson;
     let q = reduced_load;
+    if nu == 0.0 && law.stiffening == [0.0, 0.0] {
+        // the equation is e = q
+        return q.is_finite().then_some(q);
+    }
     // Padé form of the inverse series q - 2 nu q^2 + 7 nu^2 q^3 - ...: 7e-7 at nu q = 0.1, 1e-3 at 0.5
     let x = nu * q;
     let start = q * (1.0 + x * (8.3 + x * (16.2 + 3.8 * x))) / (1.0 + x * (10.3 + x * (29.8 + 21.3 * x)));
@@ -229,4 +233,17 @@ pub struct Layers {
 /// **Source:** \[hampson2023\] (15). **Accuracy:** one rounding.
 pub fn mean_separation(layers: Layers) -> f64 {
     layers.beads + layers.insulator
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_spread_strains_as_newtons_iteration_finds_to_the_last_bit() {
+        let law = BeadLaw::default();
+        for q in [0.0, 1e-300, 0.3, -0.2, 1.0, 7.0, f64::INFINITY, f64::NAN] {
+            assert_eq!(compressive_strain(q, law), newton(q, q, law).or_else(|| bisection(q, law)), "{q}");
+        }
+    }
 }

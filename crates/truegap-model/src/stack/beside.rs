@@ -207,6 +207,7 @@ struct Moved<'a> {
 }
 
 impl Plates for Moved<'_> {
+    #[inline]
     fn strain(&self, drive: &Drive<'_>, row: usize, Stiffness { modulus, stiffening }: Stiffness) -> Result<f64, Refusal> {
         let (force_n, temperature_c) = (force_n(drive, row), drive.temperature_c[row]);
         let Row { strained: here, sloped, .. } = &self.near.rows[row];
@@ -227,6 +228,8 @@ impl Plates for Moved<'_> {
         self.device.warp_factor()
     }
 
+    // inlined, a row is handed on in registers and not through memory
+    #[inline]
     fn reading(
         &self,
         drive: &Drive<'_>,

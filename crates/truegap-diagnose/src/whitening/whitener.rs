@@ -38,6 +38,19 @@ pub struct Whitener {
     pub rows: usize,
 }
 
+/// Runs `$body` with the number of states as a constant, which is much faster where the loop over the rows knows it.
+macro_rules! with_states {
+    ($states:expr, $count:ident => $body:expr) => {
+        with_states!($states, $count => $body, 1, 2, 3, 4, 5, 6, 7, 8, 9)
+    };
+    ($states:expr, $count:ident => $body:expr, $($few:literal),*) => {
+        match $states {
+            $($few => { const $count: usize = $few; $body })*
+            _ => { const $count: usize = MOST; $body }
+        }
+    };
+}
+
 fn squared(column: &[f64]) -> f64 {
     column.iter().map(|v| v * v).sum()
 }
@@ -85,6 +98,7 @@ impl Whitener {
                 }
             }
         }
+        filter.forget_silent_states();
         for shape in &input.shapes {
             let mut column = shape.clone();
             filter.apply(&mut column);
@@ -93,6 +107,17 @@ impl Whitener {
             filter.shapes.push(Shape { column, length });
         }
         filter
+    }
+
+    /// Leaves out the states that no row moves: noise without a memory has none.
+    fn forget_silent_states(&mut self) {
+        let states = self.states;
+        let heard: Vec<usize> =
+            (0..states).filter(|k| self.gain.iter().skip(*k).step_by(states).any(|gain| *gain != 0.0)).collect();
+        if heard.len() < states {
+            let of_heard = |all: &[f64]| all.chunks(states).flat_map(|row| heard.iter().map(|k| row[*k])).collect::<Vec<f64>>();
+            (self.gain, self.carry, self.states) = (of_heard(&self.gain), of_heard(&self.carry), heard.len());
+        }
     }
 
     /// Gains of a row that is seen; `p`, the covariance predicted for it, becomes that after it.
@@ -131,10 +156,8 @@ impl Whitener {
     /// Whitens a column in place.
     pub fn apply(&self, column: &mut [f64]) {
         match self.states {
-            2 => self.apply_with::<2>(column),
-            3 => self.apply_with::<3>(column),
-            4 => self.apply_with::<4>(column),
-            _ => self.apply_with::<MOST>(column),
+            0 => column.iter_mut().zip(&self.inverse_sd).for_each(|(value, inverse_sd)| *value *= inverse_sd),
+            states => with_states!(states, COUNT => self.apply_with::<COUNT>(column)),
         }
         self.shapes.iter().for_each(|shape| shape.take_out(column));
     }
@@ -144,56 +167,49 @@ impl Whitener {
     /// The filter waits for one row before it goes to the next; four columns wait together.
     pub fn apply_each(&self, columns: &mut [Vec<f64>]) {
         for group in columns.chunks_mut(4) {
-            let [a, b, c, d] = group else {
+            let ([a, b, c, d], 1..) = (&mut *group, self.states) else {
                 group.iter_mut().for_each(|column| self.apply(column));
                 continue;
             };
             let four = [a, b, c, d].map(Vec::as_mut_slice);
-            match self.states {
-                2 => self.apply_to_four::<2>(four),
-                3 => self.apply_to_four::<3>(four),
-                4 => self.apply_to_four::<4>(four),
-                _ => self.apply_to_four::<MOST>(four),
-            }
+            with_states!(self.states, COUNT => self.apply_to_four::<COUNT>(four));
             for column in group {
                 self.shapes.iter().for_each(|shape| shape.take_out(column));
             }
         }
     }
 
+    /// Gains and factors of each row of a run.
+    fn factors<const S: usize>(&self, run: &Range<usize>) -> impl Iterator<Item = (&[f64; S], &[f64; S])> {
+        let [gain, carry] = [&self.gain, &self.carry].map(|all| &all.as_chunks::<S>().0[run.clone()]);
+        gain.iter().zip(carry)
+    }
+
     fn apply_to_four<const S: usize>(&self, columns: [&mut [f64]; 4]) {
         for run in &self.runs {
             let mut state = [[0.0; 4]; S];
-            for row in run.clone() {
+            for (row, (gain, carry)) in run.clone().zip(self.factors::<S>(run)) {
                 let foreseen = state.iter().fold([0.0; 4], |sum, s| std::array::from_fn(|k| sum[k] + s[k]));
                 let innovation: [f64; 4] = std::array::from_fn(|k| columns[k][row] - foreseen[k]);
                 (0..4).for_each(|k| columns[k][row] = innovation[k] * self.inverse_sd[row]);
-                let here = row * self.states..(row + 1) * self.states;
-                let factors = self.gain[here.clone()].iter().zip(&self.carry[here]);
-                for (s, (gain, carry)) in state.iter_mut().zip(factors) {
+                for (s, (gain, carry)) in state.iter_mut().zip(gain.iter().zip(carry)) {
                     (0..4).for_each(|k| s[k] = carry * (s[k] + gain * innovation[k]));
                 }
             }
         }
     }
 
-    /// The same with at most `S` states, which is faster where that is known beforehand.
+    /// [`Whitener::apply`] with `S` states.
     fn apply_with<const S: usize>(&self, column: &mut [f64]) {
         for run in &self.runs {
             let mut state = [0.0; S];
-            for row in run.clone() {
-                let innovation = column[row] - state.iter().sum::<f64>();
-                column[row] = innovation * self.inverse_sd[row];
-                self.go_on(row, innovation, &mut state);
+            let rows = column[run.clone()].iter_mut().zip(&self.inverse_sd[run.clone()]);
+            for ((value, inverse_sd), (gain, carry)) in rows.zip(self.factors::<S>(run)) {
+                let innovation = *value - state.iter().sum::<f64>();
+                *value = innovation * inverse_sd;
+                go_on(&mut state, innovation, gain, carry);
             }
         }
-    }
-
-    /// The states after an innovation, carried into the next row.
-    fn go_on<const S: usize>(&self, row: usize, innovation: f64, state: &mut [f64; S]) {
-        let here = row * self.states..(row + 1) * self.states;
-        let factors = self.gain[here.clone()].iter().zip(&self.carry[here]);
-        state.iter_mut().zip(factors).for_each(|(s, (gain, carry))| *s = carry * (*s + gain * innovation));
     }
 
     /// Columns of equal length, whitened, side by side.
@@ -215,7 +231,8 @@ impl Whitener {
                 let seen = self.inverse_sd[row] > 0.0;
                 let innovation = if seen { column[row] / self.inverse_sd[row] } else { 0.0 };
                 column[row] = if seen { innovation + state.iter().sum::<f64>() } else { 0.0 };
-                self.go_on(row, innovation, &mut state);
+                let here = row * self.states..(row + 1) * self.states;
+                go_on(&mut state, innovation, &self.gain[here.clone()], &self.carry[here]);
             }
         }
     }
@@ -224,6 +241,12 @@ impl Whitener {
     pub fn deviance(&self, whitened: &[f64]) -> f64 {
         self.log_determinant + whitened.iter().map(|v| v * v).sum::<f64>()
     }
+}
+
+/// The states after an innovation, carried into the next row.
+#[inline]
+fn go_on(state: &mut [f64], innovation: f64, gain: &[f64], carry: &[f64]) {
+    state.iter_mut().zip(gain.iter().zip(carry)).for_each(|(s, (gain, carry))| *s = carry * (*s + gain * innovation));
 }
 
 #[cfg(test)]
@@ -312,6 +335,29 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Noise without a memory is divided by its deviation; of the parts of lasting noise one has any size, and the other route is the dense covariance.
+    #[test]
+    fn a_part_of_the_noise_that_is_nothing_takes_no_state() {
+        let noise = Noise { white_sd: 0.7, ar_sd: 0.0, ar_correlation: 0.0 };
+        let lasting = Lasting { variance: vec![0.4; 6], memory: vec![0.9; 6], of_reading: false };
+        let white = Whitener::new(&noise, &InputError::white(vec![0.0; 6]), None, &[0..6], None);
+        let lasts = InputError { lasting: vec![lasting], ..InputError::white(vec![0.0; 6]) };
+        let lasts = Whitener::new(&noise, &lasts, None, &[0..6], None);
+        assert_eq!([white.states, lasts.states], [0, 1]);
+        let x: Vec<f64> = (0..6).map(|i| f64::from(i).sin()).collect();
+        let mut plain = x.clone();
+        white.apply(&mut plain);
+        plain.iter().zip(&x).for_each(|(found, x)| approx::assert_relative_eq!(*found, x / 0.7, max_relative = 1e-14));
+        let covariance = DMatrix::from_fn(6, 6, |i, j| {
+            let lag = (i as f64 - j as f64).abs();
+            0.4 * 0.9f64.powf(lag) + if i == j { 0.49 } else { 0.0 }
+        });
+        let v = DVector::from_column_slice(&x);
+        let mut found = x.clone();
+        lasts.apply(&mut found);
+        approx::assert_relative_eq!(squared(&found), v.dot(&covariance.cholesky().unwrap().solve(&v)), max_relative = 1e-12);
     }
 
     #[test]

@@ -82,14 +82,18 @@ impl Steps {
 
     /// Place of a step that is not known, in place of the one that has been known longest.
     fn learn(&mut self, step_s: f64, taus_s: impl Iterator<Item = f64>) -> usize {
-        let of = (step_s, taus_s.map(|tau| weights(step_s / tau)).collect());
-        if self.known.len() < STEPS_KEPT {
-            self.known.push(of);
-            return self.known.len() - 1;
+        let mut place = self.known.len();
+        if place < STEPS_KEPT {
+            self.known.push((step_s, Vec::new()));
+        } else {
+            place = self.oldest;
+            self.oldest = (place + 1) % STEPS_KEPT;
         }
-        let place = self.oldest;
-        self.known[place] = of;
-        self.oldest = (place + 1) % STEPS_KEPT;
+        // an uneven clock has a step of its own in most rows: what is forgotten leaves its room
+        let (known, of) = &mut self.known[place];
+        *known = step_s;
+        of.clear();
+        of.extend(taus_s.map(|tau| weights(step_s / tau)));
         place
     }
 }
@@ -166,12 +170,17 @@ impl LagSum {
 /// Weights of the old output, the input before and the input now, for step over time constant `ratio`.
 ///
 /// Short steps take the series of `1 - (1 - exp(-r)) / r`, from which the other weights follow without cancellation: no exponential, and no digit lost.
+#[inline]
 fn weights(ratio: f64) -> [f64; 3] {
     if ratio <= 0.0 {
         return [1.0, 0.0, 0.0];
     }
     if ratio < SERIES_BELOW {
-        let now = SERIES.iter().rev().fold(0.0, |sum, factor| factor - ratio * sum) * ratio;
+        let mut sum = 0.0;
+        for factor in SERIES.iter().rev() {
+            sum = factor - ratio * sum;
+        }
+        let now = sum * ratio;
         let risen = ratio - ratio * now;
         return [1.0 - risen, risen - now, now];
     }

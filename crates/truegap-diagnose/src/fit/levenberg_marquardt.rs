@@ -6,7 +6,7 @@ use crate::{
     fit::tuning::{CHORDS, FAILED_STEPS, PINNED, REACH, STEPS_BACK},
     fit::{
         model::Model,
-        optimum::{Fit, finish},
+        optimum::{Fit, finish, gram},
     },
     whitening::whitener::Whitener,
 };
@@ -56,10 +56,21 @@ impl<'a, 'm> Descent<'a, 'm> {
         start: &[f64],
         bounds: &'a [(f64, f64)],
     ) -> Result<Self, SimulationError> {
-        let z: Vec<f64> = start.iter().zip(bounds).map(|(z, b)| z.clamp(b.0, b.1)).collect();
+        let z = inside(start, bounds);
         let residual = model.residual(&z, whitener)?;
         let jacobian = DMatrix::zeros(residual.len(), z.len());
-        Ok(Self {
+        Ok(Self::with(model, whitener, bounds, z, (residual, jacobian)))
+    }
+
+    /// A search that begins with its residual and its derivatives.
+    pub(crate) fn with(
+        model: &'a Model<'m>,
+        whitener: &'a Whitener,
+        bounds: &'a [(f64, f64)],
+        z: Vec<f64>,
+        (residual, jacobian): (Vec<f64>, DMatrix<f64>),
+    ) -> Self {
+        Self {
             model,
             whitener,
             bounds,
@@ -71,7 +82,7 @@ impl<'a, 'm> Descent<'a, 'm> {
             stale: false,
             iterations: 0,
             converged: false,
-        })
+        }
     }
 
     /// Computes the columns from `first` on anew.
@@ -180,7 +191,7 @@ impl<'a, 'm> Descent<'a, 'm> {
 
     /// `J^T J`.
     fn gram(&self) -> &DMatrix<f64> {
-        self.gram.get_or_init(|| self.jacobian.tr_mul(&self.jacobian))
+        self.gram.get_or_init(|| gram(&self.jacobian))
     }
 
     /// Gradient of the objective, downhill.
@@ -231,6 +242,11 @@ impl<'a, 'm> Descent<'a, 'm> {
         }
         None
     }
+}
+
+/// The point inside the bounds.
+pub(crate) fn inside(z: &[f64], bounds: &[(f64, f64)]) -> Vec<f64> {
+    z.iter().zip(bounds).map(|(z, b)| z.clamp(b.0, b.1)).collect()
 }
 
 fn objective(model: &Model<'_>, residual: &[f64], z: &[f64]) -> f64 {

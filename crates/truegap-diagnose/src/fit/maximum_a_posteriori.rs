@@ -5,7 +5,7 @@
 use crate::{
     fit::{
         levenberg_marquardt::{Descent, FitOptions},
-        model::Model,
+        model::{Around, Model},
         optimum::Fit,
     },
     whitening::whitener::Whitener,
@@ -21,6 +21,22 @@ pub fn fit(model: &Model<'_>, whitener: &Whitener, start: &[f64], options: &FitO
     let bounds = model.bounds();
     let mut search = Descent::at(model, whitener, start, &bounds)?;
     search.refresh(0)?;
+    search.run(options)?;
+    Ok(search.finish())
+}
+
+/// As [`fit`] from a point around which the model is known: for several noises from one point.
+///
+/// # Errors
+/// As [`fit`].
+pub(crate) fn fit_around(
+    model: &Model<'_>,
+    whitener: &Whitener,
+    start: &Around,
+    options: &FitOptions,
+) -> Result<Fit, SimulationError> {
+    let bounds = model.bounds();
+    let mut search = Descent::with(model, whitener, &bounds, start.z.clone(), start.whitened(whitener));
     search.run(options)?;
     Ok(search.finish())
 }

@@ -163,22 +163,73 @@ impl<'a> Model<'a> {
         whitener: &Whitener,
         bounds: &[(f64, f64)],
     ) -> Result<(), SimulationError> {
-        let free: Vec<usize> = columns.filter(|i| bounds[*i].0 < bounds[*i].1).collect();
-        if free.is_empty() {
-            return Ok(());
-        }
-        let near = Near::of(self, z, free.len() >= WORTH_SLOPES);
+        let (free, near) = self.near(columns, z, bounds);
         for group in free.chunks(ABREAST) {
             let moved = group.iter().map(|i| near.moved(*i, bounds[*i])).collect::<Result<Vec<_>, _>>()?;
-            let (mut residuals, scales): (Vec<_>, Vec<_>) = moved.into_iter().unzip();
-            whitener.apply_each(&mut residuals);
-            for ((index, residual), scale) in group.iter().zip(&residuals).zip(scales) {
-                let mut column = jacobian.column_mut(*index);
-                let both = residual.iter().zip(at);
-                column.iter_mut().zip(both).for_each(|(column, (there, here))| *column = (here - there) * scale);
-            }
+            fill(jacobian, moved, at, whitener);
         }
         Ok(())
+    }
+
+    /// Which of these columns are free, and the model near `z`.
+    fn near<'m>(&'m self, columns: std::ops::Range<usize>, z: &'m [f64], bounds: &[(f64, f64)]) -> (Vec<usize>, Near<'m, 'a>) {
+        let free: Vec<usize> = columns.filter(|i| bounds[*i].0 < bounds[*i].1).collect();
+        let near = Near::of(self, z, free.len() >= WORTH_SLOPES);
+        (free, near)
+    }
+
+    /// What is left over at `z` and a step away from it along every coordinate, for as many noises as are to be tried from there.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub(crate) fn around(&self, z: &[f64]) -> Result<Around, SimulationError> {
+        let bounds = self.bounds();
+        let here = self.misfit(z)?;
+        let (free, near) = self.near(0..z.len(), z, &bounds);
+        let moved = free.iter().map(|i| near.moved(*i, bounds[*i])).collect::<Result<Vec<_>, _>>()?;
+        Ok(Around { z: z.to_vec(), here, moved })
+    }
+}
+
+/// A model at a point and a step away from it along every coordinate: what its derivatives are made of under any noise.
+pub(crate) struct Around {
+    pub(crate) z: Vec<f64>,
+    here: Vec<f64>,
+    moved: Vec<Stepped>,
+}
+
+impl Around {
+    /// What is left over at the point, whitened, and the Jacobian there: as [`Model::residual`] and [`Model::jacobian`] have them, to the last bit.
+    pub(crate) fn whitened(&self, whitener: &Whitener) -> (Vec<f64>, DMatrix<f64>) {
+        let mut residual = self.here.clone();
+        whitener.apply(&mut residual);
+        let mut jacobian = DMatrix::zeros(residual.len(), self.z.len());
+        for group in self.moved.chunks(ABREAST) {
+            fill(&mut jacobian, group.to_vec(), &residual, whitener);
+        }
+        (residual, jacobian)
+    }
+}
+
+/// What is left over a step away, not whitened.
+#[derive(Clone)]
+struct Stepped {
+    /// coordinate that has moved
+    index: usize,
+    left: Vec<f64>,
+    /// one over the step
+    scale: f64,
+}
+
+/// Whitens these columns and puts their difference to `at` over the step into the Jacobian.
+fn fill(jacobian: &mut DMatrix<f64>, moved: Vec<Stepped>, at: &[f64], whitener: &Whitener) {
+    let places: Vec<(usize, f64)> = moved.iter().map(|m| (m.index, m.scale)).collect();
+    let mut residuals: Vec<Vec<f64>> = moved.into_iter().map(|m| m.left).collect();
+    whitener.apply_each(&mut residuals);
+    for ((index, scale), residual) in places.into_iter().zip(&residuals) {
+        let mut column = jacobian.column_mut(index);
+        let both = residual.iter().zip(at);
+        column.iter_mut().zip(both).for_each(|(column, (there, here))| *column = (here - there) * scale);
     }
 }
 
@@ -213,7 +264,7 @@ impl<'m, 'a> Near<'m, 'a> {
 
     /// What is left over, not whitened, a step along coordinate `index`, and one over that step: away from the nearer bound, or where there is no answer
     /// the other way.
-    fn moved(&self, index: usize, bound: (f64, f64)) -> Result<(Vec<f64>, f64), SimulationError> {
+    fn moved(&self, index: usize, bound: (f64, f64)) -> Result<Stepped, SimulationError> {
         let mut moved = self.z.to_vec();
         let room = bound.1 - self.z[index];
         let mut step = if room > DIFFERENCE_STEP { DIFFERENCE_STEP } else { -DIFFERENCE_STEP };
@@ -223,7 +274,7 @@ impl<'m, 'a> Near<'m, 'a> {
             moved[index] = (self.z[index] + step).max(bound.0);
             self.misfit(&moved, index)
         })?;
-        Ok((left, (moved[index] - self.z[index]).recip()))
+        Ok(Stepped { index, left, scale: (moved[index] - self.z[index]).recip() })
     }
 
     /// What is left over at a point that differs in coordinate `index` only.
@@ -254,7 +305,7 @@ impl<'m, 'a> Near<'m, 'a> {
         let values = self.model.values(moved);
         let stage = self.model.effects[own].with(&values[self.model.range_of(own)], self.model.context);
         // a stage of its own in each recording may shift any of them
-        let shifts = |stage: &dyn Stage| stage.late_s(0.0) != 0.0 || stage.late_s(1.0) != 0.0 || stage.after_runs(0).is_some();
+        let shifts = |stage: &dyn Stage| stage.shifts() || stage.after_runs(0).is_some();
         if shifts(stage.as_ref()) || shifts(self.stages[own].as_ref()) {
             return Fresh::All(self.model.stages(moved));
         }

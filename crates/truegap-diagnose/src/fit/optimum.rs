@@ -119,6 +119,19 @@ impl Fit {
     }
 }
 
+/// `J^T J`, each pair of columns once.
+pub(crate) fn gram(jacobian: &DMatrix<f64>) -> DMatrix<f64> {
+    let n = jacobian.ncols();
+    let mut gram = DMatrix::zeros(n, n);
+    for i in 0..n {
+        for j in 0..=i {
+            gram[(i, j)] = jacobian.column(i).dot(&jacobian.column(j));
+            gram[(j, i)] = gram[(i, j)];
+        }
+    }
+    gram
+}
+
 /// A fit from where a search has ended.
 pub(crate) fn finish(
     z: Vec<f64>,
@@ -129,7 +142,7 @@ pub(crate) fn finish(
     (iterations, converged): (usize, bool),
 ) -> Fit {
     let prior = Prior::at(&z, known);
-    let mut hessian = jacobian.tr_mul(&jacobian);
+    let mut hessian = gram(&jacobian);
     prior.curvature().enumerate().for_each(|(i, curvature)| hessian[(i, i)] += curvature);
     let chi2 = residual.iter().map(|r| r * r).sum();
     let gradient = DVector::from_iterator(z.len(), prior.gradient()) - jacobian.tr_mul(&DVector::from_column_slice(&residual));

@@ -4,7 +4,12 @@
 
 use crate::{
     data::problem::Problem,
-    fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model, optimum::Fit},
+    fit::{
+        levenberg_marquardt::{FitOptions, inside},
+        maximum_a_posteriori::fit_around,
+        model::{Around, Model},
+        optimum::Fit,
+    },
     selection::candidates::{Search, Tried},
     validation::tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, THERE},
     whitening::noise_model::NoiseModel,
@@ -187,8 +192,10 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
     let model = Model::new(all.problem, search.context, tried.effects.iter().map(|e| search.library[*e]).collect());
     let searched = search.model(&tried.effects);
     let whitener = noise.whitener(&search.problem.runs(), None);
+    // every part is fitted from one point, where the rows that it keeps differ and the model does not
+    let around = searched.around(&inside(&tried.fit.z, &searched.bounds())).ok();
     let predict = |part: &Part| {
-        let z = without(search, noise, tried, part, all.first)?.z;
+        let z = without(search, noise, &searched, around.as_ref()?, part, all.first)?.z;
         let mut errors = searched.misfit(&z).ok()?;
         whitener.apply(&mut errors);
         let left_out = kept(part, errors.len(), all.first).into_iter().map(|kept| !kept);
@@ -225,10 +232,17 @@ pub(crate) fn kept(part: &Part, searched: usize, first: Option<&[usize]>) -> Vec
 }
 
 /// The fit without one part.
-fn without(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, part: &Part, first: Option<&[usize]>) -> Option<Fit> {
+fn without(
+    search: &Search<'_>,
+    noise: &NoiseModel,
+    model: &Model<'_>,
+    around: &Around,
+    part: &Part,
+    first: Option<&[usize]>,
+) -> Option<Fit> {
     let keep = kept(part, search.problem.response.len(), first);
     let whitener = noise.whitener(&search.problem.runs(), Some(&keep));
-    fit(&search.model(&tried.effects), &whitener, &tried.fit.z, &FitOptions::default()).ok()
+    fit_around(model, &whitener, around, &FitOptions::default()).ok()
 }
 
 /// Share of the reproducible misfit that is removed, `1 - (after^2 - floor^2) / (before^2 - floor^2)`; `None` where nothing is there to remove.

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use truegap_core::Recording;
+use truegap_core::recording::FrameColumn;
 
 /// The command stopped at the first hole, where a frame with the same holes was read: one had to be mended at a time.
 #[test]
@@ -11,12 +12,12 @@ fn a_csv_with_holes_is_read_as_the_frame_with_the_same_holes() {
     let csv = "run,time_s,force_n,capacitance_pf,fan\n1,0,0.5,230,1\n1,1,,231,2\n1,2,1.5,nan,3\n1,3,2,233,\n1,4,2.5,234,5\n,5,3,235,6\n1,6,3.5,236,7\n1,7,4,237,8\n1,8,4,238,9\n";
     let csv = Recording::from_text("a", toml, csv).unwrap();
     const NAN: f64 = f64::NAN;
-    let table: Vec<(String, &[f64])> = vec![
-        ("run".into(), &[1.0, 1.0, 1.0, 1.0, 1.0, NAN, 1.0, 1.0, 1.0]),
-        ("time_s".into(), &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]),
-        ("force_n".into(), &[0.5, NAN, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.0]),
-        ("capacitance_pf".into(), &[230.0, 231.0, NAN, 233.0, 234.0, 235.0, 236.0, 237.0, 238.0]),
-        ("fan".into(), &[1.0, 2.0, 3.0, NAN, 5.0, 6.0, 7.0, 8.0, 9.0]),
+    let table: Vec<FrameColumn<'_>> = vec![
+        FrameColumn::numbers("run", &[1.0, 1.0, 1.0, 1.0, 1.0, NAN, 1.0, 1.0, 1.0]),
+        FrameColumn::numbers("time_s", &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]),
+        FrameColumn::numbers("force_n", &[0.5, NAN, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.0]),
+        FrameColumn::numbers("capacitance_pf", &[230.0, 231.0, NAN, 233.0, 234.0, 235.0, 236.0, 237.0, 238.0]),
+        FrameColumn::numbers("fan", &[1.0, 2.0, 3.0, NAN, 5.0, 6.0, 7.0, 8.0, 9.0]),
     ];
     let frame = Recording::from_columns("a", toml, &table).unwrap();
     assert_eq!((&csv.inputs, &csv.response), (&frame.inputs, &frame.response));
@@ -42,7 +43,7 @@ fn rows_of_one_instant_are_taken_as_one() {
     let columns: Vec<Vec<f64>> =
         (0..4).map(|at| text.lines().skip(1).map(|line| line.split(',').nth(at).unwrap().parse().unwrap()).collect()).collect();
     let names = ["time_s", "force_n", "capacitance_pf", "vane"];
-    let table: Vec<(String, &[f64])> = names.iter().zip(&columns).map(|(n, c)| ((*n).to_owned(), c.as_slice())).collect();
+    let table: Vec<FrameColumn<'_>> = names.iter().zip(&columns).map(|(n, c)| FrameColumn::numbers(n, c)).collect();
     let frame = Recording::from_columns("a", toml, &table).unwrap();
     assert_eq!((&csv.inputs, &csv.response), (&frame.inputs, &frame.response));
 }

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
-use truegap_core::recording::sketch;
+use truegap_core::recording::{Told, sketch};
 use truegap_core::{Note, Recording, RecordingError};
 
 /// A table in a folder of its own.
@@ -22,7 +22,7 @@ impl Bench {
 
     /// Reads the table with the TOML that is sketched of it.
     fn sketched(&self) -> Recording {
-        let sketch = sketch(&self.0.join("t.csv")).unwrap();
+        let sketch = sketch(&self.0.join("t.csv"), &Told::default()).unwrap();
         std::fs::write(self.0.join("t.toml"), &sketch.toml).unwrap();
         Recording::open(self.0.join("t.toml")).unwrap_or_else(|error| panic!("{error}\n{}", sketch.toml))
     }
@@ -198,4 +198,80 @@ fn a_bare_csv_says_what_it_did_not_read() {
     let bench = Bench::new("spare", b"time_s,Temperatur [\xb0C],capacitance_pf\n0,20,74\n1,21,75\n");
     let told: Vec<String> = bench.read().unwrap().notes.iter().map(ToString::to_string).collect();
     assert!(told.iter().any(|note| note.contains("not read: `Temperatur [°C]`") && note.contains("truegap init")), "{told:?}");
+}
+
+fn with_dates(name: &str, dates: [&str; 3], told: Option<bool>) -> Result<Vec<f64>, String> {
+    let rows: String = dates.iter().enumerate().map(|(row, date)| format!("{date},{row},7{row}\n")).collect();
+    let bench = Bench::new(name, format!("time,force_n,capacitance_pf\n{rows}").as_bytes());
+    let told = Told { dayfirst: told, ..Told::default() };
+    let read = Recording::open_told(bench.0.join("t.csv"), &told).map_err(|error| error.to_string())?;
+    Ok(read.inputs.time_s.unwrap())
+}
+
+/// `01/03/2026` was refused, whatever the other rows showed.
+#[test]
+fn a_number_above_twelve_shows_the_order_of_dates() {
+    const DAY: f64 = 86_400.0;
+    let day_first = ["01/03/2026 12:00", "02/03/2026 12:00", "13/03/2026 12:00"];
+    assert_eq!(with_dates("dayfirst", day_first, None).unwrap(), [0.0, DAY, 12.0 * DAY]);
+    let month_first = ["3/1/2026 9:00 AM", "3/2/2026 9:00 PM", "3/13/2026 9:00 AM"];
+    assert_eq!(with_dates("monthfirst", month_first, None).unwrap(), [0.0, 1.5 * DAY, 12.0 * DAY]);
+    // one day needs no order, and days alone are a clock
+    let one_day = ["01/03/2026 12:00", "01/03/2026 12:01", "01/03/2026 12:02"];
+    assert_eq!(with_dates("oneday", one_day, None).unwrap(), [0.0, 60.0, 120.0]);
+    assert_eq!(with_dates("days", ["2026-02-28", "2026-03-01", "2026-03-02"], None).unwrap(), [0.0, DAY, 2.0 * DAY]);
+}
+
+#[test]
+fn an_order_that_no_date_shows_is_asked_for() {
+    const DAY: f64 = 86_400.0;
+    let open = ["01/03/2026 12:00", "02/03/2026 12:00", "03/03/2026 12:00"];
+    let asked = with_dates("open", open, None).unwrap_err();
+    assert!(asked.contains("line 2: `01/03/2026 12:00`") && asked.contains("`time`"), "{asked}");
+    assert!(asked.contains("dayfirst = true or false in the TOML") && asked.contains("--dayfirst"), "{asked}");
+    assert_eq!(with_dates("told", open, Some(true)).unwrap(), [0.0, DAY, 2.0 * DAY]);
+    assert_eq!(with_dates("told2", open, Some(false)).unwrap(), [0.0, 31.0 * DAY, 59.0 * DAY]);
+    let both = with_dates("both", ["13/03/2026 12:00", "01/03/2026 12:00", "03/14/2026 12:00"], None).unwrap_err();
+    assert!(both.contains("line 4: `03/14/2026 12:00`") && both.contains("`13/03/2026 12:00`"), "{both}");
+    let wrong = with_dates("wrong", ["01/03/2026 12:00", "13/03/2026 12:00", "14/03/2026 12:00"], Some(false)).unwrap_err();
+    assert!(wrong.contains("line 3") && wrong.contains("dayfirst = false"), "{wrong}");
+}
+
+#[test]
+fn the_toml_says_the_order_of_dates_and_is_sketched_with_it() {
+    let table = b"Date,force_n,capacitance_pf\n01/03/2026,0,70\n02/03/2026,1,71\n03/03/2026,2,72\n";
+    let bench = Bench::new("order", table);
+    let open = sketch(&bench.0.join("t.csv"), &Told::default()).unwrap();
+    assert!(open.open.iter().any(|says| says.contains("`01/03/2026` begins with the day")), "{:?}", open.open);
+    assert!(open.toml.contains("# dayfirst = true") && open.toml.contains("time = \"Date\""), "{}", open.toml);
+    std::fs::write(bench.0.join("t.toml"), open.toml.replace("# dayfirst = true ", "dayfirst = true ")).unwrap();
+    let read = Recording::open(bench.0.join("t.toml")).unwrap();
+    assert_eq!(read.inputs.time_s.as_deref(), Some(&[0.0, 86_400.0, 172_800.0][..]));
+    let told = sketch(&bench.0.join("t.csv"), &Told { dayfirst: Some(false), ..Told::default() }).unwrap();
+    assert!(told.toml.contains("\ndayfirst = false\n") && told.open.len() + 1 == open.open.len(), "{}", told.toml);
+}
+
+/// A driver needed a TOML, and `truegap init` left it as a remark whatever was said.
+#[test]
+fn columns_that_are_told_of_are_read_and_sketched() {
+    let bench = Bench::new("told", b"clock,x,stroke [mm],pump\n0,1,20,5\n0.5,2,21,6\n1,3,22,7\n");
+    let map = ["time=clock:s", "response=x:mV", "driver.position=stroke [mm]", "driver.pump=pump:V"];
+    let told = Told { map: map.map(|text| text.parse().unwrap()).to_vec(), ..Told::default() };
+    let read = Recording::open_told(bench.0.join("t.csv"), &told).unwrap();
+    let drivers: Vec<_> = read.inputs.drivers.iter().map(|d| (d.name.as_str(), d.unit.as_str(), d.values[2])).collect();
+    assert_eq!(drivers, [("position", "mm", 22.0), ("pump", "V", 7.0)]);
+    assert!(read.notes.iter().all(|note| !matches!(note, Note::NotRead { .. })), "{:?}", read.notes);
+    let sketch = sketch(&bench.0.join("t.csv"), &told).unwrap();
+    std::fs::write(bench.0.join("t.toml"), &sketch.toml).unwrap();
+    let again = Recording::open(bench.0.join("t.toml")).unwrap_or_else(|error| panic!("{error}\n{}", sketch.toml));
+    assert_eq!((again.inputs, again.response_unit), (read.inputs, read.response_unit));
+    let refused = |text: &str| {
+        let told = Told { map: vec![text.parse().unwrap()], ..Told::default() };
+        truegap_core::recording::sketch(&bench.0.join("t.csv"), &told).unwrap_err().to_string()
+    };
+    assert!(
+        refused("driver.pump=pump")
+            .contains("--map driver.pump: column `pump` has no unit in its name; write driver.pump=\"pump:mm\"")
+    );
+    assert!(refused("driver.pump=pumpe:V").contains("did you mean `pump`") && refused("force=fors:N").contains("`fors`"));
 }

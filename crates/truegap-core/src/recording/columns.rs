@@ -95,15 +95,19 @@ pub(super) fn bind_drivers(
     manifest: &Manifest,
     roles: &[Column],
 ) -> Result<Vec<DriverColumn>, RecordingError> {
-    let refused = |wanted: &NamedDriver, why: String| RecordingError::Driver {
-        file: toml.unwrap_or(file).to_owned(),
-        line: wanted.line,
-        driver: wanted.name.clone(),
-        why,
+    let refused = |wanted: &NamedDriver, why: String| {
+        let driver = wanted.name.clone();
+        match wanted.line {
+            NO_LINE => RecordingError::MappedDriver { file: file.to_owned(), driver, why },
+            line => RecordingError::Driver { file: toml.unwrap_or(file).to_owned(), line, driver, why },
+        }
     };
     let bound = |wanted: &NamedDriver| {
         if let Some(role) = ROLES.into_iter().find(|role| role.key() == wanted.name) {
-            return Err(refused(wanted, format!("`{0}` is a role; name its column under [columns]: {0} = \"...\"", role.key())));
+            return Err(refused(
+                wanted,
+                format!("`{0}` is a role; name its column under [columns], {0} = \"...\", or by --map {0}=COLUMN", role.key()),
+            ));
         }
         if wanted.name.trim().is_empty() {
             return Err(refused(wanted, "it has no name; write position = { column = \"...\", unit = \"...\" }".into()));
@@ -122,8 +126,11 @@ pub(super) fn bind_drivers(
         }
         let unit = wanted.unit.clone().or_else(|| header[index].proper_unit().map(str::to_owned));
         let unit = unit.ok_or_else(|| {
-            let example = format!("{} = {{ column = \"{}\", unit = \"mm\" }}", wanted.name, wanted.column);
-            refused(wanted, format!("column `{}` has no unit in its name; write {example}, or unit = \"1\"", wanted.column))
+            let example = match wanted.line {
+                NO_LINE => format!("driver.{}=\"{}:mm\", or :1 where it has none", wanted.name, wanted.column),
+                _ => format!("{} = {{ column = \"{}\", unit = \"mm\" }}, or unit = \"1\"", wanted.name, wanted.column),
+            };
+            refused(wanted, format!("column `{}` has no unit in its name; write {example}", wanted.column))
         })?;
         Ok(DriverColumn { index, driver: wanted.name.clone(), name: wanted.column.clone(), unit })
     };
@@ -339,6 +346,13 @@ pub(super) fn is_default(role: Role, heading: &Heading) -> bool {
 /// Whether a column's name is a role's word with one more behind it, where a unit stands: `force_xyz`, `Force [pF]`.
 fn called_after(role: Role, heading: &Heading) -> bool {
     heading.unit_in_name().is_some_and(|(measured, _)| measured.trim_end_matches('_').trim().eq_ignore_ascii_case(role.key()))
+}
+
+/// Refuses a name for a role that stands over no column.
+pub(super) fn there(file: &Path, header: &[Heading], role: Role, named: &Named) -> Result<(), RecordingError> {
+    let binder = Binder { file, toml: file, header, manifest: &Manifest::default() };
+    let is_there = header.iter().any(|heading| heading.name == named.text);
+    if is_there { Ok(()) } else { Err(binder.missing(role, Some(named))) }
 }
 
 /// A name that stands over two columns.

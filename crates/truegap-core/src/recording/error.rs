@@ -19,6 +19,18 @@ pub enum RecordingError {
     /// More than can be held.
     #[error(transparent)]
     TooLarge(#[from] truegap_limits::TooLarge),
+    /// A table of columns, which this build does not read.
+    #[error(
+        "{file}: it is {kind} file, which this build does not read; install with `cargo install --path crates/truegap-cli --features columnar`, or save the \
+         table as CSV"
+    )]
+    NoColumnar { file: PathBuf, kind: &'static str },
+    /// A table of columns that is damaged, or more than is understood.
+    #[error("{file}: cannot be read as {kind} file: {says}; write it again, or save the table as CSV")]
+    Columnar { file: PathBuf, kind: &'static str, says: String },
+    /// A column that is named and holds something else than numbers.
+    #[error("{file}: column `{column}` holds neither numbers nor dates but {holds}; write numbers, or name another column")]
+    NoNumbersInColumn { file: PathBuf, column: String, holds: String },
     /// The recording cannot be written.
     #[error("{file}: cannot be written: {source}")]
     Write { file: PathBuf, source: std::io::Error },
@@ -59,6 +71,9 @@ pub enum RecordingError {
     /// Two columns would do.
     #[error("{file}: columns {found} could all be {role}; say which under [columns], e.g. {role} = \"{first}\"")]
     AmbiguousColumn { file: PathBuf, role: String, found: String, first: String },
+    /// A column that is named as a driver beside the files and cannot be taken.
+    #[error("{file}: --map driver.{driver}: {why}")]
+    MappedDriver { file: PathBuf, driver: String, why: String },
     /// A column under `[drivers]` that cannot be taken.
     #[error("{file}, line {line}: driver `{driver}`: {why}")]
     Driver { file: PathBuf, line: usize, driver: String, why: String },
@@ -93,9 +108,20 @@ pub enum RecordingError {
     NotANumber { file: PathBuf, line: usize, column: String, text: String, hint: &'static str },
     /// A clock of dates with a cell that is none.
     #[error(
-        "{file}, line {line}: `{text}` in column `{column}` is no date with a time of day, as the rows above are; write 2026-03-01T12:00:00"
+        "{file}, line {line}: `{text}` in column `{column}` is no date, as the first row of it is; write 2026-03-01T12:00:00"
     )]
     NotADate { file: PathBuf, line: usize, column: String, text: String },
+    /// Dates that may begin with the day or with the month.
+    #[error(
+        "{file}, line {line}: `{text}` in column `{column}` may begin with the day or with the month, and no date of the column has a number above 12 there; \
+         say which: dayfirst = true or false in the TOML, or --dayfirst or --dayfirst=false"
+    )]
+    DayOrMonth { file: PathBuf, line: usize, column: String, text: String },
+    /// Dates in two orders.
+    #[error(
+        "{file}, line {line}: `{text}` in column `{column}` has another order of day and month than {other}; write all dates as 2026-03-01"
+    )]
+    BothOrders { file: PathBuf, line: usize, column: String, text: String, other: String },
     /// No number in any row.
     #[error(
         "{file}: column `{column}` ({role}) has no number in any of its {rows} rows (the first is `{text}`); delete it from the table, or rename it so that it \

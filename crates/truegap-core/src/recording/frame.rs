@@ -17,30 +17,78 @@ use super::{
     whole::{Gone, Instant, is_angle},
 };
 use crate::inputs::{Driver, Inputs, Role};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+
+/// A column of a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameColumn<'a> {
+    /// its name, with the unit where that shows it
+    pub name: String,
+    /// one number a row; NaN where there is none
+    pub values: Cow<'a, [f64]>,
+    /// what stood in its cells
+    pub cells: Cells,
+}
+
+/// What the cells of a frame's column are.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Cells {
+    /// numbers in whatever unit the name or a TOML says
+    Numbers,
+    /// lengths of time; the values are seconds
+    Durations,
+    /// dates; the values are seconds since the whole second of the first
+    Dates {
+        /// the first of them, as text
+        first: String,
+    },
+}
+
+impl<'a> FrameColumn<'a> {
+    /// A column of numbers.
+    pub fn numbers(name: &str, values: &'a [f64]) -> Self {
+        Self { name: name.to_owned(), values: Cow::Borrowed(values), cells: Cells::Numbers }
+    }
+
+    pub(super) fn heading(&self) -> Heading {
+        Heading { dated: self.cells != Cells::Numbers, ..Heading::of(&self.name) }
+    }
+}
 
 impl Recording {
     /// Reads a recording from columns; `toml` is the text of a recording's TOML, whose `file` is not looked for, and `name` stands for the frame in messages.
     ///
     /// # Errors
     /// As [`Recording::open`]; [`RecordingError::Lengths`] where the columns are not of one length.
-    pub fn from_columns(name: &str, toml: &str, table: &[(String, &[f64])]) -> Result<Self, RecordingError> {
+    pub fn from_columns(name: &str, toml: &str, table: &[FrameColumn<'_>]) -> Result<Self, RecordingError> {
         let path = PathBuf::from(name);
         let manifest = Manifest::parse(&path, toml)?;
-        let header: Vec<Heading> = table.iter().map(|(column, _)| Heading::of(column)).collect();
+        Self::of_frame(&path, None, manifest, table)
+    }
+
+    /// Reads a recording from columns, as `manifest` says; `toml` is where that stands.
+    pub(super) fn of_frame(
+        path: &Path,
+        toml: Option<&Path>,
+        manifest: Manifest,
+        table: &[FrameColumn<'_>],
+    ) -> Result<Self, RecordingError> {
+        let header: Vec<Heading> = table.iter().map(FrameColumn::heading).collect();
         same_length(table)?;
-        let (bound, mut notes) = columns::bind(&path, None, &header, &manifest)?;
-        let drivers = columns::bind_drivers(&path, None, &header, &manifest, &bound)?;
-        let frame = Frame { path: &path, table, bound: &bound, drivers: &drivers };
+        let (bound, mut notes) = columns::bind(path, toml, &header, &manifest)?;
+        let drivers = columns::bind_drivers(path, toml, &header, &manifest, &bound)?;
+        let frame = Frame { path, table, bound: &bound, drivers: &drivers };
         let mut gone = Gone::default();
         let kept = frame.whole_rows(&mut gone);
         let (inputs, response, found) = frame.columns(&kept, &mut gone)?;
-        gone.check(path.clone(), response.len())?;
+        gone.check(path.to_owned(), response.len())?;
+        notes.extend(frame.dates());
         notes.extend(gone.notes());
         notes.extend(found);
         if response.is_empty() {
-            return Err(RecordingError::NoRows { file: path });
+            return Err(RecordingError::NoRows { file: path.to_owned() });
         }
         let unit = bound.iter().find(|c| c.role == Role::Response).map(|c| c.unit.clone()).unwrap_or_default();
         let base = manifest.base.unwrap_or_else(|| open::assumed_base(&bound, &mut notes));
@@ -52,10 +100,12 @@ impl Recording {
     }
 }
 
-fn same_length(table: &[(String, &[f64])]) -> Result<(), RecordingError> {
-    let expected = table.first().map_or(0, |(_, column)| column.len());
-    match table.iter().find(|(_, column)| column.len() != expected) {
-        Some((column, values)) => Err(RecordingError::Lengths { column: column.clone(), found: values.len(), expected }),
+fn same_length(table: &[FrameColumn<'_>]) -> Result<(), RecordingError> {
+    let expected = table.first().map_or(0, |column| column.values.len());
+    match table.iter().find(|column| column.values.len() != expected) {
+        Some(FrameColumn { name, values, .. }) => {
+            Err(RecordingError::Lengths { column: name.clone(), found: values.len(), expected })
+        }
         None => Ok(()),
     }
 }
@@ -71,7 +121,7 @@ struct Clocked {
 
 struct Frame<'a> {
     path: &'a Path,
-    table: &'a [(String, &'a [f64])],
+    table: &'a [FrameColumn<'a>],
     bound: &'a [Column],
     drivers: &'a [DriverColumn],
 }
@@ -79,23 +129,32 @@ struct Frame<'a> {
 impl Frame<'_> {
     /// Rows in which every column that is used has a value; the others are counted.
     fn whole_rows(&self, gone: &mut Gone) -> Vec<usize> {
-        let rows = self.table.first().map_or(0, |(_, column)| column.len());
+        let rows = self.table.first().map_or(0, |column| column.values.len());
         let used: Vec<usize> = self.bound.iter().map(|c| c.index).chain(self.drivers.iter().map(|d| d.index)).collect();
-        let hole = |row: usize| used.iter().copied().find(|&index| !self.table[index].1[row].is_finite());
+        let hole = |row: usize| used.iter().copied().find(|&index| !self.table[index].values[row].is_finite());
         let mut kept = Vec::with_capacity(rows);
         for row in 0..rows {
             match hole(row) {
-                Some(index) => gone.empty(&self.table[index].0, row + 1),
+                Some(index) => gone.empty(&self.table[index].name, row + 1),
                 None => kept.push(row),
             }
         }
         kept
     }
 
+    /// What is told of a clock that is a date.
+    fn dates(&self) -> Option<Note> {
+        let column = &self.table[self.bound.iter().find(|c| c.dated)?.index];
+        match &column.cells {
+            Cells::Dates { first } => Some(Note::Dates { column: column.name.clone(), first: first.clone() }),
+            _ => None,
+        }
+    }
+
     fn column(&self, role: Role, kept: &[usize]) -> Option<Vec<f64>> {
         let column = self.bound.iter().find(|c| c.role == role)?;
         let (factor, offset) = column.scale;
-        Some(kept.iter().map(|&row| self.table[column.index].1[row] * factor + offset).collect())
+        Some(kept.iter().map(|&row| self.table[column.index].values[row] * factor + offset).collect())
     }
 
     /// Runs and times in order, whether a row has the time of the row before, and what was noted.
@@ -126,7 +185,7 @@ impl Frame<'_> {
         }
         let column = |role| self.column(role, kept).map(|values| means(values, &again));
         let driver = |d: &DriverColumn| {
-            let values: Vec<f64> = kept.iter().map(|&row| self.table[d.index].1[row]).collect();
+            let values: Vec<f64> = kept.iter().map(|&row| self.table[d.index].values[row]).collect();
             let values = if is_angle(&d.unit) { firsts(values, &again) } else { means(values, &again) };
             Driver { name: d.driver.clone(), unit: d.unit.clone(), values }
         };

@@ -27,7 +27,10 @@ type Step<'a> = &'a dyn Fn(Role, &Heading) -> bool;
 /// Guesses among the columns `usable`: by the default name, then by a word of the name, then by the unit, then by what is left over.
 pub(super) fn guess(header: &[Heading], usable: &[usize]) -> Guess {
     let mut guess = Guess::default();
-    let steps: [Step; 4] = [&is_default, &called, &measured, &|role, heading| role == Role::Response && !heading.dated];
+    // a day is a clock where nothing better is
+    let left_over =
+        |role: Role, heading: &Heading| if role == Role::Time { heading.days } else { role == Role::Response && !heading.dated };
+    let steps: [Step; 4] = [&is_default, &called, &measured, &left_over];
     for (number, fits) in steps.into_iter().enumerate() {
         for role in ROLES {
             if guess.found.contains_key(&role) || guess.several.contains_key(&role) {
@@ -51,7 +54,7 @@ pub(super) fn guess(header: &[Heading], usable: &[usize]) -> Guess {
 fn called(role: Role, heading: &Heading) -> bool {
     let of = |role: Role| dimension(role).is_some_and(|dimension| heading.unit_of(dimension).is_some());
     if heading.dated || !told(role, without_unit(heading)) {
-        return heading.dated && role == Role::Time;
+        return heading.dated && !heading.days && role == Role::Time;
     }
     match role {
         // a reading is in any unit, but no clock and no thermometer is one

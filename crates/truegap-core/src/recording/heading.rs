@@ -13,8 +13,12 @@ pub(super) struct Heading {
     pub name: String,
     /// from the line of units under the header
     pub below: Option<String>,
-    /// whether a date with a time of day stands under it, in the first row
+    /// whether a date stands under it, in the first row
     pub dated: bool,
+    /// whether that has no time of day
+    pub days: bool,
+    /// whether that may have day or month in front
+    pub unordered: bool,
 }
 
 impl Heading {
@@ -84,7 +88,7 @@ mod tests {
 
     #[test]
     fn a_line_of_units_outranks_the_name() {
-        let heading = Heading { name: "force".into(), below: Some("mN".into()), dated: false };
+        let heading = Heading { below: Some("mN".into()), ..Heading::of("force") };
         assert_eq!((heading.unit(), heading.unit_of(Dimension::Force)), (Some("mN"), Some("mN")));
         assert_eq!(Heading::of("Force in N").measured(Dimension::Force), "Force");
     }

@@ -2,14 +2,14 @@
 //!
 //! Limits: one cell, whatever stands in the others.
 
-use super::{number::number, stamp::stamp};
+use super::{number::number, stamp::is_date};
 
 /// What to do about a cell that is no number: the end of a message.
 pub(super) fn hint(cell: &str, decimal_comma: bool) -> &'static str {
     let reads = |text: &str| number(text.as_bytes(), decimal_comma).is_ok();
     let without = |signs: &[char]| cell.replace(signs, "");
     let has_digit = cell.contains(|c: char| c.is_ascii_digit());
-    if stamp(cell.as_bytes()).is_some() {
+    if is_date(cell.as_bytes()) {
         "it is a date; name the column as the time, or write a number"
     } else if cell.contains(['\u{2212}', '–']) && reads(&cell.replace(['\u{2212}', '–'], "-")) {
         "its minus sign is a dash; write a hyphen, -"

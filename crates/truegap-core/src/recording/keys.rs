@@ -9,7 +9,7 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 /// Keys of the whole.
-const TOP: [&str; 6] = ["schema", "file", "columns", "units", "drivers", "base"];
+const TOP: [&str; 7] = ["schema", "file", "dayfirst", "columns", "units", "drivers", "base"];
 /// Keys of a driver.
 const DRIVER: [&str; 2] = ["column", "unit"];
 /// Other words for a role.

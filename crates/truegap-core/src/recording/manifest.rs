@@ -51,6 +51,8 @@ pub(super) struct Manifest {
     pub columns: BTreeMap<Role, Named>,
     pub units: BTreeMap<Role, Named>,
     pub drivers: Vec<NamedDriver>,
+    /// whether the day stands first in dates such as 01/03/2026
+    pub dayfirst: Option<bool>,
     pub base: Option<BaseSpec>,
 }
 
@@ -59,6 +61,8 @@ pub(super) struct Manifest {
 struct Raw {
     schema: Spanned<String>,
     file: String,
+    /// whether the day stands first in dates such as 01/03/2026; needed where no date of the column shows it
+    dayfirst: Option<bool>,
     #[serde(default)]
     columns: BTreeMap<Role, Spanned<String>>,
     #[serde(default)]
@@ -109,6 +113,7 @@ impl Manifest {
             NamedDriver { name, column, unit, line }
         };
         let drivers = raw.drivers.into_iter().map(driver).collect();
-        Ok(Self { file: raw.file, columns: named(raw.columns), units: named(raw.units), drivers, base: raw.base })
+        let (columns, units) = (named(raw.columns), named(raw.units));
+        Ok(Self { file: raw.file, columns, units, drivers, dayfirst: raw.dayfirst, base: raw.base })
     }
 }

@@ -1,11 +1,11 @@
-//! Columns named in one line in place of a TOML: `response=C_measured:pF`.
+//! Columns named in one line in place of a TOML: `response=C_measured:pF`, `driver.position=position_mm:mm`.
 //!
-//! Limits: roles only; a column that is none goes under `[drivers]` of a TOML.
+//! Limits: one column a line.
 
 use super::{
     heading::Heading,
     keys::ROLES_CALLED,
-    manifest::{Manifest, Named},
+    manifest::{Manifest, Named, NamedDriver},
     roles::ROLES,
 };
 use crate::inputs::Role;
@@ -15,12 +15,23 @@ use std::str::FromStr;
 /// Line of what stands in no file.
 pub(super) const NO_LINE: usize = 0;
 
-/// A role, and the column that plays it.
+/// What stands before the name of a driver.
+const DRIVER: &str = "driver.";
+
+/// A role or a driver, and the column that plays it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mapped {
-    role: Role,
+    part: Part,
     /// the column's name, with a unit behind the last colon where there is one
     column: String,
+}
+
+/// What a column is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    Role(Role),
+    /// with its name
+    Driver(String),
 }
 
 /// Why a text names no column.
@@ -29,10 +40,14 @@ pub struct Mapped {
 #[allow(missing_docs)] // the fields are named by the messages
 pub enum MapError {
     /// No sign between role and column, or nothing on a side of it.
-    #[error("`{text}` names no column; write ROLE=COLUMN or ROLE=COLUMN:UNIT, as in response=C_measured:pF")]
+    #[error(
+        "`{text}` names no column; write ROLE=COLUMN or ROLE=COLUMN:UNIT, as in response=C_measured:pF or driver.position=position_mm:mm"
+    )]
     NoColumn { text: String },
     /// Not a role.
-    #[error("`{role}` is no role of a column; {instead}; any other column goes under [drivers] of a TOML (docs/recordings.md)")]
+    #[error(
+        "`{role}` is no role of a column; {instead}; any other column is a driver: driver.{role}=COLUMN:UNIT (docs/recordings.md)"
+    )]
     NoRole { role: String, instead: String },
 }
 
@@ -46,17 +61,31 @@ impl FromStr for Mapped {
         if column.is_empty() {
             return Err(no_column());
         }
-        let role = ROLES.into_iter().find(|role| role.key() == word).ok_or_else(|| MapError::NoRole {
-            role: word.to_owned(),
-            instead: instead(word, &ROLES_CALLED, &ROLES.map(Role::key)),
-        })?;
-        Ok(Self { role, column: column.to_owned() })
+        let part = match word.strip_prefix(DRIVER) {
+            Some(name) if name.trim().is_empty() => return Err(no_column()),
+            Some(name) => Part::Driver(name.trim().to_owned()),
+            None => Part::Role(role_of(word)?),
+        };
+        Ok(Self { part, column: column.to_owned() })
     }
 }
 
+/// The role with that name.
+fn role_of(word: &str) -> Result<Role, MapError> {
+    ROLES
+        .into_iter()
+        .find(|role| role.key() == word)
+        .ok_or_else(|| MapError::NoRole { role: word.to_owned(), instead: instead(word, &ROLES_CALLED, &ROLES.map(Role::key)) })
+}
+
 impl Mapped {
+    /// What the column is.
+    pub(super) fn part(&self) -> &Part {
+        &self.part
+    }
+
     /// The column, and the unit; a colon in the name of a column that is there is a part of it.
-    fn column_and_unit(&self, header: &[Heading]) -> (&str, Option<&str>) {
+    pub(super) fn column_and_unit(&self, header: &[Heading]) -> (&str, Option<&str>) {
         let is_there = header.iter().any(|heading| heading.name == self.column);
         match self.column.rsplit_once(':').filter(|_| !is_there) {
             Some((column, unit)) => (column.trim_end(), Some(unit.trim()).filter(|unit| !unit.is_empty())),
@@ -70,13 +99,26 @@ impl Manifest {
     pub fn mapped(mut self, map: &[Mapped], header: &[Heading]) -> Self {
         for mapped in map {
             let (column, unit) = mapped.column_and_unit(header);
-            let named = |text: &str| Named { text: text.to_owned(), line: NO_LINE };
-            self.columns.insert(mapped.role, named(column));
-            // the unit that the TOML gives is that of another column
-            self.units.remove(&mapped.role);
-            self.units.extend(unit.map(|unit| (mapped.role, named(unit))));
+            match &mapped.part {
+                Part::Role(role) => self.map_role(*role, column, unit),
+                Part::Driver(name) => {
+                    self.drivers.retain(|driver| driver.name != *name);
+                    let (name, column, unit) = (name.clone(), column.to_owned(), unit.map(str::to_owned));
+                    self.drivers.push(NamedDriver { name, column, unit, line: NO_LINE });
+                }
+            }
         }
+        // as those of a TOML, by their names
+        self.drivers.sort_by(|one, other| one.name.cmp(&other.name));
         self
+    }
+
+    fn map_role(&mut self, role: Role, column: &str, unit: Option<&str>) {
+        let named = |text: &str| Named { text: text.to_owned(), line: NO_LINE };
+        self.columns.insert(role, named(column));
+        // the unit that the TOML gives is that of another column
+        self.units.remove(&role);
+        self.units.extend(unit.map(|unit| (role, named(unit))));
     }
 }
 
@@ -90,12 +132,16 @@ mod tests {
         let read = |text: &str| {
             let mapped: Mapped = text.parse().unwrap();
             let (column, unit) = mapped.column_and_unit(&header);
-            (mapped.role, column.to_owned(), unit.map(str::to_owned))
+            (mapped.part.clone(), column.to_owned(), unit.map(str::to_owned))
         };
-        assert_eq!(read("response=C_measured:pF"), (Role::Response, "C_measured".into(), Some("pF".into())));
-        assert_eq!(read("force = cell: left"), (Role::Force, "cell: left".into(), None));
-        assert_eq!(read("force=cell: left:mN"), (Role::Force, "cell: left".into(), Some("mN".into())));
-        assert_eq!(read("force=a=b"), (Role::Force, "a=b".into(), None));
+        assert_eq!(read("response=C_measured:pF"), (Part::Role(Role::Response), "C_measured".into(), Some("pF".into())));
+        assert_eq!(read("force = cell: left"), (Part::Role(Role::Force), "cell: left".into(), None));
+        assert_eq!(read("force=cell: left:mN"), (Part::Role(Role::Force), "cell: left".into(), Some("mN".into())));
+        assert_eq!(
+            read("driver.position = cell: left:mm"),
+            (Part::Driver("position".into()), "cell: left".into(), Some("mm".into()))
+        );
+        assert_eq!(read("force=a=b"), (Part::Role(Role::Force), "a=b".into(), None));
     }
 
     #[test]
@@ -103,6 +149,7 @@ mod tests {
         let told = |text: &str| text.parse::<Mapped>().unwrap_err().to_string();
         assert!(told("response").contains("ROLE=COLUMN:UNIT") && told("response=").contains("ROLE=COLUMN:UNIT"));
         assert!(told("forse=Load").contains("`forse` is no role") && told("forse=Load").contains("did you mean `force`"));
-        assert!(told("load=Load").contains("did you mean `force`") && told("fan=U").contains("[drivers]"));
+        assert!(told("load=Load").contains("did you mean `force`") && told("fan=U").contains("driver.fan=COLUMN:UNIT"));
+        assert!(told("driver.=U").contains("driver.position=position_mm:mm"));
     }
 }

@@ -3,8 +3,10 @@
 //! Limits: units are converted here, once; whether the numbers make sense as a measurement is for the diagnosis to say.
 
 mod clock;
+mod columnar;
 mod columns;
 mod data;
+mod date_order;
 mod degrees;
 mod error;
 mod frame;
@@ -32,13 +34,17 @@ mod source;
 mod stamp;
 mod table;
 mod text;
+mod told;
 mod whole;
 mod words;
 mod write;
 
+pub use columnar::read_columns;
 pub use data::{Recording, Sensors};
 pub use error::RecordingError;
+pub use frame::{Cells, FrameColumn};
 pub use manifest::BaseSpec;
 pub use map::{MapError, Mapped};
 pub use note::Note;
 pub use sketch::{Sketch, sketch};
+pub use told::Told;

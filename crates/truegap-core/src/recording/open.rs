@@ -3,17 +3,21 @@
 //! Limits: one pass over the file, two where the vendor's tool logged several sensors.
 
 use super::{
+    columnar,
     columns::{self, Column},
     data::{Recording, Sensors},
+    date_order::order,
     degrees,
     error::RecordingError,
+    frame::FrameColumn,
+    heading::Heading,
     manifest::{BaseSpec, Manifest, Named},
-    map::Mapped,
     note::Note,
     packed::{open_csv, unread},
     rows::Rows,
     singletact,
     table::Table,
+    told::Told,
 };
 use crate::inputs::Role;
 use std::collections::BTreeMap;
@@ -24,8 +28,8 @@ use std::path::{Path, PathBuf};
 struct Origin<'a> {
     csv: &'a Path,
     toml: Option<&'a Path>,
-    /// columns that are named beside them
-    map: &'a [Mapped],
+    /// what is told beside them
+    told: &'a Told,
 }
 
 impl Recording {
@@ -35,22 +39,22 @@ impl Recording {
     /// # Errors
     /// [`RecordingError`] names file, line and value, and says what to do.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, RecordingError> {
-        Self::open_mapped(path, &[])
+        Self::open_told(path, &Told::default())
     }
 
-    /// As [`Recording::open`], with columns that are named beside it; they go before those of the TOML.
+    /// As [`Recording::open`], with what is told beside it; that goes before what the TOML says.
     ///
     /// # Errors
     /// As [`Recording::open`].
-    pub fn open_mapped(path: impl AsRef<Path>, map: &[Mapped]) -> Result<Self, RecordingError> {
+    pub fn open_told(path: impl AsRef<Path>, told: &Told) -> Result<Self, RecordingError> {
         let path = path.as_ref();
         if path.is_dir() {
-            return Self::open_mapped(path.join("recording.toml"), map);
+            return Self::open_told(path.join("recording.toml"), told);
         }
         if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
-            return Self::open_manifest(path, map);
+            return Self::open_manifest(path, told);
         }
-        let mut recording = read(open_csv(path)?, &Origin { csv: path, toml: None, map }, Manifest::default())?;
+        let mut recording = opened(&Origin { csv: path, toml: None, told }, Manifest::default())?;
         let beside = path.with_extension("toml");
         if beside.is_file() {
             recording.notes.push(Note::ManifestNotRead { file: beside.display().to_string() });
@@ -58,11 +62,11 @@ impl Recording {
         Ok(recording)
     }
 
-    fn open_manifest(path: &Path, map: &[Mapped]) -> Result<Self, RecordingError> {
+    fn open_manifest(path: &Path, told: &Told) -> Result<Self, RecordingError> {
         let text = truegap_limits::read_text(path).map_err(|source| unread(path, source))?;
         let manifest = Manifest::parse(path, &text)?;
         let csv = path.parent().unwrap_or(Path::new("")).join(&manifest.file);
-        read(open_csv(&csv)?, &Origin { csv: &csv, toml: Some(path), map }, manifest)
+        opened(&Origin { csv: &csv, toml: Some(path), told }, manifest)
     }
 
     /// Reads a recording from the text of its TOML and of its CSV; `name` stands for the files in messages.
@@ -73,13 +77,29 @@ impl Recording {
         let path = PathBuf::from(format!("{name}.toml"));
         let manifest = Manifest::parse(&path, toml)?;
         let csv_path = PathBuf::from(&manifest.file);
-        read(Cursor::new(csv.as_bytes()), &Origin { csv: &csv_path, toml: Some(&path), map: &[] }, manifest)
+        read(Cursor::new(csv.as_bytes()), &Origin { csv: &csv_path, toml: Some(&path), told: &Told::default() }, manifest)
+    }
+}
+
+/// The recording in a table, whatever kind of file that is.
+fn opened(origin: &Origin<'_>, manifest: Manifest) -> Result<Recording, RecordingError> {
+    match columnar::read(origin.csv)? {
+        None => read(open_csv(origin.csv)?, origin, manifest),
+        Some(frame) => {
+            let header: Vec<_> = frame.columns.iter().map(FrameColumn::heading).collect();
+            let manifest = manifest.told(origin.told, &header);
+            frame.holds_numbers(origin.csv, &manifest)?;
+            let mut recording = Recording::of_frame(origin.csv, origin.toml, manifest, &frame.columns)?;
+            recording.sha256 = frame.sha256;
+            recording.path = origin.toml.unwrap_or(origin.csv).to_owned();
+            Ok(recording)
+        }
     }
 }
 
 fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> Result<Recording, RecordingError> {
     let mut table = Table::open(origin.csv, source)?;
-    let manifest = manifest.mapped(origin.map, &table.header);
+    let manifest = manifest.told(origin.told, &table.header);
     let sensors = vendor_sensors(&table, &manifest);
     let several = sensors.len() > 1;
     let mut rows = Rows::default();
@@ -90,13 +110,18 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
         rows.clock.lenient = table.singletact;
         rows.clock.renumber = several || columns.iter().any(|c| c.role == Role::Sensor);
         let drivers = columns::bind_drivers(origin.csv, origin.toml, &table.header, &manifest, &columns)?;
+        if let Some(clock) = columns.iter().find(|c| c.dated && table.header[c.index].unordered) {
+            rows.order = order(&mut table, clock.index, manifest.dayfirst)?;
+            table = Table::open(origin.csv, table.finish().1)?;
+        }
         rows.take(&mut table, &columns, &drivers, sensor.filter(|_| several).map(String::as_str))?;
+        let used: Vec<usize> = columns.iter().map(|c| c.index).chain(drivers.iter().map(|d| d.index)).collect();
         if pass == 0 {
             notes = std::mem::take(&mut table.notes);
             notes.extend(assumed);
             notes.extend(rows.first_date.take());
             notes.extend(rows.commas.then_some(Note::DecimalCommas));
-            notes.extend(not_read(&table, &columns, origin));
+            notes.extend(not_read(&table.header, &used, origin).filter(|_| !table.singletact));
             bound = columns;
         } else {
             same_unit(origin.csv, &bound, &columns)?;
@@ -108,15 +133,11 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
     assemble(rows, &bound, notes, sha256, origin, manifest.base)
 }
 
-/// Columns that a bare CSV holds and nothing asked for: who wrote them may think that they are read.
-fn not_read<R: Read + Seek>(table: &Table<R>, columns: &[Column], origin: &Origin<'_>) -> Option<Note> {
-    let spare = table
-        .header
-        .iter()
-        .enumerate()
-        .filter(|(index, heading)| !heading.name.is_empty() && columns.iter().all(|column| column.index != *index));
+/// Columns that a table without a TOML holds and nothing asked for: who wrote them may think that they are read.
+fn not_read(header: &[Heading], used: &[usize], origin: &Origin<'_>) -> Option<Note> {
+    let spare = header.iter().enumerate().filter(|(index, heading)| !heading.name.is_empty() && !used.contains(index));
     let spare = columns::quoted(spare.map(|(_, heading)| heading.name.as_str()));
-    (origin.toml.is_none() && !table.singletact && !spare.is_empty()).then_some(Note::NotRead { columns: spare })
+    (origin.toml.is_none() && !spare.is_empty()).then_some(Note::NotRead { columns: spare })
 }
 
 /// Columns of the vendor's tool that are each read as a sensor's response; none where the response is named, or in any other CSV.

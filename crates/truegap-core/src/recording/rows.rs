@@ -11,7 +11,7 @@ use super::{
     refuse::refuse,
     separators::Separators,
     singletact,
-    stamp::stamp,
+    stamp::{First, stamp},
     table::Table,
     text::text,
     whole::{Gone, Instant, is_angle},
@@ -56,6 +56,8 @@ pub(super) struct Rows {
     points: Vec<Separators>,
     /// what is told of a clock that is a date
     pub first_date: Option<Note>,
+    /// which of day and month stands first in dates
+    pub order: First,
     /// whole seconds of the first date
     epoch: i64,
 }
@@ -134,7 +136,7 @@ impl Rows {
     /// Seconds of a cell that is a date, since the first.
     fn seconds<R: Read + Seek>(&mut self, table: &mut Table<R>, column: &Column) -> Result<f64, RecordingError> {
         let cell = table.row().get(column.index).unwrap_or_default();
-        let Some(stamp) = stamp(cell) else {
+        let Some(stamp) = stamp(cell, self.order) else {
             let (text, file, name, byte) = (text(cell).0.into_owned(), table.file(), column.name.clone(), table.byte());
             return Err(RecordingError::NotADate { file, line: table.line(byte)?, column: name, text });
         };

@@ -3,15 +3,20 @@
 //! Limits: the header and the first rows; nothing is guessed from the size of numbers.
 
 use super::{
-    columns::{dimension, quoted},
+    columnar,
+    columns::{bind_drivers, dimension, quoted, there},
+    date_order::order,
     error::RecordingError,
+    frame::FrameColumn,
     guess::{Guess, guess},
     heading::Heading,
-    manifest::SCHEMA,
+    manifest::{Manifest, SCHEMA},
+    map::Part,
     number::number,
     packed::open_csv,
     roles::ROLES,
     table::Table,
+    told::Told,
     words::without_accents,
 };
 use crate::inputs::Role;
@@ -30,31 +35,71 @@ pub struct Sketch {
     pub open: Vec<String>,
 }
 
-/// What a header tells of a recording.
+/// What a header tells of a recording, and what is told beside it.
 ///
 /// # Errors
-/// [`RecordingError`] where the CSV cannot be read or has no header.
-pub fn sketch(csv: &Path) -> Result<Sketch, RecordingError> {
-    let mut table = Table::open(csv, open_csv(csv)?)?;
-    let header = table.header.clone();
-    let mut numeric = vec![false; header.len()];
-    for _ in 0..LOOKED_AT {
-        if !table.advance()? {
-            break;
-        }
-        let comma = table.decimal_comma;
-        let is_number = |index: usize| table.row().get(index).is_some_and(|cell| number(cell, comma).is_ok());
-        numeric.iter_mut().enumerate().for_each(|(index, numeric)| *numeric |= is_number(index));
-    }
+/// [`RecordingError`] where the table cannot be read, has no header, or lacks a column that is told of.
+pub fn sketch(csv: &Path, told: &Told) -> Result<Sketch, RecordingError> {
+    let seen = match columnar::read(csv)? {
+        Some(frame) => Seen {
+            header: frame.columns.iter().map(FrameColumn::heading).collect(),
+            numeric: vec![true; frame.columns.len()],
+            notes: Vec::new(),
+        },
+        None => Seen::of_csv(csv)?,
+    };
+    let manifest = Manifest::default().told(told, &seen.header);
+    manifest.columns.iter().try_for_each(|(role, named)| there(csv, &seen.header, *role, named))?;
+    bind_drivers(csv, None, &seen.header, &manifest, &[])?;
     let file = csv.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let notes = table.notes.iter().map(ToString::to_string).collect();
-    Ok(Writer { header: &header, numeric: &numeric, toml: String::new(), open: Vec::new() }.write(&file, notes))
+    let days = seen.days(csv, told)?;
+    let Seen { header, numeric, notes } = seen;
+    Ok(Writer { header: &header, numeric: &numeric, told, days, toml: String::new(), open: Vec::new() }.write(&file, notes))
+}
+
+/// What stands in a table.
+struct Seen {
+    header: Vec<Heading>,
+    /// whether there are numbers under a heading
+    numeric: Vec<bool>,
+    notes: Vec<String>,
+}
+
+impl Seen {
+    fn of_csv(csv: &Path) -> Result<Self, RecordingError> {
+        let mut table = Table::open(csv, open_csv(csv)?)?;
+        let header = table.header.clone();
+        let mut numeric = vec![false; header.len()];
+        for _ in 0..LOOKED_AT {
+            if !table.advance()? {
+                break;
+            }
+            let comma = table.decimal_comma;
+            let is_number = |index: usize| table.row().get(index).is_some_and(|cell| number(cell, comma).is_ok());
+            numeric.iter_mut().enumerate().for_each(|(index, numeric)| *numeric |= is_number(index));
+        }
+        let notes = table.notes.iter().map(ToString::to_string).collect();
+        Ok(Self { header, numeric, notes })
+    }
+
+    /// A date of which nobody knows whether it begins with the day or the month.
+    fn days(&self, csv: &Path, told: &Told) -> Result<Option<String>, RecordingError> {
+        let Some(index) = self.header.iter().position(|heading| heading.unordered) else { return Ok(None) };
+        match order(&mut Table::open(csv, open_csv(csv)?)?, index, told.dayfirst) {
+            Ok(_) => Ok(None),
+            Err(RecordingError::DayOrMonth { text, .. }) => Ok(Some(text)),
+            Err(other) => Err(other),
+        }
+    }
 }
 
 struct Writer<'a> {
     header: &'a [Heading],
     /// whether there are numbers under a heading
     numeric: &'a [bool],
+    told: &'a Told,
+    /// a date in no order that shows
+    days: Option<String>,
     toml: String,
     open: Vec<String>,
 }
@@ -80,15 +125,69 @@ impl Writer<'_> {
             .clone()
             .filter(|index| (self.numeric[*index] || self.header[*index].dated) && self.is_alone(*index))
             .collect();
-        let guess = guess(self.header, &usable);
+        let guess = self.with_told(guess(self.header, &self.guessed(&usable)));
         self.line(&format!("schema = \"{SCHEMA}\"\nfile = {}", toml_text(file)));
+        self.dates();
         notes.iter().for_each(|note| self.line(&format!("# {note}")));
         self.columns(&guess, &usable);
         self.units(&guess);
+        self.drivers();
         self.spare(&guess, &usable);
         self.unusable(columns.filter(|index| !usable.contains(index)).collect());
         self.base(&guess);
         Sketch { toml: self.toml, open: self.open }
+    }
+
+    /// Columns that are told of, with what they are and their units.
+    fn told_of(&self) -> Vec<(&'_ Part, usize, Option<&'_ str>)> {
+        let of = |mapped: &'_ crate::recording::Mapped| mapped.column_and_unit(self.header).0.to_owned();
+        let index = |name: String| self.header.iter().position(|heading| heading.name == name);
+        let all = self.told.map.iter();
+        all.filter_map(|mapped| Some((mapped.part(), index(of(mapped))?, mapped.column_and_unit(self.header).1))).collect()
+    }
+
+    /// The columns among which roles are guessed: those that nothing is told of.
+    fn guessed(&self, usable: &[usize]) -> Vec<usize> {
+        let told: Vec<usize> = self.told_of().iter().map(|(_, index, _)| *index).collect();
+        usable.iter().filter(|index| !told.contains(index)).copied().collect()
+    }
+
+    fn with_told(&self, mut guess: Guess) -> Guess {
+        for (part, index, _) in self.told_of() {
+            if let Part::Role(role) = part {
+                guess.several.remove(role);
+                guess.found.insert(*role, index);
+            }
+        }
+        guess
+    }
+
+    fn dates(&mut self) {
+        match (self.told.dayfirst, self.days.take()) {
+            (Some(told), _) => self.line(&format!("dayfirst = {told}")),
+            (None, Some(date)) => {
+                self.line(&format!("# dayfirst = true   # whether `{date}` begins with the day"));
+                self.open.push(format!("whether `{date}` begins with the day or the month: complete `dayfirst`"));
+            }
+            (None, None) => {}
+        }
+    }
+
+    fn drivers(&mut self) {
+        let drivers = self.told_of().into_iter().filter_map(|(part, index, unit)| match part {
+            Part::Driver(name) => Some((name.clone(), index, unit.map(str::to_owned))),
+            Part::Role(_) => None,
+        });
+        let drivers: Vec<_> = drivers.collect();
+        if !drivers.is_empty() {
+            self.line("\n[drivers]");
+        }
+        for (name, index, unit) in drivers {
+            let heading = &self.header[index];
+            let unit = unit.or_else(|| heading.proper_unit().map(str::to_owned)).unwrap_or_else(|| "1".to_owned());
+            let line = format!("{} = {{ column = {}, unit = {} }}", toml_key(&name), toml_text(&heading.name), toml_text(&unit));
+            self.line(&line);
+        }
     }
 
     fn columns(&mut self, guess: &Guess, usable: &[usize]) {
@@ -118,6 +217,12 @@ impl Writer<'_> {
         self.line("\n[units]");
         for (role, index) in guess.found.iter().filter(|(role, _)| !matches!(role, Role::Run | Role::Sensor)) {
             let (key, heading) = (role.key(), &self.header[*index]);
+            let told = self.told_of().into_iter().find_map(|(part, _, unit)| unit.filter(|_| *part == Part::Role(*role)));
+            if let Some(unit) = told {
+                let line = format!("{key} = {}", toml_text(unit));
+                self.line(&line);
+                continue;
+            }
             if *role == Role::Time && heading.dated {
                 self.line("# time: the column holds dates, and is read in seconds from the first");
                 continue;
@@ -140,16 +245,18 @@ impl Writer<'_> {
 
     /// Columns of numbers that play no role.
     fn spare(&mut self, guess: &Guess, usable: &[usize]) {
-        let taken = |index: &&usize| guess.found.values().any(|taken| taken == *index) || self.header[**index].dated;
+        let told: Vec<usize> = self.told_of().iter().map(|(_, index, _)| *index).collect();
+        let of_role = |index: usize| guess.found.values().any(|taken| *taken == index);
+        let taken = |index: &&usize| of_role(**index) || told.contains(*index) || self.header[**index].dated;
         let spare: Vec<usize> = usable.iter().filter(|index| !taken(index)).copied().collect();
         if spare.is_empty() {
             return;
         }
         let names: Vec<&str> = spare.iter().map(|index| self.name(*index)).collect();
-        self.line(&format!(
-            "\n# Not used: {}. Physics may follow a column that stands under [drivers]:\n# [drivers]",
-            names.join(", ")
-        ));
+        self.line(&format!("\n# Not used: {}. Physics may follow a column that stands under [drivers]:", names.join(", ")));
+        if self.told_of().iter().all(|(part, ..)| matches!(part, Part::Role(_))) {
+            self.line("# [drivers]");
+        }
         let mut keys: Vec<String> = Vec::new();
         for index in spare {
             let heading = &self.header[index];
@@ -208,6 +315,12 @@ fn unit(role: Role, heading: &Heading) -> Option<String> {
 
 fn toml_text(text: &str) -> String {
     toml::Value::from(text).to_string()
+}
+
+/// A name as a key of TOML, in quotes where it needs them.
+fn toml_key(name: &str) -> String {
+    let is_plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-'));
+    if is_plain { name.to_owned() } else { toml_text(name) }
 }
 
 /// A name that TOML takes without quotes.

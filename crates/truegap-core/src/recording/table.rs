@@ -7,7 +7,7 @@ use super::{
     heading::{Heading, units},
     note::Note,
     source::Source,
-    stamp::stamp,
+    stamp::{is_date, is_day, unordered},
     text::text,
 };
 use sha2::{Digest, Sha256};
@@ -90,8 +90,12 @@ impl<R: Read + Seek> Table<R> {
                 self.ahead = self.advance()?;
             }
             let record = &self.record;
-            let dated = |at: usize| self.ahead && record.get(at).is_some_and(|cell| stamp(cell).is_some());
-            self.header.iter_mut().enumerate().for_each(|(at, heading)| heading.dated = dated(at));
+            let cell = |at: usize| record.get(at).filter(|_| self.ahead).unwrap_or_default();
+            for (at, heading) in self.header.iter_mut().enumerate() {
+                heading.dated = is_date(cell(at));
+                heading.days = is_day(cell(at));
+                heading.unordered = unordered(cell(at)).is_some();
+            }
         }
         self.notes.extend(strange.map(|text| Note::Windows1252 { text }));
         Ok(())

@@ -17,7 +17,7 @@ fn columns_in_memory_are_read_as_a_csv_is() {
         ("pump [V]", &[5.0, 5.5, 6.0]),
         ("run", &[1.0, 1.0, 2.0]),
     ];
-    let table: Vec<(String, &[f64])> = table.into_iter().map(|(name, column)| (name.to_owned(), column)).collect();
+    let table: Vec<FrameColumn<'_>> = table.into_iter().map(|(name, column)| FrameColumn::numbers(name, column)).collect();
     let from_columns = truegap_core::Recording::from_columns("frame", toml, &table).unwrap();
     assert_eq!(from_columns.inputs, from_text.inputs);
     assert_eq!((&from_columns.response, &from_columns.response_unit), (&from_text.response, &from_text.response_unit));
@@ -28,17 +28,19 @@ fn columns_in_memory_are_read_as_a_csv_is() {
 #[test]
 fn rows_of_a_frame_with_holes_are_left_out_and_counted() {
     let toml = "schema = \"truegap.recording/1\"\nfile = \"frame\"\n";
-    let table: Vec<(String, &[f64])> = vec![
-        ("force_n".into(), &[0.0, f64::NAN, 2.0, 3.0]),
-        ("capacitance_pf".into(), &[1.0, 2.0, 3.0, f64::NAN]),
-        ("notes".into(), &[f64::NAN; 4]),
+    let table: Vec<FrameColumn<'_>> = vec![
+        FrameColumn::numbers("force_n", &[0.0, f64::NAN, 2.0, 3.0]),
+        FrameColumn::numbers("capacitance_pf", &[1.0, 2.0, 3.0, f64::NAN]),
+        FrameColumn::numbers("notes", &[f64::NAN; 4]),
     ];
     let read = truegap_core::Recording::from_columns("frame", toml, &table).unwrap();
     assert_eq!(read.response, [1.0, 3.0]);
     assert!(read.notes.iter().any(|n| n.to_string().starts_with("2 rows without a value in `force_n`")), "{:?}", read.notes);
-    let short: Vec<(String, &[f64])> = vec![("force_n".into(), &[0.0]), ("capacitance_pf".into(), &[1.0, 2.0])];
+    let short: Vec<FrameColumn<'_>> =
+        vec![FrameColumn::numbers("force_n", &[0.0]), FrameColumn::numbers("capacitance_pf", &[1.0, 2.0])];
     assert!(truegap_core::Recording::from_columns("frame", toml, &short).is_err());
-    let back: Vec<(String, &[f64])> = vec![("time_s".into(), &[1.0, 0.0]), ("capacitance_pf".into(), &[1.0, 2.0])];
+    let back: Vec<FrameColumn<'_>> =
+        vec![FrameColumn::numbers("time_s", &[1.0, 0.0]), FrameColumn::numbers("capacitance_pf", &[1.0, 2.0])];
     assert!(truegap_core::Recording::from_columns("frame", toml, &back).unwrap_err().to_string().contains("line 2"));
 }
 
@@ -53,7 +55,7 @@ fn a_header_is_sketched_and_read_back() {
         "Elapsed (s),Load cell [mN],Chamber temp [K],cap_pF,pump [V],label\n0,0,293.15,240,5,a\n1,1500,294.15,239,5,b\n",
     )
     .unwrap();
-    let sketch = truegap_core::recording::sketch(&csv).unwrap();
+    let sketch = truegap_core::recording::sketch(&csv, &Told::default()).unwrap();
     assert_eq!(sketch.open.len(), 1, "{:?}", sketch.open);
     assert!(sketch.open[0].contains("[base]") && sketch.toml.contains("# Not used: pump [V]"), "{}", sketch.toml);
     std::fs::write(folder.join("b.toml"), &sketch.toml).unwrap();
@@ -62,7 +64,7 @@ fn a_header_is_sketched_and_read_back() {
     assert_eq!(read.inputs.temperature_c, Some(vec![20.0, 21.0]));
     assert_eq!((read.inputs.time_s, read.response_unit.as_str()), (Some(vec![0.0, 1.0]), "pF"));
     std::fs::write(&csv, "force,a,b\n1,2,3\n").unwrap();
-    let sketch = truegap_core::recording::sketch(&csv).unwrap();
+    let sketch = truegap_core::recording::sketch(&csv, &Told::default()).unwrap();
     let open = sketch.open.join("\n");
     assert!(open.contains("which column is the reading") && open.contains("unit of `force`"), "{open}");
     assert!(sketch.toml.contains("# force = \"N\"") && sketch.toml.contains("one of: `a`, `b`"), "{}", sketch.toml);
@@ -84,4 +86,24 @@ fn commas_are_told_of_only_where_one_was_read_as_a_point() {
     let told = |text: &str| csv(text).unwrap().notes.contains(&Note::DecimalCommas);
     assert!(!told("time_s;capacitance_pf\n0;210.1\n0.1;210.2\n"));
     assert!(told("time_s;capacitance_pf\n0;210,1\n0,1;210,2\n"));
+}
+
+/// A frame whose clock was a date was refused.
+#[test]
+fn dates_and_durations_of_a_frame_are_a_clock() {
+    let toml = "schema = \"truegap.recording/1\"\nfile = \"frame\"\n[columns]\ntime = \"when\"\n";
+    let read = |cells: Cells| {
+        let when = FrameColumn { cells, ..FrameColumn::numbers("when", &[0.25, 60.0]) };
+        Recording::from_columns("frame", toml, &[when, FrameColumn::numbers("response_mm", &[1.0, 2.0])]).unwrap()
+    };
+    let dates = read(Cells::Dates { first: "2026-03-01T12:00:00.25".into() });
+    assert_eq!(dates.inputs.time_s.as_deref(), Some(&[0.25, 60.0][..]));
+    assert!(
+        dates.notes.iter().any(|note| note.to_string().contains("seconds from `2026-03-01T12:00:00.25`")),
+        "{:?}",
+        dates.notes
+    );
+    let durations = read(Cells::Durations);
+    assert_eq!(durations.inputs.time_s, dates.inputs.time_s);
+    assert!(durations.notes.iter().all(|note| !matches!(note, Note::Dates { .. })));
 }

@@ -9,7 +9,7 @@ mod told;
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
-use truegap_core::recording::BaseSpec;
+use truegap_core::recording::{BaseSpec, Cells, FrameColumn, Told};
 use truegap_core::{Driver, Inputs, Note, Recording, RecordingError, Role};
 
 /// A folder of its own that goes away with the test.

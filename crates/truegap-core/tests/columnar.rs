@@ -1,0 +1,76 @@
+//! Files that hold a frame: read as the CSV of the same numbers, and refused where this build does not read them.
+
+#![allow(clippy::unwrap_used)]
+
+use truegap_core::Recording;
+
+const PARQUET: &[u8] = include_bytes!("columnar/bench.parquet");
+
+fn folder(name: &str) -> std::path::PathBuf {
+    let folder = std::env::temp_dir().join(format!("truegap-columnar-{}-{name}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+#[cfg(not(feature = "columnar"))]
+#[test]
+fn a_build_that_reads_none_says_which_does() {
+    let folder = folder("absent");
+    std::fs::write(folder.join("bench.parquet"), PARQUET).unwrap();
+    let told = Recording::open(folder.join("bench.parquet")).unwrap_err().to_string();
+    assert!(told.contains("bench.parquet: it is a Parquet file") && told.contains("--features columnar"), "{told}");
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+#[cfg(feature = "columnar")]
+mod read {
+    use super::{PARQUET, folder};
+    use truegap_core::recording::{Told, sketch};
+    use truegap_core::{Note, Recording};
+
+    const ARROW: &[u8] = include_bytes!("columnar/bench.arrow");
+    const CSV: &str = include_str!("columnar/bench.csv");
+
+    /// The files were written by `columnar/write.py`, with pyarrow and polars.
+    #[test]
+    fn a_file_of_columns_is_read_as_the_csv_of_its_numbers() {
+        let folder = folder("same");
+        std::fs::write(folder.join("bench.csv"), CSV).unwrap();
+        let csv = Recording::open(folder.join("bench.csv")).unwrap();
+        assert!(csv.len() == 4 && csv.inputs.time_s.as_ref().unwrap()[1] == 0.75, "{csv:?}");
+        for (name, bytes) in [("bench.parquet", PARQUET), ("bench.arrow", ARROW), ("called.csv", PARQUET)] {
+            std::fs::write(folder.join(name), bytes).unwrap();
+            let read = Recording::open(folder.join(name)).unwrap();
+            assert_eq!((&read.inputs, &read.response, &read.columns), (&csv.inputs, &csv.response, &csv.columns), "{name}");
+            assert!(read.notes.iter().any(|note| matches!(note, Note::Dates { .. })), "{:?}", read.notes);
+            assert!(read.notes.iter().any(|note| matches!(note, Note::RowsWithoutValue { rows: 1, .. })), "{:?}", read.notes);
+        }
+        let toml =
+            "schema = \"truegap.recording/1\"\nfile = \"bench.arrow\"\n[drivers]\nfan = { column = \"fan\", unit = \"1\" }\n";
+        std::fs::write(folder.join("bench.toml"), toml).unwrap();
+        let read = Recording::open(folder.join("bench.toml")).unwrap();
+        assert_eq!(
+            (read.inputs.drivers[0].values.as_slice(), read.path.file_name().unwrap()),
+            (&[1.0, 2.0, 4.0, 5.0][..], "bench.toml".as_ref())
+        );
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn a_column_of_text_and_a_damaged_file_are_told() {
+        let folder = folder("broken");
+        let parquet = folder.join("bench.parquet");
+        std::fs::write(&parquet, PARQUET).unwrap();
+        let told = Told { map: vec!["response=who:mV".parse().unwrap()], ..Told::default() };
+        let refused = Recording::open_told(&parquet, &told).unwrap_err().to_string();
+        assert!(refused.contains("column `who` holds neither numbers nor dates but"), "{refused}");
+        let sketch = sketch(&parquet, &Told::default()).unwrap();
+        assert!(sketch.toml.contains("file = \"bench.parquet\"") && sketch.toml.contains("time = \"time\""), "{}", sketch.toml);
+        for length in [6, 40, PARQUET.len() - 5] {
+            std::fs::write(&parquet, &PARQUET[..length]).unwrap();
+            let refused = Recording::open(&parquet).unwrap_err().to_string();
+            assert!(refused.contains("bench.parquet: cannot be read as a Parquet file"), "{refused}");
+        }
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+}

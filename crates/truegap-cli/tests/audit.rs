@@ -34,6 +34,19 @@ fn an_audit_writes_its_rows_and_says_that_there_is_something_to_look_at() {
     assert_eq!(bench.run(&arguments).out, said.out);
 }
 
+/// The audit kept its findings elsewhere than everything else that may be computed again.
+#[test]
+fn findings_are_kept_where_truegap_cache_says() {
+    let bench = Bench::new();
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_truegap"));
+    command.args(["-q", "audit", "--only", "POLYIMIDE-UNIFORM-STRESS", "--no-scene"]).current_dir(bench.path("."));
+    let output =
+        command.env("TRUEGAP_CACHE", bench.path("kept")).env("XDG_CACHE_HOME", bench.path("elsewhere")).output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(std::fs::read_dir(bench.path("kept/audit")).unwrap().count(), 1);
+    assert!(!bench.path("elsewhere").exists());
+}
+
 #[test]
 fn what_holds_is_fine() {
     let bench = Bench::new();

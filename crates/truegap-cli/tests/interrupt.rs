@@ -69,3 +69,42 @@ fn ctrl_c_leaves_a_report_of_what_is_known() {
     let page = std::fs::read_to_string(bench.path("out/report.html")).unwrap();
     assert!(page.contains("stopped before its end") && !page.contains("nothing is missing"));
 }
+
+/// Where a program answers slowly, what is known by then costs hundreds of questions more: it was asked them all the same.
+#[test]
+fn a_slow_program_is_asked_no_further_after_ctrl_c() {
+    let bench = Bench::new();
+    let client = include_str!("../../../docs/clients/spring.py");
+    let slow = client.replace(
+        "    elif word == \"ask\":\n",
+        "    elif word == \"ask\":\n        time.sleep(0.03)\n        open(\"asked\", \"a\").write(\".\")\n",
+    );
+    bench.file("sim.py", &slow.replace("import sys", "import sys, time"));
+    let load = |i: usize| 5.0 + 4.0 * (i as f64 / 9.0).sin();
+    let rows: String =
+        (0..200).map(|i| format!("{i},{},{}\n", load(i), 1.0 + 0.5 * load(i) + 1e-3 * ((i * 37 % 11) as f64))).collect();
+    bench.file("b.csv", &format!("time_s,force_n,response_mm\n{rows}"));
+    let base = "[base]\nmodel = \"command\"\nrun = [\"python3\", \"sim.py\"]\n[base.parameters]\nk = { value = 2.0, sd = 0.3 }\nrest = { value = 0.0, sd = 3.0 }\n";
+    bench.file("b.toml", &format!("schema = \"truegap.recording/1\"\nfile = \"b.csv\"\n{base}"));
+    let asked = || std::fs::read(bench.path("asked")).map_or(0, |dots| dots.len());
+    let mut program = Command::new(env!("CARGO_BIN_EXE_truegap"))
+        .args(["diagnose", "b.toml", "-o", "out", "--cache", "answers"])
+        .current_dir(bench.path("."))
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    while asked() < 20 {
+        assert!(program.try_wait().unwrap().is_none(), "it ended before it was stopped");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    let before = asked();
+    assert!(Command::new("kill").args(["-INT", &program.id().to_string()]).status().unwrap().success());
+    let mut told = String::new();
+    program.stderr.take().unwrap().read_to_string(&mut told).unwrap();
+    assert_eq!(program.wait().unwrap().code(), Some(130), "{told}");
+    // one that was under way, and those of the twentieth of a second until it is seen
+    assert!(asked() <= before + 10, "{} questions after {before}: {told}", asked());
+    assert!(told.contains("asked no further, as the diagnosis was stopped; its answers are kept"), "{told}");
+    assert!(!bench.path("out").exists());
+}

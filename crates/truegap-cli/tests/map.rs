@@ -56,3 +56,79 @@ fn a_map_goes_before_the_toml() {
     let slope = said.out.contains("\"verdict\":\"agrees\"");
     assert!(said.code == 0 && slope, "{}{}", said.out, said.err);
 }
+
+/// A driver needed a TOML.
+#[test]
+fn a_driver_is_named_in_the_same_line_as_a_role() {
+    let bench = bench();
+    let map = ["time=Elapsed:s", "--map", "response=C_measured:pF", "--map", "driver.cell=Load cell: left:N", "-o", "out"];
+    let said =
+        bench.run(&["-q", "diagnose", "bench.csv", "--base", "linear", "--map"].iter().chain(&map).copied().collect::<Vec<_>>());
+    assert!(said.code < 2, "{}", said.err);
+    let header = std::fs::read_to_string(bench.path("out/prediction.csv")).unwrap().lines().next().unwrap().to_owned();
+    assert!(header.contains("driver_cell"), "{header}");
+    let refuses = |map: &str, parts: &[&str]| bench.refuses(&[&TYPED[..], &[map, "-o", "out2"]].concat(), parts);
+    refuses("driver.cell=Load cell: left", &["--map driver.cell", "no unit in its name", "driver.cell=\"Load cell: left:mm\""]);
+    refuses("driver.force=Elapsed:s", &["`force` is a role", "--map force=COLUMN"]);
+}
+
+#[test]
+fn what_is_told_to_init_stands_in_the_toml() {
+    let bench = bench();
+    let told = ["time=Elapsed:s", "response=C_measured:pF", "driver.cell=Load cell: left:N"].map(|map| ["--map", map]).concat();
+    let said = bench.run(&[&["init", "bench.csv"][..], &told].concat());
+    assert_eq!(said.code, 0, "{}", said.err);
+    let toml = std::fs::read_to_string(bench.path("bench.toml")).unwrap();
+    for line in ["time = \"s\"", "response = \"pF\"", "[drivers]", "cell = { column = \"Load cell: left\", unit = \"N\" }"] {
+        assert!(toml.lines().any(|found| found == line), "{line} is missing in:\n{toml}");
+    }
+    let said = bench.run(&["-q", "diagnose", "bench.toml", "--base", "linear", "-o", "out"]);
+    assert!(said.code < 2, "{}", said.err);
+    bench.file("other.csv", "a,b\n1,2\n");
+    bench.refuses(&["init", "other.csv", "--map", "response=c:pF"], &["`c` is not in the header", "`a`, `b`"]);
+}
+
+#[test]
+fn a_history_to_simulate_is_read_by_what_is_told() {
+    let bench = bench();
+    let typed = [
+        "-q",
+        "--json",
+        "simulate",
+        "--drive",
+        "bench.csv",
+        "--map",
+        "force=Load cell: left:mN",
+        "--map",
+        "response=C_measured:pF",
+    ];
+    let said = bench.run(&typed);
+    let first: Value = serde_json::from_str(said.out.lines().next().unwrap()).unwrap();
+    assert!(said.code == 0 && (first["force_n"].as_f64().unwrap() - 0.002).abs() < 1e-9, "{}{}", said.out, said.err);
+    bench.refuses(&["simulate", "--load", "1 N", "--map", "force=a:N"], &["--map", "--drive RECORDING"]);
+}
+
+#[test]
+fn the_order_of_dates_is_told_by_an_option() {
+    let bench = Bench::new();
+    let rows: String =
+        (0..40).map(|i| format!("{:02}/{:02}/2026 12:00,{},{}\n", i % 10 + 1, i / 10 + 1, i % 7, 3 * (i % 7) + i % 2)).collect();
+    bench.file("dates.csv", &format!("time,force_n,capacitance_pf\n{rows}"));
+    let typed = ["-q", "diagnose", "dates.csv", "--base", "linear", "-o", "out"];
+    bench.refuses(&typed, &["line 2: `01/01/2026 12:00`", "--dayfirst", "dayfirst = true or false"]);
+    for option in ["--dayfirst", "--dayfirst=true"] {
+        let said = bench.run(&[&typed[..], &[option]].concat());
+        assert!(said.code < 2, "{option}: {}", said.err);
+    }
+    bench.refuses(&[&typed[..], &["--dayfirst=false"]].concat(), &["time goes back"]);
+}
+
+#[cfg(not(feature = "columnar"))]
+#[test]
+fn a_parquet_file_is_answered_with_the_build_that_reads_it() {
+    let bench = Bench::new();
+    let file = include_bytes!("../../truegap-core/tests/columnar/bench.parquet");
+    std::fs::write(bench.path("x.parquet"), file).unwrap();
+    bench.refuses(&["diagnose", "x.parquet"], &["x.parquet: it is a Parquet file", "--features columnar", "CSV"]);
+    bench.refuses(&["init", "x.parquet"], &["--features columnar"]);
+}

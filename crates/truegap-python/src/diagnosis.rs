@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use truegap::diagnose::Library;
 use truegap::diagnosis::confirm::{Confirmed, Free, confirm_with};
-use truegap::diagnosis::{Diagnosed, FILES, Request, open_with, report};
+use truegap::diagnosis::{Diagnosed, FILES, Request, cache_folder, open_with, report};
 use truegap::models::{ModelFile, ModelFileError, Programs, with_effects};
 use truegap::{OutputFolder, Recording};
 
@@ -35,6 +35,10 @@ struct Asked {
     library_only: bool,
     select_in_folds: bool,
     permuted_searches: Option<usize>,
+    /// folder in which answers of programs are kept
+    cache: Option<PathBuf>,
+    /// whether they are kept in the user's cache folder
+    remember: bool,
     command: String,
 }
 
@@ -43,7 +47,7 @@ impl Asked {
     fn request(self, recording: Option<&Recording>) -> PyResult<Request> {
         let library = with_effects(Library::default(), &self.effect_files, recording).map_err(failed)?;
         let Self { sensor, base, no_warp, effects, conceal, channel, free, bank, .. } = self;
-        let Self { library_only, select_in_folds, permuted_searches, command, .. } = self;
+        let Self { library_only, select_in_folds, permuted_searches, cache, remember, command, .. } = self;
         Ok(Request {
             sensor,
             base,
@@ -58,8 +62,8 @@ impl Asked {
             select_in_folds,
             permuted_searches: permuted_searches.unwrap_or(0),
             command,
-            // a notebook asks its own function again where it was changed; answers of programs are kept by the command line alone
-            answers: None,
+            // of programs alone: nobody can tell whether a function has changed
+            answers: cache.or_else(|| cache_folder("answers").filter(|_| remember)),
         })
     }
 }
@@ -71,8 +75,9 @@ fn function(given: Option<Given>) -> PyResult<Option<PythonFunction>> {
     given.map(|(name, call, parameters)| PythonFunction::new(name, call, &parameters)).transpose()
 }
 
-fn programs(function: Option<&PythonFunction>) -> Programs {
-    function.map(|f| f.programs.clone()).unwrap_or_default()
+/// Who is asked: a function, or the programs that recordings name, their answers kept in a folder where one is given.
+fn programs(function: Option<&PythonFunction>, answers: Option<PathBuf>) -> Programs {
+    function.map_or_else(|| Programs::keeping(answers), |f| f.programs.clone())
 }
 
 /// What was found.
@@ -99,7 +104,7 @@ pub(crate) fn diagnose(
     let files = read.iter().map(|(recording, name)| (name.clone(), recording.sha256.clone())).collect();
     let recordings = read.into_iter().map(|(r, _)| rebased(r, base)).collect::<PyResult<Vec<_>>>()?;
     let request = asked.request(recordings.first())?;
-    let opened = open_with(recordings, &request, programs(function.as_ref())).map_err(failed)?;
+    let opened = open_with(recordings, &request, programs(function.as_ref(), request.answers.clone())).map_err(failed)?;
     let stop = AtomicBool::new(false);
     let work =
         |tell: &(dyn Fn(truegap::diagnose::Progress) + Sync)| truegap::diagnosis::diagnose(opened, files, &request, tell, &stop);
@@ -122,6 +127,11 @@ impl NativeDiagnosis {
     /// `report.html`.
     fn html(&self) -> String {
         report::html(&self.diagnosed.subject())
+    }
+
+    /// The top of the report, as a part of a page.
+    fn first_screen(&self) -> String {
+        report::first_screen(&self.diagnosed.subject())
     }
 
     /// `augmented.toml`.
@@ -202,7 +212,7 @@ pub(crate) fn confirm<'py>(
     let function = function(given)?;
     let model = ModelFile::open(&file).map_err(failed)?;
     let recording: Recording = source.read()?.0;
-    let programs = programs(function.as_ref());
+    let programs = programs(function.as_ref(), None);
     let work = |_: &(dyn Fn(truegap::diagnose::Progress) + Sync)| {
         confirm_with(&model, &file, recording, channel.as_deref(), free, &programs)
     };

@@ -2,11 +2,12 @@
 //!
 //! Limits: columns are contiguous arrays of 64-bit floats; the Python half makes them so.
 
-use numpy::PyReadonlyArray1;
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::create_exception;
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
+use truegap::core::recording::{Cells, FrameColumn};
 use truegap::core::{BaseSpec, Note};
 use truegap::diagnosis::{EXAMPLE, example_recording};
 use truegap::{Recording, RecordingError};
@@ -18,13 +19,16 @@ pub(crate) fn failed(error: impl std::fmt::Display) -> PyErr {
     TruegapError::new_err(error.to_string())
 }
 
+/// A column: name, values, and what they are seconds since where they are dates; an empty text where they are durations.
+type Given<'py> = (String, PyReadonlyArray1<'py, f64>, Option<String>);
+
 /// A recording, as Python gives it.
 #[derive(FromPyObject)]
 pub(crate) enum Source<'py> {
-    /// path of a TOML, a CSV or a folder, or `example`
+    /// path of a TOML, a table or a folder, or `example`
     Path(PathBuf),
     /// name, what a TOML would say as JSON, columns
-    Frame(String, String, Vec<(String, PyReadonlyArray1<'py, f64>)>),
+    Frame(String, String, Vec<Given<'py>>),
 }
 
 impl Source<'_> {
@@ -42,10 +46,18 @@ fn opened(path: &Path) -> Result<Recording, RecordingError> {
     if path == Path::new(EXAMPLE) && !path.exists() { example_recording() } else { Recording::open(path) }
 }
 
-fn framed(name: &str, says: &str, columns: &[(String, PyReadonlyArray1<'_, f64>)]) -> PyResult<Recording> {
+fn framed(name: &str, says: &str, columns: &[Given<'_>]) -> PyResult<Recording> {
     let says: toml::Table = serde_json::from_str(says).map_err(failed)?;
     let says = toml::to_string(&says).map_err(failed)?;
-    let columns = columns.iter().map(|(name, column)| Ok((name.clone(), column.as_slice()?)));
+    let column = |(name, values, since): &'_ Given<'_>| -> Result<FrameColumn<'_>, numpy::AsSliceError> {
+        let cells = match since.as_deref() {
+            None => Cells::Numbers,
+            Some("") => Cells::Durations,
+            Some(first) => Cells::Dates { first: first.to_owned() },
+        };
+        Ok(FrameColumn { name: name.clone(), values: std::borrow::Cow::Owned(values.as_slice()?.to_vec()), cells })
+    };
+    let columns = columns.iter().map(column);
     let columns = columns.collect::<Result<Vec<_>, numpy::AsSliceError>>().map_err(failed)?;
     Recording::from_columns(name, &says, &columns).map_err(failed)
 }
@@ -57,4 +69,22 @@ pub(crate) fn rebased(mut recording: Recording, base: Option<&str>) -> PyResult<
         recording.notes.retain(|note| !matches!(note, Note::BaseAssumed { .. }));
     }
     Ok(recording)
+}
+
+/// A column of a file, as a frame has it.
+type Columnar<'py> = (String, Bound<'py, PyArray1<f64>>, Option<String>);
+
+/// The columns of a Parquet or Arrow file.
+#[pyfunction]
+pub(crate) fn read_columns<'py>(py: Python<'py>, file: PathBuf) -> PyResult<Vec<Columnar<'py>>> {
+    let columns = truegap::core::recording::read_columns(&file).map_err(failed)?;
+    let column = |column: FrameColumn<'static>| {
+        let since = match column.cells {
+            Cells::Numbers => None,
+            Cells::Durations => Some(String::new()),
+            Cells::Dates { first } => Some(first),
+        };
+        (column.name, column.values.into_owned().into_pyarray(py), since)
+    };
+    Ok(columns.into_iter().map(column).collect())
 }

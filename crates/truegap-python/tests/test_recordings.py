@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime as dt
 import json
 import os
 import re
@@ -53,11 +54,56 @@ def test_parquet_arrow_and_packed_files_are_the_same_recording(tmp_path):
         d = tg.diagnose(tmp_path / name, base="linear")
         assert [p.value for p in d.base_parameters] == [p.value for p in wanted.base_parameters], name
         assert len(np.asarray(d.predict(tmp_path / name))) == 300
+        # named anew, as a frame is
+        named = tg.diagnose(tmp_path / name, base="linear", columns={"time": "time_s"}, units={"time": "min"})
+        assert named.table["time_s"][1] == 60
     made.to_csv(tmp_path / "r.csv.gz", index=False)
     packed = tg.diagnose(tmp_path / "r.csv.gz", base="linear")
     assert [p.value for p in packed.base_parameters] == pytest.approx([p.value for p in wanted.base_parameters], rel=1e-9)
     done = subprocess.run([command(), "-q", "diagnose", "-", "--base", "linear", "-o", tmp_path / "out"], input=(tmp_path / "r.csv.gz").read_bytes(), check=False)
     assert done.returncode == 0 and (tmp_path / "out/report.html").is_file()
+
+
+def test_dates_and_durations_are_a_clock(tmp_path):
+    """They were refused, whatever frame they stood in."""
+    made = pressed()
+    wanted = tg.diagnose(made, base="linear")
+    seconds = made.pop("time_s")
+    start = dt.datetime(2026, 3, 1, 12)
+    naive = pd.DataFrame({"time": pd.Timestamp(start) + pd.to_timedelta(seconds, unit="s"), **made})
+    aware = naive.assign(time=naive["time"].dt.tz_localize("Europe/Berlin"))
+    zone = dt.timezone(dt.timedelta(hours=1))
+    objects = [start.replace(tzinfo=zone) + dt.timedelta(seconds=float(s)) for s in seconds]
+    frames = {
+        "pandas": (naive, "2026-03-01T12:00:00"),
+        "pandas with a zone": (aware, "2026-03-01T11:00:00"),
+        "polars": (pl.from_pandas(naive), "2026-03-01T12:00:00"),
+        "polars with a zone": (pl.from_pandas(aware), "2026-03-01T11:00:00"),
+        "pyarrow": (pyarrow.Table.from_pandas(aware), "2026-03-01T11:00:00"),
+        "numpy": ({"time": naive["time"].to_numpy(), **made}, "2026-03-01T12:00:00"),
+        "objects": ({"time": objects, **made}, "2026-03-01T11:00:00"),
+        "durations": ({"time": pd.to_timedelta(seconds, unit="s"), **made}, None),
+    }
+    for name, (frame, first) in frames.items():
+        d = tg.diagnose(frame, base="linear")
+        assert d.table["time_s"] == pytest.approx(seconds, abs=1e-6), name
+        assert [p.value for p in d.base_parameters] == pytest.approx([p.value for p in wanted.base_parameters], rel=1e-9), name
+        told = [note for note in d.notes if "holds dates" in note]
+        assert (len(told) == 0) if first is None else (first in told[0]), (name, told)
+    days = {"when": [dt.date(2026, 1, 1) + dt.timedelta(days=row) for row in range(300)], **made}
+    assert tg.diagnose(days, base="linear", columns={"time": "when"}).table["time_s"][1] == 86_400
+    naive.loc[7, "time"] = pd.NaT
+    assert len(tg.diagnose(naive, base="linear").table["run"]) == 299
+
+
+def test_dates_in_a_file_are_those_of_the_frame(tmp_path):
+    made = pressed()
+    frame = pd.DataFrame({"time": pd.Timestamp("2026-03-01T12:00:00.25") + pd.to_timedelta(made.pop("time_s"), unit="s"), **made})
+    frame.to_parquet(tmp_path / "r.parquet", index=False)
+    by_file, by_frame = tg.diagnose(tmp_path / "r.parquet", base="linear"), tg.diagnose(frame, base="linear")
+    assert list(by_file.table["time_s"]) == list(by_frame.table["time_s"]) and by_file.table["time_s"][0] == 0.25
+    (tmp_path / "r.toml").write_text('schema = "truegap.recording/1"\nfile = "r.parquet"\n[base]\nmodel = "linear"\n')
+    assert tg.diagnose(tmp_path / "r.toml").document["recording"]["sha256"] == by_file.document["recording"]["sha256"]
 
 
 def test_a_frame_keeps_the_callers_columns(tmp_path):
@@ -91,9 +137,14 @@ def test_what_cannot_be_read_is_told():
         tg.diagnose("a.csv", units={"force": "N"})
     with pytest.raises(tg.TruegapError, match="is not in the header|no column"):
         tg.diagnose(pressed(), base="linear", columns={"force": "load"})
-    dates = {**pressed(), "time_s": pd.date_range("2026-01-01", periods=300, freq="s")}
-    with pytest.raises(TypeError, match="column of dates"):
-        tg.diagnose(dates, base="linear")
+    text = {**pressed(), "time": [f"2026-01-01 00:{row // 60:02}:{row % 60:02}" for row in range(300)]}
+    del text["time_s"]
+    with pytest.raises(TypeError, match=r"`time` of the frame holds text and is no clock; .*pandas.to_datetime\(frame\['time'\]\)"):
+        tg.diagnose(text, base="linear")
+    with pytest.raises(TypeError, match="neither numbers nor dates"):
+        tg.diagnose(text, base="linear", columns={"time": "time"})
+    with pytest.raises(tg.TruegapError, match="r.feather.*no such file"):
+        tg.diagnose("r.feather", base="linear")
     with pytest.raises(tg.TruegapError, match="neither a sensor nor a base model"):
         tg.diagnose(pressed())
 
@@ -155,3 +206,22 @@ def test_a_program_is_a_base_model_from_python_too():
     assert by_program.calls[0] > 10
     with pytest.raises(tg.TruegapError, match="no-such-program.*cannot be started"):
         tg.diagnose(pressed(), base={"model": "command", "run": ["no-such-program"]})
+
+
+def test_answers_of_a_slow_program_are_kept_where_asked(tmp_path, monkeypatch):
+    client = (ROOT / "docs/clients/spring.py").read_text()
+    slow = client.replace("        answer = simulate", "        time.sleep(0.015)\n        answer = simulate").replace("import sys", "import sys, time")
+    (tmp_path / "sim.py").write_text(slow)
+    known = {"k": {"value": 1.8, "sd": 0.5, "unit": "N/mm", "low": 0.1}, "rest": {"value": 0.0, "sd": 3.0, "unit": "mm"}}
+    base = {"model": "command", "run": [sys.executable, str(tmp_path / "sim.py")], "parameters": known}
+    asked = {"base": base, "effects": ["thermal_lag"], "library_only": True}
+    monkeypatch.setenv("TRUEGAP_CACHE", str(tmp_path / "user"))
+    first = tg.diagnose(pressed(rows=60), cache=tmp_path / "kept", **asked)
+    again = tg.diagnose(pressed(rows=60), cache=tmp_path / "kept", **asked)
+    assert again.calls[0] < 0.1 * first.calls[0], (first.calls, again.calls)
+    assert [p.value for p in again.base_parameters] == [p.value for p in first.base_parameters]
+    assert not (tmp_path / "user").exists()
+    tg.diagnose(pressed(rows=60), cache=True, **asked)
+    assert list((tmp_path / "user/answers").iterdir())
+    with pytest.raises(TypeError, match="answers of a function are not kept"):
+        tg.diagnose(pressed(), base=spring, parameters={name: tg.Parameter(**p) for name, p in known.items()}, cache=True)

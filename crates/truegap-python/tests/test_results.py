@@ -45,7 +45,15 @@ def test_the_simulator_with_the_cubic_term_agrees_and_predicts_the_other_recordi
 def test_a_page_for_a_notebook_says_what_was_found(shaken):
     d, confirmation, _ = shaken
     page = d._repr_html_()
-    assert d.verdict.replace("_", " ") in page and "rows left out" in page
+    report = d.report_html()
+    figure = page[page.index("<svg") : page.index("</svg>")]
+    # the report's first screen: its sentence, how sure that is, its errors, and the figure of what is left
+    assert figure in report and "Recorded less predicted" in figure
+    for part in ('class="callout', 'class="says"', "on data the fit did not see", "noise of one reading"):
+        assert part in page and part in report, part
+    assert "<script" not in page and "<html" not in page and "http" not in page.replace("http://www.w3.org", "")
+    # the one that was confirmed says so
+    assert "confirmed" in page and confirmation.says in page
     assert repr(d).startswith(f"<truegap.Diagnosis: {d.verdict}")
     assert "<table>" in confirmation._repr_html_() and len(confirmation.to_frame()) == 600
 

@@ -86,7 +86,19 @@ def test_the_studies_and_one_assumption_of_the_audit(tmp_path):
     prints("tolerance", tmp_path, "tolerance", "--samples", "2000", "--limit", "span=2.3:2.6")
     prints("optimise", tmp_path, "optimise", "--searches", "1")
     prints("audit", tmp_path, "audit", "--sensor", "foam-s15", "--only", "SERIES-OF-INTEGRALS", "-o", "a")
-    (tmp_path / "space.toml").write_text('designs = 2\nseed = 1\nonly = ["SERIES-OF-INTEGRALS"]\n')
+
+
+def test_a_space_of_designs_and_what_its_audit_says(tmp_path):
+    space = 'schema = "truegap.space/1"\nsensor = "singletact-s15-4.5n"\ndesigns = 2\nonly = ["TAIL-PARALLEL-PLATE"]\n[axes]\nheight = "150 um:210 um"\n'
+    keeps("space", tomllib.loads(space))
+    (tmp_path / "space.toml").write_text(space)
+    prints("audit-space", tmp_path, "audit", "--space", "space.toml", "-o", "space")
+    keeps("audit-space", json.loads((tmp_path / "space/audit-space.json").read_text()))
+
+
+def test_a_blind_study(tmp_path):
+    prints("prove", tmp_path, "prove", "--cases", "2", "--seed", "1", "-o", "study", lines=False)
+    keeps("prove", json.loads((tmp_path / "study/score.json").read_text()))
 
 
 def test_every_toml_of_the_repository_keeps_to_its_schema():
@@ -101,7 +113,7 @@ def test_every_toml_of_the_repository_keeps_to_its_schema():
             if version == "1" and (SCHEMAS / f"{name}.json").is_file():
                 seen[name] = seen.get(name, 0) + 1
                 keeps(name, document)
-    assert set(seen) == {"recording", "sensor", "case", "mechanism", "model"}, seen
+    assert set(seen) == {"recording", "sensor", "case", "mechanism", "model", "space"}, seen
 
 
 WHOLE = {"schema": "truegap.recording/1", "file": "a.csv"}
@@ -111,7 +123,9 @@ REFUSED = [
     ("recording", {**WHOLE, "base": {"model": "stak"}}),
     ("recording", {**WHOLE, "schema": "truegap.recording/2"}),
     ("recording", {**WHOLE, "drivers": {"pump": {"colum": "p"}}}),
+    ("recording", {**WHOLE, "dayfirst": "yes"}),
     ("case", {"schema": "truegap.case/1", "physics": "electrostatics"}),
+    ("space", {"schema": "truegap.space/1", "sensor": "singletact-s15-4.5n", "designs": "two"}),
 ]
 
 

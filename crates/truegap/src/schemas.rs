@@ -21,8 +21,8 @@ macro_rules! schemas {
 }
 
 schemas! {
-    "audit" "audit-space" "case" "coefficients" "confirmation" "diagnosis" "explain" "export" "mechanism" "mesh" "model" "optimise" "recording" "sensitivity"
-    "sensor" "sensors" "simulate" "simulate-drive" "simulate-model" "solve" "tolerance"
+    "audit" "audit-space" "case" "coefficients" "confirmation" "diagnosis" "explain" "export" "mechanism" "mesh" "model" "optimise" "prove" "recording" "sensitivity"
+    "sensor" "sensors" "simulate" "simulate-drive" "simulate-model" "solve" "space" "tolerance"
 }
 
 /// No schema has that name.

@@ -48,7 +48,7 @@ pub const DOCUMENTS: &[Document] = &[
         .id("truegap.audit/1"),
     written_as(
         "audit-space",
-        "audit-space.json, and `truegap --json audit --space N`",
+        "audit-space.json, and `truegap --json audit --space FILE`",
         ("truegap::study::answer::audit", "SpaceAuditAnswer"),
     )
     .id("truegap.audit-space/1"),
@@ -92,6 +92,7 @@ pub const DOCUMENTS: &[Document] = &[
         ("truegap::study::answer::optimise", "OptimiseAnswer"),
     )
     .id("truegap.optimise/1"),
+    written_as("prove", "score.json, and `truegap --json prove`", ("truegap::prove::result", "Score")),
     read_as(
         "recording",
         "TOML beside the CSV of a recording",
@@ -117,6 +118,12 @@ pub const DOCUMENTS: &[Document] = &[
     ),
     written_as("simulate-model", "each line of `truegap --json simulate --model FILE`", ("truegap::models::answer", "Answer")),
     written_as("solve", "`truegap --json solve CASE.toml`", ("truegap_fem::case::result", "CaseResult")),
+    read_as(
+        "space",
+        "TOML of a space of designs, which `truegap audit --space` reads",
+        ("truegap::study::audit", "SpaceFile"),
+        "truegap.space/1",
+    ),
     written_as(
         "tolerance",
         "tolerance.json, and `truegap --json tolerance`",

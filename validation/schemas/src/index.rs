@@ -42,6 +42,8 @@ impl Index {
             let name = folder.file_name().map(|n| n.to_string_lossy().replace('-', "_")).unwrap_or_default();
             index.read_folder(&folder.join("src"), &name)?;
         }
+        // what `truegap prove` writes holds rows of it
+        index.read_folder(&workspace.join("validation/blind/generator/src"), "truegap_generator")?;
         Ok(index)
     }
 

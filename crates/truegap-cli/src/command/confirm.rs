@@ -4,11 +4,11 @@
 
 use super::recorded::recorded;
 use super::run::{Outcome, Run};
+use super::told::TellArgs;
 use crate::console::Console;
 use crate::table::{digits, table};
 use std::path::PathBuf;
 use truegap::OutputFolder;
-use truegap::core::recording::Mapped;
 use truegap::diagnose::confirmation::Judgement;
 use truegap::diagnosis::confirm::{Confirmation, FILES, Free, confirm, words};
 
@@ -28,9 +28,8 @@ pub struct Confirm {
     /// Sensor column of a recording that holds several
     #[arg(long, value_name = "NAME")]
     channel: Option<String>,
-    /// Column of the other recording that plays a role, with its unit where the name has none: response=C_measured:pF; may be given several times
-    #[arg(long, value_name = "ROLE=COLUMN[:UNIT]")]
-    map: Vec<Mapped>,
+    #[command(flatten)]
+    tell: TellArgs,
     /// Folder for confirmation.json and confirmation.csv
     #[arg(long, short, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -42,7 +41,7 @@ impl Run for Confirm {
         if let Some(folder) = &self.output {
             OutputFolder::check(folder, &FILES)?;
         }
-        let recording = recorded(&self.recording, &self.map)?;
+        let recording = recorded(&self.recording, &self.tell.told())?;
         recording.notes.iter().for_each(|note| console.note(note));
         let confirmed = confirm(&self.model, recording, self.channel.as_deref(), free)?;
         let document = &confirmed.document;

@@ -6,10 +6,10 @@ use super::progress::{Line, above};
 use super::recorded::recorded;
 use super::run::{Outcome, Run};
 use super::stop::{STOP, is_stopped, stop_on_interrupt};
+use super::told::TellArgs;
 use super::typed::command_line;
 use crate::console::Console;
 use std::path::{Path, PathBuf};
-use truegap::core::recording::Mapped;
 use truegap::diagnose::answer::Finding;
 use truegap::diagnose::{Library, Progress, Verdict};
 use truegap::diagnosis::confirm::{Free, confirm_within, other};
@@ -21,7 +21,7 @@ use truegap::{OutputFolder, Recording};
 /// Say what physics a simulation leaves out of a recording, and show it
 #[derive(Debug, clap::Args)]
 pub struct Diagnose {
-    /// TOML or CSV of a recording, a folder with a recording.toml, or `example` for the built-in one; several are diagnosed together: one physics, each with its own noise, clock and runs
+    /// TOML or table (CSV, Parquet, Arrow) of a recording, a folder with a recording.toml, or `example` for the built-in one; several are diagnosed together: one physics, each with its own noise, clock and runs
     #[arg(required = true, value_name = "RECORDING")]
     recordings: Vec<PathBuf>,
     /// Folder for report.html, diagnosis.json, augmented.toml and prediction.csv
@@ -30,9 +30,8 @@ pub struct Diagnose {
     /// Diagnose each recording by itself, into a folder of its own below --output
     #[arg(long)]
     batch: bool,
-    /// Column that plays a role in every recording, with its unit where the name has none: response=C_measured:pF. Roles: response, force, pressure, gap, temperature, humidity, time, run, simulated, sensor; may be given several times
-    #[arg(long, value_name = "ROLE=COLUMN[:UNIT]")]
-    map: Vec<Mapped>,
+    #[command(flatten)]
+    tell: TellArgs,
     /// Sensor in place of the recording's: built-in name or path of a sensor's TOML
     #[arg(long)]
     sensor: Option<String>,
@@ -104,7 +103,7 @@ impl Diagnose {
     fn other(&self, took_part: &[Recording]) -> anyhow::Result<Option<(Recording, Free)>> {
         let Some(path) = &self.confirm else { return Ok(None) };
         let free = Free::of(&self.free)?;
-        Ok(Some((other(recorded(path, &self.map)?, self.channel.as_deref(), took_part)?, free)))
+        Ok(Some((other(recorded(path, &self.tell.told())?, self.channel.as_deref(), took_part)?, free)))
     }
 
     /// All recordings as one physics, judged on that of --confirm.
@@ -119,7 +118,7 @@ impl Diagnose {
     }
 
     fn read(&self, paths: &[PathBuf]) -> anyhow::Result<Vec<Recording>> {
-        paths.iter().map(|path| Ok(recorded(path, &self.map)?)).collect()
+        paths.iter().map(|path| Ok(recorded(path, &self.tell.told())?)).collect()
     }
 
     fn one(&self, paths: &[PathBuf], recordings: Vec<Recording>, line: &Line, console: &Console) -> anyhow::Result<Diagnosed> {

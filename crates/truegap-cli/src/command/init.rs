@@ -2,6 +2,7 @@
 //!
 //! Limits: never writes over a file.
 
+use super::told::TellArgs;
 use super::{Outcome, Run};
 use crate::console::Console;
 use anyhow::anyhow;
@@ -10,17 +11,19 @@ use std::io::Write;
 use std::path::PathBuf;
 use truegap::core::recording::sketch;
 
-/// Write the TOML beside a CSV: which column is what, in which unit, as far as the header tells
+/// Write the TOML beside a table: which column is what, in which unit, as far as the header and --map tell
 #[derive(Debug, clap::Args)]
 pub struct Init {
-    /// CSV of a recording
+    /// CSV, Parquet or Arrow file of a recording
     #[arg(value_name = "CSV")]
     csv: PathBuf,
+    #[command(flatten)]
+    tell: TellArgs,
 }
 
 impl Run for Init {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
-        let sketch = sketch(&self.csv)?;
+        let sketch = sketch(&self.csv, &self.tell.told())?;
         let file = self.csv.with_extension("toml");
         let name = file.display();
         let fresh = OpenOptions::new().write(true).create_new(true).open(&file);

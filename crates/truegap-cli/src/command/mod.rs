@@ -29,6 +29,7 @@ mod simulate;
 mod solve;
 pub mod stop;
 mod study;
+mod told;
 mod tolerance;
 mod typed;
 #[cfg(feature = "fem")]

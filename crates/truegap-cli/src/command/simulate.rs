@@ -2,6 +2,7 @@
 
 use super::recorded::recorded;
 use super::run::{Outcome, Run};
+use super::told::TellArgs;
 use crate::console::Console;
 use crate::table::{digits, table};
 use anyhow::bail;
@@ -36,6 +37,8 @@ pub struct Simulate {
     /// Follow the loads and temperatures of a recording
     #[arg(long, value_name = "RECORDING")]
     drive: Option<PathBuf>,
+    #[command(flatten)]
+    tell: TellArgs,
     /// Follow a built-in profile, as a diagnosis proposes one for the next recording: long-hold, rates, staircase, thermal-sweep-unloaded, thermal-sweep-loaded, overnight
     #[arg(long, value_name = "NAME", requires = "model", conflicts_with_all = ["load", "temperature", "drive"])]
     profile: Option<String>,
@@ -61,13 +64,16 @@ impl From<Series> for SeriesOrder {
 
 impl Run for Simulate {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
+        if self.drive.is_none() && !self.tell.is_empty() {
+            bail!("--map and --dayfirst say how a recording is read, and none is; give --drive RECORDING, or leave them out");
+        }
         if let Some(file) = &self.model {
             return self.augmented(file, console);
         }
         let sensor = find_sensor(&self.sensor, None)?;
         let options = StackOptions { warp: !self.no_warp, series: self.series.into() };
         if let Some(path) = &self.drive {
-            let recording = recorded(path, &[])?;
+            let recording = recorded(path, &self.tell.told())?;
             let rows = drive(&sensor, options, &recording)?;
             recording.notes.iter().for_each(|note| console.note(note));
             return if console.json { console.print_json_lines(&rows) } else { print_history(console, &rows) }
@@ -100,7 +106,7 @@ impl Simulate {
         let answers = if let Some(name) = &self.profile {
             models::on_profile(&model, name)?
         } else if let Some(path) = &self.drive {
-            let recording = recorded(path, &[])?;
+            let recording = recorded(path, &self.tell.told())?;
             recording.notes.iter().for_each(|note| console.note(note));
             models::along(&model, &recording)?
         } else {

@@ -34,7 +34,7 @@ pub fn stop_on_interrupt(console: &Console) -> anyhow::Result<()> {
         }
         if !quiet {
             progress::above(|| {
-                let says = "stopping: what is known by now is written as soon as what is being computed is done; Ctrl-C again ends at once";
+                let says = "stopping: what is known by now is written as soon as what is being computed is done, and a slow program is asked no further; Ctrl-C again ends at once";
                 let _ = writeln!(std::io::stderr().lock(), "{says}"); // nowhere left to say that this failed
             });
         }

@@ -38,6 +38,7 @@ def diagnose(
     library_only: bool = False,
     select_in_folds: bool = False,
     permuted_searches: int | None = None,
+    cache: bool | Path = False,
     progress: ProgressLike = None,
 ) -> Diagnosis:
     """Say what physics a simulation leaves out of a recording.
@@ -46,6 +47,7 @@ def diagnose(
     ``base``: the simulation. A function ``f(inputs, parameters) -> array`` with its ``parameters``; a name as in a recording's TOML (``"linear"``,
     ``"parallel-plate"``, ...); or a dict of what would stand under ``[base]``. With a path it may be left out: the TOML names it.
     ``columns``, ``units``, ``drivers``: of a frame, as in a TOML: ``columns={"force": "Load cell"}, units={"force": "N"}``.
+    ``cache``: a folder in which the answers of a slow program (``{"model": "command", ...}``) are kept for the next diagnosis, or ``True`` for that of the command line.
     ``progress``: a function ``f(done, step, what)``, ``True`` for a bar, ``False`` for none; a bar on a terminal or in a notebook where nothing is said.
 
     The remaining words are those of ``truegap diagnose``; ``effect_files`` are those of its ``--effect``. Raises ``TruegapError``; an exception of the simulator comes back as it is, with a note of the
@@ -55,6 +57,8 @@ def diagnose(
     function = given(base, parameters) if callable(base) else None
     if function is None and parameters:
         raise TypeError("parameters belong to a base that is a function; a program declares its own in the TOML, under [base.parameters]")
+    if function is not None and cache is not False:
+        raise TypeError("answers of a function are not kept, as nobody can tell whether it has changed; keep them in the function, or make it a program")
     table = base if isinstance(base, Mapping) else None
     name = "function" if function else base if isinstance(base, str) else None
     framed = {"columns": columns, "units": units, "drivers": drivers, "base": table}
@@ -72,6 +76,8 @@ def diagnose(
         "library_only": library_only,
         "select_in_folds": select_in_folds,
         "permuted_searches": permuted_searches,
+        "cache": None if isinstance(cache, bool) else os.fspath(cache),
+        "remember": cache is True,
     }
     asked["command"] = _command(each, base, asked)
     with watching(progress) as watch:

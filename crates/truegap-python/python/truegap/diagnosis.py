@@ -14,7 +14,6 @@ import numpy.typing as npt
 from . import _truegap
 from .confirmation import Confirmation
 from .frames import Path, Recording, is_text, source
-from .html import first_screen
 from .tables import frame_of
 
 if TYPE_CHECKING:
@@ -109,6 +108,7 @@ class Diagnosis:
     ) -> None:
         self._native = native
         self._columns, self._units, self._drivers = columns, units, drivers
+        self._confirmed: Confirmation | None = None
 
     @cached_property
     def document(self) -> dict[str, Any]:
@@ -206,7 +206,8 @@ class Diagnosis:
     ) -> Confirmation:
         """Whether a recording that took no part bears out what was added; nothing is refitted but ``free``: gain, offset."""
         document, table = self._native.confirm(self._source(recording, columns, units, drivers), list(free), channel)
-        return Confirmation(json.loads(document), dict(table))
+        self._confirmed = Confirmation(json.loads(document), dict(table))
+        return self._confirmed
 
     def _source(
         self,
@@ -249,4 +250,6 @@ class Diagnosis:
         return f"<truegap.Diagnosis: {self.verdict}{': ' + found if found else ''}>"
 
     def _repr_html_(self) -> str:
-        return first_screen(self)
+        """The report's first screen, and the last confirmation that was asked for."""
+        confirmed = "" if self._confirmed is None else self._confirmed._repr_html_()
+        return self._native.first_screen() + confirmed

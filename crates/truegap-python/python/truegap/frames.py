@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import datetime as dt
 import json
 import os
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Protocol, Union, cast
+from typing import TYPE_CHECKING, Any, Protocol, Union
 
 import numpy as np
 
+from . import _truegap
+
 if TYPE_CHECKING:
-    from ._truegap import Columns, Source
+    from ._truegap import FrameColumns, Source
 
 
 class Frame(Protocol):
@@ -24,6 +27,10 @@ Recording = Union[Path, Frame, Mapping[str, Any]]
 
 #: Endings of files that hold a frame instead of text.
 COLUMNAR = (".parquet", ".feather", ".arrow", ".ipc")
+#: Names of columns that are clocks where they hold dates.
+CLOCKS = ("time", "timestamp", "date", "datetime")
+#: Values, and what they are seconds since; an empty text for durations.
+Cells = tuple["np.ndarray[Any, np.dtype[np.float64]]", Union[str, None]]
 #: Column that stands for a reading that was not made, where only inputs matter.
 NO_READING = "truegap: no reading"
 
@@ -38,40 +45,63 @@ def names(frame: Recording) -> list[str]:
     return [str(name) for name in found]
 
 
-def numeric(column: Any) -> np.ndarray[Any, np.dtype[np.float64]] | None:
-    """The column as 64-bit floats, without a copy where it is that already; ``None`` where it holds no numbers."""
+def numeric(column: Any, zoned: bool = False) -> Cells | None:
+    """The column as 64-bit floats, without a copy where it is that already; ``None`` where it holds neither numbers nor times.
+
+    Dates become seconds since the whole second of the first, which is the second value; durations become seconds, and the second value is empty.
+    """
     array = np.asarray(column)
-    if array.dtype.kind in "mM":
-        raise TypeError("a column of dates is no clock; give seconds, as in (t - t[0]).total_seconds()")
+    if array.dtype.kind == "O":
+        array, zoned = _objects(array, zoned)
+    if array.dtype.kind == "M":
+        return _since_first(array, zoned)
+    if array.dtype.kind == "m":
+        ticks = array.astype("timedelta64[ns]")
+        return np.where(np.isnat(ticks), np.nan, ticks.astype(np.int64) / 1e9), ""
     if array.dtype.kind not in "biufO":
         return None
     try:
-        return np.ascontiguousarray(array, dtype=np.float64)
+        return np.ascontiguousarray(array, dtype=np.float64), None
     except (TypeError, ValueError):
         return None
+
+
+def _objects(array: np.ndarray[Any, Any], zoned: bool) -> tuple[np.ndarray[Any, Any], bool]:
+    """Dates of the standard library as numpy has them, in Greenwich where they have a zone; anything else as it stands."""
+    first = next((cell for cell in array.flat if cell is not None and cell == cell), None)
+    if isinstance(first, dt.timedelta):
+        return array.astype("timedelta64[us]"), zoned
+    if not isinstance(first, dt.date):
+        return array, zoned
+    zoned = zoned or getattr(first, "tzinfo", None) is not None
+
+    def plain(cell: Any) -> Any:
+        if cell is None or cell != cell:
+            return None
+        aware = getattr(cell, "tzinfo", None) is not None
+        return cell.astimezone(dt.timezone.utc).replace(tzinfo=None) if aware else cell
+
+    return np.array([plain(cell) for cell in array], dtype="datetime64[us]"), zoned
+
+
+def _since_first(dates: np.ndarray[Any, Any], zoned: bool) -> Cells:
+    """Whole seconds and the rest apart, so that a microsecond is kept, and as the native half reads the same dates from a file."""
+    unit = np.datetime_data(dates.dtype)[0]
+    dates = dates if unit in ("s", "ms", "us", "ns") else dates.astype("datetime64[s]")
+    a_second = {"s": 1, "ms": 10**3, "us": 10**6, "ns": 10**9}[np.datetime_data(dates.dtype)[0]]
+    gone = np.isnat(dates)
+    ticks = dates.astype(np.int64)
+    there = ticks[~gone]
+    seconds, rest = np.divmod(ticks, a_second)
+    epoch = there[0] // a_second if len(there) else 0
+    first = str(dates[~gone][0]) if len(there) else ""
+    values = np.where(gone, np.nan, (seconds - epoch).astype(np.float64) + rest / a_second)
+    return values, (first or "its first row") + ("Z" if zoned else "")
 
 
 def is_text(recording: Recording) -> bool:
     """Whether it is a path that the native half reads: its TOML says what frames are told by ``columns``, ``units`` and ``drivers``."""
     return isinstance(recording, (str, os.PathLike)) and not os.fspath(recording).lower().endswith(COLUMNAR)
-
-
-def _columnar(path: str) -> Frame:
-    """The frame in a Parquet or Arrow (Feather) file, by pyarrow or polars, whichever is installed."""
-    parquet = path.lower().endswith(".parquet")
-    try:
-        if parquet:
-            from pyarrow.parquet import read_table
-        else:
-            from pyarrow.feather import read_table
-        return cast(Frame, read_table(path))
-    except ImportError:
-        pass
-    try:
-        import polars
-    except ImportError:
-        raise TypeError(f"{path}: to read it, pyarrow or polars is needed: pip install pyarrow") from None
-    return cast(Frame, polars.read_parquet(path) if parquet else polars.read_ipc(path))
 
 
 def source(
@@ -85,21 +115,18 @@ def source(
     reading: bool = True,
 ) -> Source:
     """The recording as the native half reads it; ``reading`` says whether the response matters."""
-    if isinstance(recording, (str, os.PathLike)) and not is_text(recording):
-        name, recording = os.fspath(recording), _columnar(os.fspath(recording))
-    if isinstance(recording, (str, os.PathLike)):
-        if columns or units or drivers:
-            raise TypeError("columns, units and drivers of a file stand in its TOML; give them with a frame, or write a TOML")
-        return recording
-    roles, measured = dict(columns or {}), dict(units or {})
-    table: Columns = []
+    table: FrameColumns = []
     left_out: list[str] = []
-    for column in names(recording):
-        numbers = numeric(_column(recording, column))
-        if numbers is None or numbers.ndim != 1:
-            left_out.append(column)
-        else:
-            table.append((column, numbers))
+    if isinstance(recording, (str, os.PathLike)):
+        is_told = bool(columns or units or drivers)
+        if is_text(recording) and is_told:
+            raise TypeError("columns, units and drivers of a file stand in its TOML; give them with a frame, or write a TOML")
+        if is_text(recording) or (reading and not is_told):
+            return recording
+        name, table = os.fspath(recording), _truegap.read_columns(recording)
+    else:
+        table, left_out = _table(recording)
+    roles, measured = dict(columns or {}), dict(units or {})
     if not reading:
         table = _without_reading(table, roles.get("response"))
         roles["response"], measured["response"] = NO_READING, "1"
@@ -107,21 +134,46 @@ def source(
     says["drivers"] = {key: dict(value) for key, value in (drivers or {}).items()}
     if base is not None:
         says["base"] = dict(base)
-    wanted = [c for c in roles.values() if c in left_out]
+    wanted = [column for column in roles.values() if column in left_out]
     if wanted:
-        raise TypeError(f"the column `{wanted[0]}` of the frame holds no numbers")
+        raise TypeError(f"the column `{wanted[0]}` of the frame holds neither numbers nor dates{_text_of_dates(wanted[0])}")
+    clocks = [column for column in left_out if column.lower() in CLOCKS]
+    if clocks and "time" not in roles and not any(column.lower().startswith("time") for column, *_ in table):
+        raise TypeError(f"the column `{clocks[0]}` of the frame holds text and is no clock{_text_of_dates(clocks[0])}, or drop it")
     return name, json.dumps(says), table
 
 
-def _column(frame: Any, name: str) -> Any:
+def _text_of_dates(column: str) -> str:
+    return f"; where these are dates, give them as such: frame[{column!r}] = pandas.to_datetime(frame[{column!r}])"
+
+
+def _table(recording: Frame | Mapping[str, Any]) -> tuple[FrameColumns, list[str]]:
+    """Columns of numbers and times, and the names of the others."""
+    table: FrameColumns = []
+    left_out: list[str] = []
+    for name in names(recording):
+        cells = numeric(*_column(recording, name))
+        if cells is None or cells[0].ndim != 1:
+            left_out.append(name)
+        else:
+            table.append((name, *cells))
+    return table, left_out
+
+
+def _column(frame: Any, name: str) -> tuple[Any, bool]:
+    """The column as an array, and whether its dates have a zone; those of Greenwich then."""
     column = frame[name]
-    return column.to_numpy() if hasattr(column, "to_numpy") else column
+    kind = getattr(column, "dtype", None)
+    if getattr(kind, "tz", None) is not None:
+        return column.to_numpy(dtype="datetime64[ns]"), True
+    zoned = bool(getattr(kind, "time_zone", None) or getattr(getattr(column, "type", None), "tz", None))
+    return (column.to_numpy() if hasattr(column, "to_numpy") else column), zoned
 
 
-def _without_reading(table: Columns, response: str | None) -> Columns:
+def _without_reading(table: FrameColumns, response: str | None) -> FrameColumns:
     rows = len(table[0][1]) if table else 0
-    kept = [(name, column) for name, column in table if name != response]
-    return [*kept, (NO_READING, np.zeros(rows))]
+    kept = [column for column in table if column[0] != response]
+    return [*kept, (NO_READING, np.zeros(rows), None)]
 
 
 def list_of(recordings: Recording | Sequence[Recording]) -> list[Recording]:

@@ -89,6 +89,11 @@ impl Page {
         self.add("</details>\n")
     }
 
+    /// What stands on the page, without its heading, style and script: a part of somebody else's page.
+    pub fn fragment(&self) -> String {
+        self.clone().close_all().body
+    }
+
     /// The finished page.
     pub fn to_html(&self) -> String {
         let page = self.clone().close_all();

@@ -1,15 +1,18 @@
-//! How often a simulator of the user's own has been asked, and about how long it will be, beside what is being tried.
+//! How often a simulator of the user's own has been asked, and about how long it will be, beside what is being tried; and that a slow one is asked no further once somebody stops.
 //!
 //! Limits: the time that is left follows from the share of the stages that is over, which is not known before it is a twentieth.
 
 use super::pace::duration;
 use crate::models::{Calls, Programs};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use truegap_diagnose::Progress;
 
-/// Time between two looks at how often it was asked.
-const LOOK: Duration = Duration::from_millis(500);
+/// Time between two looks at whether somebody stopped.
+const LOOK: Duration = Duration::from_millis(50);
+/// Looks between two at how often it was asked.
+const LOOKS: usize = 10;
 /// Share that must be over before a time is told.
 const TOLD_FROM: f64 = 0.05;
 
@@ -17,6 +20,7 @@ const TOLD_FROM: f64 = 0.05;
 pub(super) fn counted<T>(
     programs: &Programs,
     progress: &(dyn Fn(Progress) + Sync),
+    stop: &AtomicBool,
     work: impl FnOnce(&(dyn Fn(Progress) + Sync)) -> T,
 ) -> T {
     let (began, last) = (Instant::now(), Mutex::new(None::<Progress>));
@@ -26,7 +30,7 @@ pub(super) fn counted<T>(
     };
     let over = (Mutex::new(false), Condvar::new());
     std::thread::scope(|scope| {
-        scope.spawn(|| look(programs, &last, &over, &tell));
+        scope.spawn(|| look(programs, &last, &over, stop, &tell));
         let _end = End(&over);
         work(&|stage: Progress| {
             *last.lock().unwrap_or_else(PoisonError::into_inner) = Some(stage.clone());
@@ -36,9 +40,22 @@ pub(super) fn counted<T>(
 }
 
 /// Tells the last stage again whenever something more was asked, until it is over.
-fn look(programs: &Programs, last: &Mutex<Option<Progress>>, over: &(Mutex<bool>, Condvar), tell: &dyn Fn(Progress)) {
-    let mut counted = 0;
+fn look(
+    programs: &Programs,
+    last: &Mutex<Option<Progress>>,
+    over: &(Mutex<bool>, Condvar),
+    stop: &AtomicBool,
+    tell: &dyn Fn(Progress),
+) {
+    let (mut counted, mut looks) = (0, 0);
     while !wait(over) {
+        looks += 1;
+        if stop.load(Ordering::Relaxed) {
+            programs.stop();
+        }
+        if looks % LOOKS != 0 {
+            continue;
+        }
         let (count, stage) = (programs.calls().count, last.lock().unwrap_or_else(PoisonError::into_inner).clone());
         if let Some(stage) = stage.filter(|_| count != counted) {
             tell(stage);

@@ -42,7 +42,7 @@ pub fn diagnose(
     let programs = opened.programs.clone();
     let work =
         |progress: &(dyn Fn(Progress) + Sync)| under_way(opened, files, request, &|stage| progress(course.over_all(stage)), stop);
-    if asks { counted(&programs, progress, work) } else { work(progress) }
+    if asks { counted(&programs, progress, stop, work) } else { work(progress) }
 }
 
 /// The diagnosis of what can tell something.

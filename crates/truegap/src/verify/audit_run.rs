@@ -2,6 +2,7 @@
 //!
 //! Limits: the physics is in `truegap-audit`; here are names, files and the place of the cache.
 
+use crate::diagnosis::cache_folder;
 use crate::output::{OutputError, OutputFolder};
 use crate::verify::audited::{Audited, Body};
 use crate::verify::{audit_report, export};
@@ -93,9 +94,7 @@ impl Audited {
     }
 }
 
-/// Where findings are remembered unless told otherwise: `truegap` in the user's cache folder; none where the system names no such folder.
+/// Where findings are remembered unless told otherwise: `audit` in the folder of everything that may be computed again; none where the system names no such folder.
 pub fn default_cache() -> Cache {
-    let named = |variable: &str| std::env::var_os(variable).filter(|v| !v.is_empty()).map(PathBuf::from);
-    let folder = named("XDG_CACHE_HOME").or_else(|| named("HOME").map(|home| home.join(".cache")));
-    folder.map_or_else(Cache::none, |folder| Cache::in_folder(&folder.join("truegap").join("audit")))
+    cache_folder("audit").map_or_else(Cache::none, |folder| Cache::in_folder(&folder))
 }

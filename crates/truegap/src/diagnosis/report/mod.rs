@@ -61,6 +61,33 @@ pub fn html(subject: &Subject<'_>) -> String {
     origin::provenance(page, subject).to_html()
 }
 
+/// The top of the page, for a notebook: verdict, what is missing and how sure that is, errors, and the residuals before and after.
+pub fn first_screen(subject: &Subject<'_>) -> String {
+    let page = Page::new("").raw_html(FIRST_SCREEN).raw_html("<div class=\"truegap-first\">\n");
+    summary::add(page, subject, &Axis::new(subject.inputs)).raw_html("</div>\n").fragment()
+}
+
+/// Rules of the first screen where it stands in a page of somebody else, light or dark.
+const FIRST_SCREEN: &str = "<style>
+.truegap-first { max-width: 54rem; --soft: currentColor; --line: #8888; --shade: #8881; }
+.truegap-first p { margin: .5rem 0; }
+.truegap-first .callout { padding: .6rem 1rem; border-left: .3rem solid #8888; background: #8881; }
+.truegap-first .callout.good { border-color: #009e73; }
+.truegap-first .callout.watch { border-color: #e69f00; }
+.truegap-first .callout.bad { border-color: #d55e00; }
+.truegap-first .verdict .callout { font-size: 1.2rem; font-weight: 600; line-height: 1.35; }
+.truegap-first .tiles { display: flex; flex-wrap: wrap; gap: .8rem; margin: 1rem 0; }
+.truegap-first .tiles div { flex: 1 1 7.5rem; padding: .5rem .8rem; background: #8881; border-radius: .3rem; }
+.truegap-first .tiles strong { display: block; font-size: 1.05rem; white-space: nowrap; }
+.truegap-first .tiles span { opacity: .75; font-size: .85rem; }
+.truegap-first figure { margin: 1rem 0; }
+.truegap-first figure svg.tg-figure { display: block; max-width: 100%; height: auto; color: inherit; }
+.truegap-first .tg-paper { fill: var(--jp-layout-color0, var(--vscode-editor-background, Canvas)); }
+.truegap-first .tg-halo { stroke: var(--jp-layout-color0, var(--vscode-editor-background, Canvas)); }
+.truegap-first figcaption { opacity: .75; font-size: .9rem; }
+</style>
+";
+
 /// File names without their folders; the folder too, where all recordings of a study are called the same.
 fn short(source: &str) -> String {
     let one = |path: &str| {

@@ -103,6 +103,11 @@ impl Programs {
         self.all().iter().find_map(|responder| responder.failure().cloned())
     }
 
+    /// Asks no slow one any further.
+    pub fn stop(&self) {
+        self.all().iter().for_each(|responder| responder.stop());
+    }
+
     /// How often all of them were asked.
     pub fn calls(&self) -> Calls {
         let add = |sum: Calls, next: Calls| Calls {

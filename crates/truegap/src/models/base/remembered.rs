@@ -1,11 +1,11 @@
 //! A responder that is asked nothing twice, and nothing at all once it has failed.
 //!
-//! Limits: one question at a time; answers are kept in memory, at most 256 MB of them; then all are forgotten. On disk ([`super::kept`]) are those of a slow program.
+//! Limits: one question at a time; of a slow responder none once it was told to stop; answers are kept in memory, at most 256 MB of them; then all are forgotten. On disk ([`super::kept`]) are those of a slow program.
 
 use super::kept::Kept;
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Instant;
 use truegap_core::{Inputs, SimulationError};
@@ -23,6 +23,7 @@ pub struct Remembered {
     disk: Mutex<Disk>,
     known: Mutex<Known>,
     failure: OnceLock<SimulationError>,
+    stopped: AtomicBool,
     calls: AtomicU64,
     found: AtomicU64,
     microseconds: AtomicU64,
@@ -91,12 +92,30 @@ impl Remembered {
     pub(super) fn keeping(inner: Box<dyn Responder>, kept: Option<Kept>) -> Self {
         let [calls, found, microseconds] = [const { AtomicU64::new(0) }; 3];
         let disk = Mutex::new(Disk { kept, ..Disk::default() });
-        Self { inner: Mutex::new(inner), disk, known: Mutex::default(), failure: OnceLock::new(), calls, found, microseconds }
+        let (stopped, failure) = (AtomicBool::new(false), OnceLock::new());
+        Self { inner: Mutex::new(inner), disk, known: Mutex::default(), failure, stopped, calls, found, microseconds }
     }
 
     /// What went wrong first.
     pub fn failure(&self) -> Option<&SimulationError> {
         self.failure.get()
+    }
+
+    /// Puts no further question to `inner` where its answers take long: what is known by then cannot be told without hundreds of them.
+    pub fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
+    }
+
+    fn is_slow(&self) -> bool {
+        let Calls { count, seconds, .. } = self.calls();
+        seconds >= SLOW_S * count as f64
+    }
+
+    /// What is told in place of an answer after [`Remembered::stop`].
+    fn given_up(&self) -> SimulationError {
+        let known =
+            if self.disk().kept.is_some() { "; its answers are kept, and the same command goes on from there" } else { "" };
+        SimulationError::Program { says: format!("the simulator is asked no further, as the diagnosis was stopped{known}") }
     }
 
     /// How often `inner` was asked.
@@ -114,6 +133,9 @@ impl Remembered {
         let inner = self.inner.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(failure) = self.failure.get() {
             return Err(failure.clone());
+        }
+        if self.stopped.load(Ordering::Relaxed) && self.is_slow() {
+            return Err(self.failure.get_or_init(|| self.given_up()).clone());
         }
         let start = Instant::now();
         let answer = inner.respond(values, inputs).and_then(|answer| of_length(answer, inputs.len()));

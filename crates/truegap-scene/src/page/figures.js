@@ -1,3 +1,8 @@
+// On paper nothing can be unfolded; browsers that know no rule for it are told here.
+const folded = () => document.querySelectorAll("details:not([open])");
+let opened = [];
+addEventListener("beforeprint", () => { opened = [...folded()]; opened.forEach((part) => { part.open = true; }); });
+addEventListener("afterprint", () => { opened.forEach((part) => { part.open = false; }); });
 // Buttons below each figure: save it as SVG, show it larger. Without this script the page reads the same.
 for (const [index, figure] of document.querySelectorAll("figure").entries()) {
   const svg = figure.querySelector("svg.tg-figure");

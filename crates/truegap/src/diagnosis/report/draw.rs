@@ -49,6 +49,6 @@ pre { white-space: pre-wrap; }
 @media (min-width: 1180px) {
   .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; width: min(94vw, 1500px); margin-left: 50%; transform: translateX(-50%); }
 }
-@media print { .tiles div { border: 1px solid var(--line); } .pair { display: block; width: auto; margin: 0; transform: none; } }
+@media print { .tiles { gap: .5rem; } .tiles div { flex-basis: 5.2rem; padding: .4rem .6rem; border: 1px solid var(--line); } .pair { display: block; width: auto; margin: 0; transform: none; } }
 </style>
 ";

@@ -5,7 +5,7 @@
 use super::{
     error::RecordingError,
     heading::Heading,
-    manifest::{Manifest, Named, NamedDriver},
+    manifest::{Manifest, Named},
     map::NO_LINE,
     note::Note,
     roles::ROLES,
@@ -27,18 +27,6 @@ pub(super) struct Column {
     pub scale: (f64, f64),
     /// whether its cells are dates
     pub dated: bool,
-}
-
-/// A column that is none of the roles, and that physics may follow all the same.
-#[derive(Clone, Debug)]
-pub(super) struct DriverColumn {
-    pub index: usize,
-    /// name under `[drivers]`
-    pub driver: String,
-    /// name in the header
-    pub name: String,
-    /// as recorded; not converted
-    pub unit: String,
 }
 
 /// What a role measures; `None` for names, and for readings in any unit.
@@ -85,56 +73,6 @@ pub(super) fn bind(
     let mut columns = columns.collect::<Result<Vec<_>, _>>()?;
     binder.match_simulated(&mut columns)?;
     Ok((columns, notes))
-}
-
-/// The columns that `[drivers]` names; `roles` are those that play a role already.
-pub(super) fn bind_drivers(
-    file: &Path,
-    toml: Option<&Path>,
-    header: &[Heading],
-    manifest: &Manifest,
-    roles: &[Column],
-) -> Result<Vec<DriverColumn>, RecordingError> {
-    let refused = |wanted: &NamedDriver, why: String| {
-        let driver = wanted.name.clone();
-        match wanted.line {
-            NO_LINE => RecordingError::MappedDriver { file: file.to_owned(), driver, why },
-            line => RecordingError::Driver { file: toml.unwrap_or(file).to_owned(), line, driver, why },
-        }
-    };
-    let bound = |wanted: &NamedDriver| {
-        if let Some(role) = ROLES.into_iter().find(|role| role.key() == wanted.name) {
-            return Err(refused(
-                wanted,
-                format!("`{0}` is a role; name its column under [columns], {0} = \"...\", or by --map {0}=COLUMN", role.key()),
-            ));
-        }
-        if wanted.name.trim().is_empty() {
-            return Err(refused(wanted, "it has no name; write position = { column = \"...\", unit = \"...\" }".into()));
-        }
-        let called: Vec<usize> = (0..header.len()).filter(|index| header[*index].name == wanted.column).collect();
-        let Some(&index) = called.first() else {
-            let (found, near) = (names(header), almost_called(&wanted.column, header));
-            return Err(refused(wanted, format!("`{}` is not in the header; {near}found: {found}", wanted.column)));
-        };
-        if called.len() > 1 {
-            return Err(twice(file, &wanted.column, &called));
-        }
-        if let Some(column) = roles.iter().find(|c| c.index == index) {
-            let role = column.role.key();
-            return Err(refused(wanted, format!("column `{}` is the {role} already; leave it out of [drivers]", column.name)));
-        }
-        let unit = wanted.unit.clone().or_else(|| header[index].proper_unit().map(str::to_owned));
-        let unit = unit.ok_or_else(|| {
-            let example = match wanted.line {
-                NO_LINE => format!("driver.{}=\"{}:mm\", or :1 where it has none", wanted.name, wanted.column),
-                _ => format!("{} = {{ column = \"{}\", unit = \"mm\" }}, or unit = \"1\"", wanted.name, wanted.column),
-            };
-            refused(wanted, format!("column `{}` has no unit in its name; write {example}", wanted.column))
-        })?;
-        Ok(DriverColumn { index, driver: wanted.name.clone(), name: wanted.column.clone(), unit })
-    };
-    manifest.drivers.iter().map(bound).collect()
 }
 
 struct Binder<'a> {
@@ -356,19 +294,19 @@ pub(super) fn there(file: &Path, header: &[Heading], role: Role, named: &Named) 
 }
 
 /// A name that stands over two columns.
-fn twice(file: &Path, name: &str, columns: &[usize]) -> RecordingError {
+pub(super) fn twice(file: &Path, name: &str, columns: &[usize]) -> RecordingError {
     let numbers: Vec<String> = columns.iter().map(|index| (index + 1).to_string()).collect();
     RecordingError::Twice { file: file.to_owned(), name: name.to_owned(), columns: numbers.join(" and ") }
 }
 
 /// The names that a wrong one may have meant, as the middle of a message.
-fn almost_called(wanted: &str, header: &[Heading]) -> String {
+pub(super) fn almost_called(wanted: &str, header: &[Heading]) -> String {
     let near = nearest(wanted, header.iter().map(|heading| heading.name.as_str()));
     near.first().map_or_else(String::new, |near| format!("did you mean `{near}`? "))
 }
 
 /// The columns of a header for a message.
-fn names(header: &[Heading]) -> String {
+pub(super) fn names(header: &[Heading]) -> String {
     quoted(header.iter().map(|heading| heading.name.as_str()).filter(|name| !name.is_empty()))
 }
 

@@ -5,9 +5,10 @@
 
 use super::{
     clock::{Clock, Tick},
-    columns::{self, Column, DriverColumn},
+    columns::{self, Column},
     data::Recording,
     degrees,
+    driver_columns::{DriverColumn, bind_drivers},
     error::RecordingError,
     heading::Heading,
     manifest::Manifest,
@@ -78,7 +79,7 @@ impl Recording {
         let header: Vec<Heading> = table.iter().map(FrameColumn::heading).collect();
         same_length(table)?;
         let (bound, mut notes) = columns::bind(path, toml, &header, &manifest)?;
-        let drivers = columns::bind_drivers(path, toml, &header, &manifest, &bound)?;
+        let drivers = bind_drivers(path, toml, &header, &manifest, &bound)?;
         let frame = Frame { path, table, bound: &bound, drivers: &drivers };
         let mut gone = Gone::default();
         let kept = frame.whole_rows(&mut gone);

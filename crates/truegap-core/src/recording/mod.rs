@@ -8,6 +8,7 @@ mod columns;
 mod data;
 mod date_order;
 mod degrees;
+mod driver_columns;
 mod error;
 mod frame;
 mod guess;

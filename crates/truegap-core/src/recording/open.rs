@@ -8,6 +8,7 @@ use super::{
     data::{Recording, Sensors},
     date_order::order,
     degrees,
+    driver_columns::bind_drivers,
     error::RecordingError,
     frame::FrameColumn,
     heading::Heading,
@@ -109,7 +110,7 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
         let (columns, assumed) = columns::bind(origin.csv, origin.toml, &table.header, &with_response(&manifest, sensor))?;
         rows.clock.lenient = table.singletact;
         rows.clock.renumber = several || columns.iter().any(|c| c.role == Role::Sensor);
-        let drivers = columns::bind_drivers(origin.csv, origin.toml, &table.header, &manifest, &columns)?;
+        let drivers = bind_drivers(origin.csv, origin.toml, &table.header, &manifest, &columns)?;
         if let Some(clock) = columns.iter().find(|c| c.dated && table.header[c.index].unordered) {
             rows.order = order(&mut table, clock.index, manifest.dayfirst)?;
             table = Table::open(origin.csv, table.finish().1)?;

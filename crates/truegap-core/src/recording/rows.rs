@@ -4,7 +4,8 @@
 
 use super::{
     clock::{Clock, Tick},
-    columns::{Column, DriverColumn},
+    columns::Column,
+    driver_columns::DriverColumn,
     error::RecordingError,
     note::Note,
     number::{Fault, number},

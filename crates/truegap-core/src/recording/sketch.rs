@@ -4,14 +4,15 @@
 
 use super::{
     columnar,
-    columns::{bind_drivers, dimension, quoted, there},
+    columns::{dimension, quoted, there},
     date_order::order,
+    driver_columns::bind_drivers,
     error::RecordingError,
     frame::FrameColumn,
     guess::{Guess, guess},
     heading::Heading,
     manifest::{Manifest, SCHEMA},
-    map::Part,
+    map::{Mapped, Part},
     number::number,
     packed::open_csv,
     roles::ROLES,
@@ -139,11 +140,8 @@ impl Writer<'_> {
     }
 
     /// Columns that are told of, with what they are and their units.
-    fn told_of(&self) -> Vec<(&'_ Part, usize, Option<&'_ str>)> {
-        let of = |mapped: &'_ crate::recording::Mapped| mapped.column_and_unit(self.header).0.to_owned();
-        let index = |name: String| self.header.iter().position(|heading| heading.name == name);
-        let all = self.told.map.iter();
-        all.filter_map(|mapped| Some((mapped.part(), index(of(mapped))?, mapped.column_and_unit(self.header).1))).collect()
+    fn told_of(&self) -> Vec<(&Part, usize, Option<&str>)> {
+        self.told.map.iter().filter_map(|mapped| placed(mapped, self.header)).collect()
     }
 
     /// The columns among which roles are guessed: those that nothing is told of.
@@ -298,6 +296,12 @@ impl Writer<'_> {
             self.open.push("what the recording is compared with: complete [base]".to_owned());
         }
     }
+}
+
+/// What a column that is told of is, its place in the header, and its unit where that is told.
+fn placed<'a>(mapped: &'a Mapped, header: &[Heading]) -> Option<(&'a Part, usize, Option<&'a str>)> {
+    let (column, unit) = mapped.column_and_unit(header);
+    Some((mapped.part(), header.iter().position(|heading| heading.name == column)?, unit))
 }
 
 /// The unit of a role's column, as the header shows it.

@@ -94,9 +94,10 @@ def _since_first(dates: np.ndarray[Any, Any], zoned: bool) -> Cells:
     there = ticks[~gone]
     seconds, rest = np.divmod(ticks, a_second)
     epoch = there[0] // a_second if len(there) else 0
-    first = str(dates[~gone][0]) if len(there) else ""
+    first = str(dates[~gone][0]) if len(there) else "its first row"
+    first = first.rstrip("0").rstrip(".") if "." in first else first
     values = np.where(gone, np.nan, (seconds - epoch).astype(np.float64) + rest / a_second)
-    return values, (first or "its first row") + ("Z" if zoned else "")
+    return values, first + ("Z" if zoned else "")
 
 
 def is_text(recording: Recording) -> bool:
@@ -162,7 +163,10 @@ def _table(recording: Frame | Mapping[str, Any]) -> tuple[FrameColumns, list[str
 
 def _column(frame: Any, name: str) -> tuple[Any, bool]:
     """The column as an array, and whether its dates have a zone; those of Greenwich then."""
-    column = frame[name]
+    try:
+        column = frame[name]
+    except KeyError:  # a name that is a number
+        column = frame[next(found for found in frame.columns if str(found) == name)]
     kind = getattr(column, "dtype", None)
     if getattr(kind, "tz", None) is not None:
         return column.to_numpy(dtype="datetime64[ns]"), True

@@ -49,7 +49,7 @@ fn opened(path: &Path) -> Result<Recording, RecordingError> {
 fn framed(name: &str, says: &str, columns: &[Given<'_>]) -> PyResult<Recording> {
     let says: toml::Table = serde_json::from_str(says).map_err(failed)?;
     let says = toml::to_string(&says).map_err(failed)?;
-    let column = |(name, values, since): &'_ Given<'_>| -> Result<FrameColumn<'_>, numpy::AsSliceError> {
+    let column = |(name, values, since): &Given<'_>| -> Result<FrameColumn<'static>, numpy::AsSliceError> {
         let cells = match since.as_deref() {
             None => Cells::Numbers,
             Some("") => Cells::Durations,

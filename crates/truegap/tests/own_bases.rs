@@ -204,3 +204,29 @@ fn a_base_that_is_asked_for_is_the_only_one_that_is_spoken_of() {
     let opened = open(vec![bare], &request).unwrap();
     assert!(opened.recording.notes.iter().all(|note| !note.to_string().contains("was taken")), "{:?}", opened.recording.notes);
 }
+
+/// A reading behind its simulation by three time constants, of 25, 40 and 60 s. The library's law of the lag has two ways side by side, so it is slightly off, and other effects follow what it leaves: they
+/// are carried, and the lag alone is the cause. They had been named beside it; and where one of them was found alone, rows left out were predicted with ten times the error.
+#[test]
+fn what_follows_the_rest_of_a_law_that_is_slightly_off_is_carried_and_not_named() {
+    let (mut noise, mut wander, mut late) = (noise(), 0.0, [f64::NAN; 3]);
+    let row = |i: usize| {
+        let seconds = 10.0 * i as f64;
+        wander += 0.1 * (noise() - wander);
+        let simulated = 5.0 + 2.0 * (seconds / 300.0).sin() + wander;
+        let mut behind = simulated;
+        for (stage, tau) in late.iter_mut().zip([60.0, 25.0, 40.0]) {
+            let before = if stage.is_nan() { behind } else { *stage };
+            *stage = behind + (before - behind) * (-10.0f64 / tau).exp();
+            behind = *stage;
+        }
+        vec![seconds, simulated, behind + 0.002 * noise()]
+    };
+    let (_folder, recording) = recorded("model = \"external\"\n", "time_s,simulated,response_v", 700, row);
+    let diagnosis = diagnosed(recording).outcome.diagnosis;
+    let lags = ["slow_response", "readout_lag"];
+    assert!(named(&diagnosis).len() == 1 && lags.contains(&named(&diagnosis)[0]), "{}", diagnosis.says);
+    assert!(!diagnosis.carried.is_empty() && diagnosis.says.contains("not claimed as a cause"), "{}", diagnosis.says);
+    let held_out = diagnosis.fit.held_out.rmse_after.unwrap();
+    assert!(held_out < 0.01, "{held_out}");
+}

@@ -90,13 +90,15 @@ fn rivals(probability: &[f64], best: usize) -> Vec<usize> {
     list
 }
 
-/// The numbers of the effects of a model.
+/// The numbers of the effects of a model; one that is held at nothing is none to be narrowed.
 fn numbers<'a>(found: &'a Found<'_>, best: &'a Tried) -> impl Iterator<Item = LeastSure> {
     let model = found.search.model(&best.effects);
     let of = move |(place, effect): (usize, &'a usize)| {
         let range = model.range_of(place);
         let named = move |(index, number)| LeastSure { index, number, effect: found.id(*effect) };
-        range.clone().zip(fitted(found, best, range)).map(named)
+        let id = found.search.library[*effect].id();
+        let free = move |least: &LeastSure| !found.search.context.holds(id, &least.number.parameter.name);
+        range.clone().zip(fitted(found, best, range)).map(named).filter(free)
     };
     best.effects.iter().enumerate().flat_map(of)
 }

@@ -84,17 +84,21 @@ impl Choice<'_, '_> {
         let told = self.judged.predicted.unseen.stood_behind();
         let base = Asked { tried: selection.base().clone(), held: Vec::new(), unseen: self.judged.by_base.unseen.clone() };
         let found = self.forward(base)?;
-        let both = compared(told, &found.unseen)?;
-        let ([first, second], clearly) = (both.rmse, both.better_by(FELT));
-        if found.tried.key() == chosen.key()
-            || !(clearly || (second <= first && found.tried.effects.len() < chosen.effects.len()))
-        {
+        // better, or as well with fewer effects
+        let fewer = found.tried.effects.len() < chosen.effects.len();
+        let judged = |unseen: &HeldOutFit| {
+            let both = compared(told, unseen)?;
+            let clearly = both.better_by(FELT);
+            (clearly || (fewer && both.rmse[1] <= both.rmse[0])).then_some((both.rmse, clearly))
+        };
+        if found.tried.key() == chosen.key() || judged(&found.unseen).is_none() {
             return None;
         }
         let context = self.search.context.holding(found.held.clone());
         let narrow = &self.narrow(&context);
         let Simple { tried, held, unseen } =
             simple(self.prepared, narrow, &self.judged.by_base, &narrow.polished(&found.tried)?, 1.0)?;
+        let ([first, second], clearly) = judged(&unseen)?;
         let after = self.prepared.lack_of_fit.adequacy(&tried.fit);
         let removed = self.removed(&tried, &unseen, &after);
         if (after.fires() && removed < RIGHT_FAMILY) || runs_to_limit(narrow, &tried) {
@@ -109,7 +113,7 @@ impl Choice<'_, '_> {
             significant(second, 3),
             significant(first, 3),
         );
-        let sets = self.sets(&found);
+        let sets = self.with_first_choice(&tried.effects, self.sets(&found));
         Some(ByRowsLeftOut { tried, held, unseen, sets, after, removed, says })
     }
 
@@ -181,6 +185,24 @@ impl Choice<'_, '_> {
         model.tried.effects.iter().map(set).collect()
     }
 
+    /// The sets of `effects` with what evidence had chosen: where the two choices differ, what the one names in the place of the other is not excluded.
+    fn with_first_choice(&self, effects: &[usize], sets: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
+        let decision = &self.judged.predicted.decision;
+        let chosen = &self.judged.examined.selection.models[decision.model].effects;
+        let only_there = |effect: &&usize| !effects.contains(effect) && **effect < self.search.library.len();
+        let place = |effect: &usize| chosen.iter().position(|e| e == effect).and_then(|place| decision.sets.get(place));
+        let instead: Vec<usize> =
+            chosen.iter().filter(only_there).flat_map(|e| place(e).cloned().unwrap_or_else(|| vec![*e])).collect();
+        let with = |(effect, mut set): (&usize, Vec<usize>)| {
+            if !chosen.contains(effect) {
+                let new: Vec<usize> = instead.iter().copied().filter(|e| !set.contains(e) && !effects.contains(e)).collect();
+                set.extend(new);
+            }
+            set
+        };
+        effects.iter().zip(sets).map(with).collect()
+    }
+
     /// Share of the misfit that a model removes: under the noise or on rows left out, whichever is more.
     fn removed(&self, tried: &Tried, unseen: &HeldOutFit, after: &Adequacy) -> f64 {
         let base = self.judged.examined.selection.base();
@@ -207,18 +229,21 @@ fn runs_to_limit(search: &Search<'_>, tried: &Tried) -> bool {
     (0..tried.effects.len()).any(|index| model.range_of(index).skip(1).any(on_limit))
 }
 
-/// What is stood behind with the simple laws that foretell rows left out as well, once it is decided what that is; `None` where no number is held for it, or mechanisms of words are part of it.
+/// What is stood behind with the simple laws that foretell rows left out as well, once it is decided what that is; `None` where no number is held for it, where mechanisms of words are part of it, or where the base model has plates.
 pub(crate) fn told_simply(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<Simple> {
     let chosen = &judged.examined.selection.models[judged.predicted.decision.model];
     let of_library = !chosen.effects.is_empty() && chosen.effects.iter().all(|e| *e < prepared.testable.len());
-    if !of_library || told.stop.load(Ordering::Relaxed) {
+    let derived = prepared.context.has(StageName::Dielectric).is_ok();
+    if derived || !of_library || told.stop.load(Ordering::Relaxed) {
         return None;
     }
     let searched = prepared.searched();
     let context = prepared.context.holding(judged.held.clone());
     let search = Search { context: &context, ..prepared.search(&searched, told.progress, told.stop) };
     let simple = simple(prepared, &search, &judged.by_base, chosen, 1.0)?;
-    (simple.held.len() > judged.held.len()).then_some(simple)
+    // held by what the fit under the noise foretells; told by the better of two ways to calibrate
+    let [before, after] = compared(judged.predicted.unseen.stood_behind(), &simple.unseen)?.rmse;
+    (simple.held.len() > judged.held.len() && after <= before).then_some(simple)
 }
 
 impl Judged {

@@ -28,6 +28,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod cache_folder;
 mod cells;
 pub mod diagnosis;
 pub mod models;

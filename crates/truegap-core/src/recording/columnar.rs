@@ -4,56 +4,15 @@
 
 #[cfg(feature = "columnar")]
 mod arrow;
+mod of_file;
 
 #[cfg(feature = "columnar")]
 use self::arrow::of_kind;
-use super::{error::RecordingError, frame::FrameColumn, manifest::Manifest, packed::unread};
+use self::of_file::{Frame, Kind};
+use super::{error::RecordingError, frame::FrameColumn, packed::unread};
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
-
-/// Kinds of files, each with its first bytes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Parquet,
-    Arrow,
-}
-
-impl Kind {
-    /// In the words of a message.
-    fn told(self) -> &'static str {
-        match self {
-            Self::Parquet => "a Parquet",
-            Self::Arrow => "an Arrow",
-        }
-    }
-}
-
-/// The columns of a file.
-pub(super) struct Frame {
-    pub columns: Vec<FrameColumn<'static>>,
-    /// names of what is neither numbers nor times, and what it is
-    pub left_out: Vec<(String, String)>,
-    pub sha256: String,
-}
-
-impl Frame {
-    /// Refuses a file whose columns of text are named for numbers.
-    ///
-    /// # Errors
-    /// [`RecordingError::NoNumbersInColumn`].
-    pub fn holds_numbers(&self, file: &Path, manifest: &Manifest) -> Result<(), RecordingError> {
-        let roles = manifest.columns.values().map(|named| &named.text);
-        let mut wanted = roles.chain(manifest.drivers.iter().map(|driver| &driver.column));
-        match wanted.find_map(|name| self.left_out.iter().find(|(column, _)| column == name)) {
-            None => Ok(()),
-            Some((column, holds)) => {
-                let (file, column, holds) = (file.to_owned(), column.clone(), holds.clone());
-                Err(RecordingError::NoNumbersInColumn { file, column, holds })
-            }
-        }
-    }
-}
 
 /// The columns of a Parquet or Arrow file: numbers as they stand, dates as seconds since the first.
 ///

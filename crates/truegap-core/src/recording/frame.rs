@@ -4,6 +4,7 @@
 //! messages are rows, counted from 1.
 
 use super::{
+    assumed_base::assumed_base,
     clock::{Clock, Tick},
     columns::{self, Column},
     data::Recording,
@@ -13,7 +14,6 @@ use super::{
     heading::Heading,
     manifest::Manifest,
     note::Note,
-    open,
     rows::{Impossible, impossible},
     whole::{Gone, Instant, is_angle},
 };
@@ -92,7 +92,7 @@ impl Recording {
             return Err(RecordingError::NoRows { file: path.to_owned() });
         }
         let unit = bound.iter().find(|c| c.role == Role::Response).map(|c| c.unit.clone()).unwrap_or_default();
-        let base = manifest.base.unwrap_or_else(|| open::assumed_base(&bound, &mut notes));
+        let base = manifest.base.unwrap_or_else(|| assumed_base(&bound, &mut notes));
         let mut recording = Self::new(inputs, response, &unit, base)?;
         recording.columns = bound.iter().map(|c| (c.role, c.name.clone())).collect::<BTreeMap<_, _>>();
         recording.notes = notes.into_iter().chain(recording.constants()).collect();

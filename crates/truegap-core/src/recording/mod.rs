@@ -2,6 +2,7 @@
 //!
 //! Limits: units are converted here, once; whether the numbers make sense as a measurement is for the diagnosis to say.
 
+mod assumed_base;
 mod clock;
 mod columnar;
 mod columns;

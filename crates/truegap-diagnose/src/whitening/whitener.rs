@@ -112,11 +112,11 @@ impl Whitener {
     /// Leaves out the states that no row moves: noise without a memory has none.
     fn forget_silent_states(&mut self) {
         let states = self.states;
-        let heard: Vec<usize> =
+        let moved: Vec<usize> =
             (0..states).filter(|k| self.gain.iter().skip(*k).step_by(states).any(|gain| *gain != 0.0)).collect();
-        if heard.len() < states {
-            let of_heard = |all: &[f64]| all.chunks(states).flat_map(|row| heard.iter().map(|k| row[*k])).collect::<Vec<f64>>();
-            (self.gain, self.carry, self.states) = (of_heard(&self.gain), of_heard(&self.carry), heard.len());
+        if moved.len() < states {
+            let of_moved = |all: &[f64]| all.chunks(states).flat_map(|row| moved.iter().map(|k| row[*k])).collect::<Vec<f64>>();
+            (self.gain, self.carry, self.states) = (of_moved(&self.gain), of_moved(&self.carry), moved.len());
         }
     }
 

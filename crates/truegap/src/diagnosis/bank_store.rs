@@ -1,8 +1,8 @@
 //! Recovery banks kept between runs: one file a protocol, named by the hash of everything that its answers depend on.
 //!
-//! Limits: kept in the user's cache folder ([`super::cache_folder`]); where none can be written, nothing is kept.
+//! Limits: kept in the user's cache folder ([`crate::cache_folder`]); where none can be written, nothing is kept.
 
-use super::cache_folder::cache_folder;
+use crate::cache_folder::cache_folder;
 use std::{
     collections::BTreeMap,
     path::{Path, PathBuf},

@@ -21,7 +21,6 @@
 mod asking;
 mod bank_store;
 mod bases;
-mod cache_folder;
 mod clock;
 pub mod confirm;
 mod course;
@@ -36,7 +35,7 @@ mod request;
 mod run;
 mod screen;
 
-pub use cache_folder::cache_folder;
+pub use crate::cache_folder::cache_folder;
 pub use diagnosed::{Diagnosed, FILES};
 pub use error::DiagnosisError;
 pub use example::{EXAMPLE, example_recording};

@@ -2,7 +2,7 @@
 //!
 //! Limits: the physics is in `truegap-audit`; here are names, files and the place of the cache.
 
-use crate::diagnosis::cache_folder;
+use crate::cache_folder::cache_folder;
 use crate::output::{OutputError, OutputFolder};
 use crate::verify::audited::{Audited, Body};
 use crate::verify::{audit_report, export};

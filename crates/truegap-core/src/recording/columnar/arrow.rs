@@ -2,7 +2,7 @@
 //!
 //! Limits: whole columns in memory; an integer beyond 2^53 is rounded.
 
-use super::{Frame, Kind};
+use super::of_file::{Frame, Kind};
 use crate::recording::error::RecordingError;
 use crate::recording::frame::{Cells, FrameColumn};
 use crate::recording::packed::unread;

@@ -67,7 +67,8 @@ fn a_driver_is_named_in_the_same_line_as_a_role() {
     assert!(said.code < 2, "{}", said.err);
     let header = std::fs::read_to_string(bench.path("out/prediction.csv")).unwrap().lines().next().unwrap().to_owned();
     assert!(header.contains("driver_cell"), "{header}");
-    let refuses = |map: &str, parts: &[&str]| bench.refuses(&[&TYPED[..], &[map, "-o", "out2"]].concat(), parts);
+    let reading = ["response=C_measured:pF", "--map"];
+    let refuses = |map: &str, parts: &[&str]| bench.refuses(&[&TYPED[..], &reading, &[map, "-o", "out2"]].concat(), parts);
     refuses("driver.cell=Load cell: left", &["--map driver.cell", "no unit in its name", "driver.cell=\"Load cell: left:mm\""]);
     refuses("driver.force=Elapsed:s", &["`force` is a role", "--map force=COLUMN"]);
 }

@@ -22,7 +22,8 @@ def fetched(tmp_path_factory):
 
 def test_the_textbook_simulation_of_a_solar_module_is_late(fetched):
     d, confirmation = real_recording.main(str(fetched))
-    seconds = [p.value for f in d.findings for p in f.parameters if p.unit == "s"]
+    # the lag explains less than a bend of the textbook's law does, so that it may be carried and not named
+    seconds = [p.value for f in [*d.findings, *d.carried] for p in f.parameters if p.unit == "s"]
     # a lag of minutes, as the heat capacity of a module over its heat loss says: 11 kJ/(m2 K) over 25 W/(m2 K) is 7 min
     assert any(60 < value < 3600 for value in seconds), d.says
     held_out = d.document["fit"]["held_out"]

@@ -317,6 +317,19 @@ def thermal_analysis(content, run=0):
 FITS_KINDS = {"D": ">f8", "E": ">f4", "J": ">i4", "I": ">i2", "B": "u1", "A": "S1", "L": "u1"}
 
 
+def repeated(first, second, every):
+    """The same programme of a thermobalance twice, `every` so many readings, as long as both last."""
+    one, two = (thermal_analysis(content).iloc[::every] for content in (first, second))
+    rows = min(len(one), len(two))
+    return one.iloc[:rows], two.iloc[:rows]
+
+
+def isotopes(content, first):
+    """Counts of a mass spectrometer by isotope, from where that of the `first` is there."""
+    frame = csv(content, skiprows=3).dropna()
+    return frame[frame[first].notna()].astype(float)
+
+
 def fits_tables(content):
     """Binary tables of a FITS file by their names, each an array with named fields."""
     at, found = 0, {}

@@ -1,7 +1,7 @@
 """Thermocouple at the sample of a thermobalance beside that of its furnace, heated at 10 K/min, every eighth reading. The sample is behind while heat goes by gas, and hardly behind when it shines."""
 
 import numpy as np
-from fitting import lag, line, terms
+from fitting import lag, terms, usual
 from reading import thermal_analysis
 
 HAND_BUILT = "lag that falls with radiation"
@@ -26,11 +26,7 @@ def warmed(p, x, t):
 def models(c):
     y, x, t = c["sample_c"], c["furnace_c"], c["time_s"]
     return y, {
-        "line": line(y, x),
-        "square": line(y, x, x**2),
-        "drift": line(y, x, t),
-        "shift": terms(y, lambda p: [np.interp(t - p[0] * 60, t, x)], [0.5]),
-        "lag": terms(y, lambda p: [lag(x, t, abs(p[0]) * 60)], [0.5]),
+        **usual(y, x, t),
         "lag, square": terms(y, lambda p: [lag(x, t, abs(p[0]) * 60), lag(x, t, abs(p[0]) * 60) ** 2], [1.0]),
         HAND_BUILT: terms(y, lambda p: [warmed(p, x, t)], [1.0, 1.0]),
     }

@@ -1,7 +1,6 @@
 """Heart rate by a strap over the power on the pedals, a ride in hills, means of five points. The heart follows within a minute, and less where it beats fast already."""
 
-import numpy as np
-from fitting import lag, line, terms
+from fitting import lag, terms, usual
 from reading import means, trackpoints
 
 HAND_BUILT = "lag, square, and drift"
@@ -15,11 +14,7 @@ def rows(content):
 def models(c):
     y, x, t = c["heart_per_min"], c["power_w"], c["time_s"]
     return y, {
-        "line": line(y, x),
-        "square": line(y, x, x**2),
-        "drift": line(y, x, t),
-        "shift": terms(y, lambda p: [np.interp(t - p[0] * 60, t, x)], [0.5]),
-        "lag": terms(y, lambda p: [lag(x, t, abs(p[0]) * 60)], [0.5]),
+        **usual(y, x, t),
         "lag, square": terms(y, lambda p: [lag(x, t, abs(p[0]) * 60), lag(x, t, abs(p[0]) * 60) ** 2], [1.0]),
         "lag, and drift": terms(y, lambda p: [lag(x, t, abs(p[0]) * 60), t], [1.0]),
         HAND_BUILT: terms(y, lambda p: [lag(x, t, abs(p[0]) * 60), lag(x, t, abs(p[0]) * 60) ** 2, t], [1.0]),

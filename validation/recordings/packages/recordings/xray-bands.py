@@ -2,8 +2,7 @@
 
 import gzip
 
-import numpy as np
-from fitting import lag, line, terms
+from fitting import lag, terms, usual
 from reading import fits_tables, means
 
 HAND_BUILT = "line and lag, and drift"
@@ -20,11 +19,7 @@ def rows(content):
 def models(c):
     y, x, t = c["short_nw_m2"], c["long_uw_m2"], c["time_s"]
     return y, {
-        "line": line(y, x),
-        "square": line(y, x, x**2),
-        "drift": line(y, x, t),
-        "shift": terms(y, lambda p: [np.interp(t - p[0] * 60, t, x)], [0.5]),
-        "lag": terms(y, lambda p: [lag(x, t, abs(p[0]) * 60)], [0.5]),
+        **usual(y, x, t),
         "line and lag": terms(y, lambda p: [x, lag(x, t, abs(p[0]) * 600)], [1.0]),
         "line and lag, square": terms(y, lambda p: [x, lag(x, t, abs(p[0]) * 600), x**2], [1.0]),
         HAND_BUILT: terms(y, lambda p: [x, lag(x, t, abs(p[0]) * 600), t], [1.0]),

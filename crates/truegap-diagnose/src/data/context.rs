@@ -11,6 +11,9 @@ use truegap_core::{Corrections, EffectId, Inputs, Joined, Parameter, Prior, Simu
 /// Why nothing that takes time can be looked for.
 pub(crate) const NO_CLOCK: &str = "no time column";
 
+/// A number of an effect, by its name.
+pub(crate) type Number = (EffectId, &'static str);
+
 /// Facts that priors, starting values and testability rest on.
 #[derive(Clone)]
 pub struct Context<'a> {
@@ -43,7 +46,7 @@ pub struct Context<'a> {
     /// what moved in the recording to which effects were fitted: these inputs, or those of a model file
     pub moved: Moved,
     /// numbers of effects that are held at nothing, since rows left out do not bear them out
-    pub(crate) held: Vec<(EffectId, &'static str)>,
+    pub(crate) held: Vec<Number>,
     /// strain of a full load, once an effect has asked for it
     pub(crate) full_strain: OnceLock<f64>,
     /// response where next to no load acts, once an effect has asked for it
@@ -107,7 +110,7 @@ impl<'a> Context<'a> {
 
     /// The same with these numbers of effects held at nothing.
     #[must_use]
-    pub(crate) fn holding(&self, held: Vec<(EffectId, &'static str)>) -> Self {
+    pub(crate) fn holding(&self, held: Vec<Number>) -> Self {
         Self { held, ..self.clone() }
     }
 
@@ -143,6 +146,11 @@ impl<'a> Context<'a> {
     /// The model's own reason.
     pub fn has(&self, stage: StageName) -> Result<(), String> {
         self.simulator.lacks(stage).map_or(Ok(()), |why| Err(why.to_owned()))
+    }
+
+    /// Whether the base model has plates: then the equations of its effects are derived from sizes, and elsewhere they describe.
+    pub(crate) fn has_plates(&self) -> bool {
+        self.has(StageName::Dielectric).is_ok()
     }
 
     /// What finite elements say of the sensor.

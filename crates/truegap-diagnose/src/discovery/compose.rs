@@ -122,13 +122,10 @@ fn is_a_moment(effect: &Composed) -> bool {
 /// Whether the effects whose shape lies on a limit that is not a plain special case (nothing or all of a part) carry the explanation, and the recording wants the shape
 /// beyond it or misfit is left: the fit says that the law does not hold. A law that explains a small part beside others that hold says nothing against those.
 pub fn is_strained(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: &Tried, tried: &Tried) -> bool {
-    let model = search.model(&tried.effects);
-    let values = model.values(&tried.fit.z);
     let leaves_misfit = lack_of_fit.adequacy(&tried.fit).fires();
-    let special = |value: f64| value == 0.0 || (value - 1.0).abs() < 1e-9;
     let at_limit = |index: &usize| {
         let beyond = |i: usize| leaves_misfit || tried.fit.pull(i) > CLEARLY_BEYOND;
-        model.range_of(*index).skip(1).any(|i| tried.fit.at_limit[i] && !special(values[i]) && beyond(i))
+        search.on_limits(tried, *index).into_iter().any(beyond)
     };
     let law = |index: &usize| !search.library[tried.effects[*index]].describes();
     let strained = (0..tried.effects.len()).filter(law).filter(at_limit);

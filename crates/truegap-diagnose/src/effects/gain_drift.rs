@@ -33,7 +33,7 @@ impl Stage for Gain {
 
 /// Whether the base model is a capacitive sensor's, whose electronics are of a known kind.
 fn is_of_a_sensor(context: &Context<'_>) -> bool {
-    context.has(StageName::Dielectric).is_ok()
+    context.has_plates()
 }
 
 /// Sibling: a reference of the converter that moves, and divides.

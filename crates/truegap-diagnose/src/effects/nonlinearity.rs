@@ -151,7 +151,7 @@ impl Effect for Nonlinearity {
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
-        if context.has(StageName::Dielectric).is_ok() {
+        if context.has_plates() {
             return Err("the base model has places for a bent law of its own (stiffening, gap, saturation)".into());
         }
         if !context.simulator.moves() {

@@ -264,7 +264,7 @@ impl Effect for RegimeChange {
         // it is said when something was switched, which rows without a clock cannot say
         context.needs_clock()?;
         if matches!(self, Self::OfTheGain) {
-            if context.has(StageName::Dielectric).is_ok() {
+            if context.has_plates() {
                 return Err("the base model has places for a change of its own".into());
             }
             if Of::what_moves(context) == Of::Reading {
@@ -275,7 +275,7 @@ impl Effect for RegimeChange {
             }
             context.needs_movement()?;
         }
-        if context.has(StageName::Dielectric).is_ok() && !matches!(self.of(context), Of::Driver(_)) {
+        if context.has_plates() && !matches!(self.of(context), Of::Driver(_)) {
             return Err(
                 "the base model has places for temperature and history of its own; jumps between runs are offset steps".into()
             );

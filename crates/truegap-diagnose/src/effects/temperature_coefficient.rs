@@ -83,7 +83,7 @@ impl Effect for TemperatureCoefficient {
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
-        if context.has(StageName::Dielectric).is_ok() {
+        if context.has_plates() {
             return Err("the base model has places for temperature of its own (permittivity, warp, modulus)".into());
         }
         context.needs_some_temperature()

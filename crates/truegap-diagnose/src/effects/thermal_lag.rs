@@ -62,7 +62,7 @@ fn slab(tau_s: f64) -> Lag {
 
 /// Whether how the recording began is open. A stack of plates, whose every number its priors know, begins its runs in equilibrium; a rig begins when somebody presses the button.
 fn begins_anyhow(context: &Context<'_>) -> bool {
-    context.has(StageName::Dielectric).is_err()
+    !context.has_plates()
 }
 
 /// Usual change before the first row, of what is late: the reading that is a temperature, else the temperature, K/s.

@@ -11,38 +11,36 @@
 
 use crate::{
     adequacy::lack_of_fit::Adequacy,
-    data::context::Context,
+    data::context::{Context, Number},
     effects::{
         composed::words::{Driver, InWords},
         course::Course,
     },
     pipeline::{
         judged::{Judged, Told},
-        predicted::{ByBase, predictions},
         prepare::Prepared,
+        simple_laws::{Simple, simple},
     },
     selection::{
         candidates::{Search, Tried},
         detectability::detectability,
         tuning::VISIBLE,
-        verdict::{Decision, Verdict, removed_by},
+        verdict::{Decision, removed_by},
     },
     validation::{
         cross_validation::{HeldOutFit, compared},
-        held_numbers::{not_borne_out, refitted},
         main_causes::removed,
         tuning::{CLEARLY_WORSE, MAIN_SHARE},
         veto::Unseen,
     },
 };
-use truegap_core::EffectId;
 
 /// An effect of the library in the place of a mechanism.
 pub(crate) struct ByName {
     /// the model with it, the last of its effects
     tried: Tried,
     /// numbers of its law that are held at nothing
-    held: Vec<(EffectId, &'static str)>,
+    held: Vec<Number>,
     /// what it foretells of rows left out
     unseen: HeldOutFit,
     /// root-mean-square error there
@@ -103,39 +101,11 @@ fn asked(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged, tried: &
     let tried = search.polished(tried)?;
     let Simple { tried, held, unseen } = simple(prepared, search, &judged.by_base, &tried, CLEARLY_WORSE)?;
     let context: Context<'_> = search.context.holding(held.clone());
-    let narrow = Search { context: &context, library: search.library.clone(), ..*search };
-    if detectability(&narrow, &tried, tried.effects.len() - 1).is_some_and(|d| d < VISIBLE) {
+    if detectability(&search.within(&context), &tried, tried.effects.len() - 1).is_some_and(|d| d < VISIBLE) {
         return None;
     }
     let (rmse, after) = (compared(&judged.by_base.unseen, &unseen)?.rmse[1], prepared.lack_of_fit.adequacy(&tried.fit));
     Some(ByName { held, tried, unseen, rmse, after })
-}
-
-/// A model with the simple laws that its effects hold as special cases, where rows left out do not bear out the richer ones.
-pub(crate) struct Simple {
-    /// the model
-    pub tried: Tried,
-    /// numbers that are held at nothing
-    pub held: Vec<(EffectId, &'static str)>,
-    /// what it foretells of rows left out
-    pub unseen: HeldOutFit,
-}
-
-/// A model with the laws that rows left out bear out, which are predicted `least` times better or more without what is held; `None` where it has no answer with them.
-pub(crate) fn simple(
-    prepared: &Prepared<'_>,
-    search: &Search<'_>,
-    by_base: &ByBase,
-    tried: &Tried,
-    least: f64,
-) -> Option<Simple> {
-    let held = not_borne_out(search, &prepared.searched_noise, tried, prepared.all_rows(), least);
-    let held = [search.context.held.as_slice(), &held].concat();
-    let context: Context<'_> = search.context.holding(held.clone());
-    let narrow = Search { context: &context, library: search.library.clone(), ..*search };
-    let tried = if held.is_empty() { tried.clone() } else { refitted(&narrow, tried)? };
-    let unseen = predictions(prepared, &narrow, by_base, &tried);
-    Some(Simple { tried, held, unseen })
 }
 
 impl Judged {
@@ -147,11 +117,7 @@ impl Judged {
         let removed = removed_by(explained, &after);
         let sets: Vec<Vec<usize>> =
             tried.effects.iter().map(|e| set_of(&selection.models[place], &self.predicted.decision, *e)).collect();
-        let verdict = match sets.iter().any(|set| set.len() > 1) {
-            true => Verdict::Ambiguous,
-            false if Decision::adequate(removed, &after) => Verdict::Explained,
-            false => Verdict::WrongForm,
-        };
+        let verdict = Decision::of_sets(sets.iter(), removed, &after);
         self.stands_behind(tried, held, unseen, after, |model, base| Decision {
             model,
             sets,

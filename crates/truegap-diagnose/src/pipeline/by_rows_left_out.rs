@@ -10,17 +10,17 @@
 
 use crate::{
     adequacy::lack_of_fit::Adequacy,
-    data::context::Context,
+    data::context::Number,
     pipeline::{
-        by_name::{Simple, simple},
         judged::{Judged, Told},
         predicted::predicted_like_base,
         prepare::Prepared,
+        simple_laws::{Simple, simple},
     },
     selection::{
         candidates::{Search, Tried},
         tuning::RIGHT_FAMILY,
-        verdict::{Decision, Verdict, removed_by},
+        verdict::{Decision, removed_by},
     },
     text::{significant, spoken},
     validation::{
@@ -30,14 +30,13 @@ use crate::{
     },
 };
 use std::sync::atomic::Ordering;
-use truegap_core::{EffectId, simulator::StageName};
 
 /// A model that predicts rows left out better.
 pub(crate) struct ByRowsLeftOut {
     /// the model
     pub tried: Tried,
     /// numbers of its laws that are held at nothing
-    pub held: Vec<(EffectId, &'static str)>,
+    pub held: Vec<Number>,
     /// what it foretells of rows left out
     pub unseen: HeldOutFit,
     /// what may stand in the place of each of its effects, itself first: what predicts rows left out nearly as well
@@ -53,7 +52,7 @@ pub(crate) struct ByRowsLeftOut {
 /// A model, the numbers of its laws that are held at nothing, and what it foretells.
 struct Asked {
     tried: Tried,
-    held: Vec<(EffectId, &'static str)>,
+    held: Vec<Number>,
     unseen: HeldOutFit,
 }
 
@@ -68,7 +67,7 @@ struct Choice<'s, 'a> {
 pub(crate) fn by_rows_left_out(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<ByRowsLeftOut> {
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
-    let derived = search.context.has(StageName::Dielectric).is_ok();
+    let derived = search.context.has_plates();
     let free = told.options.withheld.is_none() && told.options.restricted.is_none() && judged.kept_back.is_none();
     let names = judged.predicted.decision.model != judged.examined.selection.base;
     if derived || !free || !names || told.stop.load(Ordering::Relaxed) {
@@ -95,7 +94,7 @@ impl Choice<'_, '_> {
             return None;
         }
         let context = self.search.context.holding(found.held.clone());
-        let narrow = &self.narrow(&context);
+        let narrow = &self.search.within(&context);
         let Simple { tried, held, unseen } =
             simple(self.prepared, narrow, &self.judged.by_base, &narrow.polished(&found.tried)?, 1.0)?;
         let ([first, second], clearly) = judged(&unseen)?;
@@ -134,9 +133,9 @@ impl Choice<'_, '_> {
     }
 
     /// Models with one effect more, the `most` that promise most, asked for rows left out; each with the law of its new effect as it is and with the simple law that it holds as a special case.
-    fn added(&self, from: &Tried, held: &[(EffectId, &'static str)], most: usize) -> Vec<Asked> {
+    fn added(&self, from: &Tried, held: &[Number], most: usize) -> Vec<Asked> {
         let context = self.search.context.holding(held.to_vec());
-        let search = &self.narrow(&context);
+        let search = &self.search.within(&context);
         let of_equations: Vec<usize> = (0..search.library.len()).filter(|e| !search.library[*e].free_form()).collect();
         let added = search.add_each(from, &of_equations, most, "rows left out");
         added.into_iter().filter_map(|tried| self.asked(search, tried)).collect()
@@ -146,14 +145,16 @@ impl Choice<'_, '_> {
     fn asked(&self, search: &Search<'_>, tried: Tried) -> Option<Asked> {
         let effect = search.library[*tried.effects.last()?];
         let ask = |search: &Search<'_>, tried: Tried| {
+            if runs_to_limit(search, &tried) {
+                return None;
+            }
             let unseen = predicted_like_base(self.prepared, search, &self.judged.by_base, &tried);
-            let runs_to_limit = runs_to_limit(search, &tried);
-            (!runs_to_limit).then(|| Asked { tried, held: search.context.held.clone(), unseen })
+            Some(Asked { tried, held: search.context.held.clone(), unseen })
         };
         let numbers: Vec<_> = effect.may_be_nothing().iter().map(|name| (effect.id(), *name)).collect();
         let plain = (!numbers.is_empty()).then(|| {
             let context = search.context.holding([search.context.held.as_slice(), &numbers].concat());
-            let search = &self.narrow(&context);
+            let search = &self.search.within(&context);
             ask(search, refitted(search, &tried)?)
         });
         match (ask(search, tried), plain.flatten()) {
@@ -163,11 +164,6 @@ impl Choice<'_, '_> {
             }
             (rich, plain) => rich.or(plain),
         }
-    }
-
-    /// The same search in another context.
-    fn narrow<'n>(&'n self, context: &'n Context<'n>) -> Search<'n> {
-        Search { context, library: self.search.library.clone(), ..*self.search }
     }
 
     /// For each effect of a model: itself, and those with which it predicts rows left out nearly as well.
@@ -220,48 +216,16 @@ impl Choice<'_, '_> {
     }
 }
 
-/// Whether an effect of a model has a number on a limit that is no plain special case (nothing or all of a part).
+/// Whether the law of an effect of a model has run to a limit.
 fn runs_to_limit(search: &Search<'_>, tried: &Tried) -> bool {
-    let model = search.model(&tried.effects);
-    let values = model.values(&tried.fit.z);
-    let special = |value: f64| value == 0.0 || (value - 1.0).abs() < 1e-9;
-    let on_limit = |place: usize| tried.fit.at_limit[place] && !special(values[place]);
-    (0..tried.effects.len()).any(|index| model.range_of(index).skip(1).any(on_limit))
-}
-
-/// What is stood behind with the simple laws that foretell rows left out as well, once it is decided what that is; `None` where no number is held for it, where mechanisms of words are part of it, or where the base model has plates.
-pub(crate) fn told_simply(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<Simple> {
-    let chosen = &judged.examined.selection.models[judged.predicted.decision.model];
-    let of_library = !chosen.effects.is_empty() && chosen.effects.iter().all(|e| *e < prepared.testable.len());
-    let derived = prepared.context.has(StageName::Dielectric).is_ok();
-    if derived || !of_library || told.stop.load(Ordering::Relaxed) {
-        return None;
-    }
-    let searched = prepared.searched();
-    let context = prepared.context.holding(judged.held.clone());
-    let search = Search { context: &context, ..prepared.search(&searched, told.progress, told.stop) };
-    let simple = simple(prepared, &search, &judged.by_base, chosen, 1.0)?;
-    // held by what the fit under the noise foretells; told by the better of two ways to calibrate
-    let [before, after] = compared(judged.predicted.unseen.stood_behind(), &simple.unseen)?.rmse;
-    (simple.held.len() > judged.held.len() && after <= before).then_some(simple)
+    (0..tried.effects.len()).any(|index| !search.on_limits(tried, index).is_empty())
 }
 
 impl Judged {
-    /// The same with simple laws in the model that is stood behind.
-    pub(crate) fn with_simple_laws(self, prepared: &Prepared<'_>, simple: Simple) -> Self {
-        let Simple { tried, held, unseen } = simple;
-        let (after, decision) = (prepared.lack_of_fit.adequacy(&tried.fit), self.predicted.decision.clone());
-        self.stands_behind(tried, held, unseen, after, |model, _| Decision { model, ..decision })
-    }
-
     /// The same with the model that predicts rows left out better stood behind.
     pub(crate) fn told_by_rows_left_out(mut self, better: ByRowsLeftOut) -> Self {
         let ByRowsLeftOut { tried, held, unseen, sets, after, removed, says } = better;
-        let verdict = match sets.iter().any(|set| set.len() > 1) {
-            true => Verdict::Ambiguous,
-            false if Decision::adequate(removed, &after) => Verdict::Explained,
-            false => Verdict::WrongForm,
-        };
+        let verdict = Decision::of_sets(sets.iter(), removed, &after);
         self.predicted.left_out = vec![says];
         self.stands_behind(tried, held, unseen, after, |model, base| Decision {
             model,

@@ -11,22 +11,16 @@
 //! Limits: mechanisms that were composed together are one part; a number for whatever happens foretells nothing, and nothing is carried beside it.
 
 use crate::{
-    fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit},
     pipeline::{
         predicted::{ByBase, predictions},
         prepare::Prepared,
     },
-    selection::{
-        candidates::{Search, Tried},
-        posterior::Selection,
-        verdict::Decision,
-    },
+    selection::{candidates::Search, posterior::Selection, verdict::Decision},
     validation::{
         cross_validation::HeldOutFit,
         main_causes::{fewest, removed},
     },
 };
-use truegap_core::simulator::StageName;
 
 /// The decision with the effects that are only carried; `named` are the predictions of rows left out by its model.
 pub(crate) fn with_carried(
@@ -39,7 +33,7 @@ pub(crate) fn with_carried(
     let chosen = &selection.models[decision.model];
     let parts = parts(&chosen.effects, prepared.testable.len());
     let foretells = chosen.effects.iter().all(|e| !search.library[*e].free_form());
-    let derived = search.context.has(StageName::Dielectric).is_ok();
+    let derived = search.context.has_plates();
     let after = prepared.lack_of_fit.adequacy(&chosen.fit);
     let holds = prepared.noise_is_known() && !after.fires();
     if derived || holds || parts.len() < 2 || !foretells {
@@ -49,7 +43,7 @@ pub(crate) fn with_carried(
         let effects: Vec<usize> = kept.iter().flat_map(|part| parts[*part].clone()).collect();
         let unseen = match selection.with(&effects) {
             Some(tried) => predictions(prepared, search, by_base, tried),
-            None => predictions(prepared, search, by_base, &without_others(search, chosen, &effects)?),
+            None => predictions(prepared, search, by_base, &search.part_of(chosen, &effects)?),
         };
         removed(&by_base.unseen, &unseen)
     };
@@ -63,18 +57,4 @@ pub(crate) fn with_carried(
 fn parts(effects: &[usize], library: usize) -> Vec<Vec<usize>> {
     let (own, composed): (Vec<usize>, Vec<usize>) = effects.iter().partition(|e| **e < library);
     own.into_iter().map(|e| vec![e]).chain(Some(composed).filter(|composed| !composed.is_empty())).collect()
-}
-
-/// A part of a model, fitted from where the whole one lies.
-fn without_others(search: &Search<'_>, whole: &Tried, effects: &[usize]) -> Option<Tried> {
-    let (larger, smaller) = (search.model(&whole.effects), search.model(effects));
-    let own = larger.range_of(0).start;
-    let of = |effect: &usize| {
-        let place = whole.effects.iter().position(|e| e == effect)?;
-        Some(whole.fit.z[larger.range_of(place)].to_vec())
-    };
-    let numbers: Vec<Vec<f64>> = effects.iter().map(of).collect::<Option<_>>()?;
-    let start: Vec<f64> = whole.fit.z[..own].iter().copied().chain(numbers.concat()).collect();
-    let fit = fit(&smaller, search.whitener, &start, &FitOptions::default()).ok()?;
-    Some(Tried { effects: effects.to_vec(), fit })
 }

@@ -8,13 +8,14 @@ use crate::{
     discovery::{compose::Composition, discover::with_mechanisms},
     pipeline::{
         by_name::by_name,
-        by_rows_left_out::{by_rows_left_out, told_simply},
+        by_rows_left_out::by_rows_left_out,
         carried::with_carried,
         judged::{Judged, Told, composed, judged},
         options::Options,
         permuted_searches::permuted_searches,
         predicted::Predicted,
         prepare::Prepared,
+        simple_laws::told_simply,
     },
     selection::{
         candidates::Search,
@@ -44,18 +45,7 @@ pub(crate) fn conclude(
     started: Instant,
 ) -> Result<Outcome, DiagnoseError> {
     let (bank, examined, composition) = sharpened(&prepared, examined, composition, told)?;
-    let judged = judged(&prepared, told, examined, composition)?;
-    let judged = if let Some(name) = by_name(&prepared, told, &judged) {
-        judged.told_by(name)
-    } else if let Some(better) = by_rows_left_out(&prepared, told, &judged) {
-        judged.told_by_rows_left_out(better)
-    } else {
-        judged
-    };
-    let judged = match told_simply(&prepared, told, &judged) {
-        Some(simple) => judged.with_simple_laws(&prepared, simple),
-        None => judged,
-    };
+    let judged = in_the_end(&prepared, told, judged(&prepared, told, examined, composition)?);
     let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held } = judged;
     prepared.context.held = held;
     let prepared = &prepared;
@@ -107,6 +97,22 @@ pub(crate) fn conclude(
         interrupted: told.asked.load(Ordering::Relaxed),
     };
     outcome(&found, known, prepared.not_testable.clone(), started)
+}
+
+/// What is stood behind in the end: by the name that a mechanism has in the library, or by what rows left out choose, and with simple laws where those foretell as well.
+fn in_the_end(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged) -> Judged {
+    let judged = match by_name(prepared, told, &judged) {
+        Some(name) => judged.told_by(name),
+        None => match by_rows_left_out(prepared, told, &judged) {
+            // its laws are the simple ones already
+            Some(better) => return judged.told_by_rows_left_out(better),
+            None => judged,
+        },
+    };
+    match told_simply(prepared, told, &judged) {
+        Some(simple) => judged.with_simple_laws(prepared, simple),
+        None => judged,
+    }
 }
 
 /// The recovery bank, and what was examined and composed with the probabilities that it bears out.

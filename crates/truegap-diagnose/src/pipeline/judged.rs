@@ -12,7 +12,7 @@ use crate::{
         lack_of_fit::{Adequacy, LackOfFitTests},
     },
     answer::Reserved,
-    data::error::DiagnoseError,
+    data::{context::Number, error::DiagnoseError},
     discovery::{
         compose::{Composition, compose},
         discover::with_mechanisms,
@@ -33,7 +33,6 @@ use crate::{
     validation::{cross_validation::HeldOutFit, veto::Unseen},
 };
 use std::sync::atomic::AtomicBool;
-use truegap_core::EffectId;
 
 /// What the caller tells a diagnosis, and is told by it.
 pub(crate) struct Told<'a> {
@@ -64,7 +63,7 @@ pub(crate) struct Judged {
     /// the decision, with predictions of rows left out counted
     pub predicted: Predicted,
     /// numbers of effects that are held at nothing
-    pub held: Vec<(EffectId, &'static str)>,
+    pub held: Vec<Number>,
 }
 
 /// Fits, weighs and decides.
@@ -171,7 +170,7 @@ impl Judged {
     pub(crate) fn stands_behind(
         mut self,
         tried: Tried,
-        held: Vec<(EffectId, &'static str)>,
+        held: Vec<Number>,
         unseen: HeldOutFit,
         after: Adequacy,
         decide: impl FnOnce(usize, usize) -> Decision,

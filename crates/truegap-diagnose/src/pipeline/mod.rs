@@ -14,12 +14,13 @@ mod permuted_searches;
 mod predicted;
 mod prepare;
 pub(crate) mod recording;
+mod simple_laws;
 
 pub use options::{Options, Restriction};
 
 use crate::{
     answer::{Known, Outcome},
-    data::{error::DiagnoseError, problem::Problem},
+    data::{context::Number, error::DiagnoseError, problem::Problem},
     noise::several::measured,
     quality::preconditions::check,
     selection::{candidates::Progress, examine::Examined},
@@ -36,7 +37,6 @@ use std::{
     sync::atomic::{AtomicBool, Ordering},
     time::Instant,
 };
-use truegap_core::EffectId;
 
 /// Diagnoses a recording; `known` is what was known of it before, for the record.
 ///
@@ -89,7 +89,7 @@ pub fn diagnose(
 }
 
 /// Numbers of the model stood behind that rows left out do not bear out; `None` where there are none.
-fn held(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> Option<Vec<(EffectId, &'static str)>> {
+fn held(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> Option<Vec<Number>> {
     let stood_behind = &examined.selection.models[examined.decision.model];
     if stood_behind.effects.is_empty() || told.stop.load(Ordering::Relaxed) {
         return None;

@@ -84,6 +84,11 @@ impl<'a> Search<'a> {
         Model::new(self.problem, self.context, effects.iter().map(|i| self.library[*i]).collect())
     }
 
+    /// The same search in another context.
+    pub(crate) fn within<'n>(&'n self, context: &'n Context<'n>) -> Search<'n> {
+        Search { context, library: self.library.clone(), ..*self }
+    }
+
     /// Adds each of `candidates` to `from`, in parallel; only the `most` that promise most are fitted.
     pub fn add_each(&self, from: &Tried, candidates: &[usize], most: usize, step: &'static str) -> Vec<Tried> {
         let open = |c: &&usize| !from.effects.contains(c) && !self.stop.load(Ordering::Relaxed);
@@ -146,13 +151,34 @@ impl<'a> Search<'a> {
         fit_onwards(model, self.whitener, &z, &launch.from.fit.jacobian, &FitOptions::default()).ok()
     }
 
+    /// Places of the numbers of effect `index` of a model, its size aside, that lie on a limit which is no plain special case (nothing or all of a part): there its law does not hold.
+    pub(crate) fn on_limits(&self, tried: &Tried, index: usize) -> Vec<usize> {
+        let model = self.model(&tried.effects);
+        let values = model.values(&tried.fit.z);
+        let special = |value: f64| value == 0.0 || (value - 1.0).abs() < 1e-9;
+        model.range_of(index).skip(1).filter(|i| tried.fit.at_limit[*i] && !special(values[*i])).collect()
+    }
+
+    /// The effects of a model that are kept, and the places of their coordinates and of the base model's.
+    fn kept(&self, tried: &Tried, keeps: impl Fn(usize) -> bool) -> (Vec<usize>, Vec<usize>) {
+        let whole = self.model(&tried.effects);
+        let indices = || (0..tried.effects.len()).filter(|index| keeps(*index));
+        let places = (0..whole.base_count()).chain(indices().flat_map(|index| whole.range_of(index)));
+        (indices().map(|index| tried.effects[index]).collect(), places.collect())
+    }
+
+    /// The part of a model that holds these of its effects, fitted from where the whole one lies; `None` where it has no answer.
+    pub(crate) fn part_of(&self, tried: &Tried, effects: &[usize]) -> Option<Tried> {
+        let (effects, kept) = self.kept(tried, |index| effects.contains(&tried.effects[index]));
+        let start: Vec<f64> = kept.iter().map(|i| tried.fit.z[*i]).collect();
+        let fit = fit(&self.model(&effects), self.whitener, &start, &FitOptions::default()).ok()?;
+        Some(Tried { effects, fit })
+    }
+
     /// The same models with one effect less each, started from where the larger one ended: a shape that was found in company may hold alone, too.
     pub fn without_each(&self, tried: &Tried) -> Vec<Tried> {
-        let whole = self.model(&tried.effects);
         let without = |index: usize| {
-            let own = whole.range_of(index);
-            let kept: Vec<usize> = (0..tried.fit.z.len()).filter(|i| !own.contains(i)).collect();
-            let effects: Vec<usize> = tried.effects.iter().enumerate().filter(|(i, _)| *i != index).map(|(_, e)| *e).collect();
+            let (effects, kept) = self.kept(tried, |other| other != index);
             let start: Vec<f64> = kept.iter().map(|i| tried.fit.z[*i]).collect();
             let known = tried.fit.jacobian.select_columns(&kept);
             let fit = fit_onwards(&self.model(&effects), self.whitener, &start, &known, &FitOptions::default()).ok()?;

@@ -95,13 +95,22 @@ impl Decision {
         if carried.is_empty() {
             return self;
         }
-        let claimed = || effects.iter().zip(&self.sets).filter(|(effect, _)| !carried.contains(effect)).map(|(_, set)| set);
-        let verdict = match claimed().any(|set| set.len() > 1) || self.unmodelled_rivals {
-            true => Verdict::Ambiguous,
-            false if share >= ADEQUATE && Self::adequate(self.removed, after) => Verdict::Explained,
-            false => Verdict::WrongForm,
+        let claimed = effects.iter().zip(&self.sets).filter(|(effect, _)| !carried.contains(effect)).map(|(_, set)| set);
+        let verdict = match Self::of_sets(claimed, self.removed, after) {
+            _ if self.unmodelled_rivals => Verdict::Ambiguous,
+            Verdict::Explained if share < ADEQUATE => Verdict::WrongForm,
+            verdict => verdict,
         };
         Self { verdict, carried, ..self }
+    }
+
+    /// The verdict on a model whose effects have these rivals, that removes this share of the misfit: what is open comes before what is not adequate.
+    pub(crate) fn of_sets<'s>(mut sets: impl Iterator<Item = &'s Vec<usize>>, removed: f64, after: &Adequacy) -> Verdict {
+        match sets.any(|set| set.len() > 1) {
+            true => Verdict::Ambiguous,
+            false if Self::adequate(removed, after) => Verdict::Explained,
+            false => Verdict::WrongForm,
+        }
     }
 
     /// Whether what is left beside a model that removes this share of the misfit is no reason to doubt it.
@@ -201,9 +210,7 @@ pub(crate) fn stepped_back(selection: &Selection, decision: &Decision, model: us
     let removed = removed_by(2.0 * (selection.base().fit.objective() - smaller.fit.objective()), after);
     let verdict = match after.fires() {
         true if removed < RIGHT_FAMILY => return Decision { removed, ..Decision::nothing(Verdict::Unexplained, selection.base) },
-        _ if sets.iter().any(|set| set.len() > 1) => Verdict::Ambiguous,
-        _ if Decision::adequate(removed, after) => Verdict::Explained,
-        _ => Verdict::WrongForm,
+        _ => Decision::of_sets(sets.iter(), removed, after),
     };
     Decision { verdict, model, sets, removed, ..decision.clone() }
 }
@@ -253,168 +260,4 @@ fn removed_by_equations(selection: &Selection, best: usize, after: &Adequacy, fr
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn explained() -> Decision {
-        Decision { verdict: Verdict::Explained, model: 3, sets: vec![vec![7]], ..Decision::nothing(Verdict::Explained, 0) }
-    }
-
-    /// An effect that takes 30 units of a recording with a burst of 360 is a small part of what is there; one that takes 3000 is not.
-    #[test]
-    fn interference_unseats_an_effect_that_explains_less_of_the_recording() {
-        let small = explained().with_interference(0, 30.0, 360.0);
-        assert_eq!((small.verdict, small.model, small.sets.len()), (Verdict::Unexplained, 0, 0));
-        let large = explained().with_interference(0, 3000.0, 360.0);
-        assert_eq!((large.verdict, large.model), (Verdict::Explained, 3));
-        assert_eq!(Decision::nothing(Verdict::Agrees, 0).with_interference(0, 0.0, 1.0).verdict, Verdict::Unexplained);
-        assert_eq!(Decision::nothing(Verdict::Undecided, 0).with_interference(0, 0.0, 99.0).verdict, Verdict::Undecided);
-    }
-
-    /// A curve stands for 93 or 99.5 % of what is removed, and beside it a lag with a rival is carried: nothing is open, and whether the curve explains all that counts is its share's matter.
-    #[test]
-    fn what_is_carried_leaves_nothing_open() {
-        let both = || Decision { verdict: Verdict::Ambiguous, sets: vec![vec![7], vec![1, 2]], removed: 0.999, ..explained() };
-        let of = |share| both().carrying((vec![1], share), &[7, 1], &left(0.0));
-        assert_eq!((of(0.93).verdict, of(0.995).verdict), (Verdict::WrongForm, Verdict::Explained));
-        assert_eq!(of(0.93).carried, [1]);
-        let rivals = both().carrying((vec![7], 0.995), &[7, 1], &left(0.0));
-        assert_eq!(rivals.verdict, Verdict::Ambiguous);
-        assert_eq!(both().carrying((Vec::new(), 1.0), &[7, 1], &left(0.0)).verdict, Verdict::Ambiguous);
-    }
-
-    #[test]
-    fn a_rival_joins_the_set_of_its_effect() {
-        let two = explained().with_rival((7, 2));
-        assert_eq!((two.verdict, &two.sets), (Verdict::Ambiguous, &vec![vec![7, 2]]));
-        assert_eq!(two.with_rival((7, 2)).sets, [[7, 2]]);
-        assert_eq!(explained().with_rival((5, 2)).verdict, Verdict::Explained);
-    }
-
-    use crate::{
-        fit::{model::Kinds, optimum::finish, score_test::JointTest},
-        selection::{candidates::Tried, model_space::EvidenceCheck},
-    };
-    use nalgebra::DMatrix;
-
-    /// What is left over of a model: nothing, or `excess` above twelve degrees of freedom.
-    fn left(excess: f64) -> Adequacy {
-        let smooth = JointTest { statistic: 12.0 + excess, freedom: 12, p_value: if excess > 0.0 { 1e-9 } else { 0.5 } };
-        Adequacy {
-            smooth,
-            stretches: JointTest { statistic: 0.0, freedom: 0, p_value: 1.0 },
-            line_p_value: 1.0,
-            line_at: (0, 0.0),
-            left_over_noise: 1.0,
-        }
-    }
-
-    /// Models with their effects and probabilities; each effect takes 1000 units of a misfit of `misfit`.
-    fn selection(misfit: f64, models: &[(&[usize], f64)]) -> Selection {
-        let tried = |effects: &[usize]| {
-            let left: f64 = (misfit - 1000.0 * effects.len() as f64).max(0.0);
-            let count = 1 + effects.len();
-            let free = vec![(f64::NEG_INFINITY, f64::INFINITY); count];
-            let fit = finish(vec![0.0; count], vec![left.sqrt()], DMatrix::zeros(1, count), &free, Kinds::default(), (1, true));
-            Tried { effects: effects.to_vec(), fit }
-        };
-        let of = |effect: usize| models.iter().filter(|(e, _)| e.contains(&effect)).map(|(_, p)| p).sum();
-        Selection {
-            models: models.iter().map(|(effects, _)| tried(effects)).collect(),
-            probability: models.iter().map(|(_, p)| *p).collect(),
-            effect_probability: (0..3).map(of).collect(),
-            temper: 1.0,
-            base: models.iter().position(|(e, _)| e.is_empty()).unwrap(),
-            check: EvidenceCheck::default(),
-            unmodelled: Vec::new(),
-        }
-    }
-
-    fn decided(models: &[(&[usize], f64)], before: f64, after: f64) -> Decision {
-        decide(&selection(2000.0, models), &left(before), &left(after), |_| false)
-    }
-
-    #[test]
-    fn what_is_not_detected_is_not_named() {
-        assert_eq!(decided(&[(&[], 0.5), (&[0], 0.5)], 0.0, 0.0).verdict, Verdict::Agrees);
-        assert_eq!(decided(&[(&[0], 0.8), (&[], 0.2)], 0.0, 0.0).verdict, Verdict::Undecided);
-        assert_eq!(decided(&[(&[0], 0.8), (&[], 0.2)], 90.0, 0.0).verdict, Verdict::Unexplained);
-        assert_eq!(decided(&[(&[0], 0.97), (&[], 0.03)], 0.0, 0.0).verdict, Verdict::Explained);
-    }
-
-    #[test]
-    fn a_rival_within_twenty_makes_it_ambiguous() {
-        let near = decided(&[(&[0], 0.92), (&[1], 0.07), (&[], 0.01)], 0.0, 0.0);
-        assert_eq!((near.verdict, near.sets), (Verdict::Ambiguous, vec![vec![0, 1]]));
-        let far = decided(&[(&[0], 0.96), (&[1], 0.03), (&[], 0.01)], 0.0, 0.0);
-        assert_eq!((far.verdict, far.sets), (Verdict::Explained, vec![vec![0]]));
-    }
-
-    /// One effect takes 1000 of 2000 units; what the tests find beside it is a share of 1 %, 23 % or 33 % of that and it.
-    #[test]
-    fn what_is_left_decides_on_the_form() {
-        let one: &[(&[usize], f64)] = &[(&[0], 0.99), (&[], 0.01)];
-        assert_eq!(decided(one, 0.0, 5.0).verdict, Verdict::Explained);
-        let wrong = decided(one, 0.0, 300.0);
-        assert_eq!(wrong.verdict, Verdict::WrongForm);
-        approx::assert_relative_eq!(wrong.removed, 1000.0 / 1300.0, max_relative = 1e-12);
-        assert_eq!(decided(one, 0.0, 500.0).verdict, Verdict::Unexplained);
-    }
-
-    /// A slow response, or a drift with a relaxation: what is missing is one or the other two.
-    #[test]
-    fn two_effects_together_may_stand_in_the_place_of_one() {
-        let one_or_two = decided(&[(&[0], 0.6), (&[1, 2], 0.4), (&[], 0.0)], 90.0, 0.0);
-        assert_eq!((one_or_two.verdict, one_or_two.sets), (Verdict::Ambiguous, vec![vec![0, 1, 2]]));
-    }
-
-    /// The first effect has a rival in its place, the second is rather not there: it is not told beside the two.
-    #[test]
-    fn an_effect_that_is_rather_not_there_is_not_told_beside_rivals() {
-        let models: &[(&[usize], f64)] = &[(&[0, 2], 0.34), (&[0], 0.3), (&[1], 0.3), (&[1, 2], 0.06), (&[], 0.0)];
-        let found = decided(models, 90.0, 0.0);
-        assert_eq!((found.verdict, found.sets), (Verdict::Ambiguous, vec![vec![0, 1]]));
-    }
-
-    /// All but 0.5 % of a misfit is removed, and what is left stands a hundred times out of the noise: there is more to be found.
-    #[test]
-    fn a_loud_rest_is_no_adequate_equation() {
-        let one: &[(&[usize], f64)] = &[(&[0], 0.99), (&[], 0.01)];
-        let decided =
-            |left_over_noise| decide(&selection(2000.0, one), &left(0.0), &Adequacy { left_over_noise, ..left(5.0) }, |_| false);
-        assert_eq!(decided(3.0).verdict, Verdict::Explained);
-        assert_eq!(decided(100.0).verdict, Verdict::WrongForm);
-    }
-
-    /// The likeliest model holds an effect that is not sure and has no rival: the smaller one is stated.
-    #[test]
-    fn an_effect_that_is_not_sure_is_left_out_of_what_is_stated() {
-        let two: &[(&[usize], f64)] = &[(&[0, 1], 0.6), (&[0], 0.39), (&[], 0.01)];
-        let found = decided(two, 0.0, 0.0);
-        assert_eq!((found.verdict, found.sets, found.model), (Verdict::Explained, vec![vec![0]], 1));
-    }
-
-    /// A curve is sure, and beside it one of two or both; the curve alone is excluded. It is not stated for want of a sure second one: the likeliest of the two stands, with the other as rival.
-    #[test]
-    fn what_the_evidence_excludes_is_not_stated_for_want_of_a_sure_name() {
-        let open: &[(&[usize], f64)] = &[(&[0, 1, 2], 0.45), (&[0, 1], 0.42), (&[0, 2], 0.13), (&[0], 0.0), (&[], 0.0)];
-        let found = decided(open, 0.0, 0.0);
-        assert_eq!((found.verdict, found.model, found.sets), (Verdict::Ambiguous, 1, vec![vec![0], vec![1, 2]]));
-    }
-
-    /// Two effects were stood behind; the second is not claimed any more. What is left decides on the form as before, and a set stays with its effect.
-    #[test]
-    fn a_smaller_model_takes_over_with_its_own_sets_and_form() {
-        let models: &[(&[usize], f64)] = &[(&[0, 1], 0.99), (&[0], 0.005), (&[], 0.005)];
-        let selection = selection(3000.0, models);
-        let fuller =
-            Decision { verdict: Verdict::Explained, sets: vec![vec![0], vec![1, 2]], ..Decision::nothing(Verdict::Explained, 0) };
-        let of = |excess: f64| stepped_back(&selection, &fuller, 1, &left(excess));
-        assert_eq!((of(0.0).verdict, of(0.0).model, of(0.0).sets), (Verdict::Explained, 1, vec![vec![0]]));
-        assert_eq!(of(300.0).verdict, Verdict::WrongForm);
-        let little = of(5000.0);
-        assert_eq!((little.verdict, little.model), (Verdict::Unexplained, 2));
-        let other = Decision { sets: vec![vec![0, 2], vec![1]], ..fuller.clone() };
-        assert_eq!(stepped_back(&selection, &other, 1, &left(0.0)).verdict, Verdict::Ambiguous);
-    }
-}
+mod tests;

@@ -6,6 +6,7 @@
 //! Limits: numbers that their effect names as such; under the noise, not by least squares.
 
 use crate::{
+    data::context::Number,
     effects::effect::Effect,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit},
     selection::{
@@ -20,16 +21,14 @@ use crate::{
 };
 use truegap_core::EffectId;
 
-/// A number of an effect, by its name.
-type Number = (EffectId, &'static str);
-
 /// Numbers of the model `tried` that are better held at nothing, by effect and name; empty where all are borne out. Rows left out are predicted better without them, `least` times or more.
 pub(crate) fn not_borne_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>, least: f64) -> Vec<Number> {
     let of_effect = |e: &usize| {
         let effect = search.library[*e];
-        effect.may_be_nothing().iter().map(|name| (effect.id(), *name)).collect::<Vec<_>>()
+        let open = effect.may_be_nothing().iter().filter(|name| !search.context.holds(effect.id(), name));
+        open.map(|name| (effect.id(), *name)).collect::<Vec<_>>()
     };
-    let mut open: Vec<(EffectId, &str)> = tried.effects.iter().flat_map(of_effect).collect();
+    let mut open: Vec<Number> = tried.effects.iter().flat_map(of_effect).collect();
     let (mut held, mut best) = (Vec::new(), held_out(search, noise, tried, all));
     let doubtful = on_a_limit(search, tried);
     // one at a time, the one without which most is gained
@@ -60,9 +59,9 @@ fn best_without_one(
     best: &HeldOutFit,
     (doubtful, least): (&[(EffectId, String)], f64),
 ) -> Option<(usize, HeldOutFit)> {
-    let without = |one: &(EffectId, &'static str)| {
+    let without = |one: &Number| {
         let context = search.context.holding([held, &[*one]].concat());
-        let fewer = Search { context: &context, library: search.library.clone(), ..*search };
+        let fewer = search.within(&context);
         Some(held_out(&fewer, noise, &refitted(&fewer, tried)?, all))
     };
     let better = open.iter().enumerate().filter_map(|(place, one)| {
@@ -89,7 +88,7 @@ pub(crate) fn refitted(search: &Search<'_>, tried: &Tried) -> Option<Tried> {
 }
 
 /// The models that hold one of these numbers, fitted again without it; those that play no part stay as they are.
-pub(crate) fn with_held(search: &Search<'_>, mut selection: Selection, held: &[(EffectId, &'static str)]) -> Selection {
+pub(crate) fn with_held(search: &Search<'_>, mut selection: Selection, held: &[Number]) -> Selection {
     let concerned = |tried: &Tried| tried.effects.iter().any(|e| held.iter().any(|(id, _)| *id == search.library[*e].id()));
     for (tried, probability) in selection.models.iter_mut().zip(&selection.probability) {
         if *probability > REFITTED_FROM && concerned(tried) {

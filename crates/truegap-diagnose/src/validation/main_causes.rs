@@ -37,7 +37,7 @@ pub(crate) fn fewest(count: usize, whole: f64, removed: impl Fn(&[usize]) -> Opt
 mod tests {
     use super::*;
 
-    /// The first part removes 95 of 100, the second 6, the third 1.
+    /// The first part removes 93 of 100, the second 6, the third 1.
     #[test]
     fn a_small_part_beside_a_large_one_is_not_among_the_causes() {
         let of = |kept: &[usize]| Some(kept.iter().map(|part| [93.0, 6.0, 1.0][*part]).sum());

@@ -52,7 +52,7 @@ pub(crate) const FELT: f64 = 1.1;
 // main_causes.rs
 
 /// Share of what a whole model removes on rows left out, in squares, that its causes remove. An equation that is off by a third of a cause leaves a tenth of its squares, and another effect
-/// follows that. Of 82 real recordings whose names had been written down, 20 further effects stood for less than a tenth; 16 of them were not among those names (docs/real-recordings.md).
+/// follows that. In answers to 92 real recordings whose names had been written down, 21 effects stood for less than a tenth; 16 of them were not among those names (docs/real-recordings.md).
 pub(crate) const MAIN_SHARE: f64 = 0.9;
 
 /// Most parts of a model whose every choice is asked for: 30 choices.

@@ -1,0 +1,75 @@
+//! The simple laws that effects hold as special cases, where rows left out do not bear out the richer ones.
+//!
+//! Limits: numbers that their effects name as such; effects of the library.
+
+use crate::{
+    data::context::Number,
+    pipeline::{
+        judged::{Judged, Told},
+        predicted::{ByBase, predictions},
+        prepare::Prepared,
+    },
+    selection::{
+        candidates::{Search, Tried},
+        verdict::Decision,
+    },
+    validation::{
+        cross_validation::{HeldOutFit, compared},
+        held_numbers::{not_borne_out, refitted},
+    },
+};
+use std::sync::atomic::Ordering;
+
+/// A model with the simple laws that its effects hold as special cases, where rows left out do not bear out the richer ones.
+pub(crate) struct Simple {
+    /// the model
+    pub tried: Tried,
+    /// numbers that are held at nothing
+    pub held: Vec<Number>,
+    /// what it foretells of rows left out
+    pub unseen: HeldOutFit,
+}
+
+/// A model with the laws that rows left out bear out, which are predicted `least` times better or more without what is held; `None` where it has no answer with them.
+pub(crate) fn simple(
+    prepared: &Prepared<'_>,
+    search: &Search<'_>,
+    by_base: &ByBase,
+    tried: &Tried,
+    least: f64,
+) -> Option<Simple> {
+    let held = not_borne_out(search, &prepared.searched_noise, tried, prepared.all_rows(), least);
+    let held = [search.context.held.as_slice(), &held].concat();
+    let context = search.context.holding(held.clone());
+    let narrow = search.within(&context);
+    let tried = if held.is_empty() { tried.clone() } else { refitted(&narrow, tried)? };
+    let unseen = predictions(prepared, &narrow, by_base, &tried);
+    Some(Simple { tried, held, unseen })
+}
+
+/// What is stood behind with the simple laws that foretell rows left out as well, once it is decided what that is; `None` where no number is held for it, where mechanisms of words are part of it, or where the base model has plates.
+pub(crate) fn told_simply(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<Simple> {
+    let chosen = &judged.examined.selection.models[judged.predicted.decision.model];
+    let of_library = !chosen.effects.is_empty() && chosen.effects.iter().all(|e| *e < prepared.testable.len());
+    let derived = prepared.context.has_plates();
+    if derived || !of_library || told.stop.load(Ordering::Relaxed) {
+        return None;
+    }
+    let searched = prepared.searched();
+    let context = prepared.context.holding(judged.held.clone());
+    let search = prepared.search(&searched, told.progress, told.stop);
+    let search = search.within(&context);
+    let simple = simple(prepared, &search, &judged.by_base, chosen, 1.0)?;
+    // held by what the fit under the noise foretells; told by the better of two ways to calibrate
+    let [before, after] = compared(judged.predicted.unseen.stood_behind(), &simple.unseen)?.rmse;
+    (simple.held.len() > judged.held.len() && after <= before).then_some(simple)
+}
+
+impl Judged {
+    /// The same with simple laws in the model that is stood behind.
+    pub(crate) fn with_simple_laws(self, prepared: &Prepared<'_>, simple: Simple) -> Self {
+        let Simple { tried, held, unseen } = simple;
+        let (after, decision) = (prepared.lack_of_fit.adequacy(&tried.fit), self.predicted.decision.clone());
+        self.stands_behind(tried, held, unseen, after, |model, _| Decision { model, ..decision })
+    }
+}

@@ -5,4 +5,5 @@
 pub mod attack;
 pub mod bench;
 pub mod list;
+#[cfg(feature = "fem")]
 pub mod readers;

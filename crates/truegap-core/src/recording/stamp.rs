@@ -123,8 +123,8 @@ fn days(year: i64, month: i64, day: i64) -> i64 {
 #[cfg(feature = "columnar")]
 pub(super) fn iso(seconds: i64, nanoseconds: i64) -> String {
     let (days_since, of_day) = (seconds.div_euclid(86_400), seconds.rem_euclid(86_400));
-    // a year has at most 366 days, so this is the year of the date or one of the two before it
-    let guess = 1970 + days_since.div_euclid(366);
+    // no year after that of the date: a year has at most 366 days from 1970 on, and at least 365 back from it
+    let guess = 1970 + days_since.div_euclid(if days_since < 0 { 365 } else { 366 });
     let year = (guess..).take_while(|year| days(*year, 1, 1) <= days_since).last().unwrap_or(guess);
     let month = (1..=12).take_while(|month| days(year, *month, 1) <= days_since).last().unwrap_or(1);
     let day = days_since - days(year, month, 1) + 1;

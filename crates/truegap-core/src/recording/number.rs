@@ -5,16 +5,19 @@
 /// Why a cell is not a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Fault {
-    /// empty, NaN or infinite: what a logger writes for want of a value
+    /// empty, NaN, infinite, or one of [`MARKERS`]: what a logger or a spreadsheet writes for want of a value
     NoValue,
     /// anything else
     Text,
 }
 
+/// What stands for a value that was not made, in letters of any size. A number that stands for one, as -9999, is none of these: nobody can tell.
+const MARKERS: [&str; 12] = ["NA", "N/A", "#N/A", "#N/A N/A", "<NA>", "null", "none", "NaT", "-", "--", "#DIV/0!", "#VALUE!"];
+
 /// Finite number in a cell; `decimal_comma` reads one comma as the decimal point.
 pub(super) fn number(cell: &[u8], decimal_comma: bool) -> Result<f64, Fault> {
     let text = std::str::from_utf8(cell).map_err(|_| Fault::Text)?.trim();
-    if text.is_empty() {
+    if text.is_empty() || MARKERS.iter().any(|marker| text.eq_ignore_ascii_case(marker)) {
         return Err(Fault::NoValue);
     }
     let parsed = if decimal_comma && text.contains(',') {
@@ -52,7 +55,11 @@ mod tests {
         for cell in ["", "  ", "nan", "NaN", "inf", "-Infinity"] {
             assert_eq!(number(cell.as_bytes(), false), Err(Fault::NoValue), "{cell}");
         }
-        assert_eq!(number(b"null", false), Err(Fault::Text));
+        for marker in MARKERS {
+            assert_eq!(number(format!(" {} ", marker.to_lowercase()).as_bytes(), true), Err(Fault::NoValue), "{marker}");
+        }
+        assert_eq!(number(b"nil", false), Err(Fault::Text));
+        assert_eq!(number(b"---", false), Err(Fault::Text));
         assert_eq!(number(b"1e999", false), Err(Fault::Text));
         assert_eq!(number(b"\xb5", false), Err(Fault::Text));
     }

@@ -24,6 +24,9 @@ fn a_header_becomes_a_toml_that_is_diagnosed_once_its_base_is_named() {
     bench.refuses(&["init", "bench.csv"], &["bench.toml", "cannot be written"]);
     bench.refuses(&["-q", "diagnose", "bench.toml"], &["bench.toml", "--base linear"]);
     let text = std::fs::read_to_string(bench.path("bench.toml")).unwrap();
+    // the line of the model without its table
+    bench.file("bench.toml", &format!("{text}\nmodel = \"linear\"\n"));
+    bench.refuses(&["-q", "diagnose", "bench.toml"], &["[units] has no key `model`", "under [base]"]);
     bench.file("bench.toml", &format!("{text}\n[base]\nmodel = \"linear\"\n"));
     let said = bench.run(&["-q", "--json", "diagnose", "bench.toml", "-o", "out"]);
     assert!(said.code < 2 && said.out.contains("\"unit\":\"mV\""), "{}{}", said.out, said.err);

@@ -19,6 +19,7 @@ fn _truegap(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(diagnosis::diagnose, module)?)?;
     module.add_function(wrap_pyfunction!(diagnosis::confirm, module)?)?;
     module.add_function(wrap_pyfunction!(source::read_columns, module)?)?;
+    module.add_function(wrap_pyfunction!(source::read_dates, module)?)?;
     module.add_function(wrap_pyfunction!(ask::simulate, module)?)?;
     module.add_function(wrap_pyfunction!(ask::coefficients, module)?)?;
     module.add_function(wrap_pyfunction!(ask::audit, module)?)?;

@@ -7,7 +7,7 @@ use pyo3::create_exception;
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
-use truegap::core::recording::{Cells, FrameColumn};
+use truegap::core::recording::{Cells, FrameColumn, dates_of_text};
 use truegap::core::{BaseSpec, Note};
 use truegap::diagnosis::{EXAMPLE, example_recording};
 use truegap::{Recording, RecordingError};
@@ -59,8 +59,57 @@ fn framed(name: &str, says: &str, columns: &[Given<'_>]) -> PyResult<Recording> 
     };
     let columns = columns.iter().map(column);
     let columns = columns.collect::<Result<Vec<_>, numpy::AsSliceError>>().map_err(failed)?;
-    Recording::from_columns(name, &says, &columns).map_err(failed)
+    Recording::from_columns(name, &says, &columns).map_err(|error| failed(in_python(error)))
 }
+
+/// What to do about a frame, said as Python says it: no TOML lies beside it.
+fn in_python(error: RecordingError) -> String {
+    match error {
+        RecordingError::MissingColumn { file, role, wanted, near, found } => format!(
+            "{}: no column for {role}: {wanted} is not among the columns; {near}found: {found}; name yours: columns={{\"{role}\": \"...\"}}",
+            file.display()
+        ),
+        RecordingError::MissingUnit { file, column, role, example, known } => format!(
+            "{}: column `{column}` ({role}) has no unit in its name; say it: units={{\"{role}\": \"{example}\"}}, or one of {known}",
+            file.display()
+        ),
+        RecordingError::NotItsUnit { file, column, role, unit, known } => format!(
+            "{}: column `{column}` is called after {role}, and `{unit}` is no unit of {role} ({known}); rename the column, or name the one that is meant: \
+             columns={{\"{role}\": \"...\"}}",
+            file.display()
+        ),
+        RecordingError::AmbiguousColumn { file, role, found, first } => {
+            format!("{}: columns {found} could all be {role}; say which: columns={{\"{role}\": \"{first}\"}}", file.display())
+        }
+        RecordingError::WrongUnit { file, role, source, .. } => {
+            format!("{}: units={{\"{role}\": ...}}: {source}", file.display())
+        }
+        RecordingError::UnknownKey { file, table, key, instead, .. } => {
+            format!("{}: {} has no key `{key}`; {instead}", file.display(), table.trim_matches(['[', ']']))
+        }
+        other => other.to_string(),
+    }
+}
+
+/// A column of texts as a clock; `None` where its first text is no date.
+#[pyfunction]
+pub(crate) fn read_dates<'py>(py: Python<'py>, column: &str, cells: Vec<Option<String>>) -> PyResult<Option<Clock<'py>>> {
+    let cells: Vec<Option<&str>> = cells.iter().map(Option::as_deref).collect();
+    let read = dates_of_text(Path::new("the frame"), column, &cells).map_err(|error| match error {
+        RecordingError::DayOrMonth { line, column, text, .. } => failed(format!(
+            "the frame, row {line}: `{text}` in column `{column}` may begin with the day or with the month; say which: \
+             frame[\"{column}\"] = pandas.to_datetime(frame[\"{column}\"], dayfirst=True)"
+        )),
+        other => failed(other),
+    })?;
+    Ok(read.map(|column| {
+        let first = if let Cells::Dates { first } = column.cells { first } else { String::new() };
+        (column.values.into_owned().into_pyarray(py), first)
+    }))
+}
+
+/// Seconds, and the date that they are counted from.
+type Clock<'py> = (Bound<'py, PyArray1<f64>>, String);
 
 /// The recording with another base model, as JSON gives it.
 pub(crate) fn rebased(mut recording: Recording, base: Option<&str>) -> PyResult<Recording> {

@@ -137,12 +137,6 @@ def test_what_cannot_be_read_is_told():
         tg.diagnose("a.csv", units={"force": "N"})
     with pytest.raises(tg.TruegapError, match="is not in the header|no column"):
         tg.diagnose(pressed(), base="linear", columns={"force": "load"})
-    text = {**pressed(), "time": [f"2026-01-01 00:{row // 60:02}:{row % 60:02}" for row in range(300)]}
-    del text["time_s"]
-    with pytest.raises(TypeError, match=r"`time` of the frame holds text and is no clock; .*pandas.to_datetime\(frame\['time'\]\)"):
-        tg.diagnose(text, base="linear")
-    with pytest.raises(TypeError, match="neither numbers nor dates"):
-        tg.diagnose(text, base="linear", columns={"time": "time"})
     with pytest.raises(tg.TruegapError, match="r.feather.*no such file"):
         tg.diagnose("r.feather", base="linear")
     with pytest.raises(tg.TruegapError, match="neither a sensor nor a base model"):

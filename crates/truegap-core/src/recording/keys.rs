@@ -12,6 +12,9 @@ use toml::de::{DeString, DeTable, DeValue};
 const TOP: [&str; 7] = ["schema", "file", "dayfirst", "columns", "units", "drivers", "base"];
 /// Keys of a driver.
 const DRIVER: [&str; 2] = ["column", "unit"];
+/// Keys that stand under `[base]` alone; `truegap init` writes that line as a comment, and who takes the next one out of its comment may leave it.
+const BASE: [&str; 2] = ["model", "run"];
+const UNDER_BASE: &str = "it belongs under [base]: write that line above it";
 /// Other words for a role.
 pub(super) const ROLES_CALLED: [(&str, &str); 14] = [
     ("t", "time"),
@@ -50,6 +53,11 @@ pub(super) fn check(file: &Path, text: &str, line: impl Fn(usize) -> usize) -> R
             let name_inside: &str = key.get_ref();
             if name == "base" && !inner.contains_key("model") && meant(name_inside, &["model"]).is_some() {
                 return Err(refuse("[base]", key, &[], &["model", "sensor", "warp"]));
+            }
+            if matches!(name, "columns" | "units") && BASE.contains(&name_inside) && !table.get_ref().contains_key("base") {
+                let at = line(key.span().start);
+                let (file, key, instead) = (file.to_owned(), name_inside.to_owned(), UNDER_BASE.to_owned());
+                return Err(RecordingError::UnknownKey { file, line: at, table: format!("[{name}]"), key, instead });
             }
             if matches!(name, "columns" | "units") && !roles.contains(&name_inside) {
                 return Err(refuse(&format!("[{name}]"), key, &ROLES_CALLED, &roles));

@@ -8,6 +8,7 @@ mod columnar;
 mod columns;
 mod data;
 mod date_order;
+mod date_text;
 mod degrees;
 mod driver_columns;
 mod error;
@@ -43,6 +44,7 @@ mod write;
 
 pub use columnar::read_columns;
 pub use data::{Recording, Sensors};
+pub use date_text::dates_of_text;
 pub use error::RecordingError;
 pub use frame::{Cells, FrameColumn};
 pub use manifest::BaseSpec;

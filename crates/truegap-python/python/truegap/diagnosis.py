@@ -95,6 +95,12 @@ class Prediction:
     def __len__(self) -> int:
         return len(self.augmented)
 
+    def __repr__(self) -> str:
+        if not len(self):
+            return "<truegap.Prediction: no row>"
+        a = self.augmented
+        return f"<truegap.Prediction: {len(a)} rows, augmented {np.nanmin(a):.4g} to {np.nanmax(a):.4g} {self.unit}; .augmented, .base>"
+
 
 class Diagnosis:
     """A verdict with its reasons, the fuller model, and every row with all predictions."""

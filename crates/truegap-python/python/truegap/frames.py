@@ -37,9 +37,12 @@ NO_READING = "truegap: no reading"
 
 def names(frame: Recording) -> list[str]:
     """Names of a frame's columns."""
-    found = getattr(frame, "column_names", None) or getattr(frame, "columns", None)
-    if found is None and hasattr(frame, "keys"):
+    found = getattr(frame, "column_names", None)
+    found = getattr(frame, "columns", None) if found is None else found
+    if found is None and isinstance(frame, Mapping):
         found = frame.keys()
+    if found is None:
+        found = getattr(getattr(frame, "dtype", None), "names", None)
     if found is None:
         raise TypeError(f"a {type(frame).__name__} is no recording; give a path, a pandas or polars frame, or a dict of arrays")
     return [str(name) for name in found]
@@ -58,7 +61,7 @@ def numeric(column: Any, zoned: bool = False) -> Cells | None:
     if array.dtype.kind == "m":
         ticks = array.astype("timedelta64[ns]")
         return np.where(np.isnat(ticks), np.nan, ticks.astype(np.int64) / 1e9), ""
-    if array.dtype.kind not in "biufO":
+    if array.dtype.kind not in "biufOU":
         return None
     try:
         return np.ascontiguousarray(array, dtype=np.float64), None
@@ -117,17 +120,20 @@ def source(
 ) -> Source:
     """The recording as the native half reads it; ``reading`` says whether the response matters."""
     table: FrameColumns = []
-    left_out: list[str] = []
+    left_out: dict[str, str] = {}
+    clock: str | None = None
     if isinstance(recording, (str, os.PathLike)):
         is_told = bool(columns or units or drivers)
         if is_text(recording) and is_told:
-            raise TypeError("columns, units and drivers of a file stand in its TOML; give them with a frame, or write a TOML")
+            raise TypeError("columns, units and drivers of a file stand in its TOML; give them with a frame (pandas.read_csv), or write a TOML (`truegap init`)")
         if is_text(recording) or (reading and not is_told):
             return recording
         name, table = os.fspath(recording), _truegap.read_columns(recording)
     else:
-        table, left_out = _table(recording)
+        table, left_out, clock = _table(recording)
     roles, measured = dict(columns or {}), dict(units or {})
+    if clock is not None and "time" not in roles and not any(_is_clock(column) for column, *_ in table):
+        roles["time"] = clock
     if not reading:
         table = _without_reading(table, roles.get("response"))
         roles["response"], measured["response"] = NO_READING, "1"
@@ -135,30 +141,116 @@ def source(
     says["drivers"] = {key: dict(value) for key, value in (drivers or {}).items()}
     if base is not None:
         says["base"] = dict(base)
-    wanted = [column for column in roles.values() if column in left_out]
+    wanted = [column for column in (*roles.values(), *(d.get("column", "") for d in says["drivers"].values())) if column in left_out]
     if wanted:
-        raise TypeError(f"the column `{wanted[0]}` of the frame holds neither numbers nor dates{_text_of_dates(wanted[0])}")
+        raise TypeError(f"the column `{wanted[0]}` of the frame {left_out[wanted[0]]}")
     clocks = [column for column in left_out if column.lower() in CLOCKS]
-    if clocks and "time" not in roles and not any(column.lower().startswith("time") for column, *_ in table):
-        raise TypeError(f"the column `{clocks[0]}` of the frame holds text and is no clock{_text_of_dates(clocks[0])}, or drop it")
+    if clocks and "time" not in roles and not any(_is_clock(column) for column, *_ in table):
+        raise TypeError(f"the column `{clocks[0]}` of the frame is called after the clock and {left_out[clocks[0]]}; or drop it")
     return name, json.dumps(says), table
 
 
-def _text_of_dates(column: str) -> str:
-    return f"; where these are dates, give them as such: frame[{column!r}] = pandas.to_datetime(frame[{column!r}])"
+def _is_clock(column: str) -> bool:
+    """Whether a column is taken for the clock by its name alone."""
+    return column.lower() in CLOCKS or column.lower().startswith("time")
 
 
-def _table(recording: Frame | Mapping[str, Any]) -> tuple[FrameColumns, list[str]]:
-    """Columns of numbers and times, and the names of the others."""
+def _table(recording: Any) -> tuple[FrameColumns, dict[str, str], str | None]:
+    """Columns of numbers and times, what is wrong with the others, and the clock where that is the index of the frame."""
+    collect = getattr(recording, "collect", None)
+    if type(recording).__name__ == "LazyFrame" and callable(collect):
+        recording = collect()
+    _refuse_rows(recording)
     table: FrameColumns = []
-    left_out: list[str] = []
-    for name in names(recording):
-        cells = numeric(*_column(recording, name))
-        if cells is None or cells[0].ndim != 1:
-            left_out.append(name)
-        else:
+    left_out: dict[str, str] = {}
+    index, clock = _index(recording)
+    found = names(recording)
+    columns = [*((name, (cells, False)) for name, cells in index.items()), *((name, _column(recording, name)) for name in found)]
+    for name, (column, zoned) in columns:
+        if found.count(name) > 1:
+            left_out[name] = "is there twice; rename one, or drop it"
+            continue
+        cells = numeric(column, zoned) or _dates(name, column, left_out)
+        if cells is not None and cells[0].ndim == 1:
             table.append((name, *cells))
-    return table, left_out
+        elif name not in left_out:
+            left_out[name] = _not_numbers(name, column)
+    return table, left_out, clock
+
+
+def _refuse_rows(recording: Any) -> None:
+    """Refuse a dict that holds one row, and one whose columns differ in length."""
+    if not isinstance(recording, Mapping) or not recording:
+        return
+    if all(np.ndim(cells) == 0 for cells in recording.values()):
+        raise TypeError("the dict holds single values and no columns; make a frame of a list of rows: pandas.DataFrame(rows)")
+    lengths = {str(name): len(cells) for name, cells in recording.items() if np.ndim(cells) > 0}
+    first = next(iter(lengths))
+    for name, length in lengths.items():
+        if length != lengths[first]:
+            raise ValueError(f"the column `{name}` has {length} rows and `{first}` has {lengths[first]}; give every column one value a row")
+
+
+def _index(frame: Any) -> tuple[dict[str, Any], str | None]:
+    """The index of a pandas frame as columns where it has a name or is a clock, and the name of the clock."""
+    index: Any = getattr(frame, "index", None)
+    if not hasattr(index, "get_level_values") or not hasattr(frame, "columns"):
+        return {}, None
+    found: dict[str, Any] = {}
+    clock = None
+    clocked = any(_is_clock(name) for name in names(frame))
+    for level, given in enumerate(index.names):
+        values = index.get_level_values(level)
+        is_clock = getattr(values.dtype, "kind", "O") in "mM"
+        name = str(given) if given is not None else "time" if is_clock and not clocked else None
+        if name is None or name in names(frame):
+            continue
+        zoned = getattr(values.dtype, "tz", None) is not None
+        # a clock with a zone is told in Greenwich, as that of a column is
+        found[name] = values.tz_convert("UTC").to_pydatetime() if zoned else values.to_numpy()
+        clock = name if is_clock and clock is None else clock
+    return found, clock
+
+
+def _texts(column: Any) -> list[str | None] | None:
+    """The cells where all of them are texts or holes."""
+    cells = [None if cell is None or cell != cell else cell for cell in np.asarray(column, dtype=object).ravel()]
+    return cells if all(cell is None or isinstance(cell, str) for cell in cells) else None
+
+
+def _dates(name: str, column: Any, left_out: dict[str, str]) -> Cells | None:
+    """Dates that stand there as text; what is wrong with them goes into ``left_out``, and matters where the column does."""
+    texts = _texts(column)
+    if texts is None:
+        return None
+    try:
+        return _truegap.read_dates(name, texts)
+    except _truegap.TruegapError as error:
+        left_out[name] = f"cannot be a clock: {error}"
+        return None
+
+
+def _not_numbers(name: str, column: Any) -> str:
+    """What a column holds instead of numbers, and how to make numbers of it."""
+    cells = np.asarray(column, dtype=object)
+    if cells.ndim != 1:
+        return f"has {cells.ndim} dimensions; give one value a row"
+    for row, cell in enumerate(cells, start=1):
+        if cell is None or cell != cell or _is_number(cell):
+            continue
+        remedy = f"frame[{name!r}] = pandas.to_numeric(frame[{name!r}], errors='coerce') makes holes of what is no number"
+        if isinstance(cell, str) and _is_number(cell.replace(",", ".", 1)):
+            remedy = f"frame[{name!r}] = frame[{name!r}].str.replace(',', '.').astype(float) makes points of decimal commas"
+        return f"holds neither numbers nor dates: {str(cell)!r} in row {row}; {remedy}"
+    return "holds neither numbers nor dates; give numbers"
+
+
+def _is_number(cell: Any) -> bool:
+    try:
+        float(cell)
+    except (TypeError, ValueError):
+        return False
+    return True
 
 
 def _column(frame: Any, name: str) -> tuple[Any, bool]:

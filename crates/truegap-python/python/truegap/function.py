@@ -22,8 +22,16 @@ def given(simulator: Simulator, parameters: Mapping[str, Parameter] | None) -> G
     name = getattr(simulator, "__name__", type(simulator).__name__)
 
     def answer(inputs: dict[str, Column], values: dict[str, float]) -> Column:
-        response = np.asarray(simulator(inputs, values), dtype=np.float64)
+        answered = np.asarray(simulator(inputs, values))
         rows = inputs["run"].shape
+        if answered.dtype.kind == "O" and answered.ndim == 0 and answered.item() is None:
+            raise TypeError(f"`{name}` answered with None for {rows[0]} rows; end it with `return` and one number a row")
+        if answered.dtype.kind == "c":
+            raise TypeError(f"`{name}` answered with complex numbers; return a real one a row, as abs(...) or (...).real")
+        try:
+            response = answered.astype(np.float64, copy=False)
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"`{name}` answered with something that is no number ({error}); return one number a row") from error
         if response.shape != rows:
             raise ValueError(f"`{name}` answered with an array of shape {response.shape} for {rows[0]} rows; return one number a row")
         return response

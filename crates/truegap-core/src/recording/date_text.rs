@@ -1,0 +1,74 @@
+//! Dates that a frame holds as text, read as those of a CSV are.
+//!
+//! Limits: one column; which of day and month stands first has to be seen in it.
+
+use super::{
+    date_order::order_of,
+    error::RecordingError,
+    frame::{Cells, FrameColumn},
+    number::{Fault, number},
+    stamp::{is_date, stamp},
+};
+use std::borrow::Cow;
+use std::path::Path;
+
+/// The column `name` of the frame `file`, whose cells are dates as text, as seconds since the whole second of the first; `None` where its first cell is no date.
+///
+/// A cell that is absent, empty or `nan` is a hole. Lines in messages are rows, counted from 1.
+///
+/// # Errors
+/// [`RecordingError::NotADate`] where a later cell is something else, [`RecordingError::DayOrMonth`] and [`RecordingError::BothOrders`] where the order of day and
+/// month is not known.
+pub fn dates_of_text(file: &Path, name: &str, cells: &[Option<&str>]) -> Result<Option<FrameColumn<'static>>, RecordingError> {
+    let is_there = |cell: &&str| number(cell.as_bytes(), false) != Err(Fault::NoValue);
+    let Some(first) = cells.iter().flatten().copied().find(is_there).filter(|cell| is_date(cell.as_bytes())) else {
+        return Ok(None);
+    };
+    let order = order_of(file, name, cells)?;
+    let mut epoch = None;
+    let mut values = Vec::with_capacity(cells.len());
+    for (row, cell) in cells.iter().enumerate() {
+        let Some(cell) = cell.filter(|cell| is_there(&cell.trim())) else {
+            values.push(f64::NAN);
+            continue;
+        };
+        let Some(stamp) = stamp(cell.as_bytes(), order) else {
+            let (file, column) = (file.to_owned(), name.to_owned());
+            return Err(RecordingError::NotADate { file, line: row + 1, column, text: cell.to_owned() });
+        };
+        values.push((stamp.seconds - *epoch.get_or_insert(stamp.seconds)) as f64 + stamp.fraction);
+    }
+    let cells = Cells::Dates { first: first.trim().to_owned() };
+    Ok(Some(FrameColumn { name: name.to_owned(), values: Cow::Owned(values), cells }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(cells: &[&str]) -> Result<Option<FrameColumn<'static>>, RecordingError> {
+        let cells: Vec<Option<&str>> = cells.iter().copied().map(Some).collect();
+        dates_of_text(Path::new("frame"), "when", &cells)
+    }
+
+    #[test]
+    fn dates_as_text_are_seconds_since_the_first() {
+        let column = read(&["2026-03-01 12:00:00.5", "", "2026-03-01 12:00:02", "2026-03-01 13:00:00+01:00"]).unwrap().unwrap();
+        assert!(column.values[1].is_nan());
+        assert_eq!([column.values[0], column.values[2], column.values[3]], [0.5, 2.0, 0.0]);
+        assert_eq!(column.cells, Cells::Dates { first: "2026-03-01 12:00:00.5".into() });
+        let months = read(&["02/28/2026 12:00", "03/01/2026 12:00"]).unwrap().unwrap();
+        assert_eq!(months.values[1], 86_400.0);
+    }
+
+    #[test]
+    fn what_is_no_clock_or_a_doubtful_one_is_said_to_be_so() {
+        assert_eq!(read(&["left", "right"]).unwrap(), None);
+        assert_eq!(read(&["", "nan"]).unwrap(), None);
+        let told = |cells: &[&str]| read(cells).unwrap_err().to_string();
+        let text = told(&["2026-03-01 12:00", "later"]);
+        assert!(text.contains("line 2") && text.contains("`later`"), "{text}");
+        let text = told(&["01/03/2026 12:00", "02/03/2026 12:00"]);
+        assert!(text.contains("line 1") && text.contains("day or with the month"), "{text}");
+    }
+}

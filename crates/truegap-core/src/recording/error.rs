@@ -143,7 +143,7 @@ pub enum RecordingError {
     /// A clock that stands more often than it goes.
     #[error(
         "{file}: {gone} of {rows} rows have the time of the row before, more than half (the first is line {line}); record the time with its fractions, or \
-         average the rows of one instant"
+         average the rows of one instant; where date and time of day have a column each, join them into one"
     )]
     FewInstants { file: PathBuf, gone: usize, rows: usize, line: usize },
     /// A number that cannot be, in SI.

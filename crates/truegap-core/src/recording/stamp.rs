@@ -1,4 +1,4 @@
-//! Dates as a clock, with or without a time of day: ISO 8601, with or without a zone, `01.03.2026 12:00:00`, where dots say that the day is first, and `01/03/2026`, where somebody has to say it.
+//! Dates as a clock, with or without a time of day: ISO 8601, with or without a zone, `01.03.2026 12:00:00` or `01.03.26 12:00:00`, where dots say that the day is first, and `01/03/2026`, where somebody has to say it.
 //!
 //! Limits: no leap seconds; without a zone the clock is taken to run through, so the hour that summer time takes or gives is seen as a pause or a step back.
 
@@ -42,13 +42,18 @@ pub(super) fn stamp(cell: &[u8], first: First) -> Option<Stamp> {
     let (date, rest) = text.split_at(text.find(['T', 't', ' ']).unwrap_or(text.len()));
     let year_first = |sign: char| numbers(date, sign, [4..=4, 2..=2, 2..=2]);
     let day_first = || numbers(date, '.', [2..=2, 2..=2, 4..=4]).map(|[day, month, year]| [year, month, day]);
+    // two digits of a year between dots, 1970 to 2069; between other signs such a date could stand in any order
+    let short = || {
+        numbers(date, '.', [2..=2, 2..=2, 2..=2])
+            .map(|[day, month, year]| [year + if year < 70 { 2000 } else { 1900 }, month, day])
+    };
     let told = || {
         unordered(cell).map(|[one, other, year]| match first {
             First::Day => [year, other, one],
             First::Month => [year, one, other],
         })
     };
-    let [year, month, day] = year_first('-').or_else(|| year_first('/')).or_else(day_first).or_else(told)?;
+    let [year, month, day] = year_first('-').or_else(|| year_first('/')).or_else(day_first).or_else(short).or_else(told)?;
     let (of_day, fraction) = time_of_day(rest.get(1..).unwrap_or_default())?;
     let possible = (1..=12).contains(&month) && (1..=31).contains(&day);
     possible.then_some(Stamp { seconds: 86_400 * days(year, month, day) + of_day, fraction })
@@ -148,6 +153,8 @@ mod tests {
             ("2026-03-01 12:00", 1_772_366_400, 0.0),
             ("2026-12-31T23:59:59,5-0530", 1_798_781_399, 0.5),
             ("01.03.2026 12:00:00", 1_772_366_400, 0.0),
+            ("01.03.26 12:00:00", 1_772_366_400, 0.0),
+            ("01.01.70", 0, 0.0),
             ("2026/03/01 12:00", 1_772_366_400, 0.0),
             ("1969-12-31 23:59:58 UTC", -2, 0.0),
             ("2026-03-01", 1_772_323_200, 0.0),

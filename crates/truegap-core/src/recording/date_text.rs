@@ -28,7 +28,7 @@ pub fn dates_of_text(file: &Path, name: &str, cells: &[Option<&str>]) -> Result<
     let mut epoch = None;
     let mut values = Vec::with_capacity(cells.len());
     for (row, cell) in cells.iter().enumerate() {
-        let Some(cell) = cell.filter(|cell| is_there(&cell.trim())) else {
+        let Some(cell) = cell.filter(|cell| is_there(cell)) else {
             values.push(f64::NAN);
             continue;
         };

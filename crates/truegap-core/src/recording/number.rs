@@ -17,9 +17,6 @@ const MARKERS: [&str; 12] = ["NA", "N/A", "#N/A", "#N/A N/A", "<NA>", "null", "n
 /// Finite number in a cell; `decimal_comma` reads one comma as the decimal point.
 pub(super) fn number(cell: &[u8], decimal_comma: bool) -> Result<f64, Fault> {
     let text = std::str::from_utf8(cell).map_err(|_| Fault::Text)?.trim();
-    if text.is_empty() || MARKERS.iter().any(|marker| text.eq_ignore_ascii_case(marker)) {
-        return Err(Fault::NoValue);
-    }
     let parsed = if decimal_comma && text.contains(',') {
         if text.contains('.') {
             return Err(Fault::Text);
@@ -28,7 +25,10 @@ pub(super) fn number(cell: &[u8], decimal_comma: bool) -> Result<f64, Fault> {
     } else {
         text.parse::<f64>()
     };
-    let value = parsed.map_err(|_| Fault::Text)?;
+    let Ok(value) = parsed else {
+        let stands_for_none = text.is_empty() || MARKERS.iter().any(|marker| text.eq_ignore_ascii_case(marker));
+        return Err(if stands_for_none { Fault::NoValue } else { Fault::Text });
+    };
     match value.is_finite() {
         true => Ok(value),
         // `1e999` is a slip of the pen or of the wire, and nothing that a logger writes for want of a value

@@ -156,3 +156,11 @@ pub fn rim_um(s: &Solution) -> f64 {
     let at = |r: f64| s.displacement_at([r, 11e-6]).unwrap()[1];
     1e6 * (at(7.5e-3) - at(0.0)).abs()
 }
+
+/// A unit square of triangles that are out of shape.
+pub fn patch(edge: f64) -> Mesh {
+    let (low, high) = ([0.0, 0.0], [1.0, 1.0]);
+    let mut mesh = rectangle(low, high, SizeField::uniform(edge));
+    distort(&mut mesh, low, high);
+    mesh
+}

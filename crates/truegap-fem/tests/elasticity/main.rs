@@ -12,4 +12,5 @@ mod mixed;
 mod mutations;
 mod pressure;
 mod punch;
+mod refusals;
 mod stability;

@@ -1,0 +1,173 @@
+//! Laws that are found beside such a base model, with their numbers and words.
+
+use crate::given::{Given, noisy, said, simulated};
+use truegap_core::{Driver, EffectId, Inputs, Parameter};
+use truegap_diagnose::mechanism::{self, Action, Composed, Form, Kinetics, Numbers, Quantity, Sentence};
+use truegap_diagnose::{Context, Effect, FittedParameter, Verdict};
+
+/// 0.3 V in half an hour: 30 times the noise of a row.
+#[test]
+fn a_drift_is_found_beside_a_simulation_without_a_free_number() {
+    let inputs = simulated();
+    let truth = inputs.simulated.clone().unwrap();
+    let said = said(&Given::fixed(), &inputs, &noisy(2, |row| truth[row] + 0.3 * row as f64 / 1800.0, truth.len()));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert!(named.contains(&"offset_drift") || said.ambiguity.iter().flatten().any(|id| id == "offset_drift"), "{}", said.says);
+    assert!(said.fit.in_sample.rmse_after < 0.012, "{}", said.fit.in_sample.rmse_after);
+}
+
+/// A fan that is switched every 200 s cools the reading by 0.2 V, with a time constant of 30 s.
+#[test]
+fn a_driver_that_acts_late_is_named_with_its_time_constant() {
+    let on = |row: usize| if row / 200 % 2 == 1 { 1.0 } else { 0.0 };
+    let inputs = Inputs {
+        time_s: Some((0..1800).map(f64::from).collect()),
+        run: vec![1; 1800],
+        drivers: vec![Driver { name: "fan".into(), unit: "1".into(), values: (0..1800).map(on).collect() }],
+        ..Inputs::default()
+    };
+    let mut late = 0.0;
+    // a first-order lag of a step between two rows, in closed form from row to row
+    let truth: Vec<f64> = (0..1800)
+        .map(|row| {
+            late += (on(row) - late) * (1.0 - (-1.0f64 / 30.0).exp());
+            3.0 - 0.2 * late
+        })
+        .collect();
+    let said = said(&Given::with_level(), &inputs, &noisy(6, |row| truth[row], 1800));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["late_driver"], "{}", said.says);
+    let number = |name: &str| said.findings[0].parameters.iter().find(|p| p.name == name).unwrap();
+    let (size, tau) = (number("per_unit"), number("tau"));
+    // the effect takes the driver as straight between rows, the truth as held: half a row
+    assert!((size.value + 0.2).abs() < 4.0 * size.sd && (tau.value - 30.0).abs() < 4.0 * tau.sd.hypot(0.5), "{}", said.says);
+}
+
+#[test]
+fn a_threshold_of_the_reading_is_counted_from_its_least_and_so_is_what_it_makes() {
+    let base = Given::with_level();
+    let simulated: Vec<f64> = (0..100).map(|row| 5.0 + 0.04 * f64::from(row)).collect();
+    let inputs = Inputs { simulated: Some(simulated), run: vec![1; 100], ..Inputs::default() };
+    let context = Context::new(&inputs, &base, 4.0, 0.01);
+    let sentence = Sentence {
+        quantity: Quantity::Reading,
+        action: Action::Adds,
+        driver: mechanism::Driver::Reading,
+        kinetics: Kinetics::Static,
+        form: Form::Threshold,
+        even: false,
+        below: false,
+        passing: false,
+        sum: None,
+    };
+    let start = Numbers { threshold: 1.0, ..Numbers::default() };
+    let found = Composed::found(EffectId("composed"), sentence, start, 1.0, &context);
+    let fitted: Vec<FittedParameter> = found.parameters(&context).into_iter().zip([0.5, 1.0]).map(at).collect();
+    let told = found.told(&fitted, &context, &[]);
+    // the reading rises by 3.96 V above its least; 2.96 V of it lie above the threshold, and half of that is added
+    assert!(told.contains("1.00 V (sd 0.10) above its least"), "{told}");
+    assert!(told.contains("1.48 V"), "{told}");
+}
+
+fn at((parameter, value): (Parameter, f64)) -> FittedParameter {
+    FittedParameter { parameter, value, sd: 0.1, sd_of_fit: 0.1, at_limit: false }
+}
+
+/// A thermometer in the sun and one in the shade of a wall: most of what the first shows comes to the second at once, an eighth with a time constant of two hours.
+#[test]
+fn a_part_that_comes_at_once_and_a_slow_rest_are_a_thermal_lag() {
+    let rows = 1500;
+    let time: Vec<f64> = (0..rows).map(|row| 900.0 * f64::from(row)).collect();
+    let first: Vec<f64> = time.iter().map(|t| 15.0 + 6.0 * (t / 13_751.0).sin() + 3.0 * (t / 71_000.0).sin()).collect();
+    let (mut slow, step) = (first[0], (-900.0f64 / 7200.0).exp());
+    let truth: Vec<f64> = first
+        .iter()
+        .map(|now| {
+            slow = now + (slow - now) * step;
+            0.87 * now + 0.13 * slow
+        })
+        .collect();
+    let inputs = Inputs { time_s: Some(time), run: vec![1; rows as usize], simulated: Some(first), ..Inputs::default() };
+    let said = said(&Given { unit: "degC", ..Given::fixed() }, &inputs, &noisy(7, |row| truth[row], rows as usize));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["thermal_lag"], "{}", said.says);
+    assert!(said.findings[0].parameters.iter().all(|p| !p.at_limit), "{}", said.findings[0].says);
+}
+
+/// A rig that was carried in from the cold: the reading follows the thermometer with 90 s, and stands 2 K below it at the first row. At the end the
+/// room is still, so that the noise is measured.
+#[test]
+fn a_recording_may_begin_out_of_equilibrium() {
+    let rows = 1900;
+    let time: Vec<f64> = (0..rows).map(|row| 2.0 * f64::from(row)).collect();
+    let warm: Vec<f64> = time.iter().map(|t| 22.0 + 6.0 * (t.min(3000.0) / 600.0).sin()).collect();
+    let (mut behind, step) = (20.0, (-2.0f64 / 90.0).exp());
+    let truth: Vec<f64> = warm
+        .iter()
+        .map(|now| {
+            behind = now + (behind - now) * step;
+            3.0 + 0.05 * (behind - 22.0)
+        })
+        .collect();
+    let inputs = Inputs { time_s: Some(time), run: vec![1; rows as usize], temperature_c: Some(warm), ..Inputs::default() };
+    let said = said(&Given::with_level(), &inputs, &noisy(11, |row| truth[row], rows as usize));
+    let mut named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    named.sort_unstable();
+    assert_eq!((said.verdict, named), (Verdict::Explained, vec!["temperature_coefficient", "thermal_lag"]), "{}", said.says);
+    let tau = said.findings.iter().find(|f| f.effect == "thermal_lag").unwrap().parameters[0].clone();
+    assert!((tau.value - 90.0).abs() < 3.0 * tau.sd && tau.sd < 20.0, "{} (sd {})", tau.value, tau.sd);
+}
+
+/// Water that cools after the kettle was switched off: nothing moves but the clock, and the way down was begun before the first row.
+#[test]
+fn what_was_switched_off_before_the_first_row_is_on_its_way_down() {
+    let rows = 220;
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(|row| 60.0 * f64::from(row)).collect()),
+        run: vec![1; rows as usize],
+        ..Inputs::default()
+    };
+    let model = Given { follows_clock: true, ..Given::with_level() };
+    let said =
+        said(&model, &inputs, &noisy(8, |row| 3.0 - 0.001 * row as f64 + 4.0 * (-(row as f64) / 30.0).exp(), rows as usize));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert!(named == ["slow_response"] || said.ambiguity.iter().flatten().any(|id| id == "slow_response"), "{}", said.says);
+}
+
+/// A base model that is driven by a recorded driver, whose rows were stamped by another clock 2.5 rows late.
+#[test]
+fn the_clock_of_a_driver_is_found_and_named_by_its_driver() {
+    let rows = 1200;
+    let at = |t: f64| 2.0 * (t / 31.0).sin() + (t / 7.3).sin();
+    let driver = Driver { name: "power".into(), unit: "W".into(), values: (0..rows).map(|row| at(f64::from(row))).collect() };
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(f64::from).collect()),
+        run: vec![1; rows as usize],
+        drivers: vec![driver],
+        ..Inputs::default()
+    };
+    let model = Given { follows_driver: true, ..Given::with_level() };
+    let said = said(&model, &inputs, &noisy(9, |row| 3.0 + at(row as f64 + 2.5), rows as usize));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["time_offset"], "{}", said.says);
+    assert!(said.findings[0].says.starts_with("the clock of power is "), "{}", said.findings[0].says);
+    let late = &said.findings[0].parameters[0];
+    assert!((late.value - 2.5).abs() < 3.0 * late.sd && late.sd < 0.1, "{} (sd {})", late.value, late.sd);
+}
+
+/// A zero that moves over a fifth of the recording was not switched: where no other law follows it, it is said that this one has run to its limit.
+#[test]
+fn a_slow_change_of_the_zero_is_no_clean_switch() {
+    let rows = 2000;
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(|row| 60.0 * f64::from(row)).collect()),
+        run: vec![1; rows as usize],
+        ..Inputs::default()
+    };
+    let moved = |row: usize| 0.2 * ((row as f64 - 800.0) / 400.0).clamp(0.0, 1.0);
+    let said = said(&Given::with_level(), &inputs, &noisy(10, |row| 3.0 + moved(row), rows as usize));
+    assert_ne!(said.verdict, Verdict::Explained, "{}", said.says);
+    for switch in said.findings.iter().filter(|f| f.effect == "regime_change") {
+        assert!(switch.says.contains("ran to the limit of the time that the change takes"), "{}", switch.says);
+    }
+}

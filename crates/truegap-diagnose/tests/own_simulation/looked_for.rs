@@ -1,0 +1,79 @@
+//! What is not looked for, or not left out, where the recording cannot show it.
+
+use crate::given::Given;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+use truegap_core::{Driver, Inputs};
+use truegap_diagnose::quality::{Rows, repeated};
+use truegap_diagnose::{Context, Effect, Problem, library};
+
+#[test]
+fn friction_is_not_looked_for_where_nothing_turns() {
+    let base = Given::with_level();
+    let asked = |x: &dyn Fn(f64) -> f64| {
+        let values = (0..200).map(|row| x(f64::from(row) / 200.0)).collect();
+        let driver = Driver { name: "stage".into(), unit: "m".into(), values };
+        let time = (0..200).map(f64::from).collect();
+        let inputs = Inputs { time_s: Some(time), run: vec![1; 200], drivers: vec![driver], ..Inputs::default() };
+        let context = Context::new(&inputs, &base, 1.0, 0.01);
+        library().iter().find(|effect| effect.id().0 == "friction").unwrap().testable(&context)
+    };
+    let one_way = asked(&|t| 3.0 * t + 0.02 * (300.0 * t).sin()).unwrap_err();
+    assert!(one_way.contains("stage") && one_way.contains("one way"), "{one_way}");
+    assert!(asked(&|t| (7.0 * t).sin()).is_ok());
+}
+
+/// Set points in any order turn at every second row; that is no way that friction could hold back.
+#[test]
+fn friction_is_not_looked_for_in_a_table_of_set_points() {
+    let base = Given::with_level();
+    let asked = |values: Vec<f64>| {
+        let driver = Driver { name: "stage".into(), unit: "m".into(), values };
+        let inputs = Inputs { run: vec![1; 200], drivers: vec![driver], ..Inputs::default() };
+        let context = Context::new(&inputs, &base, 1.0, 0.01);
+        library().iter().find(|effect| effect.id().0 == "friction").unwrap().testable(&context).is_ok()
+    };
+    assert!(!asked((0..200).map(|row| f64::from(row * 77 % 200)).collect()));
+    assert!(asked((0..200).map(|row| f64::from(100 - (row - 100i32).abs())).collect()));
+}
+
+/// Every fifth specimen of a table reads as the one before it. With a clock that is a logger that wrote old values again.
+#[test]
+fn rows_repeat_where_a_clock_says_that_they_follow_one_another() {
+    let base = Given::with_level();
+    let mut random = ChaCha8Rng::seed_from_u64(5);
+    let mut response: Vec<f64> = Vec::new();
+    for row in 0..400 {
+        let unit: f64 = StandardNormal.sample(&mut random);
+        let drawn = (1e4 * (3.0 + 0.05 * unit)).round() / 1e4;
+        response.push(if row % 5 == 4 { response[row - 1] } else { drawn });
+    }
+    let said = |time_s: Option<Vec<f64>>| {
+        let inputs = Inputs { time_s, run: vec![1; 400], ..Inputs::default() };
+        let problem = Problem { inputs: &inputs, response: &response, simulator: &base };
+        repeated(&problem, &Rows { inputs: &inputs, given: None, unit: "V" }).is_some()
+    };
+    assert!(said(Some((0..400).map(f64::from).collect())));
+    assert!(!said(None));
+}
+
+/// A rudder that is told to stand still for some rows now and then, read in steps of 3 mrad, coarser than its noise: neighbouring rows are equal since nothing moves, and none is left out.
+#[test]
+fn a_reading_in_steps_does_not_repeat_where_what_it_follows_stands_still() {
+    let told = |row: usize| 4.0 * ((row - (row % 12).min(3)) as f64 / 7.0).sin();
+    let mut random = ChaCha8Rng::seed_from_u64(6);
+    let mut read = |row: usize| {
+        let unit: f64 = StandardNormal.sample(&mut random);
+        ((told(row) + 0.0004 * unit) / 0.003).round() * 0.003
+    };
+    let response: Vec<f64> = (0..800).map(&mut read).collect();
+    let inputs = Inputs {
+        time_s: Some((0..800).map(f64::from).collect()),
+        run: vec![1; 800],
+        simulated: Some((0..800).map(told).collect()),
+        ..Inputs::default()
+    };
+    let problem = Problem { inputs: &inputs, response: &response, simulator: &Given::fixed() };
+    assert!(repeated(&problem, &Rows { inputs: &inputs, given: None, unit: "rad" }).is_none());
+}

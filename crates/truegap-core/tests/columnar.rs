@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[cfg(not(feature = "columnar"))]
 use truegap_core::Recording;
 
 const PARQUET: &[u8] = include_bytes!("columnar/bench.parquet");
@@ -53,6 +54,49 @@ mod read {
             (read.inputs.drivers[0].values.as_slice(), read.path.file_name().unwrap()),
             (&[1.0, 2.0, 4.0, 5.0][..], "bench.toml".as_ref())
         );
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    /// Dates as text were left out, and with them the clock.
+    #[test]
+    fn dates_as_text_are_a_clock_as_in_a_csv() {
+        use arrow_array::types::Int32Type;
+        use arrow_array::{ArrayRef, DictionaryArray, Float64Array, LargeStringArray, RecordBatch, StringArray, StringViewArray};
+        use std::sync::Arc;
+        let folder = folder("text");
+        let file = folder.join("t.arrow");
+        let write = |name: &str, times: ArrayRef| {
+            let who: ArrayRef = Arc::new(StringArray::from(vec!["a", "b", "c"]));
+            let reading: ArrayRef = Arc::new(Float64Array::from(vec![1.0, 2.0, 3.0]));
+            let batch = RecordBatch::try_from_iter([("who", who), (name, times), ("response_mv", reading)]).unwrap();
+            let mut writer =
+                arrow_ipc::writer::FileWriter::try_new(std::fs::File::create(&file).unwrap(), &batch.schema()).unwrap();
+            writer.write(&batch).unwrap();
+            writer.finish().unwrap();
+        };
+        let texts = vec!["2026-03-01 12:00:00", "2026-03-01 12:00:01.5", "2026-03-01 12:00:03"];
+        let kinds: [ArrayRef; 4] = [
+            Arc::new(StringArray::from(texts.clone())),
+            Arc::new(LargeStringArray::from(texts.clone())),
+            Arc::new(StringViewArray::from(texts.clone())),
+            Arc::new(texts.into_iter().collect::<DictionaryArray<Int32Type>>()),
+        ];
+        for (name, times) in ["time", "Timestamp", "logged", "datetime"].into_iter().zip(kinds) {
+            write(name, times);
+            assert_eq!(Recording::open(&file).unwrap().inputs.time_s, Some(vec![0.0, 1.5, 3.0]), "{name}");
+            let sketch = sketch(&file, &Told::default()).unwrap();
+            assert!(sketch.toml.contains(&format!("time = \"{name}\"")), "{}", sketch.toml);
+        }
+        write("time", Arc::new(StringArray::from(vec!["01/03/2026 12:00", "02/03/2026 12:00", "03/03/2026 12:00"])));
+        let asked = Recording::open(&file).unwrap_err().to_string();
+        assert!(asked.contains("`01/03/2026 12:00` in column `time`") && asked.contains("--dayfirst"), "{asked}");
+        let told = Told { dayfirst: Some(true), ..Told::default() };
+        assert_eq!(Recording::open_told(&file, &told).unwrap().inputs.time_s.unwrap()[2], 2.0 * 86_400.0);
+        let sketch = sketch(&file, &Told::default()).unwrap();
+        assert!(sketch.toml.contains("# dayfirst = true") && sketch.open[0].contains("01/03/2026"), "{:?}", sketch);
+        // what is no clock may be anything
+        write("note", Arc::new(StringArray::from(vec!["2026-03-01", "twice", "thrice"])));
+        assert_eq!(Recording::open(&file).unwrap().inputs.time_s, None);
         std::fs::remove_dir_all(&folder).unwrap();
     }
 

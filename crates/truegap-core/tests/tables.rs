@@ -200,6 +200,29 @@ fn a_bare_csv_says_what_it_did_not_read() {
     assert!(told.iter().any(|note| note.contains("not read: `Temperatur [°C]`") && note.contains("truegap init")), "{told:?}");
 }
 
+/// Only `truegap init` took these for a clock; a note said that they were not read.
+#[test]
+fn dates_are_the_clock_of_a_bare_csv_whatever_they_are_called() {
+    let times = |name: &str, header: &str, rows: [&str; 2]| {
+        let bench = Bench::new(name, format!("{header},force_n,capacitance_pf\n{},1,74\n{},2,75\n", rows[0], rows[1]).as_bytes());
+        bench.read().unwrap().inputs.time_s
+    };
+    let (stamps, days) = (["2026-03-01 12:00:00", "2026-03-01 12:00:01.5"], ["2026-03-01", "2026-03-02"]);
+    for name in ["timestamp", "Timestamp", "datetime", "DateTime", "Zeitstempel", "Recorded at"] {
+        assert_eq!(times("stamps", name, stamps), Some(vec![0.0, 1.5]), "{name}");
+    }
+    assert_eq!(times("daily", "timestamp", days), Some(vec![0.0, 86_400.0]));
+    // days without a name that says so may be all one and the same; a clock that is called `time` goes before dates
+    assert_eq!(times("days", "Delivered", days), None);
+    assert_eq!(times("both", "timestamp,time_s", ["2026-03-01 12:00,0", "2026-03-01 12:01,1"]), Some(vec![0.0, 1.0]));
+    assert_eq!(
+        times("two", "calibrated,logged", ["2026-01-01 10:00,2026-03-01 12:00", "2026-01-01 10:00,2026-03-01 12:01"]),
+        None
+    );
+    let named = ["2026-01-01 10:00,2026-03-01 12:00", "2026-01-01 10:00,2026-03-01 12:01"];
+    assert_eq!(times("named", "calibrated,timestamp", named), Some(vec![0.0, 60.0]));
+}
+
 fn with_dates(name: &str, dates: [&str; 3], told: Option<bool>) -> Result<Vec<f64>, String> {
     let rows: String = dates.iter().enumerate().map(|(row, date)| format!("{date},{row},7{row}\n")).collect();
     let bench = Bench::new(name, format!("time,force_n,capacitance_pf\n{rows}").as_bytes());

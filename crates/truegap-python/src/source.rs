@@ -27,6 +27,8 @@ type Given<'py> = (String, PyReadonlyArray1<'py, f64>, Option<String>);
 pub(crate) enum Source<'py> {
     /// path of a TOML, a table or a folder, or `example`
     Path(PathBuf),
+    /// path of a table, and what a TOML would say of it as JSON
+    Table(PathBuf, String),
     /// name, what a TOML would say as JSON, columns
     Frame(String, String, Vec<Given<'py>>),
 }
@@ -36,6 +38,10 @@ impl Source<'_> {
     pub fn read(&self) -> PyResult<(Recording, String)> {
         match self {
             Self::Path(path) => Ok((opened(path).map_err(failed)?, path.display().to_string())),
+            Self::Table(path, says) => {
+                let read = Recording::open_table(path, &toml_of(says)?).map_err(|error| failed(in_python(error)))?;
+                Ok((read, path.display().to_string()))
+            }
             Self::Frame(name, says, columns) => Ok((framed(name, says, columns)?, name.clone())),
         }
     }
@@ -46,9 +52,14 @@ fn opened(path: &Path) -> Result<Recording, RecordingError> {
     if path == Path::new(EXAMPLE) && !path.exists() { example_recording() } else { Recording::open(path) }
 }
 
-fn framed(name: &str, says: &str, columns: &[Given<'_>]) -> PyResult<Recording> {
+/// What a TOML says, as JSON gives it.
+fn toml_of(says: &str) -> PyResult<String> {
     let says: toml::Table = serde_json::from_str(says).map_err(failed)?;
-    let says = toml::to_string(&says).map_err(failed)?;
+    toml::to_string(&says).map_err(failed)
+}
+
+fn framed(name: &str, says: &str, columns: &[Given<'_>]) -> PyResult<Recording> {
+    let says = toml_of(says)?;
     let column = |(name, values, since): &Given<'_>| -> Result<FrameColumn<'static>, numpy::AsSliceError> {
         let cells = match since.as_deref() {
             None => Cells::Numbers,
@@ -95,7 +106,7 @@ fn in_python(error: RecordingError) -> String {
 #[pyfunction]
 pub(crate) fn read_dates<'py>(py: Python<'py>, column: &str, cells: Vec<Option<String>>) -> PyResult<Option<Clock<'py>>> {
     let cells: Vec<Option<&str>> = cells.iter().map(Option::as_deref).collect();
-    let read = dates_of_text(Path::new("the frame"), column, &cells).map_err(|error| match error {
+    let read = dates_of_text(Path::new("the frame"), column, &cells, None).map_err(|error| match error {
         RecordingError::DayOrMonth { line, column, text, .. } => failed(format!(
             "the frame, row {line}: `{text}` in column `{column}` may begin with the day or with the month; say which: \
              frame[\"{column}\"] = pandas.to_datetime(frame[\"{column}\"], dayfirst=True)"

@@ -1,6 +1,6 @@
 //! Files that hold a frame: Parquet and Arrow (Feather), known by their first bytes, whatever they are called.
 //!
-//! Limits: read where the feature `columnar` is built in; numbers, truth values, dates and durations, other columns are left out; none on standard input.
+//! Limits: read where the feature `columnar` is built in; numbers, truth values, dates (as text, too) and durations, other columns are left out; none on standard input.
 
 #[cfg(feature = "columnar")]
 mod arrow;
@@ -8,8 +8,9 @@ mod of_file;
 
 #[cfg(feature = "columnar")]
 use self::arrow::of_kind;
-use self::of_file::{Frame, Kind};
-use super::{error::RecordingError, frame::FrameColumn, packed::unread};
+pub(super) use self::of_file::Frame;
+use self::of_file::Kind;
+use super::{error::RecordingError, frame::FrameColumn, manifest::Manifest, packed::unread};
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
@@ -21,7 +22,10 @@ use std::path::Path;
 pub fn read_columns(path: &Path) -> Result<Vec<FrameColumn<'static>>, RecordingError> {
     let says = || "it begins as neither".to_owned();
     match read(path)? {
-        Some(frame) => Ok(frame.columns),
+        Some(mut frame) => {
+            frame.read_dates(path, &Manifest::default())?;
+            Ok(frame.columns)
+        }
         None => Err(RecordingError::Columnar { file: path.to_owned(), kind: "a Parquet or Arrow", says: says() }),
     }
 }

@@ -9,6 +9,7 @@ use super::{
     map::NO_LINE,
     note::Note,
     roles::ROLES,
+    words::told,
 };
 use crate::inputs::Role;
 use crate::nearest::nearest;
@@ -63,7 +64,7 @@ pub(super) fn bind(
     header: &[Heading],
     manifest: &Manifest,
 ) -> Result<(Vec<Column>, Vec<Note>), RecordingError> {
-    let binder = Binder { file, toml: toml.unwrap_or(file), header, manifest };
+    let binder = Binder { file, toml: toml.unwrap_or(file), bare: toml.is_none(), header, manifest };
     let mut found = Vec::new();
     for role in ROLES {
         found.extend(binder.find(role)?.map(|index| (role, index)));
@@ -78,6 +79,8 @@ pub(super) fn bind(
 struct Binder<'a> {
     file: &'a Path,
     toml: &'a Path,
+    /// whether no TOML says which column is what
+    bare: bool,
     header: &'a [Heading],
     manifest: &'a Manifest,
 }
@@ -94,7 +97,7 @@ impl Binder<'_> {
             ([index], _) => Ok(Some(*index)),
             ([], None) if role != Role::Response => match self.almost(role) {
                 Some(refused) => Err(refused),
-                None => Ok(None),
+                None => Ok(self.dates().filter(|_| role == Role::Time)),
             },
             ([], _) => Err(self.missing(role, named)),
             ([first, rest @ ..], _) if rest.iter().all(|index| name(*index) == name(*first)) => {
@@ -107,6 +110,18 @@ impl Binder<'_> {
                 first: name(*first).clone(),
             }),
         }
+    }
+
+    /// The column that is the clock as it alone holds dates: where several do, the one that is called after a clock. Days alone need such a name, as a table of one day has no other clock.
+    fn dates(&self) -> Option<usize> {
+        let named = |name: &str| self.manifest.columns.values().any(|named| named.text == name);
+        let dated: Vec<usize> = (0..self.header.len())
+            .filter(|index| self.bare && self.header[*index].dated && !named(&self.header[*index].name))
+            .collect();
+        let only = |found: Vec<usize>| if let [index] = found[..] { Some(index) } else { None };
+        let of =
+            |fits: &dyn Fn(&Heading) -> bool| only(dated.iter().copied().filter(|index| fits(&self.header[*index])).collect());
+        of(&|heading| told(Role::Time, &heading.name)).or_else(|| of(&|heading| !heading.days))
     }
 
     /// Whether the TOML says of a column that is called after `role`, which it does not name, that it is something else: another role, or a driver in place of a load. A thermometer and
@@ -288,7 +303,7 @@ fn called_after(role: Role, heading: &Heading) -> bool {
 
 /// Refuses a name for a role that stands over no column.
 pub(super) fn there(file: &Path, header: &[Heading], role: Role, named: &Named) -> Result<(), RecordingError> {
-    let binder = Binder { file, toml: file, header, manifest: &Manifest::default() };
+    let binder = Binder { file, toml: file, bare: true, header, manifest: &Manifest::default() };
     let is_there = header.iter().any(|heading| heading.name == named.text);
     if is_there { Ok(()) } else { Err(binder.missing(role, Some(named))) }
 }

@@ -46,12 +46,12 @@ pub(super) fn order<R: Read + Seek>(table: &mut Table<R>, column: usize, told: O
 ///
 /// # Errors
 /// As [`order`].
-pub(super) fn order_of(file: &Path, column: &str, cells: &[Option<&str>]) -> Result<First, RecordingError> {
+pub(super) fn order_of(file: &Path, column: &str, cells: &[Option<&str>], told: Option<bool>) -> Result<First, RecordingError> {
     let mut seen = Seen::default();
     for (row, cell) in cells.iter().enumerate() {
         seen.see(cell.unwrap_or_default().as_bytes(), row as u64 + 1);
     }
-    seen.order(None).map_err(|(doubt, line)| doubt.at(file.to_owned(), line as usize, column.to_owned()))
+    seen.order(told).map_err(|(doubt, line)| doubt.at(file.to_owned(), line as usize, column.to_owned()))
 }
 
 /// Why the order of dates is not known; the line is still to be found.

@@ -14,21 +14,25 @@ use std::path::Path;
 
 /// The column `name` of the frame `file`, whose cells are dates as text, as seconds since the whole second of the first; `None` where its first cell is no date.
 ///
-/// A cell that is absent, empty or `nan` is a hole. Lines in messages are rows, counted from 1.
+/// `dayfirst` says which of day and month stands first, where the cells do not show it. A cell that is absent, empty or `nan` is a hole. Lines in messages are rows, counted from 1.
 ///
 /// # Errors
 /// [`RecordingError::NotADate`] where a later cell is something else, [`RecordingError::DayOrMonth`] and [`RecordingError::BothOrders`] where the order of day and
 /// month is not known.
-pub fn dates_of_text(file: &Path, name: &str, cells: &[Option<&str>]) -> Result<Option<FrameColumn<'static>>, RecordingError> {
-    let is_there = |cell: &&str| number(cell.as_bytes(), false) != Err(Fault::NoValue);
-    let Some(first) = cells.iter().flatten().copied().find(is_there).filter(|cell| is_date(cell.as_bytes())) else {
+pub fn dates_of_text(
+    file: &Path,
+    name: &str,
+    cells: &[Option<&str>],
+    dayfirst: Option<bool>,
+) -> Result<Option<FrameColumn<'static>>, RecordingError> {
+    let Some(first) = first_text(cells.iter().flatten().copied()).filter(|cell| is_date(cell.as_bytes())) else {
         return Ok(None);
     };
-    let order = order_of(file, name, cells)?;
+    let order = order_of(file, name, cells, dayfirst)?;
     let mut epoch = None;
     let mut values = Vec::with_capacity(cells.len());
     for (row, cell) in cells.iter().enumerate() {
-        let Some(cell) = cell.filter(|cell| is_there(cell)) else {
+        let Some(cell) = cell.filter(is_there) else {
             values.push(f64::NAN);
             continue;
         };
@@ -42,13 +46,22 @@ pub fn dates_of_text(file: &Path, name: &str, cells: &[Option<&str>]) -> Result<
     Ok(Some(FrameColumn { name: name.to_owned(), values: Cow::Owned(values), cells }))
 }
 
+/// The first of the cells that is no hole.
+pub(super) fn first_text<'a>(mut cells: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    cells.find(is_there)
+}
+
+fn is_there(cell: &&str) -> bool {
+    number(cell.as_bytes(), false) != Err(Fault::NoValue)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn read(cells: &[&str]) -> Result<Option<FrameColumn<'static>>, RecordingError> {
         let cells: Vec<Option<&str>> = cells.iter().copied().map(Some).collect();
-        dates_of_text(Path::new("frame"), "when", &cells)
+        dates_of_text(Path::new("frame"), "when", &cells, None)
     }
 
     #[test]

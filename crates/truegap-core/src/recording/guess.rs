@@ -84,8 +84,7 @@ fn told_by_unit(heading: &Heading) -> bool {
 /// Whether the unit is one of the role; a length need not be the gap between plates.
 fn measured(role: Role, heading: &Heading) -> bool {
     let dimension = if role == Role::Response { Some(Dimension::Capacitance) } else { dimension(role) };
-    let unit = heading.unit().unwrap_or_default();
-    role != Role::Gap && !heading.dated && dimension.is_some_and(|dimension| dimension.unit_like(unit).is_some())
+    role != Role::Gap && !heading.dated && dimension.is_some_and(|dimension| heading.shown_unit_of(dimension).is_some())
 }
 
 #[cfg(test)]
@@ -118,6 +117,9 @@ mod tests {
             "t;F;T;C",
             "Time [s];Load cell [N];T_chamber [K];Bridge (mV/V)",
             "elapsed [min];fz [N];Load cell temp [K];C1",
+            "Time (s);Load (lbf);Temp (F);Cap (pF)",
+            "time_s;force_n;temperature_f;capacitance_f",
+            "Zeit [s];Kraft [N];T [F];Kanal 1 [F]",
         ] {
             assert_eq!(roles(header), all, "{header}");
         }

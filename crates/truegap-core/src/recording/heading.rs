@@ -4,6 +4,8 @@
 
 use super::notation::{split, split_of};
 use super::small_letters::proper;
+use super::words::told;
+use crate::inputs::Role;
 use crate::units::{Dimension, is_unit};
 
 /// A column of the header.
@@ -39,20 +41,42 @@ impl Heading {
 
     /// The unit as it should be written: a name in small letters, as `response_v`, has no capitals for it.
     pub fn proper_unit(&self) -> Option<&str> {
-        self.unit().map(|unit| if self.below.is_some() { unit } else { proper(&self.name, unit) })
+        let unit = self.unit()?;
+        let is_fahrenheit = unit.eq_ignore_ascii_case(FARAD) && self.unit_of(Dimension::Temperature).is_some();
+        Some(if is_fahrenheit { FAHRENHEIT } else { self.below.as_deref().unwrap_or_else(|| proper(&self.name, unit)) })
     }
 
     /// The unit among those of `dimension`.
     pub fn unit_of(&self, dimension: Dimension) -> Option<&'static str> {
-        match &self.below {
-            Some(unit) => dimension.unit_like(unit),
-            None => split_of(&self.name, dimension).map(|(_, unit)| unit),
-        }
+        let found = match &self.below {
+            Some(unit) => Some((self.name.as_str(), dimension.unit_like(unit)?)),
+            None => split_of(&self.name, dimension),
+        };
+        found.and_then(|(measured, unit)| meant(measured, unit, dimension))
+    }
+
+    /// The same where the name alone, or the line of units, shows that it is a unit.
+    pub fn shown_unit_of(&self, dimension: Dimension) -> Option<&'static str> {
+        let measured = self.unit_in_name().filter(|_| self.below.is_none()).map_or(self.name.as_str(), |(measured, _)| measured);
+        meant(measured, dimension.unit_like(self.unit()?)?, dimension)
     }
 
     /// What is measured: the name without a unit of `dimension`.
     pub fn measured(&self, dimension: Dimension) -> &str {
         split_of(&self.name, dimension).map_or(self.name.trim(), |(measured, _)| measured)
+    }
+}
+
+/// The sign that stands for two units.
+const FARAD: &str = "F";
+const FAHRENHEIT: &str = "degF";
+
+/// The unit as one of `dimension`: `F` is Fahrenheit where a word says that a temperature is measured, and farad elsewhere.
+fn meant(measured: &str, unit: &'static str, dimension: Dimension) -> Option<&'static str> {
+    match dimension {
+        _ if unit != FARAD => Some(unit),
+        Dimension::Temperature => told(Role::Temperature, measured).then_some(FAHRENHEIT),
+        _ => (!told(Role::Temperature, measured)).then_some(unit),
     }
 }
 
@@ -84,6 +108,25 @@ mod tests {
         for row in ["0,1,74", "warm,cold", "2026-03-01T12:00,N,5", ",,", "nan,s"] {
             assert_eq!(units(&cells(row)), None, "{row}");
         }
+    }
+
+    /// Left out of the columns: F alone was taken for a farad.
+    #[test]
+    fn f_is_fahrenheit_where_a_temperature_is_measured() {
+        let both = |heading: Heading| [Dimension::Temperature, Dimension::Capacitance].map(|d| heading.unit_of(d));
+        for name in ["Temp (F)", "temperature_f", "T [F]", "Temperatur in F", "Room temp F", "T1 temp, F"] {
+            assert_eq!(both(Heading::of(name)), [Some("degF"), None], "{name}");
+        }
+        for name in ["C (F)", "C_meas/F", "capacitance_f", "Kapazität [F]"] {
+            assert_eq!(both(Heading::of(name)), [None, Some("F")], "{name}");
+        }
+        let below = |name: &str| both(Heading { below: Some("F".into()), ..Heading::of(name) });
+        assert_eq!((below("Temp"), below("Cap")), ([Some("degF"), None], [None, Some("F")]));
+        let proper = |name: &str| Heading::of(name).proper_unit().map(str::to_owned);
+        assert_eq!(
+            (proper("Temp (F)"), proper("temp_f"), proper("C (F)")),
+            (Some("degF".into()), Some("degF".into()), Some("F".into()))
+        );
     }
 
     #[test]

@@ -11,7 +11,6 @@ use super::{
     degrees,
     driver_columns::bind_drivers,
     error::RecordingError,
-    frame::FrameColumn,
     heading::Heading,
     manifest::{BaseSpec, Manifest, Named},
     note::Note,
@@ -64,6 +63,16 @@ impl Recording {
         Ok(recording)
     }
 
+    /// As [`Recording::open`] of a table, with the text of a TOML that stands in no file; its `file` is not looked for.
+    ///
+    /// # Errors
+    /// As [`Recording::open`].
+    pub fn open_table(path: impl AsRef<Path>, toml: &str) -> Result<Self, RecordingError> {
+        let path = path.as_ref();
+        let manifest = Manifest::parse(path, toml)?;
+        opened(&Origin { csv: path, toml: None, told: &Told::default() }, manifest)
+    }
+
     fn open_manifest(path: &Path, told: &Told) -> Result<Self, RecordingError> {
         let text = truegap_limits::read_text(path).map_err(|source| unread(path, source))?;
         let manifest = Manifest::parse(path, &text)?;
@@ -76,10 +85,18 @@ impl Recording {
     /// # Errors
     /// As [`Recording::open`].
     pub fn from_text(name: &str, toml: &str, csv: &str) -> Result<Self, RecordingError> {
+        Self::from_text_told(name, toml, csv, &Told::default())
+    }
+
+    /// As [`Recording::from_text`], with what is told beside the texts; that goes before what the TOML says.
+    ///
+    /// # Errors
+    /// As [`Recording::open`].
+    pub fn from_text_told(name: &str, toml: &str, csv: &str, told: &Told) -> Result<Self, RecordingError> {
         let path = PathBuf::from(format!("{name}.toml"));
         let manifest = Manifest::parse(&path, toml)?;
         let csv_path = PathBuf::from(&manifest.file);
-        read(Cursor::new(csv.as_bytes()), &Origin { csv: &csv_path, toml: Some(&path), told: &Told::default() }, manifest)
+        read(Cursor::new(csv.as_bytes()), &Origin { csv: &csv_path, toml: Some(&path), told }, manifest)
     }
 }
 
@@ -87,9 +104,9 @@ impl Recording {
 fn opened(origin: &Origin<'_>, manifest: Manifest) -> Result<Recording, RecordingError> {
     match columnar::read(origin.csv)? {
         None => read(open_csv(origin.csv)?, origin, manifest),
-        Some(frame) => {
-            let header: Vec<_> = frame.columns.iter().map(FrameColumn::heading).collect();
-            let manifest = manifest.told(origin.told, &header);
+        Some(mut frame) => {
+            let manifest = manifest.told(origin.told, &frame.header());
+            frame.read_dates(origin.csv, &manifest)?;
             frame.holds_numbers(origin.csv, &manifest)?;
             let mut recording = Recording::of_frame(origin.csv, origin.toml, manifest, &frame.columns)?;
             recording.sha256 = frame.sha256;

@@ -42,19 +42,14 @@ pub struct Sketch {
 /// [`RecordingError`] where the table cannot be read, has no header, or lacks a column that is told of.
 pub fn sketch(csv: &Path, told: &Told) -> Result<Sketch, RecordingError> {
     let seen = match columnar::read(csv)? {
-        Some(frame) => Seen {
-            header: frame.columns.iter().map(FrameColumn::heading).collect(),
-            numeric: vec![true; frame.columns.len()],
-            notes: Vec::new(),
-        },
-        None => Seen::of_csv(csv)?,
+        Some(frame) => Seen::of_frame(csv, frame, told)?,
+        None => Seen::of_csv(csv, told)?,
     };
     let manifest = Manifest::default().told(told, &seen.header);
     manifest.columns.iter().try_for_each(|(role, named)| there(csv, &seen.header, *role, named))?;
     bind_drivers(csv, None, &seen.header, &manifest, &[])?;
     let file = csv.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let days = seen.days(csv, told)?;
-    let Seen { header, numeric, notes } = seen;
+    let Seen { header, numeric, days, notes } = seen;
     Ok(Writer { header: &header, numeric: &numeric, told, days, toml: String::new(), open: Vec::new() }.write(&file, notes))
 }
 
@@ -63,11 +58,25 @@ struct Seen {
     header: Vec<Heading>,
     /// whether there are numbers under a heading
     numeric: Vec<bool>,
+    /// a date of which nobody knows whether it begins with the day or the month
+    days: Option<String>,
     notes: Vec<String>,
 }
 
 impl Seen {
-    fn of_csv(csv: &Path) -> Result<Self, RecordingError> {
+    fn of_frame(file: &Path, mut frame: columnar::Frame, told: &Told) -> Result<Self, RecordingError> {
+        let mut manifest = Manifest::default().told(told, &frame.header());
+        let days = unordered(frame.read_dates(file, &manifest))?;
+        if days.is_some() {
+            // any order will do where values are not looked at
+            manifest.dayfirst = Some(true);
+            frame.read_dates(file, &manifest)?;
+        }
+        let header: Vec<Heading> = frame.columns.iter().map(FrameColumn::heading).collect();
+        Ok(Self { numeric: vec![true; header.len()], header, days, notes: Vec::new() })
+    }
+
+    fn of_csv(csv: &Path, told: &Told) -> Result<Self, RecordingError> {
         let mut table = Table::open(csv, open_csv(csv)?)?;
         let header = table.header.clone();
         let mut numeric = vec![false; header.len()];
@@ -80,17 +89,23 @@ impl Seen {
             numeric.iter_mut().enumerate().for_each(|(index, numeric)| *numeric |= is_number(index));
         }
         let notes = table.notes.iter().map(ToString::to_string).collect();
-        Ok(Self { header, numeric, notes })
+        let days = match header.iter().position(|heading| heading.unordered) {
+            Some(index) => {
+                let mut again = Table::open(csv, table.finish().1)?;
+                unordered(order(&mut again, index, told.dayfirst).map(|_| ()))?
+            }
+            None => None,
+        };
+        Ok(Self { header, numeric, days, notes })
     }
+}
 
-    /// A date of which nobody knows whether it begins with the day or the month.
-    fn days(&self, csv: &Path, told: &Told) -> Result<Option<String>, RecordingError> {
-        let Some(index) = self.header.iter().position(|heading| heading.unordered) else { return Ok(None) };
-        match order(&mut Table::open(csv, open_csv(csv)?)?, index, told.dayfirst) {
-            Ok(_) => Ok(None),
-            Err(RecordingError::DayOrMonth { text, .. }) => Ok(Some(text)),
-            Err(other) => Err(other),
-        }
+/// The date that may begin with the day or the month, where that is what is wrong.
+fn unordered(read: Result<(), RecordingError>) -> Result<Option<String>, RecordingError> {
+    match read {
+        Ok(()) => Ok(None),
+        Err(RecordingError::DayOrMonth { text, .. }) => Ok(Some(text)),
+        Err(other) => Err(other),
     }
 }
 
@@ -258,7 +273,7 @@ impl Writer<'_> {
         let mut keys: Vec<String> = Vec::new();
         for index in spare {
             let heading = &self.header[index];
-            let unit = heading.unit().unwrap_or("1");
+            let unit = heading.proper_unit().unwrap_or("1");
             let what = heading.unit_in_name().map_or(heading.name.as_str(), |(measured, _)| measured);
             let key = free(&plain(what, index), &keys);
             let line = format!("# {key} = {{ column = {}, unit = {} }}", toml_text(&heading.name), toml_text(unit));

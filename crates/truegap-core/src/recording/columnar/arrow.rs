@@ -2,11 +2,12 @@
 //!
 //! Limits: whole columns in memory; an integer beyond 2^53 is rounded.
 
-use super::of_file::{Frame, Kind};
+use super::of_file::{Frame, Kind, Texts};
+use crate::recording::date_text::first_text;
 use crate::recording::error::RecordingError;
 use crate::recording::frame::{Cells, FrameColumn};
 use crate::recording::packed::unread;
-use crate::recording::stamp::iso;
+use crate::recording::stamp::{is_date, iso};
 use crate::recording::table::hexadecimal;
 use arrow_array::cast::AsArray;
 use arrow_array::types::{
@@ -31,14 +32,10 @@ const BYTES_OF_A_VALUE: f64 = 24.0;
 /// How much longer the values of a packed file may be than the file.
 const UNPACKED: f64 = 6.0;
 
-/// Columns of numbers and times, and the names of the others with what they hold.
-type Read = (Vec<FrameColumn<'static>>, Vec<(String, String)>);
-
 /// The frame in a file, with the hash of its bytes.
 pub(super) fn of_kind(path: &Path, mut file: File, kind: Kind) -> Result<Frame, RecordingError> {
     let hash = sha256(&mut file).map_err(|source| unread(path, source))?;
-    let (columns, left_out) = columns(path, file, kind)?;
-    Ok(Frame { columns, left_out, sha256: hexadecimal(hash) })
+    Ok(Frame { sha256: hexadecimal(hash), ..columns(path, file, kind)? })
 }
 
 fn sha256(file: &mut File) -> io::Result<Sha256> {
@@ -54,7 +51,7 @@ fn sha256(file: &mut File) -> io::Result<Sha256> {
 }
 
 /// Reads all columns of a file.
-fn columns(path: &Path, file: File, kind: Kind) -> Result<Read, RecordingError> {
+fn columns(path: &Path, file: File, kind: Kind) -> Result<Frame, RecordingError> {
     let damaged = |says: String| RecordingError::Columnar { file: path.to_owned(), kind: kind.told(), says };
     match kind {
         Kind::Parquet => {
@@ -79,27 +76,31 @@ fn check(path: &Path, bytes: f64) -> Result<(), RecordingError> {
     Ok(truegap_limits::check(Need { place: &place, asked: "a table of columns", bytes, remedy })?)
 }
 
-fn gathered(schema: &SchemaRef, batches: impl Iterator<Item = Result<RecordBatch, ArrowError>>) -> Result<Read, ArrowError> {
+fn gathered(schema: &SchemaRef, batches: impl Iterator<Item = Result<RecordBatch, ArrowError>>) -> Result<Frame, ArrowError> {
     let mut cells: Vec<Option<Gathered>> = schema.fields().iter().map(|field| Gathered::of(field.data_type())).collect();
     for batch in batches {
         let batch = batch?;
         let filled = cells.iter_mut().zip(batch.columns()).filter_map(|(cells, array)| Some((cells.as_mut()?, array)));
         filled.for_each(|(cells, array)| cells.extend(array));
     }
-    let (mut columns, mut left_out) = (Vec::new(), Vec::new());
+    let mut frame = Frame { columns: Vec::new(), texts: Vec::new(), left_out: Vec::new(), sha256: String::new() };
     for (field, cells) in schema.fields().iter().zip(cells) {
+        let (name, at) = (field.name().clone(), frame.columns.len() + frame.texts.len());
         match cells {
-            Some(cells) => columns.push(cells.column(field.name())),
-            None => left_out.push((field.name().clone(), field.data_type().to_string())),
+            Some(Gathered::Texts(Some(cells))) => frame.texts.push(Texts { name, at, cells }),
+            None | Some(Gathered::Texts(None)) => frame.left_out.push((name, field.data_type().to_string())),
+            Some(cells) => frame.columns.extend(cells.column(name)),
         }
     }
-    Ok((columns, left_out))
+    Ok(frame)
 }
 
 /// Cells of one column so far.
 enum Gathered {
     Numbers(Vec<f64>),
     Durations(Vec<f64>),
+    /// while they may be dates
+    Texts(Option<Vec<Option<String>>>),
     /// ticks since 1970, so many a second, and whether they are those of Greenwich
     Dates {
         ticks: Vec<Option<i64>>,
@@ -117,6 +118,8 @@ impl Gathered {
             T::Null | T::Boolean | T::Decimal128(..) => Some(Self::Numbers(Vec::new())),
             kind if kind.is_integer() || kind.is_floating() => Some(Self::Numbers(Vec::new())),
             T::Duration(_) => Some(Self::Durations(Vec::new())),
+            T::Dictionary(_, kind) if kind.is_string() => Some(Self::Texts(Some(Vec::new()))),
+            kind if kind.is_string() => Some(Self::Texts(Some(Vec::new()))),
             T::Timestamp(unit, zone) => dates(ticks_a_second(*unit), zone.is_some()),
             T::Date32 => dates(1, false),
             T::Date64 => dates(1000, false),
@@ -128,17 +131,43 @@ impl Gathered {
         match self {
             Self::Numbers(values) => values.extend(numbers(array)),
             Self::Durations(values) => values.extend(durations(array)),
+            Self::Texts(cells) => {
+                cells.iter_mut().for_each(|cells| cells.extend(texts(array)));
+                let first = cells.as_ref().and_then(|cells| first_text(cells.iter().flatten().map(String::as_str)));
+                if first.is_some_and(|first| !is_date(first.as_bytes())) {
+                    *cells = None;
+                }
+            }
             Self::Dates { ticks, .. } => ticks.extend(dates(array)),
         }
     }
 
-    fn column(self, name: &str) -> FrameColumn<'static> {
+    fn column(self, name: String) -> Option<FrameColumn<'static>> {
         let (values, cells) = match self {
+            Self::Texts(_) => return None,
             Self::Numbers(values) => (values, Cells::Numbers),
             Self::Durations(values) => (values, Cells::Durations),
             Self::Dates { ticks, a_second, zoned } => since_first(&ticks, a_second, zoned),
         };
-        FrameColumn { name: name.to_owned(), values: Cow::Owned(values), cells }
+        Some(FrameColumn { name, values: Cow::Owned(values), cells })
+    }
+}
+
+/// Texts as they stand.
+fn texts(array: &dyn Array) -> Vec<Option<String>> {
+    fn owned<'a>(texts: impl Iterator<Item = Option<&'a str>>) -> Vec<Option<String>> {
+        texts.map(|text| text.map(str::to_owned)).collect()
+    }
+    match array.data_type() {
+        DataType::LargeUtf8 => owned(array.as_string::<i64>().iter()),
+        DataType::Utf8View => owned(array.as_string_view().iter()),
+        DataType::Dictionary(..) => {
+            let array = array.as_any_dictionary();
+            let (values, keys) = (texts(array.values()), array.normalized_keys());
+            let text = |(row, key): (usize, &usize)| values.get(*key).filter(|_| array.keys().is_valid(row)).cloned().flatten();
+            keys.iter().enumerate().map(text).collect()
+        }
+        _ => owned(array.as_string::<i32>().iter()),
     }
 }
 

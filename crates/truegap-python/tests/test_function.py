@@ -94,6 +94,11 @@ def test_nan_is_no_answer_at_these_values_and_no_failure(parameters):
     assert d.base_parameters[0].value == pytest.approx(2.0, abs=0.02)
 
 
+def test_a_function_that_answers_nan_alone_is_told_with_its_parameters(parameters):
+    with pytest.raises(tg.TruegapError, match=r"row 1: .*no finite response there with k = [0-9.]+ N/mm, rest = "):
+        tg.diagnose(pressed(), base=lambda inputs, values: np.full(len(inputs["run"]), np.nan), parameters=parameters)
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent another way there")
 def test_ctrl_c_interrupts_a_simulator_in_the_middle_of_an_answer(parameters):
     # whoever starts the tests in the background has SIGINT ignored, and Python then keeps it so

@@ -128,13 +128,30 @@ def test_several_recordings_are_diagnosed_together(tmp_path):
     assert d.plot().axes[0].get_xlabel() == "" and d.plot().axes[1].get_xlabel() == "row"
 
 
+def test_a_csv_is_told_what_its_columns_are(tmp_path):
+    made = pressed()
+    table = pd.DataFrame({"Elapsed": made["time_s"], "Load cell: left": made["force_n"], "read": made["response_mm"]})
+    for name in ("plain.csv", "packed.csv.gz"):
+        table.to_csv(tmp_path / name, index=False)
+        told = {"columns": {"time": "Elapsed", "force": "Load cell: left", "response": "read"}, "units": {"time": "s", "force": "N", "response": "mm"}}
+        d = tg.diagnose(tmp_path / name, base="linear", **told)
+        assert d.unit == "mm" and np.array_equal(d.table["force_n"], made["force_n"]), name
+        assert '--map "force=Load cell: left:N"' in d.html() and len(d.predict(tmp_path / name).augmented) == len(made["force_n"])
+    with pytest.raises(tg.TruegapError, match="did you mean `read`.*name yours: columns="):
+        tg.diagnose(tmp_path / "plain.csv", base="linear", columns={"response": "reads"})
+    with pytest.raises(tg.TruegapError, match="say it: units="):
+        tg.diagnose(tmp_path / "plain.csv", base="linear", columns={"response": "read", "force": "Elapsed"})
+
+
 def test_what_cannot_be_read_is_told():
     with pytest.raises(tg.TruegapError, match=r"no-such\.toml"):
         tg.diagnose("no-such.toml")
     with pytest.raises(TypeError, match="is no recording"):
         tg.diagnose(3.0)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="stand in its TOML"):
-        tg.diagnose("a.csv", units={"force": "N"})
+        tg.diagnose("a.toml", units={"force": "N"})
+    with pytest.raises(TypeError, match="stand in its TOML"):
+        tg.diagnose("example", columns={"force": "load"})
     with pytest.raises(tg.TruegapError, match="is not in the header|no column"):
         tg.diagnose(pressed(), base="linear", columns={"force": "load"})
     with pytest.raises(tg.TruegapError, match="r.feather.*no such file"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,8 @@ except ModuleNotFoundError:  # Python 3.10
     import tomli as tomllib
 
 SCHEMAS = ROOT / "docs/schemas"
+#: Schemas of files that the repository holds.
+OF_FILES = {"recording", "sensor", "case", "mechanism", "model", "space"}
 
 
 def validator(name: str) -> Draft202012Validator:
@@ -38,6 +41,18 @@ def prints(name: str, folder: Path, *arguments: str, lines: bool = True) -> None
     assert documents
     for document in documents:
         keeps(name, document)
+    notices_what_is_wrong(name, documents[0])
+
+
+def notices_what_is_wrong(name: str, document: Any) -> None:
+    """A schema that lets anything pass would be kept to by any output: each value in turn is replaced by one of another kind."""
+    if isinstance(document, list):
+        document = document[0]
+        assert not validator(name).is_valid([{}]), name
+    check, wrapped = validator(name), validator(name).is_valid([document])
+    for key in document:
+        wrong = {**document, key: {"planted": ["error"]}}
+        assert not check.is_valid([wrong] if wrapped else wrong), f"{name}: anything passes as `{key}`"
 
 
 @pytest.mark.parametrize("name", sorted(file.stem for file in SCHEMAS.glob("*.json")))
@@ -113,7 +128,12 @@ def test_every_toml_of_the_repository_keeps_to_its_schema():
             if version == "1" and (SCHEMAS / f"{name}.json").is_file():
                 seen[name] = seen.get(name, 0) + 1
                 keeps(name, document)
-    assert set(seen) == {"recording", "sensor", "case", "mechanism", "model", "space"}, seen
+    assert set(seen) == OF_FILES, seen
+
+
+def test_every_schema_is_held_against_a_document():
+    held = set(re.findall(r"(?:prints|keeps)\(\"([a-z-]+)\"", Path(__file__).read_text())) | OF_FILES
+    assert held == {file.stem for file in SCHEMAS.glob("*.json")}
 
 
 WHOLE = {"schema": "truegap.recording/1", "file": "a.csv"}

@@ -46,7 +46,7 @@ def diagnose(
     ``recordings``: a path (TOML, CSV, folder, or ``"example"``), a pandas or polars frame, a dict of arrays, or a list of these, diagnosed together.
     ``base``: the simulation. A function ``f(inputs, parameters) -> array`` with its ``parameters``; a name as in a recording's TOML (``"linear"``,
     ``"parallel-plate"``, ...); or a dict of what would stand under ``[base]``. With a path it may be left out: the TOML names it.
-    ``columns``, ``units``, ``drivers``: of a frame, as in a TOML: ``columns={"force": "Load cell"}, units={"force": "N"}``.
+    ``columns``, ``units``, ``drivers``: of a frame or a table, as in a TOML: ``columns={"force": "Load cell"}, units={"force": "N"}``.
     ``cache``: a folder in which the answers of a slow program (``{"model": "command", ...}``) are kept for the next diagnosis, or ``True`` for that of the command line.
     ``progress``: a function ``f(done, step, what)``, ``True`` for a bar, ``False`` for none; a bar on a terminal or in a notebook where nothing is said.
 
@@ -79,7 +79,7 @@ def diagnose(
         "cache": None if isinstance(cache, bool) else os.fspath(cache),
         "remember": cache is True,
     }
-    asked["command"] = _command(each, base, asked)
+    asked["command"] = _command(each, base, asked, _maps(columns or {}, units or {}, drivers or {}))
     with watching(progress) as watch:
         native = _truegap.diagnose(sources, json.dumps(asked), None if table is None else json.dumps(table), function, watch)
     return Diagnosis(native, columns, units, drivers)
@@ -111,9 +111,18 @@ def _name(index: int, recordings: Sequence[Recording]) -> str:
     return "frame" if len(recordings) == 1 else f"frame {index + 1}"
 
 
-def _command(recordings: Sequence[Recording], base: Base, asked: Mapping[str, Any]) -> str:
+def _maps(columns: Mapping[str, str], units: Mapping[str, str], drivers: Mapping[str, Mapping[str, str]]) -> list[str] | None:
+    """What ``--map`` says of the columns; ``None`` where it cannot, as a unit stands there without its column."""
+    if any(role not in columns for role in units):
+        return None
+    named = [(role, column, units.get(role)) for role, column in columns.items()]
+    named += [(f"driver.{name}", driver.get("column", ""), driver.get("unit")) for name, driver in drivers.items()]
+    return [f"{what}={column}" + (f":{unit}" if unit else "") for what, column, unit in named]
+
+
+def _command(recordings: Sequence[Recording], base: Base, asked: Mapping[str, Any], maps: Sequence[str] | None) -> str:
     """The command line that does the same, where there is one; for the record."""
-    if not all(is_text(r) for r in recordings) or callable(base) or isinstance(base, Mapping):
+    if not all(is_text(r) for r in recordings) or callable(base) or isinstance(base, Mapping) or maps is None:
         function = f", base={getattr(base, '__name__', 'simulator')}" if callable(base) else ""
         return f"truegap.diagnose(...{function})"
     words = ["truegap", "diagnose", *(str(r) for r in recordings)]
@@ -121,6 +130,8 @@ def _command(recordings: Sequence[Recording], base: Base, asked: Mapping[str, An
         words += [f"--{key.replace('_', '-')}", str(asked[key])] if asked[key] is not None else []
     for key in ("effects", "conceal", "free"):
         words += [f"--{key}", ",".join(asked[key])] if asked[key] else []
+    for text in maps:
+        words += ["--map", text]
     for file in asked["effect_files"]:
         words += ["--effect", file]
     words += [f"--{key.replace('_', '-')}" for key in ("no_warp", "library_only", "select_in_folds") if asked[key]]

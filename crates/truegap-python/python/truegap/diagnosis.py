@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from . import _truegap
 from .confirmation import Confirmation
-from .frames import Path, Recording, is_text, source
+from .frames import Path, Recording, has_toml, source
 from .tables import frame_of
 
 if TYPE_CHECKING:
@@ -223,7 +223,7 @@ class Diagnosis:
         drivers: Mapping[str, Mapping[str, str]] | None,
         reading: bool = True,
     ) -> _truegap.Source:
-        if not is_text(recording):
+        if not has_toml(recording):
             columns = self._columns if columns is None else columns
             units = self._units if units is None else units
             drivers = self._drivers if drivers is None else drivers

@@ -27,6 +27,8 @@ Recording = Union[Path, Frame, Mapping[str, Any]]
 
 #: Endings of files that hold a frame instead of text.
 COLUMNAR = (".parquet", ".feather", ".arrow", ".ipc")
+#: The word for the built-in recording.
+EXAMPLE = "example"
 #: Names of columns that are clocks where they hold dates.
 CLOCKS = ("time", "timestamp", "date", "datetime")
 #: Values, and what they are seconds since; an empty text for durations.
@@ -104,8 +106,16 @@ def _since_first(dates: np.ndarray[Any, Any], zoned: bool) -> Cells:
 
 
 def is_text(recording: Recording) -> bool:
-    """Whether it is a path that the native half reads: its TOML says what frames are told by ``columns``, ``units`` and ``drivers``."""
+    """Whether it is a path that the native half reads, and no file that holds a frame."""
     return isinstance(recording, (str, os.PathLike)) and not os.fspath(recording).lower().endswith(COLUMNAR)
+
+
+def has_toml(recording: Recording) -> bool:
+    """Whether it is a path whose TOML says what tables are told by ``columns``, ``units`` and ``drivers``."""
+    if not is_text(recording):
+        return False
+    path = os.fspath(recording)  # type: ignore[arg-type]
+    return path.lower().endswith(".toml") or os.path.isdir(path) or (path == EXAMPLE and not os.path.exists(path))
 
 
 def source(
@@ -124,8 +134,10 @@ def source(
     clock: str | None = None
     if isinstance(recording, (str, os.PathLike)):
         is_told = bool(columns or units or drivers)
+        if has_toml(recording) and is_told:
+            raise TypeError("columns, units and drivers of this recording stand in its TOML; change them there, or give the table that it names: `a.csv`")
         if is_text(recording) and is_told:
-            raise TypeError("columns, units and drivers of a file stand in its TOML; give them with a frame (pandas.read_csv), or write a TOML (`truegap init`)")
+            return os.fspath(recording), _says(os.fspath(recording), columns or {}, units or {}, drivers, base)
         if is_text(recording) or (reading and not is_told):
             return recording
         name, table = os.fspath(recording), _truegap.read_columns(recording)
@@ -137,17 +149,28 @@ def source(
     if not reading:
         table = _without_reading(table, roles.get("response"))
         roles["response"], measured["response"] = NO_READING, "1"
-    says: dict[str, Any] = {"schema": "truegap.recording/1", "file": name, "columns": roles, "units": measured}
-    says["drivers"] = {key: dict(value) for key, value in (drivers or {}).items()}
-    if base is not None:
-        says["base"] = dict(base)
-    wanted = [column for column in (*roles.values(), *(d.get("column", "") for d in says["drivers"].values())) if column in left_out]
+    wanted = [column for column in (*roles.values(), *(d.get("column", "") for d in (drivers or {}).values())) if column in left_out]
     if wanted:
         raise TypeError(f"the column `{wanted[0]}` of the frame {left_out[wanted[0]]}")
     clocks = [column for column in left_out if column.lower() in CLOCKS]
     if clocks and "time" not in roles and not any(_is_clock(column) for column, *_ in table):
         raise TypeError(f"the column `{clocks[0]}` of the frame is called after the clock and {left_out[clocks[0]]}; or drop it")
-    return name, json.dumps(says), table
+    return name, _says(name, roles, measured, drivers, base), table
+
+
+def _says(
+    name: str,
+    columns: Mapping[str, str],
+    units: Mapping[str, str],
+    drivers: Mapping[str, Mapping[str, str]] | None,
+    base: Mapping[str, Any] | None,
+) -> str:
+    """What a recording's TOML would say."""
+    says: dict[str, Any] = {"schema": "truegap.recording/1", "file": name, "columns": dict(columns), "units": dict(units)}
+    says["drivers"] = {key: dict(value) for key, value in (drivers or {}).items()}
+    if base is not None:
+        says["base"] = dict(base)
+    return json.dumps(says)
 
 
 def _is_clock(column: str) -> bool:

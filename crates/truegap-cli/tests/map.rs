@@ -57,6 +57,22 @@ fn a_map_goes_before_the_toml() {
     assert!(said.code == 0 && slope, "{}{}", said.out, said.err);
 }
 
+/// What was told of the built-in recording was dropped without a word.
+#[test]
+fn the_example_is_read_as_it_is_told() {
+    let bench = Bench::new();
+    let typed = ["-q", "diagnose", "example", "-o", "out", "--map"];
+    let refuses = |map: &str, parts: &[&str]| bench.refuses(&[&typed[..], &[map]].concat(), parts);
+    refuses("response=nothere:pF", &["recording.csv", "`nothere`", "found: `", "--map response=COLUMN"]);
+    refuses("temperature=temperature_c:pF", &["--map temperature", "`pF`", "degC"]);
+    bench.refuses(&["-q", "simulate", "--drive", "example", "--map", "force=nothere:N"], &["`nothere`", "--map force=COLUMN"]);
+    // newtons called millinewtons: what the model answers is all but flat
+    let said = bench.run(&["-q", "--json", "simulate", "--drive", "example", "--map", "force=force_n:mN"]);
+    let forces = said.out.lines().map(|line| serde_json::from_str::<Value>(line).unwrap()["force_n"].as_f64().unwrap());
+    let greatest = forces.fold(0.0, f64::max);
+    assert!(said.code == 0 && (1e-3..1e-2).contains(&greatest), "{greatest}: {}", said.err);
+}
+
 /// A driver needed a TOML.
 #[test]
 fn a_driver_is_named_in_the_same_line_as_a_role() {

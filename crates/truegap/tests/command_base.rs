@@ -162,6 +162,15 @@ fn no_answer_at_some_values_is_no_failure() {
     assert!(matches!(refused(&[3.0, 0.0]), SimulationError::NotFinite { .. }));
 }
 
+/// It was told as "row 0", with the bare numbers.
+#[test]
+fn no_answer_at_all_is_told_with_the_names_of_what_was_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    let refusing = script("read hello; echo truegap 1; while read word rest; do [ $word = ask ] && echo refuse; done");
+    let told = diagnosed(recording(folder.path(), &refusing)).err().unwrap().to_string();
+    assert!(told.contains("row 1: `command` has no finite response there with k = 1.8 N/mm, rest = 0 mm;"), "{told}");
+}
+
 /// A program that works for a while: what was found until then is not told as an answer.
 #[test]
 fn a_diagnosis_ends_with_the_program_that_it_asks() {

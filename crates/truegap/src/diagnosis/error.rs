@@ -32,6 +32,11 @@ pub enum DiagnosisError {
         "{recording}, row {row}: {load} {unit} closes the gap of `{model}` (strain {strain:.3}); leave the row out, or describe a thicker or stiffer dielectric"
     )]
     GapCloses { recording: String, row: usize, load: f64, unit: &'static str, model: String, strain: f64 },
+    /// No number came out.
+    #[error(
+        "{recording}, row {row}: `{model}` has no finite response there{parameters}; check load and temperature of the row, and the sensor's file or the simulator that was asked"
+    )]
+    NoAnswer { recording: String, row: usize, model: String, parameters: String },
     /// The files cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),

@@ -2,6 +2,7 @@
 //!
 //! Limits: made by the blind generator, with one concealed cause; what it is stands in `validation/recordings/example/README.md`.
 
+use truegap_core::recording::Told;
 use truegap_core::{Recording, RecordingError};
 
 /// The word that stands for the recording on the command line.
@@ -15,7 +16,15 @@ const CSV: &str = include_str!("../../../../validation/recordings/example/record
 /// # Errors
 /// [`RecordingError`] where the texts in the program cannot be read, which a test excludes.
 pub fn example_recording() -> Result<Recording, RecordingError> {
-    Recording::from_text(EXAMPLE, TOML, CSV)
+    example_told(&Told::default())
+}
+
+/// The same, read as it is told: its columns have names like those of any file.
+///
+/// # Errors
+/// [`RecordingError`] where what is told does not fit its columns.
+pub fn example_told(told: &Told) -> Result<Recording, RecordingError> {
+    Recording::from_text_told(EXAMPLE, TOML, CSV, told)
 }
 
 #[cfg(test)]

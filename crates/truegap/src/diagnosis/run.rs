@@ -13,8 +13,8 @@ use super::{DiagnosisError, bank_store};
 use crate::diagnosis::report::Provenance;
 use crate::models::Base;
 use std::sync::atomic::AtomicBool;
-use truegap_core::units::twelve_digits;
-use truegap_core::{Inputs, Recording, Role, SimulationError};
+use truegap_core::units::{readable, twelve_digits};
+use truegap_core::{Inputs, Recording, Role, SimulationError, Simulator};
 use truegap_diagnose::answer::OneRecording;
 use truegap_diagnose::joint::{Member, Together};
 use truegap_diagnose::quality::{FEWEST_ROWS, Notice};
@@ -82,10 +82,9 @@ fn provenance(files: Vec<(String, String)>, request: &Request, interrupted: bool
 fn noticed(error: DiagnosisError, notices: &[Notice]) -> DiagnosisError {
     let why = notices.iter().find(|n| n.withholds);
     match (error, why) {
-        (
-            DiagnosisError::Diagnose { recording, source: DiagnoseError::Simulation(SimulationError::NotFinite { .. }) },
-            Some(why),
-        ) => DiagnosisError::Untrusted { recording, says: why.says.clone() },
+        (DiagnosisError::NoAnswer { recording, .. }, Some(why)) => {
+            DiagnosisError::Untrusted { recording, says: why.says.clone() }
+        }
         (error, _) => error,
     }
 }
@@ -132,7 +131,7 @@ fn of_one(opened: &Opened, bases: &Bases, files: &[(String, String)], run: &Run<
     let base = &bases.bases[0];
     let problem = Problem { inputs: &recording.inputs, response: &recording.response, simulator: base.simulator.as_ref() };
     let known = run.known(opened, base, facts(recording, files));
-    run.diagnose(opened, &problem, known).map_err(|source| refused(source, recording, base))
+    run.diagnose(opened, &problem, known).map_err(|source| refused(source, recording, base, base.simulator.as_ref()))
 }
 
 fn of_several(opened: &Opened, bases: &Bases, files: &[(String, String)], run: &Run<'_>) -> Result<Outcome, DiagnosisError> {
@@ -145,11 +144,11 @@ fn of_several(opened: &Opened, bases: &Bases, files: &[(String, String)], run: &
     let known = run.known(opened, &bases.bases[0], facts);
     run.diagnose(opened, &problem, known).map_err(|source| {
         let row = match &source {
-            DiagnoseError::Simulation(SimulationError::GapCloses { row, .. }) => *row,
+            DiagnoseError::Simulation(SimulationError::GapCloses { row, .. } | SimulationError::NotFinite { row, .. }) => *row,
             _ => return DiagnosisError::Diagnose { recording: named(&opened.recording), source },
         };
         let (index, first) = part_of(&opened.parts, row);
-        refused(moved_up(source, first), &opened.parts[index], &bases.bases[bases.specimen[index]])
+        refused(moved_up(source, first), &opened.parts[index], &bases.bases[bases.specimen[index]], &joint.model)
     })
 }
 
@@ -181,6 +180,9 @@ fn moved_up(source: DiagnoseError, rows: usize) -> DiagnoseError {
         DiagnoseError::Simulation(SimulationError::GapCloses { row, load_si, strain }) => {
             DiagnoseError::Simulation(SimulationError::GapCloses { row: row - rows, load_si, strain })
         }
+        DiagnoseError::Simulation(SimulationError::NotFinite { row, parameters }) => {
+            DiagnoseError::Simulation(SimulationError::NotFinite { row: row - rows, parameters })
+        }
         other => other,
     }
 }
@@ -204,11 +206,16 @@ fn each(opened: &Opened, bases: &Bases, files: &[(String, String)], joint: &Inpu
     opened.parts.iter().enumerate().map(one).collect()
 }
 
-/// Rows are counted from 1 for the user, and the load carries its unit.
-fn refused(source: DiagnoseError, recording: &Recording, base: &Base) -> DiagnosisError {
+/// Rows are counted from 1 for the user, the load carries its unit, and the numbers that `asked` was asked with carry their names.
+fn refused(source: DiagnoseError, recording: &Recording, base: &Base, asked: &dyn Simulator) -> DiagnosisError {
     let recording = named(recording);
-    let DiagnoseError::Simulation(SimulationError::GapCloses { row, load_si, strain }) = source else {
-        return DiagnosisError::Diagnose { recording, source };
+    let (row, load_si, strain) = match source {
+        DiagnoseError::Simulation(SimulationError::GapCloses { row, load_si, strain }) => (row, load_si, strain),
+        DiagnoseError::Simulation(SimulationError::NotFinite { row, parameters }) => {
+            let (model, parameters) = (base.simulator.name().to_owned(), with_names(asked, &parameters));
+            return DiagnosisError::NoAnswer { recording, row: row + 1, model, parameters };
+        }
+        source => return DiagnosisError::Diagnose { recording, source },
     };
     let needs = base.simulator.needs();
     let unit = match needs.contains(&Role::Pressure) {
@@ -218,6 +225,19 @@ fn refused(source: DiagnoseError, recording: &Recording, base: &Base) -> Diagnos
     };
     let model = base.sensor.as_ref().map_or_else(|| base.simulator.name().to_owned(), |s| s.name.clone());
     DiagnosisError::GapCloses { recording, row: row + 1, load: twelve_digits(load_si), unit, model, strain }
+}
+
+/// ` with k = 2.1 N/mm, rest = 0 mm`; nothing where these are not the numbers of the model.
+fn with_names(asked: &dyn Simulator, values: &[f64]) -> String {
+    let known = asked.parameters();
+    if values.is_empty() || known.len() != values.len() {
+        return String::new();
+    }
+    let told = known.iter().zip(values).map(|(parameter, value)| {
+        let unit = if parameter.unit == "1" { "" } else { parameter.unit.as_str() };
+        format!("{} = {} {unit}", parameter.name, readable(*value)).trim_end().to_owned()
+    });
+    format!(" with {}", told.collect::<Vec<_>>().join(", "))
 }
 
 fn facts(recording: &Recording, files: &[(String, String)]) -> RecordingFacts {

@@ -33,3 +33,34 @@ fn a_header_becomes_a_toml_that_is_diagnosed_once_its_base_is_named() {
     bench.file("bench.toml", &format!("{text}\n[base]\nmodel = \"command\"\nrun = [\"./no-such-program\"]\n"));
     bench.refuses(&["-q", "diagnose", "bench.toml", "-o", "none"], &["./no-such-program", "cannot be started"]);
 }
+
+/// `init -` wrote a file called `-.toml`, and `/dev/stdin` was refused where it is a pipe.
+#[test]
+fn a_table_on_standard_input_is_diagnosed_and_described() {
+    let bench = Bench::new();
+    let rows: String = (0..60).map(|i| format!("{:02}/01/2026 12:00,{},{}\n", i % 12 + 1, i % 7, 3 * (i % 7) + i % 2)).collect();
+    bench.file("dates.csv", &format!("time,force_n,response_mm\n{rows}"));
+    let rows: String = (0..60).map(|i| format!("{i},{},{}\n", i % 7, 3 * (i % 7) + i % 2)).collect();
+    bench.file("bench.csv", &format!("time_s,force_n,response_mm\n{rows}"));
+    let packed = std::process::Command::new("gzip").args(["-k", "bench.csv"]).current_dir(bench.path("")).status();
+    let packed = packed.is_ok_and(|status| status.success());
+    let streams =
+        [("bench.csv", "-", true), ("bench.csv", "-", false), ("bench.csv", "/dev/stdin", true), ("bench.csv.gz", "-", true)];
+    for (input, name, piped) in streams.into_iter().filter(|(input, ..)| packed || !input.ends_with("gz")) {
+        if name != "-" && !cfg!(unix) {
+            continue;
+        }
+        let said = bench.run_with(input, piped, &["-q", "--json", "diagnose", name, "--base", "linear", "-o", "out"]);
+        assert!(said.code < 2 && said.out.contains("\"rows\":60"), "{input} {name}: {}{}", said.out, said.err);
+        let said = bench.run_with(input, piped, &["init", name]);
+        assert!(said.code == 0 && said.out.contains("file = \"-\"") && said.out.contains("force = \"force_n\""), "{}", said.out);
+        assert!(
+            said.err.contains("put its name in place of `-`") && !bench.names().contains(&"-.toml".to_owned()),
+            "{}",
+            said.err
+        );
+    }
+    // the order of dates is looked for in all rows, and a stream is there once
+    let said = bench.run_with("dates.csv", true, &["init", "-"]);
+    assert!(said.code == 0 && said.out.contains("# dayfirst = true"), "{}{}", said.out, said.err);
+}

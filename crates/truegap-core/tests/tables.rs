@@ -223,6 +223,41 @@ fn dates_are_the_clock_of_a_bare_csv_whatever_they_are_called() {
     assert_eq!(times("named", "calibrated,timestamp", named), Some(vec![0.0, 60.0]));
 }
 
+/// The last line was the measure of the table, so that nothing of it was seen.
+#[test]
+fn what_stands_below_a_table_is_told_with_its_line() {
+    let bench = Bench::new("footer", b"time_s,force_n,capacitance_pf\n0,1,74\n1,2,75\nTotal,,\nEnd of file\n");
+    let told = bench.read().unwrap_err().to_string();
+    assert!(told.contains("line 4: `Total` in column `time_s`"), "{told}");
+    let sketch = sketch(&bench.0.join("t.csv"), &Told::default()).unwrap();
+    assert!(sketch.toml.contains("force = \"force_n\""), "{}", sketch.toml);
+}
+
+#[test]
+fn a_header_that_comes_again_and_times_of_day_are_told_as_what_they_are() {
+    let told = |name: &str, table: &[u8]| Bench::new(name, table).read().unwrap_err().to_string();
+    let again = told("again", b"time_s,force_n,capacitance_pf\n0,1,74\ntime_s,force_n,capacitance_pf\n1,2,75\n");
+    assert!(again.contains("line 3") && again.contains("it is the header once more"), "{again}");
+    for header in ["time", "Date,Time"] {
+        let date = if header == "time" { "" } else { "2026-03-01," };
+        let table = format!("{header},force_n,capacitance_pf\n{date}12:00:00,1,74\n{date}12:00:01,2,75\n");
+        let day = told("day", table.as_bytes());
+        assert!(day.contains("holds times of day without their dates") && day.contains("2026-03-01 12:00:00"), "{day}");
+    }
+}
+
+/// Such a column was a remark in the TOML, and the recording had no clock or no load without a word.
+#[test]
+fn a_column_called_after_a_role_that_holds_no_number_is_left_to_somebody() {
+    let bench = Bench::new("no-number", "Zeit [s];Kraft [N];C [pF]\n1.000,0;5 N;74,5\n1.000,5;6 N;75,5\n".as_bytes());
+    let open = sketch(&bench.0.join("t.csv"), &Told::default()).unwrap().open;
+    for part in ["`Zeit [s]` is called after the time", "`Kraft [N]` is called after the force"] {
+        assert!(open.iter().any(|says| says.contains(part)), "{open:?}");
+    }
+    let header = Bench::new("header-only", b"time_s,force_n,capacitance_pf\n");
+    assert_eq!(sketch(&header.0.join("t.csv"), &Told::default()).unwrap().open.len(), 1);
+}
+
 fn with_dates(name: &str, dates: [&str; 3], told: Option<bool>) -> Result<Vec<f64>, String> {
     let rows: String = dates.iter().enumerate().map(|(row, date)| format!("{date},{row},7{row}\n")).collect();
     let bench = Bench::new(name, format!("time,force_n,capacitance_pf\n{rows}").as_bytes());

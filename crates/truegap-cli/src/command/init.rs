@@ -9,12 +9,12 @@ use anyhow::anyhow;
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::PathBuf;
-use truegap::core::recording::sketch;
+use truegap::core::recording::{is_standard_input, sketch};
 
 /// Write the TOML beside a table: which column is what, in which unit, as far as the header and --map tell
 #[derive(Debug, clap::Args)]
 pub struct Init {
-    /// CSV, Parquet or Arrow file of a recording
+    /// CSV, Parquet or Arrow file of a recording; of a CSV on standard input (`-`) the TOML is printed
     #[arg(value_name = "CSV")]
     csv: PathBuf,
     #[command(flatten)]
@@ -24,6 +24,11 @@ pub struct Init {
 impl Run for Init {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
         let sketch = sketch(&self.csv, &self.tell.told())?;
+        if is_standard_input(&self.csv) {
+            console.print(sketch.toml.trim_end())?;
+            sketch.open.iter().for_each(|open| console.note(format!("left to you: {open}")));
+            return Ok(Outcome::Fine);
+        }
         let file = self.csv.with_extension("toml");
         let name = file.display();
         let fresh = OpenOptions::new().write(true).create_new(true).open(&file);

@@ -2,8 +2,9 @@
 
 #![allow(dead_code, clippy::unwrap_used)] // each test file uses a part of this; a bench that cannot be set up is a failed test
 
+use std::io::Write;
 use std::path::PathBuf;
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 /// A folder in which the program runs.
 pub struct Bench {
@@ -43,6 +44,23 @@ impl Bench {
     pub fn run(&self, arguments: &[&str]) -> Said {
         let mut command = Command::new(env!("CARGO_BIN_EXE_truegap"));
         let output = command.args(arguments).current_dir(self.folder.path()).output().unwrap();
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+        Said { code: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
+    }
+
+    /// The same with a file of the folder on standard input, whole at once or through a pipe.
+    pub fn run_with(&self, input: &str, piped: bool, arguments: &[&str]) -> Said {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_truegap"));
+        command.args(arguments).current_dir(self.folder.path()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let child = if piped {
+            let mut child = command.stdin(Stdio::piped()).spawn().unwrap();
+            let bytes = std::fs::read(self.path(input)).unwrap();
+            child.stdin.take().unwrap().write_all(&bytes).unwrap();
+            child
+        } else {
+            command.stdin(std::fs::File::open(self.path(input)).unwrap()).spawn().unwrap()
+        };
+        let output = child.wait_with_output().unwrap();
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
         Said { code: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
     }

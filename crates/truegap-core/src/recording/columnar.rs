@@ -10,7 +10,12 @@ mod of_file;
 use self::arrow::of_kind;
 pub(super) use self::of_file::Frame;
 use self::of_file::Kind;
-use super::{error::RecordingError, frame::FrameColumn, manifest::Manifest, packed::unread};
+use super::{
+    error::RecordingError,
+    frame::FrameColumn,
+    manifest::Manifest,
+    packed::{is_standard_input, unread},
+};
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
@@ -32,7 +37,7 @@ pub fn read_columns(path: &Path) -> Result<Vec<FrameColumn<'static>>, RecordingE
 
 /// The frame in a file; `None` where it is a file of another kind.
 pub(super) fn read(path: &Path) -> Result<Option<Frame>, RecordingError> {
-    if path == Path::new("-") {
+    if is_standard_input(path) {
         return Ok(None);
     }
     let mut file = truegap_limits::open(path).map_err(|source| unread(path, source))?;

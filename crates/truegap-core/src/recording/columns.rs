@@ -167,6 +167,9 @@ impl Binder<'_> {
         let (unit, scale) = match (role, dimension(role)) {
             (Role::Run | Role::Sensor, _) => (String::new(), (1.0, 0.0)),
             (_, None) => self.reading(role, heading, given, notes)?,
+            (Role::Time, _) if heading.of_day => {
+                return Err(RecordingError::TimeOfDay { file: self.file.to_owned(), column: heading.name.clone() });
+            }
             (_, Some(dimension)) if dated => (dimension.si_unit().to_owned(), (1.0, 0.0)),
             (_, Some(dimension)) => self.quantity(role, dimension, heading, given, notes)?,
         };

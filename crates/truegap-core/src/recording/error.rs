@@ -140,6 +140,12 @@ pub enum RecordingError {
          rename it in the header so that it is not read"
     )]
     FewWhole { file: PathBuf, gone: usize, rows: usize, columns: String, line: usize },
+    /// A clock that begins anew every day.
+    #[error(
+        "{file}: column `{column}` (time) holds times of day without their dates; write both into it, as in 2026-03-01 12:00:00 (where the date has a column \
+         of its own, join the two), or count seconds in a column `time_s`"
+    )]
+    TimeOfDay { file: PathBuf, column: String },
     /// A clock that stands more often than it goes.
     #[error(
         "{file}: {gone} of {rows} rows have the time of the row before, more than half (the first is line {line}); record the time with its fractions, or \

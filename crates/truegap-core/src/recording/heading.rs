@@ -21,6 +21,8 @@ pub(super) struct Heading {
     pub days: bool,
     /// whether that may have day or month in front
     pub unordered: bool,
+    /// whether a time of day without a date stands there
+    pub of_day: bool,
 }
 
 impl Heading {

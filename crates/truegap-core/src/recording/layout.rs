@@ -75,7 +75,7 @@ impl Layout {
         let lines = lines(start, whole);
         let first = lines.first()?;
         let singletact = std::str::from_utf8(&first.text[..first.text.len().min(10)]).is_ok_and(singletact::wrote);
-        let plain: Vec<&Line<'_>> = lines.iter().filter(|line| singletact || line.marker().is_none()).collect();
+        let plain = without_footer(lines.iter().filter(|line| singletact || line.marker().is_none()).collect());
         if singletact {
             let separator = most(first.text);
             let (header_at, header_line) = (first.at as u64, first.number);
@@ -124,6 +124,15 @@ fn lines(start: &[u8], whole: bool) -> Vec<Line<'_>> {
         at = end + 1;
     }
     found
+}
+
+/// The lines up to the last that holds a number: what somebody wrote below a table is as wide as it likes.
+fn without_footer<'a>(mut plain: Vec<&'a Line<'a>>) -> Vec<&'a Line<'a>> {
+    let parted = plain.iter().any(|line| line.text.iter().any(|b| SEPARATORS.contains(b)));
+    let separators: &[u8] = if parted { &SEPARATORS } else { b" " };
+    let last = plain.iter().rposition(|line| separators.iter().any(|separator| has_number(line, *separator)));
+    plain.truncate(last.map_or(plain.len(), |last| last + 1));
+    plain
 }
 
 /// The header, and whether it stands behind a marker.

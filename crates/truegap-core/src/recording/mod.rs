@@ -50,5 +50,6 @@ pub use frame::{Cells, FrameColumn};
 pub use manifest::BaseSpec;
 pub use map::{MapError, Mapped};
 pub use note::Note;
+pub use packed::is_standard_input;
 pub use sketch::{Sketch, sketch};
 pub use told::Told;

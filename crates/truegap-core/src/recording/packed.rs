@@ -1,4 +1,4 @@
-//! Where the bytes of a CSV come from: a file, a file packed by gzip, or standard input (`-`).
+//! Where the bytes of a CSV come from: a file, a file packed by gzip, or standard input (`-`, `/dev/stdin`).
 //!
 //! Limits: what is packed or comes through a pipe is held in memory, since a CSV is read from its beginning more than once; a packed file is known by its first
 //! bytes, whatever it is called.
@@ -10,8 +10,8 @@ use std::io::{self, Cursor, ErrorKind, Read, Seek, SeekFrom};
 use std::path::Path;
 use truegap_limits::Need;
 
-/// The name of standard input.
-const STANDARD_INPUT: &str = "-";
+/// Names of standard input.
+const STANDARD_INPUT: [&str; 2] = ["-", "/dev/stdin"];
 /// How a gzip file begins.
 const GZIP: [u8; 2] = [0x1f, 0x8b];
 /// Memory that a CSV takes while it is read, over its length: columns of numbers of 8 bytes that double as they grow, from cells of seven characters.
@@ -23,9 +23,14 @@ const CHUNK: u64 = 1 << 24;
 pub(in crate::recording) trait Bytes: Read + Seek {}
 impl<T: Read + Seek> Bytes for T {}
 
+/// Whether a path stands for standard input.
+pub fn is_standard_input(path: &Path) -> bool {
+    STANDARD_INPUT.iter().any(|name| path == Path::new(name))
+}
+
 /// Opens a CSV that can be read within the memory there is.
 pub(in crate::recording) fn open_csv(path: &Path) -> Result<Box<dyn Bytes>, RecordingError> {
-    if path == Path::new(STANDARD_INPUT) {
+    if is_standard_input(path) {
         return plain_or_packed(path, io::stdin().lock());
     }
     let mut file = truegap_limits::open(path).map_err(|source| unread(path, source))?;

@@ -14,7 +14,8 @@ pub(super) fn refuse<R: Read + Seek>(
     is_first: bool,
 ) -> RecordingError {
     let cell = text(table.row().get(index).unwrap_or_default()).0.into_owned();
-    let (file, name, byte, hint) = (table.file(), column.to_owned(), table.byte(), hint(&cell, table.decimal_comma));
+    let hint = if cell == column { "it is the header once more; leave the row out" } else { hint(&cell, table.decimal_comma) };
+    let (file, name, byte) = (table.file(), column.to_owned(), table.byte());
     let line = match table.line(byte) {
         Ok(line) => line,
         Err(error) => return error,

@@ -14,7 +14,7 @@ use super::{
     manifest::{Manifest, SCHEMA},
     map::{Mapped, Part},
     number::number,
-    packed::open_csv,
+    packed::{is_standard_input, open_csv},
     roles::ROLES,
     table::Table,
     told::Told,
@@ -48,9 +48,17 @@ pub fn sketch(csv: &Path, told: &Told) -> Result<Sketch, RecordingError> {
     let manifest = Manifest::default().told(told, &seen.header);
     manifest.columns.iter().try_for_each(|(role, named)| there(csv, &seen.header, *role, named))?;
     bind_drivers(csv, None, &seen.header, &manifest, &[])?;
-    let file = csv.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let nameless = is_standard_input(csv);
+    let file = csv.file_name().filter(|_| !nameless).map_or_else(|| "-".into(), |name| name.to_string_lossy().into_owned());
     let Seen { header, numeric, days, notes } = seen;
-    Ok(Writer { header: &header, numeric: &numeric, told, days, toml: String::new(), open: Vec::new() }.write(&file, notes))
+    Ok(Writer { header: &header, numeric: &numeric, told, days, toml: String::new(), open: nameless_file(nameless) }
+        .write(&file, notes))
+}
+
+/// What is open of the name of a table.
+fn nameless_file(nameless: bool) -> Vec<String> {
+    let says = "what the table is called: put its name in place of `-`, which is standard input, under `file`";
+    nameless.then(|| says.to_owned()).into_iter().collect()
 }
 
 /// What stands in a table.
@@ -149,7 +157,9 @@ impl Writer<'_> {
         self.units(&guess);
         self.drivers();
         self.spare(&guess, &usable);
-        self.unusable(columns.filter(|index| !usable.contains(index)).collect());
+        let unusable: Vec<usize> = columns.filter(|index| !usable.contains(index)).collect();
+        self.without_numbers(&guess, &unusable);
+        self.unusable(unusable);
         self.base(&guess);
         Sketch { toml: self.toml, open: self.open }
     }
@@ -279,6 +289,26 @@ impl Writer<'_> {
             let line = format!("# {key} = {{ column = {}, unit = {} }}", toml_text(&heading.name), toml_text(unit));
             self.line(&line);
             keys.push(key);
+        }
+    }
+
+    /// Columns that are called after a role and hold no number, as `5 N` is none: to leave one out without a word would be to diagnose another recording.
+    fn without_numbers(&mut self, found: &Guess, unusable: &[usize]) {
+        const INPUTS: [Role; 6] = [Role::Time, Role::Force, Role::Pressure, Role::Gap, Role::Temperature, Role::Humidity];
+        if !self.numeric.contains(&true) {
+            return; // there are no rows to look at
+        }
+        let named: Vec<usize> = unusable.iter().copied().filter(|index| self.is_alone(*index)).collect();
+        let called = guess(self.header, &named).found;
+        let is_open = |role: &Role| !found.found.contains_key(role) && !found.several.contains_key(role);
+        for role in INPUTS.into_iter().filter(is_open) {
+            if let Some(index) = called.get(&role) {
+                let (name, key) = (self.name(*index), role.key());
+                let says = format!(
+                    "`{name}` is called after the {key}, and its first rows hold no number: correct them, or the recording has no {key}"
+                );
+                self.open.push(says);
+            }
         }
     }
 

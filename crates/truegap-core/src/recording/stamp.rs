@@ -29,6 +29,11 @@ pub(super) fn is_day(cell: &[u8]) -> bool {
     is_date(cell) && !cell.contains(&b':')
 }
 
+/// Whether a cell is a time of day without a date.
+pub(super) fn is_time_of_day(cell: &[u8]) -> bool {
+    std::str::from_utf8(cell).is_ok_and(|text| text.contains(':') && time_of_day(text.trim()).is_some())
+}
+
 /// The numbers of a date that does not show its order, `[1, 3, 2026]` of `01/03/2026 12:00`; `None` for anything else.
 pub(super) fn unordered(cell: &[u8]) -> Option<[i64; 3]> {
     let text = std::str::from_utf8(cell).ok()?.trim();
@@ -205,6 +210,12 @@ mod tests {
         let seconds = |first| stamp(b"01/03/2026 12:00", first).unwrap().seconds;
         assert_eq!((seconds(First::Day) - seconds(First::Month)) / 86_400, 31 + 28 - 2);
         assert_eq!(stamp(b"01/13/2026", First::Day), None);
+        assert!(
+            is_time_of_day(b" 12:00:01.5")
+                && !is_time_of_day(b"2026-03-01 12:00")
+                && !is_time_of_day(b"12")
+                && !is_time_of_day(b"")
+        );
         assert!(is_date(b"01/13/2026") && is_day(b"13/01/2026") && !is_day(b"2026-03-01 12:00") && !is_day(b"12"));
         assert_eq!(
             (unordered(b"1/13/2026 9:05"), unordered(b"2026-03-01"), unordered(b"01.03.2026")),

@@ -7,7 +7,7 @@ use super::{
     heading::{Heading, units},
     note::Note,
     source::Source,
-    stamp::{is_date, is_day, unordered},
+    stamp::{is_date, is_day, is_time_of_day, unordered},
     text::text,
 };
 use sha2::{Digest, Sha256};
@@ -95,6 +95,7 @@ impl<R: Read + Seek> Table<R> {
                 heading.dated = is_date(cell(at));
                 heading.days = is_day(cell(at));
                 heading.unordered = unordered(cell(at)).is_some();
+                heading.of_day = is_time_of_day(cell(at));
             }
         }
         self.notes.extend(strange.map(|text| Note::Windows1252 { text }));

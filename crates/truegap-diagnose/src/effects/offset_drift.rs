@@ -56,6 +56,11 @@ fn drift(values: &[f64]) -> Drift {
     Drift { per_hour: values[0], fading_per_hour: values[1] }
 }
 
+/// Standard deviation of the fading, over the recording: instruments settle in a tenth of it or so after they are switched on, and a fading of one recording is as ordinary.
+const USUAL_FADING: f64 = 5.0;
+/// Greatest fading, over the recording: what has settled sooner is a few rows.
+const QUICKEST_FADING: f64 = 100.0;
+
 impl Effect for OffsetDrift {
     fn id(&self) -> EffectId {
         EffectId("offset_drift")
@@ -101,13 +106,13 @@ impl Effect for OffsetDrift {
                 rate,
                 "speed of the zero at the first row",
             ),
-            Parameter::normal("fading", "1/h", 0.0, 1.0 / hours, "share of the speed that is lost in an hour")
-                .within(-1.5 / hours, 30.0 / hours),
+            Parameter::normal("fading", "1/h", 0.0, USUAL_FADING / hours, "share of the speed that is lost in an hour")
+                .within(-1.5 / hours, QUICKEST_FADING / hours),
         ]
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let hours = (context.duration_s / HOUR).max(1e-6);
-        vec![vec![0.0], vec![4.0 / hours]]
+        vec![vec![0.0], vec![4.0 / hours], vec![40.0 / hours]]
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["fading"]

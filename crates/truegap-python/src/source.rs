@@ -7,9 +7,9 @@ use pyo3::create_exception;
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
-use truegap::core::recording::{Cells, FrameColumn, dates_of_text};
+use truegap::core::recording::{Cells, FrameColumn, Told, dates_of_text};
 use truegap::core::{BaseSpec, Note};
-use truegap::diagnosis::{EXAMPLE, example_recording};
+use truegap::diagnosis::recorded;
 use truegap::{Recording, RecordingError};
 
 create_exception!(truegap, TruegapError, PyException, "What truegap cannot do, and what to do about it.");
@@ -37,7 +37,7 @@ impl Source<'_> {
     /// The recording, and its name.
     pub fn read(&self) -> PyResult<(Recording, String)> {
         match self {
-            Self::Path(path) => Ok((opened(path).map_err(failed)?, path.display().to_string())),
+            Self::Path(path) => Ok((recorded(path, &Told::default()).map_err(failed)?, path.display().to_string())),
             Self::Table(path, says) => {
                 let read = Recording::open_table(path, &toml_of(says)?).map_err(|error| failed(in_python(error)))?;
                 Ok((read, path.display().to_string()))
@@ -45,11 +45,6 @@ impl Source<'_> {
             Self::Frame(name, says, columns) => Ok((framed(name, says, columns)?, name.clone())),
         }
     }
-}
-
-/// The built-in recording where its name is given and nothing on disk has that name.
-fn opened(path: &Path) -> Result<Recording, RecordingError> {
-    if path == Path::new(EXAMPLE) && !path.exists() { example_recording() } else { Recording::open(path) }
 }
 
 /// What a TOML says, as JSON gives it.

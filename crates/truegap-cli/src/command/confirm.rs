@@ -2,7 +2,6 @@
 //!
 //! Limits: reads, calls, prints.
 
-use super::recorded::recorded;
 use super::run::{Outcome, Run};
 use super::told::TellArgs;
 use crate::console::Console;
@@ -11,6 +10,7 @@ use std::path::PathBuf;
 use truegap::OutputFolder;
 use truegap::diagnose::confirmation::Judgement;
 use truegap::diagnosis::confirm::{Confirmation, FILES, Free, confirm, words};
+use truegap::diagnosis::recorded;
 
 /// Judge the augmented model of a diagnosis on a recording that took no part in it
 #[derive(Debug, clap::Args)]

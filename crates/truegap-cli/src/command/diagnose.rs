@@ -3,7 +3,6 @@
 //! Limits: reads, calls, prints; Ctrl-C ends the search with what is known ([`super::stop`]).
 
 use super::progress::{Line, above};
-use super::recorded::recorded;
 use super::run::{Outcome, Run};
 use super::stop::{STOP, is_stopped, stop_on_interrupt};
 use super::told::TellArgs;
@@ -14,7 +13,7 @@ use truegap::diagnose::answer::Finding;
 use truegap::diagnose::{Library, Progress, Verdict};
 use truegap::diagnosis::confirm::{Free, confirm_within, other};
 use truegap::diagnosis::report::terminal;
-use truegap::diagnosis::{Diagnosed, FILES, Pace, Request, cache_folder, diagnose, open, pace};
+use truegap::diagnosis::{Diagnosed, FILES, Pace, Request, cache_folder, diagnose, open, pace, recorded};
 use truegap::models::with_effects;
 use truegap::{OutputFolder, Recording};
 

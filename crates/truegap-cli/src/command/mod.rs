@@ -19,7 +19,6 @@ mod mesh;
 mod optimise;
 pub mod progress;
 mod prove;
-mod recorded;
 pub mod run;
 mod schema;
 mod sensitivity;

@@ -1,6 +1,5 @@
 //! `truegap simulate`: the analytic model, or an augmented one, at points or along a recorded history.
 
-use super::recorded::recorded;
 use super::run::{Outcome, Run};
 use super::told::TellArgs;
 use crate::console::Console;
@@ -9,6 +8,7 @@ use anyhow::bail;
 use std::path::{Path, PathBuf};
 use truegap::core::Dimension;
 use truegap::core::units::twelve_digits;
+use truegap::diagnosis::recorded;
 use truegap::model::{SeriesOrder, StackOptions, State};
 use truegap::models::{self, Answer, ModelFile};
 use truegap::predict::{DEFAULT_SENSOR, Driven, axis, check_points, drive, find_sensor, grid};

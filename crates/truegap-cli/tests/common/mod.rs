@@ -4,7 +4,7 @@
 
 use std::io::Write;
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::{Command, Output, Stdio};
 
 /// A folder in which the program runs.
 pub struct Bench {
@@ -16,6 +16,13 @@ pub struct Said {
     pub code: i32,
     pub out: String,
     pub err: String,
+}
+
+impl Said {
+    fn of(output: Output) -> Self {
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+        Self { code: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
+    }
 }
 
 impl Bench {
@@ -43,9 +50,7 @@ impl Bench {
 
     pub fn run(&self, arguments: &[&str]) -> Said {
         let mut command = Command::new(env!("CARGO_BIN_EXE_truegap"));
-        let output = command.args(arguments).current_dir(self.folder.path()).output().unwrap();
-        let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-        Said { code: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
+        Said::of(command.args(arguments).current_dir(self.folder.path()).output().unwrap())
     }
 
     /// The same with a file of the folder on standard input, whole at once or through a pipe.
@@ -60,9 +65,7 @@ impl Bench {
         } else {
             command.stdin(std::fs::File::open(self.path(input)).unwrap()).spawn().unwrap()
         };
-        let output = child.wait_with_output().unwrap();
-        let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-        Said { code: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
+        Said::of(child.wait_with_output().unwrap())
     }
 
     /// Runs what must be refused: exit code 2, one paragraph that holds all `parts`, nothing on standard output, nothing left behind.

@@ -56,9 +56,9 @@ fn drift(values: &[f64]) -> Drift {
     Drift { per_hour: values[0], fading_per_hour: values[1] }
 }
 
-/// Standard deviation of the fading, over the recording: instruments settle in a tenth of it or so after they are switched on, and a fading of one recording is as ordinary.
+/// Standard deviation of the fading, over the recording. Settling in an eighth of a recording is ordinary after an instrument was switched on (a glider's supply: a time constant of 523 s in 4066 s), and lay eight standard deviations away with one.
 const USUAL_FADING: f64 = 5.0;
-/// Greatest fading, over the recording: what has settled sooner is a few rows.
+/// Greatest fading, over the recording: what has settled sooner is a few rows. No answer is known that hangs on it.
 const QUICKEST_FADING: f64 = 100.0;
 
 impl Effect for OffsetDrift {

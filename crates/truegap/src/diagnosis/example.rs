@@ -2,11 +2,12 @@
 //!
 //! Limits: made by the blind generator, with one concealed cause; what it is stands in `validation/recordings/example/README.md`.
 
+use std::path::Path;
 use truegap_core::recording::Told;
 use truegap_core::{Recording, RecordingError};
 
 /// The word that stands for the recording on the command line.
-pub const EXAMPLE: &str = "example";
+const EXAMPLE: &str = "example";
 
 const TOML: &str = include_str!("../../../../validation/recordings/example/recording.toml");
 const CSV: &str = include_str!("../../../../validation/recordings/example/recording.csv");
@@ -19,11 +20,16 @@ pub fn example_recording() -> Result<Recording, RecordingError> {
     example_told(&Told::default())
 }
 
-/// The same, read as it is told: its columns have names like those of any file.
+/// The recording at `path`, or the built-in one where that is its name and nothing on disk has it; either is read as `told`.
 ///
 /// # Errors
-/// [`RecordingError`] where what is told does not fit its columns.
-pub fn example_told(told: &Told) -> Result<Recording, RecordingError> {
+/// As [`Recording::open_told`].
+pub fn recorded(path: &Path, told: &Told) -> Result<Recording, RecordingError> {
+    if path == Path::new(EXAMPLE) && !path.exists() { example_told(told) } else { Recording::open_told(path, told) }
+}
+
+/// The built-in recording, read as it is told: its columns have names like those of any file.
+fn example_told(told: &Told) -> Result<Recording, RecordingError> {
     Recording::from_text_told(EXAMPLE, TOML, CSV, told)
 }
 

@@ -38,7 +38,7 @@ mod screen;
 pub use crate::cache_folder::cache_folder;
 pub use diagnosed::{Diagnosed, FILES};
 pub use error::DiagnosisError;
-pub use example::{EXAMPLE, example_recording, example_told};
+pub use example::{example_recording, recorded};
 pub use explain::{ExplainError, Explained, Number, ToldBy, effects, explained};
 pub use pace::{Pace, pace};
 pub use request::{Opened, Request, open, open_with};

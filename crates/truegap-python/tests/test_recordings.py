@@ -136,7 +136,7 @@ def test_a_csv_is_told_what_its_columns_are(tmp_path):
         told = {"columns": {"time": "Elapsed", "force": "Load cell: left", "response": "read"}, "units": {"time": "s", "force": "N", "response": "mm"}}
         d = tg.diagnose(tmp_path / name, base="linear", **told)
         assert d.unit == "mm" and np.array_equal(d.table["force_n"], made["force_n"]), name
-        assert '--map "force=Load cell: left:N"' in d.html() and len(d.predict(tmp_path / name).augmented) == len(made["force_n"])
+        assert '--map "force=Load cell: left:N"' in d.report_html() and len(d.predict(tmp_path / name).augmented) == len(made["force_n"])
     with pytest.raises(tg.TruegapError, match="did you mean `read`.*name yours: columns="):
         tg.diagnose(tmp_path / "plain.csv", base="linear", columns={"response": "reads"})
     with pytest.raises(tg.TruegapError, match="say it: units="):

@@ -40,6 +40,9 @@ fn verdict_says(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) ->
     }
     let names = findings.iter().map(|f| f.effect.as_str()).collect::<Vec<_>>().join(" and ");
     match decision.verdict {
+        Verdict::Agrees if found.before.fires() => {
+            "no mismatch that rows left out bear out; tests see a difference, but the noise was not measured, and one that lasts does as much".into()
+        }
         Verdict::Agrees => "no mismatch found between recording and calibrated model".into(),
         Verdict::Explained if found.leaves_something() => {
             format!("missing from the model: {names}; {} of the misfit is left beside it", share_left(decision.removed))
@@ -89,9 +92,12 @@ fn unexplained(found: &Found<'_>, decision: &Decision) -> String {
     if !found.before.fires() {
         return "something real is missing that nothing in the library explains".into();
     }
+    let removes = match found.left_out.is_empty() {
+        true => format!("the likeliest effect removes {:.0} % of the misfit", 100.0 * decision.removed),
+        false => "what would fit is not borne out by rows left out".into(),
+    };
     format!(
-        "something real is missing that nothing in the library explains (the likeliest effect removes {:.0} % of the misfit){}{}",
-        100.0 * decision.removed,
+        "something real is missing that nothing in the library explains ({removes}){}{}",
         line(found),
         nearest_unmodelled(found)
     )

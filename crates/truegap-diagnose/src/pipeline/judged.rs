@@ -229,7 +229,12 @@ fn with_interference(
     let stood_behind = &selection.models[decision.model];
     let effects = stood_behind.effects.iter().map(|e| search.library[*e]).collect();
     let model = Model::new(prepared.problem, search.context, effects);
-    let interference = Interference::in_what_is_left(&model, &stood_behind.fit.z, &prepared.noise, prepared.lack_of_fit.slack())?;
+    let interference = Interference::in_what_is_left(
+        &model,
+        &stood_behind.fit.z,
+        &prepared.noise,
+        (prepared.lack_of_fit.slack(), prepared.noise_is_known()),
+    )?;
     let explained = 2.0 * (selection.base().fit.objective() - stood_behind.fit.objective());
     let decision = match interference.is_anything() {
         true => decision.clone().with_interference(selection.base, explained, interference.excess()),

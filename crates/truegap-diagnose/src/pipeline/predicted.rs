@@ -111,6 +111,7 @@ impl RowsLeftOut<'_, '_> {
         let library = (self.prepared.testable.len(), |e: usize| self.search.library[e].free_form());
         let enough = |smaller: usize| self.could_be_named(smaller);
         let enough = (!self.prepared.noise_is_known()).then_some(enough);
+        let fuller = start.0;
         let (model, named, left_out) = step_back(self.selection, start, &self.by_base.unseen, of, library, enough);
         let unseen =
             Unseen::of((self.by_base.unseen.clone(), &self.selection.base().fit), (named, &self.selection.models[model].fit));
@@ -119,7 +120,7 @@ impl RowsLeftOut<'_, '_> {
         let rivals = if stepped && decision.model == model { self.as_near(model, unseen.stood_behind()) } else { Vec::new() };
         let decision = rivals.into_iter().fold(decision, Decision::with_rival);
         let told = if named_before { left_out.iter().map(|left| self.told(left)).collect() } else { Vec::new() };
-        self.concluded(model, unseen, (decision, stepped), told)
+        self.concluded((fuller, model), unseen, (decision, stepped), told)
     }
 
     /// What may stand in the place of an effect of a smaller model where the noise was not measured: the effect and its rivals, which were weighed beside effects that are not claimed. Rows
@@ -138,8 +139,14 @@ impl RowsLeftOut<'_, '_> {
         rivals.filter(|(_, place)| near(&self.selection.models[*place])).map(|(pair, _)| pair).collect()
     }
 
-    /// The decision once a model and what it foretells are known; whether it was `stepped` back to, and what was left out on the way.
-    fn concluded(&self, model: usize, unseen: Unseen, (decision, stepped): (Decision, bool), told: Vec<String>) -> Predicted {
+    /// The decision once a model and what it foretells are known; the `fuller` model from which it was `stepped` back to, and what was left out on the way.
+    fn concluded(
+        &self,
+        (fuller, model): (usize, usize),
+        unseen: Unseen,
+        (decision, stepped): (Decision, bool),
+        told: Vec<String>,
+    ) -> Predicted {
         let foretells = self.foretells(model) && self.may_name;
         let removed = unseen.removed(self.prepared.noise.floor(), self.prepared.noise.rows).filter(|_| foretells);
         let most = removed.filter(|share| *share >= RIGHT_FAMILY && unseen.in_most_parts());
@@ -155,7 +162,7 @@ impl RowsLeftOut<'_, '_> {
         match unseen.against(self.prepared.noise_is_known()).filter(|_| self.foretells(model)) {
             Some(little @ Against::Little(_)) => {
                 let says = self.says_too_little(model, little);
-                return self.nothing(self.too_little(model), None, [told, vec![says]].concat());
+                return self.nothing(self.too_little(fuller, model), None, [told, vec![says]].concat());
             }
             Some(against) => {
                 return Predicted { vetoed: Some(self.refused(model, against)), ..self.nothing(self.undecided(), None, told) };
@@ -179,9 +186,10 @@ impl RowsLeftOut<'_, '_> {
         Decision::nothing(Verdict::Undecided, self.selection.base)
     }
 
-    /// Nothing is named since it would change next to nothing: the base model agrees where that is all that tests see.
-    fn too_little(&self, model: usize) -> Decision {
-        let verdict = if self.left_by(model).fires() { Verdict::Unexplained } else { Verdict::Agrees };
+    /// Nothing is named since it would change next to nothing: the base model agrees where that is all that tests see, what was left out before as well.
+    fn too_little(&self, fuller: usize, model: usize) -> Decision {
+        let all_that_is_seen = |model: usize| !self.left_by(model).fires();
+        let verdict = if all_that_is_seen(model) || all_that_is_seen(fuller) { Verdict::Agrees } else { Verdict::Unexplained };
         Decision::nothing(verdict, self.selection.base)
     }
 

@@ -6,7 +6,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use truegap_core::{Driver, Inputs};
 use truegap_diagnose::quality::{Rows, repeated};
-use truegap_diagnose::{Context, Effect, Problem, library};
+use truegap_diagnose::{Context, Problem, library};
 
 #[test]
 fn friction_is_not_looked_for_where_nothing_turns() {

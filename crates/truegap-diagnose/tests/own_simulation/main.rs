@@ -108,3 +108,40 @@ fn a_simulator_is_never_asked_without_the_drivers_that_were_recorded() {
     assert!(said.findings.iter().any(|f| f.effect == "temperature_coefficient"), "{}", said.says);
     assert_eq!(simulator.asked_without.load(Ordering::Relaxed), 0);
 }
+
+/// A curve and a late clock, each of an eighth of the noise: tests see both, and neither is felt on rows left out. No rest says how the noise lasts, so that one that lasts does as much. Beside one
+/// of the two tests see the other: that is no more reason to say that something is missing.
+#[test]
+fn what_all_together_is_hardly_felt_agrees_where_the_noise_was_not_measured() {
+    let rows = 6000;
+    let random = &mut ChaCha8Rng::seed_from_u64(31);
+    let mut wander = (0.0, 0.0);
+    let simulated: Vec<f64> = (0..rows)
+        .map(|_| {
+            let kick: f64 = StandardNormal.sample(random);
+            wander.0 += -0.02 * wander.0 + 0.02 * kick;
+            wander.1 += 0.1 * (wander.0 - wander.1);
+            3.0 + 2.0 * wander.1
+        })
+        .collect();
+    let slope = |row: usize| simulated[(row + 1).min(rows - 1)] - simulated[row.saturating_sub(1)];
+    let curve = |row: usize| (simulated[row] - 3.0).powi(2);
+    let rms = |of: &dyn Fn(usize) -> f64| {
+        let mean = (0..rows).map(of).sum::<f64>() / rows as f64;
+        ((0..rows).map(|row| (of(row) - mean).powi(2)).sum::<f64>() / rows as f64).sqrt()
+    };
+    let (late, bent) = (0.0013 / rms(&slope), 0.0013 / rms(&curve));
+    let response = noisy(32, |row| simulated[row] + late * slope(row) + bent * curve(row), rows);
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(|row| row as f64).collect()),
+        run: vec![1; rows],
+        simulated: Some(simulated.clone()),
+        ..Inputs::default()
+    };
+    let said = said(&Given::fixed(), &inputs, &response);
+    assert!(!said.noise.measured, "{}", said.noise.says);
+    // each has 6000 x 0.13^2 = 100 squares of the noise, less what calibration and the other take of it
+    let before = said.adequacy.before.unwrap();
+    assert!(before.smooth.statistic > 60.0, "{before:?}");
+    assert_eq!(said.verdict, Verdict::Agrees, "{}", said.says);
+}

@@ -1,6 +1,7 @@
 //! Interference on every row of a recording, where means of rows would take it out: bursts, and a tone.
 //!
 //! Neither is anything that a model lacks, so they take no part in naming; where nothing else is found, they are what there is to say.
+//! Where the noise was not measured, nobody knows how loud it is: rows that are louder than the rest are noise then, and only a tone counts.
 //!
 //! Limits: judged on what one model leaves.
 
@@ -22,24 +23,31 @@ pub struct Interference {
     pub burst: Burst,
     /// interference of a constant frequency
     pub tone: Tone,
+    /// whether the noise was measured apart from what a model leaves
+    pub noise_is_known: bool,
 }
 
 impl Interference {
-    /// In what a model leaves of a recording at `z`; `slack` is the factor by which the noise may be larger than taken.
+    /// In what a model leaves of a recording at `z`; `slack` is the factor by which the noise may be larger than taken; `noise_is_known` says whether it was measured.
     ///
     /// # Errors
     /// Those of the simulator.
-    pub fn in_what_is_left(model: &Model<'_>, z: &[f64], noise: &NoiseModel, slack: f64) -> Result<Self, SimulationError> {
+    pub fn in_what_is_left(
+        model: &Model<'_>,
+        z: &[f64],
+        noise: &NoiseModel,
+        (slack, noise_is_known): (f64, bool),
+    ) -> Result<Self, SimulationError> {
         let runs = model.problem.runs();
         let residual = model.residual(z, &noise.whitener(&runs, None))?;
         let runs = model.problem.runs_in_order();
         let tone = Tone::strongest(&residual, model.problem.inputs.time_s.as_deref(), &runs);
-        Ok(Self { burst: Burst::loudest(&residual, &runs, slack), tone })
+        Ok(Self { burst: Burst::loudest(&residual, &runs, slack), tone, noise_is_known })
     }
 
     /// How much the stronger of the two holds, in units of the noise variance.
     pub fn excess(&self) -> f64 {
-        let burst = if self.burst.is_significant() { self.burst.rows as f64 * (self.burst.loudness.powi(2) - 1.0) } else { 0.0 };
+        let burst = if self.bursts() { self.burst.rows as f64 * (self.burst.loudness.powi(2) - 1.0) } else { 0.0 };
         let tone = if self.tone.is_significant() { excess_of(self.tone.p_value) } else { 0.0 };
         burst.max(tone)
     }
@@ -47,11 +55,39 @@ impl Interference {
     /// Whether it is what there is to say of a recording in which nothing is named, `before` the adequacy of the base model: a mismatch that other tests see is
     /// louder in some rows, too.
     pub fn is_the_matter(&self, before: &Adequacy) -> bool {
-        self.tone.is_significant() || (self.burst.is_significant() && !before.fires())
+        self.tone.is_significant() || (self.bursts() && !before.fires())
     }
 
     /// Whether there is any.
     pub fn is_anything(&self) -> bool {
-        self.burst.is_significant() || self.tone.is_significant()
+        self.bursts() || self.tone.is_significant()
+    }
+
+    /// Whether rows are louder than a noise that is known.
+    fn bursts(&self) -> bool {
+        self.noise_is_known && self.burst.is_significant()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn interference(noise_is_known: bool, loudness: f64, tone: f64) -> Interference {
+        let burst = Burst { row: 40, rows: 8, loudness, p_value: if loudness > 2.0 { 1e-12 } else { 0.5 } };
+        let tone = Tone { per_row: 0.1, frequency_hz: None, amplitude: 0.2, p_value: tone };
+        Interference { burst, tone, noise_is_known }
+    }
+
+    /// A log of a flight: rows in a turn are thirteen times as loud as those between. Where nothing but the log says how loud the noise is, that is noise; a tone is none in either case.
+    #[test]
+    fn loud_rows_count_where_the_noise_was_measured() {
+        let measured = interference(true, 13.0, 1.0);
+        assert!(measured.is_anything());
+        approx::assert_relative_eq!(measured.excess(), 8.0 * 168.0, max_relative = 1e-12);
+        let taken_from_the_rest = interference(false, 13.0, 1.0);
+        assert!(!taken_from_the_rest.is_anything());
+        assert_eq!(taken_from_the_rest.excess(), 0.0);
+        assert!(interference(false, 13.0, 1e-12).is_anything() && interference(false, 13.0, 1e-12).excess() > 0.0);
     }
 }

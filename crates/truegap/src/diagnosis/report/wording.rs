@@ -43,6 +43,9 @@ pub fn headline(diagnosis: &Diagnosis) -> String {
         return says;
     }
     match diagnosis.verdict {
+        Verdict::Agrees if diagnosis.adequacy.before.is_some_and(|before| before.fires()) => {
+            "Recording and model agree: nothing that was tried predicts rows left out better by a twentieth.".into()
+        }
         Verdict::Agrees => {
             format!(
                 "Recording and model agree: nothing stands out of the noise of {}.",

@@ -392,3 +392,79 @@ def trackpoints(content):
     frame = pd.DataFrame([[cell[1] for cell in row] for row in found if all(row)], columns=list(tags))
     when = pd.to_datetime(frame.pop("when"))
     return frame.astype(float).assign(time_s=seconds(when))
+
+
+def diver(content):
+    """A water level logger (a diver) or its barometer: pressure in hPa, temperature, and the time of each row; lines that are not whole are left away."""
+    lines = [line.split(",") for line in content.decode("latin1").splitlines() if line[:2] == "20"]
+    frame = pd.DataFrame([line for line in lines if len(line) == 3], columns=["when", "pressure", "degc"])
+    numbers = frame[["pressure", "degc"]].apply(pd.to_numeric, errors="coerce")
+    return numbers.assign(when=pd.to_datetime(frame.when), pressure=numbers.pressure * 0.980665).dropna()
+
+
+def wells(first, second, barometer):
+    """Hours in which two divers, `_1` and `_2`, are under water and their barometer has a number."""
+    both = diver(first).merge(diver(second), on="when", suffixes=("_1", "_2")).merge(diver(barometer), on="when")
+    return both[(both.pressure_1 > 1080) & (both.pressure_2 > 1080)]
+
+
+def well_log(content):
+    """The curves of a well log (LAS), rows that have a number in all of them."""
+    lines = content.decode("latin1").splitlines()
+    curves, data = (next(k for k, line in enumerate(lines) if line.startswith(mark)) + 1 for mark in ("~C", "~A"))
+    ends = next(k for k in range(curves, data) if lines[k].startswith("~"))
+    names = [line.split(".")[0].strip() for line in lines[curves:ends] if line.strip() and line[0] != "#"]
+    frame = pd.DataFrame([[float(v) for v in line.split()] for line in lines[data:] if line.strip()], columns=names)
+    return frame[~frame.isin([-99999, -999.25]).any(axis=1)]
+
+
+def dropsonde(content):
+    """What a dropsonde sends twice a second once it counts itself as dropped: pressure, temperature, height by pressure and by satellites, speed upwards, and seconds of the day."""
+    sent = [line.split() for line in content.decode("latin1").splitlines() if line.startswith("AVAPS-D")]
+    names = ["clock", "hpa", "degc", "humidity", "from_deg", "wind", "up_m_s", "east", "north", "height", "places", "rh1", "rh2", "sonde_places", "error", "gps_height"]
+    fallen = [line for line in sent if line[1][0] == "S"]
+    frame = pd.DataFrame([[float(v) for v in line[4:20]] for line in fallen], columns=names)
+    at = frame.clock // 10000 * 3600 + frame.clock // 100 % 100 * 60 + frame.clock % 100
+    return frame.assign(at=at, sonde=[line[2] for line in fallen])[(frame.hpa < 9000) & (frame.degc < 90) & (frame.humidity < 900)]
+
+
+def without_spikes(frame, **limits):
+    """Rows whose columns are so near to the middle of the nine rows around them."""
+    for name, limit in limits.items():
+        frame = frame[(frame[name] - frame[name].rolling(9, center=True, min_periods=1).median()).abs() < limit]
+    return frame
+
+
+def fall(content, first=60):
+    """The fall of a dropsonde without its first thirty seconds and without numbers that were received wrongly, with seconds since its first row."""
+    frame = dropsonde(content)
+    whole = frame[(frame.gps_height < 9e4) & (frame.height < 9e4) & (frame.up_m_s < 90)].iloc[first:]
+    whole = without_spikes(whole, gps_height=40, hpa=3, up_m_s=6, degc=2)
+    return whole.assign(time_s=whole["at"] - whole["at"].iloc[0])
+
+
+def cabin(content):
+    """A dropsonde that stays in its aircraft: every second row, from 17:40 on."""
+    frame = dropsonde(content)
+    frame = without_spikes(frame[(frame.sonde == frame.sonde.mode()[0]) & (frame["at"] > 63600)], degc=0.3, hpa=3).iloc[::2]
+    return frame.assign(time_s=frame["at"] - frame["at"].iloc[0])
+
+
+def eddy_station(content):
+    """The first 6000 rows, five minutes, of an anemometer and a gas analyser that are read 20 times a second."""
+    frame = csv(content, skiprows=[0, 2, 3]).iloc[:6000]
+    return frame.assign(time_s=np.arange(len(frame)) / 20)
+
+
+def joint(position, other, name, what):
+    """One joint of a robot from 10 to 66 s, every second of its readings: seconds, position, and another column. Before and after its file is filled in by curves."""
+    where, beside = csv(position).iloc[::2], csv(other).iloc[::2]
+    kept = (where.t >= 10) & (where.t < 66)
+    return where.t[kept] - 10, where[f"- {name}_joint_position"][kept], beside[f"- {name}_joint_{what}"][kept]
+
+
+def cycler(content):
+    """Rows of a battery cycler: seconds, current, voltage and what it does."""
+    lines = [line.split(",") for line in content.decode("latin1").splitlines() if line[:3] == "No,"]
+    frame = pd.DataFrame([[float(line[k]) for k in (1, 8, 9)] for line in lines], columns=["time_s", "ampere", "volt"])
+    return frame.assign(mode=[line[13] for line in lines])

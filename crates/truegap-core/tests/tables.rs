@@ -138,6 +138,26 @@ fn separators_are_found_by_the_rows() {
     }
 }
 
+/// Cells in quotes were refused, with the remedy of another separator.
+#[test]
+fn commas_in_quotes_are_decimal_points_where_they_can_be_nothing_else() {
+    let header = "time_s,force_n,temperature_c,capacitance_pf\n";
+    let quoted = "\"0,0\",1,\"20,000\",\"74,0\"\n\"0,5\",2,\"21,000\",\"75,0\"\n\"1,0\",3,\"22,000\",\"76,0\"\n";
+    let read = Bench::new("quoted", format!("{header}{quoted}").as_bytes()).read().unwrap();
+    is_those_rows(&read, 1.0);
+    assert!(read.notes.contains(&Note::DecimalCommas), "{:?}", read.notes);
+    let refused = |rows: &str| Bench::new("grouped", format!("{header}{rows}").as_bytes()).read().unwrap_err().to_string();
+    for rows in [
+        "0,1,20,\"1,074\"\n1,2,21,\"1,075\"\n",     // nothing tells which of the two it is
+        "0.5,1,20,\"1,074\"\n1.5,2,21,\"1,075\"\n", // points are decimal ones
+        "0.5,1,20,\"74,5\"\n1.5,2,21,\"1,075\"\n",  // both
+    ] {
+        let told = refused(rows);
+        assert!(told.contains("line 2: `") && told.contains("comma"), "{told}");
+    }
+    assert!(refused("0,1,20,\"1,074\"\n1,2,21,\"1,075\"\n").contains("between thousands or before decimals"));
+}
+
 #[test]
 fn a_clock_may_be_a_date() {
     let rows = "time,force_n,capacitance_pf\n2026-03-01T12:00:00.250+01:00,1,74\n2026-03-01T11:00:00.500Z,2,75\n2026-03-01T11:00:01Z,3,76\n";
@@ -161,7 +181,7 @@ fn what_is_wrong_with_a_column_is_told_once_for_all_rows() {
         ("time_s;capacitance_pf\n0;1.236,5\n1;1.237,5\n", &["line 2", "`1.236,5`", "no sign between thousands"]),
         ("time_s;capacitance_pf\n0,5;1.236\n1,5;1.237\n", &["line 2", "`1.236`", "three decimals or one in thousands"]),
         ("time_s,capacitance_pf\n0,\"1,236.5\"\n", &["line 2", "no comma between thousands"]),
-        ("time_s,capacitance_pf\n\"0,5\",\"74,5\"\n", &["line 2", "decimal points", "semicolons"]),
+        ("time_s,capacitance_pf\n\"0,5\",\"74.5\"\n", &["line 2", "decimal points", "semicolons"]),
         ("time_s,force_n,capacitance_pf\n0,1.5 N,74\n", &["line 2", "`1.5 N`", "unit into the header"]),
         ("0,0;2,0;74,5\n1,0;2,5;75,5\n", &["line 1", "`0,0`", "write a header"]),
         ("# rig 3\n0,1,74\n1,2,75\n", &["line 2", "`0`", "write a header"]),
@@ -233,6 +253,20 @@ fn what_stands_below_a_table_is_told_with_its_line() {
     assert!(sketch.toml.contains("force = \"force_n\""), "{}", sketch.toml);
 }
 
+/// A line of words ended the reading with an error; a row that was cut off still does.
+#[test]
+fn words_below_a_table_are_left_out_and_told() {
+    let table =
+        |below: &str| Bench::new("below", format!("time_s,force_n,capacitance_pf\n0,1,74\n1,2,75\n{below}").as_bytes()).read();
+    let read = table("\nEnd of file\nOperator,A. B.\n").unwrap();
+    assert_eq!(read.response, [74.0, 75.0]);
+    assert!(read.notes.contains(&Note::BelowTable { lines: 2, first_line: 5 }), "{:?}", read.notes);
+    for (below, part) in [("2,3\n", "line 4: 2 cells"), ("pause\n2,3,76\n", "line 4: 1 cells")] {
+        let told = table(below).unwrap_err().to_string();
+        assert!(told.contains(part), "{told}");
+    }
+}
+
 #[test]
 fn a_header_that_comes_again_and_times_of_day_are_told_as_what_they_are() {
     let told = |name: &str, table: &[u8]| Bench::new(name, table).read().unwrap_err().to_string();
@@ -254,6 +288,11 @@ fn a_column_called_after_a_role_that_holds_no_number_is_left_to_somebody() {
     for part in ["`Zeit [s]` is called after the time", "`Kraft [N]` is called after the force"] {
         assert!(open.iter().any(|says| says.contains(part)), "{open:?}");
     }
+    let bench =
+        Bench::new("thousands", "t/s,Kraft [N],Messwert [mV],Prüfer\n0.5,5.1,\"1,074\",A\n1.5,6.2,\"1,075\",B\n".as_bytes());
+    let open = sketch(&bench.0.join("t.csv"), &Told::default()).unwrap().open;
+    assert!(open.iter().any(|says| says.contains("`Messwert [mV]` is called after the response")), "{open:?}");
+    assert!(!open.iter().any(|says| says.contains("Prüfer")), "{open:?}");
     let header = Bench::new("header-only", b"time_s,force_n,capacitance_pf\n");
     assert_eq!(sketch(&header.0.join("t.csv"), &Told::default()).unwrap().open.len(), 1);
 }

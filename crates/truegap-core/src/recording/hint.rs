@@ -2,7 +2,7 @@
 //!
 //! Limits: one cell, whatever stands in the others.
 
-use super::{number::number, stamp::is_date};
+use super::{number::number, separators::may_be_grouped, stamp::is_date};
 
 /// What to do about a cell that is no number: the end of a message.
 pub(super) fn hint(cell: &str, decimal_comma: bool) -> &'static str {
@@ -12,9 +12,11 @@ pub(super) fn hint(cell: &str, decimal_comma: bool) -> &'static str {
     if is_date(cell.as_bytes()) {
         "it is a date; name the column as the time, or write a number"
     } else if cell.contains(['\u{2212}', '–']) && reads(&cell.replace(['\u{2212}', '–'], "-")) {
-        "its minus sign is a dash; write a hyphen, -"
+        "the minus sign inside of it is a dash; write a hyphen, -"
     } else if decimal_comma && cell.contains(',') && cell.contains('.') {
         "it has both points and commas; write no sign between thousands, and one before decimals, as in 1234,5"
+    } else if !decimal_comma && may_be_grouped(cell.as_bytes(), b',') {
+        "its comma stands between thousands or before decimals; write 1234 or 1.234"
     } else if !decimal_comma && reads(&cell.replacen(',', ".", 1)) {
         "commas part the cells of this table; write decimal points, or separate the cells by semicolons"
     } else if !decimal_comma && reads(&without(&[','])) {
@@ -46,7 +48,8 @@ mod tests {
         told("1,234.5", false, "no comma between thousands");
         told("1 234,5", true, "between thousands");
         told("1'234.5", false, "between thousands");
-        told("\u{2212}3.5", false, "hyphen");
+        told("1,234", false, "thousands or before decimals");
+        told("3.5e\u{2212}2", false, "hyphen");
         told("1.5 N", false, "`Force [N]`");
         told("2026-03-01T12:00:00Z", false, "date");
         told("warm", false, "leave the row out");

@@ -2,7 +2,7 @@
 //!
 //! Limits: the first 64 kB; a table begins there.
 
-use super::{number::number, singletact};
+use super::{number::number, separators::may_be_grouped, singletact};
 
 /// Signs that begin a remark.
 const MARKERS: [&str; 3] = ["#", "%", "//"];
@@ -39,6 +39,8 @@ pub(super) struct Layout {
     /// line of the header, from 1
     pub header_line: usize,
     pub separator: u8,
+    /// whether commas are decimal points: where they part no cells, or where cells in quotes show it
+    pub decimal_comma: bool,
     /// whether lines that begin with these are remarks, as [`MARKERS`]
     pub remarks: [bool; 3],
     /// lines above the header that are neither remarks nor blank
@@ -78,8 +80,9 @@ impl Layout {
         let plain = without_footer(lines.iter().filter(|line| singletact || line.marker().is_none()).collect());
         if singletact {
             let separator = most(first.text);
-            let (header_at, header_line) = (first.at as u64, first.number);
-            return Some(Self { header_at, header_line, separator, remarks: [false; 3], above: 0, headless: false, singletact });
+            let (header_at, header_line, decimal_comma) = (first.at as u64, first.number, separator != b',');
+            let (remarks, above, headless) = ([false; 3], 0, false);
+            return Some(Self { header_at, header_line, separator, decimal_comma, remarks, above, headless, singletact });
         }
         let separator = separator(&plain).unwrap_or_else(|| most(plain.first().unwrap_or(&first).text));
         let (header, marked) = header(&lines, &plain, separator);
@@ -96,6 +99,7 @@ impl Layout {
             header_at: (header.at + skip) as u64,
             header_line: header.number,
             separator,
+            decimal_comma: separator != b',' || quoted_decimals(&plain),
             remarks: [remark(0), remark(1), remark(2)],
             above: plain.iter().filter(|line| line.at < header.at).count(),
             headless: !marked && all_numbers(header, separator),
@@ -143,7 +147,7 @@ fn header<'a>(lines: &'a [Line<'a>], plain: &[&'a Line<'a>], separator: u8) -> (
     let width = plain.last().map_or(1, |last| cells(last.text, separator).len());
     let names = |line: &Line<'_>, from: usize| {
         let text = &line.text[from..];
-        cells(text, separator).len() == width && !cells(text, separator).iter().any(|cell| is_number(cell, separator))
+        cells(text, separator).len() == width && !cells(text, separator).iter().any(|cell| is_number(cell))
     };
     if has_number(first, separator) {
         // the names of the columns behind a marker, as numpy and Matlab write them
@@ -165,7 +169,7 @@ fn separator(plain: &[&Line<'_>]) -> Option<u8> {
         let last = cells(plain.last()?.text, separator).len();
         let same: Vec<_> =
             plain.iter().rev().map(|line| cells(line.text, separator)).take_while(|cells| cells.len() == last).collect();
-        let numbers = same.iter().flatten().filter(|cell| is_number(cell, separator)).count();
+        let numbers = same.iter().flatten().filter(|cell| is_number(cell)).count();
         let share = numbers as f64 / (last * same.len()) as f64;
         (last > 1 && same.len() > 1 && share > 0.0).then_some((same.len(), share, last))
     };
@@ -198,15 +202,23 @@ fn cells(line: &[u8], separator: u8) -> Vec<&[u8]> {
     if separator == b' ' { cells.filter(|cell| !cell.is_empty()).collect() } else { cells.collect() }
 }
 
-fn is_number(cell: &[u8], separator: u8) -> bool {
-    number(cell, separator != b',').is_ok()
+/// Whether a cell is a number: with a comma it is one with decimals or one in thousands, as commas that part cells are cut away.
+fn is_number(cell: &[u8]) -> bool {
+    number(cell, true).is_ok()
+}
+
+/// Whether commas in quotes are decimal points in a table whose cells commas part: one can be nothing else, and no number has a point.
+fn quoted_decimals(plain: &[&Line<'_>]) -> bool {
+    let numbers: Vec<&[u8]> = plain.iter().flat_map(|line| cells(line.text, b',')).filter(|cell| is_number(cell)).collect();
+    numbers.iter().any(|cell| cell.contains(&b',') && !may_be_grouped(cell, b','))
+        && !numbers.iter().any(|cell| cell.contains(&b'.'))
 }
 
 fn has_number(line: &Line<'_>, separator: u8) -> bool {
-    cells(line.text, separator).iter().any(|cell| is_number(cell, separator))
+    cells(line.text, separator).iter().any(|cell| is_number(cell))
 }
 
 fn all_numbers(line: &Line<'_>, separator: u8) -> bool {
-    let comma = |cell: &&[u8]| is_number(cell, separator) || is_number(cell, b';') || cell.is_empty();
-    has_number(line, separator) && cells(line.text, separator).iter().all(comma)
+    let blank_or_number = |cell: &&[u8]| is_number(cell) || cell.is_empty();
+    has_number(line, separator) && cells(line.text, separator).iter().all(blank_or_number)
 }

@@ -24,6 +24,8 @@ pub enum Note {
     ClockCarriedOn { line: usize, run: u32, shift_s: f64 },
     /// Lines above the header were left out.
     AboveHeader { lines: usize, header_line: usize },
+    /// Lines of text below the rows were left out.
+    BelowTable { lines: usize, first_line: usize },
     /// The header is no UTF-8.
     Windows1252 { text: String },
     /// The clock is a date.
@@ -75,6 +77,10 @@ impl fmt::Display for Note {
             Self::AboveHeader { lines, header_line } => {
                 let lines = if *lines == 1 { "1 line was".to_owned() } else { format!("{lines} lines were") };
                 write!(f, "{lines} left out above the header, which is line {header_line}")
+            }
+            Self::BelowTable { lines, first_line } => {
+                let lines = if *lines == 1 { "1 line of text was".to_owned() } else { format!("{lines} lines of text were") };
+                write!(f, "{lines} left out below the rows, from line {first_line} on")
             }
             Self::Windows1252 { text } => {
                 write!(

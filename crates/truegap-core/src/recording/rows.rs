@@ -49,6 +49,7 @@ pub(super) struct Rows {
     runs: Vec<u32>,
     missing: Option<Note>,
     repeated: Option<Note>,
+    below: Option<Note>,
     gone: Gone,
     instant: Instant,
     /// whether a comma was read as a decimal point
@@ -79,7 +80,9 @@ impl Rows {
         let (first_note, mut row) = (self.clock.notes.len(), Vec::with_capacity(columns.len()));
         let (first_row, before) = (self.runs.len(), std::mem::take(&mut self.gone));
         while table.advance()? {
-            self.check_width(table)?;
+            if self.is_below(table)? {
+                break;
+            }
             if self.parse(table, columns, drivers, &mut row)? {
                 self.push(table, columns, sensor, &row)?;
             }
@@ -148,17 +151,29 @@ impl Rows {
         Ok((stamp.seconds - self.epoch) as f64 + stamp.fraction)
     }
 
-    /// Cells that the header has no name for.
-    fn check_width<R: Read + Seek>(&self, table: &mut Table<R>) -> Result<(), RecordingError> {
-        let (expected, cells) = (table.header.len(), table.row());
-        let spare = cells.iter().skip(expected).any(|cell| !cell.is_empty());
-        let short = cells.len() < expected && !table.singletact;
+    /// Whether the row and all that follow are no rows but what somebody wrote below the table: fewer cells than the header has, and no number. Reads them.
+    ///
+    /// # Errors
+    /// [`RecordingError::Ragged`] where the row has another number of cells than the header and is none of these.
+    fn is_below<R: Read + Seek>(&mut self, table: &mut Table<R>) -> Result<bool, RecordingError> {
+        let (expected, found) = (table.header.len(), table.row().len());
+        let spare = table.row().iter().skip(expected).any(|cell| !cell.is_empty());
+        let short = found < expected && !table.singletact;
         if !(spare || short) {
-            return Ok(());
+            return Ok(false);
         }
-        let found = cells.len();
-        let byte = table.byte();
-        Err(RecordingError::Ragged { file: table.file(), line: table.line(byte)?, found, expected })
+        let (byte, mut lines) = (table.byte(), 0);
+        let mut more = short && !self.runs.is_empty();
+        while more && table.row().len() < expected && !table.row().iter().any(|cell| number(cell, true).is_ok()) {
+            lines += 1;
+            more = table.advance()?;
+        }
+        let first_line = table.line(byte)?;
+        if lines == 0 || more {
+            return Err(RecordingError::Ragged { file: table.file(), line: first_line, found, expected });
+        }
+        self.below = Some(Note::BelowTable { lines, first_line });
+        Ok(true)
     }
 
     /// Numbers of the row into `row`; false where it lacks one, and is left out.
@@ -323,7 +338,14 @@ impl Rows {
                 Role::Run | Role::Sensor => {}
             }
         }
-        let notes = self.missing.into_iter().chain(self.repeated).chain(self.gone.notes()).chain(self.clock.notes).collect();
+        let notes = self
+            .missing
+            .into_iter()
+            .chain(self.repeated)
+            .chain(self.below)
+            .chain(self.gone.notes())
+            .chain(self.clock.notes)
+            .collect();
         (inputs, response, notes)
     }
 }

@@ -17,7 +17,7 @@ impl Separators {
         if self.decimal || !cell.contains(&b'.') {
             return;
         }
-        if !may_be_grouped(cell) {
+        if !may_be_grouped(cell, b'.') {
             self.decimal = true;
         } else if self.grouped.is_none() {
             self.grouped = Some((byte, String::from_utf8_lossy(cell).trim().to_owned()));
@@ -30,11 +30,11 @@ impl Separators {
     }
 }
 
-/// One to three digits, the first no zero, and groups of three behind points.
-fn may_be_grouped(cell: &[u8]) -> bool {
+/// One to three digits, the first no zero, and groups of three behind `sign`.
+pub(super) fn may_be_grouped(cell: &[u8], sign: u8) -> bool {
     let cell = cell.trim_ascii();
     let digits = cell.strip_prefix(b"-").or_else(|| cell.strip_prefix(b"+")).unwrap_or(cell);
-    let mut groups = digits.split(|b| *b == b'.');
+    let mut groups = digits.split(|b| *b == sign);
     let is_digits = |group: &[u8]| group.iter().all(u8::is_ascii_digit);
     let first = groups.next().unwrap_or_default();
     (1..=3).contains(&first.len())
@@ -52,7 +52,7 @@ mod tests {
         for (cell, may) in
             [("1.234", true), ("-12.500", true), ("0.500", false), ("12.5", false), ("1.2345", false), ("1234.567", false)]
         {
-            assert_eq!(may_be_grouped(cell.as_bytes()), may, "{cell}");
+            assert_eq!(may_be_grouped(cell.as_bytes(), b'.'), may, "{cell}");
         }
     }
 

@@ -18,7 +18,7 @@ use super::{
     roles::ROLES,
     table::Table,
     told::Told,
-    words::without_accents,
+    words::{told, without_accents},
 };
 use crate::inputs::Role;
 use crate::units::Dimension;
@@ -294,15 +294,17 @@ impl Writer<'_> {
 
     /// Columns that are called after a role and hold no number, as `5 N` is none: to leave one out without a word would be to diagnose another recording.
     fn without_numbers(&mut self, found: &Guess, unusable: &[usize]) {
-        const INPUTS: [Role; 6] = [Role::Time, Role::Force, Role::Pressure, Role::Gap, Role::Temperature, Role::Humidity];
+        use Role::{Force, Gap, Humidity, Pressure, Response, Temperature, Time};
         if !self.numeric.contains(&true) {
             return; // there are no rows to look at
         }
         let named: Vec<usize> = unusable.iter().copied().filter(|index| self.is_alone(*index)).collect();
         let called = guess(self.header, &named).found;
         let is_open = |role: &Role| !found.found.contains_key(role) && !found.several.contains_key(role);
-        for role in INPUTS.into_iter().filter(is_open) {
-            if let Some(index) = called.get(&role) {
+        for role in [Time, Force, Pressure, Gap, Temperature, Humidity, Response].into_iter().filter(is_open) {
+            // what is left over of the columns is no reading because of that
+            let by_name = |index: &&usize| role != Response || told(role, self.name(**index));
+            if let Some(index) = called.get(&role).filter(by_name) {
                 let (name, key) = (self.name(*index), role.key());
                 let says = format!(
                     "`{name}` is called after the {key}, and its first rows hold no number: correct them, or the recording has no {key}"

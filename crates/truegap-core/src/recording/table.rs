@@ -53,7 +53,7 @@ impl<R: Read + Seek> Table<R> {
             ahead: false,
             blanks: layout.separator == b' ',
             header: Vec::new(),
-            decimal_comma: layout.separator != b',',
+            decimal_comma: layout.decimal_comma,
             singletact: layout.singletact,
             notes: (layout.above > 0).then_some(above).into_iter().collect(),
         };

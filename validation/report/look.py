@@ -1,6 +1,6 @@
 """Looks at the report of the built-in recording with a browser: python look.py TRUEGAP [--write FOLDER]
 
-Sends pointer events to every figure and compares what it says with prediction.csv; with --write, makes report-wide.png, report-phone.png and
+Sends pointer events to every figure and compares what it says with prediction.csv; looks whether everything has room on a wide page, a tablet and a phone; with --write, makes report-wide.png, report-phone.png and
 report-print.png in FOLDER. Set up once: apt-get install chromium; python3 -m venv .venv && .venv/bin/pip install pillow pypdfium2
 """
 import csv
@@ -37,6 +37,20 @@ def probed(work: pathlib.Path, report: pathlib.Path) -> list[dict]:
     return json.loads(html.unescape(said.group(1)))
 
 
+def without_room(work: pathlib.Path, report: pathlib.Path, width: int) -> list[str]:
+    """What has no room on a page of this width, in a frame, since a window is never narrower than 500."""
+    (work / "framed.html").write_text(report.read_text().replace("</body>", f"<script>\n{(HERE / 'room.js').read_text()}</script></body>"))
+    frame = work / "frame.html"
+    frame.write_text(f"""<body style="margin:0"><script>addEventListener("message", (told) => {{
+      document.body.appendChild(Object.assign(document.createElement("pre"), {{ id: "said", textContent: told.data }}));
+    }})</script><iframe src="framed.html" style="border:0;width:{width}px;height:900px"></iframe>""")
+    dom = chromium(work, frame, f"--window-size={max(width, 500)},900", "--allow-file-access-from-files", "--dump-dom")
+    said = re.search(r'<pre id="said">(.*?)</pre>', dom, flags=re.S)
+    if not said:
+        sys.exit("the page has an error: nothing was said of its room")
+    return json.loads(html.unescape(said.group(1)))["said"]
+
+
 def number(lines: list[str], name: str) -> float | None:
     found = next((line for line in lines if line.startswith(f"{name}: ")), None)
     return float(found.split(": ")[1].split(" ")[0].replace("\u2212", "-")) if found else None
@@ -62,6 +76,10 @@ def check(work: pathlib.Path, out: pathlib.Path) -> int:
             print("ok   " if good else "WRONG", figure["name"], "|", " | ".join(said) or "nothing")
         zoomed = figure["zoomed"]
         wrong += zoomed is not None and not (zoomed["ticks"] != zoomed["before"] and zoomed["after"] == zoomed["before"])
+    for width in (1280, 768, 390):
+        said = without_room(work, out / "report.html", width)
+        wrong += len(said)
+        print(f"{'ok   ' if not said else 'WRONG'} {width} pixels wide", *said, sep="\n      ")
     print(f"{wrong} wrong")
     return wrong
 

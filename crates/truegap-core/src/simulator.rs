@@ -21,6 +21,10 @@ pub trait Simulator: Send + Sync {
     fn name(&self) -> &str;
     /// Unit of the response.
     fn unit(&self) -> &str;
+    /// Unit of the simulated column, where the model reads one; the response's where it has none of its own.
+    fn simulated_unit(&self) -> &str {
+        self.unit()
+    }
     /// Numbers that calibration may adjust, with what is known of them.
     fn parameters(&self) -> &[Parameter];
     /// The centre of what is known of them, in their units.

@@ -103,6 +103,25 @@ fn a_gain_that_is_allowed_is_calibrated() {
     assert_eq!(diagnosis.verdict, Verdict::Agrees, "{}", diagnosis.says);
 }
 
+/// A simulation that is no prediction of the reading but of something that it follows: the gain is -3 mV for each g/m3, far from 1.
+#[test]
+fn a_gain_between_two_units_is_calibrated_from_the_recording_alone() {
+    let mut noise = noise();
+    let row = |i: usize| {
+        let vapour = 5.0 + (i as f64 / 40.0).sin();
+        vec![i as f64, vapour, 0.4 - 0.003 * vapour + 3e-5 * noise()]
+    };
+    let base = "model = \"external\"\nfree = [\"gain\", \"offset\"]\n[units]\nsimulated = \"g/m3\"\n";
+    let (_folder, recording) = recorded(base, "time_s,simulated,response_v", 600, row);
+    let diagnosed = diagnosed(recording);
+    let diagnosis = &diagnosed.outcome.diagnosis;
+    let gain = diagnosis.base.parameters.iter().find(|p| p.name == "gain").unwrap();
+    assert!((gain.value + 0.003).abs() < 1e-5, "{}", gain.value);
+    assert_eq!((diagnosis.verdict, gain.unit.as_str()), (Verdict::Agrees, "V per g/m3"), "{}", diagnosis.says);
+    let model = diagnosed.model_file().unwrap().to_toml().unwrap();
+    assert!(model.contains("own_unit = \"g/m3\""), "{model}");
+}
+
 fn force(i: usize) -> f64 {
     5.0 * (1.0 - ((i % 200) as f64 / 100.0 - 1.0).abs())
 }

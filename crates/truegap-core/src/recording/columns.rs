@@ -5,7 +5,7 @@
 use super::{
     error::RecordingError,
     heading::Heading,
-    manifest::{Manifest, Named},
+    manifest::{BaseSpec, Manifest, Named},
     map::NO_LINE,
     note::Note,
     roles::ROLES,
@@ -241,14 +241,14 @@ impl Binder<'_> {
         }
     }
 
-    /// Gives a simulated column without a unit the response's; refuses two different ones.
+    /// Gives a simulated column without a unit the response's; refuses two different ones, but where the gain is free and may hold their ratio.
     fn match_simulated(&self, columns: &mut [Column]) -> Result<(), RecordingError> {
         let Some(response) = columns.iter().find(|c| c.role == Role::Response).cloned() else { return Ok(()) };
         let Some(simulated) = columns.iter_mut().find(|c| c.role == Role::Simulated) else { return Ok(()) };
         if simulated.unit.is_empty() {
             simulated.unit = response.unit;
             simulated.scale = response.scale;
-        } else if simulated.unit != response.unit {
+        } else if simulated.unit != response.unit && !self.manifest.base.as_ref().is_some_and(BaseSpec::frees_gain) {
             return Err(RecordingError::UnitsDiffer {
                 file: self.file.to_owned(),
                 column: simulated.name.clone(),

@@ -16,6 +16,8 @@ pub struct Recording {
     pub response: Vec<f64>,
     /// `pF` for every capacitance, else the unit as it was named
     pub response_unit: String,
+    /// unit of the simulated column, where it is another than the response's: the gain, which is free there, holds the ratio
+    pub simulated_unit: Option<String>,
     /// the base model that the recording is to be compared with
     pub base: BaseSpec,
     /// sensor of each row, where the recording holds several

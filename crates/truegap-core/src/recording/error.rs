@@ -95,8 +95,16 @@ pub enum RecordingError {
     /// A unit of something else, given beside the column's name.
     #[error("{file}: --map {role}: {source}")]
     MappedUnit { file: PathBuf, role: String, source: UnitError },
-    /// A second column of readings in another unit than the response.
-    #[error("{file}: column `{column}` is in {unit}, the response in {response}; convert one, or give both units under [units]")]
+    /// A sensor of the same table that reads in another unit.
+    #[error(
+        "{file}: column `{column}` is in {unit}, the first sensor in {response}; convert one, or give each a table of its own"
+    )]
+    SensorsDiffer { file: PathBuf, column: String, unit: String, response: String },
+    /// A simulated column in another unit than the response, with a gain that is held.
+    #[error(
+        "{file}: the simulated column `{column}` is in {unit}, the response in {response}; convert one, or let the gain hold the ratio of the two: \
+         free = [\"gain\", \"offset\"] under [base]"
+    )]
     UnitsDiffer { file: PathBuf, column: String, unit: String, response: String },
     /// A row with more or fewer cells than the header.
     #[error(

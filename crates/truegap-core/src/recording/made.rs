@@ -17,6 +17,7 @@ impl Recording {
             inputs,
             response,
             response_unit: response_unit.to_owned(),
+            simulated_unit: None,
             base,
             sensors: None,
             columns: BTreeMap::new(),

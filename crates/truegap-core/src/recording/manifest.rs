@@ -77,6 +77,15 @@ impl BaseSpec {
     pub fn is_stated(&self) -> bool {
         !self.model.is_empty()
     }
+
+    /// Whether the gain of a simulation may be adjusted: `free` holds `"gain"`, or `gain` is `true` or its standard deviation.
+    pub(super) fn frees_gain(&self) -> bool {
+        let listed = self.further.get("free").and_then(toml::Value::as_array);
+        match self.further.get("gain") {
+            Some(gain) => gain.as_bool() != Some(false),
+            None => listed.is_some_and(|words| words.iter().any(|word| word.as_str() == Some("gain"))),
+        }
+    }
 }
 
 /// A driver as it is written: `{ column = "...", unit = "..." }`.

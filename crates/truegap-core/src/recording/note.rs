@@ -44,6 +44,8 @@ pub enum Note {
     BaseAssumed { model: String, because: String },
     /// A TOML of the same name stands beside the CSV and was not read.
     ManifestNotRead { file: String },
+    /// The simulation has a unit of its own.
+    SimulatedUnit { unit: String, response: String },
     /// A column never changes.
     Constant { role: Role, value: f64 },
 }
@@ -108,6 +110,9 @@ impl fmt::Display for Note {
             Self::BaseAssumed { model, because } => write!(f, "no [base] model is named; `{model}` was taken because {because}"),
             Self::ManifestNotRead { file } => {
                 write!(f, "{file} stands beside this CSV and was not read; give its name to use it")
+            }
+            Self::SimulatedUnit { unit, response } => {
+                write!(f, "the simulation is in {unit} and the response in {response}: the gain holds the ratio of the two")
             }
             Self::Constant { role, value } => {
                 write!(f, "the column for {} never changes from {value} (SI)", role.key())

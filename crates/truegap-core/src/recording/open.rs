@@ -180,7 +180,7 @@ fn same_unit(file: &Path, first: &[Column], other: &[Column]) -> Result<(), Reco
     let unit = |columns: &[Column]| columns.iter().find(|c| c.role == Role::Response).map(|c| (c.name.clone(), c.unit.clone()));
     match (unit(first), unit(other)) {
         (Some((_, response)), Some((column, unit))) if unit != response => {
-            Err(RecordingError::UnitsDiffer { file: file.to_owned(), column, unit, response })
+            Err(RecordingError::SensorsDiffer { file: file.to_owned(), column, unit, response })
         }
         _ => Ok(()),
     }
@@ -204,12 +204,17 @@ fn assemble(
     if renumbered {
         notes.push(Note::RunsRenumbered { runs: inputs.run.last().copied().unwrap_or(0) });
     }
-    let response_unit = columns.iter().find(|c| c.role == Role::Response).map(|c| c.unit.clone()).unwrap_or_default();
+    let unit = |role: Role| columns.iter().find(|c| c.role == role).map(|c| c.unit.clone());
+    let response_unit = unit(Role::Response).unwrap_or_default();
+    let simulated_unit = unit(Role::Simulated).filter(|unit| *unit != response_unit);
+    let own = simulated_unit.clone().map(|unit| Note::SimulatedUnit { unit, response: response_unit.clone() });
+    notes.extend(own);
     let base = base.unwrap_or_else(|| assumed_base(columns, &mut notes));
     let path = origin.toml.unwrap_or(origin.csv).to_owned();
     let sensors = renumbered.then_some(Sensors { of_row, names });
     let names: BTreeMap<Role, String> = columns.iter().map(|c| (c.role, c.name.clone())).collect();
-    let mut recording = Recording { inputs, response, response_unit, base, sensors, columns: names, sha256, path, notes };
+    let mut recording =
+        Recording { inputs, response, response_unit, simulated_unit, base, sensors, columns: names, sha256, path, notes };
     recording.notes.extend(recording.constants());
     recording.notes.extend(degrees::doubt(&recording, columns));
     Ok(recording)

@@ -58,6 +58,25 @@ fn a_simulated_column_without_a_unit_shares_the_responses() {
 }
 
 #[test]
+fn a_simulation_in_a_unit_of_its_own_is_read_where_the_gain_is_free() {
+    let with = |base: &str| {
+        let toml = format!(
+            "[columns]\nresponse = \"sonic\"\n[units]\nsimulated = \"g/m3\"\nresponse = \"degC\"\n[base]\nmodel = \"external\"\n{base}"
+        );
+        with_toml(&toml, "time_s,sonic,simulated\n0,1,2\n1,2,3\n")
+    };
+    for free in ["free = [\"gain\", \"offset\"]", "gain = true", "gain = 0.5"] {
+        let r = with(free).unwrap();
+        assert_eq!((r.simulated_unit.as_deref(), r.inputs.simulated.as_deref()), (Some("g/m3"), Some(&[2.0, 3.0][..])), "{free}");
+        assert!(r.notes.iter().any(|note| note.to_string().contains("in g/m3 and the response in degC")), "{:?}", r.notes);
+    }
+    for held in ["", "free = []", "free = [\"offset\"]", "gain = false", "free = [\"gain\"]\ngain = false"] {
+        let refused = with(held).unwrap_err().to_string();
+        assert!(refused.contains("free = [\"gain\", \"offset\"]"), "{held}: {refused}");
+    }
+}
+
+#[test]
 fn semicolons_tabs_windows_line_ends_and_a_byte_order_mark_are_read() {
     let plain = csv("time_s,capacitance_pf\n0,74.5\n1,75.25\n").unwrap();
     for text in [

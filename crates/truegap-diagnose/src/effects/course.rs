@@ -240,7 +240,7 @@ impl Course {
             Self::Driver(index) => context.inputs.drivers.get(index).map_or_else(|| "1".into(), |driver| driver.unit.clone()),
             Self::Load => "full loads".into(),
             Self::Gap => "m".into(),
-            Self::Simulated => context.simulator.unit().into(),
+            Self::Simulated => context.simulator.simulated_unit().into(),
         }
     }
 

@@ -104,7 +104,7 @@ fn quantity(problem: &Problem<'_>, driver: Driver) -> Quantity {
         return Quantity { at: format!("at {} from", d.name), unit: d.unit.clone(), column: d.values.clone() };
     }
     let found = match driver.column(inputs).as_ref() {
-        "simulated" => recorded(&inputs.simulated, "at simulated values from", problem.simulator.unit()),
+        "simulated" => recorded(&inputs.simulated, "at simulated values from", problem.simulator.simulated_unit()),
         "load" => recorded(&inputs.force_n, "at forces from", "N")
             .or_else(|| recorded(&inputs.pressure_pa, "at pressures from", "Pa"))
             .or_else(|| recorded(&inputs.gap_m, "at gaps from", "m"))

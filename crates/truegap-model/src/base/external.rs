@@ -9,12 +9,15 @@ use serde::{Deserialize, Serialize};
 use truegap_core::{Drive, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, StageName, walk_without_plates};
 
 /// What of an external simulation or a table may be adjusted; nothing unless asked for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ExternalOptions {
-    /// standard deviation of a gain about 1
+    /// standard deviation of a gain about 1, of a gain about 0 where the simulation has a unit of its own
     pub gain_sd: Option<f64>,
     /// whether an offset is free
     pub offset: bool,
+    /// unit of the simulation, where it is another than the response's: the gain is then a ratio of which nothing but the size is known
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub own_unit: Option<String>,
 }
 
 /// Standard deviation of a gain that is free, where none is given: simulations of dielectrics and foams are right to some ten per cent.
@@ -30,7 +33,11 @@ pub(crate) struct GainAndOffset {
 impl GainAndOffset {
     /// Priors scaled by the response; `what` is adjusted.
     pub(crate) fn new(scale: &ResponseScale, options: ExternalOptions, what: &str) -> Self {
-        let gain = options.gain_sd.map(|sd| Parameter::normal("gain", "", 1.0, sd, &format!("factor on {what}")));
+        let (expected, unit) = match &options.own_unit {
+            Some(own) => (0.0, format!("{} per {own}", scale.unit)),
+            None => (1.0, String::new()),
+        };
+        let gain = options.gain_sd.map(|sd| Parameter::normal("gain", &unit, expected, sd, &format!("factor on {what}")));
         let offset = || Parameter::normal("offset", &scale.unit, 0.0, 10.0 * scale.range, &format!("zero beside {what}"));
         Self { parameters: gain.into_iter().chain(options.offset.then(offset)).collect(), options }
     }
@@ -111,6 +118,10 @@ impl Simulator for External {
 
     fn unit(&self) -> &str {
         &self.unit
+    }
+
+    fn simulated_unit(&self) -> &str {
+        self.adjusted.options.own_unit.as_deref().unwrap_or(&self.unit)
     }
 
     fn parameters(&self) -> &[Parameter] {

@@ -282,13 +282,13 @@ impl BaseModel {
             Self::GapPlate { scale, reference_c } => Box::new(GapPlate::new(scale, *reference_c)),
             Self::Constant { scale, reference_c } => Box::new(Constant::new(scale, *reference_c)),
             Self::External { scale, reference_c, options, surface } => {
-                Box::new(External::new(scale, *reference_c, *options).following(surface.clone()))
+                Box::new(External::new(scale, *reference_c, options.clone()).following(surface.clone()))
             }
             Self::Linear { scale, reference_c, driver, order } => {
                 Box::new(Linear::new(driver.clone(), *order, scale, *reference_c))
             }
             Self::Table { scale, reference_c, options, grid } => {
-                Box::new(Table::new(grid.clone(), scale, *reference_c, *options))
+                Box::new(Table::new(grid.clone(), scale, *reference_c, options.clone()))
             }
             Self::Command { .. } => return Err(BaseError::NobodyToAsk { model: "command" }),
             Self::Function { .. } => return Err(BaseError::NobodyToAsk { model: "function" }),

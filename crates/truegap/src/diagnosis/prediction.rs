@@ -57,9 +57,10 @@ fn own_clock(recording: &Recording, parts: &[Recording]) -> Recording {
 }
 
 fn columns<'a>(recording: &'a Recording, traces: &'a Traces) -> Vec<(String, &'a [f64])> {
+    let simulated = suffix(recording.simulated_unit.as_ref().unwrap_or(&recording.response_unit));
     let suffix = suffix(&recording.response_unit);
     let inputs = recording.quantities().into_iter().filter(|(role, _)| *role != Role::Response);
-    let inputs = inputs.map(|(role, column)| (input_name(role, &suffix), column));
+    let inputs = inputs.map(|(role, column)| (input_name(role, &suffix, &simulated), column));
     let drivers = recording.inputs.drivers.iter().map(|driver| (format!("driver_{}", driver.name), driver.values.as_slice()));
     let inputs = inputs.chain(drivers);
     let predictions: [(&str, &[f64]); 8] = [
@@ -82,7 +83,7 @@ fn suffix(unit: &str) -> String {
     if plain.is_empty() { "1".into() } else { plain }
 }
 
-fn input_name(role: Role, suffix: &str) -> String {
+fn input_name(role: Role, suffix: &str, simulated: &str) -> String {
     match role {
         Role::Time => "time_s".into(),
         Role::Force => "force_n".into(),
@@ -90,7 +91,7 @@ fn input_name(role: Role, suffix: &str) -> String {
         Role::Gap => "gap_m".into(),
         Role::Temperature => "temperature_c".into(),
         Role::Humidity => "humidity_pct".into(),
-        Role::Simulated => format!("simulated_{suffix}"),
+        Role::Simulated => format!("simulated_{simulated}"),
         Role::Response => format!("recorded_{suffix}"),
         Role::Run => "run".into(),
         Role::Sensor => "sensor".into(),

@@ -190,25 +190,41 @@ fn adjusted(
     wrong: &dyn Fn(&'static str, &str) -> BaseModelError,
 ) -> Result<ExternalOptions, BaseModelError> {
     let further = &recording.base.further;
-    let mut options = ExternalOptions { gain_sd: None, offset: true };
+    let mut options = ExternalOptions { gain_sd: None, offset: true, own_unit: None };
+    let mut own_unit = recording.simulated_unit.clone();
+    let free_sd = if own_unit.is_some() { 10.0 * ratio(recording) } else { GAIN_SD };
     if let Some(value) = further.get("free") {
         let words: Option<Vec<&str>> = value.as_array().and_then(|list| list.iter().map(toml::Value::as_str).collect());
         let words = words.filter(|words| words.iter().all(|word| matches!(*word, "gain" | "offset")));
         let words = words.ok_or_else(|| wrong("free", "[], [\"gain\"], [\"offset\"] or [\"gain\", \"offset\"]"))?;
-        options = ExternalOptions { gain_sd: words.contains(&"gain").then_some(GAIN_SD), offset: words.contains(&"offset") };
+        options.gain_sd = words.contains(&"gain").then_some(free_sd);
+        options.offset = words.contains(&"offset");
     }
     if let Some(value) = further.get("gain") {
         let sd = value.as_float().or_else(|| value.as_integer().map(|sd| sd as f64)).filter(|sd| *sd > 0.0 && sd.is_finite());
         options.gain_sd = match (value.as_bool(), sd) {
-            (Some(free), _) => free.then_some(GAIN_SD),
-            (None, Some(sd)) => Some(sd),
+            (Some(free), _) => free.then_some(free_sd),
+            (None, Some(sd)) => {
+                own_unit = None;
+                Some(sd)
+            }
             (None, None) => return Err(wrong("gain", "true, false, or its standard deviation about 1, as in gain = 0.05")),
         };
     }
     if let Some(value) = further.get("offset") {
         options.offset = value.as_bool().ok_or_else(|| wrong("offset", "true or false"))?;
     }
-    Ok(options)
+    Ok(ExternalOptions { own_unit, ..options })
+}
+
+/// Range of the response over that of the simulation: the size of a gain between two units. 1 where the simulation does not move.
+fn ratio(recording: &Recording) -> f64 {
+    let range = |column: &[f64]| {
+        let finite = || column.iter().copied().filter(|value| value.is_finite());
+        finite().fold(f64::NEG_INFINITY, f64::max) - finite().fold(f64::INFINITY, f64::min)
+    };
+    let simulated = recording.inputs.simulated.as_deref().map_or(0.0, range);
+    Some(range(&recording.response) / simulated).filter(|ratio| ratio.is_finite() && *ratio > 0.0).unwrap_or(1.0)
 }
 
 /// The table that a recording's `[base]` names: a CSV as a recording is one, its file relative to the TOML.

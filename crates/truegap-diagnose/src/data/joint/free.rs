@@ -78,6 +78,10 @@ impl Simulator for Freed<'_> {
         self.inner.unit()
     }
 
+    fn simulated_unit(&self) -> &str {
+        self.inner.simulated_unit()
+    }
+
     fn parameters(&self) -> &[Parameter] {
         &self.parameters
     }

@@ -166,6 +166,10 @@ impl Simulator for Joint<'_> {
         self.parts[0].model.unit()
     }
 
+    fn simulated_unit(&self) -> &str {
+        self.parts[0].model.simulated_unit()
+    }
+
     fn parameters(&self) -> &[Parameter] {
         &self.parameters
     }

@@ -153,6 +153,10 @@ pub trait Effect: Send + Sync {
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &[]
     }
+    /// Names of numbers, behind the size, whose lower limit is a law as good as any: what takes no time or no way. One that lies there does not say that the law fails.
+    fn at_once(&self) -> &'static [&'static str] {
+        &[]
+    }
     /// Whether this recording could show it at all.
     ///
     /// # Errors

@@ -8,7 +8,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::{play_set, rates, walk},
     },
-    text::{rounded, with_sd},
+    text::{percent_of, rounded, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -21,17 +21,23 @@ struct Against {
     width: f64,
     /// force per speed, over `force`
     viscous: f64,
+    /// share of the force that builds up with the speed and is gone at standstill; the rest builds up with the travel and stays
+    by_speed: f64,
+    /// speed at which 76 % of that share are there, in the driver's unit a second
+    onset: f64,
     course: Course,
 }
 
 impl Against {
-    /// Adds `force (way + viscous speed)`; `way` is -1 to 1.
+    /// Adds `force ((1 - by_speed) way + by_speed tanh(speed / onset) + viscous speed)`; `way` is -1 to 1.
     fn apply(&self, drive: &Drive<'_>, value: &mut [f64], way: impl Fn(&[f64]) -> Vec<f64>) {
         let Some(x) = self.course.column(drive).filter(|_| self.force != 0.0) else { return };
         let speed = rates(drive.inputs.time_s.as_deref(), x, &drive.inputs.runs());
         let way = way(x);
         for (row, value) in value.iter_mut().enumerate() {
-            *value += self.force * (way[row] + self.viscous * speed[row]);
+            let by_travel = if self.by_speed < 1.0 { (1.0 - self.by_speed) * way[row] } else { 0.0 };
+            let by_speed = if self.by_speed > 0.0 { self.by_speed * (speed[row] / self.onset).tanh() } else { 0.0 };
+            *value += self.force * (by_travel + by_speed + self.viscous * speed[row]);
         }
     }
 }
@@ -75,7 +81,8 @@ impl Friction {
     }
 
     fn against(&self, values: &[f64], context: &Context<'_>) -> Against {
-        Against { force: values[0], width: values[1], viscous: values[2], course: self.course(context) }
+        let (by_speed, onset) = (values[3], values[4]);
+        Against { force: values[0], width: values[1], viscous: values[2], by_speed, onset, course: self.course(context) }
     }
 }
 
@@ -96,11 +103,11 @@ impl Effect for Friction {
     fn about(&self) -> About {
         About {
             physics: "friction acts on the reading, against the motion of a driver (a piston, a slide, a gap), whether the base model follows it or not",
-            equation: "value = true + F [s(x) + c dx/dt], s from -1 to 1 by three plays on the driver x with half widths (0.4, 0.8, 1.8) w, at rest when a run starts",
+            equation: "value = true + F [(1 - r) s(x) + r tanh((dx/dt) / v0) + c dx/dt], s from -1 to 1 by three plays on the driver x with half widths (0.4, 0.8, 1.8) w, at rest when a run starts",
             excitation: "a driver that turns around",
             impostors: &["driver_coefficient", "readout_lag", "slow_response", "time_offset"],
             separates: "the reading jumps where the driver turns and stays there, at any speed; a lag grows with the speed",
-            source: "Armstrong-Helouvry, Dupont & Canudas de Wit, Automatica 30 (1994) 1083; Dahl, AIAA J. 14 (1976) 1675",
+            source: "Armstrong-Helouvry, Dupont & Canudas de Wit, Automatica 30 (1994) 1083; Dahl, AIAA J. 14 (1976) 1675; Andersson, Soderberg & Bjorklund, Tribol. Int. 40 (2007) 580 (tanh)",
         }
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
@@ -124,14 +131,23 @@ impl Effect for Friction {
             )
             .within(1e-4 * span, span),
             Parameter::normal("viscous", &per_speed(&unit), 0.0, 0.3 / speed, "speed-proportional part over the force"),
+            Parameter::normal("by_speed", "", 0.0, 0.5, "share of the force that is gone at standstill").within(0.0, 1.0),
+            Parameter::log_normal("onset", &format!("{unit}/s"), 0.1 * speed, 1.2, "speed at which 76 % of that share are there")
+                .within(1e-3 * speed, 3.0 * speed),
         ]
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        let span = self.course(context).span(context);
-        [0.003, 0.01, 0.03, 0.1].map(|share| vec![share * span, 0.0]).to_vec()
+        let course = self.course(context);
+        let (span, speed) = (course.span(context), course.usual_speed(context));
+        let by_travel = [0.003, 0.01, 0.03, 0.1].map(|share| vec![share * span, 0.0, 0.0, 0.1 * speed]);
+        let by_speed = [0.03, 0.2].map(|share| vec![0.03 * span, 0.0, 1.0, share * speed]);
+        by_travel.into_iter().chain(by_speed).collect()
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
-        &["viscous"]
+        &["viscous", "by_speed"]
+    }
+    fn at_once(&self) -> &'static [&'static str] {
+        &["width", "onset"]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
@@ -190,9 +206,18 @@ fn told(fitted: &[FittedParameter], name: &str, usual: f64) -> String {
     } else {
         String::new()
     };
+    let (by_speed, onset) = (&fitted[3], &fitted[4]);
+    let moving = rounded(onset.value, &onset.parameter.unit);
+    let turned = match by_speed.value {
+        share if share > 0.9 => format!("it follows the speed, gone at standstill, with three quarters of it there at {moving}"),
+        share if share > 0.1 && share > SPOKEN_OF * by_speed.sd => {
+            format!("{} of it is gone at standstill, the rest changes over within {turn} after a turn", percent_of(share))
+        }
+        _ => format!("it changes over within {turn} after a turn"),
+    };
     format!(
         "friction against the motion of {name}: the reading is {size} {way} than midway while {name} rises, as much the other way while it \
-         falls{speed}; it changes over within {turn} after a turn"
+         falls{speed}; {turned}"
     )
 }
 
@@ -207,10 +232,14 @@ mod tests {
         Inputs { time_s: Some((0..400).map(f64::from).collect()), run: vec![1; 400], drivers, ..Inputs::default() }
     }
 
+    fn by_travel() -> Against {
+        Against { force: 7.0, width: 0.5, viscous: 0.0, by_speed: 0.0, onset: 0.5, course: Course::Driver(0) }
+    }
+
     #[test]
     fn a_long_way_either_way_shows_the_whole_force() {
         let inputs = zigzag();
-        let friction = |viscous| Against { force: 7.0, width: 0.5, viscous, course: Course::Driver(0) };
+        let friction = |viscous| Against { viscous, ..by_travel() };
         let drive = Drive { inputs: &inputs, load: &[0.0; 400], temperature_c: &[20.0; 400], reference_c: 20.0, full_load: 1.0 };
         for stage in [Box::new(friction(0.0)) as Box<dyn Stage>, Box::new(Dahl(friction(0.0)))] {
             let mut value = vec![150.0; 400];
@@ -224,5 +253,33 @@ mod tests {
         friction(0.1).readout(&drive, &Readout { zero: 0.0, span: 1.0 }, &mut value);
         // a quarter of a millimetre a second at the crossing adds 0.1 of it
         approx::assert_abs_diff_eq!(value[251], 7.0 * 1.025, epsilon = 1e-3);
+    }
+
+    /// A driver that goes, stops and goes on: the force of a motor is gone while it stands, that of a piston is not.
+    #[test]
+    fn the_share_by_speed_is_gone_at_standstill() {
+        let x: Vec<f64> = (0..30)
+            .map(|i| {
+                f64::from(if i < 10 {
+                    i
+                } else if i < 20 {
+                    9
+                } else {
+                    i - 10
+                })
+            })
+            .collect();
+        let drivers = vec![Driver { name: "position".into(), unit: "mm".into(), values: x }];
+        let inputs = Inputs { time_s: Some((0..30).map(f64::from).collect()), run: vec![1; 30], drivers, ..Inputs::default() };
+        let drive = Drive { inputs: &inputs, load: &[0.0; 30], temperature_c: &[20.0; 30], reference_c: 20.0, full_load: 1.0 };
+        for (by_speed, standing, moving) in
+            [(0.0, 7.0, 7.0), (0.4, 0.6 * 7.0, 7.0 * (0.6 + 0.4 * 2.0_f64.tanh())), (1.0, 0.0, 7.0 * 2.0_f64.tanh())]
+        {
+            let mut value = vec![0.0; 30];
+            let friction = Against { by_speed, ..by_travel() };
+            friction.readout(&drive, &Readout { zero: 0.0, span: 1.0 }, &mut value);
+            approx::assert_abs_diff_eq!(value[15], standing, epsilon = 1e-12);
+            approx::assert_abs_diff_eq!(value[8], moving, epsilon = 1e-12);
+        }
     }
 }

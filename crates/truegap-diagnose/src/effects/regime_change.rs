@@ -180,8 +180,10 @@ fn told_apart(context: &Context<'_>, of: Of) -> Option<(f64, f64)> {
     (earliest < latest).then_some((earliest, latest))
 }
 
+/// Standard deviation of a jump, in ranges of what the coefficient is of: far above 1, so that a zero may change beside a coefficient that hardly does.
+const JUMPS: f64 = 5.0;
 /// Times at which a change is looked for to begin with.
-const LOOKED_AT: usize = 6;
+const LOOKED_AT: usize = 16;
 /// Longest that a change may take, as a share of the recording: what takes longer is a drift, and nothing was switched. It is looked for at that length, so that its time is found from afar.
 const LONGEST: f64 = 0.05;
 
@@ -245,7 +247,7 @@ impl Effect for RegimeChange {
         if of != Of::Nothing {
             let x = if of == Of::Reading { "reading" } else { "change of the reading" };
             let meaning = format!("zero after less before, over the {x} that a changed coefficient of 1 makes");
-            list.push(Parameter::normal("jump", "1", -of.middle(context), span, &meaning));
+            list.push(Parameter::normal("jump", "1", -of.middle(context), JUMPS * span, &meaning));
         }
         list
     }
@@ -253,11 +255,17 @@ impl Effect for RegimeChange {
         let (of, length) = (self.of(context), length(context).max(1.0));
         let (earliest, latest) = told_apart(context, of).unwrap_or((0.0, length));
         let times = (0..LOOKED_AT).map(|k| earliest + (latest - earliest) * (k as f64 + 0.5) / LOOKED_AT as f64);
-        let shape = |t: f64| match of {
-            Of::Nothing => vec![t, LONGEST * length],
-            _ => vec![t, LONGEST * length, -of.middle(context)],
+        let jumps = if of == Of::Nothing { vec![] } else { vec![0.0, 0.5 * JUMPS * of.span(context)] };
+        let takes = (latest - earliest) / LOOKED_AT as f64;
+        let takes = if takes > LONGEST * length { LONGEST * length } else { takes };
+        let shapes = |t: f64| match jumps.as_slice() {
+            [] => vec![vec![t, takes]],
+            jumps => jumps.iter().map(|jump| vec![t, takes, jump - of.middle(context)]).collect(),
         };
-        times.map(shape).collect()
+        times.flat_map(shapes).collect()
+    }
+    fn at_once(&self) -> &'static [&'static str] {
+        &["takes"]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
@@ -312,7 +320,13 @@ impl Effect for RegimeChange {
         match self.of(context) {
             Of::Temperature => said(fitted, "temperature", before("temperature_coefficient")),
             Of::Driver(course) => said(fitted, course.name(context), before("driver_coefficient")),
-            Of::Reading | Of::Nothing => said(fitted, "its input", None),
+            Of::Reading => {
+                let said = said(fitted, "its input", None);
+                // the reading above its lowest value is what the gain counts from
+                let step = fitted[0].value * (fitted[3].value + 0.5 * context.response_span.abs());
+                format!("{said}, and the reading by {} in the middle of its range", rounded(step, context.simulator.unit()))
+            }
+            Of::Nothing => said(fitted, "its input", None),
         }
     }
 }

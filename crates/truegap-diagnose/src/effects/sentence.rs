@@ -7,7 +7,7 @@ use crate::{
     effects::effect::{Effect, FittedParameter},
     text::{listed, rounded, spoken, uncapitalised, with_sd},
 };
-use truegap_core::EffectId;
+use truegap_core::{EffectId, Parameter};
 
 /// A share of a whole beyond which a dimensionless number cannot be: ten times the whole.
 const LARGEST_SHARE: f64 = 10.0;
@@ -34,8 +34,10 @@ pub fn sentence(
     }
     let told = effect.told(fitted, context, beside);
     let further = &fitted[1..];
-    let at_limit: Vec<String> =
-        further.iter().filter(|f| f.at_limit && !is_natural(f.value) && !effect.describes()).map(limit).collect();
+    let at_limit = further
+        .iter()
+        .filter(|f| f.at_limit && !is_natural(f.value) && !effect.describes() && !at_once(effect, &f.parameter, f.value));
+    let at_limit: Vec<String> = at_limit.map(limit).collect();
     let no_number: Vec<String> = further.iter().filter(|f| !f.value.is_finite()).map(value).collect();
     match (at_limit.as_slice(), no_number.as_slice()) {
         ([], []) => told,
@@ -48,6 +50,12 @@ pub fn sentence(
         }
         (limits, []) => format!("{told}; the fit ran to the limit of {}", listed(limits, "and")),
     }
+}
+
+/// Whether a number of an effect lies at its lower limit, and that is a law of its own.
+pub(crate) fn at_once(effect: &dyn Effect, parameter: &Parameter, value: f64) -> bool {
+    let (low, high) = parameter.bounds;
+    effect.at_once().contains(&parameter.name.as_str()) && value - low < high - value
 }
 
 /// What is told of an effect that the probabilities ask for while nothing of it stands out of the noise.

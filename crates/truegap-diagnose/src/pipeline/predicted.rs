@@ -45,6 +45,8 @@ pub(crate) struct Predicted {
 pub(crate) struct ByBase {
     /// calibrated by least squares, where that is another one
     pub alone: Option<Alone>,
+    /// whether fuller models are calibrated by least squares as well
+    pub squares: bool,
     /// predictions of rows left out
     pub unseen: HeldOutFit,
 }
@@ -58,7 +60,9 @@ pub(crate) fn by_base(prepared: &Prepared<'_>, search: &Search<'_>, base: &Tried
         Some(alone) => held_out(search, &alone.noise, &alone.tried, all).scored_as(&under_noise),
         None => under_noise,
     };
-    ByBase { alone, unseen }
+    // the equations of effects without plates describe: what they leave is more than the noise, whether the base model alone says so or not
+    let squares = missing && (alone.is_some() || !search.context.has_plates());
+    ByBase { alone, squares, unseen }
 }
 
 /// Predicts rows left out: what predicts them much worse than the base model is not claimed, nor an effect without which the others predict them better. What predicts them well is
@@ -285,17 +289,17 @@ fn measured(against: Against, unit: &str) -> String {
     }
 }
 
-/// Predictions of rows left out, by the better of two ways to calibrate where the base model is told by least squares.
+/// Predictions of rows left out, by the better of two ways to calibrate where least squares are one.
 pub(crate) fn predictions(prepared: &Prepared<'_>, search: &Search<'_>, by_base: &ByBase, tried: &Tried) -> HeldOutFit {
     let (noise, all) = (&prepared.searched_noise, prepared.all_rows());
-    let squares = by_base.alone.as_ref().and_then(|_| by_least_squares(search, noise, tried, all));
+    let squares = by_base.squares.then(|| by_least_squares(search, noise, tried, all)).flatten();
     nearer(held_out(search, noise, tried, all), squares)
 }
 
 /// Predictions of rows left out, calibrated as the base model is told: half the work of [`predictions`].
 pub(crate) fn predicted_like_base(prepared: &Prepared<'_>, search: &Search<'_>, by_base: &ByBase, tried: &Tried) -> HeldOutFit {
     let (noise, all) = (&prepared.searched_noise, prepared.all_rows());
-    let squares = by_base.alone.as_ref().and_then(|_| by_least_squares(search, noise, tried, all));
+    let squares = by_base.squares.then(|| by_least_squares(search, noise, tried, all)).flatten();
     squares.unwrap_or_else(|| held_out(search, noise, tried, all))
 }
 

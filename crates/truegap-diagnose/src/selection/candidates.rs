@@ -4,7 +4,7 @@
 
 use crate::{
     data::{context::Context, problem::Problem},
-    effects::effect::Effect,
+    effects::{effect::Effect, sentence::at_once},
     fit::{
         levenberg_marquardt::FitOptions,
         maximum_a_posteriori::{approach, fit, fit_onwards},
@@ -155,8 +155,12 @@ impl<'a> Search<'a> {
     pub(crate) fn on_limits(&self, tried: &Tried, index: usize) -> Vec<usize> {
         let model = self.model(&tried.effects);
         let values = model.values(&tried.fit.z);
-        let special = |value: f64| value == 0.0 || (value - 1.0).abs() < 1e-9;
-        model.range_of(index).skip(1).filter(|i| tried.fit.at_limit[*i] && !special(values[*i])).collect()
+        let effect = model.effects[index];
+        let special = |i: usize| {
+            let value = values[i];
+            value == 0.0 || (value - 1.0).abs() < 1e-9 || at_once(effect, &model.parameters[i], value)
+        };
+        model.range_of(index).skip(1).filter(|i| tried.fit.at_limit[*i] && !special(*i)).collect()
     }
 
     /// The effects of a model that are kept, and the places of their coordinates and of the base model's.

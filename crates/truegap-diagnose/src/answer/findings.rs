@@ -47,15 +47,14 @@ fn lost_without(held_out: &BeforeAfterUnit) -> f64 {
 }
 
 fn finding(found: &Found<'_>, index: usize, before: &HeldOutFit, after: &HeldOutFit) -> Finding {
-    let chosen = found.chosen();
+    let (chosen, told) = (found.chosen(), found.told(found.chosen()));
     let effect = chosen.effects[index];
     let own = found.search.model(&chosen.effects).range_of(index);
     let detectability = detectability(found.search, chosen, index);
     let model = found.search.model(&chosen.effects);
-    let of =
-        |(place, effect): (usize, &usize)| (found.search.library[*effect].id(), fitted(found, chosen, model.range_of(place)));
+    let of = |(place, effect): (usize, &usize)| (found.search.library[*effect].id(), fitted(found, told, model.range_of(place)));
     let beside: Vec<_> = chosen.effects.iter().enumerate().map(of).collect();
-    let sentence = sentence(found.search.library[effect], &fitted(found, chosen, own.clone()), found.search.context, &beside);
+    let sentence = sentence(found.search.library[effect], &fitted(found, told, own.clone()), found.search.context, &beside);
     let without = without(found, index);
     let both = compared(without.as_ref().unwrap_or(before), after);
     let rivals = found.decision.sets.get(index).map(|set| set.iter().filter(|e| **e != effect).map(|e| found.id(*e)).collect());
@@ -71,7 +70,7 @@ fn finding(found: &Found<'_>, index: usize, before: &HeldOutFit, after: &HeldOut
             _ => sentence,
         },
         detectability,
-        parameters: parameters(found, chosen, own),
+        parameters: parameters(found, told, own),
         held_out: BeforeAfterUnit {
             rmse_before: both.as_ref().map(|c| c.rmse[0]),
             rmse_after: both.as_ref().map(|c| c.rmse[1]),

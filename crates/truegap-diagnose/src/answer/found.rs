@@ -62,6 +62,8 @@ pub struct Found<'a> {
     pub(crate) selected_again: Option<Vec<ChosenWithout>>,
     /// the whole search on permuted histories, where that was asked for
     pub(crate) permuted_searches: Option<PermutedSearches>,
+    /// the model stood behind calibrated by least squares, where it predicts rows left out better so
+    pub(crate) by_squares: Option<Tried>,
     /// standard deviations of the coordinates of the models that numbers are told of, with what is not named counted in
     pub(crate) widened: Vec<(&'a Tried, Vec<f64>)>,
     /// whether the search was stopped before its end
@@ -80,9 +82,13 @@ pub struct Reserved {
 }
 
 impl Found<'_> {
-    /// A model as its numbers are told: the base model calibrated by itself in place of the base model.
+    /// A model as its numbers are told: the base model calibrated by itself in place of the base model, the model stood behind as it predicts rows left out.
     pub(crate) fn told<'t>(&'t self, tried: &'t Tried) -> &'t Tried {
-        if tried.effects.is_empty() { self.base_alone } else { tried }
+        match &self.by_squares {
+            _ if tried.effects.is_empty() => self.base_alone,
+            Some(squares) if squares.effects == tried.effects => squares,
+            _ => tried,
+        }
     }
 
     /// The model stood behind.

@@ -62,7 +62,7 @@ pub(crate) fn augmented(found: &Found<'_>) -> Augmented {
     let model = found.search.model(&chosen.effects);
     let context = found.search.context;
     let effect = |(index, effect): (usize, &usize)| {
-        let numbers = found.search.library[*effect].of_first(fitted(found, chosen, model.range_of(index)), context);
+        let numbers = found.search.library[*effect].of_first(fitted(found, found.told(chosen), model.range_of(index)), context);
         AddedEffect {
             id: found.id(*effect),
             parameters: numbers.into_iter().map(named).collect(),

@@ -10,6 +10,7 @@ use crate::{
     },
     text::{percent_of, rounded, with_sd},
 };
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
 /// Dry and viscous friction against the motion of the moving driver of this number, as it adds to the reading.
@@ -29,14 +30,14 @@ struct Against {
 }
 
 impl Against {
-    /// Adds `force ((1 - by_speed) way + by_speed tanh(speed / onset) + viscous speed)`; `way` is -1 to 1.
-    fn apply(&self, drive: &Drive<'_>, value: &mut [f64], way: impl Fn(&[f64]) -> Vec<f64>) {
+    /// Adds `force ((1 - by_speed) way + by_speed rise(speed / onset) + viscous speed)`; `way` and `rise` are -1 to 1.
+    fn apply(&self, drive: &Drive<'_>, value: &mut [f64], way: impl Fn(&[f64]) -> Vec<f64>, rise: impl Fn(f64) -> f64) {
         let Some(x) = self.course.column(drive).filter(|_| self.force != 0.0) else { return };
         let speed = rates(drive.inputs.time_s.as_deref(), x, &drive.inputs.runs());
         let way = way(x);
         for (row, value) in value.iter_mut().enumerate() {
             let by_travel = if self.by_speed < 1.0 { (1.0 - self.by_speed) * way[row] } else { 0.0 };
-            let by_speed = if self.by_speed > 0.0 { self.by_speed * (speed[row] / self.onset).tanh() } else { 0.0 };
+            let by_speed = if self.by_speed > 0.0 { self.by_speed * rise(speed[row] / self.onset) } else { 0.0 };
             *value += self.force * (by_travel + by_speed + self.viscous * speed[row]);
         }
     }
@@ -44,20 +45,21 @@ impl Against {
 
 impl Stage for Against {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
-        self.apply(drive, value, |x| {
+        let way = |x: &[f64]| {
             let mut way = vec![0.0; x.len()];
             play_set(drive.inputs, self.width, |row| x[row], |first| first, |row, slip| way[row] = -slip);
             way
-        });
+        };
+        self.apply(drive, value, way, f64::tanh);
     }
 }
 
-/// Sibling: Dahl's law, which approaches the full force exponentially with the travel.
+/// Sibling: Dahl's law, which approaches the full force exponentially with the travel; with the speed it rises as an arc tangent.
 struct Dahl(Against);
 
 impl Stage for Dahl {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
-        self.0.apply(drive, value, |x| {
+        let way = |x: &[f64]| {
             let (mut way, mut state) = (vec![0.0; x.len()], 0.0);
             walk(drive.inputs, |row, step| {
                 if step.is_none() {
@@ -69,7 +71,8 @@ impl Stage for Dahl {
                 way[row] = state;
             });
             way
-        });
+        };
+        self.0.apply(drive, value, way, |u| FRAC_2_PI * (FRAC_PI_2 * u).atan());
     }
 }
 
@@ -133,7 +136,8 @@ impl Effect for Friction {
             Parameter::normal("viscous", &per_speed(&unit), 0.0, 0.3 / speed, "speed-proportional part over the force"),
             Parameter::normal("by_speed", "", 0.0, 0.5, "share of the force that is gone at standstill").within(0.0, 1.0),
             Parameter::log_normal("onset", &format!("{unit}/s"), 0.1 * speed, 1.2, "speed at which 76 % of that share are there")
-                .within(1e-3 * speed, 3.0 * speed),
+                // at half the usual speed it has levelled off: what grows on is viscous, or a lag
+                .within(1e-3 * speed, 0.5 * speed),
         ]
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {

@@ -264,9 +264,6 @@ impl Effect for RegimeChange {
         };
         times.flat_map(shapes).collect()
     }
-    fn at_once(&self) -> &'static [&'static str] {
-        &["takes"]
-    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         // it is said when something was switched, which rows without a clock cannot say

@@ -7,7 +7,7 @@
 //! Limits: one size of the misfit for the whole recording; what the search compares is the fit under the noise.
 
 use crate::{
-    fit::{model::Model, tuning::LOOSE},
+    fit::{model::Model, optimum::Fit, tuning::LOOSE},
     noise::scout::{from_start, scouted},
     pipeline::prepare::Prepared,
     selection::candidates::{Search, Tried},
@@ -65,6 +65,28 @@ pub(crate) fn alone(prepared: &Prepared<'_>, search: &Search<'_>, all: AllRows<'
         size = found;
     }
     best.filter(|(found, _)| *found < (1.0 - LOWER) * before).map(|(_, alone)| alone)
+}
+
+/// A fuller model calibrated by least squares, for one that predicts rows left out better so. Its errors hold the difference between both calibrations: a number that depends on how rows are
+/// weighed is not known better than that. `None` where it has no such fit, or one that is no nearer to the recording.
+pub(crate) fn by_squares(prepared: &Prepared<'_>, search: &Search<'_>, all: AllRows<'_>, tried: &Tried) -> Option<Tried> {
+    let model = search.model(&tried.effects);
+    let every = Model::new(all.problem, search.context, model.effects.clone());
+    let before = left_over(&every, &tried.fit.z)?;
+    let runs = search.problem.runs();
+    let (mut size, mut z) = (before, tried.fit.z.clone());
+    for _ in 0..ROUNDS {
+        let fit = from_start(&model, &white(&prepared.searched_noise, size).whitener(&runs, None), &z).ok()?;
+        let found = left_over(&every, &fit.z)?;
+        z = fit.z;
+        if (found - size).abs() <= LOWER * size || found == 0.0 {
+            break;
+        }
+        size = found;
+    }
+    let nearer = left_over(&every, &z)? < before;
+    let sd = tried.fit.sd.iter().zip(z.iter().zip(&tried.fit.z)).map(|(sd, (a, b))| sd.hypot(a - b)).collect();
+    nearer.then(|| Tried { effects: tried.effects.clone(), fit: Fit { z, sd, ..tried.fit.clone() } })
 }
 
 /// Root mean square of what a model leaves over.

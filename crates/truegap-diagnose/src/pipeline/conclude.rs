@@ -7,6 +7,7 @@ use crate::{
     data::error::DiagnoseError,
     discovery::{compose::Composition, discover::with_mechanisms},
     pipeline::{
+        alone::by_squares,
         by_name::by_name,
         by_rows_left_out::by_rows_left_out,
         carried::with_carried,
@@ -18,7 +19,7 @@ use crate::{
         simple_laws::told_simply,
     },
     selection::{
-        candidates::Search,
+        candidates::{Search, Tried},
         examine::{Examined, judge},
         weak_effects::widened,
     },
@@ -63,7 +64,19 @@ pub(crate) fn conclude(
             told_of.push(tried);
         }
     }
-    let widened = told_of.into_iter().map(|tried| (tried, widened(search, selection, tried))).collect();
+    let chosen = &selection.models[decision.model];
+    // of models with plates the numbers are those of the fit that weighed them
+    let squares = unseen.stood_behind().is_by_least_squares() && !chosen.effects.is_empty() && !search.context.has_plates();
+    let by_squares = squares.then(|| by_squares(prepared, search, all, chosen)).flatten();
+    let moved = |tried: &Tried, i: usize| match &by_squares {
+        Some(squares) if squares.effects == tried.effects => squares.fit.z[i] - tried.fit.z[i],
+        _ => 0.0,
+    };
+    let told_sd = |tried: &Tried| {
+        let sd = widened(search, selection, tried);
+        sd.into_iter().enumerate().map(|(i, sd)| sd.hypot(moved(tried, i))).collect::<Vec<_>>()
+    };
+    let widened = told_of.into_iter().map(|tried| (tried, told_sd(tried))).collect();
     let again = told.options.select_in_folds && told.options.withheld.is_none();
     let again = again.then(|| {
         selected_again(&prepared.search(&searched, told.progress, told.stop), &prepared.searched_noise, &prepared.directions, all)
@@ -91,6 +104,7 @@ pub(crate) fn conclude(
         reserved: kept_back.or(vetoed),
         slow: slow.as_ref().zip(told.options.hidden.first()),
         mechanisms,
+        by_squares,
         widened,
         selected_again: again,
         permuted_searches: permuted,

@@ -296,19 +296,20 @@ pub(crate) fn predictions(prepared: &Prepared<'_>, search: &Search<'_>, by_base:
     nearer(held_out(search, noise, tried, all), squares)
 }
 
-/// Predictions of rows left out, calibrated as the base model is told: half the work of [`predictions`].
+/// Predictions of rows left out, calibrated as the base model is told: by least squares, half the work of [`predictions`], where that is another calibration of the base model, else as these.
 pub(crate) fn predicted_like_base(prepared: &Prepared<'_>, search: &Search<'_>, by_base: &ByBase, tried: &Tried) -> HeldOutFit {
+    if by_base.alone.is_none() {
+        return predictions(prepared, search, by_base, tried);
+    }
     let (noise, all) = (&prepared.searched_noise, prepared.all_rows());
-    let squares = by_base.squares.then(|| by_least_squares(search, noise, tried, all)).flatten();
-    squares.unwrap_or_else(|| held_out(search, noise, tried, all))
+    by_least_squares(search, noise, tried, all).unwrap_or_else(|| held_out(search, noise, tried, all))
 }
 
 /// Predictions of rows left out by a model that is calibrated by least squares: under white noise as large as what it leaves over.
 fn by_least_squares(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> Option<HeldOutFit> {
     let effects = tried.effects.iter().map(|e| search.library[*e]).collect();
     let size = left_over(&Model::new(all.problem, search.context, effects), &tried.fit.z)?;
-    let predicted = held_out(search, &white(noise, size), tried, all);
-    Some(HeldOutFit { how: format!("{}; calibrated by least squares", predicted.how), ..predicted })
+    Some(held_out(search, &white(noise, size), tried, all).told_by_least_squares())
 }
 
 /// What a model foretells, calibrated under the noise or, as the base model is where that is told alone, by least squares: else the two ways to calibrate would be compared, and not the

@@ -37,7 +37,20 @@ pub struct HeldOutFit {
     pub parts: Vec<PartError>,
 }
 
+/// End of [`HeldOutFit::how`] where the models were calibrated by least squares.
+const BY_LEAST_SQUARES: &str = "; calibrated by least squares";
+
 impl HeldOutFit {
+    /// The same, told as calibrated by least squares.
+    pub(crate) fn told_by_least_squares(self) -> Self {
+        Self { how: self.how + BY_LEAST_SQUARES, ..self }
+    }
+
+    /// Whether the models were calibrated by least squares.
+    pub(crate) fn is_by_least_squares(&self) -> bool {
+        self.how.ends_with(BY_LEAST_SQUARES)
+    }
+
     /// These predictions with the scores of others, which were made under the noise.
     #[must_use]
     pub fn scored_as(mut self, under_noise: &Self) -> Self {

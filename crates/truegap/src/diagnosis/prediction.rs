@@ -1,10 +1,16 @@
 //! `prediction.csv`: every row of the recording with all predictions.
 //!
-//! Limits: inputs in SI (temperature in degrees Celsius), ten significant digits.
+//! Limits: inputs in SI (temperature in degrees Celsius), ten significant digits; of a clock that does not begin at 0, as many more as its range lies below its numbers.
 
 use std::fmt::Write;
 use truegap_core::{Recording, Role};
 use truegap_diagnose::Traces;
+
+/// Name of the clock's column.
+const TIME: &str = "time_s";
+
+/// Significant digits of a number.
+const DIGITS: usize = 10;
 
 /// The CSV, units in the names of the columns.
 ///
@@ -18,11 +24,13 @@ pub(super) fn csv(recording: &Recording, parts: &[Recording], traces: &Traces) -
         text.push_str(&crate::cells::cell(name));
     });
     text.push('\n');
+    let digits: Vec<usize> =
+        columns.iter().map(|(name, column)| if name == TIME { clock_digits(column) } else { DIGITS }).collect();
     for (row, run) in recording.inputs.run.iter().enumerate() {
         let _ = write!(text, "{run}"); // writing to a String cannot fail
-        for (_, column) in &columns {
+        for ((_, column), digits) in columns.iter().zip(&digits) {
             text.push(',');
-            text.push_str(&cell(column[row]));
+            text.push_str(&cell(column[row], *digits));
         }
         text.push('\n');
     }
@@ -85,7 +93,7 @@ fn suffix(unit: &str) -> String {
 
 fn input_name(role: Role, suffix: &str, simulated: &str) -> String {
     match role {
-        Role::Time => "time_s".into(),
+        Role::Time => TIME.into(),
         Role::Force => "force_n".into(),
         Role::Pressure => "pressure_pa".into(),
         Role::Gap => "gap_m".into(),
@@ -98,12 +106,20 @@ fn input_name(role: Role, suffix: &str, simulated: &str) -> String {
     }
 }
 
-/// Ten significant digits, the shortest way to write them; empty where there is no number.
-fn cell(value: f64) -> String {
+/// Significant digits of a clock: its steps keep theirs where it counts from long ago, as seconds since 1970 do.
+fn clock_digits(time: &[f64]) -> usize {
+    let (low, high) = time.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), t| (low.min(*t), high.max(*t)));
+    let above = (low.abs().max(high.abs()) / (high - low)).log10();
+    // seventeen tell any two numbers apart
+    DIGITS + if above.is_finite() { above.floor().clamp(0.0, 7.0) as usize } else { 0 }
+}
+
+/// So many significant digits, the shortest way to write them; empty where there is no number.
+fn cell(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return String::new();
     }
-    let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
+    let rounded: f64 = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
     rounded.to_string()
 }
 
@@ -113,10 +129,17 @@ mod tests {
 
     #[test]
     fn a_cell_has_ten_digits_and_no_tail() {
-        assert_eq!(cell(8_538.000_000_000_001), "8538");
-        assert_eq!(cell(0.1 + 0.2), "0.3");
-        assert_eq!(cell(f64::NAN), "");
-        assert_eq!(cell(234.397), "234.397");
+        let told = [8_538.000_000_000_001, 0.1 + 0.2, f64::NAN, 234.397].map(|value| cell(value, DIGITS));
+        assert_eq!(told, ["8538", "0.3", "", "234.397"]);
+    }
+
+    /// Rows half a second apart had one and the same second.
+    #[test]
+    fn a_clock_since_1970_keeps_its_steps() {
+        let time = [1_772_366_350.0, 1_772_366_350.5, 1_772_366_469.25];
+        let digits = clock_digits(&time);
+        assert_eq!(time.map(|t| cell(t, digits)), ["1772366350", "1772366350.5", "1772366469.25"]);
+        assert_eq!([&[0.0, 0.1, 119.5][..], &[5.0], &[]].map(clock_digits), [DIGITS; 3]);
     }
 
     #[test]

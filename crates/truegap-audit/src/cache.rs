@@ -80,8 +80,10 @@ impl Cache {
         let refused = |error: String| AuditError::Cache { path: path.clone(), problem: error };
         let text = serde_json::to_string_pretty(finding).map_err(|e| refused(e.to_string()))?;
         std::fs::create_dir_all(folder).map_err(|e| refused(e.to_string()))?;
-        std::fs::write(&beside, text).map_err(|e| refused(e.to_string()))?;
-        std::fs::rename(&beside, &path).map_err(|e| refused(e.to_string()))
+        std::fs::write(&beside, text).and_then(|()| std::fs::rename(&beside, &path)).map_err(|e| {
+            let _ = std::fs::remove_file(&beside); // nothing more can be done where even removing fails
+            refused(e.to_string())
+        })
     }
 }
 

@@ -76,6 +76,29 @@ pub(crate) fn read_case<R: DeserializeOwned>(folder: &Path, hash: &str) -> Resul
 /// # Errors
 /// [`SweepError::Disk`].
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), SweepError> {
+    put(path, bytes, |part| fs::rename(part, path))
+}
+
+/// The same, and never in the place of a file that is there.
+///
+/// # Errors
+/// [`SweepError::Disk`]; of the kind `AlreadyExists` where there is a file.
+pub fn write_once(path: &Path, bytes: &[u8]) -> Result<(), SweepError> {
+    if path.exists() {
+        let source = io::ErrorKind::AlreadyExists.into();
+        return Err(SweepError::Disk { path: path.to_owned(), what: "cannot be written", source });
+    }
+    put(path, bytes, |part| match fs::hard_link(part, path) {
+        // a second name is refused where there is a file, which a new name is not; some disks know no second names
+        Err(error) if !matches!(error.kind(), io::ErrorKind::AlreadyExists | io::ErrorKind::StorageFull) => {
+            fs::rename(part, path)
+        }
+        linked => linked.and_then(|()| fs::remove_file(part)),
+    })
+}
+
+/// Writes a part beside a file; `place` makes it the file.
+fn put(path: &Path, bytes: &[u8], place: impl FnOnce(&Path) -> io::Result<()>) -> Result<(), SweepError> {
     let failed = |path: &Path, what| {
         let path = path.to_owned();
         move |source| SweepError::Disk { path, what, source }
@@ -83,7 +106,7 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), SweepError> {
     let folder = path.parent().unwrap_or(Path::new("."));
     fs::create_dir_all(folder).map_err(failed(folder, "cannot be made"))?;
     let (part, mut file) = part_file(path).map_err(failed(path, "no file can be made beside it"))?;
-    let written = file.write_all(bytes).and_then(|()| file.sync_all()).and_then(|()| fs::rename(&part, path));
+    let written = file.write_all(bytes).and_then(|()| file.sync_all()).and_then(|()| place(&part));
     written.map_err(|source| {
         let _ = fs::remove_file(&part); // the first error is the one to tell
         SweepError::Disk { path: path.to_owned(), what: "cannot be written", source }

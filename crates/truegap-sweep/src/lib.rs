@@ -37,7 +37,7 @@ mod sweep;
 
 pub use control::{Control, Progress};
 pub use error::SweepError;
-pub use files::{Described, describe, write_atomically};
+pub use files::{Described, describe, write_atomically, write_once};
 pub use merge::Merged;
 pub use run::Ran;
 pub use shard::Shard;

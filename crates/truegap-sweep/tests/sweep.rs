@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use truegap_sweep::{Control, Progress, Shard, Sweep, SweepError, describe, write_atomically};
+use truegap_sweep::{Control, Progress, Shard, Sweep, SweepError, describe, write_atomically, write_once};
 
 #[derive(Clone, Debug, Serialize, PartialEq)]
 struct Case {
@@ -162,6 +162,17 @@ fn a_result_that_json_cannot_hold_is_an_error_and_leaves_no_file() {
     let bad = |_: &Case| Ok::<_, String>(Answer { root: f64::NAN, words: vec![] });
     assert!(matches!(sweep(3.0).run(place.path(), Shard::WHOLE, Control::default(), bad), Err(SweepError::Unwritable { .. })));
     assert!(!place.path().join("cases").exists());
+}
+
+#[test]
+fn a_file_that_is_written_once_is_never_replaced() {
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("a.toml");
+    write_once(&file, b"one").unwrap();
+    let again = write_once(&file, b"two").unwrap_err();
+    assert!(matches!(&again, SweepError::Disk { source, .. } if source.kind() == std::io::ErrorKind::AlreadyExists), "{again}");
+    assert_eq!(fs::read(&file).unwrap(), b"one");
+    assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1);
 }
 
 #[test]

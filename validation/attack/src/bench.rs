@@ -63,7 +63,8 @@ fn left(attack: &Attack, folder: &Path, before: &[String], wrong: &mut Vec<Strin
     attack.leaves.iter().try_for_each(|left| numbers(&folder.join(left), wrong))
 }
 
-fn lay(folder: &Path, put: &Put) -> io::Result<()> {
+/// Puts something into a folder.
+pub(crate) fn lay(folder: &Path, put: &Put) -> io::Result<()> {
     let parent = |path: &Path| path.parent().map_or(Ok(()), fs::create_dir_all);
     match put {
         Put::File(name, bytes) => {

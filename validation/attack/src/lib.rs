@@ -5,5 +5,7 @@
 pub mod attack;
 pub mod bench;
 pub mod list;
+#[cfg(all(feature = "fem", target_os = "linux"))]
+pub mod moments;
 #[cfg(feature = "fem")]
 pub mod readers;

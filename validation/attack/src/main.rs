@@ -2,14 +2,18 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
+#[cfg(target_os = "linux")]
+use truegap_attack::moments;
 use truegap_attack::{bench, list, readers};
 
 const HELP: &str = "truegap-attack [--short] [WORD]
 truegap-attack fuzz [COUNT] [READER]
+truegap-attack moments [MOST] [COMMAND]
 
 Carries out every attack whose class or name holds WORD on target/debug/truegap, or on the program that TRUEGAP names, and prints what went through.
   --short  the attacks that take seconds, as `cargo test` does
-  fuzz     gives COUNT mutated inputs (1000000 where nothing is said) to each reader, or to READER";
+  fuzz     gives COUNT mutated inputs (1000000 where nothing is said) to each reader, or to READER
+  moments  kills each command that writes, or COMMAND, at MOST of the moments at which it changes a file (all where nothing is said), and has the disk full there";
 
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
@@ -19,6 +23,8 @@ fn main() -> ExitCode {
             return ExitCode::SUCCESS;
         }
         Some("fuzz") => fuzz(&words[1..]),
+        #[cfg(target_os = "linux")]
+        Some("moments") => broken(&words[1..]),
         _ => attacks(&words),
     };
     done.unwrap_or_else(|error| {
@@ -60,6 +66,30 @@ fn program() -> Result<PathBuf, String> {
             .and_then(|s| if s.success() { Ok(()) } else { Err("the build failed".into()) })?;
     }
     Ok(truegap)
+}
+
+/// Commands broken at the moments at which they change a file.
+#[cfg(target_os = "linux")]
+fn broken(words: &[String]) -> Result<ExitCode, String> {
+    let most: usize =
+        words.first().map_or(Ok(usize::MAX), |n| n.parse()).map_err(|_| format!("{}: no count of moments", words[0]))?;
+    let wanted = words.get(1).map_or("", String::as_str);
+    let truegap = program()?;
+    let mut through = 0;
+    for job in moments::jobs::all().iter().filter(|job| job.name.starts_with(wanted)) {
+        let came = moments::moments(&truegap, job, most).map_err(|error| error.to_string())?;
+        came.through.iter().for_each(|what| println!("[{}] {what}", job.name));
+        println!(
+            "{}: {} kills, {} calls without space, {} small disks; {} went through",
+            job.name,
+            came.kills,
+            came.refusals,
+            came.disks,
+            came.through.len()
+        );
+        through += came.through.len();
+    }
+    Ok(ExitCode::from(u8::from(through > 0)))
 }
 
 fn fuzz(words: &[String]) -> Result<ExitCode, String> {

@@ -42,6 +42,9 @@ impl Reader {
 /// Every byte of the seed from which the changes are drawn.
 pub const SEED: u8 = 7;
 
+/// Inputs after which a count is told.
+const TOLD: u32 = 10_000;
+
 /// Every reader.
 pub fn all() -> Vec<Reader> {
     let reader = |name, shared, read| Reader { name, shared, read: Read::Text(read) };
@@ -76,12 +79,17 @@ pub fn feed(reader: &Reader, count: u32) -> Result<u32, String> {
     let config = Config { cases: count, failure_persistence: None, max_shrink_iters: 2000, ..Config::default() };
     let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &[SEED; 32]));
     let strategy = (0..seeds.len(), prop::collection::vec(change(), 1..6));
-    let taken = Cell::new(0);
+    let (taken, given) = (Cell::new(0), Cell::new(0));
     let fed = runner.run(&strategy, |(which, changes)| {
         let bytes = changes.iter().fold(seeds[which].clone(), |bytes, change| change.of(bytes, &seeds));
         let shown = String::from_utf8_lossy(&bytes);
         let is_taken = reader.read(&bytes).map_err(|what| TestCaseError::fail(format!("{what}; the input was {shown:?}")))?;
         taken.set(taken.get() + u32::from(is_taken));
+        given.set(given.get() + 1);
+        // what a run that is broken off has held is no less true
+        if given.get() % TOLD == 0 {
+            println!("{}: {} inputs so far, {} taken and sound", reader.name, given.get(), taken.get());
+        }
         Ok(())
     });
     fed.map(|()| taken.get()).map_err(|error| error.to_string())

@@ -19,6 +19,20 @@ fn the_page_counts_the_attacks_of_the_list() {
     }
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn the_page_says_at_how_many_moments_each_command_was_broken() {
+    let table = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/moments.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = table.lines().skip(1).map(|row| row.split(',').collect()).collect();
+    let names: Vec<&str> = rows.iter().map(|row| row[0]).collect();
+    let jobs: Vec<&str> = truegap_attack::moments::jobs::all().iter().map(|job| job.name).collect();
+    assert_eq!(names, jobs);
+    for row in rows {
+        let line = format!("| {} |", row.join(" | "));
+        assert!(PAGE.contains(&line), "the page does not say {line}");
+    }
+}
+
 #[test]
 fn the_page_says_how_many_inputs_each_reader_was_given() {
     let table = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/fuzzed.csv")).unwrap();

@@ -6,10 +6,9 @@ use super::told::TellArgs;
 use super::{Outcome, Run};
 use crate::console::Console;
 use anyhow::anyhow;
-use std::fs::OpenOptions;
-use std::io::Write;
 use std::path::PathBuf;
 use truegap::core::recording::{is_standard_input, sketch};
+use truegap::sweep::write_once;
 
 /// Write the TOML beside a table: which column is what, in which unit, as far as the header and --map tell
 #[derive(Debug, clap::Args)]
@@ -31,10 +30,9 @@ impl Run for Init {
         }
         let file = self.csv.with_extension("toml");
         let name = file.display();
-        let fresh = OpenOptions::new().write(true).create_new(true).open(&file);
-        let written = fresh.and_then(|mut fresh| fresh.write_all(sketch.toml.as_bytes()));
-        written
-            .map_err(|error| anyhow!("{name}: cannot be written: {error}; move what is there, or the CSV into another folder"))?;
+        // half a file, of a run that was killed or of a full disk, would have the next one refused
+        write_once(&file, sketch.toml.as_bytes())
+            .map_err(|error| anyhow!("{error}; move what is there, or the CSV into another folder"))?;
         console.print(format!("Written: {name}"))?;
         sketch.open.iter().try_for_each(|open| console.print(format!("Left to you: {open}")))?;
         Ok(Outcome::Fine)

@@ -2,10 +2,10 @@
 
 use super::run::{Outcome, RunDefined};
 use crate::console::Console;
-use anyhow::Context;
 use clap_mangen::Man as Page;
 use std::io::Write;
 use std::path::PathBuf;
+use truegap::sweep::write_atomically;
 
 /// Write the manual: one page to standard output, or all of them into a folder
 #[derive(Debug, clap::Args)]
@@ -22,11 +22,15 @@ impl RunDefined for Man {
         let mut definition = definition.disable_help_subcommand(true);
         definition.build();
         if let Some(folder) = &self.output {
-            std::fs::create_dir_all(folder).with_context(|| format!("{}: cannot be made a folder", folder.display()))?;
-            for command in std::iter::once(&definition).chain(definition.get_subcommands()) {
-                let file = folder.join(format!("{}.1", file_name(command)));
-                std::fs::write(&file, page(command)?).with_context(|| format!("{}: cannot be written", file.display()))?;
-            }
+            let is_new = !folder.exists();
+            let mut commands = std::iter::once(&definition).chain(definition.get_subcommands());
+            let written: anyhow::Result<()> =
+                commands.try_for_each(|c| Ok(write_atomically(&folder.join(format!("{}.1", file_name(c))), &page(c)?)?));
+            written.inspect_err(|_| {
+                if is_new {
+                    drop(std::fs::remove_dir_all(folder)); // nothing more can be done where even removing fails
+                }
+            })?;
             console.print(format!("Written: {}", folder.join("truegap.1").display()))?;
             return Ok(Outcome::Fine);
         }

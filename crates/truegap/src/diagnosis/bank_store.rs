@@ -41,8 +41,10 @@ fn put(file: &Path, cases: &BTreeMap<usize, BankCase>) -> std::io::Result<()> {
         std::fs::create_dir_all(folder)?;
     }
     let beside = file.with_extension(format!("{}.part", std::process::id()));
-    std::fs::write(&beside, serde_json::to_vec(cases)?)?;
-    std::fs::rename(beside, file)
+    let bytes = serde_json::to_vec(cases)?;
+    std::fs::write(&beside, bytes).and_then(|()| std::fs::rename(&beside, file)).inspect_err(|_| {
+        let _ = std::fs::remove_file(&beside); // nothing more can be done where even removing fails
+    })
 }
 
 #[cfg(test)]

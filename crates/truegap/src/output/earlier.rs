@@ -23,9 +23,15 @@ struct Document {
     schema: String,
 }
 
-/// Whether `folder` holds a document of this program.
+/// Whether `folder` holds a document of this program, or one that was about to take its name when the process was killed.
 pub(super) fn holds_a_result(folder: &Path) -> bool {
-    DOCUMENTS.iter().any(|name| is_document(&folder.join(name)))
+    let mut names = std::fs::read_dir(folder).into_iter().flatten().filter_map(|entry| entry.ok().map(|entry| entry.file_name()));
+    names.any(|name| {
+        let name = name.to_string_lossy();
+        let part =
+            |document: &str| name.strip_prefix(document).is_some_and(|rest| rest.starts_with('.') && rest.ends_with(".part"));
+        DOCUMENTS.iter().any(|document| name == *document || part(document)) && is_document(&folder.join(name.as_ref()))
+    })
 }
 
 fn is_document(file: &Path) -> bool {
@@ -50,6 +56,12 @@ mod tests {
         }
         std::fs::write(&file, "{\"schema\": \"truegap.diagnosis/1\", \"verdict\": \"agrees\"}").unwrap();
         assert!(holds());
+        // killed before it took its name
+        std::fs::rename(&file, folder.path().join("diagnosis.json.17.part")).unwrap();
+        assert!(holds());
+        std::fs::rename(folder.path().join("diagnosis.json.17.part"), folder.path().join("diagnosis.json.mine")).unwrap();
+        assert!(!holds());
+        std::fs::rename(folder.path().join("diagnosis.json.mine"), &file).unwrap();
         std::fs::remove_file(&file).unwrap();
         std::fs::create_dir(&file).unwrap();
         assert!(!holds());

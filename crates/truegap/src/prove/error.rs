@@ -102,5 +102,8 @@ pub(super) fn write(path: &Path, text: &str) -> Result<(), ProveError> {
     std::fs::create_dir_all(folder)
         .and_then(|()| std::fs::write(&part, text))
         .and_then(|()| std::fs::rename(&part, path))
-        .map_err(|source| ProveError::File { path: path.to_owned(), source })
+        .map_err(|source| {
+            let _ = std::fs::remove_file(&part); // nothing more can be done where even removing fails
+            ProveError::File { path: path.to_owned(), source }
+        })
 }

@@ -130,11 +130,15 @@ pub(super) fn merged<C: Serialize + Sync, R: DeserializeOwned>(
 }
 
 /// Writes files of results: all of them, or none. A name may come from a sensor's, so it is made one that stays in the folder.
+///
+/// The documents take their names last: where they stand, all else stands, whenever the process is killed.
 pub(super) fn write(folder: &Path, files: &[(String, String)]) -> Result<(), StudyError> {
     let failed = |path: &Path, source| StudyError::Write { path: path.to_owned(), source };
     let is_new = !folder.exists();
     fs::create_dir_all(folder).map_err(|source| failed(folder, source))?;
     let mut parts: Vec<(PathBuf, PathBuf)> = Vec::new();
+    let mut files: Vec<&(String, String)> = files.iter().collect();
+    files.sort_by_key(|(name, _)| name.ends_with(".json"));
     let written = files.iter().try_for_each(|(name, text)| {
         let file = folder.join(name);
         let part = folder.join(format!("{name}.{}.part", std::process::id()));
@@ -143,10 +147,18 @@ pub(super) fn write(folder: &Path, files: &[(String, String)]) -> Result<(), Stu
         let put = fs::File::create(&part).and_then(|mut out| out.write_all(text.as_bytes()).and_then(|()| out.sync_all()));
         put.map_err(|source| failed(&file, source))
     });
-    let moved = || parts.iter().try_for_each(|(part, file)| fs::rename(part, file).map_err(|source| failed(file, source)));
-    written.and_then(|()| moved()).inspect_err(|_| {
+    let mut new = Vec::new();
+    let moved = written.and_then(|()| {
+        parts.iter().try_for_each(|(part, file)| {
+            let is_new = !file.exists();
+            fs::rename(part, file).map_err(|source| failed(file, source))?;
+            new.extend(is_new.then_some(file));
+            Ok(())
+        })
+    });
+    moved.inspect_err(|_| {
         // nothing more can be done where even removing fails
-        parts.iter().for_each(|(part, _)| drop(fs::remove_file(part)));
+        parts.iter().map(|(part, _)| part).chain(new).for_each(|file| drop(fs::remove_file(file)));
         if is_new {
             drop(fs::remove_dir(folder));
         }
@@ -192,11 +204,19 @@ mod tests {
         let files = |last: &str| vec![("a.json".to_owned(), "1".to_owned()), (last.to_owned(), "2".to_owned())];
         assert!(matches!(write(&place, &files("no/such/folder")), Err(StudyError::Write { .. })));
         assert!(!place.exists());
+        let names = || {
+            let mut names: Vec<_> = fs::read_dir(&place).unwrap().map(|e| e.unwrap().file_name()).collect();
+            names.sort();
+            names
+        };
+        // the second file cannot take its name: the first, which has taken its own, goes again
+        fs::create_dir_all(place.join("b.json/full")).unwrap();
+        assert!(write(&place, &files("b.json")).is_err());
+        assert_eq!(names(), ["b.json"]);
+        fs::remove_dir_all(place.join("b.json")).unwrap();
         write(&place, &files("b.json")).unwrap();
         assert!(write(&place, &files("no/such/folder")).is_err());
-        let mut names: Vec<_> = fs::read_dir(&place).unwrap().map(|e| e.unwrap().file_name()).collect();
-        names.sort();
-        assert_eq!(names, ["a.json", "b.json"]);
+        assert_eq!(names(), ["a.json", "b.json"]);
         fs::remove_dir_all(&place).unwrap();
     }
 }

@@ -51,6 +51,21 @@ pub fn all() -> Vec<Attack> {
             .file("c.toml", square())
             .full_disk(0)
             .says(&["cannot be written"]),
+        Attack::new("outputs", "a solved mesh onto a full disk", &["-q", "mesh", "c.toml", "--solved", "-o", "m.vtu"])
+            .file("c.toml", square())
+            .full_disk(2)
+            .says(&["m.vtu", "cannot be written"]),
+        // half a description would have the next `init` refused
+        Attack::new("outputs", "a description onto a full disk", &["init", "r.csv"])
+            .file("r.csv", csv(HEADER))
+            .full_disk(0)
+            .says(&["r.toml", "cannot be written"]),
+        Attack::new("outputs", "a manual onto a full disk", &["man", "-o", "pages"])
+            .full_disk(4)
+            .says(&["pages", "cannot be written"]),
+        Attack::new("outputs", "a blind study onto a full disk", &["-q", "prove", "--cases", "1", "--seed", "7", "-o", "study"])
+            .full_disk(8)
+            .says(&["study", "recording.csv"]),
         Attack::new("outputs", "a mesh of no format", &["-q", "mesh", "c.toml", "-o", "m.stl"])
             .file("c.toml", square())
             .says(&[".msh", ".vtu"]),

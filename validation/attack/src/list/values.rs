@@ -10,6 +10,16 @@ pub fn all() -> Vec<Attack> {
     let (scale, reference) = ("full_scale = \"4.5 N\"", "reference_temperature = \"20 degC\"");
     let simulate = |name: &str, typed: &[&str]| Attack::new("17", name, typed);
     let mut all = vec![
+        // nothing to draw is no reason to lose the report
+        Attack::new("15", "a space in which no design has an answer", &["-q", "audit", "--space", "space.toml", "-o", "out"])
+            .file(
+                "space.toml",
+                format!(
+                    "schema = \"truegap.space/1\"\nsensor = \"{SENSOR}\"\ndesigns = 1\nseed = 1\nonly = [\"BIMETAL-STRIP\"]\n"
+                ),
+            )
+            .ends(1, &["out"])
+            .says(&["1 without an answer"]),
         Attack::new("15", "a full scale that is lost in rounding", &["coefficients", "--sensor", "./s.toml"])
             .file("s.toml", sensor(scale, "full_scale = \"1e-300 N\""))
             .says(&["1e-300 N", "not finite", "full_scale"]),

@@ -63,6 +63,9 @@ fn shares(page: Page, answer: &SpaceAuditAnswer) -> Result<Page, StudyError> {
         row.extend(EffectOn::NAMES.map(|name| short_percent(quartiles(answer, &share.id, name)[1])));
         table.row(&row)
     });
+    if answer.shares.is_empty() {
+        return Ok(page.section("How often").text("No design has an answer of the analytic model and of the finite elements."));
+    }
     let names: Vec<&str> = answer.shares.iter().map(|s| s.id.as_str()).collect();
     let values: Vec<f64> = answer.shares.iter().flat_map(|s| [s.holds, s.strained, s.broken].map(|v| 100.0 * v)).collect();
     let drawn = Matrix::new("", &names, &["holds", "strained", "broken"], &values)

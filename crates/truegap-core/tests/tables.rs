@@ -213,6 +213,16 @@ fn a_temperature_in_another_unit_is_a_doubt() {
     assert_eq!(doubt("c", 150.0), None, "an oven");
 }
 
+/// Errors asked for a TOML that stood there all the time.
+#[test]
+fn an_error_of_a_bare_csv_names_the_toml_beside_it() {
+    let bench = Bench::new("beside", b"t,F,C\n0,1,74\n1,2,75\n");
+    let told = || bench.read().unwrap_err().to_string();
+    assert!(!told().contains("stands beside"), "{}", told());
+    std::fs::write(bench.0.join("t.toml"), "schema = \"truegap.recording/1\"\nfile = \"t.csv\"\n").unwrap();
+    assert!(told().contains("no column for response") && told().contains("t.toml stands beside this CSV"), "{}", told());
+}
+
 #[test]
 fn a_bare_csv_says_what_it_did_not_read() {
     let bench = Bench::new("spare", b"time_s,Temperatur [\xb0C],capacitance_pf\n0,20,74\n1,21,75\n");

@@ -2,6 +2,7 @@
 //!
 //! Limits: every error is fatal; what can be read in spite of an oddity is a [`crate::Note`].
 
+use super::note::Note;
 use crate::units::UnitError;
 use std::path::PathBuf;
 
@@ -13,6 +14,9 @@ pub enum RecordingError {
     /// The file is not there.
     #[error("{file}: there is no such file; give the path of a recording's TOML or CSV")]
     NotFound { file: PathBuf },
+    /// A table that cannot be read, beside a TOML of its name that may say what is missing.
+    #[error("{source}; {note}")]
+    BesideManifest { source: Box<RecordingError>, note: Note },
     /// The file is there and cannot be read.
     #[error("{file}: cannot be read: {source}")]
     Read { file: PathBuf, source: std::io::Error },

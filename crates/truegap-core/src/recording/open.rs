@@ -55,12 +55,19 @@ impl Recording {
         if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
             return Self::open_manifest(path, told);
         }
-        let mut recording = opened(&Origin { csv: path, toml: None, told }, Manifest::default())?;
+        let opened = opened(&Origin { csv: path, toml: None, told }, Manifest::default());
         let beside = path.with_extension("toml");
-        if beside.is_file() {
-            recording.notes.push(Note::ManifestNotRead { file: beside.display().to_string() });
+        if !beside.is_file() {
+            return opened;
         }
-        Ok(recording)
+        let note = Note::ManifestNotRead { file: beside.display().to_string() };
+        match opened {
+            Ok(mut recording) => {
+                recording.notes.push(note);
+                Ok(recording)
+            }
+            Err(source) => Err(RecordingError::BesideManifest { source: Box::new(source), note }),
+        }
     }
 
     /// As [`Recording::open`] of a table, with the text of a TOML that stands in no file; its `file` is not looked for.

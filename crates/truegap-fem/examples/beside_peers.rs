@@ -2,8 +2,9 @@
 //!
 //! `cargo run -p truegap-fem --example beside_peers mesh disc|rubber graded|uniform UNKNOWNS FILE.msh` writes a mesh;
 //! `... solve disc|rubber FILE.msh` solves on it, walls without field, displacements only, as the others do;
-//! `... adapt disc|rubber TARGET` refines for itself, open space and mixed rubber, from the drawing to the answer.
-//! The two last ones print a line of JSON: seconds of processor time (`seconds`) and of wall clock, the largest memory of the process.
+//! `... adapt disc|rubber TARGET` refines for itself, open space and mixed rubber, from the drawing to the answer;
+//! `... hp disc|rubber TARGET` does the same by the hp version, rubber by displacements alone.
+//! The last three print a line of JSON: seconds of processor time (`seconds`) and of wall clock, the largest memory of the process.
 
 #[path = "common/clock.rs"]
 mod clock;
@@ -38,11 +39,11 @@ fn main() -> Outcome<()> {
                 _ => solve_rubber(mesh),
             }
         }
-        ["adapt", problem, target] => match *problem {
-            "disc" => adapt_disc(target.parse()?),
-            _ => adapt_rubber(target.parse()?),
-        },
-        _ => Err("usage: mesh PROBLEM graded|uniform UNKNOWNS FILE | solve PROBLEM FILE | adapt PROBLEM TARGET".into()),
+        ["adapt", "disc", target] => adapt_disc(target.parse()?),
+        ["adapt", _, target] => adapt_rubber(target.parse()?),
+        ["hp", "disc", target] => hp_disc(target.parse()?),
+        ["hp", _, target] => hp_rubber(target.parse()?),
+        _ => Err("usage: mesh PROBLEM graded|uniform UNKNOWNS FILE | solve PROBLEM FILE | adapt|hp PROBLEM TARGET".into()),
     }
 }
 
@@ -105,6 +106,24 @@ fn adapt_rubber(target: f64) -> Outcome<()> {
     let outcome = elasticity::solve_goals_adaptive(&mut problem, &goals, &accuracy)?;
     let unknowns = outcome.solution.body().numbering.free.len();
     report(&clock, unknowns, outcome.levels, apparent(outcome.answers[0].value));
+    Ok(())
+}
+
+fn hp_disc(target: f64) -> Outcome<()> {
+    let (problem, goals) = disc_capacitor_problem();
+    let clock = Clock::start();
+    let mesh = mesh_geometry(&disc_capacitor_geometry(), &MeshOptions::default())?;
+    let found = electrostatics::solve_hp(&problem, &goals, &mesh, target)?.ok_or("the target is not reached")?;
+    report(&clock, found.unknowns, found.levels, found.answers[0].value / VACUUM_PERMITTIVITY);
+    Ok(())
+}
+
+fn hp_rubber(target: f64) -> Outcome<()> {
+    let clock = Clock::start();
+    let mesh = mesh_geometry(&rubber_disc_geometry(), &MeshOptions::default())?;
+    let (problem, goals) = rubber_disc_problem(mesh, Formulation::suited(0.49));
+    let found = elasticity::solve_hp(&problem, &goals, target)?.ok_or("the target is not reached")?;
+    report(&clock, found.unknowns, found.levels, apparent(found.answers[0].value));
     Ok(())
 }
 

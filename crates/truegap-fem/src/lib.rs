@@ -58,6 +58,7 @@ pub mod elasticity;
 pub mod electrostatics;
 mod error;
 mod goal;
+mod hp;
 pub mod io;
 pub mod mesh;
 pub mod problems;

@@ -2,7 +2,7 @@
 
 use super::error::ElectrostaticsError;
 use super::estimate::{PointLoad, estimate_pairs};
-use super::problem::Conductor;
+use super::problem::{Conductor, Problem};
 use super::system::Solved;
 use crate::error::FemError;
 use crate::goal::{Answer, Judged};
@@ -42,13 +42,14 @@ pub enum Goal {
 pub type Quantity = crate::goal::Quantity<Goal>;
 
 /// A linear or bilinear functional: `factor` times the energy product of two fields.
-struct Functional {
-    name: String,
-    value: f64,
-    unit: &'static str,
-    scale: f64,
-    pair: (usize, usize),
-    factor: f64,
+pub(super) struct Functional {
+    pub name: String,
+    pub value: f64,
+    pub unit: &'static str,
+    pub scale: f64,
+    /// Fields: the unit potential of a conductor by its number, then the whole potential, then duals.
+    pub pair: (usize, usize),
+    pub factor: f64,
 }
 
 /// The local problems see 0.6 to 0.85 of the error of capacitances at electrode edges (disc capacitors with d/a from
@@ -66,14 +67,18 @@ pub(super) fn judge(solved: &mut Solved, quantities: &[Quantity]) -> Result<Vec<
     let mut functionals = Vec::new();
     for q in quantities {
         match &q.goal {
-            Goal::Capacitance { boundary } => functionals.push(capacitance(solved, &matrix, &q.name, boundary)?),
+            Goal::Capacitance { boundary } => {
+                let touches = |a: &Conductor, b: &Conductor| a.boundary == *boundary || b.boundary == *boundary;
+                refuse_touching(solved, &q.name, |a, b| a.potential != b.potential && touches(a, b))?;
+                functionals.push(capacitance(solved.problem, solved.exterior.is_some(), &matrix, &q.name, boundary)?);
+            }
             Goal::CapacitanceMatrix => {
                 refuse_touching(solved, &q.name, |_, _| true)?;
-                functionals.extend(entries(solved, &matrix, &q.name));
+                functionals.extend(entries(solved.problem, &matrix, &q.name));
             }
             Goal::Energy => {
                 refuse_touching(solved, &q.name, |a, b| a.potential != b.potential)?;
-                functionals.push(energy(solved, &matrix, &q.name));
+                functionals.push(energy(solved.problem, &matrix, &q.name));
             }
             Goal::Potential { at } => {
                 let (dual, load) = point_dual(solved, *at, None, duals.len())?;
@@ -95,6 +100,25 @@ pub(super) fn judge(solved: &mut Solved, quantities: &[Quantity]) -> Result<Vec<
     let pairs: Vec<_> = functionals.iter().map(|f| f.pair).collect();
     let parts = estimate_pairs(solved, &fields, &loads, &pairs);
     Ok(functionals.into_iter().zip(parts).map(|(f, parts)| judged(f, parts)).collect())
+}
+
+/// The outputs that are energy products of the conductors' fields, from their capacitance matrix; `None` where one of them is not.
+pub(super) fn charges(
+    problem: &Problem,
+    quantities: &[Quantity],
+    matrix: &[Vec<f64>],
+) -> Result<Option<Vec<Functional>>, ElectrostaticsError> {
+    let open = !problem.open.is_empty();
+    let mut out = Vec::new();
+    for q in quantities {
+        match &q.goal {
+            Goal::Capacitance { boundary } => out.push(capacitance(problem, open, matrix, &q.name, boundary)?),
+            Goal::CapacitanceMatrix => out.extend(entries(problem, matrix, &q.name)),
+            Goal::Energy => out.push(energy(problem, matrix, &q.name)),
+            Goal::Potential { .. } | Goal::Field { .. } => return Ok(None),
+        }
+    }
+    Ok(Some(out))
 }
 
 fn judged(f: Functional, parts: Vec<f64>) -> Judged {
@@ -129,28 +153,33 @@ fn refuse_touching(
     Ok(())
 }
 
-fn unit(solved: &Solved, planar: &'static str, body: &'static str) -> &'static str {
-    match solved.problem.symmetry {
+fn unit(problem: &Problem, planar: &'static str, body: &'static str) -> &'static str {
+    match problem.symmetry {
         Symmetry::Planar => planar,
         Symmetry::Axisymmetric => body,
     }
 }
 
 /// Largest difference of the conductors' potentials; against infinity for a single conductor (V).
-fn difference(solved: &Solved) -> f64 {
-    let v = solved.problem.conductors.iter().map(|c| c.potential);
+fn difference(problem: &Problem, open: bool) -> f64 {
+    let v = problem.conductors.iter().map(|c| c.potential);
     let (low, high) = v.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
-    if solved.problem.conductors.len() == 1 && solved.exterior.is_some() { high.abs() } else { high - low }
+    if problem.conductors.len() == 1 && open { high.abs() } else { high - low }
 }
 
-fn capacitance(solved: &Solved, matrix: &[Vec<f64>], name: &str, boundary: &str) -> Result<Functional, ElectrostaticsError> {
-    let conductors = &solved.problem.conductors;
+fn capacitance(
+    problem: &Problem,
+    open: bool,
+    matrix: &[Vec<f64>],
+    name: &str,
+    boundary: &str,
+) -> Result<Functional, ElectrostaticsError> {
+    let conductors = &problem.conductors;
     let i = conductors.iter().position(|c| c.boundary == boundary).ok_or_else(|| ElectrostaticsError::NotAConductor {
         boundary: boundary.into(),
         known: conductors.iter().map(|c| c.boundary.as_str()).collect::<Vec<_>>().join(", "),
     })?;
-    refuse_touching(solved, name, |a, b| a.potential != b.potential && (a.boundary == boundary || b.boundary == boundary))?;
-    let difference = difference(solved);
+    let difference = difference(problem, open);
     if difference == 0.0 {
         return Err(ElectrostaticsError::NoDifference { potential: conductors[i].potential, boundary: boundary.into() });
     }
@@ -159,19 +188,19 @@ fn capacitance(solved: &Solved, matrix: &[Vec<f64>], name: &str, boundary: &str)
     Ok(Functional {
         name: name.into(),
         value,
-        unit: unit(solved, "F/m", "F"),
+        unit: unit(problem, "F/m", "F"),
         scale: value.abs().max(1e-9 * matrix[i][i]),
         pair: (i, conductors.len()),
         factor: 1.0 / difference,
     })
 }
 
-fn entries(solved: &Solved, matrix: &[Vec<f64>], name: &str) -> Vec<Functional> {
-    let conductors = &solved.problem.conductors;
+fn entries(problem: &Problem, matrix: &[Vec<f64>], name: &str) -> Vec<Functional> {
+    let conductors = &problem.conductors;
     let entry = |i: usize, j: usize| Functional {
         name: format!("{name}[{},{}]", conductors[i].boundary, conductors[j].boundary),
         value: matrix[i][j],
-        unit: unit(solved, "F/m", "F"),
+        unit: unit(problem, "F/m", "F"),
         // Conductors that hardly see each other are judged against their own capacitances.
         scale: matrix[i][j].abs().max(1e-3 * (matrix[i][i] * matrix[j][j]).sqrt()),
         pair: (i, j),
@@ -180,13 +209,13 @@ fn entries(solved: &Solved, matrix: &[Vec<f64>], name: &str) -> Vec<Functional> 
     (0..conductors.len()).flat_map(|i| (0..conductors.len()).map(move |j| (i, j))).map(|(i, j)| entry(i, j)).collect()
 }
 
-fn energy(solved: &Solved, matrix: &[Vec<f64>], name: &str) -> Functional {
-    let v: Vec<f64> = solved.problem.conductors.iter().map(|c| c.potential).collect();
+fn energy(problem: &Problem, matrix: &[Vec<f64>], name: &str) -> Functional {
+    let v: Vec<f64> = problem.conductors.iter().map(|c| c.potential).collect();
     let value = 0.5 * (0..v.len()).map(|i| v[i] * matrix[i].iter().zip(&v).map(|(c, v)| c * v).sum::<f64>()).sum::<f64>();
     Functional {
         name: name.into(),
         value,
-        unit: unit(solved, "J/m", "J"),
+        unit: unit(problem, "J/m", "J"),
         scale: value.abs(),
         pair: (v.len(), v.len()),
         factor: 0.5,

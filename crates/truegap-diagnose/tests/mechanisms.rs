@@ -102,6 +102,23 @@ fn nothing_is_composed_where_nothing_is_missing() {
     assert_eq!((diagnosis.verdict, diagnosis.discovered.len()), (Verdict::Agrees, 0), "{}", diagnosis.says);
 }
 
+/// The library explains it, under its name; words say what it follows without that name, and the answer stays what it was.
+#[test]
+fn what_the_library_explains_is_told_in_words_as_if_no_effect_had_a_name() {
+    let inputs = inputs();
+    let response = recorded(&inputs, |row| 0.05 * (inputs.drivers[0].values[row] - 5.0));
+    let library = || Options { effects: ["offset_drift", "driver_coefficient"].map(String::from).to_vec(), ..Options::default() };
+    let diagnosis = told(&inputs, &response, &library());
+    let alone = told(&inputs, &response, &Options { compose: false, ..library() });
+    let named = |d: &Diagnosis| d.findings.iter().map(|f| (f.effect.clone(), f.probability)).collect::<Vec<_>>();
+    assert_eq!((diagnosis.verdict, named(&diagnosis)), (alone.verdict, named(&alone)), "{}", diagnosis.says);
+    assert_eq!(diagnosis.findings[0].effect, "driver_coefficient");
+    let found = diagnosis.discovered.first().expect(&diagnosis.says);
+    assert_eq!((found.driver.as_str(), found.kinetics.as_str()), ("supply", "static"), "{}", found.says);
+    assert!(found.in_other_words && !found.named && found.held_out.rmse_after.unwrap() < 1.2 * NOISE);
+    assert!(alone.discovered.is_empty());
+}
+
 #[test]
 fn on_request_the_library_is_all() {
     let inputs = inputs();

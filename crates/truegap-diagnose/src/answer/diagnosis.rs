@@ -60,7 +60,7 @@ pub struct Diagnosis {
     /// smaller effects of the same model, without a claim to their names: an equation of a finding that is slightly off leaves as much
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub carried: Vec<Finding>,
-    /// mechanisms composed of words where the library left something, named or not
+    /// mechanisms composed of words: where the library left something, named or not, and else what it explains as if no effect had a name
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub discovered: Vec<DiscoveredFacts>,
     /// every effect tried alone, likeliest first

@@ -38,6 +38,8 @@ pub(crate) fn discovered(found: &Found<'_>, before: &HeldOutFit, after: Option<&
             action: words.action.word().into(),
             sentence: words.clone(),
             named: found.chosen().effects.contains(&index) && !found.carries(index),
+            in_other_words: found.in_other_words,
+            log_odds: found.log_odds_of_mechanisms,
             probability: mechanism.words.clone(),
             file: MechanismFile::of(&mechanism.effect, &values, |name| number_unit(name, words, found.search.context)),
             clause: clause(words),

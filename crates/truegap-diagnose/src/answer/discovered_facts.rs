@@ -26,6 +26,10 @@ pub struct DiscoveredFacts {
     pub sentence: Sentence,
     /// whether the verdict stands behind it
     pub named: bool,
+    /// whether the library has an answer, which this puts into words as if no effect had a name
+    pub in_other_words: bool,
+    /// log odds of what was composed against all of the library and all unmodelled courses together; natural logarithm
+    pub log_odds: f64,
     /// probability of each value of each word
     pub probability: WordProbabilities,
     /// the words as a clause

@@ -58,6 +58,10 @@ pub struct Found<'a> {
     pub slow: Option<(&'a SlowInput, &'a Hidden)>,
     /// mechanisms from outside the library, whether they are named or not
     pub mechanisms: &'a [Discovery],
+    /// whether they only put into words what the library has explained
+    pub in_other_words: bool,
+    /// log odds of their model against the library and all unmodelled causes together
+    pub log_odds_of_mechanisms: f64,
     /// what is chosen without each part of the recording, where that was asked for
     pub(crate) selected_again: Option<Vec<ChosenWithout>>,
     /// the whole search on permuted histories, where that was asked for

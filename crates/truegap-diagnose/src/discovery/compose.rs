@@ -41,6 +41,8 @@ pub struct Composition {
     pub log_odds: f64,
     /// whether the library's own answer has run to the limits of its equations
     pub library_strained: bool,
+    /// whether they only put into words what the library has explained
+    pub in_other_words: bool,
 }
 
 /// Mechanisms where the library leaves something; `None` where it does not, or where freedom alone does as well. A library that rows left out have `refuted` is no rival.
@@ -76,6 +78,15 @@ pub fn compose(
     best
 }
 
+/// Mechanisms beside the base model, whatever the library says; `None` where freedom alone does as well.
+pub fn describe(search: &Search<'_>, selection: &Selection, lack_of_fit: &LackOfFitTests) -> Option<Composition> {
+    if search.problem.simulator.joined().is_some() {
+        return None;
+    }
+    let found = beside(search, selection, selection.base(), lack_of_fit, false)?;
+    Some(Composition { in_other_words: true, ..found })
+}
+
 /// Whether there is anything to compose for.
 fn leaves_something(decision: &Decision, after: &Adequacy, strained: bool) -> bool {
     match decision.verdict {
@@ -104,7 +115,7 @@ fn beside(
         mechanisms.push(more);
         whole = larger;
     }
-    Some(Composition { mechanisms, tried: whole, log_odds, library_strained: strained })
+    Some(Composition { mechanisms, tried: whole, log_odds, library_strained: strained, in_other_words: false })
 }
 
 fn second(search: &Search<'_>, tried: &Tried, first: &Discovery, scale: f64) -> Option<(Discovery, Tried)> {
@@ -139,7 +150,9 @@ impl Composition {
     /// The selection with the mechanisms' model in it. A library whose best equation has run to its limits, and what mimics that, is set aside.
     pub fn counted_in(&self, selection: Selection) -> Selection {
         let selection = if self.library_strained { selection.base_alone() } else { selection };
-        selection.with_model(self.tried.clone(), self.log_odds, self.mechanisms.len())
+        // other words for what is explained take nothing from the probability of its name
+        let log_odds = if self.in_other_words { f64::NEG_INFINITY } else { self.log_odds };
+        selection.with_model(self.tried.clone(), log_odds, self.mechanisms.len())
     }
 
     /// The decision with the mechanisms counted; `selection` holds their model already.

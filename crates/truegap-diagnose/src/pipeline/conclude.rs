@@ -11,6 +11,7 @@ use crate::{
         by_name::by_name,
         by_rows_left_out::by_rows_left_out,
         carried::with_carried,
+        described::described,
         judged::{Judged, Told, composed, judged},
         options::Options,
         permuted_searches::permuted_searches,
@@ -47,6 +48,7 @@ pub(crate) fn conclude(
 ) -> Result<Outcome, DiagnoseError> {
     let (bank, examined, composition) = sharpened(&prepared, examined, composition, told)?;
     let judged = in_the_end(&prepared, told, judged(&prepared, told, examined, composition)?);
+    let judged = described(&prepared, told, judged);
     let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held } = judged;
     prepared.context.held = held;
     let prepared = &prepared;
@@ -105,6 +107,8 @@ pub(crate) fn conclude(
         slow: slow.as_ref().zip(told.options.hidden.first()),
         mechanisms,
         by_squares,
+        in_other_words: composition.as_ref().is_some_and(|c| c.in_other_words),
+        log_odds_of_mechanisms: composition.as_ref().map_or(f64::NEG_INFINITY, |c| c.log_odds),
         widened,
         selected_again: again,
         permuted_searches: permuted,

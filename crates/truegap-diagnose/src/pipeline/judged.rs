@@ -187,6 +187,17 @@ impl Judged {
         self
     }
 
+    /// The same with mechanisms beside what is stood behind: they are among the models, and the decision is not asked again.
+    pub(crate) fn described_by(mut self, composition: Composition) -> Self {
+        let key = self.stood_behind().key();
+        let selection = composition.counted_in(self.examined.selection);
+        // the order of the models has changed
+        let stood_behind = selection.models.iter().position(|m| m.key() == key).unwrap_or(selection.base);
+        self.predicted.decision.model = stood_behind;
+        self.examined.selection = selection;
+        Self { composition: Some(composition), ..self }
+    }
+
     /// The same with what was left out on the way.
     fn after(mut self, first: Self) -> Self {
         self.predicted.left_out.splice(0..0, first.predicted.left_out);
@@ -204,7 +215,7 @@ pub(crate) fn composed(prepared: &Prepared<'_>, examined: &Examined, told: &Told
 }
 
 /// Whether anything from outside the library may be named.
-fn may_compose(options: &Options) -> bool {
+pub(crate) fn may_compose(options: &Options) -> bool {
     options.compose && options.withheld.is_none() && options.restricted.is_none()
 }
 

@@ -7,6 +7,7 @@ mod by_name;
 mod by_rows_left_out;
 mod carried;
 mod conclude;
+mod described;
 mod judged;
 mod noise_choice;
 mod options;

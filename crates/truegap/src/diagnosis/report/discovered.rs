@@ -18,16 +18,26 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     if all.is_empty() {
         return page;
     }
-    let page = page.section("Composed of words, beyond the library").text(
-        "No effect of the library explains all of this recording. Thousands of sentences were weighed: where something acts, what it follows, how in time, by which law. \
-         A word is as sure as all sentences together that hold it.",
-    );
+    let (heading, why) = match all.iter().any(|m| m.in_other_words) {
+        true => (
+            "Composed of words, as if no effect had a name",
+            "The library has an answer. It may lack the effect that acts, and then its nearest one explains as much: words do not depend on what it holds.",
+        ),
+        false => ("Composed of words, beyond the library", "No effect of the library explains all of this recording."),
+    };
+    let weighed = "Thousands of sentences were weighed: where something acts, what it follows, how in time, by which law. \
+         A word is as sure as all sentences together that hold it.";
+    let page = page.section(heading).text(&format!("{why} {weighed}"));
     all.iter().fold(page, |page, mechanism| one(page, subject, mechanism))
 }
 
 fn one(page: Page, subject: &Subject<'_>, m: &DiscoveredFacts) -> Page {
     let heading = format!("{} follows {}", spoken(&m.place), spoken(&m.driver));
-    let stands = if m.named { "" } else { "The verdict does not stand behind it; it is what comes nearest. " };
+    let stands = match (m.named, m.in_other_words) {
+        (true, _) => "",
+        (false, true) => "The verdict does not rest on it. ",
+        (false, false) => "The verdict does not stand behind it; it is what comes nearest. ",
+    };
     let mut page = page.subsection(&heading).text(&format!("{stands}{}.", super::text::capitalised(&m.says))).table(&words(m));
     let parameters = m
         .parameters

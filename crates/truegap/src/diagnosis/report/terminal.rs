@@ -29,7 +29,9 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
         lines.extend(diagnosis.carried.iter().map(|smaller| format!("  {}: {}", spoken(&smaller.effect), smaller.says)));
     }
     for mechanism in &diagnosis.discovered {
-        if !mechanism.named {
+        if mechanism.in_other_words {
+            lines.push(format!("  In words, as if no effect had a name: {}", mechanism.says));
+        } else if !mechanism.named {
             lines.push(format!("  Of mechanisms composed of words, nearest is: {}", mechanism.says));
         }
         lines.push(format!("    words: {}", mechanism.probability.says().replace('_', " ")));

@@ -117,6 +117,10 @@ fn what_the_library_explains_is_told_in_words_as_if_no_effect_had_a_name() {
     assert_eq!((found.driver.as_str(), found.kinetics.as_str()), ("supply", "static"), "{}", found.says);
     assert!(found.in_other_words && !found.named && found.held_out.rmse_after.unwrap() < 1.2 * NOISE);
     assert!(alone.discovered.is_empty());
+    // nor does it count among what was tried, or as one more effect that may act beside the rest
+    let tried = |d: &Diagnosis| d.candidates.iter().map(|c| c.effect.clone()).collect::<Vec<_>>();
+    let numbers = |d: &Diagnosis| d.base.parameters_after.iter().map(|p| (p.value, p.sd)).collect::<Vec<_>>();
+    assert_eq!((tried(&diagnosis), numbers(&diagnosis)), (tried(&alone), numbers(&alone)));
 }
 
 #[test]

@@ -42,7 +42,7 @@ pub(crate) fn candidates(found: &Found<'_>) -> Vec<Candidate> {
             freedom: t.fit.z.len() - base.z.len(),
         })
     };
-    let mut list: Vec<Candidate> = (0..found.search.library.len()).filter_map(single).collect();
+    let mut list: Vec<Candidate> = found.weighed().filter_map(single).collect();
     list.sort_by(|a, b| b.probability.total_cmp(&a.probability).then(b.score.total_cmp(&a.score)));
     list
 }
@@ -94,5 +94,5 @@ pub(crate) fn smallest_visible(found: &Found<'_>) -> Vec<SmallestVisible> {
         let size = visible_size(found.search, base, tried, SEEN)?;
         Some(SmallestVisible { effect: found.id(effect), parameter: parameter.name, unit: parameter.unit, size })
     };
-    (0..found.search.library.len()).filter(|e| !named.contains(e)).filter_map(visible).collect()
+    found.weighed().filter(|e| !named.contains(e)).filter_map(visible).collect()
 }

@@ -111,6 +111,11 @@ impl Found<'_> {
         own.map_or(&tried.fit.sd, |(_, sd)| sd)
     }
 
+    /// Indices of the effects that the answer was chosen from: other words for what is explained were not among them.
+    pub fn weighed(&self) -> std::ops::Range<usize> {
+        0..self.search.library.len() - if self.in_other_words { self.mechanisms.len() } else { 0 }
+    }
+
     /// Name of an effect of the library searched.
     pub fn id(&self, effect: usize) -> String {
         self.search.library[effect].id().to_string()

@@ -56,7 +56,10 @@ pub(crate) fn conclude(
     let search = &prepared.search(&searched, told.progress, told.stop);
     let Predicted { unseen, decision, after, vetoed, left_out } = predicted;
     let mechanisms = composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
-    let search = &with_mechanisms(search, mechanisms);
+    let in_other_words = composition.as_ref().filter(|c| c.in_other_words);
+    // other words for what is explained are no effect more that may act beside it
+    let of_names = search;
+    let search = &with_mechanisms(of_names, mechanisms);
     let (selection, all) = (&examined.selection, prepared.all_rows());
     let decision = with_carried(prepared, search, selection, (decision, unseen.stood_behind()), &by_base);
     let base = by_base.alone.as_ref().map_or(selection.base(), |alone| &alone.tried);
@@ -79,6 +82,9 @@ pub(crate) fn conclude(
         sd.into_iter().enumerate().map(|(i, sd)| sd.hypot(moved(tried, i))).collect::<Vec<_>>()
     };
     let widened = told_of.into_iter().map(|tried| (tried, told_sd(tried))).collect();
+    let beside_names = |tried: &Tried| in_other_words.is_some_and(|c| c.tried.effects != tried.effects);
+    let searched_for = |tried: &Tried| if beside_names(tried) { of_names } else { search };
+    let widened = told_of.into_iter().map(|tried| (tried, widened(searched_for(tried), selection, tried))).collect();
     let again = told.options.select_in_folds && told.options.withheld.is_none();
     let again = again.then(|| {
         selected_again(&prepared.search(&searched, told.progress, told.stop), &prepared.searched_noise, &prepared.directions, all)
@@ -108,6 +114,7 @@ pub(crate) fn conclude(
         mechanisms,
         by_squares,
         in_other_words: composition.as_ref().is_some_and(|c| c.in_other_words),
+        in_other_words: in_other_words.is_some(),
         log_odds_of_mechanisms: composition.as_ref().map_or(f64::NEG_INFINITY, |c| c.log_odds),
         widened,
         selected_again: again,

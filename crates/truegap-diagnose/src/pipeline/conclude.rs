@@ -77,14 +77,13 @@ pub(crate) fn conclude(
         Some(squares) if squares.effects == tried.effects => squares.fit.z[i] - tried.fit.z[i],
         _ => 0.0,
     };
+    let beside_names = |tried: &Tried| in_other_words.is_some_and(|c| c.tried.effects != tried.effects);
+    let searched_for = |tried: &Tried| if beside_names(tried) { of_names } else { search };
     let told_sd = |tried: &Tried| {
-        let sd = widened(search, selection, tried);
+        let sd = widened(searched_for(tried), selection, tried);
         sd.into_iter().enumerate().map(|(i, sd)| sd.hypot(moved(tried, i))).collect::<Vec<_>>()
     };
     let widened = told_of.into_iter().map(|tried| (tried, told_sd(tried))).collect();
-    let beside_names = |tried: &Tried| in_other_words.is_some_and(|c| c.tried.effects != tried.effects);
-    let searched_for = |tried: &Tried| if beside_names(tried) { of_names } else { search };
-    let widened = told_of.into_iter().map(|tried| (tried, widened(searched_for(tried), selection, tried))).collect();
     let again = told.options.select_in_folds && told.options.withheld.is_none();
     let again = again.then(|| {
         selected_again(&prepared.search(&searched, told.progress, told.stop), &prepared.searched_noise, &prepared.directions, all)
@@ -113,7 +112,6 @@ pub(crate) fn conclude(
         slow: slow.as_ref().zip(told.options.hidden.first()),
         mechanisms,
         by_squares,
-        in_other_words: composition.as_ref().is_some_and(|c| c.in_other_words),
         in_other_words: in_other_words.is_some(),
         log_odds_of_mechanisms: composition.as_ref().map_or(f64::NEG_INFINITY, |c| c.log_odds),
         widened,

@@ -83,8 +83,14 @@ impl Friction {
         Course::of(context, self.0).unwrap_or(Course::Load)
     }
 
+    /// Whether a share may build up with the speed: of a driver that the base model does not follow, for what follows it late looks the same.
+    fn may_follow_the_speed(&self, context: &Context<'_>) -> bool {
+        let course = self.course(context);
+        matches!(course, Course::Driver(_)) && !course.is_followed(context)
+    }
+
     fn against(&self, values: &[f64], context: &Context<'_>) -> Against {
-        let (by_speed, onset) = (values[3], values[4]);
+        let (by_speed, onset) = if let [_, _, _, by_speed, onset] = *values { (by_speed, onset) } else { (0.0, 1.0) };
         Against { force: values[0], width: values[1], viscous: values[2], by_speed, onset, course: self.course(context) }
     }
 }
@@ -117,7 +123,7 @@ impl Effect for Friction {
         let course = self.course(context);
         let (span, unit) = (course.span(context), course.unit(context));
         let speed = course.usual_speed(context).max(span / context.longest_run_s.max(1.0));
-        vec![
+        let mut list = vec![
             Parameter::normal(
                 "force",
                 context.simulator.unit(),
@@ -134,15 +140,29 @@ impl Effect for Friction {
             )
             .within(1e-4 * span, span),
             Parameter::normal("viscous", &per_speed(&unit), 0.0, 0.3 / speed, "speed-proportional part over the force"),
-            Parameter::normal("by_speed", "", 0.0, 0.5, "share of the force that is gone at standstill").within(0.0, 1.0),
-            Parameter::log_normal("onset", &format!("{unit}/s"), 0.1 * speed, 1.2, "speed at which 76 % of that share are there")
+        ];
+        if self.may_follow_the_speed(context) {
+            list.extend([
+                Parameter::normal("by_speed", "", 0.0, 0.5, "share of the force that is gone at standstill").within(0.0, 1.0),
+                Parameter::log_normal(
+                    "onset",
+                    &format!("{unit}/s"),
+                    0.1 * speed,
+                    1.2,
+                    "speed at which 76 % of that share are there",
+                )
                 // at half the usual speed it has levelled off: what grows on is viscous, or a lag
                 .within(1e-3 * speed, 0.5 * speed),
-        ]
+            ]);
+        }
+        list
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let course = self.course(context);
         let (span, speed) = (course.span(context), course.usual_speed(context));
+        if !self.may_follow_the_speed(context) {
+            return [0.003, 0.01, 0.03, 0.1].map(|share| vec![share * span, 0.0]).to_vec();
+        }
         let by_travel = [0.003, 0.01, 0.03, 0.1].map(|share| vec![share * span, 0.0, 0.0, 0.1 * speed]);
         let by_speed = [0.03, 0.2].map(|share| vec![0.03 * span, 0.0, 1.0, share * speed]);
         by_travel.into_iter().chain(by_speed).collect()
@@ -210,13 +230,15 @@ fn told(fitted: &[FittedParameter], name: &str, usual: f64) -> String {
     } else {
         String::new()
     };
-    let (by_speed, onset) = (&fitted[3], &fitted[4]);
-    let moving = rounded(onset.value, &onset.parameter.unit);
-    let turned = match by_speed.value {
-        share if share > 0.9 => format!("it follows the speed, gone at standstill, with three quarters of it there at {moving}"),
-        share if share > 0.1 && share > SPOKEN_OF * by_speed.sd => {
-            format!("{} of it is gone at standstill, the rest changes over within {turn} after a turn", percent_of(share))
-        }
+    let turned = match fitted.get(3..) {
+        Some([by_speed, onset]) if by_speed.value > 0.9 => format!(
+            "it follows the speed, gone at standstill, with three quarters of it there at {}",
+            rounded(onset.value, &onset.parameter.unit)
+        ),
+        Some([by_speed, _]) if by_speed.value > 0.1 && by_speed.value > SPOKEN_OF * by_speed.sd => format!(
+            "{} of it is gone at standstill, the rest changes over within {turn} after a turn",
+            percent_of(by_speed.value)
+        ),
         _ => format!("it changes over within {turn} after a turn"),
     };
     format!(

@@ -129,9 +129,9 @@ fn a_constant_stays_and_an_external_simulation_is_repeated() {
     assert!(external.parameters().is_empty());
     assert_eq!(external.respond(&[], &inputs, &[]).unwrap(), [1.0, 2.0, 4.0]);
     let scale = ResponseScale { unit: "pF".into(), range: 4.0, ..ResponseScale::default() };
-    let free = External::new(&scale, 20.0, ExternalOptions { gain_sd: Some(0.05), offset: true });
+    let free = External::new(&scale, 20.0, ExternalOptions { gain_sd: Some(0.05), offset: true, own_unit: None });
     assert_eq!(free.respond(&[1.5, 0.25], &inputs, &[]).unwrap(), [1.75, 3.25, 6.25]);
-    let offset = External::new(&scale, 20.0, ExternalOptions { gain_sd: None, offset: true });
+    let offset = External::new(&scale, 20.0, ExternalOptions { gain_sd: None, offset: true, own_unit: None });
     assert_eq!(offset.respond(&[0.25], &inputs, &[]).unwrap(), [1.25, 2.25, 4.25]);
 }
 

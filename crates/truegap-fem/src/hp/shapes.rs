@@ -30,6 +30,7 @@ impl Sub for Jet {
 
 impl Mul for Jet {
     type Output = Jet;
+    #[allow(clippy::suspicious_arithmetic_impl)] // the slope of a product is a sum
     fn mul(self, o: Jet) -> Jet {
         Jet { value: self.value * o.value, slope: [0, 1].map(|k| self.value * o.slope[k] + self.slope[k] * o.value) }
     }

@@ -202,14 +202,13 @@ const ROOM_C: f64 = 20.0;
 /// All rows behind one another, as far as they are drawn and listed: runs numbered on, the clock carried on where it would run back.
 pub(super) fn together(parts: &[Recording]) -> Result<Recording, DiagnosisError> {
     let first = parts.first().ok_or(DiagnosisError::NoRecording)?;
-    let units: [(&'static str, fn(&Recording) -> &str); 2] = [
-        ("unit", |part| &part.response_unit),
-        ("unit of the simulation", |part| part.simulated_unit.as_deref().unwrap_or(&part.response_unit)),
-    ];
-    for (what, unit) in units {
-        if let Some(other) = parts.iter().find(|part| unit(part) != unit(first)) {
-            let (first_has, second_has) = (unit(first).to_owned(), unit(other).to_owned());
-            return Err(DiagnosisError::Different { first: named(first), second: named(other), what, first_has, second_has });
+    for part in parts {
+        let units =
+            |of: &Recording| [of.response_unit.clone(), of.simulated_unit.clone().unwrap_or_else(|| of.response_unit.clone())];
+        for ((what, first_has), second_has) in ["unit", "unit of the simulation"].into_iter().zip(units(first)).zip(units(part)) {
+            if first_has != second_has {
+                return Err(DiagnosisError::Different { first: named(first), second: named(part), what, first_has, second_has });
+            }
         }
     }
     let (mut inputs, _) = behind_one_another(&parts.iter().map(|p| (&p.inputs, ROOM_C)).collect::<Vec<_>>());

@@ -136,7 +136,7 @@ def test_a_csv_is_told_what_its_columns_are(tmp_path):
         told = {"columns": {"time": "Elapsed", "force": "Load cell: left", "response": "read"}, "units": {"time": "s", "force": "N", "response": "mm"}}
         d = tg.diagnose(tmp_path / name, base="linear", **told)
         assert d.unit == "mm" and np.array_equal(d.table["force_n"], made["force_n"]), name
-        assert '--map "force=Load cell: left:N"' in d.report_html() and len(d.predict(tmp_path / name).augmented) == len(made["force_n"])
+        assert "--map &quot;force=Load cell: left:N&quot;" in d.report_html() and len(d.predict(tmp_path / name).augmented) == len(made["force_n"])
     with pytest.raises(tg.TruegapError, match="did you mean `read`.*name yours: columns="):
         tg.diagnose(tmp_path / "plain.csv", base="linear", columns={"response": "reads"})
     with pytest.raises(tg.TruegapError, match="say it: units="):
@@ -177,7 +177,7 @@ def test_the_same_files_as_the_command_line_byte_for_byte(tmp_path):
         assert done.returncode in (0, 1), done.stderr
         tg.diagnose(recording).save(by_python)
         files = sorted(file.name for file in by_command.iterdir())
-        assert files == sorted(file.name for file in by_python.iterdir()) and len(files) == 4
+        assert files == sorted(file.name for file in by_python.iterdir()) and {"augmented.toml", "diagnosis.json", "prediction.csv", "report.html"} <= set(files)
         # the line that says which command made it differs by the words --quiet and -o FOLDER
         spoken = f'truegap --quiet diagnose {recording} -o {by_command}'
         for file in files:

@@ -2,6 +2,10 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "common/noise.rs"]
+mod noise;
+
+use noise::noise;
 use std::sync::atomic::AtomicBool;
 use truegap::core::{BaseSpec, Inputs, Recording};
 use truegap::diagnose::answer::Verdict;
@@ -16,22 +20,12 @@ fn concealed(recording: Recording) -> (Diagnosed, ConcealedColumn) {
     (diagnosed, column)
 }
 
-/// Noise of unit variance, always the same: twelve uniform numbers each.
-fn noise(rows: usize) -> Vec<f64> {
-    let mut state = 1u64;
-    let mut uniform = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1u64 << 53) as f64
-    };
-    (0..rows).map(|_| (0..12).map(|_| uniform()).sum::<f64>() - 6.0).collect()
-}
-
 /// A value that should not move beside a room that warms and cools, `per_kelvin` of which gets into it.
 fn in_a_room(per_kelvin: f64) -> Recording {
     let rows = 900;
     let room: Vec<f64> =
         (0..rows).map(|i| 22.0 + 3.0 * (f64::from(i) / 110.0).sin() + 1.5 * (f64::from(i) / 37.0).cos()).collect();
-    let noise = noise(rows as usize);
+    let noise: Vec<f64> = std::iter::repeat_with(noise(1)).take(rows as usize).collect();
     let response = room.iter().zip(&noise).map(|(t, e)| 10.0 + per_kelvin * (t - 22.0) + 0.02 * e).collect();
     let inputs = Inputs {
         time_s: Some((0..rows).map(|i| 20.0 * f64::from(i)).collect()),

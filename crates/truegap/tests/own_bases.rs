@@ -2,20 +2,14 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "common/noise.rs"]
+mod noise;
+
+use noise::noise;
 use std::sync::atomic::AtomicBool;
 use truegap::core::Recording;
 use truegap::diagnose::answer::{Diagnosis, Verdict};
 use truegap::diagnosis::{Diagnosed, Request, diagnose, open};
-
-/// Noise of unit variance, always the same: twelve uniform numbers each.
-fn noise() -> impl FnMut() -> f64 {
-    let mut state = 1u64;
-    let mut uniform = move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1u64 << 53) as f64
-    };
-    move || (0..12).map(|_| uniform()).sum::<f64>() - 6.0
-}
 
 /// A recording as a user has it, in a folder of its own.
 fn recorded(base: &str, header: &str, rows: usize, row: impl FnMut(usize) -> Vec<f64>) -> (tempfile::TempDir, Recording) {
@@ -55,7 +49,7 @@ fn named(diagnosis: &Diagnosis) -> Vec<&str> {
 /// calibrated.
 #[test]
 fn a_simulated_thermometer_is_found_to_lag() {
-    let (mut noise, mut inside) = (noise(), 20.0);
+    let (mut noise, mut inside) = (noise(1), 20.0);
     let row = |i: usize| {
         let room = 18.0 + 4.0 * (i as f64 / 60.0).sin() + 2.0 * (i as f64 / 23.0).cos();
         inside += (room - inside) / 9.0;
@@ -76,7 +70,7 @@ fn a_simulated_thermometer_is_found_to_lag() {
 
 #[test]
 fn a_simulation_that_may_not_be_adjusted_has_no_parameters_and_is_diagnosed() {
-    let mut noise = noise();
+    let mut noise = noise(1);
     let row = |i: usize| {
         let simulated = 5.0 + (i as f64 / 40.0).sin();
         vec![i as f64, simulated, simulated + 0.01 * noise()]
@@ -90,7 +84,7 @@ fn a_simulation_that_may_not_be_adjusted_has_no_parameters_and_is_diagnosed() {
 /// Gain 1.2 and offset 0.4 against the simulation, and nothing else.
 #[test]
 fn a_gain_that_is_allowed_is_calibrated() {
-    let mut noise = noise();
+    let mut noise = noise(1);
     let row = |i: usize| {
         let simulated = 5.0 + (i as f64 / 40.0).sin();
         vec![i as f64, simulated, 0.4 + 1.2 * simulated + 0.01 * noise()]
@@ -106,7 +100,7 @@ fn a_gain_that_is_allowed_is_calibrated() {
 /// A simulation that is no prediction of the reading but of something that it follows: the gain is -3 mV for each g/m3, far from 1.
 #[test]
 fn a_gain_between_two_units_is_calibrated_from_the_recording_alone() {
-    let mut noise = noise();
+    let mut noise = noise(1);
     let row = |i: usize| {
         let vapour = 5.0 + (i as f64 / 40.0).sin();
         vec![i as f64, vapour, 0.4 - 0.003 * vapour + 3e-5 * noise()]
@@ -128,7 +122,7 @@ fn force(i: usize) -> f64 {
 
 #[test]
 fn a_load_cell_that_is_a_line_agrees_with_one() {
-    let mut noise = noise();
+    let mut noise = noise(1);
     let row = |i: usize| vec![0.5 * i as f64, force(i), 2.0 + 0.8 * force(i) + 0.005 * noise()];
     let (_folder, recording) = recorded("model = \"linear\"\n", "time_s,force_n,response_mv", 800, row);
     let diagnosis = diagnosed(recording).outcome.diagnosis;
@@ -147,7 +141,7 @@ fn a_load_cell_that_is_a_line_agrees_with_one() {
 #[test]
 fn a_line_follows_a_named_driver() {
     for driver in ["driver = \"position\"\n", ""] {
-        let mut noise = noise();
+        let mut noise = noise(1);
         let row = |i: usize| vec![0.5 * i as f64, 10.0 + 6.0 * force(i), 2.0 + 0.04 * (10.0 + 6.0 * force(i)) + 0.005 * noise()];
         let drivers = "[drivers]\nposition = { column = \"position_mm\", unit = \"mm\" }\n";
         let base = format!("model = \"linear\"\n{driver}{drivers}");
@@ -173,7 +167,7 @@ fn a_line_follows_a_named_driver() {
 /// A temperature coefficient of the zero, 0.03 mV/K, beside a table that has 0.05 mV/K of its own.
 #[test]
 fn a_table_is_a_base_and_what_it_lacks_is_found() {
-    let mut noise = noise();
+    let mut noise = noise(1);
     let warm = |i: usize| 25.0 + 4.0 * (i as f64 / 150.0).sin();
     let row = |i: usize| {
         let reading = 10.0 + force(i) + 0.08 * (warm(i) - 20.0) + 0.005 * noise();
@@ -228,7 +222,7 @@ fn a_base_that_is_asked_for_is_the_only_one_that_is_spoken_of() {
 /// are carried, and the lag alone is the cause. They had been named beside it; and where one of them was found alone, rows left out were predicted with ten times the error.
 #[test]
 fn what_follows_the_rest_of_a_law_that_is_slightly_off_is_carried_and_not_named() {
-    let (mut noise, mut wander, mut late) = (noise(), 0.0, [f64::NAN; 3]);
+    let (mut noise, mut wander, mut late) = (noise(1), 0.0, [f64::NAN; 3]);
     let row = |i: usize| {
         let seconds = 10.0 * i as f64;
         wander += 0.1 * (noise() - wander);

@@ -2,20 +2,14 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "common/noise.rs"]
+mod noise;
+
+use noise::noise;
 use std::sync::atomic::AtomicBool;
 use truegap::core::Recording;
 use truegap::diagnose::answer::Diagnosis;
 use truegap::diagnosis::{Request, diagnose, open};
-
-/// Noise of unit variance, always the same: twelve uniform numbers each.
-fn noise() -> impl FnMut() -> f64 {
-    let mut state = 5u64;
-    let mut uniform = move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1u64 << 53) as f64
-    };
-    move || (0..12).map(|_| uniform()).sum::<f64>() - 6.0
-}
 
 fn diagnosed(toml: &str, header: &str, rows: usize, row: impl FnMut(usize) -> Vec<f64>) -> Diagnosis {
     let folder = tempfile::tempdir().unwrap();
@@ -40,7 +34,7 @@ fn named(diagnosis: &Diagnosis) -> Vec<&str> {
 /// the way out and another one on the way back is what a change at the turn would say as well.
 #[test]
 fn one_loop_is_friction_and_no_change_of_regime() {
-    let (mut noise, mut way, mut before) = (noise(), 0.0, 0.0);
+    let (mut noise, mut way, mut before) = (noise(5), 0.0, 0.0);
     let row = |i: usize| {
         let t = 0.01 * i as f64;
         let volts = if t < 3.0 {
@@ -71,7 +65,7 @@ const CONSTANT: &str =
 /// 20 ns in two hours beside a phase that walks by 0.1 ns a row (1.9 ns over the recording, where it is kept near 0 by a memory of 100 rows).
 #[test]
 fn a_clock_of_another_rate_drifts() {
-    let (mut noise, mut walk) = (noise(), 0.0);
+    let (mut noise, mut walk) = (noise(5), 0.0);
     let row = |i: usize| {
         walk = 0.99 * walk + 0.1 * noise();
         vec![10.0 * i as f64, 20.0 * i as f64 / 720.0 + walk]
@@ -86,7 +80,7 @@ fn a_clock_of_another_rate_drifts() {
 /// Two and a half days of a cycle of 3 ns, every five minutes.
 #[test]
 fn two_days_show_the_time_of_day() {
-    let mut noise = noise();
+    let mut noise = noise(5);
     let row = |i: usize| {
         let day = i as f64 / 288.0;
         vec![300.0 * i as f64, 1.5 * (std::f64::consts::TAU * (day - 0.3)).cos() + 0.5 * noise()]
@@ -101,11 +95,69 @@ fn two_days_show_the_time_of_day() {
 /// Two instruments look at one quantity, which is all that changes.
 #[test]
 fn a_simulation_that_moves_is_an_input_that_changes() {
-    let mut noise = noise();
+    let mut noise = noise(5);
     let row = |i: usize| {
         let truth = 10.0 * (i as f64 / 40.0).sin();
         vec![i as f64, truth, truth + 0.1 * noise()]
     };
     let said = diagnosed("[units]\nresponse = \"degC\"\n[base]\nmodel = \"external\"\n", "time_s,simulated,response", 600, row);
     assert!(!said.recording_issues.iter().any(|issue| issue.contains("no input changes")), "{:?}", said.recording_issues);
+}
+
+/// Root mean square of what a straight line of `y` on `x` leaves.
+fn left_by_a_line(x: &[f64], y: &[f64]) -> f64 {
+    let rows = x.len() as f64;
+    let mean = |column: &[f64]| column.iter().sum::<f64>() / rows;
+    let (of_x, of_y) = (mean(x), mean(y));
+    let slope =
+        x.iter().zip(y).map(|(x, y)| (x - of_x) * (y - of_y)).sum::<f64>() / x.iter().map(|x| (x - of_x).powi(2)).sum::<f64>();
+    (x.iter().zip(y).map(|(x, y)| (y - of_y - slope * (x - of_x)).powi(2)).sum::<f64>() / rows).sqrt()
+}
+
+/// A motor that lifts and lowers a weight, with pauses: it gives 1 V, and 0.75 V more or less while it moves, as tanh(speed / 3 mm/s). At standstill its controller wanders, so that the
+/// noise measured there is louder and slower than that of the motion: a fit under it halves the friction. The yardstick is the law itself by least squares.
+#[test]
+fn what_a_motor_gives_while_it_moves_is_friction() {
+    let mut noise = noise(1);
+    let (mut height, mut wander) = (0.1, 0.0);
+    let (mut law, mut given) = (Vec::new(), Vec::new());
+    let row = |i: usize| {
+        // up 1.2 s, still 0.8 s, down 1 s, still 0.8 s; each begins and ends within 0.16 s
+        let into = (i % 190) as f64;
+        let ramp = |from: f64, to: f64| ((into - from) / 8.0).clamp(0.0, 1.0) * ((to - into) / 8.0).clamp(0.0, 1.0);
+        let speed = 0.02 * ramp(0.0, 60.0) - 0.024 * ramp(100.0, 150.0);
+        height += 0.02 * speed;
+        wander = 0.97 * wander + 0.073 * noise();
+        let share = if speed == 0.0 { 1.0 } else { 0.4 };
+        law.push((speed / 0.003).tanh());
+        given.push(1.0 + 0.75 * law[i] + share * wander + 0.1 * noise());
+        vec![0.02 * i as f64, height, given[i]]
+    };
+    let toml = "[columns]\nresponse = \"motor\"\n[units]\nresponse = \"V\"\n[drivers]\nposition = { column = \"height\", unit = \"m\" }\n\
+                [base]\nmodel = \"constant\"\n";
+    let diagnosis = diagnosed(toml, "time_s,height,motor", 1200, row);
+    assert_eq!(named(&diagnosis), ["friction"], "{}", diagnosis.says);
+    let force = diagnosis.findings[0].parameters.iter().find(|p| p.name == "force").unwrap();
+    assert!((force.value - 0.75).abs() < 3.0 * force.sd && force.sd < 0.15, "{} {}", force.value, force.sd);
+    let unseen = diagnosis.fit.held_out.rmse_after.unwrap();
+    assert!(unseen < 1.1 * left_by_a_line(&law, &given), "{unseen} against {}", left_by_a_line(&law, &given));
+}
+
+/// The zero alone is switched by 0.2 V, from one row to the next: 5 % of the range beside a gain that stays.
+#[test]
+fn a_zero_that_is_switched_is_told_as_a_zero() {
+    let mut noise = noise(1);
+    let mut simulated = 0.0;
+    let row = |i: usize| {
+        simulated = 0.98 * simulated + 0.2 * noise();
+        vec![i as f64, simulated, 0.5 * simulated + if i > 316 { 0.2 } else { 0.0 } + 0.016 * noise()]
+    };
+    let diagnosis =
+        diagnosed("[base]\nmodel = \"external\"\nfree = [\"gain\", \"offset\"]\n", "time_s,simulated,response_v", 900, row);
+    assert_eq!(named(&diagnosis), ["regime_change"], "{}", diagnosis.says);
+    let when = diagnosis.findings[0].parameters.iter().find(|p| p.name == "when").unwrap();
+    assert!((when.value - 316.5).abs() < 2.0, "{}", when.value);
+    let sentence = &diagnosis.findings[0].says;
+    assert!(sentence.contains("and the reading by 20") || sentence.contains("and the reading by 19"), "{sentence}");
+    assert!(!sentence.contains("limit"), "{sentence}");
 }

@@ -79,7 +79,7 @@ impl BaseSpec {
     }
 
     /// Whether the gain of a simulation may be adjusted: `free` holds `"gain"`, or `gain` is `true` or its standard deviation.
-    pub(super) fn frees_gain(&self) -> bool {
+    pub fn frees_gain(&self) -> bool {
         let listed = self.further.get("free").and_then(toml::Value::as_array);
         match self.further.get("gain") {
             Some(gain) => gain.as_bool() != Some(false),

@@ -51,6 +51,8 @@ pub struct Context<'a> {
     pub(crate) full_strain: OnceLock<f64>,
     /// response where next to no load acts, once an effect has asked for it
     pub(crate) unloaded: OnceLock<f64>,
+    /// whether the base model follows each recorded driver by itself, once an effect has asked for it
+    pub(crate) followed: Vec<OnceLock<bool>>,
 }
 
 fn range(column: &[f64]) -> (f64, f64) {
@@ -99,6 +101,7 @@ impl<'a> Context<'a> {
             held: Vec::new(),
             full_strain: OnceLock::new(),
             unloaded: OnceLock::new(),
+            followed: vec![OnceLock::new(); inputs.drivers.len()],
         }
     }
 

@@ -108,9 +108,14 @@ impl Course {
         format!("{which} that moves was recorded; name one under [drivers]")
     }
 
-    /// Whether the base model follows this recorded driver by itself: its response changes where the driver is moved.
+    /// Whether the base model follows this recorded driver by itself.
     pub fn is_followed(self, context: &Context<'_>) -> bool {
         let Self::Driver(index) = self else { return false };
+        *context.followed[index].get_or_init(|| self.moves_the_base(index, context))
+    }
+
+    /// Whether the response of the base model changes where the recorded driver of this index is moved: two simulations.
+    fn moves_the_base(self, index: usize, context: &Context<'_>) -> bool {
         let mut moved = context.inputs.clone();
         let step = 0.1 * self.span(context);
         moved.drivers[index].values.iter_mut().for_each(|value| *value += step);

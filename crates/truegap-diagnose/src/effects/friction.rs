@@ -232,7 +232,7 @@ fn told(fitted: &[FittedParameter], name: &str, usual: f64) -> String {
     };
     let turned = match fitted.get(3..) {
         Some([by_speed, onset]) if by_speed.value > 0.9 => format!(
-            "it follows the speed, gone at standstill, with three quarters of it there at {}",
+            "it is gone at standstill, and three quarters of it are there at {}",
             rounded(onset.value, &onset.parameter.unit)
         ),
         Some([by_speed, _]) if by_speed.value > 0.1 && by_speed.value > SPOKEN_OF * by_speed.sd => format!(
@@ -284,17 +284,8 @@ mod tests {
     /// A driver that goes, stops and goes on: the force of a motor is gone while it stands, that of a piston is not.
     #[test]
     fn the_share_by_speed_is_gone_at_standstill() {
-        let x: Vec<f64> = (0..30)
-            .map(|i| {
-                f64::from(if i < 10 {
-                    i
-                } else if i < 20 {
-                    9
-                } else {
-                    i - 10
-                })
-            })
-            .collect();
+        // 9 steps out, 10 rows still, 10 steps on
+        let x: Vec<f64> = (0..30_i32).map(|i| f64::from(i.min(9) + (i - 19).max(0))).collect();
         let drivers = vec![Driver { name: "position".into(), unit: "mm".into(), values: x }];
         let inputs = Inputs { time_s: Some((0..30).map(f64::from).collect()), run: vec![1; 30], drivers, ..Inputs::default() };
         let drive = Drive { inputs: &inputs, load: &[0.0; 30], temperature_c: &[20.0; 30], reference_c: 20.0, full_load: 1.0 };

@@ -184,7 +184,8 @@ fn told_apart(context: &Context<'_>, of: Of) -> Option<(f64, f64)> {
 const JUMPS: f64 = 5.0;
 /// Times at which a change is looked for to begin with.
 const LOOKED_AT: usize = 16;
-/// Longest that a change may take, as a share of the recording: what takes longer is a drift, and nothing was switched. It is looked for at that length, so that its time is found from afar.
+/// Longest that a change may take, as a share of the recording: what takes longer is a drift, and nothing was switched. It is looked for as long as from one of these times to the next, or at that
+/// length where this is shorter, so that its time is found from afar.
 const LONGEST: f64 = 0.05;
 
 impl Effect for RegimeChange {
@@ -255,14 +256,12 @@ impl Effect for RegimeChange {
         let (of, length) = (self.of(context), length(context).max(1.0));
         let (earliest, latest) = told_apart(context, of).unwrap_or((0.0, length));
         let times = (0..LOOKED_AT).map(|k| earliest + (latest - earliest) * (k as f64 + 0.5) / LOOKED_AT as f64);
-        let jumps = if of == Of::Nothing { vec![] } else { vec![0.0, 0.5 * JUMPS * of.span(context)] };
-        let takes = (latest - earliest) / LOOKED_AT as f64;
-        let takes = if takes > LONGEST * length { LONGEST * length } else { takes };
-        let shapes = |t: f64| match jumps.as_slice() {
-            [] => vec![vec![t, takes]],
-            jumps => jumps.iter().map(|jump| vec![t, takes, jump - of.middle(context)]).collect(),
-        };
-        times.flat_map(shapes).collect()
+        let takes = ((latest - earliest) / LOOKED_AT as f64).min(LONGEST * length);
+        if of == Of::Nothing {
+            return times.map(|t| vec![t, takes]).collect();
+        }
+        let jumps = [0.0, 0.5 * JUMPS * of.span(context)].map(|jump| jump - of.middle(context));
+        times.flat_map(|t| jumps.map(|jump| vec![t, takes, jump])).collect()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;

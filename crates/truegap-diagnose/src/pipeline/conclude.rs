@@ -71,7 +71,7 @@ pub(crate) fn conclude(
     }
     let chosen = &selection.models[decision.model];
     // of models with plates the numbers are those of the fit that weighed them
-    let squares = unseen.stood_behind().is_by_least_squares() && !chosen.effects.is_empty() && !search.context.has_plates();
+    let squares = unseen.stood_behind().least_squares && !chosen.effects.is_empty() && !search.context.has_plates();
     let by_squares = squares.then(|| by_squares(prepared, search, all, chosen)).flatten();
     let moved = |tried: &Tried, i: usize| match &by_squares {
         Some(squares) if squares.effects == tried.effects => squares.fit.z[i] - tried.fit.z[i],

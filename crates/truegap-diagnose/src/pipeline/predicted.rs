@@ -309,7 +309,7 @@ pub(crate) fn predicted_like_base(prepared: &Prepared<'_>, search: &Search<'_>, 
 fn by_least_squares(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> Option<HeldOutFit> {
     let effects = tried.effects.iter().map(|e| search.library[*e]).collect();
     let size = left_over(&Model::new(all.problem, search.context, effects), &tried.fit.z)?;
-    Some(held_out(search, &white(noise, size), tried, all).told_by_least_squares())
+    Some(held_out(search, &white(noise, size), tried, all).by_least_squares())
 }
 
 /// What a model foretells, calibrated under the noise or, as the base model is where that is told alone, by least squares: else the two ways to calibrate would be compared, and not the
@@ -329,7 +329,7 @@ mod tests {
 
     fn predicted(squares: f64) -> HeldOutFit {
         let part = PartError { name: "run 1".into(), squares: Some(squares), rows: 4, score: None };
-        HeldOutFit { how: String::new(), prediction: Vec::new(), parts: vec![part] }
+        HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: vec![part] }
     }
 
     /// Calibrated by least squares, the base model leaves 4. A model that leaves 9 under the noise and 2 by least squares is no worse.

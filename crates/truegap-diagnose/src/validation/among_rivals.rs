@@ -117,7 +117,7 @@ mod tests {
 
     fn errors(squares: f64) -> HeldOutFit {
         let part = PartError { name: "run 1".into(), squares: Some(squares), rows: 4, score: None };
-        HeldOutFit { how: String::new(), prediction: Vec::new(), parts: vec![part] }
+        HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: vec![part] }
     }
 
     fn chosen(models: &[(&[usize], f64)], squares: impl Fn(&[usize]) -> f64) -> Option<(usize, Vec<Vec<usize>>)> {

@@ -31,24 +31,18 @@ pub struct Part {
 pub struct HeldOutFit {
     /// how rows were left out
     pub how: String,
+    /// whether the models were calibrated by least squares, which `how` says then
+    pub least_squares: bool,
     /// prediction a row; NaN where a part could not be predicted
     pub prediction: Vec<f64>,
     /// what became of each part, in the order of [`parts`]: the same parts for every model of one recording
     pub parts: Vec<PartError>,
 }
 
-/// End of [`HeldOutFit::how`] where the models were calibrated by least squares.
-const BY_LEAST_SQUARES: &str = "; calibrated by least squares";
-
 impl HeldOutFit {
     /// The same, told as calibrated by least squares.
-    pub(crate) fn told_by_least_squares(self) -> Self {
-        Self { how: self.how + BY_LEAST_SQUARES, ..self }
-    }
-
-    /// Whether the models were calibrated by least squares.
-    pub(crate) fn is_by_least_squares(&self) -> bool {
-        self.how.ends_with(BY_LEAST_SQUARES)
+    pub(crate) fn by_least_squares(self) -> Self {
+        Self { how: self.how + "; calibrated by least squares", least_squares: true, ..self }
     }
 
     /// These predictions with the scores of others, which were made under the noise.
@@ -228,7 +222,7 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
         PartError { score: predicted.as_ref().map(|(_, score)| *score), ..error }
     };
     let parts = parts.iter().zip(&predicted).map(of_part).collect();
-    HeldOutFit { how, prediction, parts }
+    HeldOutFit { how, least_squares: false, prediction, parts }
 }
 
 /// The error of a part without its score, `values` the predictions of every row.
@@ -278,7 +272,12 @@ mod tests {
             rows: 10,
             score: None,
         };
-        HeldOutFit { how: String::new(), prediction: Vec::new(), parts: errors.iter().enumerate().map(part).collect() }
+        HeldOutFit {
+            how: String::new(),
+            least_squares: false,
+            prediction: Vec::new(),
+            parts: errors.iter().enumerate().map(part).collect(),
+        }
     }
 
     /// Run 1 failed before and run 3 after: only run 2 says how the two compare, and it is told by its own name. By position, run 2 before would stand beside run 1

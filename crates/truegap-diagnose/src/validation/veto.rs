@@ -132,7 +132,7 @@ mod tests {
 
     fn predicted(errors: &[f64]) -> HeldOutFit {
         let part = |squares: &f64| PartError { name: "run 1".into(), squares: Some(*squares), rows: 4, score: None };
-        HeldOutFit { how: String::new(), prediction: Vec::new(), parts: errors.iter().map(part).collect() }
+        HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: errors.iter().map(part).collect() }
     }
 
     #[test]
@@ -172,7 +172,7 @@ mod tests {
             let fit = |gain: &dyn Fn(usize) -> f64| {
                 let part =
                     |k: usize| PartError { name: "run".into(), squares: Some(400.0), rows: 100, score: Some(100.0 - gain(k)) };
-                HeldOutFit { how: String::new(), prediction: Vec::new(), parts: (0..4).map(part).collect() }
+                HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: (0..4).map(part).collect() }
             };
             Unseen { base: fit(&|_| 0.0), named: Some(fit(&|k| gains[k])), believed }.worse()
         };

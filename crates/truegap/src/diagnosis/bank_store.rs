@@ -3,12 +3,9 @@
 //! Limits: kept in the user's cache folder ([`crate::cache_folder`]); where none can be written, nothing is kept.
 
 use crate::cache_folder::cache_folder;
-use std::{
-    collections::BTreeMap,
-    path::{Path, PathBuf},
-    sync::Arc,
-};
+use std::{collections::BTreeMap, path::PathBuf, sync::Arc};
 use truegap_diagnose::recovery::{BankCase, BankOptions, BankStore};
+use truegap_sweep::write_atomically;
 
 /// A bank of so many recordings, kept in the cache folder.
 pub(super) fn options(recordings: usize) -> Arc<BankOptions> {
@@ -31,20 +28,10 @@ impl BankStore for Cache {
 
     fn save(&self, key: &str, cases: &BTreeMap<usize, BankCase>) {
         // a cache that cannot be written costs time, not answers
-        let _ = self.file(key).map(|file| put(&file, cases));
+        if let Some((file, bytes)) = self.file(key).zip(serde_json::to_vec(cases).ok()) {
+            let _ = write_atomically(&file, &bytes);
+        }
     }
-}
-
-/// Writes beside the file and renames, so that a reader never sees half of it.
-fn put(file: &Path, cases: &BTreeMap<usize, BankCase>) -> std::io::Result<()> {
-    if let Some(folder) = file.parent() {
-        std::fs::create_dir_all(folder)?;
-    }
-    let beside = file.with_extension(format!("{}.part", std::process::id()));
-    let bytes = serde_json::to_vec(cases)?;
-    std::fs::write(&beside, bytes).and_then(|()| std::fs::rename(&beside, file)).inspect_err(|_| {
-        let _ = std::fs::remove_file(&beside); // nothing more can be done where even removing fails
-    })
 }
 
 #[cfg(test)]

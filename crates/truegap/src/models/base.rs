@@ -190,31 +190,26 @@ fn adjusted(
     wrong: &dyn Fn(&'static str, &str) -> BaseModelError,
 ) -> Result<ExternalOptions, BaseModelError> {
     let further = &recording.base.further;
-    let mut options = ExternalOptions { gain_sd: None, offset: true, own_unit: None };
-    let mut own_unit = recording.simulated_unit.clone();
-    let free_sd = if own_unit.is_some() { 10.0 * ratio(recording) } else { GAIN_SD };
+    let mut offset = true;
     if let Some(value) = further.get("free") {
         let words: Option<Vec<&str>> = value.as_array().and_then(|list| list.iter().map(toml::Value::as_str).collect());
         let words = words.filter(|words| words.iter().all(|word| matches!(*word, "gain" | "offset")));
         let words = words.ok_or_else(|| wrong("free", "[], [\"gain\"], [\"offset\"] or [\"gain\", \"offset\"]"))?;
-        options.gain_sd = words.contains(&"gain").then_some(free_sd);
-        options.offset = words.contains(&"offset");
+        offset = words.contains(&"offset");
     }
-    if let Some(value) = further.get("gain") {
+    let mut about_1 = None;
+    if let Some(value) = further.get("gain").filter(|value| !value.is_bool()) {
         let sd = value.as_float().or_else(|| value.as_integer().map(|sd| sd as f64)).filter(|sd| *sd > 0.0 && sd.is_finite());
-        options.gain_sd = match (value.as_bool(), sd) {
-            (Some(free), _) => free.then_some(free_sd),
-            (None, Some(sd)) => {
-                own_unit = None;
-                Some(sd)
-            }
-            (None, None) => return Err(wrong("gain", "true, false, or its standard deviation about 1, as in gain = 0.05")),
-        };
+        let use_ = "true, false, or its standard deviation about 1, as in gain = 0.05";
+        about_1 = Some(sd.ok_or_else(|| wrong("gain", use_))?);
     }
     if let Some(value) = further.get("offset") {
-        options.offset = value.as_bool().ok_or_else(|| wrong("offset", "true or false"))?;
+        offset = value.as_bool().ok_or_else(|| wrong("offset", "true or false"))?;
     }
-    Ok(ExternalOptions { own_unit, ..options })
+    let own_unit = recording.simulated_unit.clone().filter(|_| about_1.is_none());
+    let unless_said = || if own_unit.is_some() { 10.0 * ratio(recording) } else { GAIN_SD };
+    let gain_sd = recording.base.frees_gain().then(|| about_1.unwrap_or_else(unless_said));
+    Ok(ExternalOptions { gain_sd, offset, own_unit })
 }
 
 /// Range of the response over that of the simulation: the size of a gain between two units. 1 where the simulation does not move.

@@ -8,6 +8,7 @@ use truegap_generator::StudyError;
 use truegap_generator::commitment::CommitmentError;
 use truegap_generator::score::claim::ClaimError;
 use truegap_generator::score::folder::FolderError;
+use truegap_sweep::{SweepError, write_atomically};
 
 /// Why there is no score.
 #[derive(Debug, thiserror::Error)]
@@ -62,7 +63,10 @@ pub enum ProveError {
         "{folder}: the study has {what} {there}, asked was {asked}; leave --{what} out to go on with it, or give -o a new folder"
     )]
     OtherPlan { folder: PathBuf, what: &'static str, there: String, asked: String },
-    /// A file could not be read or written.
+    /// A file could not be written.
+    #[error(transparent)]
+    Written(#[from] SweepError),
+    /// A file could not be read.
     #[error("{path}: {source}; put it back where it is gone, or check the permissions")]
     File { path: PathBuf, source: std::io::Error },
     /// A file is not what it was.
@@ -97,13 +101,5 @@ pub(super) fn json<T: serde::de::DeserializeOwned>(path: &Path) -> Result<T, Pro
 
 /// Writes a file whole or not at all.
 pub(super) fn write(path: &Path, text: &str) -> Result<(), ProveError> {
-    let part = path.with_extension(format!("{}.part", std::process::id()));
-    let folder = path.parent().unwrap_or(Path::new("."));
-    std::fs::create_dir_all(folder)
-        .and_then(|()| std::fs::write(&part, text))
-        .and_then(|()| std::fs::rename(&part, path))
-        .map_err(|source| {
-            let _ = std::fs::remove_file(&part); // nothing more can be done where even removing fails
-            ProveError::File { path: path.to_owned(), source }
-        })
+    Ok(write_atomically(path, text.as_bytes())?)
 }

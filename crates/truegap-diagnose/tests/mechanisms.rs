@@ -31,7 +31,10 @@ fn inputs() -> Inputs {
 
 /// What the plate reads with `added` on top, and white noise.
 fn recorded(inputs: &Inputs, added: impl Fn(usize) -> f64) -> Vec<f64> {
-    let plate = Plate::new(None);
+    recorded_by(&Plate::new(None), inputs, added)
+}
+
+fn recorded_by(plate: &Plate, inputs: &Inputs, added: impl Fn(usize) -> f64) -> Vec<f64> {
     let random = &mut ChaCha8Rng::seed_from_u64(5);
     let mut noisy = |(row, value): (usize, f64)| {
         let unit: f64 = StandardNormal.sample(random);
@@ -43,8 +46,11 @@ fn recorded(inputs: &Inputs, added: impl Fn(usize) -> f64) -> Vec<f64> {
 
 /// Diagnosed with a library that does not hold what is added.
 fn told(inputs: &Inputs, response: &[f64], options: &Options) -> Diagnosis {
-    let plate = Plate::new(None);
-    let problem = Problem { inputs, response, simulator: &plate };
+    told_by(&Plate::new(None), inputs, response, options)
+}
+
+fn told_by(plate: &Plate, inputs: &Inputs, response: &[f64], options: &Options) -> Diagnosis {
+    let problem = Problem { inputs, response, simulator: plate };
     let facts = RecordingFacts { rows: ROWS, runs: 1, ..RecordingFacts::default() };
     diagnose(&problem, facts, options, &|_| (), &AtomicBool::new(false)).unwrap().diagnosis
 }
@@ -95,6 +101,40 @@ fn a_drag_that_fades_after_each_press_follows_the_rate_of_the_load() {
     assert!(found.named, "{}", diagnosis.says);
 }
 
+/// A sensor that is 6 s behind its thermometer, which goes from level to level. The base model follows the temperature at once: what is late has to take the place of that, and calibration has no
+/// other scale of the temperature.
+#[test]
+fn a_sensor_that_is_behind_its_thermometer_is_late_and_does_not_play() {
+    let mut inputs = inputs();
+    // 8 K in 30 s, held for 170 s, and back
+    let levels =
+        |row: usize| 20.0 + 8.0 * (((row % 800) as f64 / 60.0).min(1.0) - ((row % 800) as f64 / 60.0 - 6.7).clamp(0.0, 1.0));
+    let room: Vec<f64> = (0..ROWS).map(levels).collect();
+    // y' = (T - y) / 6 s by Euler's rule with a hundred steps a row
+    let (mut y, mut behind) = (room[0], room.clone());
+    for row in 1..ROWS {
+        (0..100).for_each(|_| y += (room[row] - y) / 6.0 * STEP_S / 100.0);
+        behind[row] = y;
+    }
+    inputs.temperature_c = Some(behind);
+    let plate = Plate::new(Some(true));
+    let response = recorded_by(&plate, &inputs, |_| 0.0);
+    let random = &mut ChaCha8Rng::seed_from_u64(8);
+    let read = |t: &f64| {
+        let unit: f64 = StandardNormal.sample(random);
+        t + 0.05 * unit
+    };
+    inputs.temperature_c = Some(room.iter().map(read).collect());
+    let diagnosis = told_by(&plate, &inputs, &response, &small_library());
+    let found = diagnosis.discovered.first().expect(&diagnosis.says);
+    let words = (found.place.as_str(), found.driver.as_str(), found.kinetics.as_str());
+    assert_eq!(words, ("inputs", "temperature", "first_order"), "{}", found.says);
+    assert!(found.probability.kinetics["first_order"] > 0.9, "{:?}", found.probability);
+    let number = |name: &str| found.parameters.iter().find(|p| p.name == name).map(|p| (p.value, p.sd)).unwrap();
+    let (tau, sd) = number("tau");
+    assert!((tau - 6.0).abs() < 4.0 * sd && sd < 2.0, "{tau} {sd}");
+}
+
 #[test]
 fn nothing_is_composed_where_nothing_is_missing() {
     let inputs = inputs();
@@ -121,6 +161,33 @@ fn what_the_library_explains_is_told_in_words_as_if_no_effect_had_a_name() {
     let tried = |d: &Diagnosis| d.candidates.iter().map(|c| c.effect.clone()).collect::<Vec<_>>();
     let numbers = |d: &Diagnosis| d.base.parameters_after.iter().map(|p| (p.value, p.sd)).collect::<Vec<_>>();
     assert_eq!((tried(&diagnosis), numbers(&diagnosis)), (tried(&alone), numbers(&alone)));
+}
+
+/// A supply that falls nearly evenly: a zero that drifts explains the recording to the noise, and the supply itself explains its ripple as well.
+#[test]
+fn words_that_are_likelier_than_a_name_are_the_answer() {
+    let mut inputs = inputs();
+    let time = inputs.time_s.clone().unwrap();
+    inputs.drivers[0].values = time.iter().map(|t| 5.0 - 3e-5 * t + 0.0075 * (t / 50.0).sin()).collect();
+    let response = recorded(&inputs, |row| 0.2 * (inputs.drivers[0].values[row] - 5.0));
+    let library = || Options { effects: vec!["offset_drift".into()], ..Options::default() };
+    let alone = told(&inputs, &response, &Options { compose: false, ..library() });
+    assert_eq!(alone.findings.iter().map(|f| f.effect.as_str()).collect::<Vec<_>>(), ["offset_drift"], "{}", alone.says);
+    let diagnosis = told(&inputs, &response, &library());
+    let found = diagnosis.discovered.first().expect(&diagnosis.says);
+    assert_eq!((found.driver.as_str(), found.kinetics.as_str()), ("supply", "static"), "{}", found.says);
+    assert!(found.named && !found.in_other_words && found.log_odds > 0.0, "{}", diagnosis.says);
+}
+
+/// With an effect of the library that follows the supply along a straight line, a knee is no matter of form: the line leaves a good part of it.
+#[test]
+fn a_knee_is_told_beside_an_effect_that_follows_the_same_driver() {
+    let inputs = inputs();
+    let response = recorded(&inputs, knee(&inputs));
+    let library = Options { effects: vec!["offset_drift".into(), "driver_coefficient".into()], ..Options::default() };
+    let diagnosis = told(&inputs, &response, &library);
+    let found = diagnosis.discovered.first().expect(&diagnosis.says);
+    assert!(found.named && found.form == "threshold", "{} {}", diagnosis.says, found.says);
 }
 
 #[test]

@@ -8,8 +8,9 @@
 use crate::{
     adequacy::lack_of_fit::{Adequacy, LackOfFitTests},
     discovery::{
-        discover::{Discovery, IDS, discover, widened},
+        discover::{Discovery, IDS, discover, fitted, widened},
         marginals::SURE,
+        same_words::says_all_of,
     },
     effects::composed::{
         effect::Composed,
@@ -22,6 +23,7 @@ use crate::{
         tuning::RIGHT_FAMILY,
         verdict::{Decision, Verdict, removed_by},
     },
+    validation::tuning::MAIN_SHARE,
 };
 
 /// Share of the misfit left over from which a named effect is not all.
@@ -75,7 +77,10 @@ pub fn compose(
             break;
         }
     }
-    best
+    let explained = |tried: &Tried| selection.base().fit.objective() - tried.fit.objective();
+    let matter_of_form =
+        |found: &Composition| explained(chosen) >= MAIN_SHARE * explained(&found.tried) && says_all_of(search, chosen, found);
+    best.filter(|found| strained || !matter_of_form(found))
 }
 
 /// Mechanisms beside the base model, whatever the library says; `None` where freedom alone does as well.
@@ -108,21 +113,36 @@ fn beside(
     let first = discover(search, from, scale, IDS[0])?;
     let tried = first.tried.clone();
     let log_odds = selection.log_odds_beside(from, first.gain, lack_of_fit.slack(), |m| !strained || m.effects.is_empty());
-    let second = if lack_of_fit.adequacy(&tried.fit).fires() { second(search, &tried, &first, scale) } else { None };
-    let (mut mechanisms, mut whole, mut log_odds) = (vec![first], tried, log_odds);
-    if let Some((more, larger)) = second {
-        log_odds += more.gain;
-        mechanisms.push(more);
-        whole = larger;
-    }
-    Some(Composition { mechanisms, tried: whole, log_odds, library_strained: strained, in_other_words: false })
+    let second = if lack_of_fit.adequacy(&tried.fit).fires() { second(search, &first, scale) } else { None };
+    let Some(second) = second else {
+        return Some(Composition { mechanisms: vec![first], tried, log_odds, library_strained: strained, in_other_words: false });
+    };
+    let mechanisms = match the_other_first(search, from, &second, scale) {
+        Some(others) if surer(&others, (&first, &second)) => others,
+        _ => [first, second],
+    };
+    let (tried, log_odds) = (mechanisms[1].tried.clone(), log_odds + mechanisms[1].gain);
+    Some(Composition { mechanisms: mechanisms.into(), tried, log_odds, library_strained: strained, in_other_words: false })
 }
 
-fn second(search: &Search<'_>, tried: &Tried, first: &Discovery, scale: f64) -> Option<(Discovery, Tried)> {
-    let wider = widened(search, &first.effect);
-    let more = discover(&wider, tried, scale, IDS[1]).filter(|more| more.gain > CLEAR)?;
-    let larger = more.tried.clone();
-    Some((more, larger))
+/// The mechanism beside `first` that explains most of what that leaves.
+fn second(search: &Search<'_>, first: &Discovery, scale: f64) -> Option<Discovery> {
+    discover(&widened(search, &first.effect), &first.tried, scale, IDS[1]).filter(|more| more.gain > CLEAR)
+}
+
+/// The second mechanism told first, and what explains most beside it: what stood for both of two at first is looked for anew.
+fn the_other_first(search: &Search<'_>, from: &Tried, second: &Discovery, scale: f64) -> Option<[Discovery; 2]> {
+    let effect = Composed { id: IDS[0], ..second.effect.clone() };
+    let tried = fitted(search, from, &effect)?;
+    let alone = Discovery { effect, tried, words: second.words.clone(), rival: None, ..*second };
+    let more = self::second(search, &alone, scale)?;
+    Some([alone, more])
+}
+
+/// Whether two mechanisms, the one with the surer words first, fit no worse than those found one after another.
+fn surer(others: &[Discovery; 2], (first, second): (&Discovery, &Discovery)) -> bool {
+    let fits = others[1].tried.fit.objective() < second.tried.fit.objective() + CLEAR;
+    fits && others[0].words.sureness() > f64::max(first.words.sureness(), others[1].words.sureness())
 }
 
 /// Whether it says no more than that something happened once: that is a place in the recording and no physics that another recording could confirm.
@@ -148,10 +168,11 @@ pub fn is_strained(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: &Tri
 
 impl Composition {
     /// The selection with the mechanisms' model in it. A library whose best equation has run to its limits, and what mimics that, is set aside.
-    pub fn counted_in(&self, selection: Selection) -> Selection {
+    pub fn counted_in(&self, selection: Selection, lack_of_fit: &LackOfFitTests) -> Selection {
+        let stands = self.stands(&selection, &lack_of_fit.adequacy(&self.tried.fit)).is_some();
         let selection = if self.library_strained { selection.base_alone() } else { selection };
-        // other words for what is explained take nothing from the probability of its name
-        let log_odds = if self.in_other_words { f64::NEG_INFINITY } else { self.log_odds };
+        // other words for what is explained take nothing from the probability of its name, nor does what leaves too much to be an answer
+        let log_odds = if self.in_other_words || !stands { f64::NEG_INFINITY } else { self.log_odds };
         selection.with_model(self.tried.clone(), log_odds, self.mechanisms.len())
     }
 
@@ -164,11 +185,9 @@ impl Composition {
     ) -> (Decision, Option<Adequacy>) {
         let Some(model) = selection.models.iter().position(|m| m.key() == self.tried.key()) else { return (decision, None) };
         let after = lack_of_fit.adequacy(&self.tried.fit);
-        let explained = 2.0 * (selection.base().fit.objective() - self.tried.fit.objective());
-        let removed = removed_by(explained, &after);
         let says_something = self.mechanisms.iter().all(|m| !is_a_moment(&m.effect));
         let likelier = self.log_odds > 0.0 && says_something;
-        let Some(verdict) = self.verdict(removed, &after).filter(|_| likelier) else {
+        let Some((removed, verdict)) = self.stands(selection, &after).filter(|_| likelier) else {
             // what is less likely than a mechanism that is no answer is none either
             let named = decision.model != selection.base;
             return (if likelier && named { Decision::nothing(Verdict::Unexplained, selection.base) } else { decision }, None);
@@ -177,14 +196,17 @@ impl Composition {
         (Decision { model, sets, removed, ..Decision::nothing(verdict, selection.base) }, Some(after))
     }
 
-    /// The verdict where the mechanisms stand; `None` where they leave too much.
-    fn verdict(&self, removed: f64, after: &Adequacy) -> Option<Verdict> {
+    /// The share that the mechanisms remove and their verdict where they stand; `None` where they leave too much.
+    fn stands(&self, selection: &Selection, after: &Adequacy) -> Option<(f64, Verdict)> {
+        let explained = 2.0 * (selection.base().fit.objective() - self.tried.fit.objective());
+        let removed = removed_by(explained, after);
         let sure = self.mechanisms.iter().all(|m| m.words.sure(SURE));
-        match Decision::adequate(removed, after) {
+        let verdict = match Decision::adequate(removed, after) {
             true if sure => Some(Verdict::Explained),
             true => Some(Verdict::Ambiguous),
             false if removed >= A_TENTH => Some(Verdict::WrongForm),
             false => None,
-        }
+        };
+        verdict.map(|verdict| (removed, verdict))
     }
 }

@@ -117,31 +117,37 @@ struct Fitted {
 /// Fits the most promising sentences beside `from`, corrects what the screen promised of them, and gives the one with the most weight, and the others.
 fn best_fit(search: &Search<'_>, from: &Tried, found: &mut Screen, temper: f64, id: EffectId) -> Option<(Fitted, Vec<Fitted>)> {
     let mut all: Vec<Fitted> = Vec::new();
-    let mut open = promising(found, temper);
-    open.reverse();
-    let mut done = Vec::new();
-    while let Some(index) = open.pop() {
-        if done.contains(&index) {
-            continue;
+    for index in promising(found, temper) {
+        all.extend(fit_screened(search, from, found, (index, temper), id));
+    }
+    // late by less than two rows: that is at once, and another sentence says so
+    for late in all.iter().filter(|f| is_at_once(search, f)).map(|f| f.index).collect::<Vec<_>>() {
+        let Some(twin) = found.at_once(late, temper) else { continue };
+        if !all.iter().any(|f| f.index == twin) {
+            all.extend(fit_screened(search, from, found, (twin, temper), id));
         }
-        done.push(index);
-        let Some((effect, tried)) = fit_of(search, from, &found.sentences[index], id) else { continue };
-        let s = &mut found.sentences[index];
-        s.beyond = 2.0 * (from.fit.objective() - tried.fit.objective()) - s.deviance;
-        let weight = s.weight(temper);
-        if is_at_once(search, &tried, &effect)
-            && let Some(twin) = found.at_once(index, weight - CLOSE, temper)
-        {
-            // late by less than two rows: that is at once, and another sentence says so
-            found.sentences[index].beyond = f64::NEG_INFINITY;
-            open.push(twin);
-            continue;
+        if found.sentences[twin].weight(temper) > found.sentences[late].weight(temper) - CLOSE {
+            found.sentences[late].beyond = f64::NEG_INFINITY;
+            all.retain(|f| f.index != late);
         }
-        all.push(Fitted { index, weight, effect, tried });
     }
     let best = all.iter().enumerate().max_by(|a, b| a.1.weight.total_cmp(&b.1.weight))?.0;
     let best = all.swap_remove(best);
     Some((best, all))
+}
+
+/// Fits a sentence beside `from` and corrects what the screen promised of it.
+fn fit_screened(
+    search: &Search<'_>,
+    from: &Tried,
+    found: &mut Screen,
+    (index, temper): (usize, f64),
+    id: EffectId,
+) -> Option<Fitted> {
+    let (effect, tried) = fit_of(search, from, &found.sentences[index], id)?;
+    let s = &mut found.sentences[index];
+    s.beyond = 2.0 * (from.fit.objective() - tried.fit.objective()) - s.deviance;
+    Some(Fitted { index, weight: s.weight(temper), effect, tried })
 }
 
 /// The likeliest mechanism with another value of the least sure word; one that was not fitted yet is.
@@ -173,10 +179,11 @@ fn fit_of(search: &Search<'_>, from: &Tried, s: &Screened, id: EffectId) -> Opti
     Some((effect, tried))
 }
 
-/// Whether it is late by less than two rows.
-fn is_at_once(search: &Search<'_>, tried: &Tried, effect: &Composed) -> bool {
+/// Whether it is late by less than two rows. What is late in the place of what is at once is a rate where it is that quick, and says so itself.
+fn is_at_once(search: &Search<'_>, Fitted { effect, tried, .. }: &Fitted) -> bool {
     let tau_s = time_constant(&values(search, tried, effect), effect);
-    effect.sentence.kinetics == Kinetics::FirstOrder && tau_s < 2.0 * search.context.shortest_step_s.unwrap_or(0.0)
+    let late = effect.sentence.kinetics == Kinetics::FirstOrder && !effect.sentence.passing;
+    late && tau_s < 2.0 * search.context.shortest_step_s.unwrap_or(0.0)
 }
 
 /// Values of the parameters of `effect`, the last of the model.

@@ -78,16 +78,23 @@ const FEW_LEVELS: [f64; 3] = [0.25, 0.5, 0.75];
 /// Phases of a period; half a turn is the other sign.
 const PHASES: usize = 4;
 
-/// The laws of all drivers.
+/// The laws of all drivers. Load and what is left of a load are one driver with two names, and share what one is worth.
 pub fn laws(ranges: &[Range], times: &Times) -> Vec<Law> {
+    let each: Vec<(bool, Vec<Weighed>)> = ranges.iter().map(|range| (is_load(&range.driver), of_driver(range, times))).collect();
+    let total = |laws: &[Weighed]| laws.iter().map(|(_, _, worth)| worth).sum::<f64>();
+    let of_load: f64 = each.iter().filter(|(load, _)| *load).map(|(_, own)| total(own)).sum();
+    let drivers = each.iter().filter(|(load, _)| !load).count() + usize::from(of_load > 0.0);
     let mut all = Vec::new();
-    for range in ranges {
-        let own = of_driver(range, times);
-        let total: f64 = own.iter().map(|(_, _, worth)| worth).sum();
-        let worth = |worth: f64| (worth / total / ranges.len() as f64).ln();
+    for (load, own) in each {
+        let whole = if load { of_load } else { total(&own) };
+        let worth = |worth: f64| (worth / whole / drivers as f64).ln();
         all.extend(own.into_iter().map(|(sentence, grid, w)| Law { log_prior: worth(w), sentence, grid }));
     }
     all
+}
+
+fn is_load(driver: &Driver) -> bool {
+    matches!(driver, Driver::Load | Driver::LoadHistory)
 }
 
 type Weighed = (Sentence, Vec<Numbers>, f64);
@@ -104,13 +111,13 @@ fn of_driver(range: &Range, times: &Times) -> Vec<Weighed> {
         (_, _, Some(angle)) if angle.round => of_turn(&range.driver, angle.turn),
         _ => of_course(range, times),
     };
-    // the members of one kinetics share what it is worth
-    let kinds: Vec<Kinetics> = laws.iter().map(|(s, _, _)| s.kinetics).collect();
-    for (sentence, _, worth) in &mut laws {
-        let weight = |k: &&Kinetics| **k == sentence.kinetics;
-        *worth *= share(sentence.kinetics) / kinds.iter().filter(weight).count() as f64;
-    }
     laws.retain(|(_, grid, _)| !grid.is_empty());
+    // the members of one kinetics share what it is worth, a bent one half as much as a straight one
+    let kinds: Vec<(Kinetics, f64)> = laws.iter().map(|(s, _, worth)| (s.kinetics, *worth)).collect();
+    for (sentence, _, worth) in &mut laws {
+        let all: f64 = kinds.iter().filter(|(kinetics, _)| *kinetics == sentence.kinetics).map(|(_, worth)| worth).sum();
+        *worth *= share(sentence.kinetics) / all;
+    }
     laws
 }
 
@@ -149,7 +156,8 @@ fn of_course(range: &Range, times: &Times) -> Vec<Weighed> {
         {
             laws.push((Sentence { below, ..plain(d, Kinetics::FirstOrder, form) }, late(&grid, times), worth));
         }
-        if *d == Driver::Reading {
+        if matches!(d, Driver::Load | Driver::Temperature | Driver::Reading) {
+            // the base model follows these at once: what is late takes the place of that
             let passing = Sentence { passing: true, ..plain(d, Kinetics::FirstOrder, Form::Linear) };
             laws.push((passing, late(&[Numbers::default()], times), 1.0));
         }
@@ -284,6 +292,32 @@ mod tests {
         for kinetics in [Static, FirstOrder, RateIndependent, Accumulating, Event, Periodic] {
             assert!(laws.iter().any(|law| law.sentence.kinetics == kinetics), "{kinetics:?}");
         }
+    }
+
+    /// Static is 0.35 of what a driver is worth that has all six kinetics, what adds up 0.15.
+    #[test]
+    fn a_load_and_its_history_are_one_driver() {
+        let range = |driver: Driver| Range { driver, low: 0.0, high: 1.0, usual: 0.1, angle: None };
+        let times = Times { step_s: 0.1, duration_s: 600.0, moments_s: Vec::new(), periods_s: Vec::new() };
+        let laws = laws(&[Driver::Load, Driver::LoadHistory, Driver::Temperature].map(range), &times);
+        let worth = |of: &dyn Fn(&Sentence) -> bool| {
+            laws.iter().filter(|law| of(&law.sentence)).map(|law| law.log_prior.exp()).sum::<f64>()
+        };
+        let close = |found: f64, known: f64| approx::assert_abs_diff_eq!(found, known, epsilon = 1e-12);
+        close(worth(&|s| s.driver == Driver::Temperature), 0.5);
+        close(worth(&|s| s.driver == Driver::Load && s.kinetics == Kinetics::Static), 0.35 / 2.0);
+        close(worth(&|s| s.driver == Driver::LoadHistory && s.kinetics == Kinetics::Accumulating), 0.15 / 2.0);
+    }
+
+    /// The base model follows these at once: what is late behind them may take the place of that.
+    #[test]
+    fn what_the_base_model_follows_may_be_late_in_its_place() {
+        let range = |driver: Driver| Range { driver, low: 0.0, high: 1.0, usual: 0.1, angle: None };
+        let times = Times { step_s: 0.1, duration_s: 600.0, moments_s: Vec::new(), periods_s: Vec::new() };
+        let laws =
+            laws(&[Driver::Load, Driver::Temperature, Driver::Reading, Driver::Recorded("supply".into())].map(range), &times);
+        let in_its_place = laws.iter().filter(|law| law.sentence.passing).map(|law| law.sentence.driver.word());
+        assert_eq!(in_its_place.collect::<Vec<_>>(), ["load", "temperature", "reading"]);
     }
 
     #[test]

@@ -61,7 +61,7 @@ impl Word {
 const LISTED: f64 = 1e-3;
 
 /// Probability from which a word's value is told.
-const TOLD: f64 = 0.05;
+pub const TOLD: f64 = 0.05;
 
 /// Probabilities of the words, log evidence of sentences divided by `temper`.
 pub fn marginals(sentences: &[Screened], temper: f64) -> WordProbabilities {
@@ -126,11 +126,21 @@ impl WordProbabilities {
         values
     }
 
+    /// The words that decide, each with the probability of its likeliest value.
+    fn most_probable(&self) -> [(Word, f64); 3] {
+        let most = |word: &BTreeMap<String, f64>| word.values().copied().fold(0.0, f64::max);
+        [(Word::Place, most(&self.place)), (Word::Driver, most(&self.driver)), (Word::Kinetics, most(&self.kinetics))]
+    }
+
     /// The word whose likeliest value is least probable, where one is below `least`.
     pub fn least_sure(&self, least: f64) -> Option<Word> {
-        let most = |word: &BTreeMap<String, f64>| word.values().copied().fold(0.0, f64::max);
-        let each = [(Word::Place, most(&self.place)), (Word::Driver, most(&self.driver)), (Word::Kinetics, most(&self.kinetics))];
-        each.into_iter().filter(|(_, p)| *p < least).min_by(|a, b| a.1.total_cmp(&b.1)).map(|(word, _)| word)
+        let below = self.most_probable().into_iter().filter(|(_, p)| *p < least);
+        below.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(word, _)| word)
+    }
+
+    /// Probability of the likeliest value of the least sure word.
+    pub fn sureness(&self) -> f64 {
+        self.most_probable().into_iter().fold(1.0, |least, (_, p)| least.min(p))
     }
 
     /// Whether place, driver and kinetics are each at least this probable.

@@ -11,4 +11,5 @@ pub(crate) mod grammar;
 pub(crate) mod levers;
 pub(crate) mod marginals;
 pub(crate) mod phrase_book;
+pub(crate) mod same_words;
 pub(crate) mod screen;

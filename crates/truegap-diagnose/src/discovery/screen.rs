@@ -99,14 +99,13 @@ pub struct Screen {
 }
 
 impl Screen {
-    /// The likeliest sentence that says the same as sentence `index` but at once, where it has at least this weight.
-    pub fn at_once(&self, index: usize, weight: f64, temper: f64) -> Option<usize> {
+    /// The likeliest sentence that says the same as sentence `index` but at once.
+    pub fn at_once(&self, index: usize, temper: f64) -> Option<usize> {
         let late = &self.sentences[index].sentence;
         let law = |s: &Sentence| (s.quantity, s.action, s.form, s.even, s.below);
         let twin = |s: &Sentence| s.kinetics == Kinetics::Static && s.driver == late.driver && law(s) == law(late);
         let twins = self.sentences.iter().enumerate().filter(|(_, s)| twin(&s.sentence));
-        let best = twins.map(|(i, s)| (i, s.weight(temper))).max_by(|a, b| a.1.total_cmp(&b.1))?;
-        (best.1 > weight).then_some(best.0)
+        twins.map(|(i, s)| (i, s.weight(temper))).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
     }
 
     /// Probability that freedom alone does as well as `deviance`, which this sentence has: the share of turns that reach it, the recording itself counted.

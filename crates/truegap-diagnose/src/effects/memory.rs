@@ -205,16 +205,24 @@ pub fn first_order_lag(inputs: &Inputs, tau_s: f64, x: &mut [f64], start: impl F
 }
 
 /// Lag of a column in place that goes on from run to run on the clock, from equilibrium at the first row.
+///
+/// Nobody recorded what came between two runs: the column is taken to have the value of the next run from the end of the one before, so that what is quick beside a pause has come to rest in it
+/// and what is slow remembers.
 pub fn lag_through_runs(inputs: &Inputs, tau_s: f64, x: &mut [f64]) {
     if tau_s <= 0.0 {
         return;
     }
     let mut lag = Lag::new(tau_s);
     for (row, x) in x.iter_mut().enumerate() {
-        *x = match row {
-            0 => lag.start(*x, *x),
-            _ => lag.next(*x, elapsed_s(inputs, row) - elapsed_s(inputs, row - 1)),
-        };
+        let now = *x;
+        if row == 0 {
+            lag.start(now, now);
+            continue;
+        }
+        if inputs.run[row] != inputs.run[row - 1] {
+            lag.start(now, lag.state);
+        }
+        *x = lag.next(now, elapsed_s(inputs, row) - elapsed_s(inputs, row - 1));
     }
 }
 
@@ -367,14 +375,23 @@ mod tests {
         assert_eq!(&x[2..], &[5.0, 5.0]);
     }
 
+    /// Between two runs the column stands at the value of the second.
     #[test]
-    fn what_does_not_recover_goes_on_from_run_to_run() {
-        let inputs = Inputs { time_s: Some(vec![0.0, 1.0, 2.0, 3.0]), run: vec![1, 1, 2, 2], ..Inputs::default() };
-        let mut x = vec![0.0, 0.0, 1.0, 1.0];
-        lag_through_runs(&inputs, 1.0, &mut x);
-        let ramp = (-1.0_f64).exp();
-        approx::assert_abs_diff_eq!(x[2], ramp, epsilon = 1e-15);
-        approx::assert_abs_diff_eq!(x[3], 1.0 - (1.0 - ramp) * ramp, epsilon = 1e-15);
+    fn what_is_slow_beside_a_pause_remembers_and_what_is_quick_has_come_to_rest() {
+        let clock = vec![0.0, 1.0, 101.0, 102.0];
+        let inputs = Inputs { time_s: Some(clock), run: vec![1, 1, 2, 2], ..Inputs::default() };
+        let lagged = |tau_s: f64| {
+            let mut x = vec![0.0, 0.0, 1.0, 1.0];
+            lag_through_runs(&inputs, tau_s, &mut x);
+            x
+        };
+        // 1 - exp(-t / tau) after 100 s and after 101 s
+        for tau_s in [4.0, 50.0, 9000.0] {
+            let risen = |t: f64| -(-t / tau_s).exp_m1();
+            let found = lagged(tau_s);
+            approx::assert_abs_diff_eq!(found[2], risen(100.0), epsilon = 1e-14);
+            approx::assert_abs_diff_eq!(found[3], risen(101.0), epsilon = 1e-14);
+        }
     }
 
     #[test]

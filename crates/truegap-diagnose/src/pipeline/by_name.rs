@@ -12,10 +12,8 @@
 use crate::{
     adequacy::lack_of_fit::Adequacy,
     data::context::{Context, Number},
-    effects::{
-        composed::words::{Driver, InWords},
-        course::Course,
-    },
+    discovery::same_words::with_followed_driver,
+    effects::composed::words::InWords,
     pipeline::{
         judged::{Judged, Told},
         prepare::Prepared,
@@ -82,18 +80,6 @@ pub(crate) fn by_name(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged)
 
 fn says(search: &Search<'_>, effect: usize) -> Option<InWords> {
     Some(with_followed_driver(search.library[effect].in_words(search.context)?, search.context))
-}
-
-/// The words with the reading for a driver that the base model follows by itself: one moves with the other.
-fn with_followed_driver(words: InWords, context: &Context<'_>) -> InWords {
-    let followed = |name: &String| {
-        let place = context.inputs.drivers.iter().position(|driver| driver.name == *name);
-        place.is_some_and(|place| Course::Driver(place).is_followed(context))
-    };
-    match &words.driver {
-        Driver::Recorded(name) if followed(name) => InWords { driver: Driver::Reading, ..words },
-        _ => words,
-    }
 }
 
 /// A model with an effect of the library last, fitted to the end and asked for rows left out; `None` where the effect does not stand out of the noise.

@@ -48,7 +48,7 @@ pub(crate) fn conclude(
 ) -> Result<Outcome, DiagnoseError> {
     let (bank, examined, composition) = sharpened(&prepared, examined, composition, told)?;
     let judged = in_the_end(&prepared, told, judged(&prepared, told, examined, composition)?);
-    let judged = described(&prepared, told, judged);
+    let judged = described(&prepared, told, judged)?;
     let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held } = judged;
     prepared.context.held = held;
     let prepared = &prepared;

@@ -3,27 +3,49 @@
 //! A library is never whole: where the effect that acts is not in it, the nearest member explains as much, and nothing in the recording says that the name is wrong. Words composed beside the
 //! base model know no names. They are listed, with their odds against the library's answer, and the verdict stays what it was.
 //!
-//! Limits: beside the base model alone, so that of several causes the clearest is told; nothing is named here.
+//! Where they are likelier than all of the library and say something else, the answer is theirs: one space of models holds both. Only where the noise was measured, as the odds are what the noise was taken for, and
+//! where they foretell rows left out as well.
+//!
+//! Limits: beside the base model alone, so that of several causes the clearest is told.
 
 use crate::{
-    discovery::compose::describe,
+    data::error::DiagnoseError,
+    discovery::{
+        compose::{Composition, describe},
+        same_words::says_the_same,
+    },
     pipeline::{
-        judged::{Judged, Told, may_compose},
+        judged::{Judged, Told, judged_once, may_compose},
         prepare::Prepared,
     },
     selection::verdict::Verdict,
 };
 
-/// The same answer with what it says in words beside it, where something is missing and nothing was composed yet.
-pub(crate) fn described(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged) -> Judged {
+/// The same answer with what it says in words beside it, where something is missing and nothing was composed yet; the answer of the words, where they are likelier.
+///
+/// # Errors
+/// Those of the simulator.
+pub(crate) fn described(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged) -> Result<Judged, DiagnoseError> {
     let nothing_missing = judged.predicted.decision.verdict == Verdict::Agrees;
     if nothing_missing || judged.composition.is_some() || judged.kept_back.is_some() || !may_compose(told.options) {
-        return judged;
+        return Ok(judged);
     }
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
-    match describe(search, &judged.examined.selection, &prepared.lack_of_fit) {
-        Some(composition) => judged.described_by(composition),
-        None => judged,
+    let Some(composition) = describe(search, &judged.examined.selection, &prepared.lack_of_fit) else { return Ok(judged) };
+    // words never decide whether something is missing
+    let another = judged.names_something() && !says_the_same(search, judged.stood_behind(), &composition);
+    if composition.log_odds <= 0.0 || !another || !prepared.noise_is_known() {
+        return Ok(judged.described_by(composition, &prepared.lack_of_fit));
     }
+    let named = Composition { in_other_words: false, ..composition };
+    let likelier = judged_once(prepared, told, judged.examined.clone(), Some(named), Some(judged.by_base.clone()))?;
+    if likelier.names_something() && likelier.foretells_as_well_as(&judged) {
+        return Ok(likelier);
+    }
+    let composition = likelier.composition.map(|composition| Composition { in_other_words: true, ..composition });
+    Ok(match composition {
+        Some(composition) => judged.described_by(composition, &prepared.lack_of_fit),
+        None => judged,
+    })
 }

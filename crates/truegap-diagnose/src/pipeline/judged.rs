@@ -100,7 +100,11 @@ pub(crate) fn judged(
     Ok(if second.names_something() { second.after(first) } else { first })
 }
 
-fn judged_once(
+/// One round of it, with these mechanisms among the models; the base model by itself where it is `known`.
+///
+/// # Errors
+/// Those of the simulator.
+pub(crate) fn judged_once(
     prepared: &Prepared<'_>,
     told: &Told<'_>,
     examined: Examined,
@@ -127,7 +131,7 @@ fn judged_once(
 }
 
 impl Judged {
-    fn names_something(&self) -> bool {
+    pub(crate) fn names_something(&self) -> bool {
         self.predicted.decision.model != self.examined.selection.base
     }
 
@@ -142,7 +146,14 @@ impl Judged {
         self.names_something() && better()
     }
 
-    fn stood_behind(&self) -> &Tried {
+    /// Whether rows left out are predicted no worse than by what `other` stands behind.
+    pub(crate) fn foretells_as_well_as(&self, other: &Self) -> bool {
+        let told = |judged: &Self| judged.predicted.unseen.stood_behind().clone();
+        let both = Unseen::of((told(other), &other.stood_behind().fit), (told(self), &self.stood_behind().fit));
+        both.worse().is_none()
+    }
+
+    pub(crate) fn stood_behind(&self) -> &Tried {
         &self.examined.selection.models[self.predicted.decision.model]
     }
 
@@ -188,9 +199,9 @@ impl Judged {
     }
 
     /// The same with mechanisms beside what is stood behind: they are among the models, and the decision is not asked again.
-    pub(crate) fn described_by(mut self, composition: Composition) -> Self {
+    pub(crate) fn described_by(mut self, composition: Composition, lack_of_fit: &LackOfFitTests) -> Self {
         let key = self.stood_behind().key();
-        let selection = composition.counted_in(self.examined.selection);
+        let selection = composition.counted_in(self.examined.selection, lack_of_fit);
         // the order of the models has changed
         let stood_behind = selection.models.iter().position(|m| m.key() == key).unwrap_or(selection.base);
         self.predicted.decision.model = stood_behind;
@@ -222,7 +233,7 @@ pub(crate) fn may_compose(options: &Options) -> bool {
 /// What was examined, with the mechanisms among its models and in its decision.
 fn counted(composition: &Composition, examined: Examined, lack_of_fit: &LackOfFitTests) -> Examined {
     let key = examined.selection.models[examined.decision.model].key();
-    let selection = composition.counted_in(examined.selection);
+    let selection = composition.counted_in(examined.selection, lack_of_fit);
     // the order of the models has changed
     let stood_behind = selection.models.iter().position(|m| m.key() == key);
     let decision = Decision { model: stood_behind.unwrap_or(selection.base), ..examined.decision };

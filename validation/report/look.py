@@ -1,6 +1,6 @@
-"""Looks at the report of the built-in recording with a browser: python look.py TRUEGAP [--write FOLDER]
+"""Looks at the report of the built-in recording with a browser: python look.py TRUEGAP [PAGE.html ...] [--write FOLDER]
 
-Sends pointer events to every figure and compares what it says with prediction.csv; looks whether everything has room on a wide page, a tablet and a phone; with --write, makes report-wide.png, report-phone.png and
+Sends pointer events to every figure and compares what it says with prediction.csv; looks whether everything has room on a wide page, a tablet and a phone, of further pages as well (a viewer, a study); with --write, makes report-wide.png, report-phone.png and
 report-print.png in FOLDER. Set up once: apt-get install chromium; python3 -m venv .venv && .venv/bin/pip install pillow pypdfium2
 """
 import csv
@@ -76,11 +76,25 @@ def check(work: pathlib.Path, out: pathlib.Path) -> int:
             print("ok   " if good else "WRONG", figure["name"], "|", " | ".join(said) or "nothing")
         zoomed = figure["zoomed"]
         wrong += zoomed is not None and not (zoomed["ticks"] != zoomed["before"] and zoomed["after"] == zoomed["before"])
+    return wrong
+
+
+def broken_in_print(work: pathlib.Path, page: pathlib.Path) -> list[str]:
+    """Numbers of tables that are not on paper as they stand: cut off, or going on in the next line."""
+    chromium(work, page, "--no-pdf-header-footer", f"--print-to-pdf={work / 'room.pdf'}")
+    printed = " ".join(sheet.get_textpage().get_text_bounded() for sheet in pypdfium2.PdfDocument(work / "room.pdf")).split()
+    numbers = {html.unescape(cell) for cell in re.findall(r'<td class="number">([^<\s]+)</td>', page.read_text())}
+    return [f"broken in print: {number}" for number in sorted(numbers - set(printed))]
+
+
+def room(work: pathlib.Path, page: pathlib.Path) -> int:
+    said = broken_in_print(work, page)
+    wrong = len(said)
+    print(f"{'ok   ' if not said else 'WRONG'} {page.name}, printed", *said, sep="\n      ")
     for width in (1280, 768, 390):
-        said = without_room(work, out / "report.html", width)
+        said = without_room(work, page, width)
         wrong += len(said)
-        print(f"{'ok   ' if not said else 'WRONG'} {width} pixels wide", *said, sep="\n      ")
-    print(f"{wrong} wrong")
+        print(f"{'ok   ' if not said else 'WRONG'} {page.name}, {width} pixels wide", *said, sep="\n      ")
     return wrong
 
 
@@ -115,7 +129,9 @@ def main() -> int:
         if arguments[1:2] == ["--write"]:
             pictures(work, out / "report.html", pathlib.Path(arguments[2]))
             return 0
-        return 1 if check(work, out) else 0
+        wrong = check(work, out) + sum(room(work, page) for page in [out / "report.html", *(pathlib.Path(page).resolve() for page in arguments[1:])])
+        print(f"{wrong} wrong")
+        return 1 if wrong else 0
 
 
 if __name__ == "__main__":

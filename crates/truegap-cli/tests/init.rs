@@ -21,7 +21,8 @@ fn a_header_becomes_a_toml_that_is_diagnosed_once_its_base_is_named() {
         "{}",
         said.out
     );
-    bench.refuses(&["init", "bench.csv"], &["bench.toml", "cannot be written"]);
+    // "entity already exists", and a full disk was advised to move what is there
+    bench.refuses(&["init", "bench.csv"], &["bench.toml: is there already, and was left as it is; move it"]);
     bench.refuses(&["-q", "diagnose", "bench.toml"], &["bench.toml", "--base linear"]);
     let text = std::fs::read_to_string(bench.path("bench.toml")).unwrap();
     // the line of the model without its table

@@ -75,6 +75,7 @@ mod fit;
 mod noise;
 mod pipeline;
 pub mod quality;
+mod seeds;
 mod selection;
 mod stats;
 pub mod text;
@@ -90,6 +91,7 @@ pub use effects::{
     sentence::sentence,
 };
 pub use pipeline::{Options, Restriction, diagnose, recording::diagnose_recording};
+pub use seeds::{SEEDS, Seeds};
 pub use selection::candidates::Progress;
 
 pub use validation::{confirmation, cross_validation::parts, recovery};

@@ -6,7 +6,7 @@ use crate::{error::TablesError, markdown::Markdown};
 use std::path::{Path, PathBuf};
 
 /// Stages of `truegap-diagnose`, the last one first: a stage may use those below it.
-const STAGES: [&str; 15] = [
+const STAGES: [&str; 16] = [
     "pipeline",
     "answer",
     "explain",
@@ -20,6 +20,7 @@ const STAGES: [&str; 15] = [
     "whitening",
     "effects",
     "data",
+    "seeds",
     "stats",
     "text",
 ];

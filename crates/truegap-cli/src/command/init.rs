@@ -6,9 +6,10 @@ use super::told::TellArgs;
 use super::{Outcome, Run};
 use crate::console::Console;
 use anyhow::anyhow;
+use std::io::ErrorKind;
 use std::path::PathBuf;
 use truegap::core::recording::{is_standard_input, sketch};
-use truegap::sweep::write_once;
+use truegap::sweep::{SweepError, write_once};
 
 /// Write the TOML beside a table: which column is what, in which unit, as far as the header and --map tell
 #[derive(Debug, clap::Args)]
@@ -31,8 +32,12 @@ impl Run for Init {
         let file = self.csv.with_extension("toml");
         let name = file.display();
         // half a file, of a run that was killed or of a full disk, would have the next one refused
-        write_once(&file, sketch.toml.as_bytes())
-            .map_err(|error| anyhow!("{error}; move what is there, or the CSV into another folder"))?;
+        write_once(&file, sketch.toml.as_bytes()).map_err(|error| match error {
+            SweepError::Disk { source, .. } if source.kind() == ErrorKind::AlreadyExists => {
+                anyhow!("{name}: is there already, and was left as it is; move it, or the CSV into another folder")
+            }
+            error => error.into(),
+        })?;
         console.print(format!("Written: {name}"))?;
         sketch.open.iter().try_for_each(|open| console.print(format!("Left to you: {open}")))?;
         Ok(Outcome::Fine)

@@ -22,6 +22,7 @@ use crate::{
     data::error::{DiagnoseError, FEWEST_ROWS},
     explain::{conflicts::conflicts, locate::map},
     quality::preconditions::doubts,
+    seeds::SEEDS,
     selection::verdict::Verdict,
 };
 use std::time::Instant;
@@ -105,6 +106,7 @@ pub(crate) fn outcome(
         notices: known.notices,
         concealed_column,
         recording_issues: remarks.chain(known.remarks).collect(),
+        seeds: Some(SEEDS),
         seconds: started.elapsed().as_secs_f64(),
     };
     Ok(Outcome { diagnosis, traces, augmented: augmented(found), interrupted: found.interrupted })

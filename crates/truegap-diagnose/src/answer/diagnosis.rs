@@ -19,6 +19,7 @@ use crate::{
         conflicts::Conflict, hidden_input::slow_input::ConcealedColumn, locate::Mismatch, next_experiment::NextExperiment,
     },
     quality::notice::Notice,
+    seeds::Seeds,
     selection::{model_space::EvidenceCheck, verdict::Verdict},
     validation::reference::Reference,
 };
@@ -106,6 +107,9 @@ pub struct Diagnosis {
     pub concealed_column: Option<ConcealedColumn>,
     /// doubts about the recording itself (dead channel, clipping, outliers, gaps in time)
     pub recording_issues: Vec<String>,
+    /// seeds of everything that was drawn by chance; absent in answers of earlier versions
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seeds: Option<Seeds>,
     /// wall-clock time, s
     pub seconds: f64,
 }

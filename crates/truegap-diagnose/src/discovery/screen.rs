@@ -20,6 +20,7 @@ use crate::{
         course::Course,
     },
     fit::{model::Model, optimum::Linearised},
+    seeds::SEEDS,
     stats::{log_sum_exp, spread},
     whitening::whitener::Whitener,
 };
@@ -332,7 +333,7 @@ fn is_a_tone(sentence: &Sentence) -> bool {
 /// What is left, with the sign of stretches reversed by chance: each stays what it was, and no tone goes through all of them.
 fn reversed(residual: &DVector<f64>) -> DMatrix<f64> {
     let rows = residual.len();
-    let mut random = ChaCha8Rng::seed_from_u64(18);
+    let mut random = ChaCha8Rng::seed_from_u64(SEEDS.reversed_residual);
     let mut reversed = DMatrix::zeros(rows, PERMUTATIONS);
     for mut column in reversed.column_iter_mut() {
         let (first, length) = (random.random_range(0.0..1.0), rows as f64 / STRETCHES);
@@ -348,7 +349,7 @@ fn reversed(residual: &DVector<f64>) -> DMatrix<f64> {
 /// What is left, turned about by chance against the histories: columns of a control of equal freedom.
 fn turned(residual: &DVector<f64>) -> DMatrix<f64> {
     let rows = residual.len();
-    let mut random = ChaCha8Rng::seed_from_u64(17);
+    let mut random = ChaCha8Rng::seed_from_u64(SEEDS.turned_residual);
     let mut turned = DMatrix::zeros(rows, PERMUTATIONS);
     for mut column in turned.column_iter_mut() {
         let by = (rows as f64 * random.random_range(0.05..0.95)) as usize;

@@ -15,6 +15,7 @@ use crate::{
         judged::{Told, examined},
         prepare::Prepared,
     },
+    seeds::SEEDS,
     selection::{candidates::Progress, posterior::Selection, prior::log_prior},
     validation::permutation::permute,
 };
@@ -22,9 +23,6 @@ use nalgebra::DMatrix;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::sync::atomic::Ordering;
-
-/// Seed of the permutations.
-const SEED: u64 = 1907;
 
 /// Searches `count` permuted recordings; `None` where it was asked to stop before the first was done.
 ///
@@ -41,7 +39,7 @@ pub(super) fn permuted_searches(
     let misfit = model.misfit(&selection.base().fit.z)?;
     let predicted: Vec<f64> = problem.response.iter().zip(&misfit).map(|(reading, misfit)| reading - misfit).collect();
     let (runs, misfit) = (problem.runs(), DMatrix::from_vec(misfit.len(), 1, misfit));
-    let random = &mut ChaCha8Rng::seed_from_u64(SEED);
+    let random = &mut ChaCha8Rng::seed_from_u64(SEEDS.permuted_searches);
     let quiet = |_: Progress| {};
     let unheard = Told { options: told.options, progress: &quiet, asked: told.asked, stop: told.stop };
     let mut gains = Vec::new();

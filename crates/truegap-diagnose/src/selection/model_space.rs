@@ -5,6 +5,7 @@
 use crate::{
     adequacy::lack_of_fit::LackOfFitTests,
     fit::importance::{Sampled, sampled},
+    seeds::SEEDS,
     selection::tuning::{ABREAST, BETTER_PART, CLEAR_GAIN, CLOSE, ENOUGH_DRAWS, PARTNERS, REFITTED_MODELS, SAMPLED},
     selection::{
         candidates::{Progress, Search, Tried},
@@ -224,7 +225,7 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
 
     fn sampled(&self, key: &EffectSet) -> Option<Sampled> {
         let m = self.models.get(key).filter(|_| !self.stopped())?;
-        let seed = key.iter().fold(0x7a11_u64, |seed, e| seed.wrapping_mul(31).wrapping_add(*e as u64 + 1));
+        let seed = key.iter().fold(SEEDS.evidence, |seed, e| seed.wrapping_mul(31).wrapping_add(*e as u64 + 1));
         sampled(&self.search.model(&m.effects), self.search.whitener, &m.fit, SAMPLED.1, seed)
     }
 }

@@ -5,6 +5,7 @@
 use crate::{
     data::{error::DiagnoseError, problem::Problem},
     noise::several::measured,
+    seeds::SEEDS,
     validation::tuning::{CONFIRMATION_BLOCKS, EXACT_BLOCKS, SHORTEST_BLOCK, SIGN_DRAWS},
 };
 use rand::{RngExt, SeedableRng};
@@ -152,7 +153,7 @@ fn by_signs(terms: &[f64]) -> f64 {
         let ways = 1usize << terms.len();
         return (0..ways).filter(|flips| flipped(*flips).abs() >= reached).count() as f64 / ways as f64;
     }
-    let mut random = ChaCha8Rng::seed_from_u64(19);
+    let mut random = ChaCha8Rng::seed_from_u64(SEEDS.confirmation);
     let mut flipped = || terms.iter().map(|t| if random.random_bool(0.5) { -t } else { *t }).sum::<f64>();
     let as_far = (0..SIGN_DRAWS).filter(|_| flipped().abs() >= reached).count();
     // the order that was recorded is one of the ways

@@ -4,6 +4,7 @@
 
 use crate::{
     fit::optimum::Fit,
+    seeds::SEEDS,
     validation::cross_validation::parts,
     validation::tuning::{PERMUTATIONS, THERE},
 };
@@ -24,7 +25,7 @@ pub fn permuted(base: &Fit, chosen: &Fit, runs: &[Range<usize>], numbers: &[u32]
     }
     let (_, parts) = parts(runs, numbers);
     let rows: Vec<Vec<usize>> = parts.iter().map(|p| p.rows.iter().cloned().flatten().collect()).collect();
-    let mut random = ChaCha8Rng::seed_from_u64(19);
+    let mut random = ChaCha8Rng::seed_from_u64(SEEDS.permutation_control);
     let mut removed: Vec<f64> =
         (0..PERMUTATIONS).filter_map(|_| removed(base, &permute(&added, runs, &mut random), &rows)).collect();
     removed.sort_by(f64::total_cmp);

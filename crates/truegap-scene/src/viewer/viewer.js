@@ -125,7 +125,8 @@
     const [sa, ca, se, ce] = [Math.sin(camera.azimuth), Math.cos(camera.azimuth), Math.sin(camera.elevation), Math.cos(camera.elevation)];
     const x = [ca, 0, -sa], y = [-sa * se, ce, -ca * se], z = [sa * ce, se, ca * ce];
     const d = camera.distance * radius, near = Math.max(d - 4 * radius, 0.02 * radius), far = d + 4 * radius;
-    const f = 1 / Math.tan(0.3), g = aspect < 1 ? f * aspect : f;
+    // the disc is wider than high: on a narrow page its width must fit
+    const f = 1 / Math.tan(0.3), g = f * Math.min(1, 0.7 * aspect);
     const rows = [
       [...x, -camera.right * radius].map((v) => (v * g) / aspect),
       [...y, -camera.up * radius].map((v) => v * g),

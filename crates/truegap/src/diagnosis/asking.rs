@@ -1,6 +1,6 @@
-//! How often a simulator of the user's own has been asked, and about how long it will be, beside what is being tried; and that a slow one is asked no further once somebody stops.
+//! How often a simulator of the user's own has been asked, how often it will be and about how long that takes, beside what is being tried; and that a slow one is asked no further once somebody stops.
 //!
-//! Limits: the time that is left follows from the share of the stages that is over, which is not known before it is a twentieth.
+//! Limits: what is left follows from the share of the stages that is over, which is not known before it is a twentieth.
 
 use super::pace::duration;
 use crate::models::{Calls, Programs};
@@ -13,7 +13,7 @@ use truegap_diagnose::Progress;
 const LOOK: Duration = Duration::from_millis(50);
 /// Looks between two at how often it was asked.
 const LOOKS: usize = 10;
-/// Share that must be over before a time is told.
+/// Share that must be over before it is told what is left.
 const TOLD_FROM: f64 = 0.05;
 
 /// Does `work`, whose progress is told with what was asked of `programs` by then; that goes on while one stage asks for long.
@@ -88,10 +88,24 @@ fn with(what: &str, calls: Calls, done: f64, elapsed: Duration) -> String {
         return what.to_owned();
     }
     let found = if found > 0 { format!(" and {found} known") } else { String::new() };
-    let left = elapsed.as_secs_f64() * (1.0 - done) / done;
-    let left = if done > TOLD_FROM { format!(", about {} left", duration(left)) } else { String::new() };
+    let left = if done > TOLD_FROM { left(count, elapsed, (1.0 - done) / done) } else { String::new() };
     // first what a narrow terminal must show
     format!("{count} asked{found}{left}; {what}")
+}
+
+/// What is left, `more` times what is over: questions and their time. Where all were known from before nobody knows how many of the next will be.
+fn left(count: u64, elapsed: Duration, more: f64) -> String {
+    let time = duration(more * elapsed.as_secs_f64());
+    match two_digits(more * count as f64) {
+        0 => format!(", about {time} left"),
+        questions => format!(", about {questions} more in {time}"),
+    }
+}
+
+/// A count with two digits: more would be invented.
+fn two_digits(count: f64) -> u64 {
+    let unit = 10f64.powf((count.max(1.0).log10().floor() - 1.0).max(0.0));
+    ((count / unit).round() * unit) as u64
 }
 
 #[cfg(test)]
@@ -103,6 +117,8 @@ mod tests {
         let told = |count, found, done| with("ageing", Calls { count, found, seconds: 1.0 }, done, Duration::from_secs(60));
         assert_eq!(told(0, 0, 0.5), "ageing");
         assert_eq!(told(12, 0, 0.01), "12 asked; ageing");
-        assert_eq!(told(12, 7, 0.25), "12 asked and 7 known, about 3.0 min left; ageing");
+        assert_eq!(told(12, 7, 0.25), "12 asked and 7 known, about 36 more in 3.0 min; ageing");
+        assert_eq!(told(453, 0, 0.1), "453 asked, about 4100 more in 9.0 min; ageing");
+        assert_eq!(told(0, 7, 0.25), "0 asked and 7 known, about 3.0 min left; ageing");
     }
 }

@@ -4,6 +4,7 @@
 
 use super::bases::bases;
 use super::request::Opened;
+use crate::models::SLOW_S;
 use std::fmt;
 
 /// Questions of a diagnosis that finds nothing: so many, and so many more for each parameter. Counted for a spring of 200 rows: 1 427 with two parameters, 2 258
@@ -40,10 +41,15 @@ impl Pace {
 impl fmt::Display for Pace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (fewest, most) = self.questions;
+        let stopped = match self.seconds < SLOW_S {
+            true => "ends the search and writes what is known by then",
+            // what is known by then would take hundreds of questions more
+            false => "ends the search at once and writes nothing",
+        };
         let hundreds = |questions: f64| 100.0 * (questions / 100.0).round();
         write!(
             f,
-            "the simulator answers in {}; a diagnosis asks it some {} to {} times, which takes {} to {}; Ctrl-C ends the search and writes what is known by then",
+            "the simulator answers in {}; a diagnosis asks it some {} to {} times, which takes {} to {}; Ctrl-C {stopped}",
             duration(self.seconds),
             hundreds(fewest),
             hundreds(most),
@@ -100,6 +106,13 @@ mod tests {
             told.contains("answers in 100 ms") && told.contains("1400 to 21500 times") && told.contains("2.4 min to 36 min"),
             "{told}"
         );
+    }
+
+    /// A slow program is asked no further once somebody stops, so there is nothing to write.
+    #[test]
+    fn what_ctrl_c_does_is_what_is_told_of_it() {
+        assert!(Pace::of(0.1, 2, 1, false).to_string().ends_with("Ctrl-C ends the search at once and writes nothing"));
+        assert!(Pace::of(0.009, 2, 1, false).to_string().ends_with("Ctrl-C ends the search and writes what is known by then"));
     }
 
     /// What was counted lies in the range.

@@ -15,6 +15,7 @@ pub use columns::columns;
 pub use declared::declared;
 use declared::{EXAMPLE, Undeclared};
 pub use programs::{Function, Programs};
+pub(crate) use remembered::SLOW_S;
 pub use remembered::{Calls, Remembered};
 
 use crate::predict::{FindSensorError, find_sensor, sensor_names};

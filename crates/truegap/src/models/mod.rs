@@ -18,6 +18,7 @@ mod model_file;
 
 pub use answer::{Answer, AnswerError, along, at_points, load_dimension, on_profile};
 pub(crate) use answer::{of_recording, refused};
+pub(crate) use base::SLOW_S;
 pub use base::{
     Base, BaseModelError, Calls, Function, Programs, Remembered, base_model, base_model_with, base_options, columns, declared,
 };

@@ -234,6 +234,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
         adequacy: adequacy(),
         evidence_check: Default::default(),
         recording_issues: vec!["12 rows repeat the value before them".into()],
+        seeds: Some(truegap_diagnose::SEEDS),
         seconds: 3.2,
     }
 }

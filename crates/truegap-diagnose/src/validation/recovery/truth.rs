@@ -6,6 +6,7 @@ use crate::{
     data::problem::Problem,
     effects::effect::Effect,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model, optimum::Fit},
+    seeds::SEEDS,
     selection::{
         candidates::{Search, zero_size},
         detectability::left_over,
@@ -38,7 +39,7 @@ enum Kind {
 impl Maker<'_> {
     /// Recording number `index`: what it conceals, and its response; `None` where no sensor drawn has an answer.
     pub(crate) fn make(&self, index: usize) -> Option<(Truth, Vec<f64>)> {
-        let random = &mut ChaCha8Rng::seed_from_u64(0xba27 + index as u64);
+        let random = &mut ChaCha8Rng::seed_from_u64(SEEDS.bank + index as u64);
         let kind = self.kind(index, random);
         (0..MOST_DRAWS).find_map(|_| self.draw(&kind, random))
     }

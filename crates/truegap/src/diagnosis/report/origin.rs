@@ -83,6 +83,10 @@ pub(super) fn provenance(page: Page, subject: &Subject<'_>) -> Page {
                 if diagnosis.recording.runs == 1 { "" } else { "s" }
             ),
         ]);
+    if let Some(seeds) = &diagnosis.seeds {
+        let each = seeds.named().map(|(what, seed)| format!("{what} {seed}"));
+        table = table.row(&["seeds", &each.join(", ")]);
+    }
     for (file, hash) in &made.files {
         table = table.row(&["recording", file]).row(&["its SHA-256", hash]);
     }

@@ -14,8 +14,8 @@ use truegap_model::Responder;
 /// Numbers that are kept: 256 MB.
 const MOST_NUMBERS: usize = 32 << 20;
 
-/// An answer that takes no longer is not kept on disk, s: to ask again is no slower than to look for it.
-const SLOW_S: f64 = 0.01;
+/// An answer that takes no longer is not kept on disk, s: to ask again is no slower than to look for it. Who takes longer is asked no further once somebody stops.
+pub(crate) const SLOW_S: f64 = 0.01;
 
 /// A responder with a memory.
 pub struct Remembered {

@@ -33,20 +33,26 @@ fn plot(answer: &OptimiseAnswer, a: usize, b: usize) -> Result<String, FigureErr
         figure = figure.points("along the vector", &[vector.ratios[a]], &[vector.ratios[b]]);
         figure = figure.dashed_line("minimisation vector", &[1.0, vector.ratios[a]], &[1.0, vector.ratios[b]]);
     }
-    let [x, y] = [a, b].map(|o| window(shown.iter().map(|d| d.ratios[o])));
+    let [x, y] = windows([a, b].map(|o| shown.iter().map(|d| d.ratios[o]).collect()));
     let (label, start) = start(x, y, answer.vector.as_ref().map(|v| [v.ratios[a], v.ratios[b]]));
     figure.points(label, &[start[0]], &[start[1]]).x_range(x.0, x.1).y_range(y.0, y.1).to_svg()
 }
 
-/// Ends of an axis around designs, with the starting design at 1 where that costs less than two thirds of the room.
-fn window(ratios: impl Iterator<Item = f64>) -> (f64, f64) {
-    let (low, high) = ratios.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), r| (low.min(r), high.max(r)));
+/// Ends of both axes around designs, with the starting design at (1, 1) where that costs less than two thirds of the room of either: on one axis alone it would
+/// cost room and not be seen.
+fn windows(ratios: [Vec<f64>; 2]) -> [(f64, f64); 2] {
+    let ends = ratios.map(|r| r.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), r| (low.min(*r), high.max(*r))));
+    let with_start = |(low, high): (f64, f64)| (low.min(1.0), high.max(1.0));
+    let length = |(low, high): (f64, f64)| high - low;
+    let is_near = ends.iter().all(|ends| length(with_start(*ends)) < 3.0 * length(*ends));
+    ends.map(|ends| if is_near { with_start(ends) } else { ends }).map(with_margin)
+}
+
+/// Ends with some room beyond; of no designs those of an axis that holds the starting design.
+fn with_margin((low, high): (f64, f64)) -> (f64, f64) {
     if low > high {
         return (0.0, 1.1);
     }
-    let (with_low, with_high) = (low.min(1.0), high.max(1.0));
-    let is_near = with_high - with_low < 3.0 * (high - low);
-    let (low, high) = if is_near { (with_low, with_high) } else { (low, high) };
     let margin = (0.08 * (high - low)).max(1e-3 * high.abs().max(1e-9));
     ((low - margin).max(0.0), high + margin)
 }
@@ -166,7 +172,7 @@ mod tests {
     /// The front sat in a corner of an axis from 0 to the starting design at 1.
     #[test]
     fn a_front_far_from_the_start_fills_its_axes() {
-        let (low, high) = window([0.10, 0.12, 0.14].into_iter());
+        let [(low, high), _] = windows([vec![0.10, 0.12, 0.14], vec![0.1, 0.2]]);
         assert!(low > 0.08 && high < 0.16, "{low} {high}");
         let (label, at) = start((low, high), (low, high), Some([0.12, 0.12]));
         assert!(label.contains("beyond the edge") && (at[0] - high).abs() < 1e-12 && (at[1] - high).abs() < 1e-12, "{at:?}");
@@ -174,9 +180,18 @@ mod tests {
 
     #[test]
     fn a_front_near_the_start_shows_it_where_it_is() {
-        let (low, high) = window([0.4, 0.9].into_iter());
+        let [(low, high), other] = windows([vec![0.4, 0.9], vec![0.4, 0.9]]);
+        assert_eq!(other, (low, high));
         assert!(low < 0.4 && high > 1.0);
         assert_eq!(start((low, high), (low, high), None), ("starting design", [1.0, 1.0]));
+    }
+
+    /// An axis reached to the starting design though the other one did not, and the front lay in the lower third of it.
+    #[test]
+    fn a_start_that_is_not_seen_takes_no_room() {
+        let [x, y] = windows([vec![0.0, 0.09], vec![0.0, 0.35]]);
+        assert!(x.1 < 0.1 && y.1 < 0.4, "{x:?} {y:?}");
+        assert_eq!(windows([Vec::new(), Vec::new()]), [(0.0, 1.1); 2]);
     }
 
     #[test]

@@ -133,7 +133,7 @@ fn in_the_end(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged) -> Judge
         },
     };
     match told_simply(prepared, told, &judged) {
-        Some(simple) => judged.with_simple_laws(prepared, simple),
+        Some((simple, decision)) => judged.with_simple_laws(prepared, simple, decision),
         None => judged,
     }
 }

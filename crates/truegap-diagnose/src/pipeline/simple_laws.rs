@@ -14,8 +14,10 @@ use crate::{
         verdict::Decision,
     },
     validation::{
+        among_rivals::{first_of_each, rivals},
         cross_validation::{HeldOutFit, compared},
         held_numbers::{not_borne_out, refitted},
+        tuning::CLEARLY_WORSE,
     },
 };
 use std::sync::atomic::Ordering;
@@ -47,9 +49,11 @@ pub(crate) fn simple(
     Some(Simple { tried, held, unseen })
 }
 
-/// What is stood behind with the simple laws that foretell rows left out as well, once it is decided what that is; `None` where no number is held for it, where mechanisms of words are part of it, or where the base model has plates.
-pub(crate) fn told_simply(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<Simple> {
-    let chosen = &judged.examined.selection.models[judged.predicted.decision.model];
+/// What is stood behind with the simple laws that foretell rows left out as well, once it is decided what that is, and the decision for it. A rival that foretells clearly better with its own simple laws
+/// takes the place: a richer law may have hidden it. `None` where no number is held for it, where mechanisms of words are part of it, or where the base model has plates.
+pub(crate) fn told_simply(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<(Simple, Decision)> {
+    let (selection, decision) = (&judged.examined.selection, &judged.predicted.decision);
+    let chosen = &selection.models[decision.model];
     let of_library = !chosen.effects.is_empty() && chosen.effects.iter().all(|e| *e < prepared.testable.len());
     let derived = prepared.context.has_plates();
     if derived || !of_library || told.stop.load(Ordering::Relaxed) {
@@ -59,17 +63,34 @@ pub(crate) fn told_simply(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Jud
     let context = prepared.context.holding(judged.held.clone());
     let search = prepared.search(&searched, told.progress, told.stop);
     let search = search.within(&context);
-    let simple = simple(prepared, &search, &judged.by_base, chosen, 1.0)?;
+    let simple = |tried: &Tried| simple(prepared, &search, &judged.by_base, tried, 1.0);
+    let named = simple(chosen)?;
     // held by what the fit under the noise foretells; told by the better of two ways to calibrate
-    let [before, after] = compared(judged.predicted.unseen.stood_behind(), &simple.unseen)?.rmse;
-    (simple.held.len() > judged.held.len() && after <= before).then_some(simple)
+    let as_told = judged.predicted.unseen.stood_behind();
+    let [before, after] = compared(as_told, &named.unseen)?.rmse;
+    let taken = named.held.len() > judged.held.len() && after <= before;
+    let rivals = rivals(selection, decision.model, &decision.sets).into_iter();
+    let others = rivals.filter_map(|model| Some((model, simple(&selection.models[model])?)));
+    let clearly_better = |(_, other): &(usize, Simple)| {
+        let both = compared(if taken { &named.unseen } else { as_told }, &other.unseen);
+        both.map(|both| both.rmse).filter(|[own, other]| *own > CLEARLY_WORSE * other).map(|[_, other]| other)
+    };
+    let better = others.filter_map(|other| Some((clearly_better(&other)?, other)));
+    match better.min_by(|a, b| a.0.total_cmp(&b.0)) {
+        Some((_, (model, other))) => {
+            let sets = first_of_each(&decision.sets, &selection.models[model].effects);
+            Some((other, Decision { model, sets, ..decision.clone() }))
+        }
+        None => taken.then(|| (named, decision.clone())),
+    }
 }
 
 impl Judged {
-    /// The same with simple laws in the model that is stood behind.
-    pub(crate) fn with_simple_laws(self, prepared: &Prepared<'_>, simple: Simple) -> Self {
+    /// The same with simple laws in the model that is stood behind by this decision.
+    pub(crate) fn with_simple_laws(mut self, prepared: &Prepared<'_>, simple: Simple, decision: Decision) -> Self {
         let Simple { tried, held, unseen } = simple;
-        let (after, decision) = (prepared.lack_of_fit.adequacy(&tried.fit), self.predicted.decision.clone());
+        let after = prepared.lack_of_fit.adequacy(&tried.fit);
+        self.predicted.decision = decision.clone();
         self.stands_behind(tried, held, unseen, after, |model, _| Decision { model, ..decision })
     }
 }

@@ -38,7 +38,7 @@ pub(crate) fn best_foreteller(
 }
 
 /// Models with one effect from each of `sets` that are likely enough to be rivals of model `first`, the likeliest first.
-fn rivals(selection: &Selection, first: usize, sets: &[Vec<usize>]) -> Vec<usize> {
+pub(crate) fn rivals(selection: &Selection, first: usize, sets: &[Vec<usize>]) -> Vec<usize> {
     let least = RIVAL * selection.probability[first];
     let one_of_each = |effects: &[usize]| {
         !sets.is_empty()
@@ -67,7 +67,7 @@ pub(crate) fn exchanged(selection: &Selection, model: usize) -> Vec<((usize, usi
 }
 
 /// The sets with the effect that is named first in each.
-fn first_of_each(sets: &[Vec<usize>], named: &[usize]) -> Vec<Vec<usize>> {
+pub(crate) fn first_of_each(sets: &[Vec<usize>], named: &[usize]) -> Vec<Vec<usize>> {
     let ordered = |set: &Vec<usize>| {
         let (first, others): (Vec<usize>, Vec<usize>) = set.iter().partition(|effect| named.contains(effect));
         [first, others].concat()

@@ -23,10 +23,9 @@ use crate::{
         tuning::RIGHT_FAMILY,
         verdict::{Decision, Verdict, removed_by},
     },
-    validation::tuning::MAIN_SHARE,
 };
 
-/// Share of the misfit left over from which a named effect is not all.
+/// Share of the misfit that a named effect has to remove to be all; the same share of what other words for it remove makes those a matter of form.
 const A_TENTH: f64 = 0.9;
 /// Standard deviations by which the recording wants a shape beyond its limit, one-sided 95 %: a shape that is hardly known lies on a limit by chance.
 const CLEARLY_BEYOND: f64 = 1.645;
@@ -78,8 +77,9 @@ pub fn compose(
         }
     }
     let explained = |tried: &Tried| selection.base().fit.objective() - tried.fit.objective();
-    let matter_of_form =
-        |found: &Composition| explained(chosen) >= MAIN_SHARE * explained(&found.tried) && says_all_of(search, chosen, found);
+    let matter_of_form = |found: &Composition| {
+        explained(chosen) >= A_TENTH * explained(&found.tried) && says_all_of(search, chosen, &found.tried, &found.mechanisms)
+    };
     best.filter(|found| strained || !matter_of_form(found))
 }
 

@@ -8,7 +8,6 @@
 use crate::{
     data::context::Context,
     discovery::{
-        compose::Composition,
         discover::Discovery,
         marginals::{TOLD, WordProbabilities},
     },
@@ -32,14 +31,14 @@ pub fn with_followed_driver(words: InWords, context: &Context<'_>) -> InWords {
 }
 
 /// Whether each mechanism, beside the base model alone, says what an effect of `named` says, and there is one for each of those.
-pub fn says_all_of(search: &Search<'_>, named: &Tried, composition: &Composition) -> bool {
-    composition.mechanisms.len() == named.effects.len() && says_the_same(search, named, composition)
+pub fn says_all_of(search: &Search<'_>, named: &Tried, tried: &Tried, mechanisms: &[Discovery]) -> bool {
+    mechanisms.len() == named.effects.len() && says_the_same(search, named, tried, mechanisms)
 }
 
-/// Whether each mechanism, beside the base model alone, says what an effect of `named` says.
-pub fn says_the_same(search: &Search<'_>, named: &Tried, composition: &Composition) -> bool {
+/// Whether each mechanism, `tried` beside the base model alone, says what an effect of `named` says.
+pub fn says_the_same(search: &Search<'_>, named: &Tried, tried: &Tried, mechanisms: &[Discovery]) -> bool {
     let library = search.library.len();
-    let beside_base = composition.tried.effects.iter().all(|e| *e >= library);
+    let beside_base = tried.effects.iter().all(|e| *e >= library);
     let names: Vec<InWords> = named
         .effects
         .iter()
@@ -50,7 +49,7 @@ pub fn says_the_same(search: &Search<'_>, named: &Tried, composition: &Compositi
         let own = moved(mechanism.effect.sentence.in_words(), search.context);
         names.iter().any(|name| (&name.driver, name.kinetics) == (&own.driver, own.kinetics) && acts_at(&mechanism.words, name))
     };
-    beside_base && composition.mechanisms.iter().all(said)
+    beside_base && mechanisms.iter().all(said)
 }
 
 /// The words with the reading for the load as well: the plates of a sensor follow it.

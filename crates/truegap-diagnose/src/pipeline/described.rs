@@ -34,7 +34,8 @@ pub(crate) fn described(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged
     let search = &prepared.search(&searched, told.progress, told.stop);
     let Some(composition) = describe(search, &judged.examined.selection, &prepared.lack_of_fit) else { return Ok(judged) };
     // words never decide whether something is missing
-    let another = judged.names_something() && !says_the_same(search, judged.stood_behind(), &composition);
+    let another =
+        judged.names_something() && !says_the_same(search, judged.stood_behind(), &composition.tried, &composition.mechanisms);
     if composition.log_odds <= 0.0 || !another || !prepared.noise_is_known() {
         return Ok(judged.described_by(composition, &prepared.lack_of_fit));
     }

@@ -168,12 +168,23 @@ pub fn is_strained(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: &Tri
 
 impl Composition {
     /// The selection with the mechanisms' model in it. A library whose best equation has run to its limits, and what mimics that, is set aside.
-    pub fn counted_in(&self, selection: Selection, lack_of_fit: &LackOfFitTests) -> Selection {
-        let stands = self.stands(&selection, &lack_of_fit.adequacy(&self.tried.fit)).is_some();
+    pub fn counted_in(&self, selection: Selection) -> Selection {
+        self.with(selection, self.log_odds)
+    }
+
+    /// The same with no probability for it: other words for what is explained, or what leaves too much to be an answer, take nothing from the others.
+    pub fn listed_in(&self, selection: Selection) -> Selection {
+        self.with(selection, f64::NEG_INFINITY)
+    }
+
+    fn with(&self, selection: Selection, log_odds: f64) -> Selection {
         let selection = if self.library_strained { selection.base_alone() } else { selection };
-        // other words for what is explained take nothing from the probability of its name, nor does what leaves too much to be an answer
-        let log_odds = if self.in_other_words || !stands { f64::NEG_INFINITY } else { self.log_odds };
         selection.with_model(self.tried.clone(), log_odds, self.mechanisms.len())
+    }
+
+    /// Whether they leave too much to be an answer.
+    pub fn leave_too_much(&self, selection: &Selection, lack_of_fit: &LackOfFitTests) -> bool {
+        self.stands(selection, &lack_of_fit.adequacy(&self.tried.fit)).is_none()
     }
 
     /// The decision with the mechanisms counted; `selection` holds their model already.

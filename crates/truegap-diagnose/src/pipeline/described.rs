@@ -3,8 +3,8 @@
 //! A library is never whole: where the effect that acts is not in it, the nearest member explains as much, and nothing in the recording says that the name is wrong. Words composed beside the
 //! base model know no names. They are listed, with their odds against the library's answer, and the verdict stays what it was.
 //!
-//! Where they are likelier than all of the library and say something else, the answer is theirs: one space of models holds both. Only where the noise was measured, as the odds are what the noise was taken for, and
-//! where they foretell rows left out as well.
+//! Where they are likelier than all of the library and say something else, the answer is theirs: one space of models holds both. They have to foretell rows left out as well; clearly better where the noise was
+//! not measured, as the odds are what the noise was taken for.
 //!
 //! Limits: beside the base model alone, so that of several causes the clearest is told.
 
@@ -15,6 +15,7 @@ use crate::{
         same_words::says_the_same,
     },
     pipeline::{
+        by_name::by_name,
         judged::{Judged, Told, judged_once, may_compose},
         prepare::Prepared,
     },
@@ -36,17 +37,25 @@ pub(crate) fn described(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged
     // words never decide whether something is missing
     let another =
         judged.names_something() && !says_the_same(search, judged.stood_behind(), &composition.tried, &composition.mechanisms);
-    if composition.log_odds <= 0.0 || !another || !prepared.noise_is_known() {
-        return Ok(judged.described_by(composition, &prepared.lack_of_fit));
+    if composition.log_odds <= 0.0 || !another {
+        return Ok(judged.described_by(composition));
     }
     let named = Composition { in_other_words: false, ..composition };
     let likelier = judged_once(prepared, told, judged.examined.clone(), Some(named), Some(judged.by_base.clone()))?;
-    if likelier.names_something() && likelier.foretells_as_well_as(&judged) {
+    let likelier = match by_name(prepared, told, &likelier) {
+        Some(name) => likelier.told_by(name),
+        None => likelier,
+    };
+    let borne_out = match prepared.noise_is_known() {
+        true => likelier.foretells_as_well_as(&judged),
+        false => !judged.stands_before(&likelier, false),
+    };
+    if likelier.names_something() && borne_out {
         return Ok(likelier);
     }
     let composition = likelier.composition.map(|composition| Composition { in_other_words: true, ..composition });
     Ok(match composition {
-        Some(composition) => judged.described_by(composition, &prepared.lack_of_fit),
+        Some(composition) => judged.described_by(composition),
         None => judged,
     })
 }

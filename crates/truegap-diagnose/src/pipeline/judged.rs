@@ -114,7 +114,8 @@ pub(crate) fn judged_once(
     let searched = prepared.searched();
     let mechanisms = composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
     let search = &with_mechanisms(&prepared.search(&searched, told.progress, told.stop), mechanisms);
-    let examined = match &composition {
+    let uncounted = composition.is_some().then(|| examined.selection.clone());
+    let mut examined = match &composition {
         Some(composition) => counted(composition, examined, &prepared.lack_of_fit),
         None => examined,
     };
@@ -125,7 +126,14 @@ pub(crate) fn judged_once(
     let (decision, kept_back) = reserved(decision, selection, slow.as_ref(), told.options);
     let missing = decision.verdict != Verdict::Agrees;
     let by_base = known.unwrap_or_else(|| by_base(prepared, search, selection.base(), missing));
-    let predicted = predicted(prepared, search, selection, decision, &by_base, kept_back.is_none());
+    let mut predicted = predicted(prepared, search, selection, decision, &by_base, kept_back.is_none());
+    if let (Some(composition), Some(uncounted)) = (&composition, uncounted) {
+        let key = selection.models[predicted.decision.model].key();
+        if key != composition.tried.key() && composition.leave_too_much(selection, &prepared.lack_of_fit) {
+            examined.selection = composition.listed_in(uncounted);
+            predicted.decision.model = examined.selection.place_of(key);
+        }
+    }
     let held = prepared.context.held.clone();
     Ok(Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held })
 }
@@ -136,7 +144,7 @@ impl Judged {
     }
 
     /// Whether it names something that foretells rows left out as well as what `other` names; clearly better where its laws are `strained`, that is have run to their limits.
-    fn stands_before(&self, other: &Self, strained: bool) -> bool {
+    pub(crate) fn stands_before(&self, other: &Self, strained: bool) -> bool {
         let borne_out = |judged: &Self, beside: &Self| {
             let told = |judged: &Self| judged.predicted.unseen.stood_behind().clone();
             let base = (told(beside), &beside.stood_behind().fit);
@@ -199,12 +207,11 @@ impl Judged {
     }
 
     /// The same with mechanisms beside what is stood behind: they are among the models, and the decision is not asked again.
-    pub(crate) fn described_by(mut self, composition: Composition, lack_of_fit: &LackOfFitTests) -> Self {
+    pub(crate) fn described_by(mut self, composition: Composition) -> Self {
         let key = self.stood_behind().key();
-        let selection = composition.counted_in(self.examined.selection, lack_of_fit);
+        let selection = composition.listed_in(self.examined.selection);
         // the order of the models has changed
-        let stood_behind = selection.models.iter().position(|m| m.key() == key).unwrap_or(selection.base);
-        self.predicted.decision.model = stood_behind;
+        self.predicted.decision.model = selection.place_of(key);
         self.examined.selection = selection;
         Self { composition: Some(composition), ..self }
     }
@@ -233,10 +240,9 @@ pub(crate) fn may_compose(options: &Options) -> bool {
 /// What was examined, with the mechanisms among its models and in its decision.
 fn counted(composition: &Composition, examined: Examined, lack_of_fit: &LackOfFitTests) -> Examined {
     let key = examined.selection.models[examined.decision.model].key();
-    let selection = composition.counted_in(examined.selection, lack_of_fit);
+    let selection = composition.counted_in(examined.selection);
     // the order of the models has changed
-    let stood_behind = selection.models.iter().position(|m| m.key() == key);
-    let decision = Decision { model: stood_behind.unwrap_or(selection.base), ..examined.decision };
+    let decision = Decision { model: selection.place_of(key), ..examined.decision };
     let (decision, after) = composition.decide(&selection, decision, lack_of_fit);
     Examined { selection, decision, after: after.unwrap_or(examined.after), ..examined }
 }

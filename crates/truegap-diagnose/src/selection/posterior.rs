@@ -47,6 +47,11 @@ impl Selection {
         &self.models[self.base]
     }
 
+    /// Where the model of these effects stands; the base model where none does.
+    pub fn place_of(&self, effects: EffectSet) -> usize {
+        self.models.iter().position(|m| m.key() == effects).unwrap_or(self.base)
+    }
+
     /// The model that leaves least, its parameters' distance from what is known of them counted.
     pub fn least(&self) -> Option<&Tried> {
         least(self.models.iter())

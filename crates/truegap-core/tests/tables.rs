@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+use std::sync::atomic::{AtomicUsize, Ordering};
 use truegap_core::recording::{Told, sketch};
 use truegap_core::{Note, Recording, RecordingError};
 
@@ -10,7 +11,10 @@ struct Bench(std::path::PathBuf);
 
 impl Bench {
     fn new(name: &str, table: &[u8]) -> Self {
-        let folder = std::env::temp_dir().join(format!("truegap-tables-{name}-{}", std::process::id()));
+        // tests of one program run side by side, and two may choose the same name
+        static NEXT: AtomicUsize = AtomicUsize::new(0);
+        let place = NEXT.fetch_add(1, Ordering::Relaxed);
+        let folder = std::env::temp_dir().join(format!("truegap-tables-{name}-{}-{place}", std::process::id()));
         std::fs::create_dir_all(&folder).unwrap();
         std::fs::write(folder.join("t.csv"), table).unwrap();
         Self(folder)

@@ -132,7 +132,8 @@ fn late(inputs: &Inputs, tau_s: f64, x: &mut [f64]) {
 fn way(inputs: &Inputs, x: &[f64], width: f64) -> Vec<f64> {
     let (mut state, mut out) = (0.0, vec![0.0; x.len()]);
     walk(inputs, |row, step| {
-        state = if step.is_none() { x[row] } else { f64::clamp(state, x[row] - width, x[row] + width) };
+        // a fit may ask for numbers that are none, which no clamp takes
+        state = if step.is_none() { x[row] } else { state.max(x[row] - width).min(x[row] + width) };
         out[row] = (x[row] - state) / width;
     });
     out
@@ -210,6 +211,14 @@ mod tests {
         let way = column(&words, &Numbers { width: 2.0, ..Numbers::default() }, &at).unwrap();
         assert_eq!((way[10], way[20]), (1.0, -1.0));
         assert_eq!(way[12], 0.0);
+    }
+
+    /// A fit that ran away asks for it; its answer is refused elsewhere, as no finite one.
+    #[test]
+    fn a_play_of_numbers_that_are_none_is_no_panic() {
+        for (width, second) in [(f64::NAN, 1.0), (0.5, f64::NAN), (f64::INFINITY, 1.0)] {
+            assert_eq!(way(&inputs(3), &[0.0, second, 0.0], width).len(), 3);
+        }
     }
 
     #[test]

@@ -114,7 +114,8 @@ pub(crate) fn judged_once(
     let searched = prepared.searched();
     let mechanisms = composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
     let search = &with_mechanisms(&prepared.search(&searched, told.progress, told.stop), mechanisms);
-    let uncounted = composition.is_some().then(|| examined.selection.clone());
+    let too_much = |found: &&Composition| found.leave_too_much(&examined.selection, &prepared.lack_of_fit);
+    let uncounted = composition.as_ref().filter(too_much).map(|found| (found, examined.selection.clone()));
     let mut examined = match &composition {
         Some(composition) => counted(composition, examined, &prepared.lack_of_fit),
         None => examined,
@@ -127,12 +128,10 @@ pub(crate) fn judged_once(
     let missing = decision.verdict != Verdict::Agrees;
     let by_base = known.unwrap_or_else(|| by_base(prepared, search, selection.base(), missing));
     let mut predicted = predicted(prepared, search, selection, decision, &by_base, kept_back.is_none());
-    if let (Some(composition), Some(uncounted)) = (&composition, uncounted) {
-        let key = selection.models[predicted.decision.model].key();
-        if key != composition.tried.key() && composition.leave_too_much(selection, &prepared.lack_of_fit) {
-            examined.selection = composition.listed_in(uncounted);
-            predicted.decision.model = examined.selection.place_of(key);
-        }
+    let key = selection.models[predicted.decision.model].key();
+    if let Some((found, uncounted)) = uncounted.filter(|(found, _)| found.tried.key() != key) {
+        examined.selection = found.listed_in(uncounted);
+        predicted.decision.model = examined.selection.place_of(key);
     }
     let held = prepared.context.held.clone();
     Ok(Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held })
@@ -145,20 +144,20 @@ impl Judged {
 
     /// Whether it names something that foretells rows left out as well as what `other` names; clearly better where its laws are `strained`, that is have run to their limits.
     pub(crate) fn stands_before(&self, other: &Self, strained: bool) -> bool {
-        let borne_out = |judged: &Self, beside: &Self| {
-            let told = |judged: &Self| judged.predicted.unseen.stood_behind().clone();
-            let base = (told(beside), &beside.stood_behind().fit);
-            Unseen::of(base, (told(judged), &judged.stood_behind().fit)).against(false).is_none()
-        };
+        let borne_out = |judged: &Self, beside: &Self| judged.beside(beside).against(false).is_none();
         let better = || if strained { borne_out(self, other) } else { !other.names_something() || !borne_out(other, self) };
         self.names_something() && better()
     }
 
     /// Whether rows left out are predicted no worse than by what `other` stands behind.
     pub(crate) fn foretells_as_well_as(&self, other: &Self) -> bool {
+        self.beside(other).worse().is_none()
+    }
+
+    /// What it foretells of rows left out, beside what `other` does.
+    fn beside(&self, other: &Self) -> Unseen {
         let told = |judged: &Self| judged.predicted.unseen.stood_behind().clone();
-        let both = Unseen::of((told(other), &other.stood_behind().fit), (told(self), &self.stood_behind().fit));
-        both.worse().is_none()
+        Unseen::of((told(other), &other.stood_behind().fit), (told(self), &self.stood_behind().fit))
     }
 
     pub(crate) fn stood_behind(&self) -> &Tried {
@@ -198,7 +197,7 @@ impl Judged {
         let key = tried.key();
         let unseen = Unseen::of((self.by_base.unseen.clone(), &selection.base().fit), (unseen, &tried.fit));
         let selection = selection.told_as(place, tried);
-        let model = selection.models.iter().position(|m| m.key() == key).unwrap_or(selection.base);
+        let model = selection.place_of(key);
         let decision = decide(model, selection.base);
         self.examined.selection = selection;
         self.predicted = Predicted { unseen, decision, after: Some(after), ..self.predicted };

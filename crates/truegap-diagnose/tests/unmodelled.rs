@@ -82,6 +82,20 @@ fn a_faint_tone_is_said_to_be_one() {
     assert!(said.next_experiment.says.contains("sampling rate"), "{}", said.next_experiment.says);
 }
 
+/// Mains is the electronics' own: an effect that holds less than it keeps its name, and both are said.
+#[test]
+fn a_steady_tone_takes_no_name_away() {
+    let first = recording().run[0];
+    let said = said_of(|inputs, row| {
+        let zero = if inputs.run[row] == first { 0.0 } else { 5.0 * NOISE * f64::from(inputs.run[row] % 7) / 7.0 };
+        zero + 1.2 * NOISE * (0.55 * inputs.time_s.as_ref().unwrap()[row]).sin()
+    });
+    assert_eq!((said.verdict, said.findings.len()), (Verdict::Ambiguous, 1), "{}", said.says);
+    assert!(said.says.contains("offset_drift or offset_steps"), "{}", said.says);
+    let tone = said.adequacy.tone.unwrap();
+    assert!(tone.steady && said.says.contains("a tone at 0.087"), "{tone:?} {}", said.says);
+}
+
 #[test]
 fn no_unmodelled_cause_is_claimed_where_nothing_is_missing() {
     let said = said_of(|_, _| 0.0);

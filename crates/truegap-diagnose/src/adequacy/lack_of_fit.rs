@@ -4,7 +4,7 @@
 
 use crate::{
     adequacy::directions::Direction,
-    adequacy::tuning::{LACK_OF_FIT_LEVEL, MOST_UNCERTAIN, STRETCHES},
+    adequacy::tuning::{ALIKE, LACK_OF_FIT_LEVEL, MOST_UNCERTAIN, STRETCHES},
     fit::{
         optimum::{Fit, Linearised},
         score_test::{JointTest, Scores, scores},
@@ -52,6 +52,21 @@ impl Adequacy {
     pub fn left(&self) -> f64 {
         let line = if self.line_p_value < LACK_OF_FIT_LEVEL { excess_of(self.line_p_value) } else { 0.0 };
         self.smooth.excess().max(self.stretches.excess()).max(line)
+    }
+
+    /// The same without the line, where it is what a tone of so many cycles a row looks like on these rows.
+    pub fn without_line(self, per_row: f64) -> Self {
+        let folded = (per_row - per_row.round()).abs();
+        match (folded - self.line_at.1).abs() < ALIKE {
+            true => Self { line_p_value: 1.0, ..self },
+            false => self,
+        }
+    }
+
+    /// Level of what is left beside calibration where it is slow, in units of the noise variance: along the smooth directions or in means over stretches, whichever is louder.
+    pub fn slow_level(&self) -> f64 {
+        let level = |test: &JointTest| if test.freedom > 0 { test.statistic / test.freedom as f64 } else { 0.0 };
+        level(&self.smooth).max(level(&self.stretches))
     }
 
     /// Whether something is left that noise does not make.

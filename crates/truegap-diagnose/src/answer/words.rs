@@ -20,7 +20,11 @@ pub(crate) const STOPPED: &str =
 
 /// The verdict as a sentence with its reasons; with what the model carries beside the findings.
 pub(crate) fn says(found: &Found<'_>, (findings, order): (&[Finding], &[usize]), carried: &[Finding]) -> String {
-    let verdict = verdict_says(found, (findings, order));
+    let mut verdict = verdict_says(found, (findings, order));
+    let own = found.interference.tone.steady && found.reserved.is_none() && !findings.is_empty();
+    if let Some(tone) = tone(found).filter(|_| own) {
+        verdict.push_str(&format!("; beside it the reading holds {tone}"));
+    }
     if carried.is_empty() {
         return verdict;
     }
@@ -117,20 +121,25 @@ const SLOW_HZ: f64 = 0.01;
 
 /// The tone, or else the loudest burst, of what the model stood behind leaves, in words; `None` where there is neither.
 fn interference(found: &Found<'_>) -> Option<String> {
-    let (tone, burst, inputs) = (found.interference.tone, found.interference.burst, found.all.problem.inputs);
-    if tone.is_significant() {
-        let at = match tone.frequency_hz {
-            None => format!("a tone at {:.4} cycles a row", tone.per_row),
-            Some(hz) if hz < SLOW_HZ => format!("a cycle of {}", rounded(hz.recip(), "s")),
-            Some(hz) => format!("a tone at {hz:.4} Hz"),
-        };
-        return Some(format!("{at} (as sampled; it may be a faster one), {:.2} times as large as the noise", tone.amplitude));
-    }
-    burst.is_significant().then(|| {
+    let (burst, inputs) = (found.interference.burst, found.all.problem.inputs);
+    let bursts = || {
         let (run, time) = (inputs.run[burst.row], elapsed_s(inputs, burst.row));
         let loudness = burst.loudness;
         format!("short bursts, the loudest in run {run} near {time:.0} s with {loudness:.1} times the scatter of the noise")
-    })
+    };
+    tone(found).or_else(|| burst.is_significant().then(bursts))
+}
+
+/// The tone in what the model stood behind leaves.
+fn tone(found: &Found<'_>) -> Option<String> {
+    let tone = found.interference.tone;
+    let at = match tone.frequency_hz {
+        None => format!("a tone at {:.4} cycles a row", tone.per_row),
+        Some(hz) if hz < SLOW_HZ => format!("a cycle of {}", rounded(hz.recip(), "s")),
+        Some(hz) => format!("a tone at {hz:.4} Hz"),
+    };
+    let told = || format!("{at} (as sampled; it may be a faster one), {:.2} times as large as the noise", tone.amplitude);
+    tone.is_significant().then(told)
 }
 
 /// The unmodelled cause that comes nearest, where the library explains too little and no such cause is likelier.

@@ -18,14 +18,14 @@ use crate::{
         discover::with_mechanisms,
     },
     explain::hidden_input::slow_input::SlowInput,
-    fit::model::Model,
     pipeline::{
+        interference::{beside_a_tone, with_interference},
         options::Options,
         predicted::{ByBase, Predicted, by_base, predicted},
         prepare::Prepared,
     },
     selection::{
-        candidates::{Progress, Search, Tried},
+        candidates::{Progress, Tried},
         examine::{Examined, examine},
         posterior::Selection,
         verdict::{Decision, Verdict, interrupted},
@@ -69,7 +69,8 @@ pub(crate) struct Judged {
 /// Fits, weighs and decides.
 pub(crate) fn examined(prepared: &Prepared<'_>, told: &Told<'_>) -> Result<Examined, DiagnoseError> {
     let searched = prepared.searched();
-    Ok(examine(&prepared.search(&searched, told.progress, told.stop), &prepared.lack_of_fit)?)
+    let search = &prepared.search(&searched, told.progress, told.stop);
+    beside_a_tone(prepared, search, examine(search, &prepared.lack_of_fit)?)
 }
 
 /// What is stood behind after rows left out were asked.
@@ -244,30 +245,6 @@ fn counted(composition: &Composition, examined: Examined, lack_of_fit: &LackOfFi
     let decision = Decision { model: selection.place_of(key), ..examined.decision };
     let (decision, after) = composition.decide(&selection, decision, lack_of_fit);
     Examined { selection, decision, after: after.unwrap_or(examined.after), ..examined }
-}
-
-/// Bursts and a tone in what the model stood behind leaves of every row, and the decision with them counted.
-fn with_interference(
-    prepared: &Prepared<'_>,
-    search: &Search<'_>,
-    examined: &Examined,
-) -> Result<(Interference, Decision), DiagnoseError> {
-    let Examined { selection, decision, .. } = examined;
-    let stood_behind = &selection.models[decision.model];
-    let effects = stood_behind.effects.iter().map(|e| search.library[*e]).collect();
-    let model = Model::new(prepared.problem, search.context, effects);
-    let interference = Interference::in_what_is_left(
-        &model,
-        &stood_behind.fit.z,
-        &prepared.noise,
-        (prepared.lack_of_fit.slack(), prepared.noise_is_known()),
-    )?;
-    let explained = 2.0 * (selection.base().fit.objective() - stood_behind.fit.objective());
-    let decision = match interference.is_anything() {
-        true => decision.clone().with_interference(selection.base, explained, interference.excess()),
-        false => decision.clone(),
-    };
-    Ok((interference, decision))
 }
 
 /// The decision, taken back where the recording may not be trusted or an input is missing that was hidden on purpose; with the reason.

@@ -8,6 +8,7 @@ mod by_rows_left_out;
 mod carried;
 mod conclude;
 mod described;
+mod interference;
 mod judged;
 mod noise_choice;
 mod options;

@@ -163,7 +163,9 @@ impl RowsLeftOut<'_, '_> {
             let after = stepped.then(|| self.left_by(model));
             return self.nothing(decision, after, told);
         }
-        match unseen.against(self.prepared.noise_is_known()).filter(|_| self.foretells(model)) {
+        let little = |against: &Against| matches!(against, Against::Little(_));
+        let against = unseen.against(self.prepared.noise_is_known()).filter(|_| self.foretells(model));
+        match against.filter(|against| !little(against) || !self.stands_out(model, &unseen)) {
             Some(little @ Against::Little(_)) => {
                 let says = self.says_too_little(model, little);
                 return self.nothing(self.too_little(fuller, model), None, [told, vec![says]].concat());
@@ -195,6 +197,15 @@ impl RowsLeftOut<'_, '_> {
         let all_that_is_seen = |model: usize| !self.left_by(model).fires();
         let verdict = if all_that_is_seen(model) || all_that_is_seen(fuller) { Verdict::Agrees } else { Verdict::Unexplained };
         Decision::nothing(verdict, self.selection.base)
+    }
+
+    /// Whether what effects of the library foretell stands far out of what they leave where that is slow: a noise that lasts, which nobody measured, would be there as well. A base model
+    /// without plates describes, so that something small is always beside it; and mechanisms are composed to follow whatever there is.
+    fn stands_out(&self, model: usize, unseen: &Unseen) -> bool {
+        let by_physics =
+            self.search.context.has_plates() && self.effects(model).iter().all(|e| *e < self.prepared.testable.len());
+        let left = self.left_by(model);
+        by_physics && !left.fires() && unseen.stands_out_of(left.slow_level() * self.prepared.lack_of_fit.slack())
     }
 
     /// Whether a model leaves little enough to be named by itself.

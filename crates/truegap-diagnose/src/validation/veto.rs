@@ -11,7 +11,7 @@
 use crate::{
     fit::optimum::Fit,
     validation::cross_validation::{HeldOutFit, compared, misfit_removed},
-    validation::tuning::{CLEARLY_WORSE, EXTRAPOLATED, FORETOLD, PROOF},
+    validation::tuning::{CLEARLY_WORSE, EXTRAPOLATED, FAR_OUT, FORETOLD, PROOF},
 };
 
 /// Predictions of rows left out, by the base model and by the model stood behind.
@@ -91,6 +91,19 @@ impl Unseen {
         self.worse().or_else(|| little(&self.base, named?))
     }
 
+    /// Whether rows left out are foretold so much better, in most parts, that no slow noise of this `level` does as much: 1 is the noise that was taken.
+    pub fn stands_out_of(&self, level: f64) -> bool {
+        let Some(gains) = self.gains() else { return false };
+        let foretold = gains.iter().filter(|gain| **gain > FORETOLD).count();
+        2 * foretold > gains.len() && gains.iter().sum::<f64>() > FAR_OUT * level.max(1.0)
+    }
+
+    /// Squares of the noise that the model gains in each part.
+    fn gains(&self) -> Option<Vec<f64>> {
+        let named = self.named.as_ref()?;
+        Some(self.base.parts.iter().zip(&named.parts).filter_map(|(b, n)| Some(b.score? - n.score?)).collect())
+    }
+
     /// Whether the error over all rows left out is clearly larger than that of the base model, in however few parts.
     pub fn larger(&self) -> bool {
         let both = self.named.as_ref().and_then(|named| compared(&self.base, named));
@@ -111,8 +124,7 @@ impl Unseen {
 
     /// Squares of the noise that the model loses on rows left out, where it foretells no more than half of the parts; what it gains there and in belief is no proof below [`PROOF`].
     fn lost(&self) -> Option<f64> {
-        let named = self.named.as_ref()?;
-        let gains: Vec<f64> = self.base.parts.iter().zip(&named.parts).filter_map(|(b, n)| Some(b.score? - n.score?)).collect();
+        let gains = self.gains()?;
         let foretold = gains.iter().filter(|gain| **gain > FORETOLD).count();
         let gained = gains.iter().sum::<f64>();
         (!gains.is_empty() && gained + self.believed < PROOF && 2 * foretold <= gains.len()).then_some(-gained)
@@ -202,5 +214,20 @@ mod tests {
         let larger = of(3.0).against(false).unwrap();
         assert!(matches!(larger, Against::Errors(_)) && larger.cost() > small.against(false).unwrap().cost());
         assert!(Against::Score(1.0).cost() > small.against(false).unwrap().cost());
+    }
+
+    /// Four runs gain 20 squares each, 80 in all: more than a slow noise of level 1 does (50), less than one of level 2 (100). One run that gains all of it is no law.
+    #[test]
+    fn what_is_foretold_in_most_parts_stands_out_of_a_slow_noise() {
+        let fit = |gains: [f64; 4]| {
+            let part =
+                |k: usize| PartError { name: "run".into(), squares: Some(400.0), rows: 100, score: Some(100.0 - gains[k]) };
+            HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: (0..4).map(part).collect() }
+        };
+        let of = |gains, level| Unseen { base: fit([0.0; 4]), named: Some(fit(gains)), believed: 0.0 }.stands_out_of(level);
+        assert!(of([20.0; 4], 1.0) && of([20.0; 4], 0.4));
+        assert!(!of([20.0; 4], 2.0));
+        assert!(!of([80.0, 1.0, 1.0, 1.0], 1.0));
+        assert!(!Unseen::nothing(fit([0.0; 4])).stands_out_of(1.0));
     }
 }

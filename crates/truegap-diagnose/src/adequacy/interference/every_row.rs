@@ -38,18 +38,26 @@ impl Interference {
         noise: &NoiseModel,
         (slack, noise_is_known): (f64, bool),
     ) -> Result<Self, SimulationError> {
-        let runs = model.problem.runs();
-        let residual = model.residual(z, &noise.whitener(&runs, None))?;
+        let residual = left(model, z, noise)?;
         let runs = model.problem.runs_in_order();
         let tone = Tone::strongest(&residual, model.problem.inputs.time_s.as_deref(), &runs);
         Ok(Self { burst: Burst::loudest(&residual, &runs, slack), tone, noise_is_known })
     }
 
-    /// How much the stronger of the two holds, in units of the noise variance.
-    pub fn excess(&self) -> f64 {
+    /// How much the stronger of the two holds, in units of the noise variance; the burst alone where the tone is `told_apart`.
+    pub fn excess(&self, told_apart: bool) -> f64 {
         let burst = if self.bursts() { self.burst.rows as f64 * (self.burst.loudness.powi(2) - 1.0) } else { 0.0 };
-        let tone = if self.tone.is_significant() { excess_of(self.tone.p_value) } else { 0.0 };
+        let tone = if self.tone.is_significant() && !told_apart { excess_of(self.tone.p_value) } else { 0.0 };
         burst.max(tone)
+    }
+
+    /// Squares of the noise that the tone holds in what a model leaves at `z`.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn of_the_tone(&self, model: &Model<'_>, z: &[f64], noise: &NoiseModel) -> Result<f64, SimulationError> {
+        let time = model.problem.inputs.time_s.as_deref();
+        Ok(self.tone.power_in(&left(model, z, noise)?, time, &model.problem.runs_in_order()))
     }
 
     /// Whether it is what there is to say of a recording in which nothing is named, `before` the adequacy of the base model: a mismatch that other tests see is
@@ -69,13 +77,18 @@ impl Interference {
     }
 }
 
+/// The whitened residual of every row.
+fn left(model: &Model<'_>, z: &[f64], noise: &NoiseModel) -> Result<Vec<f64>, SimulationError> {
+    model.residual(z, &noise.whitener(&model.problem.runs(), None))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn interference(noise_is_known: bool, loudness: f64, tone: f64) -> Interference {
         let burst = Burst { row: 40, rows: 8, loudness, p_value: if loudness > 2.0 { 1e-12 } else { 0.5 } };
-        let tone = Tone { per_row: 0.1, frequency_hz: None, amplitude: 0.2, p_value: tone };
+        let tone = Tone { per_row: 0.1, frequency_hz: None, amplitude: 0.2, p_value: tone, steady: false };
         Interference { burst, tone, noise_is_known }
     }
 
@@ -84,10 +97,11 @@ mod tests {
     fn loud_rows_count_where_the_noise_was_measured() {
         let measured = interference(true, 13.0, 1.0);
         assert!(measured.is_anything());
-        approx::assert_relative_eq!(measured.excess(), 8.0 * 168.0, max_relative = 1e-12);
+        approx::assert_relative_eq!(measured.excess(false), 8.0 * 168.0, max_relative = 1e-12);
         let taken_from_the_rest = interference(false, 13.0, 1.0);
         assert!(!taken_from_the_rest.is_anything());
-        assert_eq!(taken_from_the_rest.excess(), 0.0);
-        assert!(interference(false, 13.0, 1e-12).is_anything() && interference(false, 13.0, 1e-12).excess() > 0.0);
+        assert_eq!(taken_from_the_rest.excess(false), 0.0);
+        assert!(interference(false, 13.0, 1e-12).is_anything() && interference(false, 13.0, 1e-12).excess(false) > 0.0);
+        assert_eq!(interference(false, 13.0, 1e-12).excess(true), 0.0);
     }
 }

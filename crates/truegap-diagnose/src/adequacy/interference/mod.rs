@@ -4,4 +4,5 @@
 
 pub(crate) mod burst;
 pub(crate) mod every_row;
+pub(crate) mod steady;
 pub(crate) mod tone;

@@ -2,6 +2,7 @@
 //!
 //! Limits: runs sampled evenly and at the same pace as the longest; the lowest frequencies belong to the smooth tests.
 
+use crate::adequacy::interference::steady::Rows;
 use crate::adequacy::tuning::{AROUND, EVEN, LOWEST_CYCLES, SHORTEST_RUN, TONE_LEVEL};
 use rustfft::{FftPlanner, num_complex::Complex};
 use statrs::distribution::{ContinuousCDF, Gamma};
@@ -18,21 +19,21 @@ pub struct Tone {
     pub amplitude: f64,
     /// probability of one as strong in noise, with all frequencies counted
     pub p_value: f64,
+    /// whether all parts of the runs hold it alike, in strength and phase: a signal of the electronics
+    pub steady: bool,
 }
 
 impl Tone {
     /// No tone.
-    const NONE: Self = Self { per_row: 0.0, frequency_hz: None, amplitude: 0.0, p_value: 1.0 };
+    const NONE: Self = Self { per_row: 0.0, frequency_hz: None, amplitude: 0.0, p_value: 1.0, steady: false };
 
     /// The strongest tone in a whitened residual; `time` in s.
     ///
     /// **Source:** periodogram and its distribution in noise, Scargle, Astrophys. J. 263 (1982) 835; sums over runs have a gamma distribution.
     /// **Accuracy:** frequency to half a cycle of the longest run, amplitude to four deviations of `sqrt(2 / rows)`, `a_faint_tone_is_found_at_its_frequency_and_noise_is_none_even_where_it_is_coloured`.
     pub fn strongest(residual: &[f64], time: Option<&[f64]>, runs: &[Range<usize>]) -> Self {
-        let long = runs.iter().filter(|r| r.len() >= SHORTEST_RUN);
-        let paced: Vec<(&Range<usize>, f64)> = long.filter_map(|r| pace(time, r).map(|pace| (r, pace))).collect();
-        let Some((longest, step)) = paced.iter().max_by_key(|(r, _)| r.len()).copied() else { return Self::NONE };
-        let alike: Vec<&Range<usize>> = paced.iter().filter(|(_, s)| (s / step - 1.0).abs() < EVEN).map(|(r, _)| *r).collect();
+        let (alike, step) = of_one_pace(time, runs);
+        let Some(longest) = alike.iter().max_by_key(|r| r.len()) else { return Self::NONE };
         // twice as fine as the longest run: a tone between two of its frequencies loses little
         let size = (2 * longest.len()).next_power_of_two();
         let power = added_up(residual, &alike, size);
@@ -41,7 +42,7 @@ impl Tone {
         let count = (power.len().saturating_sub(first) / cycle).max(1) as f64 * 2.0;
         let Ok(noise) = Gamma::new(alike.len() as f64, 1.0) else { return Self::NONE };
         let surrounding = surroundings(&power, cycle);
-        let mut best = Self::NONE;
+        let (mut best, mut best_level) = (Self::NONE, 1.0);
         for line in first..power.len() {
             let level = (surrounding[line] / alike.len() as f64).max(f64::MIN_POSITIVE);
             let p_value = (noise.sf(power[line] / level) * count).min(1.0);
@@ -49,16 +50,36 @@ impl Tone {
                 let per_row = line as f64 / size as f64;
                 let rows: usize = alike.iter().map(|r| r.len()).sum();
                 let amplitude = (4.0 * (power[line] - surrounding[line]).max(0.0) / rows as f64).sqrt();
-                best = Self { per_row, frequency_hz: time.map(|_| per_row / step), amplitude, p_value };
+                best = Self { per_row, frequency_hz: time.map(|_| per_row / step), amplitude, p_value, steady: false };
+                best_level = level;
             }
         }
+        if best.is_significant() {
+            let rows = Rows { residual, time: time.map(|time| (time, step)), runs: &alike };
+            best.steady = rows.hold_it_alike(rows.nearest(best.per_row), best_level);
+        }
         best
+    }
+
+    /// Squares of the noise that a tone takes from a whitened residual, a phase and an amplitude for each run of its pace.
+    pub fn power_in(&self, residual: &[f64], time: Option<&[f64]>, runs: &[Range<usize>]) -> f64 {
+        let (alike, step) = of_one_pace(time, runs);
+        let rows = Rows { residual, time: time.map(|time| (time, step)), runs: &alike };
+        rows.power(rows.nearest(self.per_row))
     }
 
     /// Whether it is there.
     pub fn is_significant(&self) -> bool {
         self.p_value < TONE_LEVEL
     }
+}
+
+/// Runs that are sampled evenly at the pace of the longest, and their step in s.
+fn of_one_pace<'r>(time: Option<&[f64]>, runs: &'r [Range<usize>]) -> (Vec<&'r Range<usize>>, f64) {
+    let long = runs.iter().filter(|r| r.len() >= SHORTEST_RUN);
+    let paced: Vec<(&Range<usize>, f64)> = long.filter_map(|r| pace(time, r).map(|pace| (r, pace))).collect();
+    let step = paced.iter().max_by_key(|(r, _)| r.len()).map_or(1.0, |(_, step)| *step);
+    (paced.iter().filter(|(_, s)| (s / step - 1.0).abs() < EVEN).map(|(r, _)| *r).collect(), step)
 }
 
 /// Median step of a run, s (1 where there is no time); `None` where its steps are not even.
@@ -135,7 +156,10 @@ mod tests {
             let residual: Vec<f64> = noise(seed, 0.0).iter().enumerate().map(|(i, v)| v + hum(i)).collect();
             let found = Tone::strongest(&residual, Some(&time), &RUNS);
             // half a cycle of the longest run; the amplitude to four standard deviations of sqrt(2 / rows)
-            assert!(found.is_significant() && (found.per_row - 0.731 / std::f64::consts::TAU).abs() < 0.5 / 2300.0, "{found:?}");
+            assert!(
+                found.is_significant() && found.steady && (found.per_row - 0.731 / std::f64::consts::TAU).abs() < 0.5 / 2300.0,
+                "{found:?}"
+            );
             approx::assert_abs_diff_eq!(found.amplitude, 0.3, epsilon = 0.09);
             approx::assert_relative_eq!(found.frequency_hz.unwrap_or(0.0), found.per_row / 0.2, max_relative = 1e-9);
         }

@@ -32,14 +32,14 @@ fn square() -> Grid {
 #[test]
 fn every_number_comes_back_to_the_last_bit() {
     let vtu = square()
-        .on_points("temperature [K]", Data::Scalar(vec![0.1, -0.0, f64::MIN_POSITIVE, 1e300]))
+        .on_points("temperature (K)", Data::Scalar(vec![0.1, -0.0, f64::MIN_POSITIVE, 1e300]))
         .on_points("displacement [m]", Data::Vector(vec![[1.0, 2.0], [3.0, 4.0], [5.0, 6.0], [7.0, 8.0]]))
         .on_cells("stress [Pa]", Data::Tensor(vec![[1.0, 2.0, 3.0, 4.0], [5.0, 6.0, 7.0, 8.0]]))
         .on_cells("region", Data::Label(vec![7, -1]))
         .to_vtu()
         .expect("a grid");
     assert_eq!(floats(&vtu, "Points"), [0.0, 0.0, 0.0, 1.0 / 3.0, 0.0, 0.0, 1.0 / 3.0, 1e-300, 0.0, 0.0, 0.7, 0.0]);
-    let temperature = floats(&vtu, "temperature [K]");
+    let temperature = floats(&vtu, "temperature (K)");
     assert_eq!(temperature, [0.1, 0.0, f64::MIN_POSITIVE, 1e300]);
     assert!(temperature[1].is_sign_negative());
     assert_eq!(floats(&vtu, "displacement [m]")[3..6], [3.0, 4.0, 0.0]);

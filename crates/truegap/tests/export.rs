@@ -63,7 +63,7 @@ fn the_section_is_a_file_of_vtk_with_the_same_fields() {
     let sensor = sensor();
     let text = solved(&sensor).vtu().unwrap();
     for name in
-        ["displacement [m]", "temperature [degC]", "potential [V]", "von Mises stress [Pa]", "field strength [V/m]", "region"]
+        ["displacement (m)", "temperature (degC)", "potential (V)", "von Mises stress (Pa)", "field strength (V/m)", "region"]
     {
         assert!(text.contains(&format!("Name=\"{name}\"")), "{name}");
     }

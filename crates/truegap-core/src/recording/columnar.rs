@@ -4,12 +4,13 @@
 
 #[cfg(feature = "columnar")]
 mod arrow;
+pub(in crate::recording) mod kind;
 mod of_file;
 
 #[cfg(feature = "columnar")]
 use self::arrow::of_kind;
+use self::kind::Kind;
 pub(super) use self::of_file::Frame;
-use self::of_file::Kind;
 use super::{
     error::RecordingError,
     frame::FrameColumn,
@@ -49,11 +50,7 @@ fn kind(file: &mut File) -> io::Result<Option<Kind>> {
     let mut first = Vec::new();
     file.by_ref().take(6).read_to_end(&mut first)?;
     file.seek(SeekFrom::Start(0))?;
-    Ok(match first.as_slice() {
-        b"ARROW1" => Some(Kind::Arrow),
-        [b'P', b'A', b'R', b'1', ..] => Some(Kind::Parquet),
-        _ => None,
-    })
+    Ok(Kind::of(&first))
 }
 
 #[cfg(not(feature = "columnar"))]

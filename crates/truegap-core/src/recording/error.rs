@@ -32,6 +32,9 @@ pub enum RecordingError {
     /// A table of columns that is damaged, or more than is understood.
     #[error("{file}: cannot be read as {kind} file: {says}; write it again, or save the table as CSV")]
     Columnar { file: PathBuf, kind: &'static str, says: String },
+    /// A table of columns through a pipe.
+    #[error("{file}: it is {kind} file on standard input, where a CSV is read; write it to a file and give its path")]
+    ColumnarStream { file: PathBuf, kind: &'static str },
     /// A column that is named and holds something else than numbers.
     #[error("{file}: column `{column}` holds neither numbers nor dates but {holds}; write numbers, or name another column")]
     NoNumbersInColumn { file: PathBuf, column: String, holds: String },

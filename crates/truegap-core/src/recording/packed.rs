@@ -3,7 +3,7 @@
 //! Limits: what is packed or comes through a pipe is held in memory, since a CSV is read from its beginning more than once; a packed file is known by its first
 //! bytes, whatever it is called.
 
-use super::error::RecordingError;
+use super::{columnar::kind::Kind, error::RecordingError};
 use flate2::read::MultiGzDecoder;
 use std::fs::File;
 use std::io::{self, Cursor, ErrorKind, Read, Seek, SeekFrom};
@@ -52,6 +52,9 @@ pub(in crate::recording) fn unread(path: &Path, source: io::Error) -> RecordingE
 /// A stream as it stands, or unpacked.
 fn plain_or_packed(path: &Path, stream: impl Read) -> Result<Box<dyn Bytes>, RecordingError> {
     let bytes = held(path, stream, MEMORY_OF_A_BYTE + 1.0)?;
+    if let Some(kind) = Kind::of(bytes.get_ref()) {
+        return Err(RecordingError::ColumnarStream { file: path.to_owned(), kind: kind.told() });
+    }
     match bytes.get_ref().starts_with(&GZIP) {
         true => Ok(Box::new(held(path, MultiGzDecoder::new(bytes), MEMORY_OF_A_BYTE + 1.0)?)),
         false => Ok(Box::new(bytes)),
@@ -126,6 +129,15 @@ mod tests {
         let told = Recording::open(folder.join("cut.csv.gz")).unwrap_err().to_string();
         assert!(told.contains("cut.csv.gz") && told.contains("cannot be read"), "{told}");
         std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn a_frame_on_standard_input_is_told_by_its_kind() {
+        for (first, kind) in [("PAR1", "a Parquet file"), ("ARROW1", "an Arrow file")] {
+            let told =
+                plain_or_packed(Path::new("-"), Cursor::new(first)).err().map(|error| error.to_string()).unwrap_or_default();
+            assert!(told.contains(kind) && told.contains("write it to a file"), "{told}");
+        }
     }
 
     #[test]

@@ -83,7 +83,7 @@ impl Grid {
         Self { points, cells, on_points: Vec::new(), on_cells: Vec::new(), notes: Vec::new(), legend: Vec::new() }
     }
 
-    /// Adds a field with a value for each point; the unit belongs into the name, as `temperature [K]`.
+    /// Adds a field with a value for each point; the unit belongs into the name, as `temperature (K)`.
     pub fn on_points(mut self, name: &str, data: Data) -> Self {
         self.on_points.push((name.into(), data));
         self

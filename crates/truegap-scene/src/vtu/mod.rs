@@ -8,7 +8,7 @@
 //! use truegap_scene::vtu::{Cells, Data, Grid};
 //!
 //! let file = Grid::new(vec![[0.0, 0.0], [1e-3, 0.0], [0.0, 1e-3]], Cells::Triangles(vec![[0, 1, 2]]))
-//!     .on_points("temperature [K]", Data::Scalar(vec![300.0, 301.0, 299.5]))
+//!     .on_points("temperature (K)", Data::Scalar(vec![300.0, 301.0, 299.5]))
 //!     .to_vtu()?;
 //! assert!(file.contains("NumberOfPoints=\"3\""));
 //! # Ok::<(), truegap_scene::vtu::VtuError>(())

@@ -2,7 +2,8 @@
 //!
 //! Limits: whole columns in memory; an integer beyond 2^53 is rounded.
 
-use super::of_file::{Frame, Kind, Texts};
+use super::kind::Kind;
+use super::of_file::{Frame, Texts};
 use crate::recording::date_text::first_text;
 use crate::recording::error::RecordingError;
 use crate::recording::frame::{Cells, FrameColumn};

@@ -1,4 +1,4 @@
-//! What a file holds that is a frame, and its kind.
+//! What a file holds that is a frame.
 //!
 //! Limits: numbers and times; of other columns the names alone.
 
@@ -14,23 +14,6 @@ use crate::recording::{
     words::told,
 };
 use std::path::Path;
-
-/// Kinds of files, each with its first bytes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    Parquet,
-    Arrow,
-}
-
-impl Kind {
-    /// In the words of a message.
-    pub fn told(self) -> &'static str {
-        match self {
-            Self::Parquet => "a Parquet",
-            Self::Arrow => "an Arrow",
-        }
-    }
-}
 
 /// The columns of a file.
 pub(in crate::recording) struct Frame {

@@ -16,11 +16,11 @@ pub(super) fn section(coupled: &Coupled, temperature_c: f64) -> Grid {
     let stress = |t: usize| if Some(mesh.triangle_regions[t] as usize) == air { f64::NAN } else { mean(von_mises(solution, t)) };
     let (potential, strength) = electric(coupled);
     Grid::new(nodes.points.clone(), Cells::QuadraticTriangles(cells))
-        .on_points("displacement [m]", Data::Vector((0..nodes.points.len()).map(|n| solution.nodal(n)).collect()))
-        .on_points("temperature [degC]", Data::Scalar(vec![temperature_c; nodes.points.len()]))
-        .on_points("potential [V]", Data::Scalar(potential))
-        .on_cells("von Mises stress [Pa]", Data::Scalar((0..mesh.triangles.len()).map(stress).collect()))
-        .on_cells("field strength [V/m]", Data::Scalar(strength))
+        .on_points("displacement (m)", Data::Vector((0..nodes.points.len()).map(|n| solution.nodal(n)).collect()))
+        .on_points("temperature (degC)", Data::Scalar(vec![temperature_c; nodes.points.len()]))
+        .on_points("potential (V)", Data::Scalar(potential))
+        .on_cells("von Mises stress (Pa)", Data::Scalar((0..mesh.triangles.len()).map(stress).collect()))
+        .on_cells("field strength (V/m)", Data::Scalar(strength))
         .on_cells("region", Data::Label(mesh.triangle_regions.iter().map(|&r| i32::from(r)).collect()))
         .legend("region", &mesh.region_names)
 }

@@ -13,7 +13,7 @@ use crate::{
     selection::{
         candidates::{Search, Tried},
         posterior::Selection,
-        tuning::RIGHT_FAMILY,
+        tuning::{RIGHT_FAMILY, SURE},
         verdict::{Decision, Verdict, foretold, removed_by, stated, stepped_back},
     },
     text::{percent_of, significant, spoken},
@@ -153,7 +153,8 @@ impl RowsLeftOut<'_, '_> {
     ) -> Predicted {
         let foretells = self.foretells(model) && self.may_name;
         let removed = unseen.removed(self.prepared.noise.floor(), self.prepared.noise.rows).filter(|_| foretells);
-        let most = removed.filter(|share| *share >= RIGHT_FAMILY && unseen.in_most_parts());
+        let enough = |share: f64| share >= RIGHT_FAMILY || self.is_a_sure_part(model, &unseen);
+        let most = removed.filter(|share| enough(*share) && unseen.in_most_parts());
         let rescued = decision.verdict == Verdict::Unexplained && most.is_some();
         let decision = match most.filter(|_| rescued) {
             Some(share) => foretold(self.selection, model, share),
@@ -197,6 +198,13 @@ impl RowsLeftOut<'_, '_> {
         let all_that_is_seen = |model: usize| !self.left_by(model).fires();
         let verdict = if all_that_is_seen(model) || all_that_is_seen(fuller) { Verdict::Agrees } else { Verdict::Unexplained };
         Decision::nothing(verdict, self.selection.base)
+    }
+
+    /// Whether effects are sure, and felt on rows left out, beside a base model without plates: such a model describes, what is left of an instrument is always more than its noise, and a
+    /// cause that makes half of it is one. Beside plates what an effect leaves is another physics, which it may stand for.
+    fn is_a_sure_part(&self, model: usize, unseen: &Unseen) -> bool {
+        let sure = |e: &usize| *e < self.prepared.testable.len() && self.selection.effect_probability[*e] >= SURE;
+        !self.search.context.has_plates() && self.effects(model).iter().all(sure) && unseen.is_felt()
     }
 
     /// Whether what effects of the library foretell stands far out of what they leave where that is slow: a noise that lasts, which nobody measured, would be there as well. A base model

@@ -11,7 +11,7 @@
 use crate::{
     fit::optimum::Fit,
     validation::cross_validation::{HeldOutFit, compared, misfit_removed},
-    validation::tuning::{CLEARLY_WORSE, EXTRAPOLATED, FAR_OUT, FORETOLD, PROOF},
+    validation::tuning::{CLEARLY_WORSE, EXTRAPOLATED, FAR_OUT, FELT, FORETOLD, PROOF},
 };
 
 /// Predictions of rows left out, by the base model and by the model stood behind.
@@ -89,6 +89,12 @@ impl Unseen {
     pub fn against(&self, measured: bool) -> Option<Against> {
         let named = self.named.as_ref().filter(|_| !measured);
         self.worse().or_else(|| little(&self.base, named?))
+    }
+
+    /// Whether the error on rows left out is smaller by what is [`FELT`].
+    pub fn is_felt(&self) -> bool {
+        let both = self.named.as_ref().and_then(|named| compared(&self.base, named));
+        both.is_some_and(|both| both.rmse[0] >= FELT * both.rmse[1])
     }
 
     /// Whether rows left out are foretold so much better, in most parts, that no slow noise of this `level` does as much: 1 is the noise that was taken.
@@ -229,5 +235,16 @@ mod tests {
         assert!(!of([20.0; 4], 2.0));
         assert!(!of([80.0, 1.0, 1.0, 1.0], 1.0));
         assert!(!Unseen::nothing(fit([0.0; 4])).stands_out_of(1.0));
+    }
+
+    /// Errors of 11 and 10 without an effect and with it: a tenth more is felt, a twentieth is not.
+    #[test]
+    fn an_error_that_is_a_tenth_smaller_is_felt() {
+        let of = |without: f64| {
+            let base = predicted(&[400.0 * without.powi(2), 400.0 * without.powi(2)]);
+            Unseen { base, named: Some(predicted(&[400.0 * 100.0, 400.0 * 100.0])), believed: 0.0 }.is_felt()
+        };
+        assert!(of(11.01) && !of(10.5));
+        assert!(!Unseen::nothing(predicted(&[4.0])).is_felt());
     }
 }

@@ -56,9 +56,13 @@ const MOST_ALIKE: f64 = 10.0;
 
 /// Whether the reading itself is a temperature that somebody has simulated: then the reading is late, and not an input of it.
 pub(crate) fn reads_temperature(context: &Context<'_>) -> bool {
+    is_temperature(context) && context.moved.simulated
+}
+
+/// Whether the reading is a temperature.
+pub(crate) fn is_temperature(context: &Context<'_>) -> bool {
     let unit = context.simulator.unit().to_lowercase();
-    let is_temperature = matches!(unit.as_str(), "degc" | "°c" | "celsius" | "deg c" | "k" | "kelvin" | "degf" | "°f");
-    is_temperature && context.moved.simulated
+    matches!(unit.as_str(), "degc" | "°c" | "celsius" | "deg c" | "k" | "kelvin" | "degf" | "°f")
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use crate::{
     effects::composed::words::{InWords, Kinetics, Place},
     effects::{
         course::Course,
+        delay::is_temperature,
         effect::{About, Effect, Family, FittedParameter},
         memory::{play_set, rates, walk},
     },
@@ -175,6 +176,9 @@ impl Effect for Friction {
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
+        if is_temperature(context) {
+            return Err("the reading is a temperature, in which nothing rubs".into());
+        }
         match Course::of(context, self.0) {
             None => Err(Course::missing(self.0)),
             Some(course) if !course.turns(context) => {

@@ -152,7 +152,7 @@ impl Judged {
 
     /// Whether rows left out are predicted no worse than by what `other` stands behind.
     pub(crate) fn foretells_as_well_as(&self, other: &Self) -> bool {
-        self.beside(other).worse().is_none()
+        self.beside(other).worse(true).is_none()
     }
 
     /// What it foretells of rows left out, beside what `other` does.

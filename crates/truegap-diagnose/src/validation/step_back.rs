@@ -36,13 +36,14 @@ pub(crate) fn step_back(
     enough: Option<impl Fn(usize) -> bool>,
 ) -> (usize, HeldOutFit, Vec<LeftOut>) {
     let ((mut model, mut named), mut left_out) = (start, Vec::new());
+    let measured = enough.is_none();
     // small gains are counted together: each is little beside the rest, and all of them may not be
     let mut nearest = named.clone();
     loop {
         let effects = &selection.models[model].effects;
         let with = || (named.clone(), &selection.models[model].fit);
         let all = Unseen::of((base.clone(), &selection.base().fit), with());
-        let doubtful = all.worse().is_some() || all.larger();
+        let doubtful = all.worse(measured).is_some() || all.larger();
         let smaller = |gone: Vec<usize>| {
             let others: Vec<usize> = effects.iter().copied().filter(|e| !gone.contains(e)).collect();
             let place = selection.models.iter().position(|m| m.key() == others.as_slice().into())?;
@@ -58,11 +59,11 @@ pub(crate) fn step_back(
                 || compared(&both.base, both.named.as_ref()?).map(|both| both.rmse).filter(|[without, with]| without < with);
             let stands = || {
                 let beside = Unseen::of((base.clone(), &selection.base().fit), (both.base.clone(), &without.fit));
-                beside.worse().is_none() && enough.as_ref().is_some_and(|enough| enough(place))
+                beside.worse(measured).is_none() && enough.as_ref().is_some_and(|enough| enough(place))
             };
             let little = || little(&both.base, &nearest).filter(|_| stands());
             let doubted = || if doubtful { better().map(Against::Errors) } else { None };
-            let against = both.worse().or_else(doubted).or_else(little)?;
+            let against = both.worse(measured).or_else(doubted).or_else(little)?;
             Some((place, both.base, LeftOut { effects, against }))
         });
         let cost = |left: &LeftOut| left.against.cost();

@@ -73,8 +73,8 @@ impl Unseen {
     }
 
     /// What speaks against the model: an error that is larger by more than [`EXTRAPOLATED`], or clearly larger and larger in most parts; or errors that are larger over all, measured
-    /// in the noise, or smaller by next to nothing, and clearly smaller in no more than half of the parts.
-    pub fn worse(&self) -> Option<Against> {
+    /// in the noise, or smaller by next to nothing, and clearly smaller in no more than half of the parts. A noise that was not `measured` says nothing of errors that are clearly smaller.
+    pub fn worse(&self, measured: bool) -> Option<Against> {
         let compared = compared(&self.base, self.named.as_ref()?)?;
         let [base, named] = compared.rmse;
         let parts = compared.parts.iter().filter(|(_, base, named)| named > base).count();
@@ -82,13 +82,14 @@ impl Unseen {
         if named > EXTRAPOLATED * base || mostly {
             return Some(Against::Errors([base, named]));
         }
-        self.lost().map(Against::Score)
+        let counts = measured || CLEARLY_WORSE * named > base;
+        self.lost().filter(|_| counts).map(Against::Score)
     }
 
     /// The same, and what is too little for a noise that was not `measured`: an error that is smaller by less than [`CLEARLY_WORSE`].
     pub fn against(&self, measured: bool) -> Option<Against> {
         let named = self.named.as_ref().filter(|_| !measured);
-        self.worse().or_else(|| little(&self.base, named?))
+        self.worse(measured).or_else(|| little(&self.base, named?))
     }
 
     /// Whether the error on rows left out is smaller by what is [`FELT`].
@@ -156,16 +157,17 @@ mod tests {
     #[test]
     fn a_model_that_predicts_worse_is_told_from_one_that_predicts_better() {
         let worse = Unseen { base: predicted(&[4.0, 4.0]), named: Some(predicted(&[2.0, 70.0])), believed: 0.0 };
-        assert_eq!(worse.worse(), Some(Against::Errors([1.0, 3.0])));
-        assert_eq!(Unseen { base: predicted(&[4.0]), named: Some(predicted(&[1.0])), believed: 0.0 }.worse(), None);
+        assert_eq!(worse.worse(true), Some(Against::Errors([1.0, 3.0])));
+        assert_eq!(Unseen { base: predicted(&[4.0]), named: Some(predicted(&[1.0])), believed: 0.0 }.worse(true), None);
         // an error that extrapolation makes in one part is no proof against it, one in most parts is
-        let of =
-            |named: &[f64]| Unseen { base: predicted(&[4.0, 4.0, 4.0]), named: Some(predicted(named)), believed: 0.0 }.worse();
+        let of = |named: &[f64]| {
+            Unseen { base: predicted(&[4.0, 4.0, 4.0]), named: Some(predicted(named)), believed: 0.0 }.worse(true)
+        };
         assert_eq!(of(&[2.0, 3.0, 16.0]), None);
         assert!(of(&[7.0, 5.0, 3.0]).is_some());
         // nor is a hundredth in every part
         assert_eq!(of(&[4.08, 4.08, 4.08]), None);
-        assert_eq!(Unseen::nothing(predicted(&[4.0])).worse(), None);
+        assert_eq!(Unseen::nothing(predicted(&[4.0])).worse(true), None);
     }
 
     /// Errors that nobody sees by eye, measured in the noise. A mimic gains in the parts that it was fitted to and loses 30 squares of noise in one that it was not; the right physics
@@ -192,7 +194,7 @@ mod tests {
                     |k: usize| PartError { name: "run".into(), squares: Some(400.0), rows: 100, score: Some(100.0 - gain(k)) };
                 HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: (0..4).map(part).collect() }
             };
-            Unseen { base: fit(&|_| 0.0), named: Some(fit(&|k| gains[k])), believed }.worse()
+            Unseen { base: fit(&|_| 0.0), named: Some(fit(&|k| gains[k])), believed }.worse(true)
         };
         let of = |gains| believed(gains, 0.0);
         // halves, so that sums are exact
@@ -205,6 +207,21 @@ mod tests {
         // the base model follows all rows as well, with numbers that nobody believes
         assert_eq!(believed([0.25, 0.5, -0.25, -1.0], 60.0), None);
         assert_eq!(believed([0.25, 0.5, -80.0, -1.0], 60.0), Some(Against::Score(80.25)));
+    }
+
+    /// Errors of 20 and 18, in two parts, one of which loses 30 squares of a noise and the other nothing: where that noise was taken from what a model leaves, the smaller error counts.
+    #[test]
+    fn a_noise_that_was_not_measured_says_nothing_of_errors_that_are_smaller() {
+        let fit = |error: f64, lost: f64| {
+            let part =
+                |score| PartError { name: "block".into(), squares: Some(100.0 * error * error), rows: 100, score: Some(score) };
+            let parts = vec![part(100.0), part(100.0 + lost)];
+            HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts }
+        };
+        let of = |error: f64| Unseen { base: fit(20.0, 0.0), named: Some(fit(error, 30.0)), believed: 0.0 };
+        assert_eq!(of(18.0).worse(true), Some(Against::Score(30.0)));
+        assert_eq!(of(18.0).worse(false), None);
+        assert_eq!(of(19.5).worse(false), Some(Against::Score(30.0)));
     }
 
     /// An error that is 4 % larger without an effect is nothing to a noise that was not measured; one that is 6 % larger is.

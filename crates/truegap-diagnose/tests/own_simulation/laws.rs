@@ -108,6 +108,9 @@ fn a_part_that_comes_at_once_and_a_slow_rest_are_a_thermal_lag() {
     let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
     assert_eq!(named, ["thermal_lag"], "{}", said.says);
     assert!(said.findings[0].parameters.iter().all(|p| !p.at_limit), "{}", said.findings[0].says);
+    // nothing rubs in a temperature
+    let friction = said.not_testable.iter().find(|effect| effect.effect == "friction").unwrap();
+    assert!(friction.says.contains("is a temperature"), "{}", friction.says);
 }
 
 /// A rig that was carried in from the cold: the reading follows the thermometer with 90 s, and stands 2 K below it at the first row. At the end the

@@ -4,6 +4,7 @@ use crate::algebra::SolveError;
 use crate::case::CaseError;
 use crate::elasticity::ElasticityError;
 use crate::electrostatics::ElectrostaticsError;
+use crate::hp::HpError;
 use crate::mesh::MeshError;
 
 /// Anything that can go wrong between a description and its numbers.
@@ -19,6 +20,9 @@ pub enum FemError {
     /// The electrostatic problem is not well posed.
     #[error(transparent)]
     Electrostatics(#[from] ElectrostaticsError),
+    /// The hp version does not take the problem.
+    #[error("{0}; solve it by the refinement of quadratic elements")]
+    Hp(#[from] HpError),
     /// The case file is not usable.
     #[error(transparent)]
     Case(#[from] CaseError),

@@ -2,14 +2,16 @@
 
 #![allow(clippy::unwrap_used)]
 
-use truegap_fem::Symmetry;
 use truegap_fem::elasticity::{self, Component, Condition, Formulation, LawKind, Material, Order, Temperature};
-use truegap_fem::electrostatics::{self, Accuracy, Conductor, Goal, Problem, Quantity, VACUUM_PERMITTIVITY, solve_adaptive};
+use truegap_fem::electrostatics::{
+    self, Accuracy, Conductor, Goal, HpError, Problem, Quantity, VACUUM_PERMITTIVITY, solve_adaptive,
+};
 use truegap_fem::mesh::{Geometry, MeshOptions, Outline, mesh_geometry};
 use truegap_fem::problems::{
     DISC_CAPACITOR, RUBBER_DISC, RUBBER_SIZE, disc_capacitor_geometry, disc_capacitor_problem, rubber_disc_geometry,
     rubber_disc_problem,
 };
+use truegap_fem::{FemError, Symmetry};
 
 /// The estimate over the true error, where the reference has the digits to tell.
 fn honest(name: &str, target: f64, value: f64, estimate: f64, exact: f64) {
@@ -25,7 +27,7 @@ fn the_disc_capacitor_has_the_capacitance_of_love() {
     let (problem, goals) = disc_capacitor_problem();
     let mesh = mesh_geometry(&disc_capacitor_geometry(), &MeshOptions::default()).unwrap();
     for target in [1e-3, 1e-4, 1e-5, 1e-6] {
-        let found = electrostatics::solve_hp(&problem, &goals, &mesh, target).unwrap().expect("the target is in reach");
+        let found = electrostatics::solve_hp(&problem, &goals, &mesh, target).unwrap();
         let c = &found.answers[0];
         honest("disc capacitor", target, c.value, c.error_estimate, DISC_CAPACITOR * VACUUM_PERMITTIVITY);
     }
@@ -37,7 +39,7 @@ fn the_bonded_rubber_disc_is_as_stiff_as_another_program_finds_it() {
     let (problem, goals) = rubber_disc_problem(mesh, Formulation::suited(0.49));
     let exact = -RUBBER_DISC * std::f64::consts::PI * RUBBER_SIZE[0] * RUBBER_SIZE[0] * 1e-3 * 1e6;
     for target in [1e-3, 1e-4, 1e-5, 1e-6] {
-        let found = elasticity::solve_hp(&problem, &goals, target).unwrap().expect("the target is in reach");
+        let found = elasticity::solve_hp(&problem, &goals, target).unwrap();
         honest("rubber disc", target, found.answers[0].value, found.answers[0].error_estimate, exact);
     }
 }
@@ -61,7 +63,7 @@ fn dielectrics_and_several_conductors_agree_with_the_refinement_of_quadratic_ele
     };
     let goals = [Quantity { name: "C".into(), goal: Goal::CapacitanceMatrix }, Quantity { name: "W".into(), goal: Goal::Energy }];
     let mut mesh = mesh_geometry(&drawing, &MeshOptions::default()).unwrap();
-    let found = electrostatics::solve_hp(&problem, &goals, &mesh, 1e-4).unwrap().expect("the target is in reach");
+    let found = electrostatics::solve_hp(&problem, &goals, &mesh, 1e-4).unwrap();
     let other = solve_adaptive(&problem, &goals, &mut mesh, &Accuracy { target: 1e-4, ..Accuracy::default() }).unwrap();
     assert_eq!(found.answers.len(), 10);
     for (a, b) in found.answers.iter().zip(&other.answers) {
@@ -89,7 +91,7 @@ fn a_field_that_is_a_polynomial_is_exact_in_the_first_spaces() {
             open: vec![],
         };
         let goals = [Quantity { name: "C".into(), goal: Goal::Capacitance { boundary: "top".into() } }];
-        let found = electrostatics::solve_hp(&problem, &goals, &mesh, 1e-4).unwrap().unwrap();
+        let found = electrostatics::solve_hp(&problem, &goals, &mesh, 1e-4).unwrap();
         assert!((found.answers[0].value / (area_over_gap * VACUUM_PERMITTIVITY) - 1.0).abs() < 1e-11);
         assert_eq!(found.levels, 2);
     }
@@ -130,7 +132,7 @@ fn a_uniform_stress_is_exact_in_both_symmetries() {
         let goal = |name: &str, goal| elasticity::Quantity { name: name.into(), goal };
         let reaction = elasticity::Goal::Reaction { boundary: "top".into(), component: Component::Second };
         let goals = [goal("F", reaction), goal("W", elasticity::Goal::Energy)];
-        let found = elasticity::solve_hp(&problem, &goals, 1e-4).unwrap().unwrap();
+        let found = elasticity::solve_hp(&problem, &goals, 1e-4).unwrap();
         assert!((found.answers[0].value / (force * 1e-3) - 1.0).abs() < 1e-9, "{found:?}");
         assert!((found.answers[1].value / (0.5 * force * 1e-3 * 2e-6) - 1.0).abs() < 1e-9, "{found:?}");
     }
@@ -141,13 +143,16 @@ fn what_is_not_of_its_kind_is_left_to_the_other_way() {
     let (problem, _) = disc_capacitor_problem();
     let mesh = mesh_geometry(&disc_capacitor_geometry(), &MeshOptions::default()).unwrap();
     let goals = [Quantity { name: "V".into(), goal: Goal::Potential { at: [0.5, 0.0] } }];
-    assert_eq!(electrostatics::solve_hp(&problem, &goals, &mesh, 1e-3).unwrap(), None);
+    let refused = electrostatics::solve_hp(&problem, &goals, &mesh, 1e-3).unwrap_err();
+    assert!(matches!(&refused, FemError::Hp(HpError::Output { output, .. }) if output == "V"), "{refused}");
     let (mut problem, goals) =
         rubber_disc_problem(mesh_geometry(&rubber_disc_geometry(), &MeshOptions::default()).unwrap(), Formulation::Mixed);
     problem.materials[0].poisson = 0.5;
-    assert_eq!(elasticity::solve_hp(&problem, &goals, 1e-3).unwrap(), None);
+    let refused = elasticity::solve_hp(&problem, &goals, 1e-3).unwrap_err();
+    assert!(matches!(refused, FemError::Hp(HpError::Poisson { poisson: 0.5, .. })), "{refused}");
     problem.materials[0] = Material { poisson: 0.3, law: LawKind::NeoHookean, ..problem.materials[0] };
-    assert_eq!(elasticity::solve_hp(&problem, &goals, 1e-3).unwrap(), None);
+    let refused = elasticity::solve_hp(&problem, &goals, 1e-3).unwrap_err();
+    assert!(matches!(refused, FemError::Hp(HpError::Law { .. })), "{refused}");
 }
 
 #[test]

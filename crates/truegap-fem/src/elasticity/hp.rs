@@ -3,13 +3,14 @@
 use super::body::Body;
 use super::goals::{Goal, Quantity};
 use super::material::LawKind;
-use super::problem::{Component, Condition, Place, Problem};
+use super::problem::{Component, Condition, Place, Problem, Temperature};
 use crate::error::FemError;
 use crate::hp::{
-    AffineElement, Edge, Functional, Gram, HpOutcome, Level, Local, Physics, Reference, Side, Space, Williams, gram, refine,
+    AffineElement, Edge, Functional, Gram, HpError, HpOutcome, Level, Local, Physics, Reference, Side, Space, Williams,
+    check_straight, gram, refine,
 };
 use crate::mesh::{Mesh, NONE, Topology};
-use crate::space::{ElementDofs, Order};
+use crate::space::ElementDofs;
 use crate::symmetry::Symmetry;
 use nalgebra::DMatrix;
 
@@ -19,15 +20,55 @@ const LARGEST_POISSON: f64 = 0.499;
 /// Solves by the hp version to a relative error of `target` in every output.
 ///
 /// For energies and reactions of bodies with straight edges, linear laws and Poisson's ratios up to 0.499, driven by displacements of
-/// boundaries alone. `None` where something else is asked for, or the target is not reached: [`super::solve_goals_adaptive`] takes all.
+/// boundaries alone. The formulation of the materials and the order of the problem are those of the other method.
 ///
 /// # Errors
-/// Those of [`super::solve_goals_adaptive`] for problems that have no solution.
-pub fn solve_hp(problem: &Problem, quantities: &[Quantity], target: f64) -> Result<Option<HpOutcome>, FemError> {
-    let Some(physics) = Elasticity::of(problem, quantities) else { return Ok(None) };
+/// [`HpError`], before anything is solved, where something else is asked for, and after the last space where the target is not reached:
+/// [`super::solve_goals_adaptive`] takes all. Those of [`super::solve_goals_adaptive`] for problems that have no solution.
+pub fn solve_hp(problem: &Problem, quantities: &[Quantity], target: f64) -> Result<HpOutcome, FemError> {
+    check_materials(problem)?;
+    check_straight(&problem.mesh)?;
+    let supports = supports(problem)?;
     Body::new(problem.clone())?;
-    let Some(fields) = physics.fields(&problem.mesh) else { return Ok(None) };
+    let poisson = problem.materials.iter().map(|m| m.poisson).collect();
+    let physics = Elasticity { problem, quantities, poisson, supports, fields: Vec::new() };
+    let fields = physics.fields(&problem.mesh)?;
     refine(&Elasticity { fields, ..physics }, &problem.mesh, target)
+}
+
+/// Refuses what is neither linear nor compressible nor cold.
+fn check_materials(problem: &Problem) -> Result<(), HpError> {
+    let cold = matches!(problem.temperature, Temperature::Linear { base: 0.0, gradient: [0.0, 0.0] });
+    for (m, region) in problem.materials.iter().zip(&problem.mesh.region_names) {
+        let region = region.clone();
+        if m.law != LawKind::Linear {
+            return Err(HpError::Law { region });
+        }
+        if m.poisson > LARGEST_POISSON {
+            return Err(HpError::Poisson { region, poisson: m.poisson, most: LARGEST_POISSON });
+        }
+        if m.expansion != 0.0 && !cold {
+            return Err(HpError::Expansion { region });
+        }
+    }
+    Ok(())
+}
+
+/// Displacements of boundaries, and a refusal of any other condition.
+fn supports(problem: &Problem) -> Result<Vec<Support>, FemError> {
+    let load = |place: String, load| FemError::from(HpError::Load { place, load });
+    if problem.body_force.is_some() {
+        return Err(load("the body".into(), "a force per volume"));
+    }
+    let one = |c: &Condition| match c {
+        Condition::Displacement { place: Place::Boundary(name), component, value } => {
+            Ok(Support { boundary: problem.mesh.boundary(name)?, component: component.index(), value: *value })
+        }
+        Condition::Displacement { place: Place::Point([a, b]), .. } => Err(load(format!("the point ({a}, {b}) m"), "a pin")),
+        Condition::Pressure { boundary, .. } => Err(load(format!("boundary `{boundary}`"), "a pressure")),
+        Condition::Obstacle { boundary, .. } => Err(load(format!("boundary `{boundary}`"), "a plate")),
+    };
+    problem.conditions.iter().map(one).collect()
 }
 
 /// Values of a component on a boundary (m).
@@ -48,53 +89,43 @@ struct Elasticity<'a> {
     fields: Vec<Vec<Support>>,
 }
 
-impl<'a> Elasticity<'a> {
-    /// The problem, where it is of this kind.
-    fn of(problem: &'a Problem, quantities: &'a [Quantity]) -> Option<Elasticity<'a>> {
-        let linear =
-            problem.materials.iter().all(|m| m.law == LawKind::Linear && m.poisson <= LARGEST_POISSON && m.expansion == 0.0);
-        if !linear || !problem.mesh.curved_edges.is_empty() || problem.body_force.is_some() || problem.order != Order::Quadratic {
-            return None;
-        }
-        let support = |c: &Condition| match c {
-            Condition::Displacement { place: Place::Boundary(name), component, value } => {
-                Some(Support { boundary: problem.mesh.boundary(name).ok()?, component: component.index(), value: *value })
-            }
-            _ => None,
-        };
-        let supports = problem.conditions.iter().map(support).collect::<Option<Vec<_>>>()?;
-        let poisson = problem.materials.iter().map(|m| m.poisson).collect();
-        Some(Elasticity { problem, quantities, poisson, supports, fields: Vec::new() })
-    }
-
-    /// The fields whose products the outputs are, or `None` where one of them would have infinite energy.
-    fn fields(&self, mesh: &Mesh) -> Option<Vec<Vec<Support>>> {
+impl Elasticity<'_> {
+    /// The fields whose products the outputs are.
+    fn fields(&self, mesh: &Mesh) -> Result<Vec<Vec<Support>>, FemError> {
         let mut out = vec![self.supports.clone()];
         for q in self.quantities {
             match &q.goal {
                 Goal::Energy => {}
-                Goal::Reaction { boundary, component } => out.push(self.moved(mesh, boundary, *component)?),
-                _ => return None,
+                Goal::Reaction { boundary, component } => out.push(self.moved(mesh, &q.name, boundary, *component)?),
+                _ => return Err(HpError::Output { output: q.name.clone(), integral: "reaction" }.into()),
             }
         }
-        Some(out)
+        Ok(out)
     }
 
-    /// Supports with one boundary moved by one; `None` where it is not held, or where the next support would be torn from it.
-    fn moved(&self, mesh: &Mesh, boundary: &str, component: Component) -> Option<Vec<Support>> {
-        let (moved, k) = (mesh.boundary(boundary).ok()?, component.index());
+    /// Supports with one boundary moved by one; refused where it is not held, or where that would have infinite energy.
+    fn moved(&self, mesh: &Mesh, output: &str, boundary: &str, component: Component) -> Result<Vec<Support>, FemError> {
+        let (moved, k) = (mesh.boundary(boundary)?, component.index());
+        let refused =
+            |reason: &str| HpError::Reaction { output: output.into(), boundary: boundary.into(), reason: reason.into() };
         let mut nodes: Vec<u32> = mesh.edges_of(moved).flatten().collect();
         nodes.sort_unstable();
         let touches = |b: u16| mesh.edges_of(b).flatten().any(|n| nodes.binary_search(&n).is_ok());
-        let torn = |s: &Support| s.component == k && s.boundary != moved && touches(s.boundary);
+        let torn = |s: &&Support| s.component == k && s.boundary != moved && touches(s.boundary);
         let on_axis =
             k == 0 && self.problem.symmetry == Symmetry::Axisymmetric && nodes.iter().any(|&n| mesh.points[n as usize][0] == 0.0);
-        let held = self.supports.iter().any(|s| s.boundary == moved && s.component == k);
-        if !held || on_axis || self.supports.iter().any(torn) {
-            return None;
+        if !self.supports.iter().any(|s| s.boundary == moved && s.component == k) {
+            return Err(refused("no displacement in this component is given on it").into());
+        }
+        if on_axis {
+            return Err(refused("it meets the axis, from which this component would tear it").into());
+        }
+        if let Some(other) = self.supports.iter().find(torn) {
+            let name = &mesh.boundary_names[other.boundary as usize];
+            return Err(refused(&format!("it touches boundary `{name}`, which is held in the same component")).into());
         }
         let value = |s: &Support| f64::from(u8::from(s.boundary == moved && s.component == k));
-        Some(self.supports.iter().map(|s| Support { value: value(s), ..*s }).collect())
+        Ok(self.supports.iter().map(|s| Support { value: value(s), ..*s }).collect())
     }
 
     /// Values of all unknowns under supports; marks those that are held.

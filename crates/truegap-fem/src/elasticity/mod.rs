@@ -78,7 +78,7 @@ mod touching;
 mod vector;
 
 pub use crate::goal::Answer;
-pub use crate::hp::HpOutcome;
+pub use crate::hp::{HpError, HpOutcome, HpSeconds};
 pub use crate::space::Order;
 pub use body::Body;
 pub use contact::{ContactGoal, ContactQuantity, Press, solve_contact};

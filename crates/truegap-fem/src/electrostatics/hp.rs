@@ -1,13 +1,16 @@
 //! Electrostatics by the hp version: outputs that are energy products of the conductors' fields.
 
+use super::error::ElectrostaticsError;
 use super::exterior::Exterior;
 use super::floating::check_held;
-use super::goals::{Quantity, charges};
+use super::goals::{Goal, Quantity, charges};
 use super::infinite_hp::InfiniteEdges;
 use super::problem::Problem;
 use super::unknowns::permittivities;
 use crate::error::FemError;
-use crate::hp::{Edge, Functional, Gram, HpOutcome, Laplace, Level, Physics, Reference, Side, Space, gram, refine};
+use crate::hp::{
+    Edge, Functional, Gram, HpError, HpOutcome, Laplace, Level, Physics, Reference, Side, Space, check_straight, gram, refine,
+};
 use crate::mesh::{Mesh, Topology};
 use crate::space::ElementDofs;
 use crate::symmetry::Symmetry;
@@ -16,16 +19,23 @@ use nalgebra::DMatrix;
 /// Solves by the hp version to a relative error of `target` in every output.
 ///
 /// For capacitances, capacitance matrices and energies on meshes with straight edges, of conductors that touch neither one another nor
-/// the open boundary. `None` where something else is asked for, or the target is not reached: [`super::solve_adaptive`] takes all.
+/// the open boundary.
 ///
 /// # Errors
-/// Those of [`super::solve_adaptive`] for problems that have no solution.
-pub fn solve_hp(problem: &Problem, quantities: &[Quantity], mesh: &Mesh, target: f64) -> Result<Option<HpOutcome>, FemError> {
+/// [`HpError`], before anything is solved, where something else is asked for, and after the last space where the target is not reached:
+/// [`super::solve_adaptive`] takes all. Those of [`super::solve_adaptive`] for problems that have no solution.
+pub fn solve_hp(problem: &Problem, quantities: &[Quantity], mesh: &Mesh, target: f64) -> Result<HpOutcome, FemError> {
     let n = problem.conductors.len();
-    let finite = problem.conductors.iter().all(|c| c.potential.is_finite());
-    if !mesh.curved_edges.is_empty() || n == 0 || !finite {
-        return Ok(None);
+    if n == 0 {
+        return Err(ElectrostaticsError::NoConductor.into());
     }
+    if let Some(c) = problem.conductors.iter().find(|c| !c.potential.is_finite()) {
+        return Err(ElectrostaticsError::BadPotential { boundary: c.boundary.clone(), potential: c.potential }.into());
+    }
+    if let Some(q) = quantities.iter().find(|q| matches!(q.goal, Goal::Potential { .. } | Goal::Field { .. })) {
+        return Err(HpError::Output { output: q.name.clone(), integral: "capacitance" }.into());
+    }
+    check_straight(mesh)?;
     if problem.symmetry == Symmetry::Axisymmetric {
         mesh.check_axis()?;
     }
@@ -38,10 +48,8 @@ pub fn solve_hp(problem: &Problem, quantities: &[Quantity], mesh: &Mesh, target:
         open: of(problem.open.iter().collect())?,
     };
     check_held(problem, mesh)?;
-    let whole = vec![vec![1.0; n]; n];
-    if physics.touching(mesh) || charges(problem, quantities, &whole)?.is_none() {
-        return Ok(None);
-    }
+    physics.check_apart(mesh)?;
+    charges(problem, quantities, &vec![vec![1.0; n]; n])?; // names of boundaries
     refine(&physics, mesh, target)
 }
 
@@ -56,18 +64,19 @@ struct Electrostatics<'a> {
 }
 
 impl Electrostatics<'_> {
-    /// Whether conductors touch one another or the open boundary.
-    fn touching(&self, mesh: &Mesh) -> bool {
-        let mut owner = vec![None; mesh.points.len()];
-        for boundary in self.held.iter().chain(&self.open) {
-            let kind = if self.open.contains(boundary) { self.open[0] } else { *boundary };
-            for node in mesh.edges_of(*boundary).flatten() {
-                if owner[node as usize].replace(kind).is_some_and(|k| k != kind) {
-                    return true;
+    /// Refuses conductors that touch one another or the open boundary.
+    fn check_apart(&self, mesh: &Mesh) -> Result<(), HpError> {
+        let mut owner: Vec<Option<u16>> = vec![None; mesh.points.len()];
+        let name = |b: u16| mesh.boundary_names[b as usize].clone();
+        for &b in self.held.iter().chain(&self.open) {
+            let other = |a: u16| a != b && !(self.open.contains(&a) && self.open.contains(&b));
+            for node in mesh.edges_of(b).flatten().map(|n| n as usize) {
+                if let Some(a) = owner[node].replace(b).filter(|&a| other(a)) {
+                    return Err(HpError::Touching { a: name(a), b: name(b), at: mesh.points[node] });
                 }
             }
         }
-        false
+        Ok(())
     }
 
     /// Potential fields of all conductors, each at 1 V with the others at 0 V, and which unknowns they fix.

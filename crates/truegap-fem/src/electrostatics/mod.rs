@@ -48,7 +48,7 @@ mod system;
 mod unknowns;
 
 pub use crate::goal::Answer;
-pub use crate::hp::HpOutcome;
+pub use crate::hp::{HpError, HpOutcome, HpSeconds};
 pub use crate::space::Order;
 pub use adaptive::{Accuracy, Outcome, solve_adaptive, solve_on, solve_on_with};
 pub use error::ElectrostaticsError;

@@ -8,6 +8,7 @@
 //! **Source:** Babuska & Guo (1988); Schwab, p- and hp-Finite Element Methods (1998).
 
 mod corner;
+mod error;
 mod fan;
 mod grading;
 mod reference;
@@ -17,10 +18,12 @@ mod space;
 mod system;
 
 pub(crate) use corner::{Laplace, Side, Williams};
+pub use error::HpError;
+pub(crate) use error::check_straight;
 pub(crate) use fan::Edge;
 pub(crate) use reference::{AffineElement, Reference};
-pub use sequence::HpOutcome;
 pub(crate) use sequence::{Functional, Level, Physics, refine};
+pub use sequence::{HpOutcome, HpSeconds};
 pub(crate) use shapes::line_shapes;
 pub(crate) use space::{Local, Space};
 pub(crate) use system::{Gram, gram};

@@ -4,6 +4,7 @@
 //! energy errors less that of the next: nothing cancels in it but what cancels in the error itself.
 
 use super::corner::Side;
+use super::error::HpError;
 use super::fan::{Edge, wedges};
 use super::grading::{Graded, Layers, graded, separated};
 use super::system::Gram;
@@ -11,6 +12,7 @@ use crate::error::FemError;
 use crate::goal::Answer;
 use crate::mesh::{Mesh, Topology};
 use nalgebra::{DMatrix, DVector};
+use std::time::Instant;
 
 /// Degrees that are tried at most.
 const LAST_DEGREE: usize = 11;
@@ -75,6 +77,19 @@ pub struct HpOutcome {
     pub levels: usize,
     /// Largest normwise backward error of the last solves.
     pub residual: f64,
+    /// Time spent on all spaces.
+    pub seconds: HpSeconds,
+}
+
+/// Wall-clock seconds, all spaces together.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct HpSeconds {
+    /// Grading the first mesh.
+    pub mesh: f64,
+    /// Shapes, element matrices, assembling.
+    pub assemble: f64,
+    /// Factorising and solving.
+    pub solve: f64,
 }
 
 /// The least exponent at every singular corner.
@@ -85,33 +100,43 @@ pub(super) fn singular(physics: &impl Physics, mesh: &Mesh) -> Corners {
     wedges(mesh, &topology, &|e| special[e]).into_iter().filter_map(|(n, w)| Some((n, least(w)?))).collect()
 }
 
-/// Raises degree and layers until the estimated relative error of every output is at most `target`; `None` where it is not reached.
-pub(crate) fn refine(physics: &impl Physics, mesh: &Mesh, target: f64) -> Result<Option<HpOutcome>, FemError> {
+/// Raises degree and layers until the estimated relative error of every output is at most `target`.
+///
+/// # Errors
+/// [`HpError::FirstMesh`] before anything is solved, [`HpError::NotReached`] after the last degree, and those of the solver.
+pub(crate) fn refine(physics: &impl Physics, mesh: &Mesh, target: f64) -> Result<HpOutcome, FemError> {
+    let mut begin = Instant::now();
     let corners = singular(physics, mesh);
     let mesh = separated(mesh, &corners.iter().map(|c| c.0).collect::<Vec<_>>());
     if mesh.triangles.len() > MOST_TRIANGLES {
-        return Ok(None);
+        return Err(HpError::FirstMesh { triangles: mesh.triangles.len(), most: MOST_TRIANGLES }.into());
     }
+    let mut seconds = HpSeconds::default();
     let mut products: Vec<DMatrix<f64>> = Vec::new();
-    for degree in first_degree(target)..=LAST_DEGREE {
+    let mut degree = first_degree(target);
+    loop {
         let Graded { mesh, layers } = graded(&mesh, &layers(&corners, degree));
         let degrees: Vec<usize> = layers.iter().map(|l| l.map_or(degree, |l| degree_in(l, degree))).collect();
         let topology = Topology::new(&mesh);
+        seconds.mesh += begin.elapsed().as_secs_f64();
+        begin = Instant::now();
         let gram = physics.solve(&Level { mesh: &mesh, topology: &topology, degrees: &degrees })?;
+        seconds.solve += gram.seconds;
+        seconds.assemble += begin.elapsed().as_secs_f64() - gram.seconds;
+        begin = Instant::now();
         products.push(gram.products);
         let answers = judged(&physics.functionals(&products[products.len() - 1]), &products);
-        if answers.iter().all(|a| a.error_over_scale() <= target) {
-            let triangles = mesh.triangles.len();
-            return Ok(Some(HpOutcome {
-                answers,
-                triangles,
-                unknowns: gram.unknowns,
-                levels: products.len(),
-                residual: gram.residual,
-            }));
+        let worst = answers.iter().max_by(|a, b| a.error_over_scale().total_cmp(&b.error_over_scale()));
+        let Some(worst) = worst.filter(|w| !(w.error_over_scale() <= target)) else {
+            let (triangles, levels) = (mesh.triangles.len(), products.len());
+            return Ok(HpOutcome { answers, triangles, unknowns: gram.unknowns, levels, residual: gram.residual, seconds });
+        };
+        if degree == LAST_DEGREE {
+            let (output, estimate) = (worst.name.clone(), worst.error_over_scale());
+            return Err(HpError::NotReached { output, estimate, unknowns: gram.unknowns, wanted: target }.into());
         }
+        degree += 1;
     }
-    Ok(None)
 }
 
 /// The degree to begin with: the third space from there meets most targets, and two changes are what an estimate needs.

@@ -41,6 +41,34 @@ fn a_coaxial_cable_has_its_capacitance_per_metre() {
     }
 }
 
+/// Love's value; what is refused is in the tests of truegap-fem.
+#[test]
+fn the_hp_version_is_asked_for_in_the_file_and_named_in_the_answer() {
+    let bench = Bench::new();
+    let plain = std::fs::read_to_string(case("disc_capacitor_1")).unwrap();
+    bench.file("plain.toml", &plain);
+    bench.file("hp.toml", &plain.replace("[mesh]", "[mesh]\nmethod = \"hp\""));
+    let [hp, refined] = ["hp.toml", "plain.toml"].map(|file| read(&bench.run(&["solve", file, "--json"])));
+    for answer in [&hp, &refined] {
+        assert_quantity(answer, "C", "F", 7.283_139_931_33e-3 * VACUUM_PERMITTIVITY, 1e-5);
+    }
+    assert_eq!((&hp["method"], &hp["errors"]), (&"hp".into(), &"spaces".into()));
+    assert_eq!((refined.get("method"), &refined["errors"]), (None, &"residuals".into()));
+    assert!(hp["mesh"]["unknowns"].as_u64() < refined["mesh"]["unknowns"].as_u64(), "{hp} against {refined}");
+    let said = bench.run(&["solve", "hp.toml"]);
+    assert!(
+        said.code == 0 && said.out.contains("\nhp version: ") && said.out.contains("between the last spaces"),
+        "{}",
+        said.out
+    );
+    let fields = &["hp.toml, mesh, method = \"hp\"", "field", "leave method out"];
+    bench.refuses(&["mesh", "hp.toml", "-o", "hp.vtu", "--solved"], fields);
+    read(&bench.run(&["mesh", "hp.toml", "-o", "hp.msh", "--json"]));
+    let curved = std::fs::read_to_string(case("coaxial_cable")).unwrap().replace("[mesh]", "[mesh]\nmethod = \"hp\"");
+    bench.file("curved.toml", &curved);
+    bench.refuses(&["solve", "curved.toml"], &["curved.toml, mesh, method", "curved edge", "leave method out"]);
+}
+
 #[test]
 fn a_table_of_a_sphere_under_pressure_names_every_output() {
     let said = Bench::new().run(&["solve", &case("thick_sphere_pressure")]);

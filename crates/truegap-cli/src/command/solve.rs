@@ -7,7 +7,7 @@ use super::wait::waiting;
 use crate::console::Console;
 use crate::table::{digits, table};
 use std::path::PathBuf;
-use truegap::fem::case::{Case, CaseResult, ErrorsFrom, solve_case};
+use truegap::fem::case::{Case, CaseResult, ErrorsFrom, Method, solve_case};
 use truegap::verify::case_file::{open_case, told};
 
 /// Solve a finite-element case: electrostatics or elasticity, axisymmetric or planar
@@ -53,8 +53,14 @@ pub(super) fn print(console: &Console, result: &CaseResult) -> anyhow::Result<()
         vec![name.clone(), digits(q.value, 9), q.unit.clone(), error, relative, scaled]
     });
     console.print(table(&["quantity", "value", "unit", "error\nestimate", "over\nvalue", "over\nits kind"], rows))?;
-    if result.errors == ErrorsFrom::Meshes {
-        console.print("\nerror estimates: the change between the last meshes (contact has no estimate from residuals)")?;
+    match result.errors {
+        ErrorsFrom::Residuals => {}
+        ErrorsFrom::Meshes => {
+            console.print("\nerror estimates: the change between the last meshes (contact has no estimate from residuals)")?;
+        }
+        ErrorsFrom::Spaces => {
+            console.print("\nerror estimates: the changes between the last spaces, and how fast they shrink")?;
+        }
     }
     if !result.pressures.is_empty() {
         console.print("")?;
@@ -68,8 +74,9 @@ pub(super) fn print(console: &Console, result: &CaseResult) -> anyhow::Result<()
         console.print(format!("the pressure on {} {surface}", p.boundary))?;
     }
     let [mesh, assemble, solve] = [result.seconds.mesh, result.seconds.assemble, result.seconds.solve].map(|s| digits(s, 2));
+    let method = if result.method == Method::Hp { "hp version: " } else { "" };
     console.print(format!(
-        "\n{} triangles, {} unknowns; meshing {mesh} s, assembling {assemble} s, solving {solve} s",
+        "\n{method}{} triangles, {} unknowns; meshing {mesh} s, assembling {assemble} s, solving {solve} s",
         result.mesh.triangles, result.mesh.unknowns
     ))
 }

@@ -83,6 +83,24 @@ pub struct Condition {
     pub plate: Option<Plate>,
 }
 
+/// How a target is met.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Method {
+    /// Triangles of one order are halved where the error is; the rule, and the only one that takes every case.
+    #[default]
+    Refine,
+    /// Polynomials of high degree on meshes graded into the singular corners.
+    Hp,
+}
+
+impl Method {
+    /// Whether it is the rule.
+    pub fn is_refine(&self) -> bool {
+        *self == Method::Refine
+    }
+}
+
 /// How fine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshRequest {
@@ -90,8 +108,10 @@ pub struct MeshRequest {
     pub target_error: Option<f64>,
     /// Longest edge (m), of the first mesh if adaptive.
     pub max_edge: Option<f64>,
-    /// Polynomial order of the elements.
+    /// Polynomial order of the elements; the hp version chooses its own.
     pub order: u8,
+    /// How the error is brought down.
+    pub method: Method,
 }
 
 /// What an output is.

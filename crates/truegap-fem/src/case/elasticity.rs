@@ -3,7 +3,7 @@
 //! Rubber (Poisson's ratio from 0.45 on) is solved in the mixed formulation; a boundary of a single point is a pin.
 
 use super::contact;
-use super::description::{Case, Law};
+use super::description::{Case, Law, Method};
 use super::elastic_outputs::quantity;
 use super::error::CaseError;
 use super::first_mesh::mesh_case;
@@ -36,7 +36,7 @@ pub(super) fn solve(case: &Case) -> Result<(CaseResult, Outcome), FemError> {
 }
 
 /// A pressure that is asked to follow must have a material that knows large strain behind all of it.
-fn check_following(case: &Case, problem: &Problem) -> Result<(), FemError> {
+pub(super) fn check_following(case: &Case, problem: &Problem) -> Result<(), FemError> {
     let body = Body::new(problem.clone())?;
     let asked =
         |name: &str| case.conditions.iter().any(|c| c.boundary == name && c.pressure_load == Some(PressureLoad::Following));
@@ -60,6 +60,7 @@ fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
     };
     let body = outcome.solution.body();
     CaseResult {
+        method: Method::Refine,
         errors: ErrorsFrom::Residuals,
         quantities: outcome.answers.iter().map(|a| (a.name.clone(), value(a))).collect(),
         pressures: body

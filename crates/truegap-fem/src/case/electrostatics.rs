@@ -1,6 +1,6 @@
 //! Electrostatic cases: from conditions and outputs to the solver and back.
 
-use super::description::{Case, Output, OutputKind};
+use super::description::{Case, Method, Output, OutputKind};
 use super::error::CaseError;
 use super::first_mesh::mesh_case;
 use super::result::{CaseResult, ErrorsFrom, MeshCounts, QuantityValue, SecondsSpent};
@@ -37,6 +37,7 @@ fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
     };
     let seconds = outcome.seconds;
     CaseResult {
+        method: Method::Refine,
         errors: ErrorsFrom::Residuals,
         quantities: outcome.answers.iter().map(|a| (a.name.clone(), value(a))).collect(),
         pressures: Vec::new(),
@@ -45,7 +46,7 @@ fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
     }
 }
 
-fn problem(case: &Case) -> Result<Problem, CaseError> {
+pub(super) fn problem(case: &Case) -> Result<Problem, CaseError> {
     let permittivity = |(region, &m): (&crate::mesh::Region, &usize)| {
         let material = &case.materials[m];
         let relative = material.relative_permittivity.ok_or_else(|| CaseError::Missing {
@@ -85,7 +86,7 @@ fn problem(case: &Case) -> Result<Problem, CaseError> {
     })
 }
 
-fn quantity(case: &Case, output: &Output) -> Result<Quantity, CaseError> {
+pub(super) fn quantity(case: &Case, output: &Output) -> Result<Quantity, CaseError> {
     let at = output.at.unwrap_or([f64::NAN; 2]);
     let goal = match output.kind {
         OutputKind::Capacitance => Goal::Capacitance { boundary: output.boundary.clone().unwrap_or_default() },

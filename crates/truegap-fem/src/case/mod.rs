@@ -11,6 +11,7 @@ mod error;
 mod fields;
 mod first_mesh;
 mod geometry;
+mod hp;
 mod raw;
 mod read;
 mod result;
@@ -18,7 +19,7 @@ mod solve;
 mod temperature;
 mod units;
 
-pub use description::{Case, Condition, Drive, Law, Material, MeshRequest, Output, OutputKind, Physics, Plate};
+pub use description::{Case, Condition, Drive, Law, Material, MeshRequest, Method, Output, OutputKind, Physics, Plate};
 pub use error::CaseError;
 pub use fields::{InTriangles, SolvedCase};
 pub use first_mesh::mesh_case;

@@ -112,6 +112,7 @@ pub(super) struct RawMesh {
     pub target_error: Option<f64>,
     pub max_edge: Option<toml::Value>,
     pub order: Option<u8>,
+    pub method: Option<String>,
 }
 
 #[derive(Debug, Deserialize)]

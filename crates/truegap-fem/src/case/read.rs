@@ -1,6 +1,6 @@
 //! From the text of a case file to a checked `Case`.
 
-use super::description::{Case, Condition, Drive, Law, Material, MeshRequest, Output, OutputKind, Physics, Plate};
+use super::description::{Case, Condition, Drive, Law, Material, MeshRequest, Method, Output, OutputKind, Physics, Plate};
 use super::error::CaseError;
 use super::geometry::geometry;
 use super::raw::{RawBoundary, RawCase, RawMaterial, RawOutput, RawPlate, RawRadial};
@@ -315,10 +315,15 @@ impl Reader<'_> {
         if !(1..=2).contains(&order) {
             return Err(self.invalid("mesh, order".into(), "must be 1 or 2"));
         }
+        let methods = [("refine", Method::Refine), ("hp", Method::Hp)];
+        let method = raw.method.as_deref().map_or(Ok(Method::Refine), |m| self.word("mesh, method", m, &methods))?;
+        if method == Method::Hp && raw.order.is_some() {
+            return Err(self.invalid("mesh, order".into(), "method = \"hp\" chooses its own; remove one of the two"));
+        }
         // The end of a contact lies between two nodes: a hundredth of its radius takes a hundred of them.
         let usual = if self.raw.boundary.iter().any(|b| b.plate.is_some()) { 1e-2 } else { 1e-4 };
         let target_error = if max_edge.is_none() { Some(raw.target_error.unwrap_or(usual)) } else { raw.target_error };
-        Ok(MeshRequest { target_error, max_edge, order })
+        Ok(MeshRequest { target_error, max_edge, order, method })
     }
 
     fn output(&self, raw: &RawOutput, unit: f64) -> Result<Output, CaseError> {

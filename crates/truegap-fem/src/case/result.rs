@@ -1,5 +1,6 @@
 //! What `truegap solve --json` prints.
 
+use super::description::Method;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// A named quantity.
@@ -47,6 +48,8 @@ pub enum ErrorsFrom {
     Residuals,
     /// The change of each quantity between the last meshes: contact has no other estimate.
     Meshes,
+    /// The changes of each quantity between the last spaces of the hp version, and how fast they shrink.
+    Spaces,
 }
 
 /// A pressure, and on which surface it acted.
@@ -64,6 +67,9 @@ pub struct PressureActs {
 /// The result of a case.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct CaseResult {
+    /// How it was solved; left out where quadratic (or linear) elements were refined.
+    #[serde(skip_serializing_if = "Method::is_refine")]
+    pub method: Method,
     /// Where the error estimates come from.
     pub errors: ErrorsFrom,
     /// Quantities in the order of the outputs.

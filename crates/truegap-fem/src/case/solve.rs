@@ -1,21 +1,25 @@
 //! From a case to its quantities, whatever its physics.
 
-use super::description::{Case, Physics};
+use super::description::{Case, Method, Physics};
 use super::fields::SolvedCase;
 use super::result::CaseResult;
-use super::{elasticity, electrostatics, fields};
+use super::{elasticity, electrostatics, fields, hp};
 use crate::error::FemError;
 
 /// Solves a case.
 pub fn solve_case(case: &Case) -> Result<CaseResult, FemError> {
+    if case.mesh.method == Method::Hp {
+        return hp::solve(case);
+    }
     match case.physics {
         Physics::Electrostatics => Ok(electrostatics::solve(case)?.0),
         Physics::Elasticity => Ok(elasticity::solve(case)?.0),
     }
 }
 
-/// Solves a case and returns the last mesh with its fields as well.
+/// Solves a case and returns the last mesh with its fields as well; refuses the hp version, which keeps none.
 pub fn solve_case_with_fields(case: &Case) -> Result<SolvedCase, FemError> {
+    hp::check_fields(case)?;
     match case.physics {
         Physics::Electrostatics => {
             let (result, mesh, outcome) = electrostatics::solve(case)?;

@@ -116,7 +116,7 @@ get a mesh that is already graded for the singularity, solve once, and estimate 
 [peers.md](peers.md). Processor seconds, one thread, {turns} turns, the programs one after the other in each turn."""
 
 TAIL = """
-Above 1 the hp version is ahead. At 1e-4 on the disc capacitor it is not: meshing the drawing and three spaces cost more than one solve on a given mesh. It is called as `solve_hp` in Rust; case files still refine quadratic elements.
+Above 1 the hp version is ahead. At 1e-4 on the disc capacitor it is not: meshing the drawing and three spaces cost more than one solve on a given mesh. A case file asks for the hp version by `method = "hp"` ([cases.md](../../docs/cases.md#two-methods)), Rust by `solve_hp`.
 
 Made by `python3 validation/peers/fem/hp.py`.
 """

@@ -170,6 +170,11 @@ pub enum RecordingError {
     /// A number that cannot be, in SI.
     #[error("{file}, line {line}: {value} {unit} in column `{column}` cannot be: {why}; check the unit of the column")]
     Impossible { file: PathBuf, line: usize, column: String, value: f64, unit: String, why: String },
+    /// A number that is none once its unit is converted.
+    #[error(
+        "{file}, line {line}: `{text}` in column `{column}` is more than a number holds once its unit is converted; check the value, and the unit of the column"
+    )]
+    BeyondNumbers { file: PathBuf, line: usize, column: String, text: String },
     /// A run number that is not a whole number.
     #[error(
         "{file}, line {line}: run `{text}` in column `{column}` is not a whole number from 0 to 4294967295; number the runs 1, 2, 3"

@@ -213,6 +213,11 @@ impl Rows {
             role => self.number(table, column.index, &column.name, role.key())?,
         };
         let Some(value) = number.map(|number| number * column.scale.0 + column.scale.1) else { return Ok(None) };
+        if !value.is_finite() {
+            let text = String::from_utf8_lossy(table.row().get(column.index).unwrap_or_default()).trim().to_owned();
+            let (file, byte) = (table.file(), table.byte());
+            return Err(RecordingError::BeyondNumbers { file, line: table.line(byte)?, column: column.name.clone(), text });
+        }
         match impossible(column.role, value) {
             None => Ok(Some(value)),
             Some(Impossible { unit, why }) => {

@@ -29,7 +29,7 @@ fn a_column_of_another_length_is_refused() {
 
 #[test]
 fn what_is_wrong_is_told_with_file_line_value_and_remedy() {
-    let cases: [(&str, &[&str]); 15] = [
+    let cases: [(&str, &[&str]); 16] = [
         ("", &["bare.csv", "empty", "header line"]),
         ("\n\n", &["bare.csv", "empty"]),
         ("time_s,capacitance_pf\n", &["bare.csv", "no row below the header"]),
@@ -45,6 +45,7 @@ fn what_is_wrong_is_told_with_file_line_value_and_remedy() {
         ("time_s,capacitance_pf\n0,74,5\n", &["line 2", "3 cells", "header has 2"]),
         ("run,time_s,capacitance_pf\n1,0,74\nb,1,75\n", &["line 3", "`b`", "number the runs"]),
         ("time_s,temperature_c,capacitance_pf\n0,20,74\n1,-300,75\n", &["line 3", "-300", "absolute zero", "unit"]),
+        ("time_s,capacitance_f\n0,75\n1,1e308\n", &["line 3", "`1e308`", "`capacitance_f`", "unit"]),
         ("time_s,force_n,force_kgf,capacitance_pf\n0,1,2,3\n", &["`force_n`, `force_kgf`", "force = \"force_n\""]),
     ];
     for (text, parts) in cases {

@@ -1,9 +1,10 @@
-"""Formats of the ninth set, from bytes to columns; the others are in reading.py."""
+"""Formats of the ninth set, from bytes to columns (the others are in reading.py), and models that several of its recordings have in common."""
 
 import struct
 
 import numpy as np
 import pandas as pd
+from fitting import lag, line, terms, usual
 from reading import csv, seconds
 
 
@@ -40,6 +41,21 @@ def out_of_water(content, rows=3000):
     return frame.assign(time_s=frame.time_s - frame.time_s.iloc[0])
 
 
+def zero_models(y, x, t):
+    """Models of a zero `y` by the temperature `x` of its logger and the time `t`."""
+    late = lambda p: lag(x, t, abs(p) * 600)
+    return {
+        "constant": line(y),
+        "drift": line(y, t),
+        "temperature": line(y, x),
+        "temperature, bent": line(y, x, x**2),
+        "temperature, and drift": line(y, x, t),
+        "temperature, bent, and drift": line(y, x, x**2, t),
+        "temperature, and late temperature": terms(y, lambda p: [x, late(p[0])], [1.0]),
+        "temperature, late temperature, and drift": terms(y, lambda p: [x, late(p[0]), t], [1.0]),
+    }
+
+
 def weather_station(content, name):
     """Rows of one of the weather stations of a table, by their time."""
     frame = csv(content, sep=";")
@@ -59,6 +75,17 @@ def gauges(first, second, column, rows=3500):
     frames = [csv(content, index_col=0, parse_dates=True).iloc[:, [column]] for content in (first, second)]
     both = frames[0].join(frames[1], lsuffix="_1", rsuffix="_2").dropna().iloc[:rows]
     return (both.index - both.index[0]).total_seconds().to_numpy(), both.iloc[:, 0].to_numpy(float), both.iloc[:, 1].to_numpy(float)
+
+
+def river_models(y, x, t, day=86400):
+    """Models of a gauge `y` by that upstream, `x`, at times `t`; water comes later, and may come slowly."""
+    shifted = lambda p: np.interp(t - p * day, t, x)
+    return {
+        **usual(y, x, t, day),
+        "shift, and lag": terms(y, lambda p: [lag(shifted(p[0]), t, abs(p[1]) * day)], [0.5, 0.5]),
+        "shift, and square": terms(y, lambda p: [shifted(p[0]), shifted(p[0]) ** 2], [0.5]),
+        "line and lag": terms(y, lambda p: [x, lag(x, t, abs(p[0]) * day)], [1.0]),
+    }
 
 
 TDMS_KINDS = {1: "i1", 2: "<i2", 3: "<i4", 4: "<i8", 5: "u1", 6: "<u2", 7: "<u4", 8: "<u8", 9: "<f4", 10: "<f8", 0x21: "u1"}

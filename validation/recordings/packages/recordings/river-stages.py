@@ -1,8 +1,8 @@
 """Water level of a river over that at a gauge upstream, 3500 days from 2001 on, means of a day. Water needs half a day to come down, and a part of it weeks."""
 
 import numpy as np
-from fitting import lag, line, terms, tone, usual
-from instruments import gauges
+from fitting import lag, line, terms, tone
+from instruments import gauges, river_models
 
 HAND_BUILT = "shift, and a slow part"
 
@@ -16,10 +16,7 @@ def models(c):
     y, x, t = c["below_ft"], c["above_ft"], c["time_s"]
     shifted = lambda p: np.interp(t - p * 86400, t, x)
     return y, {
-        **usual(y, x, t, 86400),
-        "shift, and lag": terms(y, lambda p: [lag(shifted(p[0]), t, abs(p[1]) * 86400)], [0.5, 0.5]),
-        "shift, and square": terms(y, lambda p: [shifted(p[0]), shifted(p[0]) ** 2], [0.5]),
-        "line and lag": terms(y, lambda p: [x, lag(x, t, abs(p[0]) * 86400)], [1.0]),
+        **river_models(y, x, t),
         "year": line(y, x, *tone(t, 365.25 * 86400)),
         "shift, and year": terms(y, lambda p: [shifted(p[0]), *tone(t, 365.25 * 86400)], [0.5]),
         "two lags": terms(y, lambda p: [lag(x, t, abs(p[0]) * 86400), lag(x, t, abs(p[1]) * 86400)], [0.5, 40.0]),

@@ -7,10 +7,10 @@ use super::description::{Case, Law, Method};
 use super::elastic_outputs::quantity;
 use super::error::CaseError;
 use super::first_mesh::mesh_case;
-use super::result::{CaseResult, ErrorsFrom, MeshCounts, PressureActs, QuantityValue, SecondsSpent};
+use super::result::{CaseResult, ErrorsFrom, MeshCounts, PressureActs, SecondsSpent, quantities};
 use crate::elasticity::{
-    Accuracy, Acts, Answer, Body, Component, Condition, Formulation, LawKind, Material, Order, Outcome, Place, PressureLoad,
-    Problem, Temperature, solve_goals, solve_goals_adaptive,
+    Accuracy, Acts, Body, Component, Condition, Formulation, LawKind, Material, Order, Outcome, Place, PressureLoad, Problem,
+    Temperature, solve_goals, solve_goals_adaptive,
 };
 use crate::error::FemError;
 use crate::mesh::{BoundaryPath, Mesh};
@@ -50,19 +50,11 @@ pub(super) fn check_following(case: &Case, problem: &Problem) -> Result<(), FemE
 }
 
 fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
-    let value = |a: &Answer| QuantityValue {
-        value: a.value,
-        unit: a.unit.into(),
-        error_estimate: a.error_estimate,
-        relative_error_estimate: a.relative_error_estimate(),
-        error_over_scale: a.error_over_scale(),
-        scale: a.scale,
-    };
     let body = outcome.solution.body();
     CaseResult {
         method: Method::Refine,
         errors: ErrorsFrom::Residuals,
-        quantities: outcome.answers.iter().map(|a| (a.name.clone(), value(a))).collect(),
+        quantities: quantities(&outcome.answers),
         pressures: body
             .pressures()
             .into_iter()

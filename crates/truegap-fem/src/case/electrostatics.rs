@@ -3,7 +3,7 @@
 use super::description::{Case, Method, Output, OutputKind};
 use super::error::CaseError;
 use super::first_mesh::mesh_case;
-use super::result::{CaseResult, ErrorsFrom, MeshCounts, QuantityValue, SecondsSpent};
+use super::result::{CaseResult, ErrorsFrom, MeshCounts, SecondsSpent, quantities};
 use crate::electrostatics::{
     Accuracy, Conductor, Goal, Order, Outcome, Problem, Quantity, VACUUM_PERMITTIVITY, solve_adaptive, solve_on_with,
 };
@@ -27,19 +27,11 @@ pub(super) fn solve(case: &Case) -> Result<(CaseResult, Mesh, Outcome), FemError
 }
 
 fn result(outcome: &Outcome, meshing: f64) -> CaseResult {
-    let value = |a: &crate::electrostatics::Answer| QuantityValue {
-        value: a.value,
-        unit: a.unit.into(),
-        error_estimate: a.error_estimate,
-        relative_error_estimate: a.relative_error_estimate(),
-        error_over_scale: a.error_over_scale(),
-        scale: a.scale,
-    };
     let seconds = outcome.seconds;
     CaseResult {
         method: Method::Refine,
         errors: ErrorsFrom::Residuals,
-        quantities: outcome.answers.iter().map(|a| (a.name.clone(), value(a))).collect(),
+        quantities: quantities(&outcome.answers),
         pressures: Vec::new(),
         mesh: MeshCounts { triangles: outcome.triangles, unknowns: outcome.unknowns },
         seconds: SecondsSpent { mesh: meshing + seconds.mesh, assemble: seconds.assemble, solve: seconds.solve },

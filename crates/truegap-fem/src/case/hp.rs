@@ -3,10 +3,9 @@
 use super::description::{Case, Method, Physics};
 use super::error::CaseError;
 use super::first_mesh::mesh_case;
-use super::result::{CaseResult, ErrorsFrom, MeshCounts, QuantityValue, SecondsSpent};
+use super::result::{CaseResult, ErrorsFrom, MeshCounts, SecondsSpent, quantities};
 use super::{elastic_outputs, elasticity, electrostatics};
 use crate::error::FemError;
-use crate::goal::Answer;
 use crate::hp::{HpError, HpOutcome};
 use std::time::Instant;
 
@@ -51,19 +50,11 @@ pub(super) fn check_fields(case: &Case) -> Result<(), CaseError> {
 }
 
 fn result(outcome: &HpOutcome, meshing: f64) -> CaseResult {
-    let value = |a: &Answer| QuantityValue {
-        value: a.value,
-        unit: a.unit.into(),
-        error_estimate: a.error_estimate,
-        relative_error_estimate: a.relative_error_estimate(),
-        error_over_scale: a.error_over_scale(),
-        scale: a.scale,
-    };
     let seconds = outcome.seconds;
     CaseResult {
         method: Method::Hp,
         errors: ErrorsFrom::Spaces,
-        quantities: outcome.answers.iter().map(|a| (a.name.clone(), value(a))).collect(),
+        quantities: quantities(&outcome.answers),
         pressures: Vec::new(),
         mesh: MeshCounts { triangles: outcome.triangles, unknowns: outcome.unknowns },
         seconds: SecondsSpent { mesh: meshing + seconds.mesh, assemble: seconds.assemble, solve: seconds.solve },

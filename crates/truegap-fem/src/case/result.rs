@@ -1,6 +1,7 @@
 //! What `truegap solve --json` prints.
 
 use super::description::Method;
+use crate::goal::Answer;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// A named quantity.
@@ -18,6 +19,19 @@ pub struct QuantityValue {
     pub error_over_scale: f64,
     /// Magnitude of the value, or of its kind where the value may vanish (of a stress, the greatest component there), in `unit`.
     pub scale: f64,
+}
+
+/// Answers of a solver, by their names.
+pub(super) fn quantities(answers: &[Answer]) -> Vec<(String, QuantityValue)> {
+    let value = |a: &Answer| QuantityValue {
+        value: a.value,
+        unit: a.unit.into(),
+        error_estimate: a.error_estimate,
+        relative_error_estimate: a.relative_error_estimate(),
+        error_over_scale: a.error_over_scale(),
+        scale: a.scale,
+    };
+    answers.iter().map(|a| (a.name.clone(), value(a))).collect()
 }
 
 /// Size of the last mesh.

@@ -181,8 +181,8 @@ impl Frame<'_> {
     /// The columns in SI, runs and clock in order, rows of one instant as one.
     fn columns(&self, kept: &[usize], gone: &mut Gone) -> Result<(Inputs, Vec<f64>, Vec<Note>), RecordingError> {
         let Clocked { runs, times, again, notes } = self.clocked(kept, gone)?;
-        for role in self.bound.iter().map(|column| column.role) {
-            self.possible(role, self.column(role, kept).as_deref(), kept)?;
+        for column in self.bound {
+            self.possible(column, kept)?;
         }
         let column = |role| self.column(role, kept).map(|values| means(values, &again));
         let driver = |d: &DriverColumn| {
@@ -205,24 +205,21 @@ impl Frame<'_> {
     }
 
     /// Refuses the first value of a column that cannot be.
-    fn possible(&self, role: Role, column: Option<&[f64]>, kept: &[usize]) -> Result<(), RecordingError> {
-        let name = || self.bound.iter().find(|c| c.role == role).map(|c| c.name.clone()).unwrap_or_default();
-        let mut values = column.unwrap_or(&[]).iter().enumerate();
-        if let Some((index, _)) = values.clone().find(|(_, value)| !value.is_finite()) {
-            let (file, line, column) = (self.path.to_owned(), kept[index] + 1, name());
-            let given = self.bound.iter().find(|c| c.role == role).map_or(f64::NAN, |c| self.table[c.index].values[kept[index]]);
-            return Err(RecordingError::BeyondNumbers { file, line, column, text: format!("{given:e}") });
+    fn possible(&self, column: &Column, kept: &[usize]) -> Result<(), RecordingError> {
+        let ((factor, offset), given) = (column.scale, &self.table[column.index].values);
+        let at = |row: usize| (self.path.to_owned(), row + 1, column.name.clone());
+        for &row in kept {
+            let value = given[row] * factor + offset;
+            if !value.is_finite() {
+                let (file, line, column) = at(row);
+                return Err(RecordingError::BeyondNumbers { file, line, column, text: format!("{:e}", given[row]) });
+            }
+            if let Some(Impossible { unit, why }) = impossible(column.role, value) {
+                let (file, line, column) = at(row);
+                return Err(RecordingError::Impossible { file, line, column, value, unit: unit.into(), why: why.into() });
+            }
         }
-        let found = values.find_map(|(index, &value)| Some((index, value, impossible(role, value)?)));
-        let Some((index, value, Impossible { unit, why })) = found else { return Ok(()) };
-        Err(RecordingError::Impossible {
-            file: self.path.to_owned(),
-            line: kept[index] + 1,
-            column: name(),
-            value,
-            unit: unit.into(),
-            why: why.into(),
-        })
+        Ok(())
     }
 
     fn run(&self, value: f64, row: usize) -> Result<u32, RecordingError> {

@@ -5,7 +5,7 @@
 //! Limits: one tone, as strong and in step in all parts of the recording.
 
 use crate::{
-    adequacy::interference::every_row::Interference,
+    adequacy::interference::{every_row::Interference, tone::Tone},
     data::error::DiagnoseError,
     fit::model::Model,
     pipeline::prepare::Prepared,
@@ -27,9 +27,10 @@ pub(crate) fn with_interference(
     let Examined { selection, decision, .. } = examined;
     let rows = EveryRow { prepared, search };
     let (base, stood_behind) = (selection.base(), &selection.models[decision.model]);
-    let interference = rows.left_by(stood_behind)?;
-    let explained = 2.0 * (base.fit.objective() - stood_behind.fit.objective());
-    let apart = rows.apart(&interference, (base, stood_behind))?;
+    let residual = rows.left_by(stood_behind)?;
+    let interference = rows.interference(&residual);
+    let explained = explained(base, stood_behind);
+    let apart = rows.apart(interference.tone, (base, stood_behind), &residual)?;
     let decision = match interference.is_anything() {
         true => decision.clone().with_interference(selection.base, explained, interference.excess(apart)),
         false => decision.clone(),
@@ -43,14 +44,20 @@ pub(crate) fn beside_a_tone(prepared: &Prepared<'_>, search: &Search<'_>, examin
     let asked = stated(selection).filter(|_| after.fires() && !search.stop.load(Ordering::Relaxed));
     let Some(named) = asked.map(|model| &selection.models[model]) else { return Ok(examined) };
     let rows = EveryRow { prepared, search };
-    let interference = rows.left_by(named)?;
-    if !rows.apart(&interference, (selection.base(), named))? {
+    let residual = rows.left_by(named)?;
+    let tone = rows.interference(&residual).tone;
+    if !rows.apart(tone, (selection.base(), named), &residual)? {
         return Ok(examined);
     }
     let blocks = (prepared.problem.inputs.run.len() as f64 / named.fit.residual.len() as f64).round();
-    let after = after.without_line(interference.tone.per_row * blocks);
+    let after = after.without_line(tone.per_row * blocks);
     let decision = decide(selection, before, &after, |e| search.library[e].free_form());
     Ok(Examined { after, decision, ..examined })
+}
+
+/// By how much the objective falls, in units of the noise variance.
+fn explained(base: &Tried, named: &Tried) -> f64 {
+    2.0 * (base.fit.objective() - named.fit.objective())
 }
 
 /// What models leave of every row.
@@ -60,23 +67,26 @@ struct EveryRow<'s, 'a> {
 }
 
 impl EveryRow<'_, '_> {
-    fn model(&self, tried: &Tried) -> Model<'_> {
+    /// The whitened residual.
+    fn left_by(&self, tried: &Tried) -> Result<Vec<f64>, DiagnoseError> {
         let effects = tried.effects.iter().map(|e| self.search.library[*e]).collect();
-        Model::new(self.prepared.problem, self.search.context, effects)
+        let model = Model::new(self.prepared.problem, self.search.context, effects);
+        Ok(model.residual(&tried.fit.z, &self.prepared.noise.whitener(&self.prepared.problem.runs(), None))?)
     }
 
-    fn left_by(&self, tried: &Tried) -> Result<Interference, DiagnoseError> {
+    fn interference(&self, residual: &[f64]) -> Interference {
+        let problem = self.prepared.problem;
         let known = (self.prepared.lack_of_fit.slack(), self.prepared.noise_is_known());
-        Ok(Interference::in_what_is_left(&self.model(tried), &tried.fit.z, &self.prepared.noise, known)?)
+        Interference::of(residual, problem.inputs, &problem.runs_in_order(), known)
     }
 
-    /// Whether the tone is the electronics' own, and what the `named` model explains is not taken from it.
-    fn apart(&self, interference: &Interference, (base, named): (&Tried, &Tried)) -> Result<bool, DiagnoseError> {
-        if !interference.tone.steady || named.effects.is_empty() {
+    /// Whether the tone is the electronics' own, and what the `named` model explains, which leaves `residual`, is not taken from it.
+    fn apart(&self, tone: Tone, (base, named): (&Tried, &Tried), residual: &[f64]) -> Result<bool, DiagnoseError> {
+        if !tone.steady || named.effects.is_empty() {
             return Ok(false);
         }
-        let of = |tried: &Tried| interference.of_the_tone(&self.model(tried), &tried.fit.z, &self.prepared.noise);
-        let explained = 2.0 * (base.fit.objective() - named.fit.objective());
-        Ok(of(base)? - of(named)? <= (1.0 - RIGHT_FAMILY) * explained)
+        let problem = self.prepared.problem;
+        let power = |residual: &[f64]| tone.power_in(residual, problem.inputs.time_s.as_deref(), &problem.runs_in_order());
+        Ok(power(&self.left_by(base)?) - power(residual) <= (1.0 - RIGHT_FAMILY) * explained(base, named))
     }
 }

@@ -203,17 +203,23 @@ impl RowsLeftOut<'_, '_> {
     /// Whether effects are sure, and felt on rows left out, beside a base model without plates: such a model describes, what is left of an instrument is always more than its noise, and a
     /// cause that makes half of it is one. Beside plates what an effect leaves is another physics, which it may stand for.
     fn is_a_sure_part(&self, model: usize, unseen: &Unseen) -> bool {
-        let sure = |e: &usize| *e < self.prepared.testable.len() && self.selection.effect_probability[*e] >= SURE;
-        !self.search.context.has_plates() && self.effects(model).iter().all(sure) && unseen.is_felt()
+        let sure = self.effects(model).iter().all(|e| self.selection.effect_probability[*e] >= SURE);
+        !self.search.context.has_plates() && self.is_of_the_library(model) && sure && unseen.is_felt()
     }
 
     /// Whether what effects of the library foretell stands far out of what they leave where that is slow: a noise that lasts, which nobody measured, would be there as well. A base model
     /// without plates describes, so that something small is always beside it; and mechanisms are composed to follow whatever there is.
     fn stands_out(&self, model: usize, unseen: &Unseen) -> bool {
-        let by_physics =
-            self.search.context.has_plates() && self.effects(model).iter().all(|e| *e < self.prepared.testable.len());
+        if !self.search.context.has_plates() || !self.is_of_the_library(model) {
+            return false;
+        }
         let left = self.left_by(model);
-        by_physics && !left.fires() && unseen.stands_out_of(left.slow_level() * self.prepared.lack_of_fit.slack())
+        !left.fires() && unseen.stands_out_of(left.slow_level() * self.prepared.lack_of_fit.slack())
+    }
+
+    /// Whether none of its effects was composed of words.
+    fn is_of_the_library(&self, model: usize) -> bool {
+        self.effects(model).iter().all(|e| *e < self.prepared.testable.len())
     }
 
     /// Whether a model leaves little enough to be named by itself.

@@ -10,7 +10,7 @@
 
 use crate::{
     fit::optimum::Fit,
-    validation::cross_validation::{HeldOutFit, compared, misfit_removed},
+    validation::cross_validation::{Compared, HeldOutFit, compared, misfit_removed},
     validation::tuning::{CLEARLY_WORSE, EXTRAPOLATED, FAR_OUT, FELT, FORETOLD, PROOF},
 };
 
@@ -75,7 +75,7 @@ impl Unseen {
     /// What speaks against the model: an error that is larger by more than [`EXTRAPOLATED`], or clearly larger and larger in most parts; or errors that are larger over all, measured
     /// in the noise, or smaller by next to nothing, and clearly smaller in no more than half of the parts. A noise that was not `measured` says nothing of errors that are clearly smaller.
     pub fn worse(&self, measured: bool) -> Option<Against> {
-        let compared = compared(&self.base, self.named.as_ref()?)?;
+        let compared = self.compared()?;
         let [base, named] = compared.rmse;
         let parts = compared.parts.iter().filter(|(_, base, named)| named > base).count();
         let mostly = named > CLEARLY_WORSE * base && 2 * parts > compared.parts.len();
@@ -92,49 +92,50 @@ impl Unseen {
         self.worse(measured).or_else(|| little(&self.base, named?))
     }
 
-    /// Whether the error on rows left out is smaller by what is [`FELT`].
+    /// Whether the error on rows left out is smaller by what is [`FELT`], in most parts.
     pub fn is_felt(&self) -> bool {
-        let both = self.named.as_ref().and_then(|named| compared(&self.base, named));
-        both.is_some_and(|both| both.rmse[0] >= FELT * both.rmse[1])
+        self.compared().is_some_and(|both| both.better_by(FELT))
     }
 
     /// Whether rows left out are foretold so much better, in most parts, that no slow noise of this `level` does as much: 1 is the noise that was taken.
     pub fn stands_out_of(&self, level: f64) -> bool {
-        let Some(gains) = self.gains() else { return false };
-        let foretold = gains.iter().filter(|gain| **gain > FORETOLD).count();
-        2 * foretold > gains.len() && gains.iter().sum::<f64>() > FAR_OUT * level.max(1.0)
-    }
-
-    /// Squares of the noise that the model gains in each part.
-    fn gains(&self) -> Option<Vec<f64>> {
-        let named = self.named.as_ref()?;
-        Some(self.base.parts.iter().zip(&named.parts).filter_map(|(b, n)| Some(b.score? - n.score?)).collect())
+        self.gained().is_some_and(|(gained, mostly)| mostly && gained > FAR_OUT * level.max(1.0))
     }
 
     /// Whether the error over all rows left out is clearly larger than that of the base model, in however few parts.
     pub fn larger(&self) -> bool {
-        let both = self.named.as_ref().and_then(|named| compared(&self.base, named));
-        both.is_some_and(|both| both.rmse[1] > CLEARLY_WORSE * both.rmse[0])
+        self.compared().is_some_and(|both| both.rmse[1] > CLEARLY_WORSE * both.rmse[0])
     }
 
     /// Share of the reproducible misfit that the model removes on rows left out; `None` where there is next to none. `floor` is the noise of a row, measured on `rows` of them.
     pub fn removed(&self, floor: f64, rows: usize) -> Option<f64> {
-        let [base, named] = compared(&self.base, self.named.as_ref()?)?.rmse;
+        let [base, named] = self.compared()?.rmse;
         misfit_removed(base, named, floor, rows)
     }
 
     /// Whether the model predicts most parts better.
     pub fn in_most_parts(&self) -> bool {
-        let both = self.named.as_ref().and_then(|named| compared(&self.base, named));
+        let both = self.compared();
         both.is_some_and(|both| 2 * both.parts.iter().filter(|(_, base, named)| named < base).count() > both.parts.len())
+    }
+
+    /// Errors of the base model and of the model stood behind; `None` where that is the base model.
+    fn compared(&self) -> Option<Compared> {
+        compared(&self.base, self.named.as_ref()?)
+    }
+
+    /// Squares of the noise that the model gains on rows left out, and whether most parts are foretold better.
+    fn gained(&self) -> Option<(f64, bool)> {
+        let named = self.named.as_ref()?;
+        let gains: Vec<f64> = self.base.parts.iter().zip(&named.parts).filter_map(|(b, n)| Some(b.score? - n.score?)).collect();
+        let foretold = gains.iter().filter(|gain| **gain > FORETOLD).count();
+        (!gains.is_empty()).then(|| (gains.iter().sum(), 2 * foretold > gains.len()))
     }
 
     /// Squares of the noise that the model loses on rows left out, where it foretells no more than half of the parts; what it gains there and in belief is no proof below [`PROOF`].
     fn lost(&self) -> Option<f64> {
-        let gains = self.gains()?;
-        let foretold = gains.iter().filter(|gain| **gain > FORETOLD).count();
-        let gained = gains.iter().sum::<f64>();
-        (!gains.is_empty() && gained + self.believed < PROOF && 2 * foretold <= gains.len()).then_some(-gained)
+        let (gained, mostly) = self.gained()?;
+        (gained + self.believed < PROOF && !mostly).then_some(-gained)
     }
 }
 

@@ -10,11 +10,10 @@ use crate::{
         interference::{burst::Burst, tone::Tone},
         lack_of_fit::Adequacy,
     },
-    fit::model::Model,
     stats::excess_of,
-    whitening::noise_model::NoiseModel,
 };
-use truegap_core::SimulationError;
+use std::ops::Range;
+use truegap_core::Inputs;
 
 /// The loudest of each.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,20 +27,10 @@ pub struct Interference {
 }
 
 impl Interference {
-    /// In what a model leaves of a recording at `z`; `slack` is the factor by which the noise may be larger than taken; `noise_is_known` says whether it was measured.
-    ///
-    /// # Errors
-    /// Those of the simulator.
-    pub fn in_what_is_left(
-        model: &Model<'_>,
-        z: &[f64],
-        noise: &NoiseModel,
-        (slack, noise_is_known): (f64, bool),
-    ) -> Result<Self, SimulationError> {
-        let residual = left(model, z, noise)?;
-        let runs = model.problem.runs_in_order();
-        let tone = Tone::strongest(&residual, model.problem.inputs.time_s.as_deref(), &runs);
-        Ok(Self { burst: Burst::loudest(&residual, &runs, slack), tone, noise_is_known })
+    /// In the whitened residual of every row of a recording; `slack` is the factor by which the noise may be larger than taken; `noise_is_known` says whether it was measured.
+    pub fn of(residual: &[f64], inputs: &Inputs, runs: &[Range<usize>], (slack, noise_is_known): (f64, bool)) -> Self {
+        let tone = Tone::strongest(residual, inputs.time_s.as_deref(), runs);
+        Self { burst: Burst::loudest(residual, runs, slack), tone, noise_is_known }
     }
 
     /// How much the stronger of the two holds, in units of the noise variance; the burst alone where the tone is `told_apart`.
@@ -49,15 +38,6 @@ impl Interference {
         let burst = if self.bursts() { self.burst.rows as f64 * (self.burst.loudness.powi(2) - 1.0) } else { 0.0 };
         let tone = if self.tone.is_significant() && !told_apart { excess_of(self.tone.p_value) } else { 0.0 };
         burst.max(tone)
-    }
-
-    /// Squares of the noise that the tone holds in what a model leaves at `z`.
-    ///
-    /// # Errors
-    /// Those of the simulator.
-    pub fn of_the_tone(&self, model: &Model<'_>, z: &[f64], noise: &NoiseModel) -> Result<f64, SimulationError> {
-        let time = model.problem.inputs.time_s.as_deref();
-        Ok(self.tone.power_in(&left(model, z, noise)?, time, &model.problem.runs_in_order()))
     }
 
     /// Whether it is what there is to say of a recording in which nothing is named, `before` the adequacy of the base model: a mismatch that other tests see is
@@ -75,11 +55,6 @@ impl Interference {
     fn bursts(&self) -> bool {
         self.noise_is_known && self.burst.is_significant()
     }
-}
-
-/// The whitened residual of every row.
-fn left(model: &Model<'_>, z: &[f64], noise: &NoiseModel) -> Result<Vec<f64>, SimulationError> {
-    model.residual(z, &noise.whitener(&model.problem.runs(), None))
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::{
     data::pauses::after_pauses,
     noise::tuning::{CROOKED, FINE_K},
     noise::{
-        crossings,
+        clock, crossings,
         denoise::{self, Denoised},
         errors_in_load,
         input::{self, scatter},
@@ -37,7 +37,7 @@ pub struct DenoisedInputs {
 
 /// Takes the noise out of load and temperature; `response` is what follows them. A load that is `switching` has none that could be told from it.
 pub fn denoised_inputs(inputs: &Inputs, response: &[f64], simulator: &dyn Simulator, switching: bool) -> DenoisedInputs {
-    let (runs, time) = (between_pauses(inputs), inputs.time_s.as_deref());
+    let runs = between_pauses(inputs);
     let none = || vec![0.0; inputs.len()];
     let mut out = DenoisedInputs {
         inputs: inputs.clone(),
@@ -48,15 +48,18 @@ pub fn denoised_inputs(inputs: &Inputs, response: &[f64], simulator: &dyn Simula
         load_steps: None,
         temperature_steps: None,
     };
-    if time.is_none() {
-        // rows without a clock need not be evenly spaced: uneven steps of a table of set points are no noise
-        return out;
-    }
+    // rows without a clock need not be evenly spaced: uneven steps of a table of set points are no noise
+    let Some(time) = &inputs.time_s else { return out };
+    let time = &clock::even(time, &runs);
+    let time = Some(time.as_slice());
     let full = simulator.full_load().unwrap_or(1.0);
     // of the loads, the one that the simulator sees says how noisy it is
     let sd = simulator.load(inputs).filter(|_| !switching).map_or(0.0, |load| scatter(&load, time, &runs)) * full;
     for column in [&mut out.inputs.force_n, &mut out.inputs.pressure_pa].into_iter().flatten() {
         let steps = rounding::rounded(column, &runs, Some(response), 0.0).filter(|_| !switching);
+        if let Some(steps) = &steps {
+            steps.settle(column);
+        }
         let Column { sd, found, wanders } = denoised(column, time, &runs, sd, steps.as_ref());
         out.noise.load = sd / full;
         out.load_steps = steps.map(|steps| steps.over(full));
@@ -70,6 +73,7 @@ pub fn denoised_inputs(inputs: &Inputs, response: &[f64], simulator: &dyn Simula
         let steps = rounding::rounded(column, &runs, None, FINE_K);
         let sd = scatter(column, time, &runs);
         if let Some(steps) = &steps {
+            steps.settle(column);
             *column = crossings::course(column, &runs, steps.step);
         }
         let Column { sd, found, .. } = denoised(column, time, &runs, sd, steps.as_ref());

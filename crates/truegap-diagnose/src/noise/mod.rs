@@ -5,6 +5,7 @@
 pub(crate) mod apart;
 pub(crate) mod beside_louder;
 pub(crate) mod block_average;
+pub(crate) mod clock;
 pub(crate) mod crossings;
 pub(crate) mod denoise;
 pub(crate) mod denoised_inputs;

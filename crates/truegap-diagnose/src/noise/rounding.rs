@@ -9,8 +9,8 @@
 
 use crate::{
     noise::tuning::{
-        ALL_ALIKE, COARSE, COMMANDED, FEWEST_LEVELS, LONGER_PLATEAU, MEMORIES_IN_A_HOLD, MEMORIES_ON_A_COURSE, MOST_LEVELS,
-        OFF_GRID, ONE_LEVEL, REAL_CHANGE,
+        ALL_ALIKE, COARSE, COMMANDED, FEWEST_FLICKERS, FEWEST_LEVELS, LONGER_PLATEAU, MEMORIES_IN_A_HOLD, MEMORIES_ON_A_COURSE,
+        MOST_LEVELS, OFF_GRID, ONE_LEVEL, REAL_CHANGE,
     },
     stats::median,
 };
@@ -31,9 +31,20 @@ pub struct Rounded {
     pub memory: Vec<f64>,
     /// standard deviation of the error that holds on one level have in common, row by row; a column for each level that is held again
     pub same: Vec<Vec<f64>>,
+    /// plateaus on which what was rounded held still
+    pub holds: Vec<Range<usize>>,
 }
 
 impl Rounded {
+    /// Gives each hold its mean. On the edge of a step a column flickers while what was rounded stands still: the error of a row is then known from the row itself, and
+    /// whatever follows the recorded value seems to explain it.
+    pub fn settle(&self, column: &mut [f64]) {
+        for hold in self.holds.iter().filter(|hold| self.flicker[hold.start] > 0.0) {
+            let mean = column[(*hold).clone()].iter().sum::<f64>() / hold.len() as f64;
+            column[(*hold).clone()].fill(mean);
+        }
+    }
+
     /// The same in units of `unit`.
     #[must_use]
     pub fn over(mut self, unit: f64) -> Self {
@@ -52,7 +63,7 @@ impl Rounded {
 
 /// What the steps of a column make of it, where it is written in steps; `answer` is what follows it, `small` a step that nobody commands.
 pub fn rounded(column: &[f64], runs: &[Range<usize>], answer: Option<&[f64]>, small: f64) -> Option<Rounded> {
-    let step = grid(column, small)?;
+    let step = grid(column, runs, small)?;
     let same = |a: f64, b: f64| (a - b).abs() < 0.5 * step;
     let pairs: Vec<usize> = runs.iter().flat_map(|r| r.start + 1..r.end).collect();
     let still = pairs.iter().filter(|row| same(column[**row], column[**row - 1])).count();
@@ -91,9 +102,10 @@ pub fn rounded(column: &[f64], runs: &[Range<usize>], answer: Option<&[f64]>, sm
             }
         }
     }
+    let still = holds.iter().map(|(_, hold)| hold.clone()).collect();
     let same = of_one_level(holds, step, (0.5 * stays).sqrt(), column.len());
     same.iter().for_each(|level| held.iter_mut().zip(level).for_each(|(held, sd)| *held -= sd * sd));
-    Some(Rounded { step, white, flicker, held, memory, same })
+    Some(Rounded { step, white, flicker, held, memory, same, holds: still })
 }
 
 /// Columns of the error of holds on one level: what was rounded was about the same each time, and so was the error. Half of its variance is taken for common, half
@@ -159,8 +171,9 @@ fn plateaus(column: &[f64], run: &Range<usize>, step: f64) -> Vec<Range<usize>> 
     found
 }
 
-/// The spacing of the values of a column, where all lie on a grid of it and the column visits many of them, or it is too `small` to have been commanded.
-fn grid(column: &[f64], small: f64) -> Option<f64> {
+/// The spacing of the values of a column, where all lie on a grid of it and the column visits many of them, goes to and fro between two of them as no command does, or it is
+/// too `small` to have been commanded.
+fn grid(column: &[f64], runs: &[Range<usize>], small: f64) -> Option<f64> {
     let mut values = column.to_vec();
     values.sort_by(f64::total_cmp);
     let greatest = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
@@ -172,8 +185,21 @@ fn grid(column: &[f64], small: f64) -> Option<f64> {
     let step = median(&alike);
     let whole = |gap: &&f64| (**gap / step - (**gap / step).round()).abs() < OFF_GRID;
     let many = values.len() >= FEWEST_LEVELS || (values.len() >= 2 && step <= small);
-    (many && step > 0.0 && alike.len() * 4 >= gaps.len() && gaps.iter().filter(whole).count() * 100 >= 98 * gaps.len())
-        .then_some(step)
+    let wide = values[values.len() - 1] - values[0] > step * FEWEST_LEVELS as f64;
+    let on_grid = step > 0.0 && gaps.iter().filter(whole).count() * 100 >= 98 * gaps.len();
+    (on_grid && ((many && alike.len() * 4 >= gaps.len()) || (wide && goes_to_and_fro(column, runs, step)))).then_some(step)
+}
+
+/// Whether a column often goes by one step and back by the same, now sooner and now later.
+fn goes_to_and_fro(column: &[f64], runs: &[Range<usize>], step: f64) -> bool {
+    let mut lengths = Vec::new();
+    for run in runs {
+        let change = |row: usize| (column[row] - column[row - 1]) / step;
+        let changes: Vec<usize> = (run.start + 1..run.end).filter(|row| change(*row).abs() > 0.5).collect();
+        let back = |w: &&[usize]| (change(w[0]) + change(w[1])).abs() < 0.5 && change(w[0]).abs() < 1.5;
+        lengths.extend(changes.windows(2).filter(back).map(|w| w[1] - w[0]));
+    }
+    lengths.len() >= FEWEST_FLICKERS && lengths.iter().any(|length| *length != lengths[0])
 }
 
 /// Whether moving rows lie on exact lines: nobody's hand or thermometer does that, a program does.
@@ -292,6 +318,36 @@ mod tests {
         }
         // 4000 rows leave 0.14 / 4000 of the independent part in each mean, 1 % of what stays
         approx::assert_relative_eq!(bias(white), stays, max_relative = 0.05);
+    }
+
+    /// On the edge of a step the column says one value and the next in turn, while the load holds still.
+    #[test]
+    fn a_hold_on_an_edge_is_one_level_and_a_ramp_is_none() {
+        let truth: Vec<f64> = holds().iter().map(|load| load * 0.625 / 0.626).collect();
+        let column = written(&truth, 0.05, 0.004, 7);
+        let found = rounded(&column, &[0..1200], Some(&truth), 0.0).unwrap();
+        let mut settled = column.clone();
+        found.settle(&mut settled);
+        // 0.625 N is the edge between two values: rows 120 to 200 flicker
+        assert!(column[130..190].windows(2).any(|w| w[0] < w[1]) && settled[130..190].windows(2).all(|w| w[0] == w[1]));
+        approx::assert_abs_diff_eq!(settled[160], 0.625, epsilon = 0.01);
+        let on_the_way = 105..115;
+        assert_eq!(settled[on_the_way.clone()], column[on_the_way]);
+    }
+
+    /// Seven values of a load cell: that it goes by 50 mN to and fro says in which steps it is written.
+    #[test]
+    fn few_levels_are_a_grid_where_one_of_them_flickers() {
+        let levels = [0.0, 1.125, 2.16, 3.13, 4.5];
+        let truth: Vec<f64> = (0..2000).map(|row| levels[row / 100 % 5]).collect();
+        let step =
+            |noise: f64, truth: &[f64]| rounded(&written(truth, 0.05, noise, 8), &[0..2000], Some(truth), 0.0).map(|r| r.step);
+        approx::assert_relative_eq!(step(0.004, &truth).unwrap(), 0.05, max_relative = 1e-6);
+        let commanded: Vec<f64> = truth.iter().map(|load| if *load == 1.125 { 1.1 } else { *load }).collect();
+        assert_eq!(step(0.0, &commanded), None);
+        // a valve that somebody opens and shuts at random
+        let valve: Vec<f64> = (0..2000).map(|row| f64::from(u8::from((row * row) % 17 < 8))).collect();
+        assert_eq!(rounded(&valve, &[0..2000], None, 0.0), None);
     }
 
     #[test]

@@ -176,6 +176,17 @@ pub(crate) const EVEN_PACE: f64 = 0.3;
 /// Fewest rows of a short stretch.
 pub(crate) const FEWEST_OF_A_STRETCH: usize = 8;
 
+// clock.rs
+
+/// Fewest stamps of a stretch that a pace is taken from.
+pub(crate) const FEWEST_STAMPS: usize = 8;
+
+/// Distance of stamps from an even pace, in ticks, that rounding makes: half a tick, and what the line misses.
+pub(crate) const EVEN_STAMPS: f64 = 0.6;
+
+/// Tick of a clock, in steps of its rows, above which a longer step may be a row that was lost.
+pub(crate) const COARSEST_TICK: f64 = 0.5;
+
 // rounding.rs
 
 /// Share of neighbouring rows with one value below which the noise of a column dithers its steps away.
@@ -183,6 +194,9 @@ pub(crate) const COARSE: f64 = 0.3;
 
 /// Distinct values from which on a grid is one.
 pub(crate) const FEWEST_LEVELS: usize = 8;
+
+/// Times that a column goes by one step and back, from which on it stands on a grid of that step however few its values.
+pub(crate) const FEWEST_FLICKERS: usize = 8;
 
 /// Distance of spacings from whole steps, in steps.
 pub(crate) const OFF_GRID: f64 = 0.12;

@@ -22,6 +22,8 @@ pub struct LackOfFitTests {
     runs: Vec<Range<usize>>,
     /// factor by which the noise may be larger than taken, two standard deviations up
     slack: f64,
+    /// amplitude of a line, in noise of a row, that the steps of the reading make by themselves
+    steps: f64,
 }
 
 /// Outcome of the three tests.
@@ -79,7 +81,13 @@ impl LackOfFitTests {
     /// Whitens the directions; `uncertainty` is the relative standard deviation of the noise's variance.
     pub fn new(directions: &[Direction], whitener: &Whitener, runs: Vec<Range<usize>>, uncertainty: f64) -> Self {
         let columns = whitener.matrix(directions.iter().map(|d| d.column.clone()).collect());
-        Self { columns, runs, slack: 1.0 + 2.0 * uncertainty.min(MOST_UNCERTAIN) }
+        Self { columns, runs, slack: 1.0 + 2.0 * uncertainty.min(MOST_UNCERTAIN), steps: 0.0 }
+    }
+
+    /// The same, for a reading whose steps make lines of such an amplitude by themselves, in noise of a row.
+    #[must_use]
+    pub fn beside_steps(self, amplitude: f64) -> Self {
+        Self { steps: amplitude, ..self }
     }
 
     /// Factor by which the noise may be larger than taken, two standard deviations up.
@@ -101,7 +109,7 @@ impl LackOfFitTests {
     /// The three tests.
     pub fn adequacy(&self, fit: &Fit) -> Adequacy {
         let (smooth, stretches) = self.smooth_and_stretches(fit);
-        let (line_p_value, line_at) = strongest_line(&fit.residual, &self.runs);
+        let (line_p_value, line_at) = strongest_line(&fit.residual, &self.runs, self.steps);
         let left_over_noise = (fit.chi2 / fit.residual.len().max(1) as f64).sqrt();
         Adequacy { smooth, stretches, line_p_value, line_at, left_over_noise }
     }
@@ -139,8 +147,8 @@ fn stretches(linearised: &Linearised, runs: &[Range<usize>]) -> JointTest {
     Scores { scores, covariance: lengths - taken.tr_mul(&taken) }.joint()
 }
 
-/// Fisher's test of the strongest line in the periodograms of the runs: p-value and (run, cycles a row).
-fn strongest_line(residual: &[f64], runs: &[Range<usize>]) -> (f64, (usize, f64)) {
+/// Fisher's test of the strongest line in the periodograms of the runs, of those above an amplitude: p-value and (run, cycles a row).
+fn strongest_line(residual: &[f64], runs: &[Range<usize>], amplitude: f64) -> (f64, (usize, f64)) {
     let mut planner = rustfft::FftPlanner::<f64>::new();
     let (mut best, mut at) = (1.0, (0, 0.0));
     for (index, run) in runs.iter().enumerate().filter(|(_, r)| r.len() >= 64) {
@@ -151,6 +159,10 @@ fn strongest_line(residual: &[f64], runs: &[Range<usize>]) -> (f64, (usize, f64)
         let power: Vec<f64> = values[4..n / 2].iter().map(|c| c.norm_sqr()).collect();
         let total: f64 = power.iter().sum();
         let Some((line, strongest)) = power.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)) else { continue };
+        // the periodogram of a tone of amplitude A over n rows is (n A / 2)^2
+        if *strongest <= (0.5 * n as f64 * amplitude).powi(2) {
+            continue;
+        }
         let m = power.len() as f64;
         let p = (m * (1.0 - strongest / total).max(0.0).powf(m - 1.0) * runs.len() as f64).min(1.0);
         if p < best {

@@ -94,6 +94,7 @@ mod tests {
             inputs: InputNoise::default(),
             recordings: Vec::new(),
             input_error: InputError { variance: vec![0.0; 900], level: vec![0.0; 900], ..InputError::default() },
+            step: 0.0,
             uncertainty: 0.1,
             weights: None,
             measured: true,

@@ -43,7 +43,7 @@ pub fn noise_model(
     let uncertainty = if problem.runs_in_order().is_empty() { uncertainty.max(UNSEEN) } else { uncertainty };
     let response = no_finer_than_read(response, problem);
     let recordings = Vec::new();
-    let (response, input_error) = read_in_steps(problem, response, input_error);
+    let (response, input_error, step) = read_in_steps(problem, response, input_error);
     let ordered = problem.inputs.time_s.is_some() || lie_apart(&blocks);
     let (response, input_error, says) = match slow(problem.response, &blocks, &response).filter(|_| measured && ordered) {
         Some(slow) => {
@@ -53,7 +53,7 @@ pub fn noise_model(
         }
         None => (response, input_error, says),
     };
-    Ok(NoiseModel { response, inputs, recordings, input_error, uncertainty, weights: None, measured, rows, says })
+    Ok(NoiseModel { response, inputs, recordings, input_error, step, uncertainty, weights: None, measured, rows, says })
 }
 
 /// Noise of a recording that never rests, from what a calibrated model leaves over inside short stretches: there a slow misfit is taken out with the cubic,
@@ -77,9 +77,9 @@ pub(crate) fn follows_nothing(inputs: &Inputs, misfit: Vec<f64>) -> Vec<f64> {
     without_tones(inputs, without_what_follows_drivers(inputs, misfit))
 }
 
-/// The noise of a reading that is written in steps: what they make of it lasts as long as it stays on one value.
-fn read_in_steps(problem: &Problem<'_>, noise: Noise, mut error: InputError) -> (Noise, InputError) {
-    let Some(steps) = rounded(problem.response, &problem.runs(), None, 0.0) else { return (noise, error) };
+/// The noise of a reading that is written in steps, and the step: what they make of it lasts as long as it stays on one value.
+fn read_in_steps(problem: &Problem<'_>, noise: Noise, mut error: InputError) -> (Noise, InputError, f64) {
+    let Some(steps) = rounded(problem.response, &problem.runs(), None, 0.0) else { return (noise, error, 0.0) };
     let alone = steps.step * steps.step / 12.0;
     let white = steps.white.max(0.09 * alone);
     // rows on the way have the error of the step each by itself, those on the edge of a step flicker more than the others
@@ -87,7 +87,7 @@ fn read_in_steps(problem: &Problem<'_>, noise: Noise, mut error: InputError) -> 
     error.louder = (0..steps.held.len()).map(louder).collect();
     error.shapes.extend(steps.same);
     error.lasting.push(Lasting { variance: steps.held, memory: steps.memory, of_reading: true });
-    (Noise { white_sd: white.sqrt(), ar_sd: 0.0, ar_correlation: 0.0 }, error)
+    (Noise { white_sd: white.sqrt(), ar_sd: 0.0, ar_correlation: 0.0 }, error, steps.step)
 }
 
 /// A response is read to steps, which are noise too.

@@ -91,6 +91,7 @@ fn of_several(problem: &Problem<'_>, joined: &dyn Joined) -> Result<(Inputs, Noi
             joint.input_error.variance.extend(&noise.input_error.variance);
             joint.input_error.level.extend(&noise.input_error.level);
             joint.uncertainty = joint.uncertainty.max(noise.uncertainty);
+            joint.step = joint.step.max(noise.step);
             joint.measured &= noise.measured;
             joint.input_error.wanders |= noise.input_error.wanders;
             joint.says += "; ";

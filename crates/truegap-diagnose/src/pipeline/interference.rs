@@ -5,7 +5,10 @@
 //! Limits: one tone, as strong and in step in all parts of the recording.
 
 use crate::{
-    adequacy::interference::{every_row::Interference, tone::Tone},
+    adequacy::interference::{
+        every_row::{Interference, Level},
+        tone::Tone,
+    },
     data::error::DiagnoseError,
     fit::model::Model,
     pipeline::prepare::Prepared,
@@ -76,8 +79,12 @@ impl EveryRow<'_, '_> {
 
     fn interference(&self, residual: &[f64]) -> Interference {
         let problem = self.prepared.problem;
-        let known = (self.prepared.lack_of_fit.slack(), self.prepared.noise_is_known());
-        Interference::of(residual, problem.inputs, &problem.runs_in_order(), known)
+        let level = Level {
+            slack: self.prepared.lack_of_fit.slack(),
+            steps: self.prepared.noise.burst_of_steps(),
+            is_known: self.prepared.noise_is_known(),
+        };
+        Interference::of(residual, problem.inputs, &problem.runs_in_order(), level)
     }
 
     /// Whether the tone is the electronics' own, and what the `named` model explains, which leaves `residual`, is not taken from it.

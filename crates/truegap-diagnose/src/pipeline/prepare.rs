@@ -85,7 +85,8 @@ impl<'a> Prepared<'a> {
         let loose = searched_noise.scaled(LOOSE).whitener(&runs, None);
         let directions = directions(inputs, problem.simulator);
         let in_order = if problem.runs_in_order().is_empty() { Vec::new() } else { runs };
-        let lack_of_fit = LackOfFitTests::new(&directions, &whitener, in_order, searched_noise.uncertainty);
+        let lack_of_fit = LackOfFitTests::new(&directions, &whitener, in_order, searched_noise.uncertainty)
+            .beside_steps(searched_noise.line_of_steps());
         Ok(Self {
             problem,
             context,

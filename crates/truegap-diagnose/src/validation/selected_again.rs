@@ -66,7 +66,8 @@ fn without(
     let keep = kept(part, search.problem.response.len(), first);
     let whitener = noise.whitener(&runs, Some(&keep));
     let loose = noise.scaled(LOOSE).whitener(&runs, Some(&keep));
-    let lack_of_fit = LackOfFitTests::new(directions, &whitener, stretches(&runs, &keep), noise.uncertainty);
+    let lack_of_fit = LackOfFitTests::new(directions, &whitener, stretches(&runs, &keep), noise.uncertainty)
+        .beside_steps(noise.line_of_steps());
     // a search of its own is one step of this stage, whatever it goes through itself
     let quiet = |_: Progress| {};
     let library = search.library.clone();

@@ -38,6 +38,8 @@ pub struct NoiseModel {
     pub recordings: Vec<RecordingNoise>,
     /// error from the inputs, row by row
     pub input_error: InputError,
+    /// step that the reading is written in, where its noise does not hide it; else 0
+    pub step: f64,
     /// relative standard deviation of the noise's weight in the mean of many rows
     pub uncertainty: f64,
     /// rows of the recording that each row is the mean of; absent where each is one
@@ -55,6 +57,21 @@ impl NoiseModel {
     pub fn whitener(&self, runs: &[Range<usize>], keep: Option<&[bool]>) -> Whitener {
         let of_run = |run: &Range<usize>| self.response_at(run.start);
         Whitener::by_run(&of_run, &self.input_error, self.weights.as_deref(), runs, keep)
+    }
+
+    /// Root mean square, in noise of a row, that rows may have by the steps of the reading alone: half a step in each.
+    pub(crate) fn burst_of_steps(&self) -> f64 {
+        if self.step > 0.0 { 0.5 * self.step / self.response.white_sd } else { 0.0 }
+    }
+
+    /// Amplitude, in noise of a row of the filter, that a line may have by the steps of the reading alone: a reading that moves evenly errs as a sawtooth does, whose first harmonic has the
+    /// amplitude of a step over pi (Widrow and Kollar, Quantization Noise (2008), section 4.1).
+    pub(crate) fn line_of_steps(&self) -> f64 {
+        if self.step <= 0.0 {
+            return 0.0;
+        }
+        let mean = |weights: &Vec<f64>| weights.iter().sum::<f64>() / weights.len().max(1) as f64;
+        self.step / (std::f64::consts::PI * self.response.white_sd) * self.weights.as_ref().map_or(1.0, mean).sqrt()
     }
 
     /// Whether the load wanders, so that its error is known by its shape only.

@@ -22,15 +22,26 @@ pub struct Interference {
     pub burst: Burst,
     /// interference of a constant frequency
     pub tone: Tone,
-    /// whether the noise was measured apart from what a model leaves
-    pub noise_is_known: bool,
+    /// what is known of the noise
+    pub level: Level,
+}
+
+/// What is known of how loud the noise is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Level {
+    /// factor by which its variance may be larger than taken
+    pub slack: f64,
+    /// root mean square, in noise of a row, that rows may have by the steps of the reading alone
+    pub steps: f64,
+    /// whether it was measured apart from what a model leaves
+    pub is_known: bool,
 }
 
 impl Interference {
-    /// In the whitened residual of every row of a recording; `slack` is the factor by which the noise may be larger than taken; `noise_is_known` says whether it was measured.
-    pub fn of(residual: &[f64], inputs: &Inputs, runs: &[Range<usize>], (slack, noise_is_known): (f64, bool)) -> Self {
+    /// In the whitened residual of every row of a recording.
+    pub fn of(residual: &[f64], inputs: &Inputs, runs: &[Range<usize>], level: Level) -> Self {
         let tone = Tone::strongest(residual, inputs.time_s.as_deref(), runs);
-        Self { burst: Burst::loudest(residual, runs, slack), tone, noise_is_known }
+        Self { burst: Burst::loudest(residual, runs, level.slack), tone, level }
     }
 
     /// How much the stronger of the two holds, in units of the noise variance; the burst alone where the tone is `told_apart`.
@@ -51,9 +62,9 @@ impl Interference {
         self.bursts() || self.tone.is_significant()
     }
 
-    /// Whether rows are louder than a noise that is known.
+    /// Whether rows are louder than a noise that is known, and than steps of the reading make them.
     fn bursts(&self) -> bool {
-        self.noise_is_known && self.burst.is_significant()
+        self.level.is_known && self.burst.is_significant() && self.burst.loudness > self.level.steps
     }
 }
 
@@ -64,7 +75,7 @@ mod tests {
     fn interference(noise_is_known: bool, loudness: f64, tone: f64) -> Interference {
         let burst = Burst { row: 40, rows: 8, loudness, p_value: if loudness > 2.0 { 1e-12 } else { 0.5 } };
         let tone = Tone { per_row: 0.1, frequency_hz: None, amplitude: 0.2, p_value: tone, steady: false };
-        Interference { burst, tone, noise_is_known }
+        Interference { burst, tone, level: Level { slack: 1.0, steps: 0.0, is_known: noise_is_known } }
     }
 
     /// A log of a flight: rows in a turn are thirteen times as loud as those between. Where nothing but the log says how loud the noise is, that is noise; a tone is none in either case.
@@ -78,5 +89,13 @@ mod tests {
         assert_eq!(taken_from_the_rest.excess(false), 0.0);
         assert!(interference(false, 13.0, 1e-12).is_anything() && interference(false, 13.0, 1e-12).excess(false) > 0.0);
         assert_eq!(interference(false, 13.0, 1e-12).excess(true), 0.0);
+    }
+
+    /// A reading in coarse steps errs by half of one in all rows of a hold.
+    #[test]
+    fn rows_within_half_a_step_of_the_reading_are_no_burst() {
+        let found = interference(true, 3.6, 1.0);
+        let in_steps = |steps: f64| Interference { level: Level { steps, ..found.level }, ..found };
+        assert!(in_steps(3.0).is_anything() && !in_steps(4.9).is_anything());
     }
 }

@@ -75,7 +75,7 @@ pub fn fill(search: &Search<'_>, whole: Whole<'_>, found: &Examined, options: &B
     let whitener = noise.whitener(&inputs.runs(), None);
     let loose = noise.scaled(LOOSE).whitener(&inputs.runs(), None);
     let directions = directions(inputs, whole.problem.simulator);
-    let lack_of_fit = LackOfFitTests::new(&directions, &whitener, inputs.runs(), 0.0);
+    let lack_of_fit = LackOfFitTests::new(&directions, &whitener, inputs.runs(), 0.0).beside_steps(noise.line_of_steps());
     let likely = likely(search, found);
     let key = key(search, inputs, &noise, &likely);
     let known = options.store.load(&key);

@@ -16,6 +16,7 @@ use crate::{
         tuning::{RIGHT_FAMILY, SURE},
         verdict::{Decision, Verdict, foretold, removed_by, stated, stepped_back},
     },
+    stats::rmse_of_both,
     text::{percent_of, significant, spoken},
     validation::{
         among_rivals::{Named, best_foreteller, exchanged},
@@ -66,7 +67,8 @@ pub(crate) fn by_base(prepared: &Prepared<'_>, search: &Search<'_>, base: &Tried
 }
 
 /// Predicts rows left out: what predicts them much worse than the base model is not claimed, nor an effect without which the others predict them better. What predicts them well is
-/// stood behind even where its rest stands far out of the noise, unless nothing may be named (`may_name`); what changes next to nothing there is not, where tests still see a difference.
+/// stood behind even where its rest stands far out of the noise, unless nothing may be named (`may_name`); what changes next to nothing there is not, where tests still see a difference, nor
+/// what leaves larger errors even on the rows that it was fitted to.
 pub(crate) fn predicted(
     prepared: &Prepared<'_>,
     search: &Search<'_>,
@@ -176,6 +178,12 @@ impl RowsLeftOut<'_, '_> {
             }
             None => {}
         }
+        if let Some([without, with]) = self.errors(model).filter(|[without, with]| with > without) {
+            let agrees = !self.left_by(self.selection.base).fires();
+            let verdict = if agrees { Verdict::Agrees } else { Verdict::Unexplained };
+            let says = self.says_farther(model, [without, with]);
+            return self.nothing(Decision::nothing(verdict, self.selection.base), None, [told, vec![says]].concat());
+        }
         if let Some(share) = removed.filter(|share| *share < NEXT_TO_NOTHING && self.left_by(model).fires()) {
             let decision = Decision { removed: share.max(0.0), ..Decision::nothing(Verdict::Unexplained, self.selection.base) };
             return self.nothing(decision, None, [told, vec![self.says_next_to_nothing(model, share)]].concat());
@@ -266,6 +274,28 @@ impl RowsLeftOut<'_, '_> {
             self.names(&left.effects),
             left.against.others_predict(),
             measured(left.against, self.search.problem.simulator.unit())
+        )
+    }
+
+    /// Errors of the base model and of another on every row, which both were fitted to, in the unit of the reading; `None` where one of them has no answer.
+    fn errors(&self, model: usize) -> Option<[f64; 2]> {
+        let problem = self.prepared.problem;
+        let of = |place: usize| {
+            let tried = &self.selection.models[place];
+            let effects = tried.effects.iter().map(|e| self.search.library[*e]).collect();
+            Model::new(problem, self.search.context, effects).respond(&tried.fit.z).ok()
+        };
+        let (base, named) = (of(self.selection.base)?, of(model)?);
+        rmse_of_both([&base, &named], problem.response, 0..problem.response.len())
+    }
+
+    fn says_farther(&self, model: usize, [without, with]: [f64; 2]) -> String {
+        format!(
+            "{} would be likelier, but its errors are larger even on the rows that it was fitted to ({} against {} {}), so it is not claimed",
+            self.names(self.effects(model)),
+            significant(with, 3),
+            significant(without, 3),
+            self.search.problem.simulator.unit()
         )
     }
 

@@ -167,20 +167,20 @@ impl RowsLeftOut<'_, '_> {
             return self.nothing(decision, after, told);
         }
         let little = |against: &Against| matches!(against, Against::Little(_));
-        let against = unseen.against(self.prepared.noise_is_known()).filter(|_| self.foretells(model));
+        let against = unseen.against(self.tells_small_from_chance(model)).filter(|_| self.foretells(model));
         match against.filter(|against| !little(against) || !self.stands_out(model, &unseen)) {
             Some(little @ Against::Little(_)) => {
                 let says = self.says_too_little(model, little);
                 return self.nothing(self.too_little(fuller, model), None, [told, vec![says]].concat());
             }
             Some(against) => {
-                return Predicted { vetoed: Some(self.refused(model, against)), ..self.nothing(self.undecided(), None, told) };
+                let undecided = Decision::nothing(Verdict::Undecided, self.selection.base);
+                return Predicted { vetoed: Some(self.refused(model, against)), ..self.nothing(undecided, None, told) };
             }
             None => {}
         }
         if let Some([without, with]) = self.errors(model).filter(|[without, with]| with > without) {
-            let agrees = !self.left_by(self.selection.base).fires();
-            let verdict = if agrees { Verdict::Agrees } else { Verdict::Unexplained };
+            let verdict = if self.left_by(self.selection.base).fires() { Verdict::Unexplained } else { Verdict::Agrees };
             let says = self.says_farther(model, [without, with]);
             return self.nothing(Decision::nothing(verdict, self.selection.base), None, [told, vec![says]].concat());
         }
@@ -195,10 +195,6 @@ impl RowsLeftOut<'_, '_> {
     /// The answer of a decision that names nothing.
     fn nothing(&self, decision: Decision, after: Option<Adequacy>, left_out: Vec<String>) -> Predicted {
         Predicted { unseen: Unseen::nothing(self.by_base.unseen.clone()), decision, after, vetoed: None, left_out }
-    }
-
-    fn undecided(&self) -> Decision {
-        Decision::nothing(Verdict::Undecided, self.selection.base)
     }
 
     /// Nothing is named since it would change next to nothing: the base model agrees where that is all that tests see, what was left out before as well.
@@ -223,6 +219,12 @@ impl RowsLeftOut<'_, '_> {
         }
         let left = self.left_by(model);
         !left.fires() && unseen.stands_out_of(left.slow_level() * self.prepared.lack_of_fit.slack())
+    }
+
+    /// Whether the noise is known so well that a model is weighed by it, where it makes next to no error smaller. Steps of a coarse reading err by rule and not by chance: a mechanism that
+    /// is composed to follow whatever there is follows them.
+    fn tells_small_from_chance(&self, model: usize) -> bool {
+        self.prepared.noise_is_known() && (self.prepared.noise.step <= 0.0 || self.is_of_the_library(model))
     }
 
     /// Whether none of its effects was composed of words.
@@ -285,8 +287,7 @@ impl RowsLeftOut<'_, '_> {
             let effects = tried.effects.iter().map(|e| self.search.library[*e]).collect();
             Model::new(problem, self.search.context, effects).respond(&tried.fit.z).ok()
         };
-        let (base, named) = (of(self.selection.base)?, of(model)?);
-        rmse_of_both([&base, &named], problem.response, 0..problem.response.len())
+        rmse_of_both([&of(self.selection.base)?, &of(model)?], problem.response, 0..problem.response.len())
     }
 
     fn says_farther(&self, model: usize, [without, with]: [f64; 2]) -> String {
@@ -333,7 +334,7 @@ fn measured(against: Against, unit: &str) -> String {
     match against {
         Against::Errors([without, with]) => format!("{} against {} {unit}", significant(without, 3), significant(with, 3)),
         Against::Little([without, with]) => format!(
-            "{} against {} {unit}: the noise was not measured, and one that lasts does as much",
+            "{} against {} {unit}: a noise that lasts, or steps of the reading, would do as much",
             significant(without, 3),
             significant(with, 3)
         ),

@@ -58,7 +58,7 @@ pub fn denoised_inputs(inputs: &Inputs, response: &[f64], simulator: &dyn Simula
     for column in [&mut out.inputs.force_n, &mut out.inputs.pressure_pa].into_iter().flatten() {
         let steps = rounding::rounded(column, &runs, Some(response), 0.0).filter(|_| !switching);
         if let Some(steps) = &steps {
-            steps.settle(column);
+            steps.level_holds(column);
         }
         let Column { sd, found, wanders } = denoised(column, time, &runs, sd, steps.as_ref());
         out.noise.load = sd / full;
@@ -73,7 +73,7 @@ pub fn denoised_inputs(inputs: &Inputs, response: &[f64], simulator: &dyn Simula
         let steps = rounding::rounded(column, &runs, None, FINE_K);
         let sd = scatter(column, time, &runs);
         if let Some(steps) = &steps {
-            steps.settle(column);
+            steps.level_holds(column);
             *column = crossings::course(column, &runs, steps.step);
         }
         let Column { sd, found, .. } = denoised(column, time, &runs, sd, steps.as_ref());

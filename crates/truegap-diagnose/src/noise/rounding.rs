@@ -38,7 +38,7 @@ pub struct Rounded {
 impl Rounded {
     /// Gives each hold its mean. On the edge of a step a column flickers while what was rounded stands still: the error of a row is then known from the row itself, and
     /// whatever follows the recorded value seems to explain it.
-    pub fn settle(&self, column: &mut [f64]) {
+    pub fn level_holds(&self, column: &mut [f64]) {
         for hold in self.holds.iter().filter(|hold| self.flicker[hold.start] > 0.0) {
             let mean = column[(*hold).clone()].iter().sum::<f64>() / hold.len() as f64;
             column[(*hold).clone()].fill(mean);
@@ -326,13 +326,13 @@ mod tests {
         let truth: Vec<f64> = holds().iter().map(|load| load * 0.625 / 0.626).collect();
         let column = written(&truth, 0.05, 0.004, 7);
         let found = rounded(&column, &[0..1200], Some(&truth), 0.0).unwrap();
-        let mut settled = column.clone();
-        found.settle(&mut settled);
+        let mut levelled = column.clone();
+        found.level_holds(&mut levelled);
         // 0.625 N is the edge between two values: rows 120 to 200 flicker
-        assert!(column[130..190].windows(2).any(|w| w[0] < w[1]) && settled[130..190].windows(2).all(|w| w[0] == w[1]));
-        approx::assert_abs_diff_eq!(settled[160], 0.625, epsilon = 0.01);
+        assert!(column[130..190].windows(2).any(|w| w[0] < w[1]) && levelled[130..190].windows(2).all(|w| w[0] == w[1]));
+        approx::assert_abs_diff_eq!(levelled[160], 0.625, epsilon = 0.01);
         let on_the_way = 105..115;
-        assert_eq!(settled[on_the_way.clone()], column[on_the_way]);
+        assert_eq!(levelled[on_the_way.clone()], column[on_the_way]);
     }
 
     /// Seven values of a load cell: that it goes by 50 mN to and fro says in which steps it is written.

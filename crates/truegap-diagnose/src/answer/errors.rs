@@ -9,7 +9,6 @@ use crate::{
         found::Found,
     },
     explain::conflicts::Conflict,
-    fit::model::Model,
     selection::{
         candidates::{Tried, zero_size},
         effect_set::EffectSet,
@@ -29,8 +28,7 @@ use truegap_core::SimulationError;
 /// # Errors
 /// Those of the simulator: block averages may have an answer where a single row has none.
 pub(crate) fn respond(found: &Found<'_>, tried: &Tried) -> Result<Vec<f64>, SimulationError> {
-    let effects = tried.effects.iter().map(|e| found.search.library[*e]).collect();
-    Model::new(found.all.problem, found.search.context, effects).respond(&tried.fit.z)
+    found.search.model_over(found.all.problem, &tried.effects).respond(&tried.fit.z)
 }
 
 /// Predictions of rows left out, as `tried` makes them.

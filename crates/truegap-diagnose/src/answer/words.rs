@@ -45,7 +45,8 @@ fn verdict_says(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) ->
     let names = findings.iter().map(|f| f.effect.as_str()).collect::<Vec<_>>().join(" and ");
     match decision.verdict {
         Verdict::Agrees if found.before.fires() => {
-            "no mismatch that rows left out bear out; tests see a difference, and a noise that lasts, or steps of the reading, would do as much".into()
+            let why = found.noise.does_as_much();
+            format!("no mismatch that rows left out bear out; tests see a difference, but {why}")
         }
         Verdict::Agrees => "no mismatch found between recording and calibrated model".into(),
         Verdict::Explained if found.leaves_something() => {

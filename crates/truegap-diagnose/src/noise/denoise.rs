@@ -59,13 +59,15 @@ fn best_line(column: &[f64], time: Option<&[f64]>, run: &Range<usize>, row: usiz
 }
 
 /// A least-squares line about a row.
-struct Line {
+pub(super) struct Line {
     /// value at the row
-    value: f64,
+    pub value: f64,
+    /// change per unit of time, or per row
+    pub slope: f64,
     /// share of the noise's variance in it
     leverage: f64,
     /// greatest distance of a row, in standard deviations of the noise
-    farthest: f64,
+    pub farthest: f64,
     /// squares of the distances over the variance of the noise
     squares: f64,
     freedom: f64,
@@ -78,7 +80,8 @@ fn line(column: &[f64], time: Option<&[f64]>, rows: Range<usize>, row: usize, sd
     (alike && line.farthest <= OFF_THE_LINE).then_some((line.value, line.leverage))
 }
 
-fn fitted(column: &[f64], time: Option<&[f64]>, rows: Range<usize>, row: usize, sd: f64) -> Line {
+/// The line over `rows` about `row`; against the rows themselves where there is no `time`.
+pub(super) fn fitted(column: &[f64], time: Option<&[f64]>, rows: Range<usize>, row: usize, sd: f64) -> Line {
     let at = |i: usize| time.map_or(i as f64 - row as f64, |t| t[i] - t[row]);
     let n = rows.len() as f64;
     let mx = rows.clone().map(at).sum::<f64>() / n;
@@ -96,7 +99,7 @@ fn fitted(column: &[f64], time: Option<&[f64]>, rows: Range<usize>, row: usize, 
         squares += off * off;
     }
     let leverage = 1.0 / n + mx * mx / sxx.max(1e-300);
-    Line { value: my - slope * mx, leverage, farthest, squares, freedom: n - 2.0 }
+    Line { value: my - slope * mx, slope, leverage, farthest, squares, freedom: n - 2.0 }
 }
 
 /// Scatter about the best of three lines over seven rows (before a row, about it, after it), over the variance of the noise, in the middle of all rows: about 0.5

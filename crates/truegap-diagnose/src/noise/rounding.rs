@@ -31,17 +31,16 @@ pub struct Rounded {
     pub memory: Vec<f64>,
     /// standard deviation of the error that holds on one level have in common, row by row; a column for each level that is held again
     pub same: Vec<Vec<f64>>,
-    /// plateaus on which what was rounded held still
-    pub holds: Vec<Range<usize>>,
+    /// plateaus on which what was rounded held still, each with the mean of the column
+    pub holds: Vec<(f64, Range<usize>)>,
 }
 
 impl Rounded {
     /// Gives each hold its mean. On the edge of a step a column flickers while what was rounded stands still: the error of a row is then known from the row itself, and
     /// whatever follows the recorded value seems to explain it.
     pub fn level_holds(&self, column: &mut [f64]) {
-        for hold in self.holds.iter().filter(|hold| self.flicker[hold.start] > 0.0) {
-            let mean = column[(*hold).clone()].iter().sum::<f64>() / hold.len() as f64;
-            column[(*hold).clone()].fill(mean);
+        for (mean, hold) in self.holds.iter().filter(|(_, hold)| self.flicker[hold.start] > 0.0) {
+            column[hold.clone()].fill(*mean);
         }
     }
 
@@ -50,6 +49,7 @@ impl Rounded {
     pub fn over(mut self, unit: f64) -> Self {
         self.step /= unit;
         self.white /= unit * unit;
+        self.holds.iter_mut().for_each(|(mean, _)| *mean /= unit);
         self.held.iter_mut().chain(&mut self.flicker).for_each(|v| *v /= unit * unit);
         self.same.iter_mut().flatten().for_each(|v| *v /= unit);
         self
@@ -102,10 +102,9 @@ pub fn rounded(column: &[f64], runs: &[Range<usize>], answer: Option<&[f64]>, sm
             }
         }
     }
-    let still = holds.iter().map(|(_, hold)| hold.clone()).collect();
-    let same = of_one_level(holds, step, (0.5 * stays).sqrt(), column.len());
+    let same = of_one_level(holds.clone(), step, (0.5 * stays).sqrt(), column.len());
     same.iter().for_each(|level| held.iter_mut().zip(level).for_each(|(held, sd)| *held -= sd * sd));
-    Some(Rounded { step, white, flicker, held, memory, same, holds: still })
+    Some(Rounded { step, white, flicker, held, memory, same, holds })
 }
 
 /// Columns of the error of holds on one level: what was rounded was about the same each time, and so was the error. Half of its variance is taken for common, half
@@ -190,12 +189,17 @@ fn grid(column: &[f64], runs: &[Range<usize>], small: f64) -> Option<f64> {
     (on_grid && ((many && alike.len() * 4 >= gaps.len()) || (wide && goes_to_and_fro(column, runs, step)))).then_some(step)
 }
 
+/// Rows of a run at which a column takes another value.
+fn changes(column: &[f64], run: &Range<usize>, step: f64) -> Vec<usize> {
+    (run.start + 1..run.end).filter(|row| (column[*row] - column[*row - 1]).abs() > 0.5 * step).collect()
+}
+
 /// Whether a column often goes by one step and back by the same, now sooner and now later.
 fn goes_to_and_fro(column: &[f64], runs: &[Range<usize>], step: f64) -> bool {
     let mut lengths = Vec::new();
     for run in runs {
         let change = |row: usize| (column[row] - column[row - 1]) / step;
-        let changes: Vec<usize> = (run.start + 1..run.end).filter(|row| change(*row).abs() > 0.5).collect();
+        let changes = changes(column, run, step);
         let back = |w: &&[usize]| (change(w[0]) + change(w[1])).abs() < 0.5 && change(w[0]).abs() < 1.5;
         lengths.extend(changes.windows(2).filter(back).map(|w| w[1] - w[0]));
     }
@@ -221,8 +225,7 @@ fn on_exact_lines(column: &[f64], runs: &[Range<usize>], step: f64) -> bool {
 fn jumps_with(column: &[f64], runs: &[Range<usize>], step: f64, answer: &[f64]) -> bool {
     let (mut at_once, mut squares, mut in_all, mut found) = (0.0, 0.0f64, 0.0, 0usize);
     for run in runs {
-        let changes: Vec<usize> =
-            (run.start + 1..run.end).filter(|row| (column[*row] - column[*row - 1]).abs() > 0.5 * step).collect();
+        let changes = changes(column, run, step);
         for (k, row) in changes.iter().enumerate() {
             let before = row - if k > 0 { changes[k - 1] } else { run.start };
             let after = changes.get(k + 1).copied().unwrap_or(run.end) - row;

@@ -10,7 +10,6 @@ use crate::{
         tone::Tone,
     },
     data::error::DiagnoseError,
-    fit::model::Model,
     pipeline::prepare::Prepared,
     selection::{
         candidates::{Search, Tried},
@@ -72,8 +71,7 @@ struct EveryRow<'s, 'a> {
 impl EveryRow<'_, '_> {
     /// The whitened residual.
     fn left_by(&self, tried: &Tried) -> Result<Vec<f64>, DiagnoseError> {
-        let effects = tried.effects.iter().map(|e| self.search.library[*e]).collect();
-        let model = Model::new(self.prepared.problem, self.search.context, effects);
+        let model = self.search.model_over(self.prepared.problem, &tried.effects);
         Ok(model.residual(&tried.fit.z, &self.prepared.noise.whitener(&self.prepared.problem.runs(), None))?)
     }
 

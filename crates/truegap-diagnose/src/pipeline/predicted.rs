@@ -5,7 +5,6 @@
 use crate::{
     adequacy::lack_of_fit::Adequacy,
     answer::Reserved,
-    fit::model::Model,
     pipeline::{
         alone::{Alone, alone, left_over, white},
         prepare::Prepared,
@@ -275,7 +274,7 @@ impl RowsLeftOut<'_, '_> {
             "{} would fit as well, but without it rows left out are predicted {} ({}), so it is not claimed",
             self.names(&left.effects),
             left.against.others_predict(),
-            measured(left.against, self.search.problem.simulator.unit())
+            self.measured(left.against)
         )
     }
 
@@ -284,8 +283,7 @@ impl RowsLeftOut<'_, '_> {
         let problem = self.prepared.problem;
         let of = |place: usize| {
             let tried = &self.selection.models[place];
-            let effects = tried.effects.iter().map(|e| self.search.library[*e]).collect();
-            Model::new(problem, self.search.context, effects).respond(&tried.fit.z).ok()
+            self.search.model_over(problem, &tried.effects).respond(&tried.fit.z).ok()
         };
         rmse_of_both([&of(self.selection.base)?, &of(model)?], problem.response, 0..problem.response.len())
     }
@@ -313,7 +311,7 @@ impl RowsLeftOut<'_, '_> {
             "{} would fit, but without it rows left out are predicted {} ({}), so it is not claimed",
             self.names(self.effects(model)),
             against.others_predict(),
-            measured(against, self.search.problem.simulator.unit())
+            self.measured(against)
         )
     }
 
@@ -323,24 +321,26 @@ impl RowsLeftOut<'_, '_> {
         let says = format!(
             "there is a mismatch, but its cause is not decided: {ids} would fit it, and rows left out are predicted {} by the calibrated model alone ({})",
             against.others_predict(),
-            measured(against, self.search.problem.simulator.unit())
+            self.measured(against)
         );
         Reserved { says, withheld: false, input_missing: false }
     }
-}
 
-/// What speaks against a model, for a reader.
-fn measured(against: Against, unit: &str) -> String {
-    match against {
-        Against::Errors([without, with]) => format!("{} against {} {unit}", significant(without, 3), significant(with, 3)),
-        Against::Little([without, with]) => format!(
-            "{} against {} {unit}: a noise that lasts, or steps of the reading, would do as much",
-            significant(without, 3),
-            significant(with, 3)
-        ),
-        Against::Score(lost) if lost <= 0.0 => "measured in the noise, it gains no more than trying many effects does".into(),
-        Against::Score(lost) => {
-            format!("measured in the noise, by {} squares of its standard deviation over all rows", significant(lost, 2))
+    /// What speaks against a model, for a reader.
+    fn measured(&self, against: Against) -> String {
+        let unit = self.search.problem.simulator.unit();
+        match against {
+            Against::Errors([without, with]) => format!("{} against {} {unit}", significant(without, 3), significant(with, 3)),
+            Against::Little([without, with]) => format!(
+                "{} against {} {unit}: {}",
+                significant(without, 3),
+                significant(with, 3),
+                self.prepared.noise.does_as_much()
+            ),
+            Against::Score(lost) if lost <= 0.0 => "measured in the noise, it gains no more than trying many effects does".into(),
+            Against::Score(lost) => {
+                format!("measured in the noise, by {} squares of its standard deviation over all rows", significant(lost, 2))
+            }
         }
     }
 }
@@ -363,8 +363,7 @@ pub(crate) fn predicted_like_base(prepared: &Prepared<'_>, search: &Search<'_>, 
 
 /// Predictions of rows left out by a model that is calibrated by least squares: under white noise as large as what it leaves over.
 fn by_least_squares(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> Option<HeldOutFit> {
-    let effects = tried.effects.iter().map(|e| search.library[*e]).collect();
-    let size = left_over(&Model::new(all.problem, search.context, effects), &tried.fit.z)?;
+    let size = left_over(&search.model_over(all.problem, &tried.effects), &tried.fit.z)?;
     Some(held_out(search, &white(noise, size), tried, all).by_least_squares())
 }
 

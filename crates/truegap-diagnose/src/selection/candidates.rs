@@ -81,7 +81,15 @@ impl<'a> Search<'a> {
 
     /// The base model with these effects.
     pub fn model(&self, effects: &[usize]) -> Model<'a> {
-        Model::new(self.problem, self.context, effects.iter().map(|i| self.library[*i]).collect())
+        self.model_over(self.problem, effects)
+    }
+
+    /// The same over the rows of another problem, as every row of which the searched ones are means.
+    pub fn model_over<'m>(&self, problem: &'m Problem<'m>, effects: &[usize]) -> Model<'m>
+    where
+        'a: 'm,
+    {
+        Model::new(problem, self.context, effects.iter().map(|i| self.library[*i]).collect())
     }
 
     /// The same search in another context.

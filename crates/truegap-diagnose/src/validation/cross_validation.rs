@@ -196,7 +196,7 @@ pub struct AllRows<'a> {
 /// Fits `tried` without each part in turn and predicts every row of it.
 pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> HeldOutFit {
     let (how, parts) = parts_of(all.problem);
-    let model = Model::new(all.problem, search.context, tried.effects.iter().map(|e| search.library[*e]).collect());
+    let model = search.model_over(all.problem, &tried.effects);
     let searched = search.model(&tried.effects);
     let whitener = noise.whitener(&search.problem.runs(), None);
     // every part is fitted from one point, where the rows that it keeps differ and the model does not

@@ -8,7 +8,7 @@
 
 use crate::{
     adequacy::{directions::Direction, lack_of_fit::LackOfFitTests},
-    fit::{model::Model, tuning::LOOSE},
+    fit::tuning::LOOSE,
     selection::{
         candidates::{Progress, Search},
         examine::examine,
@@ -46,7 +46,7 @@ pub(crate) fn selected_again(
         let (what, done) = (format!("{} of {count} parts left out", index + 1), index as f64 / count as f64);
         (search.progress)(Progress { step: "chosen again", what, done });
         let (verdict, mut effects, z) = without(search, noise, directions, &part, all.first).filter(|_| going_on())?;
-        let model = Model::new(all.problem, search.context, effects.iter().map(|e| search.library[*e]).collect());
+        let model = search.model_over(all.problem, &effects);
         let prediction = model.respond(&z).ok();
         effects.sort_unstable();
         Some(ChosenWithout { part, verdict, effects, prediction })

@@ -74,6 +74,14 @@ impl NoiseModel {
         self.step / (std::f64::consts::PI * self.response.white_sd) * self.weights.as_ref().map_or(1.0, mean).sqrt()
     }
 
+    /// Why errors that are smaller by next to nothing prove nothing.
+    pub(crate) fn does_as_much(&self) -> &'static str {
+        match self.measured && self.step > 0.0 {
+            true => "the steps of the reading do as much",
+            false => "the noise was not measured, and one that lasts does as much",
+        }
+    }
+
     /// Whether the load wanders, so that its error is known by its shape only.
     pub fn load_wanders(&self) -> bool {
         self.input_error.wanders

@@ -1,0 +1,14 @@
+"""Resistance of a copper wire over its temperature while it is cooled to 2 K, one and a half hours. Below 50 K it levels off."""
+
+from rigs import bends, since, tagged
+
+HAND_BUILT = "soft bend"
+
+
+def rows(content):
+    frame = tagged(content).dropna()
+    return {"time_s": since(frame["Elapsed Time"]), "sample_k": frame["T (K)"], "resistance_ohm": frame.Resistance}
+
+
+def models(c):
+    return c["resistance_ohm"], bends(c["resistance_ohm"], c["sample_k"])

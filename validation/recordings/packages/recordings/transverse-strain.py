@@ -1,0 +1,18 @@
+"""Strain across a specimen over the strain along it while it is pulled, each 0.03 s. Where it yields it keeps its volume."""
+
+import pandas as pd
+from reading import csv
+from rigs import bends, since
+
+HAND_BUILT = "line"
+
+
+def rows(content):
+    frame = csv(content, skipinitialspace=True).iloc[:, [0, 3, 4]].apply(pd.to_numeric, errors="coerce")
+    frame.columns = ["time_s", "axial", "across"]
+    frame = frame[frame.axial.cummax() == frame.axial].iloc[40:].dropna()
+    return {"time_s": since(frame.time_s), "axial_ppm": frame.axial * 1e6, "across_ppm": frame.across * 1e6}
+
+
+def models(c):
+    return c["across_ppm"], bends(c["across_ppm"], c["axial_ppm"])

@@ -229,8 +229,10 @@ pub struct RecordingNoiseFacts {
 pub struct Finding {
     /// stable id
     pub effect: String,
-    /// probability that it belongs to the model
+    /// probability that the name is right: how often names were that stood as high among the models
     pub probability: f64,
+    /// probability that it belongs to the model, were one of the models that were fitted the truth; verdicts follow this one
+    pub probability_among_models: f64,
     /// sentence with numbers
     pub says: String,
     /// sqrt of what calibration cannot absorb, in noise units; null where the model has no answer without the effect

@@ -10,6 +10,7 @@ use crate::{
         fit_facts::BeforeAfterUnit,
         found::Found,
         numbers::{fitted, parameters},
+        stated::stated,
     },
     discovery::marginals::WordProbabilities,
     effects::sentence::{nothing_stands_out, sentence},
@@ -58,12 +59,13 @@ fn finding(found: &Found<'_>, index: usize, before: &HeldOutFit, after: &HeldOut
     let without = without(found, index);
     let both = compared(without.as_ref().unwrap_or(before), after);
     let rivals = found.decision.sets.get(index).map(|set| set.iter().filter(|e| **e != effect).map(|e| found.id(*e)).collect());
-    let probability = found.selection.effect_probability[effect];
+    let among_models = found.selection.effect_probability[effect];
     Finding {
         effect: found.id(effect),
-        probability,
+        probability: stated(among_models, found.search.context.has_plates()),
+        probability_among_models: among_models,
         says: match detectability {
-            Some(d) if d < NOTHING && probability > SURE => nothing_stands_out(&found.id(effect)),
+            Some(d) if d < NOTHING && among_models > SURE => nothing_stands_out(&found.id(effect)),
             Some(d) if d < PLAINLY_SEEN => {
                 format!("most consistent with: {sentence} (detectability {})", significant(d, 2))
             }

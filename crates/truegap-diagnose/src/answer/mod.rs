@@ -21,6 +21,7 @@ pub(crate) mod parameter_facts;
 pub(crate) mod permuted_searches;
 pub(crate) mod prediction;
 pub(crate) mod reference;
+pub(crate) mod stated;
 pub(crate) mod traces;
 pub(crate) mod tuning;
 pub(crate) mod words;

@@ -50,7 +50,10 @@ class Finding:
     """Physics that the simulation leaves out."""
 
     effect: str
+    #: that the name is right: how often names were that stood as high among the models
     probability: float
+    #: that it belongs to the model, were one of the models that were fitted the truth
+    probability_among_models: float
     #: how far it stands out of the noise; None where the model has no answer without it
     detectability: float | None
     says: str
@@ -70,6 +73,7 @@ class Finding:
         return cls(
             raw["effect"],
             raw["probability"],
+            raw.get("probability_among_models", raw["probability"]),
             raw["detectability"],
             raw["says"],
             parameters,

@@ -174,7 +174,8 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
         discovered: Vec::new(),
         findings: vec![Finding {
             effect: "thermal_lag".into(),
-            probability: 0.98,
+            probability: 0.91,
+            probability_among_models: 0.98,
             says: "the sensor follows the thermometer with a time constant of 120 s (sd 6)".into(),
             detectability: Some(31.0),
             parameters: vec![parameter("tau", "s", [0.0, 120.0], 120.0, 6.0)],

@@ -125,7 +125,10 @@ pub(super) fn chosen_again(diagnosis: &Diagnosis, again: &SelectedAgain) -> Stri
 
 /// How sure a finding is, in words with the two numbers.
 pub fn how_sure(finding: &Finding) -> String {
-    let Some(d) = finding.detectability else { return format!("probability {}", percent(finding.probability)) };
+    let [stated, among_models] = [finding.probability, finding.probability_among_models].map(percent);
+    let beside = if stated == among_models { String::new() } else { format!(" ({among_models} among the models)") };
+    let probability = format!("probability {stated}{beside}");
+    let Some(d) = finding.detectability else { return probability };
     let strength = match d {
         d if d >= 16.0 => "stands far out of the noise",
         d if d >= SURE => "stands clear of the noise",
@@ -133,7 +136,7 @@ pub fn how_sure(finding: &Finding) -> String {
         _ => "barely visible",
     };
     let d = detectability(d);
-    format!("probability {}, detectability d = {d} ({strength})", percent(finding.probability))
+    format!("{probability}, detectability d = {d} ({strength})")
 }
 
 /// What calibration did to hide it, where it did.
@@ -163,7 +166,8 @@ mod tests {
     fn finding(detectability: Option<f64>) -> Finding {
         Finding {
             effect: "thermal_lag".into(),
-            probability: 0.97,
+            probability: 0.91,
+            probability_among_models: 0.97,
             says: String::new(),
             detectability,
             parameters: Vec::new(),
@@ -182,7 +186,7 @@ mod tests {
         assert!(how_sure(&finding(Some(31.0))).contains("far out of the noise"));
         assert!(how_sure(&finding(Some(7.0))).contains("not beyond doubt"));
         assert!(how_sure(&finding(Some(3.0))).contains("barely"));
-        assert_eq!(how_sure(&finding(None)), "probability 97 %");
+        assert_eq!(how_sure(&finding(None)), "probability 91 % (97 % among the models)");
         assert!(how_sure(&finding(Some(1_159_754.8))).contains("d = over 1000"));
     }
 }

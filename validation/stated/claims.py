@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""Names that diagnoses stated, with what the models gave them and whether they are right.
+
+    python3 claims.py ANSWERS -o claims.csv
+
+ANSWERS holds one folder a recording of validation/recordings/packages, as its bench.py writes them; those sets count whose right names were written down before the first run. Effects of the
+library count, as in the scores of generated studies. Exit codes: 0, 2 a file is missing.
+"""
+
+import argparse
+import csv
+import sys
+from pathlib import Path
+
+PACKAGES = Path(__file__).resolve().parent.parent / "recordings" / "packages"
+sys.path.insert(0, str(PACKAGES))
+import names  # noqa: E402
+from problem import command  # noqa: E402
+
+HEADER = ["set", "recording", "effect", "among_models", "detectability", "names", "right"]
+
+
+def claims(of, recording, diagnosis, right):
+    told = [finding for finding in diagnosis["findings"] if not finding["effect"].startswith("discovered")]
+    for finding in told:
+        among_models = finding.get("probability_among_models", finding["probability"])
+        yield [
+            of,
+            recording,
+            finding["effect"],
+            f"{among_models:.6g}",
+            f"{finding['detectability'] or 0:.4g}",
+            len(told),
+            int(finding["effect"] in right),
+        ]
+
+
+def of_packages(answers):
+    for of in names.SETS:
+        for recording, causes in names.right_names(of).items():
+            right = {name for cause in causes for name in cause}
+            yield from claims(of, recording, names.answer(answers, recording), right)
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("answers", metavar="ANSWERS")
+    parser.add_argument("-o", metavar="FILE", required=True)
+    given = parser.parse_args(arguments)
+    rows = of_packages(given.answers)
+    with open(given.o, "w", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerows([HEADER, *rows])
+    return 0
+
+
+if __name__ == "__main__":
+    command(main)

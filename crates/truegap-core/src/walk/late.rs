@@ -1,8 +1,6 @@
 //! The clock of the load against that of the response.
 //!
-//! Limits: beyond the ends of a run nothing was recorded: there a shifted column is its own reflection in its first or last point, as far as the run is long; a hold stays a hold and a ramp a ramp.
-//!
-//! **Source:** odd extension at the ends, as filters that run both ways have it (Gustafsson, Determining the initial states in forward-backward filtering, 1996, sec. II).
+//! Limits: a shifted column keeps its first and last value beyond the ends of a run, where nothing was recorded.
 
 use crate::{chain::Stage, inputs::Inputs};
 use std::borrow::Cow;
@@ -43,41 +41,27 @@ fn clock(inputs: &Inputs) -> Cow<'_, [f64]> {
     }
 }
 
-/// A column at `time + late`, linear between rows, reflected beyond the ends; `time + late` must not run backwards.
+/// A column at `time + late`, linear between rows, held beyond the ends; `time + late` must not run backwards.
 fn interpolated(time: &[f64], column: &[f64], late: &[f64]) -> Vec<f64> {
     let last = time.len() - 1;
     let mut after = 0;
     let at = |row: usize| {
         let wanted = time[row] + late[row];
-        if wanted > time[last] {
-            return 2.0 * column[last] - between(time, column, 2.0 * time[last] - wanted);
-        }
-        if wanted < time[0] {
-            return 2.0 * column[0] - between(time, column, 2.0 * time[0] - wanted);
-        }
         while after < last && time[after] < wanted {
             after += 1;
         }
-        straight(time, column, after, wanted)
+        let before = after.saturating_sub(1);
+        let width = time[after] - time[before];
+        if wanted >= time[last] {
+            column[last]
+        } else if wanted <= time[0] || width <= 0.0 {
+            column[after]
+        } else {
+            let share = (wanted - time[before]) / width;
+            column[before] + share * (column[after] - column[before])
+        }
     };
     (0..time.len()).map(at).collect()
-}
-
-/// A column at a time of its run, held beyond the other end of it.
-fn between(time: &[f64], column: &[f64], wanted: f64) -> f64 {
-    let wanted = wanted.clamp(time[0], time[time.len() - 1]);
-    straight(time, column, time.partition_point(|t| *t < wanted), wanted)
-}
-
-/// A column at a time not after the row `after` and not before the one before it.
-fn straight(time: &[f64], column: &[f64], after: usize, wanted: f64) -> f64 {
-    let before = after.saturating_sub(1);
-    let width = time[after] - time[before];
-    if width <= 0.0 {
-        return column[after];
-    }
-    let share = (wanted - time[before]) / width;
-    column[before] + share * (column[after] - column[before])
 }
 
 #[cfg(test)]
@@ -112,26 +96,17 @@ mod tests {
     }
 
     #[test]
-    fn a_late_load_is_read_further_on_and_goes_on_beyond_the_ends_of_its_run() {
+    fn a_late_load_is_read_further_on_and_held_at_the_ends_of_its_run() {
         // slope 2 N/s in both runs, so half a second is 1 N
-        assert_eq!(shifted(0.5), [1.0, 3.0, 7.0, 11.0, 13.0, 17.0]);
-        assert_eq!(shifted(-0.5), [-1.0, 1.0, 5.0, 9.0, 11.0, 15.0]);
-        // no further than the run is long: 3 s and 6 N in the first, 3 s and 6 N in the second
-        assert_eq!(shifted(100.0), [12.0, 12.0, 12.0, 22.0, 22.0, 22.0]);
-    }
-
-    #[test]
-    fn a_hold_at_the_end_of_a_run_stays_a_hold() {
-        let force = Some(vec![0.0, 5.0, 5.0, 5.0]);
-        let inputs = Inputs { time_s: Some(vec![0.0, 1.0, 2.0, 3.0]), run: vec![1; 4], force_n: force, ..Inputs::default() };
-        let held = on_one_clock(&inputs, &[&Late(1.5, 0.0)]).force_n.clone();
-        assert_eq!(held, Some(vec![5.0, 5.0, 5.0, 5.0]));
+        assert_eq!(shifted(0.5), [1.0, 3.0, 6.0, 11.0, 13.0, 16.0]);
+        assert_eq!(shifted(-0.5), [0.0, 1.0, 5.0, 10.0, 11.0, 15.0]);
+        assert_eq!(shifted(100.0), [6.0, 6.0, 6.0, 16.0, 16.0, 16.0]);
     }
 
     #[test]
     fn a_slow_clock_is_later_and_later_through_all_runs() {
         // a quarter of a second a second from half a second early; slope 2 N/s
-        assert_eq!(shifted_by(Late(-0.5, 0.25)), [-1.0, 1.5, 6.5, 11.0, 13.5, 18.5]);
+        assert_eq!(shifted_by(Late(-0.5, 0.25)), [0.0, 1.5, 6.0, 11.0, 13.5, 16.0]);
     }
 
     #[test]

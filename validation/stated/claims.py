@@ -9,12 +9,14 @@ library count, as in the scores of generated studies. Exit codes: 0, 2 a file is
 
 import argparse
 import csv
+import io
 import sys
 from pathlib import Path
 
 PACKAGES = Path(__file__).resolve().parent.parent / "recordings" / "packages"
 sys.path.insert(0, str(PACKAGES))
 import names  # noqa: E402
+import table  # noqa: E402
 from problem import command  # noqa: E402
 
 HEADER = ["set", "recording", "effect", "among_models", "detectability", "names", "right"]
@@ -47,9 +49,9 @@ def main(arguments=None):
     parser.add_argument("answers", metavar="ANSWERS")
     parser.add_argument("-o", metavar="FILE", required=True)
     given = parser.parse_args(arguments)
-    rows = of_packages(given.answers)
-    with open(given.o, "w", newline="", encoding="utf-8") as file:
-        csv.writer(file, lineterminator="\n").writerows([HEADER, *rows])
+    out = io.StringIO()
+    csv.writer(out, lineterminator="\n").writerows([HEADER, *of_packages(given.answers)])
+    table.write(given.o, out.getvalue())
     return 0
 
 

@@ -14,6 +14,10 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "recordings" / "packages"))
+import table  # noqa: E402
+from problem import Problem, command  # noqa: E402
+
 LARGEST = 4.6
 STEPS = 50
 HEADER = ["set", "names", "right", "stated before", "stated now", "log loss before", "log loss now", "ECE before", "ECE now"]
@@ -71,28 +75,27 @@ def main(arguments=None):
     try:
         text = Path(given.claims).read_text(encoding="utf-8")
     except OSError as error:
-        print(f"error: {given.claims} cannot be read: {error}; make it with claims.py", file=sys.stderr)
-        return 2
+        raise Problem(f"{given.claims} cannot be read: {error}; make it with claims.py") from error
     rows = list(csv.DictReader(io.StringIO(text)))
     claims = [{**row, "p": float(row["among_models"]), "right": int(row["right"])} for row in rows]
     level, slope = fitted(claims)
     print(f"level {level:.3f}, slope {slope:.3f}, from {len(claims)} names", file=sys.stderr)
     unseen = judged_unseen(claims)
-    table = []
+    lines = []
     for one in [*dict.fromkeys(claim["set"] for claim in claims), "all"]:
         own = [(claim["p"], q, claim["right"]) for claim, q in zip(claims, unseen) if one in (claim["set"], "all")]
         before, now, right = zip(*own)
         means = [f"{sum(values) / len(values):.2f}" for values in (right, before, now)]
         scores = [f"{of(q, right):.3f}" for of in (log_loss, calibration_error) for q in (before, now)]
-        table.append([one, len(own), *means, *scores])
+        lines.append([one, len(own), *means, *scores])
     out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows([HEADER, *table])
+    csv.writer(out, lineterminator="\n").writerows([HEADER, *lines])
     if given.table:
-        Path(given.table).write_text(out.getvalue(), encoding="utf-8")
+        table.write(given.table, out.getvalue())
     else:
         print(out.getvalue(), end="")
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command(main)

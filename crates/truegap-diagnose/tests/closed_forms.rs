@@ -144,6 +144,19 @@ fn friction_holds_back_its_size_on_a_long_rise_and_a_long_fall() {
 }
 
 #[test]
+fn a_loop_that_saturates_turns_over_half_a_width_past_the_middle() {
+    let load = vec![0.5, 1.0, 0.5, 0.4, 0.0];
+    let bench = Bench::new((0..5).map(f64::from).collect(), load, vec![20.0; 5]);
+    // 3 high, flanks 0.1 to either side of 0.02 above the middle of the load, half of the way to an end within 0.05; the run starts at the end of a way down
+    let value = bench.readings("saturating_loop", &[3.0, 0.1, 0.05, 0.02, 1.0], &[100.0; 5]);
+    // the play stands at 0.6, is pushed to 0.9, stays there until the load has come back by 0.2, and then follows 0.1 above it
+    let arc = |play: f64| 100.0 + 3.0 * std::f64::consts::FRAC_2_PI * ((play - 0.52) / 0.05).atan();
+    for (value, play) in value.iter().zip([0.6, 0.9, 0.6, 0.5, 0.1]) {
+        assert_abs_diff_eq!(*value, arc(play), epsilon = 100.0 * ROUNDING);
+    }
+}
+
+#[test]
 fn a_modulus_that_ages_by_a_tenth_in_an_hour_has_done_so_after_an_hour() {
     let factor = Bench::hold(1.0, &[0.0, 3600.0, 3.0 * 3600.0]).moduli("ageing", &[0.1, 3600.0]);
     // ln 4 / ln 2 = 2: with a knee of an hour, three hours do twice what one does

@@ -171,6 +171,18 @@ impl Course {
         name.and_then(|name| context.moved.ranges.get(name)).copied().unwrap_or([0.0, 1.0])
     }
 
+    /// Middle between the ends of the column, in its unit: of a recorded driver, in the recording in which the effect was found.
+    pub fn middle(self, context: &Context<'_>) -> f64 {
+        if let Self::Driver(_) = self {
+            let [least, greatest] = self.ends(context);
+            return 0.5 * (least + greatest);
+        }
+        let (least, greatest) = self.recorded(context).map_or((0.0, 0.0), |column| {
+            column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), x| (least.min(*x), greatest.max(*x)))
+        });
+        0.5 * (least + greatest)
+    }
+
     /// Range of the column, in its unit; 1 where it does not move.
     pub fn span(self, context: &Context<'_>) -> f64 {
         let inputs = context.inputs;

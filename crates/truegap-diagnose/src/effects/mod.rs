@@ -43,6 +43,7 @@ mod rate_independent_hysteresis;
 mod readout_lag;
 mod regime_change;
 mod rim_field;
+mod saturating_loop;
 mod saturation;
 mod scale;
 mod slow_response;
@@ -87,6 +88,7 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(driver_gain::DriverGain(1)),
         Box::new(friction::Friction(0)),
         Box::new(friction::Friction(1)),
+        Box::new(saturating_loop::SaturatingLoop),
         Box::new(nonlinearity::Nonlinearity),
         Box::new(temperature_coefficient::TemperatureCoefficient),
         Box::new(driver_coefficient::DriverCoefficient(0)),

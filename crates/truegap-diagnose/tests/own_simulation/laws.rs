@@ -190,3 +190,57 @@ fn a_slow_change_of_the_zero_is_no_clean_switch() {
         assert!(switch.says.contains("ran to the limit of the time that the change takes"), "{}", switch.says);
     }
 }
+
+/// A magnet in a field that goes up and down: many grains, each of which turns over at a field of its own, one or the other way. Nothing of the loop's equation is in it.
+#[test]
+fn grains_that_turn_over_make_a_loop_that_saturates() {
+    let (rows, grains) = (1600, 400);
+    let field: Vec<f64> = (0..rows).map(|row| 3.0 * (f64::from(row) / 120.0).sin()).collect();
+    // thresholds of a logistic distribution about 0.8
+    let turns_at: Vec<f64> =
+        (0..grains).map(|k| (f64::from(k) + 0.5) / f64::from(grains)).map(|p| 0.8 + 0.1 * (p / (1.0 - p)).ln()).collect();
+    let mut up = vec![false; grains as usize];
+    let truth: Vec<f64> = field
+        .iter()
+        .map(|x| {
+            up.iter_mut().zip(&turns_at).for_each(|(up, at)| *up = *x >= *at || (*up && *x > -at));
+            3.0 + 0.4 * (2.0 * up.iter().filter(|up| **up).count() as f64 / f64::from(grains) - 1.0)
+        })
+        .collect();
+    let inputs = driven("field", "kOe", field);
+    let said = said(&Given::with_level(), &inputs, &noisy(21, |row| truth[row], rows as usize));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named.first(), Some(&"saturating_loop"), "{}", said.says);
+    let number = |name: &str| said.findings[0].parameters.iter().find(|p| p.name == name).unwrap().value;
+    // the law is another one, so its numbers are near and no more
+    assert!((number("height") - 0.4).abs() < 0.04 && (number("half_width") - 0.8).abs() < 0.04, "{}", said.says);
+}
+
+/// Neither a slide that rubs nor a curve without a loop is a loop that saturates.
+#[test]
+fn friction_and_a_curve_are_no_loop_that_saturates() {
+    let rows = 1600;
+    let x: Vec<f64> = (0..rows).map(|row| 3.0 * (f64::from(row) / 120.0).sin()).collect();
+    let mut slip = 0.0;
+    let rubs: Vec<f64> = (0..rows as usize)
+        .map(|row| {
+            let step: f64 = if row == 0 { 0.0 } else { x[row] - x[row - 1] };
+            slip = (slip + step / 0.05_f64).clamp(-1.0, 1.0);
+            3.0 + 0.3 * x[row] + 0.1 * slip
+        })
+        .collect();
+    let bends: Vec<f64> = x.iter().map(|x| 3.0 + 0.4 * (x / 0.7).tanh()).collect();
+    for (truth, seed) in [(rubs, 22), (bends, 23)] {
+        let inputs = driven("place", "mm", x.clone());
+        let said =
+            said(&Given { follows_driver: true, ..Given::with_level() }, &inputs, &noisy(seed, |row| truth[row], rows as usize));
+        assert!(said.findings.iter().all(|f| f.effect != "saturating_loop"), "{}", said.says);
+    }
+}
+
+/// A recorded driver on a clock of whole seconds.
+fn driven(name: &str, unit: &str, values: Vec<f64>) -> Inputs {
+    let rows = values.len();
+    let drivers = vec![Driver { name: name.into(), unit: unit.into(), values }];
+    Inputs { time_s: Some((0..rows).map(|row| row as f64).collect()), run: vec![1; rows], drivers, ..Inputs::default() }
+}

@@ -32,6 +32,7 @@ mod humidity_uptake;
 mod inner_stiffening;
 mod late_driver;
 mod load_cell_error;
+pub(crate) mod mean_to_both_sides;
 mod mullins_softening;
 mod nonlinearity;
 mod offset_drift;
@@ -46,6 +47,7 @@ mod rim_field;
 mod saturating_loop;
 mod saturation;
 mod scale;
+mod settling;
 mod slow_response;
 mod strain_stiffening;
 mod stress_relaxation;
@@ -102,6 +104,7 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(saturation::Saturation),
         Box::new(readout_lag::ReadoutLag),
         Box::new(offset_drift::OffsetDrift),
+        Box::new(settling::Settling),
         Box::new(offset_steps::OffsetSteps),
         Box::new(cycle::Cycle::Daily),
         Box::new(cycle::Cycle::Yearly),

@@ -8,6 +8,7 @@ use crate::{
     discovery::{compose::Composition, discover::with_mechanisms},
     pipeline::{
         alone::by_squares,
+        by_a_mean::by_a_mean,
         by_name::by_name,
         by_rows_left_out::by_rows_left_out,
         carried::with_carried,
@@ -48,6 +49,10 @@ pub(crate) fn conclude(
 ) -> Result<Outcome, DiagnoseError> {
     let (bank, examined, composition) = sharpened(&prepared, examined, composition, told)?;
     let judged = in_the_end(&prepared, told, judged(&prepared, told, examined, composition)?);
+    let judged = match by_a_mean(&prepared, told, &judged) {
+        Some((verdict, says)) => judged.taken_back(verdict, says),
+        None => judged,
+    };
     let judged = described(&prepared, told, judged)?;
     let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held } = judged;
     prepared.context.held = held;

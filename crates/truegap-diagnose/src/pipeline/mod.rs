@@ -3,6 +3,7 @@
 //! Limits: one recording (or several joined into one simulator) at a time.
 
 mod alone;
+mod by_a_mean;
 mod by_name;
 mod by_rows_left_out;
 mod carried;
@@ -25,8 +26,12 @@ use crate::{
     data::{context::Number, error::DiagnoseError, problem::Problem},
     noise::several::measured,
     quality::preconditions::check,
-    selection::{candidates::Progress, examine::Examined},
+    selection::{
+        candidates::{Progress, Search, Tried},
+        examine::Examined,
+    },
     validation::{
+        cross_validation::held_out,
         held_numbers::{not_borne_out, with_held},
         tuning::CLEARLY_WORSE,
     },
@@ -98,6 +103,7 @@ fn held(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> Option
     }
     let searched = prepared.searched();
     let search = prepared.search(&searched, told.progress, told.stop);
-    let held = not_borne_out(&search, &prepared.searched_noise, stood_behind, prepared.all_rows(), CLEARLY_WORSE);
+    let under_noise = |search: &Search<'_>, tried: &Tried| held_out(search, &prepared.searched_noise, tried, prepared.all_rows());
+    let held = not_borne_out(&search, stood_behind, &under_noise, CLEARLY_WORSE);
     (!held.is_empty()).then_some(held)
 }

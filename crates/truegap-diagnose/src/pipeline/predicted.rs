@@ -21,7 +21,7 @@ use crate::{
         among_rivals::{Named, best_foreteller, exchanged},
         cross_validation::{AllRows, HeldOutFit, compared, held_out},
         step_back::{LeftOut, step_back},
-        tuning::{CLEARLY_WORSE, MOST_RIVALS, NEXT_TO_NOTHING},
+        tuning::{CLEARLY_WORSE, FELT, MOST_RIVALS, NEXT_TO_NOTHING},
         veto::{Against, Unseen},
     },
     whitening::noise_model::NoiseModel,
@@ -51,14 +51,20 @@ pub(crate) struct ByBase {
     pub unseen: HeldOutFit,
 }
 
-/// Predicts rows left out by the base model, which is calibrated by least squares as well where something is `missing`.
+/// Predicts rows left out by the base model, which is calibrated by least squares as well where something is `missing`. Where nothing is, it is told so only if that predicts rows left out
+/// better by a tenth: a channel that hangs for most of its rows takes the level from the few that move.
 pub(crate) fn by_base(prepared: &Prepared<'_>, search: &Search<'_>, base: &Tried, missing: bool) -> ByBase {
     let all = prepared.all_rows();
-    let alone = missing.then(|| alone(prepared, search, all, base)).flatten();
     let under_noise = held_out(search, &prepared.searched_noise, base, all);
-    let unseen = match &alone {
-        Some(alone) => held_out(search, &alone.noise, &alone.tried, all).scored_as(&under_noise),
-        None => under_noise,
+    let alone = alone(prepared, search, all, base).map(|alone| {
+        let unseen = held_out(search, &alone.noise, &alone.tried, all).scored_as(&under_noise);
+        (alone, unseen)
+    });
+    let told =
+        |(_, unseen): &(Alone, HeldOutFit)| missing || compared(&under_noise, unseen).is_some_and(|both| both.better_by(FELT));
+    let (alone, unseen) = match alone.filter(told) {
+        Some((alone, unseen)) => (Some(alone), unseen),
+        None => (None, under_noise),
     };
     // the equations of effects without plates describe: what they leave is more than the noise, whether the base model alone says so or not
     let squares = missing && (alone.is_some() || !search.context.has_plates());

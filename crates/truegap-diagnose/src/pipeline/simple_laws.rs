@@ -6,7 +6,7 @@ use crate::{
     data::context::Number,
     pipeline::{
         judged::{Judged, Told},
-        predicted::{ByBase, predictions},
+        predicted::{ByBase, predicted_like_base, predictions},
         prepare::Prepared,
     },
     selection::{
@@ -40,7 +40,8 @@ pub(crate) fn simple(
     tried: &Tried,
     least: f64,
 ) -> Option<Simple> {
-    let held = not_borne_out(search, &prepared.searched_noise, tried, prepared.all_rows(), least);
+    let foretold = |search: &Search<'_>, tried: &Tried| predicted_like_base(prepared, search, by_base, tried);
+    let held = not_borne_out(search, tried, &foretold, least);
     let held = [search.context.held.as_slice(), &held].concat();
     let context = search.context.holding(held.clone());
     let narrow = search.within(&context);
@@ -65,7 +66,7 @@ pub(crate) fn told_simply(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Jud
     let search = search.within(&context);
     let simple = |tried: &Tried| simple(prepared, &search, &judged.by_base, tried, 1.0);
     let named = simple(chosen)?;
-    // held by what the fit under the noise foretells; told by the better of two ways to calibrate
+    // held by what it foretells where it is calibrated as the base model is told; told by the better of two ways to calibrate
     let as_told = judged.predicted.unseen.stood_behind();
     let [before, after] = compared(as_told, &named.unseen)?.rmse;
     let taken = named.held.len() > judged.held.len() && after <= before;

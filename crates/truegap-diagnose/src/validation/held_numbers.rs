@@ -3,7 +3,7 @@
 //! A richer law fits what it has seen at least as well, and foretells worse where its further numbers have only followed the noise, or other physics. The effect keeps its name; its law is
 //! then the simple one that it holds as a special case.
 //!
-//! Limits: numbers that their effect names as such; under the noise, not by least squares.
+//! Limits: numbers that their effect names as such; rows left out are predicted as the caller calibrates.
 
 use crate::{
     data::context::Number,
@@ -14,25 +14,27 @@ use crate::{
         posterior::Selection,
     },
     validation::{
-        cross_validation::{AllRows, HeldOutFit, compared, held_out},
+        cross_validation::{HeldOutFit, compared},
         tuning::{CLEARLY_WORSE, REFITTED_FROM},
     },
-    whitening::noise_model::NoiseModel,
 };
 use truegap_core::EffectId;
 
+/// What a model foretells of rows left out.
+type Foretold<'a> = &'a dyn Fn(&Search<'_>, &Tried) -> HeldOutFit;
+
 /// Numbers of the model `tried` that are better held at nothing, by effect and name; empty where all are borne out. Rows left out are predicted better without them, `least` times or more.
-pub(crate) fn not_borne_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>, least: f64) -> Vec<Number> {
+pub(crate) fn not_borne_out(search: &Search<'_>, tried: &Tried, foretold: Foretold<'_>, least: f64) -> Vec<Number> {
     let of_effect = |e: &usize| {
         let effect = search.library[*e];
         let open = effect.may_be_nothing().iter().filter(|name| !search.context.holds(effect.id(), name));
         open.map(|name| (effect.id(), *name)).collect::<Vec<_>>()
     };
     let mut open: Vec<Number> = tried.effects.iter().flat_map(of_effect).collect();
-    let (mut held, mut best) = (Vec::new(), held_out(search, noise, tried, all));
+    let (mut held, mut best) = (Vec::new(), foretold(search, tried));
     let doubtful = on_a_limit(search, tried);
     // one at a time, the one without which most is gained
-    while let Some((place, predicted)) = best_without_one(search, noise, tried, all, (&open, &held), &best, (&doubtful, least)) {
+    while let Some((place, predicted)) = best_without_one(search, tried, foretold, (&open, &held), &best, (&doubtful, least)) {
         held.push(open.remove(place));
         best = predicted;
     }
@@ -52,9 +54,8 @@ fn on_a_limit(search: &Search<'_>, tried: &Tried) -> Vec<(EffectId, String)> {
 /// The number of `open` that is best held besides those of `held`, and what the model then foretells; `None` where that is not better than `best` by as much as is asked for, or for a `doubtful` one clearly worse.
 fn best_without_one(
     search: &Search<'_>,
-    noise: &NoiseModel,
     tried: &Tried,
-    all: AllRows<'_>,
+    foretold: Foretold<'_>,
     (open, held): (&[Number], &[Number]),
     best: &HeldOutFit,
     (doubtful, least): (&[(EffectId, String)], f64),
@@ -62,7 +63,7 @@ fn best_without_one(
     let without = |one: &Number| {
         let context = search.context.holding([held, &[*one]].concat());
         let fewer = search.within(&context);
-        Some(held_out(&fewer, noise, &refitted(&fewer, tried)?, all))
+        Some(foretold(&fewer, &refitted(&fewer, tried)?))
     };
     let better = open.iter().enumerate().filter_map(|(place, one)| {
         let predicted = without(one)?;

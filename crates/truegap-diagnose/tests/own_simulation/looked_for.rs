@@ -1,6 +1,6 @@
 //! What is not looked for, or not left out, where the recording cannot show it.
 
-use crate::given::Given;
+use crate::given::{Given, said};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -76,4 +76,35 @@ fn a_reading_in_steps_does_not_repeat_where_what_it_follows_stands_still() {
     };
     let problem = Problem { inputs: &inputs, response: &response, simulator: &Given::fixed() };
     assert!(repeated(&problem, &Rows { inputs: &inputs, given: None, unit: "rad" }).is_none());
+}
+
+/// Two instruments on one quantity that wanders, each with noise of its own. A lag of the second behind the first smooths the noise of the first and errs less, and so does a mean without a delay.
+#[test]
+fn noise_of_the_column_that_is_followed_is_no_lag() {
+    let rows = 1500;
+    let random = &mut ChaCha8Rng::seed_from_u64(53);
+    let mut wander = 0.0;
+    let mut simulated = Vec::with_capacity(rows);
+    let quantity: Vec<f64> = (0..rows)
+        .map(|_| {
+            let [kick, own]: [f64; 2] = [StandardNormal.sample(random), StandardNormal.sample(random)];
+            wander += -0.01 * wander + 0.1 * kick;
+            simulated.push(3.0 + wander + 0.15 * own);
+            3.0 + wander
+        })
+        .collect();
+    let time = (0..rows).map(|row| row as f64).collect();
+    let inputs = Inputs { time_s: Some(time), run: vec![1; rows], simulated: Some(simulated), ..Inputs::default() };
+    let response: Vec<f64> = quantity
+        .iter()
+        .map(|x| {
+            x + 0.1 * {
+                let own: f64 = StandardNormal.sample(random);
+                own
+            }
+        })
+        .collect();
+    let said = said(&Given::fixed(), &inputs, &response);
+    assert!(said.findings.is_empty(), "{}", said.says);
+    assert!(said.recording_issues.iter().any(|doubt| doubt.contains("without a delay")), "{:?}", said.recording_issues);
 }

@@ -1,0 +1,79 @@
+//! What a mean to both sides foretells as well is no lag: the column that the base model follows may hold noise, or quick motion, of its own.
+//!
+//! A lag, a friction or a shift beside a model that follows a noisy column smooths the noise, and errs less for that alone. A mean over some rows to both sides does the same and comes without
+//! a delay. What is named has to foretell rows left out clearly better than such a mean, as it has to beside the base model alone; else nothing is named, and a reader is told of the mean.
+//!
+//! Limits: base models without plates that follow a column on a clock; one window for the whole recording.
+
+use crate::{
+    effects::{course::Course, effect::Effect, mean_to_both_sides::MeanToBothSides},
+    pipeline::{
+        judged::{Judged, Told},
+        predicted::{Predicted, predicted_like_base},
+        prepare::Prepared,
+    },
+    selection::{
+        candidates::{Search, Tried},
+        verdict::{Decision, Verdict},
+    },
+    text::{capitalised, listed, rounded, significant, spoken},
+    validation::{cross_validation::compared, tuning::CLEARLY_WORSE, veto::Unseen},
+};
+use std::sync::atomic::Ordering;
+
+/// Why what is named is not claimed, and the verdict without it; `None` where it foretells clearly better than a mean, or where no mean means anything.
+pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<(Verdict, String)> {
+    let context = &prepared.context;
+    let asked = judged.names_something() && judged.kept_back.is_none() && !told.stop.load(Ordering::Relaxed);
+    if !asked || context.has_plates() || MeanToBothSides.testable(context).is_err() {
+        return None;
+    }
+    let followed = Course::on_a_clock(context).ok()?;
+    let searched = prepared.searched();
+    let search = &prepared.search(&searched, told.progress, told.stop);
+    let mean = search.library.len();
+    let library = search.library.iter().copied().chain([&MeanToBothSides as &dyn Effect]).collect();
+    let search = &Search { library, ..*search };
+    let tried = search.add_each(judged.examined.selection.base(), &[mean], 1, "a mean").pop()?;
+    let unseen = predicted_like_base(prepared, search, &judged.by_base, &tried);
+    let named = judged.predicted.unseen.stood_behind();
+    let smooths = compared(&judged.by_base.unseen, &unseen)?.better_by(CLEARLY_WORSE);
+    let both = compared(&unseen, named)?;
+    if !smooths || both.better_by(CLEARLY_WORSE) {
+        return None;
+    }
+    // what the named law leaves was little enough for its form to be right: the mean leaves as little
+    let adequate = judged.predicted.decision.verdict != Verdict::WrongForm || !prepared.lack_of_fit.adequacy(&tried.fit).fires();
+    let verdict = if adequate { Verdict::Agrees } else { Verdict::Unexplained };
+    let names: Vec<String> =
+        judged.stood_behind().effects.iter().filter_map(|e| Some(spoken(prepared.testable.get(*e)?.id().0))).collect();
+    let [with_mean, with_name] = both.rmse.map(|rmse| significant(rmse, 3));
+    let says = format!(
+        "{} would fit, but {}, which comes without a delay, predicts rows left out as well ({with_mean} against {with_name} {}): what is quick in {} may be noise of its own, so it is not claimed",
+        if names.is_empty() { "a composed mechanism".into() } else { capitalised(&listed(&names, "and")) },
+        told_of(search, &tried),
+        search.problem.simulator.unit(),
+        followed.name(context),
+    );
+    Some((verdict, says))
+}
+
+/// The mean in words.
+fn told_of(search: &Search<'_>, tried: &Tried) -> String {
+    let model = search.model(&tried.effects);
+    let values = model.values(&tried.fit.z);
+    let width = model.range_of(0).last().map_or(0.0, |place| values[place]);
+    format!("a mean over {} to both sides of each row", rounded(width, "s"))
+}
+
+impl Judged {
+    /// The same with nothing named.
+    pub(crate) fn taken_back(mut self, verdict: Verdict, says: String) -> Self {
+        let decision = Decision::nothing(verdict, self.examined.selection.base);
+        let left_out = [self.predicted.left_out, vec![says]].concat();
+        self.predicted =
+            Predicted { unseen: Unseen::nothing(self.by_base.unseen.clone()), decision, after: None, vetoed: None, left_out };
+        self.held = Vec::new();
+        self
+    }
+}

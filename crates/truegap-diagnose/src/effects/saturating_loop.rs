@@ -53,8 +53,8 @@ impl Stage for Loop {
     }
 }
 
-/// Widest flank that is a flank, in ranges of the driver: a wider one is a bent line.
-const WIDEST: f64 = 0.3;
+/// Widest flank, in ranges of the driver: it lies well inside the range, so that the loop closes at both ends. A wider one is a bent line, and lags look like it (a calorimeter against a model of it).
+const WIDEST: f64 = 0.06;
 
 /// Narrowest loop that is one, half its width in ranges of the driver.
 const NARROWEST: f64 = 2e-3;
@@ -133,7 +133,7 @@ impl Effect for SaturatingLoop {
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let span = course(context).span(context);
-        [(0.01, 0.05), (0.03, 0.02), (0.1, 0.03), (0.2, 0.01), (0.3, 0.02)]
+        [(0.01, 0.04), (0.03, 0.02), (0.1, 0.03), (0.2, 0.01), (0.3, 0.02)]
             .map(|(half_width, rounding)| vec![half_width * span, rounding * span, 0.0, 0.5])
             .to_vec()
     }

@@ -157,6 +157,16 @@ fn a_loop_that_saturates_turns_over_half_a_width_past_the_middle() {
 }
 
 #[test]
+fn a_zero_that_settles_goes_by_as_much_in_every_tenfold_of_the_time() {
+    let bench = Bench::hold(0.0, &[0.0, 9.0, 99.0, 999.0]);
+    // a knee of a second: 1 + t is 1, 10, 100, 1000
+    let value = bench.readings("settling", &[0.4, 1.0], &[100.0; 4]);
+    for (value, decades) in value.iter().zip([0.0, 1.0, 2.0, 3.0]) {
+        assert_abs_diff_eq!(*value, 100.0 + 0.4 * decades, epsilon = 100.0 * ROUNDING);
+    }
+}
+
+#[test]
 fn a_modulus_that_ages_by_a_tenth_in_an_hour_has_done_so_after_an_hour() {
     let factor = Bench::hold(1.0, &[0.0, 3600.0, 3.0 * 3600.0]).moduli("ageing", &[0.1, 3600.0]);
     // ln 4 / ln 2 = 2: with a knee of an hour, three hours do twice what one does

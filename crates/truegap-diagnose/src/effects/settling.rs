@@ -41,8 +41,13 @@ impl Stage for Logarithm {
     }
 }
 
-/// Earliest and latest knee, in lengths of the recording: a later one is a straight line, and of an earlier one all but a few rows see the same.
-const KNEES: [f64; 2] = [1e-5, 0.3];
+/// Earliest and latest knee, in lengths of the recording: a later one is a straight line, and an earlier one follows the first few rows, as one within the first step of the clock does.
+const KNEES: [f64; 2] = [1e-4, 0.3];
+
+fn earliest_s(context: &Context<'_>, duration: f64) -> f64 {
+    let step = context.shortest_step_s.filter(|step| step.is_finite()).unwrap_or(0.0);
+    (KNEES[0] * duration).max(step).min(0.5 * KNEES[1] * duration)
+}
 
 impl Effect for Settling {
     fn id(&self) -> EffectId {
@@ -83,14 +88,12 @@ impl Effect for Settling {
                 "change of the zero with every tenfold of the time",
             ),
             Parameter::log_normal("knee", "s", 3e-3 * duration, 2.5, "time from which on it goes as the logarithm")
-                .within(KNEES[0] * duration, KNEES[1] * duration),
+                .within(earliest_s(context, duration), KNEES[1] * duration),
         ]
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        [1e-4, 3e-3, 0.05].map(|knee| vec![knee * context.duration_s.max(1e-6)]).to_vec()
-    }
-    fn at_once(&self) -> &'static [&'static str] {
-        &["knee"]
+        let duration = context.duration_s.max(1e-6);
+        [5e-4, 5e-3, 0.05].map(|knee| vec![(knee * duration).max(1.5 * earliest_s(context, duration))]).to_vec()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;

@@ -150,6 +150,10 @@ impl Effect for SaturatingLoop {
             Some(course) if !course.turns(context) => {
                 Err(format!("{} goes one way only inside the runs; a loop shows where it turns", course.name(context)))
             }
+            Some(course) if !course.goes_and_returns(context) => Err(format!(
+                "{} goes over half of its range and back in no run; a loop closes at both ends",
+                course.name(context)
+            )),
             Some(_) => Ok(()),
         }
     }

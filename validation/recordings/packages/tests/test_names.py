@@ -23,6 +23,13 @@ class Judged(unittest.TestCase):
         rivals = [["friction", "nonlinearity"]]
         self.assertEqual(names.judged(found("friction", ambiguity=rivals), ONE), "right")
 
+    def test_a_name_that_came_later_counts_as_what_the_set_calls_it(self):
+        loop = [["friction", "readout_lag"], ["nonlinearity", "saturation"]]
+        self.assertEqual(names.judged(found("saturating_loop"), loop), "right")
+        self.assertEqual(names.judged(found("saturating_loop"), [["friction"]]), "near")
+        self.assertEqual(names.judged(found("saturating_loop"), NOTHING), "false")
+        self.assertEqual(names.judged(found("slow_response", ambiguity=[["slow_response", "settling"]]), TWO), "near")
+
     def test_a_name_too_many_or_too_few_is_near(self):
         self.assertEqual(names.judged(found("saturation", "friction"), ONE), "near")
         self.assertEqual(names.judged(found("friction"), TWO), "near")

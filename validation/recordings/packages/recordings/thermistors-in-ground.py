@@ -1,0 +1,16 @@
+"""The third thermistor of a string in the ground over the second above it, two years, each 8 hours. Heat is late."""
+
+from fitting import lag, line, terms, usual
+from loggers import string
+
+HAND_BUILT = "line and lag"
+
+
+def rows(content):
+    frame = string(content)
+    return {"time_s": frame.time_s, "above_c": frame[2], "below_c": frame[3]}
+
+
+def models(c):
+    y, x, t = c["below_c"], c["above_c"], c["time_s"]
+    return y, {**usual(y, x, t, 5 * 86400), HAND_BUILT: terms(y, lambda p: [x, lag(x, t, abs(p[0]) * 5 * 86400)], [1.0])}

@@ -4,7 +4,10 @@ use crate::{
     Options, Problem, RecordingFacts, Verdict,
     common::{Plate, recording},
     diagnose,
-    noise::{rescale::quieter_than, several::measured},
+    noise::{
+        rescale::quieter_than,
+        several::{measured, with_wild_rows},
+    },
 };
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -34,6 +37,25 @@ fn a_noise_taken_three_times_too_loud_is_found_out_and_a_right_one_is_left_alone
     let found = quieter_than(&problem, &misfit, &noise.scaled(3.0)).unwrap();
     // from some hundred rows at rest: 10 %
     approx::assert_relative_eq!(found.response.white_sd.hypot(found.response.ar_sd), NOISE, max_relative = 0.15);
+}
+
+/// What a model of the wrong form leaves is slow and three times as large as the noise. One row is wild beside it: that row weighs less, and the others are as quiet as before.
+#[test]
+fn a_wild_row_makes_the_other_rows_no_louder() {
+    let (plate, inputs) = (Plate::new(Some(true)), recording());
+    let random = &mut ChaCha8Rng::seed_from_u64(4);
+    let clean = plate.respond(&TRUE, &inputs, &[]).unwrap();
+    let response: Vec<f64> = clean.iter().map(|c| c + NOISE * drawn(random)).collect();
+    let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
+    let (_, noise) = measured(&problem).unwrap();
+    let wild = inputs.len() / 2 + 7;
+    let slow = |row: usize| 3.0 * NOISE * (row as f64 / 40.0).sin();
+    let misfit: Vec<f64> =
+        (0..inputs.len()).map(|row| slow(row) + NOISE * drawn(random) + if row == wild { 80.0 * NOISE } else { 0.0 }).collect();
+    let found = with_wild_rows(&problem, &misfit, &noise).unwrap();
+    let size = |noise: &crate::whitening::noise_model::NoiseModel| noise.response.white_sd.hypot(noise.response.ar_sd);
+    assert!(found.input_error.louder[wild] > (20.0 * NOISE).powi(2), "{}", found.input_error.louder[wild]);
+    assert!(size(&found) <= size(&noise), "{} against {}", size(&found), size(&noise));
 }
 
 /// A load that somebody's hand makes: its speed is pushed at random four times as hard as its noise is large, so that no straight line holds and differences of

@@ -147,6 +147,9 @@ impl Effect for SaturatingLoop {
         }
         match Course::of(context, 0) {
             None => Err(Course::missing(0)),
+            Some(Course::Simulated) => {
+                Err("what is simulated is the reading and drives nothing; name what drives it under [drivers]".into())
+            }
             Some(course) if !course.turns(context) => {
                 Err(format!("{} goes one way only inside the runs; a loop shows where it turns", course.name(context)))
             }

@@ -73,7 +73,9 @@ pub use sensor::{Material, Sensor};
 pub use simulation_error::{Refusal, SimulationError, check_finite};
 pub use simulator::{Beside, Joined, Simulator, named_values};
 pub use units::{Dimension, Measure, UnitError};
-pub use walk::{GapReading, PlateReading, Plates, Stiffness, walk, walk_without_plates};
+pub use walk::{
+    GapReading, GapReadings, PlateColumns, PlateReading, Plates, Readings, RefusedRow, Stiffness, walk, walk_without_plates,
+};
 
 /// Permittivity of vacuum as the paper's Table 1 gives it, F/m (CODATA 2018 is 8.8541878128e-12).
 pub const VACUUM_PERMITTIVITY: f64 = 8.854e-12;

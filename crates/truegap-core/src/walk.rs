@@ -3,72 +3,17 @@
 //! Limits: all rows through one place before any goes to the next, because stages have a memory.
 
 mod late;
+mod plates;
 
 use crate::{
     chain::{Dielectric, Drive, FieldView, Geometry, Readout, Stage},
     inputs::Inputs,
-    simulation_error::{Refusal, SimulationError, check_finite},
+    simulation_error::{SimulationError, check_finite},
     simulator::Simulator,
 };
 use std::borrow::Cow;
 
-/// How stiff the dielectric is in a row.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stiffness {
-    /// factor on the Young's modulus
-    pub modulus: f64,
-    /// `[a, b]`: stress at strain e is multiplied by `1 + a e + b e^2`
-    pub stiffening: [f64; 2],
-}
-
-/// What a pair of plates reads in a row.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlateReading {
-    /// reading with everything that belongs to the sensor, before any field outside the plates, in the response's unit
-    pub value: f64,
-    /// what a field outside the plates is in proportion to; `None` where the size of the plates is unknown, and with it such a field
-    pub gap: Option<GapReading>,
-}
-
-/// The gap of a row, as [`FieldView`] shows it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GapReading {
-    /// mean separation of the electrodes, as a share of the electrode's radius
-    pub aspect: f64,
-    /// capacitance between the plates alone, in the response's unit
-    pub plates: f64,
-}
-
-/// Physics of plates with a compressible dielectric between them, one set of parameter values filled in.
-///
-/// Each method answers for one row; [`walk`] goes through the rows and through the places of the chain.
-pub trait Plates {
-    /// Elastic compressive strain of the dielectric, before any history of it.
-    ///
-    /// # Errors
-    /// [`Refusal`] where no strain answers the load, or only one that closes the gap.
-    fn strain(&self, drive: &Drive<'_>, row: usize, stiffness: Stiffness) -> Result<f64, Refusal>;
-    /// Factor on the curvature of the electrode before any stage: 1 where the base model warps, else 0.
-    fn warp_factor(&self) -> f64 {
-        0.0
-    }
-    /// What the plates read.
-    ///
-    /// # Errors
-    /// [`Refusal`] where the plates touch.
-    fn reading(
-        &self,
-        drive: &Drive<'_>,
-        row: usize,
-        geometry: &Geometry<'_>,
-        factors: &Dielectric,
-    ) -> Result<PlateReading, Refusal>;
-    /// Zero and span of the sensor at these parameter values.
-    ///
-    /// # Errors
-    /// [`SimulationError`] where the full load has no answer.
-    fn readout(&self) -> Result<Readout, SimulationError>;
-}
+pub use plates::{GapReading, GapReadings, PlateColumns, PlateReading, Plates, Readings, RefusedRow, Stiffness};
 
 /// Response of a model with plates: inputs, load path and thermal path, beads, geometry, dielectric, field, readout.
 ///
@@ -76,7 +21,7 @@ pub trait Plates {
 /// [`SimulationError`] of [`Simulator::check`], of the first row that `plates` refuses, or of the first that is not finite.
 pub fn walk(
     simulator: &dyn Simulator,
-    plates: &impl Plates,
+    plates: &impl PlateColumns,
     values: &[f64],
     inputs: &Inputs,
     stages: &[&dyn Stage],
@@ -146,16 +91,17 @@ impl<'a> Head<'a> {
 }
 
 /// Beads: strain with its history.
-fn strains(plates: &impl Plates, drive: &Drive<'_>, stages: &[&dyn Stage], values: &[f64]) -> Result<Vec<f64>, SimulationError> {
+fn strains(
+    plates: &impl PlateColumns,
+    drive: &Drive<'_>,
+    stages: &[&dyn Stage],
+    values: &[f64],
+) -> Result<Vec<f64>, SimulationError> {
     let mut modulus = vec![1.0; drive.load.len()];
     stages.iter().for_each(|stage| stage.modulus(drive, &mut modulus));
     let add = |sum: [f64; 2], next: [f64; 2]| [sum[0] + next[0], sum[1] + next[1]];
     let stiffening = stages.iter().map(|stage| stage.stiffening()).fold([0.0; 2], add);
-    let elastic = |(row, &modulus): (usize, &f64)| {
-        let strain = plates.strain(drive, row, Stiffness { modulus, stiffening });
-        strain.map_err(|refusal| refused(refusal, drive, row, values))
-    };
-    let mut strain = modulus.iter().enumerate().map(elastic).collect::<Result<Vec<_>, _>>()?;
+    let mut strain = plates.strains(drive, &modulus, stiffening).map_err(|row| refused(row, drive, values))?;
     stages.iter().for_each(|stage| stage.strain(drive, &mut strain));
     Ok(strain)
 }
@@ -185,26 +131,17 @@ fn dielectric(drive: &Drive<'_>, stages: &[&dyn Stage]) -> Dielectric {
 
 /// Readings of the plates, and the field outside of them where their size is known.
 fn readings(
-    plates: &impl Plates,
+    plates: &impl PlateColumns,
     drive: &Drive<'_>,
     geometry: &Geometry<'_>,
     factors: &Dielectric,
     stages: &[&dyn Stage],
     values: &[f64],
 ) -> Result<Vec<f64>, SimulationError> {
-    let rows = drive.load.len();
-    let (mut value, mut aspect, mut between) = (Vec::with_capacity(rows), Vec::with_capacity(rows), Vec::with_capacity(rows));
-    for row in 0..rows {
-        let reading = plates.reading(drive, row, geometry, factors).map_err(|refusal| refused(refusal, drive, row, values))?;
-        value.push(reading.value);
-        if let Some(gap) = reading.gap {
-            aspect.push(gap.aspect);
-            between.push(gap.plates);
-        }
-    }
-    if aspect.len() == rows {
-        let view = FieldView { aspect: &aspect, strain: geometry.strain, plates: &between };
-        let mut extra = vec![0.0; rows];
+    let Readings { mut value, gap } = plates.readings(drive, geometry, factors).map_err(|row| refused(row, drive, values))?;
+    if let Some(GapReadings { aspect, plates }) = gap {
+        let view = FieldView { aspect: &aspect, strain: geometry.strain, plates: &plates };
+        let mut extra = vec![0.0; value.len()];
         stages.iter().for_each(|stage| stage.field(drive, &view, &mut extra));
         value.iter_mut().zip(&extra).for_each(|(value, extra)| *value += extra);
     }
@@ -224,6 +161,6 @@ fn read_out(
 }
 
 /// The error of a row that has no answer.
-fn refused(refusal: Refusal, drive: &Drive<'_>, row: usize, values: &[f64]) -> SimulationError {
+fn refused((row, refusal): RefusedRow, drive: &Drive<'_>, values: &[f64]) -> SimulationError {
     refusal.at(row, drive.load[row] * drive.full_load, values)
 }

@@ -1,61 +1,29 @@
 //! The stack near one point: strain and reading of every row to first order in what moves away from it.
 //!
-//! Derivatives by a dozen parameters ask for as many responses a step apart. Strains, the capacitance integral and its logarithm are computed once, with their slopes; a
-//! moved parameter or stage then takes a few products a row.
+//! Derivatives by a dozen parameters ask for as many responses a step apart. Strains, the capacitance integral and its logarithm are computed once, with their slopes. A
+//! moved parameter or stage changes few of the columns that a reading follows from; only those are computed again, and each takes a product and a sum a row.
 //!
 //! Limits: stages act in full, on columns that differ by the step; a plate that touches only after the step is not seen.
 
 use super::{
     device::{Described, Device},
-    plates::{PICO, ends, force_n},
-    sloped::{QUANTITIES, Shape, Sloped, aspect, at, sloped},
+    plates::{PICO, ends},
+    point::{Kept, Point, is_same},
+    sloped::{BESIDE, QUANTITIES, aspect_of, at},
 };
-use crate::equations::load::{BeadLaw, reduced_load, reduced_load_slope};
-use std::cell::RefCell;
+use crate::equations::load::{BeadLaw, reduced_load};
+use std::borrow::Cow;
 use truegap_core::{
-    Beside, Dielectric, Drive, GapReading, Geometry, Inputs, PlateReading, Plates, Readout, Refusal, SimulationError, Stage,
-    Stiffness, walk,
+    Beside, Dielectric, Drive, GapReadings, Geometry, Inputs, PlateColumns, Readings, Readout, Refusal, RefusedRow,
+    SimulationError, Stage, walk,
 };
-
-/// A row of the point: its strain, and its reading with slopes.
-#[derive(Clone, Copy)]
-struct Row {
-    strained: Strained,
-    /// curvature for one kelvin of warp
-    bend: f64,
-    sloped: Sloped,
-}
-
-impl Row {
-    fn unloaded(&self) -> Unloaded {
-        let shape = &self.sloped.shape;
-        Unloaded {
-            bend: self.bend,
-            radius: shape[at::RADIUS],
-            solid: shape[at::SOLID],
-            beads: shape[at::BEADS],
-            insulator: shape[at::INSULATOR],
-        }
-    }
-}
-
-/// The strain of a row and what it was computed from, but for the force.
-#[derive(Clone, Copy)]
-struct Strained {
-    temperature_c: f64,
-    modulus: f64,
-    strain: f64,
-    /// strain for one unit of reduced load
-    yielding: f64,
-}
 
 /// The stack at a point, every row with its slopes.
 pub(super) struct Near<'s> {
     stack: &'s dyn Described,
     inputs: &'s Inputs,
     device: Device,
-    stiffening: [f64; 2],
-    rows: Vec<Row>,
+    point: Point,
 }
 
 impl<'s> Near<'s> {
@@ -67,16 +35,10 @@ impl<'s> Near<'s> {
         stages: &[&dyn Stage],
     ) -> Result<Self, SimulationError> {
         let device = stack.described(values);
-        let kept = Kept {
-            device: &device,
-            values,
-            strained: RefCell::default(),
-            rows: RefCell::default(),
-            stiffening: RefCell::default(),
-        };
+        let kept = Kept::new(&device, values);
         walk(stack, &kept, values, inputs, stages)?;
-        let (rows, stiffening) = (kept.rows.into_inner(), kept.stiffening.into_inner());
-        Ok(Self { stack, inputs, device, stiffening, rows })
+        let point = kept.into_point();
+        Ok(Self { stack, inputs, device, point })
     }
 }
 
@@ -84,169 +46,173 @@ impl Beside for Near<'_> {
     fn respond(&self, values: &[f64], stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         let device = self.stack.described(values);
         let same = Same::of(&self.device, &device);
-        walk(self.stack, &Moved { near: self, device: &device, values, same }, values, self.inputs, stages)
+        walk(self.stack, &Moved { point: &self.point, device: &device, values, same }, values, self.inputs, stages)
     }
 }
 
-/// A warm sensor before load, as far as its capacitances go.
-#[derive(Clone, Copy)]
-struct Unloaded {
-    /// curvature for one kelvin of warp
-    bend: f64,
-    radius: f64,
-    solid: f64,
-    beads: f64,
-    insulator: f64,
-}
-
-impl Unloaded {
-    fn of(device: &Device, temperature_c: f64) -> Self {
-        let warm = device.at(temperature_c);
-        let bend = device.bend(&warm, 1.0);
-        Self { bend, radius: warm.radius, solid: warm.areas.solid, beads: warm.layers.beads, insulator: warm.layers.insulator }
-    }
-
-    /// What the capacitances of a row are computed from.
-    fn shape(&self, device: &Device, (force_n, row): (f64, usize), geometry: &Geometry<'_>, factors: &Dielectric) -> Shape {
-        let cold = device.rubber.thickness;
-        let mut shape = [0.0; QUANTITIES];
-        shape[at::CURVATURE] = geometry.warp_factor * geometry.warp_kelvin[row] * self.bend;
-        shape[at::RADIUS] = self.radius;
-        shape[at::SOLID] = self.solid;
-        shape[at::BEADS] = self.beads;
-        shape[at::INSULATOR] = self.insulator;
-        shape[at::STRAIN] = geometry.strain[row];
-        shape[at::FORCE] = force_n;
-        shape[at::EXTRA] = geometry.gap[row] * cold;
-        shape[at::TILT] = geometry.tilt[row];
-        shape[at::SAG] = geometry.sag[row] * cold;
-        shape[at::SOLID_PERMITTIVITY] = device.rubber.permittivity * factors.beads[row];
-        shape[at::BEHIND] = device.insulator.permittivity * factors.insulator[row];
-        shape
-    }
-}
-
-/// Computes every row with its slopes, and keeps them.
-struct Kept<'a> {
-    device: &'a Device,
-    values: &'a [f64],
-    strained: RefCell<Vec<Strained>>,
-    rows: RefCell<Vec<Row>>,
-    stiffening: RefCell<[f64; 2]>,
-}
-
-impl Plates for Kept<'_> {
-    fn strain(&self, drive: &Drive<'_>, row: usize, Stiffness { modulus, stiffening }: Stiffness) -> Result<f64, Refusal> {
-        let temperature_c = drive.temperature_c[row];
-        let strain = self.device.strain(&self.device.at(temperature_c), force_n(drive, row), modulus, stiffening)?;
-        let law = BeadLaw { poisson: self.device.poisson, stiffening };
-        let yielding = reduced_load_slope(law, strain).recip();
-        self.strained.borrow_mut().push(Strained { temperature_c, modulus, strain, yielding });
-        *self.stiffening.borrow_mut() = stiffening;
-        Ok(strain)
-    }
-
-    fn warp_factor(&self) -> f64 {
-        self.device.warp_factor()
-    }
-
-    fn reading(
-        &self,
-        drive: &Drive<'_>,
-        row: usize,
-        geometry: &Geometry<'_>,
-        factors: &Dielectric,
-    ) -> Result<PlateReading, Refusal> {
-        let unloaded = Unloaded::of(self.device, drive.temperature_c[row]);
-        let shape = unloaded.shape(self.device, (force_n(drive, row), row), geometry, factors);
-        let sloped = sloped(self.device, &shape).ok_or(Refusal::Touches { strain: geometry.strain[row] })?;
-        self.rows.borrow_mut().push(Row { strained: self.strained.borrow()[row], bend: unloaded.bend, sloped });
-        Ok(read(self.device, &sloped, &shape))
-    }
-
-    fn readout(&self) -> Result<Readout, SimulationError> {
-        ends(self.device, self.values)
-    }
-}
-
-/// The reading of a row where its capacitances are computed from `there`.
-#[inline]
-fn read(device: &Device, sloped: &Sloped, there: &Shape) -> PlateReading {
-    let moved: Shape = std::array::from_fn(|k| there[k] - sloped.shape[k]);
-    let [main, beside] = sloped.after(&moved);
-    let gap = GapReading { aspect: aspect(device, there), plates: main * PICO };
-    PlateReading { value: (main + beside + device.stray) * PICO, gap: Some(gap) }
-}
-
-/// What two devices have in common.
+/// What two devices have in common: whether they agree in what these quantities of a warm sensor follow from.
 #[derive(Clone, Copy)]
 struct Same {
-    /// what the strain of a row follows from
+    /// stiffness of the beads
     stiffness: bool,
-    /// what a warm sensor is computed from, but for the stiffness of its beads
-    shape: bool,
+    /// curvature for one kelvin of warp
+    bend: bool,
+    radius: bool,
+    solid: bool,
+    beads: bool,
+    insulator: bool,
+    /// thickness of the cold dielectric, of which an extra gap is a share
+    cold: bool,
+    /// permittivities of dielectric and insulator
+    permittivities: [bool; 2],
 }
 
 impl Same {
     fn of(a: &Device, b: &Device) -> Self {
-        let solid = a.solid == b.solid && a.radius == b.radius;
-        let sheets = a.conductor == b.conductor && a.plating == b.plating && a.insulator == b.insulator;
+        let radius = a.radius == b.radius && a.conductor.expansion == b.conductor.expansion;
+        let solid = radius && a.solid == b.solid && a.rubber.expansion == b.rubber.expansion;
+        let cold = a.rubber.thickness == b.rubber.thickness;
         Self {
             stiffness: solid && a.rubber.young == b.rubber.young && a.softening == b.softening,
-            shape: solid && sheets && a.rubber.thickness == b.rubber.thickness,
+            bend: a.conductor == b.conductor && a.plating == b.plating,
+            radius,
+            solid,
+            beads: cold && a.rubber.expansion == b.rubber.expansion,
+            insulator: a.insulator.thickness == b.insulator.thickness && a.insulator.expansion == b.insulator.expansion,
+            cold,
+            permittivities: [
+                a.rubber.permittivity == b.rubber.permittivity,
+                a.insulator.permittivity == b.insulator.permittivity,
+            ],
         }
     }
 }
 
 /// A device and stages near the point.
 struct Moved<'a> {
-    near: &'a Near<'a>,
+    point: &'a Point,
     device: &'a Device,
     values: &'a [f64],
     same: Same,
 }
 
-impl Plates for Moved<'_> {
-    #[inline]
-    fn strain(&self, drive: &Drive<'_>, row: usize, Stiffness { modulus, stiffening }: Stiffness) -> Result<f64, Refusal> {
-        let (force_n, temperature_c) = (force_n(drive, row), drive.temperature_c[row]);
-        let Row { strained: here, sloped, .. } = &self.near.rows[row];
-        let unmoved = force_n == sloped.shape[at::FORCE] && temperature_c == here.temperature_c && modulus == here.modulus;
-        if unmoved && self.same.stiffness && stiffening == self.near.stiffening {
-            return Ok(here.strain);
+impl<'a> Moved<'a> {
+    /// What the capacitances are computed from: those columns that are as they were are those of the point.
+    fn shape(&self, drive: &Drive<'_>, geometry: &Geometry<'_>, factors: &Dielectric) -> [Cow<'a, [f64]>; QUANTITIES] {
+        let Self { point, device, same, .. } = *self;
+        let rows = 0..drive.load.len();
+        let heated = !is_same(drive.temperature_c, &point.temperature_c);
+        let warm = |row: usize| device.at(drive.temperature_c[row]);
+        let mut shape: [Cow<'a, [f64]>; QUANTITIES] = std::array::from_fn(|k| Cow::Borrowed(point.shape[k].as_slice()));
+        let bends = heated || !same.bend;
+        if bends || geometry.warp_factor != point.warp_factor || !is_same(&geometry.warp_kelvin, &point.warp_kelvin) {
+            let bend = |row: usize| if bends { device.bend(&warm(row), 1.0) } else { point.bend[row] };
+            let curvature = |row: usize| geometry.warp_factor * geometry.warp_kelvin[row] * bend(row);
+            shape[at::CURVATURE] = rows.clone().map(curvature).collect();
         }
-        let warm = self.device.at(temperature_c);
-        let stiffness = warm.areas.solid * warm.young * modulus;
-        if stiffness.is_nan() || stiffness <= 0.0 {
-            return Err(Refusal::NoAnswer);
+        if heated || !same.radius {
+            shape[at::RADIUS] = rows.clone().map(|row| warm(row).radius).collect();
         }
-        let law = BeadLaw { poisson: self.device.poisson, stiffening };
-        Ok(here.strain - (reduced_load(law, here.strain) - force_n / stiffness) * here.yielding)
+        if heated || !same.solid {
+            shape[at::SOLID] = rows.clone().map(|row| warm(row).areas.solid).collect();
+        }
+        if heated || !same.beads {
+            shape[at::BEADS] = rows.clone().map(|row| warm(row).layers.beads).collect();
+        }
+        if heated || !same.insulator {
+            shape[at::INSULATOR] = rows.map(|row| warm(row).layers.insulator).collect();
+        }
+        let mut change = |place: usize, is_same: bool, column: &[f64], factor: f64| {
+            if !is_same {
+                shape[place] = column.iter().map(|value| value * factor).collect();
+            }
+        };
+        let cold = device.rubber.thickness;
+        change(at::STRAIN, is_same(geometry.strain, &point.shape[at::STRAIN]), geometry.strain, 1.0);
+        change(at::FORCE, is_same(drive.load, &point.load), drive.load, drive.full_load);
+        change(at::EXTRA, same.cold && is_same(&geometry.gap, &point.gap), &geometry.gap, cold);
+        change(at::TILT, is_same(&geometry.tilt, &point.shape[at::TILT]), &geometry.tilt, 1.0);
+        change(at::SAG, same.cold && is_same(&geometry.sag, &point.sag), &geometry.sag, cold);
+        let [solid, behind] =
+            [(&factors.beads, &point.beads), (&factors.insulator, &point.insulator)].map(|(a, b)| is_same(a, b));
+        change(at::SOLID_PERMITTIVITY, same.permittivities[0] && solid, &factors.beads, device.rubber.permittivity);
+        change(at::BEHIND, same.permittivities[1] && behind, &factors.insulator, device.insulator.permittivity);
+        shape
+    }
+}
+
+/// Adds what `slope` makes of the way from `here` to `there`.
+fn follow(sum: &mut [f64], slope: &[f64], (here, there): (&[f64], &[f64])) {
+    for (((sum, slope), here), there) in sum.iter_mut().zip(slope).zip(here).zip(there) {
+        *sum += slope * (there - here);
+    }
+}
+
+impl PlateColumns for Moved<'_> {
+    fn strains(&self, drive: &Drive<'_>, modulus: &[f64], stiffening: [f64; 2]) -> Result<Vec<f64>, RefusedRow> {
+        let Self { point, device, same, .. } = *self;
+        let held = same.stiffness && stiffening == point.stiffening;
+        let loaded = is_same(drive.load, &point.load);
+        if held && loaded && is_same(drive.temperature_c, &point.temperature_c) && is_same(modulus, &point.modulus) {
+            return Ok(point.elastic.clone());
+        }
+        let law = BeadLaw { poisson: device.poisson, stiffening };
+        let stiffness = |row: usize| {
+            let warm = device.at(drive.temperature_c[row]);
+            warm.areas.solid * warm.young * modulus[row]
+        };
+        let strain = |row: usize| {
+            let unmoved = drive.load[row] == point.load[row]
+                && drive.temperature_c[row] == point.temperature_c[row]
+                && modulus[row] == point.modulus[row];
+            let here = point.elastic[row];
+            let force_n = drive.load[row] * drive.full_load;
+            let moved = here - (reduced_load(law, here) - force_n / stiffness(row)) * point.yielding[row];
+            if held && unmoved { here } else { moved }
+        };
+        let strains = (0..modulus.len()).map(strain).collect();
+        let refused = |row: usize| stiffness(row).is_nan() || stiffness(row) <= 0.0;
+        // all rows at once, so that the common case has no branch
+        if (0..modulus.len()).fold(false, |any, row| any | refused(row)) {
+            let first = (0..modulus.len()).find(|row| refused(*row)).unwrap_or(0);
+            return Err((first, Refusal::NoAnswer));
+        }
+        Ok(strains)
     }
 
     fn warp_factor(&self) -> f64 {
         self.device.warp_factor()
     }
 
-    // inlined, a row is handed on in registers and not through memory
-    #[inline]
-    fn reading(
-        &self,
-        drive: &Drive<'_>,
-        row: usize,
-        geometry: &Geometry<'_>,
-        factors: &Dielectric,
-    ) -> Result<PlateReading, Refusal> {
-        let here = &self.near.rows[row];
-        let unmoved = self.same.shape && drive.temperature_c[row] == here.strained.temperature_c;
-        let unloaded = if unmoved { here.unloaded() } else { Unloaded::of(self.device, drive.temperature_c[row]) };
-        Ok(read(self.device, &here.sloped, &unloaded.shape(self.device, (force_n(drive, row), row), geometry, factors)))
+    fn readings(&self, drive: &Drive<'_>, geometry: &Geometry<'_>, factors: &Dielectric) -> Result<Readings, RefusedRow> {
+        let Self { point, device, .. } = *self;
+        let shape = self.shape(drive, geometry, factors);
+        let is_moved = |place: usize| matches!(shape[place], Cow::Owned(_));
+        let way = |place: usize| (point.shape[place].as_slice(), &*shape[place]);
+        let (mut main, mut beside) = (point.main.clone(), point.beside.clone());
+        (0..QUANTITIES).filter(|place| is_moved(*place)).for_each(|place| follow(&mut main, &point.by[place], way(place)));
+        for (slope, place) in point.beside_by.iter().zip(BESIDE).filter(|(_, place)| is_moved(*place)) {
+            follow(&mut beside, slope, way(place));
+        }
+        let aspect = if ASPECT.iter().any(|place| is_moved(*place)) {
+            let [radius, force, beads, strain, insulator, extra] = ASPECT.map(|place| &*shape[place]);
+            let of = |k: usize| aspect_of(device, [radius[k], force[k], beads[k], strain[k], insulator[k], extra[k]]);
+            (0..main.len()).map(of).collect()
+        } else {
+            point.aspect.clone()
+        };
+        let value = main.iter().zip(&beside).map(|(main, beside)| (main + beside + device.stray) * PICO).collect();
+        main.iter_mut().for_each(|main| *main *= PICO);
+        Ok(Readings { value, gap: Some(GapReadings { aspect, plates: main }) })
     }
 
     fn readout(&self) -> Result<Readout, SimulationError> {
         ends(self.device, self.values)
     }
 }
+
+/// What the mean separation over the radius follows from.
+const ASPECT: [usize; 6] = [at::RADIUS, at::FORCE, at::BEADS, at::STRAIN, at::INSULATOR, at::EXTRA];
 
 #[cfg(test)]
 mod tests {
@@ -358,7 +324,7 @@ mod tests {
         let height = stack.parameters().iter().position(|p| p.name == "height_rtv").unwrap();
         thicker[height] *= 1.001;
         let device = stack.device(&thicker);
-        assert!(Same::of(&near.device, &device).stiffness && !Same::of(&near.device, &device).shape);
+        assert!(Same::of(&near.device, &device).stiffness && !Same::of(&near.device, &device).beads);
         let moved = near.respond(&thicker, &[]).unwrap();
         let whole = stack.respond(&thicker, &inputs, &[]).unwrap();
         // second order in a thousandth

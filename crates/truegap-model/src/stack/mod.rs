@@ -9,6 +9,7 @@ mod knobs;
 mod model;
 mod options;
 mod plates;
+mod point;
 mod sloped;
 mod states;
 

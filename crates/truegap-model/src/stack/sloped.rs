@@ -51,35 +51,31 @@ pub(super) mod at {
 }
 
 /// Places of the quantities that the insulator behind the electrode and the tail follow.
-const BESIDE: [usize; 4] = [at::RADIUS, at::INSULATOR, at::FORCE, at::BEHIND];
+pub(super) const BESIDE: [usize; 4] = [at::RADIUS, at::INSULATOR, at::FORCE, at::BEHIND];
 
 /// Capacitances of a row, and their slopes by each quantity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sloped {
-    /// where the slopes hold
-    pub shape: Shape,
-    main: f64,
-    by: Shape,
-    beside: f64,
-    beside_by: [f64; BESIDE.len()],
-}
-
-impl Sloped {
-    /// Main gap, and insulator behind the electrode with the tail, F, `moved` away.
-    #[inline]
-    pub fn after(&self, moved: &Shape) -> [f64; 2] {
-        let main = self.by.iter().zip(moved).fold(self.main, |sum, (slope, moved)| sum + slope * moved);
-        let beside = self.beside_by.iter().zip(BESIDE).fold(self.beside, |sum, (slope, place)| sum + slope * moved[place]);
-        [main, beside]
-    }
+    /// main gap, F
+    pub main: f64,
+    pub by: Shape,
+    /// insulator behind the electrode with the tail, F
+    pub beside: f64,
+    /// by the quantities of [`BESIDE`]
+    pub beside_by: [f64; BESIDE.len()],
 }
 
 /// Mean separation of the electrodes over their radius.
 #[inline]
 pub(super) fn aspect(device: &Device, shape: &Shape) -> f64 {
-    let radius = shape[at::RADIUS];
-    let squeezed = 1.0 - shape[at::FORCE] / (PI * radius * radius * device.insulator.young);
-    let separation = shape[at::BEADS] * (1.0 - shape[at::STRAIN]) + shape[at::INSULATOR] * squeezed + shape[at::EXTRA];
+    aspect_of(device, [at::RADIUS, at::FORCE, at::BEADS, at::STRAIN, at::INSULATOR, at::EXTRA].map(|place| shape[place]))
+}
+
+/// The same, from these of the quantities: radius, force, height, strain, insulator, extra gap.
+#[inline]
+pub(super) fn aspect_of(device: &Device, [radius, force, beads, strain, insulator, extra]: [f64; 6]) -> f64 {
+    let squeezed = 1.0 - force / (PI * radius * radius * device.insulator.young);
+    let separation = beads * (1.0 - strain) + insulator * squeezed + extra;
     separation / radius
 }
 
@@ -167,7 +163,7 @@ pub(super) fn sloped(device: &Device, shape: &Shape) -> Option<Sloped> {
         beside[at::BEHIND] = capacitance / behind;
     }
 
-    Some(Sloped { shape: *shape, main: by.value, by: main, beside: capacitance, beside_by: BESIDE.map(|place| beside[place]) })
+    Some(Sloped { main: by.value, by: main, beside: capacitance, beside_by: BESIDE.map(|place| beside[place]) })
 }
 
 /// The main gap with its slopes; `None` where the plates touch.

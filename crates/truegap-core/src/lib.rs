@@ -47,6 +47,7 @@
 //! crate need one another.
 
 mod chain;
+mod column;
 mod corrections;
 mod curve;
 mod effect;
@@ -62,6 +63,7 @@ pub mod units;
 mod walk;
 
 pub use chain::{Dielectric, Drive, FieldView, Geometry, Readout, Stage, StageName};
+pub use column::same_column;
 pub use corrections::Corrections;
 pub use curve::{Curve, CurveError};
 pub use effect::EffectId;

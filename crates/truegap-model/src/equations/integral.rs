@@ -47,11 +47,32 @@ impl BentPlates {
     #[inline]
     pub fn integral(self) -> f64 {
         let Self { dome, centre_gap: g } = self;
-        let half_chord = dome.radius * dome.radius / (1.0 + dome.cosine());
+        let half_chord = self.half_chord();
         let s = dome.curvature * half_chord;
         let x = s / g;
         let (over_x, less_x) = if x.abs() < SMALL { small_logs(x) } else { self.logs(s, x) };
         2.0 * PI * (half_chord / g * over_x + g * less_x)
+    }
+
+    /// [`BentPlates::integral`] of many plates, to the last bit: all that is not a logarithm is computed side by side.
+    #[inline]
+    pub fn integrals<const N: usize>(plates: impl Fn(usize) -> Self) -> [f64; N] {
+        let half_chord: [f64; N] = std::array::from_fn(|k| plates(k).half_chord());
+        let sag: [f64; N] = std::array::from_fn(|k| plates(k).dome.curvature * half_chord[k]);
+        let x: [f64; N] = std::array::from_fn(|k| sag[k] / plates(k).centre_gap);
+        let (mut over_x, mut less_x) = ([0.0; N], [0.0; N]);
+        for k in 0..N {
+            (over_x[k], less_x[k]) = if x[k].abs() < SMALL { small_logs(x[k]) } else { plates(k).logs(sag[k], x[k]) };
+        }
+        std::array::from_fn(|k| {
+            let g = plates(k).centre_gap;
+            2.0 * PI * (half_chord[k] / g * over_x[k] + g * less_x[k])
+        })
+    }
+
+    #[inline]
+    fn half_chord(self) -> f64 {
+        self.dome.radius * self.dome.radius / (1.0 + self.dome.cosine())
     }
 
     /// `ln(1 + x) / x` and `ln(1 + x) - x` away from zero.

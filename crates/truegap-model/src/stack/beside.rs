@@ -8,14 +8,14 @@
 use super::{
     device::{Described, Device},
     plates::{PICO, ends},
-    point::{Kept, Point, is_same},
+    point::{Kept, Point},
     sloped::{BESIDE, QUANTITIES, aspect_of, at},
 };
 use crate::equations::load::{BeadLaw, reduced_load};
 use std::borrow::Cow;
 use truegap_core::{
     Beside, Dielectric, Drive, GapReadings, Geometry, Inputs, PlateColumns, Readings, Readout, Refusal, RefusedRow,
-    SimulationError, Stage, walk,
+    SimulationError, Stage, same_column, walk,
 };
 
 /// The stack at a point, every row with its slopes.
@@ -101,11 +101,11 @@ impl<'a> Moved<'a> {
     fn shape(&self, drive: &Drive<'_>, geometry: &Geometry<'_>, factors: &Dielectric) -> [Cow<'a, [f64]>; QUANTITIES] {
         let Self { point, device, same, .. } = *self;
         let rows = 0..drive.load.len();
-        let heated = !is_same(drive.temperature_c, &point.temperature_c);
+        let heated = !same_column(drive.temperature_c, &point.temperature_c);
         let warm = |row: usize| device.at(drive.temperature_c[row]);
         let mut shape: [Cow<'a, [f64]>; QUANTITIES] = std::array::from_fn(|k| Cow::Borrowed(point.shape[k].as_slice()));
         let bends = heated || !same.bend;
-        if bends || geometry.warp_factor != point.warp_factor || !is_same(&geometry.warp_kelvin, &point.warp_kelvin) {
+        if bends || geometry.warp_factor != point.warp_factor || !same_column(&geometry.warp_kelvin, &point.warp_kelvin) {
             let bend = |row: usize| if bends { device.bend(&warm(row), 1.0) } else { point.bend[row] };
             let curvature = |row: usize| geometry.warp_factor * geometry.warp_kelvin[row] * bend(row);
             shape[at::CURVATURE] = rows.clone().map(curvature).collect();
@@ -122,19 +122,19 @@ impl<'a> Moved<'a> {
         if heated || !same.insulator {
             shape[at::INSULATOR] = rows.map(|row| warm(row).layers.insulator).collect();
         }
-        let mut change = |place: usize, is_same: bool, column: &[f64], factor: f64| {
-            if !is_same {
+        let mut change = |place: usize, held: bool, column: &[f64], factor: f64| {
+            if !held {
                 shape[place] = column.iter().map(|value| value * factor).collect();
             }
         };
         let cold = device.rubber.thickness;
-        change(at::STRAIN, is_same(geometry.strain, &point.shape[at::STRAIN]), geometry.strain, 1.0);
-        change(at::FORCE, is_same(drive.load, &point.load), drive.load, drive.full_load);
-        change(at::EXTRA, same.cold && is_same(&geometry.gap, &point.gap), &geometry.gap, cold);
-        change(at::TILT, is_same(&geometry.tilt, &point.shape[at::TILT]), &geometry.tilt, 1.0);
-        change(at::SAG, same.cold && is_same(&geometry.sag, &point.sag), &geometry.sag, cold);
+        change(at::STRAIN, same_column(geometry.strain, &point.shape[at::STRAIN]), geometry.strain, 1.0);
+        change(at::FORCE, same_column(drive.load, &point.load), drive.load, drive.full_load);
+        change(at::EXTRA, same.cold && same_column(&geometry.gap, &point.gap), &geometry.gap, cold);
+        change(at::TILT, same_column(&geometry.tilt, &point.shape[at::TILT]), &geometry.tilt, 1.0);
+        change(at::SAG, same.cold && same_column(&geometry.sag, &point.sag), &geometry.sag, cold);
         let [solid, behind] =
-            [(&factors.beads, &point.beads), (&factors.insulator, &point.insulator)].map(|(a, b)| is_same(a, b));
+            [(&factors.beads, &point.beads), (&factors.insulator, &point.insulator)].map(|(a, b)| same_column(a, b));
         change(at::SOLID_PERMITTIVITY, same.permittivities[0] && solid, &factors.beads, device.rubber.permittivity);
         change(at::BEHIND, same.permittivities[1] && behind, &factors.insulator, device.insulator.permittivity);
         shape
@@ -152,8 +152,8 @@ impl PlateColumns for Moved<'_> {
     fn strains(&self, drive: &Drive<'_>, modulus: &[f64], stiffening: [f64; 2]) -> Result<Vec<f64>, RefusedRow> {
         let Self { point, device, same, .. } = *self;
         let held = same.stiffness && stiffening == point.stiffening;
-        let loaded = is_same(drive.load, &point.load);
-        if held && loaded && is_same(drive.temperature_c, &point.temperature_c) && is_same(modulus, &point.modulus) {
+        let loaded = same_column(drive.load, &point.load);
+        if held && loaded && same_column(drive.temperature_c, &point.temperature_c) && same_column(modulus, &point.modulus) {
             return Ok(point.elastic.clone());
         }
         let law = BeadLaw { poisson: device.poisson, stiffening };

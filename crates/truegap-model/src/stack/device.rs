@@ -174,11 +174,13 @@ impl Device {
     }
 
     /// The sensor at a temperature.
+    #[inline]
     pub fn at(&self, temperature_c: f64) -> Warm {
         self.warmed_by(temperature_c - self.reference_c)
     }
 
     /// The sensor so many kelvin above its reference temperature.
+    #[inline]
     pub fn warmed_by(&self, kelvin: f64) -> Warm {
         let radius = expanded_length(self.radius, self.conductor.expansion, kelvin);
         let electrode = PI * radius * radius;
@@ -238,9 +240,14 @@ impl Device {
 
     /// Curvature that a temperature difference gives the electrode, 1/m; 0 where it is of one metal.
     pub(super) fn bend(&self, warm: &Warm, warp_kelvin: f64) -> f64 {
-        let Some(plating) = self.plating else { return 0.0 };
+        self.plating.map_or(0.0, |plating| self.bent(plating, warm.kelvin, warp_kelvin))
+    }
+
+    /// The same with this plating, in a sensor so many kelvin above its reference temperature.
+    #[inline]
+    pub(super) fn bent(&self, plating: Sheet, kelvin: f64, warp_kelvin: f64) -> f64 {
         let expansions = ExpansionPair { first: plating.expansion, second: self.conductor.expansion };
-        let layers = Bimetal { first: plating.lamina(warm.kelvin), second: self.conductor.lamina(warm.kelvin) };
+        let layers = Bimetal { first: plating.lamina(kelvin), second: self.conductor.lamina(kelvin) };
         bimetal_curvature(layers, mismatch_strain(expansions, warp_kelvin))
     }
 

@@ -4,6 +4,7 @@
 
 mod beside;
 mod coefficients;
+mod columns;
 mod device;
 mod knobs;
 mod model;

@@ -4,10 +4,11 @@
 
 use super::{
     beside::Near,
+    columns::{Filled, plain},
     device::{Described, Device},
     knobs::{self, Knob},
     options::StackOptions,
-    plates::{Filled, plain},
+    plates::Rows,
 };
 use std::sync::Arc;
 use truegap_core::{Beside, Corrections, Inputs, Parameter, Role, Sensor, SimulationError, Simulator, Stage, StageName, walk};
@@ -117,11 +118,11 @@ impl Simulator for Stack {
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
         self.check(values, inputs)?;
         let device = self.device(values);
+        let filled = Filled(Rows { device: &device, values });
         if stages.is_empty() {
-            // nothing acts on a column: row by row, and a temperature that stays is computed once
-            return plain(&device, self.column(inputs, Role::Force)?, inputs.temperature_c.as_deref(), values);
+            return plain(&filled, inputs, self.column(inputs, Role::Force)?, inputs.temperature_c.as_deref());
         }
-        walk(self, &Filled { device: &device, values }, values, inputs, stages)
+        walk(self, &filled, values, inputs, stages)
     }
 
     fn beside<'s>(

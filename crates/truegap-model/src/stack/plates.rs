@@ -33,13 +33,14 @@ pub(super) fn plain(
     check_finite(response, values)
 }
 
-/// A device and the parameter values that made it.
-pub(super) struct Filled<'a> {
+/// A device and the parameter values that made it, asked row by row.
+#[derive(Clone, Copy)]
+pub(super) struct Rows<'a> {
     pub device: &'a Device,
     pub values: &'a [f64],
 }
 
-impl Plates for Filled<'_> {
+impl Plates for Rows<'_> {
     #[inline]
     fn strain(&self, drive: &Drive<'_>, row: usize, stiffness: Stiffness) -> Result<f64, Refusal> {
         let warm = self.device.at(drive.temperature_c[row]);

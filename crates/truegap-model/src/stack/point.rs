@@ -48,10 +48,13 @@ pub(super) struct Point {
     pub aspect: Vec<f64>,
 }
 
-/// Whether two columns are the same, looked at in blocks: a comparison that may stop at each row takes rows one by one.
-pub(super) fn is_same(a: &[f64], b: &[f64]) -> bool {
-    let differ = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(false, |any, (a, b)| any | (a != b));
-    a.len() == b.len() && a.chunks(64).zip(b.chunks(64)).all(|(a, b)| !differ(a, b))
+impl Point {
+    /// Room for the readings of so many rows.
+    fn allot(&mut self, rows: usize) {
+        let Self { bend, shape, main, by, beside, beside_by, aspect, .. } = self;
+        let readings = [bend, main, beside, aspect].into_iter().chain(shape).chain(by).chain(beside_by);
+        readings.for_each(|column| *column = vec![0.0; rows]);
+    }
 }
 
 /// Computes every row with its slopes, and keeps them.
@@ -98,12 +101,11 @@ impl PlateColumns for Kept<'_> {
     fn readings(&self, drive: &Drive<'_>, geometry: &Geometry<'_>, factors: &Dielectric) -> Result<Readings, RefusedRow> {
         let device = self.device;
         let point = &mut *self.point.borrow_mut();
-        let rows = drive.load.len();
-        point.shape.iter_mut().chain(&mut point.by).chain(&mut point.beside_by).for_each(|column| column.reserve(rows));
+        let (rows, cold) = (drive.load.len(), device.rubber.thickness);
+        point.allot(rows);
         for row in 0..rows {
             let warm = device.at(drive.temperature_c[row]);
             let bend = device.bend(&warm, 1.0);
-            let cold = device.rubber.thickness;
             let mut shape: Shape = [0.0; QUANTITIES];
             shape[at::CURVATURE] = geometry.warp_factor * geometry.warp_kelvin[row] * bend;
             shape[at::RADIUS] = warm.radius;
@@ -118,13 +120,11 @@ impl PlateColumns for Kept<'_> {
             shape[at::SOLID_PERMITTIVITY] = device.rubber.permittivity * factors.beads[row];
             shape[at::BEHIND] = device.insulator.permittivity * factors.insulator[row];
             let sloped = sloped(device, &shape).ok_or((row, Refusal::Touches { strain: geometry.strain[row] }))?;
-            point.bend.push(bend);
-            point.shape.iter_mut().zip(shape).for_each(|(column, value)| column.push(value));
-            point.by.iter_mut().zip(sloped.by).for_each(|(column, value)| column.push(value));
-            point.beside_by.iter_mut().zip(sloped.beside_by).for_each(|(column, value)| column.push(value));
-            point.main.push(sloped.main);
-            point.beside.push(sloped.beside);
-            point.aspect.push(aspect(device, &shape));
+            point.bend[row] = bend;
+            point.shape.iter_mut().zip(shape).for_each(|(column, value)| column[row] = value);
+            point.by.iter_mut().zip(sloped.by).for_each(|(column, value)| column[row] = value);
+            point.beside_by.iter_mut().zip(sloped.beside_by).for_each(|(column, value)| column[row] = value);
+            (point.main[row], point.beside[row], point.aspect[row]) = (sloped.main, sloped.beside, aspect(device, &shape));
         }
         point.warp_factor = geometry.warp_factor;
         point.warp_kelvin.clone_from(&geometry.warp_kelvin);

@@ -12,6 +12,8 @@ mod grid;
 mod linear;
 mod options;
 mod parallel_plate;
+mod plate_beside;
+mod plate_columns;
 mod scale;
 mod spec;
 mod surface;

@@ -2,14 +2,9 @@
 //!
 //! Limits: the size of the plates is unknown, so a field outside of them cannot be told from gain and offset.
 
-use super::scale::ResponseScale;
-use crate::equations::load::{BeadLaw, compressive_strain};
-use crate::wedge::shape_factor;
+use super::{plate_beside::Near, plate_columns::Filled, scale::ResponseScale};
 use serde::{Deserialize, Serialize};
-use truegap_core::{
-    Dielectric, Drive, Geometry, Inputs, Parameter, PlateReading, Plates, Readout, Refusal, Role, SimulationError, Simulator,
-    Stage, StageName, Stiffness, named_values, walk,
-};
+use truegap_core::{Beside, Inputs, Parameter, Role, SimulationError, Simulator, Stage, StageName, walk};
 
 /// What loads the plates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -73,43 +68,6 @@ impl ParallelPlate {
     }
 }
 
-/// The plates with parameter values filled in.
-struct Filled {
-    offset: f64,
-    gain: f64,
-    modulus: f64,
-}
-
-impl Plates for Filled {
-    #[inline]
-    fn strain(&self, drive: &Drive<'_>, row: usize, stiffness: Stiffness) -> Result<f64, Refusal> {
-        let load = drive.load[row];
-        let law = BeadLaw { poisson: 0.0, stiffening: stiffness.stiffening };
-        let strain = compressive_strain(load / (self.modulus * stiffness.modulus), law).filter(|s| s.is_finite());
-        let closes = load > 0.0 && stiffness.modulus > 0.0;
-        strain.ok_or(if closes { Refusal::Touches { strain: 1.0 } } else { Refusal::NoAnswer })
-    }
-
-    #[inline]
-    fn reading(&self, _: &Drive<'_>, row: usize, geometry: &Geometry<'_>, factors: &Dielectric) -> Result<PlateReading, Refusal> {
-        let touches = Refusal::Touches { strain: geometry.strain[row] };
-        let value = self.offset + self.gain * relative_capacitance(geometry, factors, row).ok_or(touches)?;
-        Ok(PlateReading { value, gap: None })
-    }
-
-    fn readout(&self) -> Result<Readout, SimulationError> {
-        Ok(Readout { zero: self.offset + self.gain, span: self.gain / (self.modulus - 1.0) })
-    }
-}
-
-/// Unloaded capacitances: strain, extra gap, shape and permittivity of one row; `None` where the plates touch.
-fn relative_capacitance(geometry: &Geometry<'_>, factors: &Dielectric, row: usize) -> Option<f64> {
-    let solid = 1.0 - geometry.strain[row];
-    let gap = solid / factors.beads[row] + geometry.gap[row];
-    let shape = shape_factor(geometry.tilt[row], geometry.sag[row] / solid)?;
-    (solid > 0.0 && gap > 0.0).then(|| shape / gap)
-}
-
 impl Simulator for ParallelPlate {
     fn name(&self) -> &str {
         "parallel-plate"
@@ -145,7 +103,75 @@ impl Simulator for ParallelPlate {
     }
 
     fn respond(&self, values: &[f64], inputs: &Inputs, stages: &[&dyn Stage]) -> Result<Vec<f64>, SimulationError> {
-        let [offset, gain, modulus] = named_values(self, values)?;
-        walk(self, &Filled { offset, gain, modulus }, values, inputs, stages)
+        walk(self, &Filled::of(self, values)?, values, inputs, stages)
+    }
+
+    fn beside<'s>(
+        &'s self,
+        values: &[f64],
+        inputs: &'s Inputs,
+        stages: &[&dyn Stage],
+    ) -> Result<Option<Box<dyn Beside + 's>>, SimulationError> {
+        Ok(Some(Box::new(Near::at(self, values, inputs, stages)?)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use truegap_core::{Dielectric, Drive, Geometry, Readout};
+
+    /// Acts where a size says.
+    struct At(&'static str, f64);
+
+    impl Stage for At {
+        fn modulus(&self, drive: &Drive<'_>, factor: &mut [f64]) {
+            if self.0 == "modulus" {
+                factor.iter_mut().zip(drive.load).for_each(|(factor, load)| *factor += self.1 * load);
+            }
+        }
+        fn stiffening(&self) -> [f64; 2] {
+            if self.0 == "stiffening" { [self.1, 0.0] } else { [0.0; 2] }
+        }
+        fn geometry(&self, drive: &Drive<'_>, geometry: &mut Geometry<'_>) {
+            let column = match self.0 {
+                "gap" => &mut geometry.gap,
+                "tilt" => &mut geometry.tilt,
+                "sag" => &mut geometry.sag,
+                _ => return,
+            };
+            column.iter_mut().zip(drive.load).for_each(|(value, load)| *value += self.1 * load);
+        }
+        fn dielectric(&self, _: &Drive<'_>, factors: &mut Dielectric) {
+            if self.0 == "dielectric" {
+                factors.beads.iter_mut().for_each(|beads| *beads += self.1);
+            }
+        }
+        fn readout(&self, _: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
+            if self.0 == "readout" {
+                value.iter_mut().for_each(|value| *value += self.1 * readout.span);
+            }
+        }
+    }
+
+    #[test]
+    fn whatever_has_moved_the_answer_is_that_of_the_whole_response_to_the_last_bit() {
+        let inputs = Inputs {
+            run: vec![1; 40],
+            force_n: Some((0..40).map(|row| f64::from(row) * 0.1 - 0.05).collect()),
+            ..Inputs::default()
+        };
+        let plates = ParallelPlate::new(Load::Force, 4.0, &ResponseScale::default(), 20.0);
+        let here = [100.0, 50.0, 4.0];
+        for place in ["modulus", "stiffening", "gap", "tilt", "sag", "dielectric", "readout"] {
+            let near = plates.beside(&here, &inputs, &[&At(place, 0.2)]).unwrap().unwrap();
+            for values in [here, [101.0, 50.0, 4.0], [100.0, 51.0, 4.0], [100.0, 50.0, 4.1]] {
+                for size in [0.2, 0.21] {
+                    let stages = [&At(place, size) as &dyn Stage];
+                    let whole = plates.respond(&values, &inputs, &stages).unwrap();
+                    assert_eq!(near.respond(&values, &stages).unwrap(), whole, "{place}");
+                }
+            }
+        }
     }
 }

@@ -6,7 +6,7 @@
 //! Limits: one set of inputs, one set of values of the effects. What the geometry, the field and the readout are given changes with every parameter, and is always computed.
 
 use std::sync::{Mutex, PoisonError};
-use truegap_core::{Dielectric, Drive, FieldView, Geometry, Inputs, Readout, Stage};
+use truegap_core::{Dielectric, Drive, FieldView, Geometry, Inputs, Readout, Stage, same_column};
 
 /// A stage with what it was asked last, a place each.
 pub(crate) struct Remembered {
@@ -32,7 +32,19 @@ impl Remembered {
 
 /// What was asked last, and the answer.
 #[derive(Default)]
-struct Memo(Mutex<Option<Asked>>);
+struct Memo(Mutex<Known>);
+
+/// What is known of a place.
+#[derive(Default)]
+enum Known {
+    /// not asked yet
+    #[default]
+    Nothing,
+    /// changed nothing when it was asked first, as a stage does at all places but its own: to ask again costs less than to compare
+    Idle,
+    /// what it was asked last
+    Asked(Asked),
+}
 
 struct Asked {
     /// column that was changed, and those beside it
@@ -43,16 +55,29 @@ struct Asked {
 impl Memo {
     /// Changes `column` as `compute` does, which sees `beside` as well.
     fn change(&self, beside: [&[f64]; 2], column: &mut [f64], compute: impl FnOnce(&mut [f64])) {
-        let mut asked = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let given = [&*column, beside[0], beside[1]];
-        let known = asked.as_ref().filter(|asked| asked.given.iter().zip(given).all(|(a, b)| a.as_slice() == b));
-        if let Some(known) = known {
-            column.copy_from_slice(&known.answer);
-            return;
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        match &*known {
+            Known::Idle => {
+                drop(known);
+                return compute(column);
+            }
+            Known::Asked(asked) => {
+                let given = [&*column, beside[0], beside[1]];
+                if asked.given.iter().zip(given).all(|(a, b)| same_column(a, b)) {
+                    column.copy_from_slice(&asked.answer);
+                    return;
+                }
+            }
+            Known::Nothing => (),
         }
-        let given = given.map(<[f64]>::to_vec).to_vec();
+        let before = column.to_vec();
         compute(column);
-        *asked = Some(Asked { given, answer: column.to_vec() });
+        let first = matches!(*known, Known::Nothing);
+        *known = if first && same_column(&before, column) {
+            Known::Idle
+        } else {
+            Known::Asked(Asked { given: vec![before, beside[0].to_vec(), beside[1].to_vec()], answer: column.to_vec() })
+        };
     }
 }
 

@@ -66,8 +66,10 @@ impl Acting {
 
 impl Stage for Acting {
     fn load(&self, inputs: &Inputs, load: &mut [f64]) {
-        let before = load.to_vec();
-        self.before(Quantity::Load, inputs, Some(&before), load);
+        if self.quantity == Quantity::Load {
+            let before = load.to_vec();
+            self.before(Quantity::Load, inputs, Some(&before), load);
+        }
     }
     fn thermal(&self, inputs: &Inputs, temperature_c: &mut [f64]) {
         self.before(Quantity::Temperature, inputs, None, temperature_c);

@@ -200,15 +200,35 @@ impl Whitener {
     }
 
     /// [`Whitener::apply`] with `S` states.
+    ///
+    /// The filter waits for one row before it goes to the next, but for no other run: four runs wait together.
     fn apply_with<const S: usize>(&self, column: &mut [f64]) {
-        for run in &self.runs {
-            let mut state = [0.0; S];
-            let rows = column[run.clone()].iter_mut().zip(&self.inverse_sd[run.clone()]);
-            for ((value, inverse_sd), (gain, carry)) in rows.zip(self.factors::<S>(run)) {
-                let innovation = *value - state.iter().sum::<f64>();
-                *value = innovation * inverse_sd;
-                go_on(&mut state, innovation, gain, carry);
-            }
+        let mut runs: Vec<&Range<usize>> = self.runs.iter().collect();
+        runs.sort_by_key(|run| std::cmp::Reverse(run.len()));
+        let (groups, rest) = runs.as_chunks::<4>();
+        groups.iter().for_each(|group| self.apply_abreast::<S, 4>(column, *group));
+        match *rest {
+            [a, b, c] => self.apply_abreast::<S, 3>(column, [a, b, c]),
+            [a, b] => self.apply_abreast::<S, 2>(column, [a, b]),
+            _ => rest.iter().for_each(|run| self.apply_abreast::<S, 1>(column, [*run])),
+        }
+    }
+
+    /// The rows of these runs, the longest first, side by side as far as all have some.
+    fn apply_abreast<const S: usize, const RUNS: usize>(&self, column: &mut [f64], runs: [&Range<usize>; RUNS]) {
+        let [gain, carry] = [&self.gain, &self.carry].map(|all| all.as_chunks::<S>().0);
+        let mut states = [[0.0; S]; RUNS];
+        let mut step = |state: &mut [f64; S], row: usize| {
+            let innovation = column[row] - state.iter().sum::<f64>();
+            column[row] = innovation * self.inverse_sd[row];
+            go_on(state, innovation, &gain[row], &carry[row]);
+        };
+        let common = runs.last().map_or(0, |run| run.len());
+        for along in 0..common {
+            states.iter_mut().zip(runs).for_each(|(state, run)| step(state, run.start + along));
+        }
+        for (state, run) in states.iter_mut().zip(runs) {
+            (run.start + common..run.end).for_each(|row| step(state, row));
         }
     }
 

@@ -83,7 +83,7 @@ def commit():
 
 def copy(scratch):
     """A workspace of its own with these crates and what their tests read; its target folder stays from run to run."""
-    for folder in [f"crates/{c}" for c in CRATES + NEEDED] + ["docs", "meshes"]:
+    for folder in [f"crates/{c}" for c in CRATES + NEEDED] + ["docs", "meshes", "validation/stated"]:
         shutil.rmtree(scratch / folder, ignore_errors=True)
         shutil.copytree(ROOT / folder, scratch / folder)
     manifest = (ROOT / "Cargo.toml").read_text()

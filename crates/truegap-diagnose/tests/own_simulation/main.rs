@@ -145,23 +145,3 @@ fn what_all_together_is_hardly_felt_agrees_where_the_noise_was_not_measured() {
     assert!(before.smooth.statistic > 60.0, "{before:?}");
     assert_eq!(said.verdict, Verdict::Agrees, "{}", said.says);
 }
-
-/// Twenty rows that ring, then a channel that hangs at 0. The rest of it looks like nothing but noise that lasts; the level is the mean of all rows, and not that of those that move.
-#[test]
-fn a_channel_that_hangs_has_its_level_from_all_of_its_rows() {
-    let rows = 2000;
-    let response: Vec<f64> =
-        (0..rows).map(|row| if row < 20 { 1.5 * (-(row as f64) / 8.0).exp() * (1.9 * row as f64).cos() } else { 0.0 }).collect();
-    let time = (0..rows).map(|row| 0.004 * row as f64).collect();
-    let inputs = Inputs { time_s: Some(time), run: vec![1; rows], ..Inputs::default() };
-    let said = said(&Given::with_level(), &inputs, &response);
-    let mean = response.iter().sum::<f64>() / rows as f64;
-    let scatter = (response.iter().map(|y| (y - mean).powi(2)).sum::<f64>() / rows as f64).sqrt();
-    // the tenth from which least squares are told
-    assert!(
-        said.fit.in_sample.rmse_before < 1.1 * scatter,
-        "{} against {scatter}: {}",
-        said.fit.in_sample.rmse_before,
-        said.says
-    );
-}

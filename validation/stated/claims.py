@@ -33,7 +33,7 @@ def claims(of, recording, diagnosis, right):
             f"{among_models:.6g}",
             f"{finding['detectability'] or 0:.4g}",
             len(told),
-            int(finding["effect"] in right),
+            int(any(name in right for name in [finding["effect"], *names.CAME_LATER.get(finding["effect"], [])])),
         ]
 
 

@@ -1,11 +1,12 @@
 //! What a mean to both sides foretells as well is no lag: the column that the base model follows may hold noise, or quick motion, of its own.
 //!
 //! A lag, a friction or a shift beside a model that follows a noisy column smooths the noise, and errs less for that alone. A mean over some rows to both sides does the same and comes without
-//! a delay. What is named has to foretell rows left out clearly better than such a mean, as it has to beside the base model alone; else nothing is named, and a reader is told of the mean.
+//! a delay. What is named has to foretell rows left out clearly better than such a mean, or beside it, as it has to beside the base model alone; else nothing is named, and a reader is told of the mean.
 //!
 //! Limits: base models without plates that follow a column on a clock; one window for the whole recording.
 
 use crate::{
+    discovery::discover::with_mechanisms,
     effects::{course::Course, effect::Effect, mean_to_both_sides::MeanToBothSides},
     pipeline::{
         judged::{Judged, Told},
@@ -17,7 +18,11 @@ use crate::{
         verdict::{Decision, Verdict},
     },
     text::{capitalised, listed, rounded, significant, spoken},
-    validation::{cross_validation::compared, tuning::CLEARLY_WORSE, veto::Unseen},
+    validation::{
+        cross_validation::{HeldOutFit, compared},
+        tuning::CLEARLY_WORSE,
+        veto::Unseen,
+    },
 };
 use std::sync::atomic::Ordering;
 
@@ -30,7 +35,8 @@ pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judge
     }
     let followed = Course::on_a_clock(context).ok()?;
     let searched = prepared.searched();
-    let search = &prepared.search(&searched, told.progress, told.stop);
+    let mechanisms = judged.composition.as_ref().map_or(&[][..], |composition| composition.mechanisms.as_slice());
+    let search = &with_mechanisms(&prepared.search(&searched, told.progress, told.stop), mechanisms);
     let mean = search.library.len();
     let library = search.library.iter().copied().chain([&MeanToBothSides as &dyn Effect]).collect();
     let search = &Search { library, ..*search };
@@ -39,7 +45,7 @@ pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judge
     let named = judged.predicted.unseen.stood_behind();
     let smooths = compared(&judged.by_base.unseen, &unseen)?.better_by(CLEARLY_WORSE);
     let both = compared(&unseen, named)?;
-    if !smooths || both.better_by(CLEARLY_WORSE) {
+    if !smooths || both.better_by(CLEARLY_WORSE) || felt_beside(prepared, search, judged, mean, &unseen) {
         return None;
     }
     // what the named law leaves was little enough for its form to be right: the mean leaves as little
@@ -56,6 +62,13 @@ pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judge
         followed.name(context),
     );
     Some((verdict, says))
+}
+
+/// Whether rows left out are predicted clearly better by what is named and the `mean` together than by the mean alone, which predicts `by_mean`: then it does something else than smooth.
+fn felt_beside(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged, mean: usize, by_mean: &HeldOutFit) -> bool {
+    let together = search.add_each(judged.stood_behind(), &[mean], 1, "beside a mean").pop();
+    let foretold = together.map(|tried| predicted_like_base(prepared, search, &judged.by_base, &tried));
+    foretold.and_then(|both| compared(by_mean, &both)).is_some_and(|both| both.better_by(CLEARLY_WORSE))
 }
 
 /// The mean in words.

@@ -16,6 +16,7 @@ pub fn told_family(id: &str) -> Option<&'static str> {
         | "ageing"
         | "friction"
         | "friction_of_second_driver"
+        | "saturating_loop"
         | "stress_relaxation" => "mechanical_memory",
         "thermal_lag"
         | "thermal_hysteresis"
@@ -25,7 +26,7 @@ pub fn told_family(id: &str) -> Option<&'static str> {
         | "temperature_coefficient" => "thermal",
         "fringing_field" | "parasitic_capacitance" | "dead_gap" | "plate_bending" | "rim_field" => "field",
         "gain_drift" | "saturation" | "readout_lag" | "time_offset" | "clock_rate" | "offset_drift" | "offset_steps"
-        | "slow_response" | "regime_change" | "gain_change" | "nonlinearity" => "readout",
+        | "settling" | "slow_response" | "regime_change" | "gain_change" | "nonlinearity" => "readout",
         "humidity_uptake"
         | "driver_coefficient"
         | "second_driver_coefficient"

@@ -25,7 +25,7 @@ pub struct PlateReading {
     pub gap: Option<GapReading>,
 }
 
-/// The gap of a row, as [`FieldView`] shows it.
+/// The gap of a row, as [`crate::FieldView`] shows it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GapReading {
     /// mean separation of the electrodes, as a share of the electrode's radius

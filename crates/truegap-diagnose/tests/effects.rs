@@ -17,6 +17,7 @@ fn tried_on(effect: &dyn Effect) -> (Inputs, Plate) {
         Plate::new(Some(true)).without_dielectric(),
         Plate::new(Some(true)).without_beads(),
         Plate::new(Some(true)).with_feedback(),
+        Plate::new(Some(true)).without_dielectric().that_stays(),
     ];
     let recordings = [recording(), over(4.0 * DAY_S), over(4.0 * 365.2425 * DAY_S)];
     for inputs in recordings {

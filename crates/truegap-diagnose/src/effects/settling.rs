@@ -77,14 +77,13 @@ impl Effect for Settling {
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let duration = context.duration_s.max(1e-6);
-        // a value that should not move has no span of its own: what moved may all be drift
-        let usual = if context.simulator.moves() { 0.03 } else { 1.0 };
         vec![
             Parameter::normal(
                 "per_decade",
                 context.simulator.unit(),
                 0.0,
-                usual * context.response_span.abs(),
+                // a value that should not move has no span of its own: what moved may all be drift
+                context.response_span.abs(),
                 "change of the zero with every tenfold of the time",
             ),
             Parameter::log_normal("knee", "s", 3e-3 * duration, 2.5, "time from which on it goes as the logarithm")
@@ -99,6 +98,11 @@ impl Effect for Settling {
         context.has(StageName::Readout)?;
         if context.has_plates() {
             return Err("the base model has ageing and creep of its own, which go as the logarithm of the time".into());
+        }
+        if context.simulator.moves() {
+            return Err(
+                "beside a value that moves a logarithm of the time is too like other slow courses; a drift stands for it".into(),
+            );
         }
         context.needs_duration()
     }

@@ -17,6 +17,7 @@ pub struct Plate {
     no_dielectric: bool,
     no_beads: bool,
     feeds_back: bool,
+    stays: bool,
     parameters: Vec<Parameter>,
     corrections: Arc<Corrections>,
 }
@@ -56,7 +57,15 @@ impl Plate {
             Parameter::normal("gain", "pF", 10.0, 1.0, "capacitance of the unloaded plates"),
             Parameter::log_normal("modulus", "full loads", 6.0, 0.3, "load that would close the gap"),
         ];
-        Self { warps, no_dielectric: false, no_beads: false, feeds_back: false, parameters, corrections: Arc::new(corrections()) }
+        Self {
+            warps,
+            no_dielectric: false,
+            no_beads: false,
+            feeds_back: false,
+            stays: false,
+            parameters,
+            corrections: Arc::new(corrections()),
+        }
     }
 
     /// The same plate as a base model that has no place for permittivity.
@@ -75,6 +84,11 @@ impl Plate {
     #[allow(dead_code)]
     pub fn without_beads(self) -> Self {
         Self { no_beads: true, ..self }
+    }
+
+    /// The same as a value that should not move by itself.
+    pub fn that_stays(self) -> Self {
+        Self { stays: true, ..self }
     }
 
     pub fn centre(&self) -> Vec<f64> {
@@ -144,6 +158,9 @@ fn strain(load: f64, modulus: f64, [a, b]: [f64; 2]) -> f64 {
 impl Simulator for Plate {
     fn name(&self) -> &str {
         "stack"
+    }
+    fn moves(&self) -> bool {
+        !self.stays
     }
     fn unit(&self) -> &str {
         "pF"

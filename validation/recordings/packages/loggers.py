@@ -6,14 +6,13 @@ import struct
 
 import numpy as np
 import pandas as pd
-from fitting import lag, line, terms
-from reading import csv
+from fitting import line, terms, usual
+from reading import csv, seconds
 
 
 def since(times):
     """Seconds since the first of some times."""
-    times = pd.DatetimeIndex(times)
-    return ((times - times[0]) / pd.Timedelta(seconds=1)).to_numpy()
+    return seconds(pd.Series(pd.DatetimeIndex(times)))
 
 
 def trajectory(content):
@@ -29,11 +28,7 @@ def followed(y, x, t, unit=0.05):
     """Models of an axis `y` that follows its command `x`."""
     speed = np.gradient(x, t)
     return {
-        "line": line(y, x),
-        "square": line(y, x, x**2),
-        "drift": line(y, x, t),
-        "shift": terms(y, lambda p: [np.interp(t - p[0] * unit, t, x)], [0.3]),
-        "lag": terms(y, lambda p: [lag(x, t, abs(p[0]) * unit)], [0.5]),
+        **usual(y, x, t, unit),
         "speed": line(y, x, speed),
         "direction": line(y, x, np.sign(speed)),
     }

@@ -133,6 +133,11 @@ impl<'a> Context<'a> {
         self.held.iter().any(|(id, name)| *id == effect && *name == number)
     }
 
+    /// Shortest time step inside a run, s; a row where there is none.
+    pub fn step_s(&self) -> f64 {
+        self.shortest_step_s.filter(|step| step.is_finite()).unwrap_or(1.0)
+    }
+
     /// Range of the load over the full load; 0 where load plays no part.
     pub fn load_span(&self) -> f64 {
         self.load_range.1 - self.load_range.0

@@ -45,7 +45,7 @@ impl LateDriver {
 
 /// Somewhere between a step and a run, s, in the logarithm.
 fn middle_s(context: &Context<'_>) -> f64 {
-    let step = context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0);
+    let step = context.step_s();
     (step * context.longest_run_s.max(1.0)).sqrt()
 }
 

@@ -57,10 +57,6 @@ const NARROWEST: f64 = 0.3;
 /// Widest window, in lengths of a run.
 const WIDEST: f64 = 0.05;
 
-fn step_s(context: &Context<'_>) -> f64 {
-    context.shortest_step_s.filter(|s| s.is_finite() && *s > 0.0).unwrap_or(1.0)
-}
-
 impl Effect for MeanToBothSides {
     fn id(&self) -> EffectId {
         EffectId("mean_to_both_sides")
@@ -82,7 +78,7 @@ impl Effect for MeanToBothSides {
         }
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let step = step_s(context);
+        let step = context.step_s();
         let widest = (WIDEST * context.longest_run_s).max(2.0 * step);
         vec![
             Parameter::normal("share", "1", 0.0, 0.5, "share of the reading that is the mean").within(0.0, 1.0),
@@ -90,7 +86,7 @@ impl Effect for MeanToBothSides {
         ]
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        [1.0, 4.0, 15.0].map(|steps| vec![steps * step_s(context)]).to_vec()
+        [1.0, 4.0, 15.0].map(|steps| vec![steps * context.step_s()]).to_vec()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
@@ -100,8 +96,13 @@ impl Effect for MeanToBothSides {
         Box::new(Mean { share: values[0], half_width_s: values[1] })
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!("a mean over {} to both sides of each row", rounded(fitted[1].value, "s"))
+        said(fitted[1].value)
     }
+}
+
+/// The mean in words, by half its window.
+pub(crate) fn said(half_width_s: f64) -> String {
+    format!("a mean over {} to both sides of each row", rounded(half_width_s, "s"))
 }
 
 #[cfg(test)]

@@ -235,7 +235,7 @@ impl Effect for RegimeChange {
         let of = self.of(context);
         let (span, length) = (of.span(context).max(f64::MIN_POSITIVE), length(context).max(1.0));
         let size = if of == Of::Nothing { context.response_span.abs() } else { context.response_span.abs() / span };
-        let step = context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0).min(0.01 * length);
+        let step = context.step_s().min(0.01 * length);
         let (earliest, latest) = told_apart(context, of).unwrap_or((0.01 * length, 0.99 * length));
         let unit = if context.shortest_step_s.is_some() { "s" } else { "rows" };
         let mut list = vec![

@@ -38,7 +38,7 @@ impl Stage for OneAfterTheOther {
 pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
     let run = context.longest_run_s.max(1.0);
     // somewhere between a step and a run, in the logarithm
-    let middle = 0.3 * (context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0) * run).sqrt();
+    let middle = 0.3 * (context.step_s() * run).sqrt();
     let rate = usual_rate(context.response_span.abs(), context);
     vec![
         Parameter::normal("tau", "s", 0.0, middle, "time constant of the reading, of its quick way where there are two")

@@ -91,7 +91,7 @@ impl Effect for StressRelaxation {
         }
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let shortest = context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0);
+        let shortest = context.step_s();
         let longest = context.longest_run_s.max(10.0 * shortest);
         let middle = (shortest * longest).sqrt();
         vec![
@@ -102,7 +102,7 @@ impl Effect for StressRelaxation {
         ]
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        let shortest = context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0);
+        let shortest = context.step_s();
         let decades = (context.longest_run_s / shortest).max(10.0).log10();
         let tau = |k: i32| shortest * 10f64.powf(decades * f64::from(k) / 4.0);
         (1..=3).flat_map(|k| [vec![tau(k), 0.1], vec![tau(k), 2.0]]).collect()

@@ -151,7 +151,7 @@ fn growth(fitted: &[FittedParameter], of: &str) -> String {
 
 /// Shortest step and longest run, s.
 fn times(context: &Context<'_>) -> (f64, f64) {
-    let shortest = context.shortest_step_s.filter(|s| s.is_finite()).unwrap_or(1.0);
+    let shortest = context.step_s();
     (shortest, context.longest_run_s.max(10.0 * shortest))
 }
 

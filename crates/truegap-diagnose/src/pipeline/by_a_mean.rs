@@ -7,17 +7,22 @@
 
 use crate::{
     discovery::discover::with_mechanisms,
-    effects::{course::Course, effect::Effect, mean_to_both_sides::MeanToBothSides},
+    effects::{
+        course::Course,
+        effect::Effect,
+        mean_to_both_sides::{MeanToBothSides, said},
+    },
     pipeline::{
+        calibrated::predicted_like_base,
         judged::{Judged, Told},
-        predicted::{Predicted, predicted_like_base},
+        predicted::Predicted,
         prepare::Prepared,
     },
     selection::{
         candidates::{Search, Tried},
         verdict::{Decision, Verdict},
     },
-    text::{capitalised, listed, rounded, significant, spoken},
+    text::{capitalised, significant},
     validation::{
         cross_validation::{HeldOutFit, compared},
         tuning::CLEARLY_WORSE,
@@ -51,13 +56,11 @@ pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judge
     // what the named law leaves was little enough for its form to be right: the mean leaves as little
     let adequate = judged.predicted.decision.verdict != Verdict::WrongForm || !prepared.lack_of_fit.adequacy(&tried.fit).fires();
     let verdict = if adequate { Verdict::Agrees } else { Verdict::Unexplained };
-    let names: Vec<String> =
-        judged.stood_behind().effects.iter().filter_map(|e| Some(spoken(prepared.testable.get(*e)?.id().0))).collect();
     let [with_mean, with_name] = both.rmse.map(|rmse| significant(rmse, 3));
     let says = format!(
         "{} would fit, but {}, which comes without a delay, predicts rows left out as well ({with_mean} against {with_name} {}): what is quick in {} may be noise of its own, so it is not claimed",
-        if names.is_empty() { "a composed mechanism".into() } else { capitalised(&listed(&names, "and")) },
-        told_of(search, &tried),
+        capitalised(&prepared.names(&judged.stood_behind().effects)),
+        said(half_width_s(search, &tried)),
         search.problem.simulator.unit(),
         followed.name(context),
     );
@@ -71,12 +74,11 @@ fn felt_beside(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged, me
     foretold.and_then(|both| compared(by_mean, &both)).is_some_and(|both| both.better_by(CLEARLY_WORSE))
 }
 
-/// The mean in words.
-fn told_of(search: &Search<'_>, tried: &Tried) -> String {
+/// Half the window of a model that holds the mean alone.
+fn half_width_s(search: &Search<'_>, tried: &Tried) -> f64 {
     let model = search.model(&tried.effects);
     let values = model.values(&tried.fit.z);
-    let width = model.range_of(0).last().map_or(0.0, |place| values[place]);
-    format!("a mean over {} to both sides of each row", rounded(width, "s"))
+    model.range_of(0).last().map_or(0.0, |place| values[place])
 }
 
 impl Judged {

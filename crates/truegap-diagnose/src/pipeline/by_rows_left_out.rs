@@ -12,8 +12,8 @@ use crate::{
     adequacy::lack_of_fit::Adequacy,
     data::context::Number,
     pipeline::{
+        calibrated::predicted_like_base,
         judged::{Judged, Told},
-        predicted::predicted_like_base,
         prepare::Prepared,
         simple_laws::{Simple, simple},
     },
@@ -22,7 +22,7 @@ use crate::{
         tuning::RIGHT_FAMILY,
         verdict::{Decision, removed_by},
     },
-    text::{significant, spoken},
+    text::significant,
     validation::{
         cross_validation::{HeldOutFit, compared},
         held_numbers::refitted,
@@ -106,8 +106,8 @@ impl Choice<'_, '_> {
         let unit = self.search.problem.simulator.unit();
         let says = format!(
             "{} would fit better under the noise, but {} predicts rows left out {} ({} against {} {unit}), so that is named",
-            self.names(&chosen.effects),
-            self.names(&tried.effects),
+            self.prepared.names(&chosen.effects),
+            self.prepared.names(&tried.effects),
             if clearly { "better" } else { "as well" },
             significant(second, 3),
             significant(first, 3),
@@ -206,13 +206,6 @@ impl Choice<'_, '_> {
         let [before, left] = compared(&self.judged.by_base.unseen, unseen).map_or([1.0, 1.0], |both| both.rmse);
         let floor = self.prepared.noise.floor().min(left);
         under_noise.max(1.0 - (left * left - floor * floor) / (before * before - floor * floor).max(f64::MIN_POSITIVE))
-    }
-
-    fn names(&self, effects: &[usize]) -> String {
-        let id = |e: &usize| {
-            self.search.library.get(*e).map_or_else(|| "a composed mechanism".to_owned(), |effect| spoken(effect.id().0))
-        };
-        effects.iter().map(id).collect::<Vec<_>>().join(" and ")
     }
 }
 

@@ -12,7 +12,7 @@
 
 use crate::{
     pipeline::{
-        predicted::{ByBase, predictions},
+        calibrated::{ByBase, predictions},
         prepare::Prepared,
     },
     selection::{candidates::Search, posterior::Selection, verdict::Decision},

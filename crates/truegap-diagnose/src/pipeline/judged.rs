@@ -19,9 +19,10 @@ use crate::{
     },
     explain::hidden_input::slow_input::SlowInput,
     pipeline::{
+        calibrated::{ByBase, by_base},
         interference::{beside_a_tone, with_interference},
         options::Options,
-        predicted::{ByBase, Predicted, by_base, predicted},
+        predicted::{Predicted, predicted},
         prepare::Prepared,
     },
     selection::{

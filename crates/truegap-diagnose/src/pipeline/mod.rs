@@ -6,6 +6,7 @@ mod alone;
 mod by_a_mean;
 mod by_name;
 mod by_rows_left_out;
+mod calibrated;
 mod carried;
 mod conclude;
 mod described;

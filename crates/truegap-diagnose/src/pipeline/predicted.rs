@@ -6,7 +6,7 @@ use crate::{
     adequacy::lack_of_fit::Adequacy,
     answer::Reserved,
     pipeline::{
-        alone::{Alone, alone, left_over, white},
+        calibrated::{ByBase, predictions},
         prepare::Prepared,
     },
     selection::{
@@ -16,15 +16,14 @@ use crate::{
         verdict::{Decision, Verdict, foretold, removed_by, stated, stepped_back},
     },
     stats::rmse_of_both,
-    text::{percent_of, significant, spoken},
+    text::{percent_of, significant},
     validation::{
         among_rivals::{Named, best_foreteller, exchanged},
-        cross_validation::{AllRows, HeldOutFit, compared, held_out},
+        cross_validation::{HeldOutFit, compared},
         step_back::{LeftOut, step_back},
-        tuning::{CLEARLY_WORSE, FELT, MOST_RIVALS, NEXT_TO_NOTHING},
+        tuning::{CLEARLY_WORSE, MOST_RIVALS, NEXT_TO_NOTHING},
         veto::{Against, Unseen},
     },
-    whitening::noise_model::NoiseModel,
 };
 
 /// The decision with predictions of rows left out counted.
@@ -38,37 +37,6 @@ pub(crate) struct Predicted {
     pub vetoed: Option<Reserved>,
     /// what is not claimed beside the rest, for a reader
     pub left_out: Vec<String>,
-}
-
-/// The base model by itself: how it is told, and what it foretells of rows left out.
-#[derive(Clone)]
-pub(crate) struct ByBase {
-    /// calibrated by least squares, where that is another one
-    pub alone: Option<Alone>,
-    /// whether fuller models are calibrated by least squares as well
-    pub squares: bool,
-    /// predictions of rows left out
-    pub unseen: HeldOutFit,
-}
-
-/// Predicts rows left out by the base model, which is calibrated by least squares as well where something is `missing`. Where nothing is, it is told so only if that predicts rows left out
-/// better by a tenth: a channel that hangs for most of its rows takes the level from the few that move.
-pub(crate) fn by_base(prepared: &Prepared<'_>, search: &Search<'_>, base: &Tried, missing: bool) -> ByBase {
-    let all = prepared.all_rows();
-    let under_noise = held_out(search, &prepared.searched_noise, base, all);
-    let alone = alone(prepared, search, all, base).map(|alone| {
-        let unseen = held_out(search, &alone.noise, &alone.tried, all).scored_as(&under_noise);
-        (alone, unseen)
-    });
-    let told =
-        |(_, unseen): &(Alone, HeldOutFit)| missing || compared(&under_noise, unseen).is_some_and(|both| both.better_by(FELT));
-    let (alone, unseen) = match alone.filter(told) {
-        Some((alone, unseen)) => (Some(alone), unseen),
-        None => (None, under_noise),
-    };
-    // the equations of effects without plates describe: what they leave is more than the noise, whether the base model alone says so or not
-    let squares = missing && (alone.is_some() || !search.context.has_plates());
-    ByBase { alone, squares, unseen }
 }
 
 /// Predicts rows left out: what predicts them much worse than the base model is not claimed, nor an effect without which the others predict them better. What predicts them well is
@@ -268,11 +236,7 @@ impl RowsLeftOut<'_, '_> {
 
     /// Effects for a reader.
     fn names(&self, effects: &[usize]) -> String {
-        let name = |e: &usize| match *e < self.prepared.testable.len() {
-            true => spoken(&self.id(*e)),
-            false => "a composed mechanism".into(),
-        };
-        effects.iter().map(name).collect::<Vec<_>>().join(" and ")
+        self.prepared.names(effects)
     }
 
     fn told(&self, left: &LeftOut) -> String {
@@ -348,57 +312,5 @@ impl RowsLeftOut<'_, '_> {
                 format!("measured in the noise, by {} squares of its standard deviation over all rows", significant(lost, 2))
             }
         }
-    }
-}
-
-/// Predictions of rows left out, by the better of two ways to calibrate where least squares are one.
-pub(crate) fn predictions(prepared: &Prepared<'_>, search: &Search<'_>, by_base: &ByBase, tried: &Tried) -> HeldOutFit {
-    let (noise, all) = (&prepared.searched_noise, prepared.all_rows());
-    let squares = by_base.squares.then(|| by_least_squares(search, noise, tried, all)).flatten();
-    nearer(held_out(search, noise, tried, all), squares)
-}
-
-/// Predictions of rows left out, calibrated as the base model is told: by least squares, half the work of [`predictions`], where that is another calibration of the base model, else as these.
-pub(crate) fn predicted_like_base(prepared: &Prepared<'_>, search: &Search<'_>, by_base: &ByBase, tried: &Tried) -> HeldOutFit {
-    if by_base.alone.is_none() {
-        return predictions(prepared, search, by_base, tried);
-    }
-    let (noise, all) = (&prepared.searched_noise, prepared.all_rows());
-    by_least_squares(search, noise, tried, all).unwrap_or_else(|| held_out(search, noise, tried, all))
-}
-
-/// Predictions of rows left out by a model that is calibrated by least squares: under white noise as large as what it leaves over.
-fn by_least_squares(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> Option<HeldOutFit> {
-    let size = left_over(&search.model_over(all.problem, &tried.effects), &tried.fit.z)?;
-    Some(held_out(search, &white(noise, size), tried, all).by_least_squares())
-}
-
-/// What a model foretells, calibrated under the noise or, as the base model is where that is told alone, by least squares: else the two ways to calibrate would be compared, and not the
-/// two models.
-fn nearer(under_noise: HeldOutFit, squares: Option<HeldOutFit>) -> HeldOutFit {
-    let better = |squares: &HeldOutFit| compared(&under_noise, squares).is_some_and(|both| both.rmse[1] < both.rmse[0]);
-    match squares.filter(better) {
-        Some(squares) => squares.scored_as(&under_noise),
-        None => under_noise,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::validation::cross_validation::PartError;
-
-    fn predicted(squares: f64) -> HeldOutFit {
-        let part = PartError { name: "run 1".into(), squares: Some(squares), rows: 4, score: None };
-        HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: vec![part] }
-    }
-
-    /// Calibrated by least squares, the base model leaves 4. A model that leaves 9 under the noise and 2 by least squares is no worse.
-    #[test]
-    fn where_least_squares_predict_better_they_are_told() {
-        let told = |under_noise, squares: Option<f64>| nearer(predicted(under_noise), squares.map(predicted)).parts[0].squares;
-        assert_eq!(told(9.0, Some(2.0)), Some(2.0));
-        assert_eq!(told(3.0, Some(4.0)), Some(3.0));
-        assert_eq!(told(9.0, None), Some(9.0));
     }
 }

@@ -26,6 +26,7 @@ use crate::{
         tuning::LOUD_REST,
         verdict::Verdict,
     },
+    text::spoken,
     validation::cross_validation::AllRows,
     whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
@@ -113,6 +114,13 @@ impl<'a> Prepared<'a> {
     /// Every row, and which of them each searched row begins with.
     pub fn all_rows(&self) -> AllRows<'_> {
         AllRows { problem: self.problem, first: self.averages.as_ref().map(|t| t.first.as_slice()) }
+    }
+
+    /// Effects for a reader; what is behind those of the library was composed of words.
+    pub fn names(&self, effects: &[usize]) -> String {
+        let name =
+            |e: &usize| self.testable.get(*e).map_or_else(|| "a composed mechanism".to_owned(), |effect| spoken(effect.id().0));
+        effects.iter().map(name).collect::<Vec<_>>().join(" and ")
     }
 
     /// Whether the noise was measured apart from the mismatch, with a clock that says how it lasts.

@@ -5,8 +5,8 @@
 use crate::{
     data::context::Number,
     pipeline::{
+        calibrated::{ByBase, predicted_like_base, predictions},
         judged::{Judged, Told},
-        predicted::{ByBase, predicted_like_base, predictions},
         prepare::Prepared,
     },
     selection::{

@@ -1,4 +1,4 @@
-//! The physics of the stack, row by row: as the walk asks for it, and all at once where nothing is plugged in.
+//! The physics of the stack, row by row, as the walk asks for it.
 //!
 //! Limits: an error names the first row that has no answer.
 
@@ -9,29 +9,6 @@ use truegap_core::{
 
 /// Picofarad in a farad.
 pub(super) const PICO: f64 = 1e12;
-
-/// Response of each row, pF, nothing plugged in.
-pub(super) fn plain(
-    device: &Device,
-    force: &[f64],
-    temperature: Option<&[f64]>,
-    values: &[f64],
-) -> Result<Vec<f64>, SimulationError> {
-    let mut warm = device.at(device.reference_c);
-    let mut at = device.reference_c;
-    let mut response = Vec::with_capacity(force.len());
-    for (row, &force) in force.iter().enumerate() {
-        let now = temperature.map_or(device.reference_c, |t| t[row]);
-        if now != at {
-            (warm, at) = (device.at(now), now);
-        }
-        let parts =
-            device.strain(&warm, force, 1.0, [0.0; 2]).and_then(|e| device.capacitances(&warm, &device.plain(&warm, force, e)));
-        let parts = parts.map_err(|refusal: Refusal| refusal.at(row, force, values))?;
-        response.push(device.total(parts.shares) * PICO);
-    }
-    check_finite(response, values)
-}
 
 /// A device and the parameter values that made it, asked row by row.
 #[derive(Clone, Copy)]
@@ -87,6 +64,13 @@ pub(super) fn force_n(drive: &Drive<'_>, row: usize) -> f64 {
 
 /// Zero and span of a device.
 pub(super) fn ends(device: &Device, values: &[f64]) -> Result<Readout, SimulationError> {
-    let ends = plain(device, &[0.0, device.full_scale], None, values)?;
+    let warm = device.at(device.reference_c);
+    let at = |(row, force): (usize, f64)| {
+        let strain = device.strain(&warm, force, 1.0, [0.0; 2]);
+        let parts = strain.and_then(|strain| device.capacitances(&warm, &device.plain(&warm, force, strain)));
+        parts.map(|parts| device.total(parts.shares) * PICO).map_err(|refusal| refusal.at(row, force, values))
+    };
+    let ends = [0.0, device.full_scale].into_iter().enumerate().map(at).collect::<Result<Vec<_>, _>>()?;
+    let ends = check_finite(ends, values)?;
     Ok(Readout { zero: ends[0], span: ends[1] - ends[0] })
 }

@@ -41,9 +41,13 @@ fn clock(inputs: &Inputs) -> Cow<'_, [f64]> {
     }
 }
 
-/// A column at `time + late`, linear between rows, held beyond the ends; `time + late` must not run backwards.
+/// A column at `time + late`, by a cubic between rows, held beyond the ends; `time + late` must not run backwards.
+///
+/// The cubic has the slopes of the parabolas through each row and its neighbours (Bessel's interpolation: de Boor, A Practical Guide to Splines, ch. IV). A straight line between rows
+/// takes the tops off what bends within a row, and has a corner at each row where a fit gets stuck.
 fn interpolated(time: &[f64], column: &[f64], late: &[f64]) -> Vec<f64> {
     let last = time.len() - 1;
+    let slopes = slopes(time, column);
     let mut after = 0;
     let at = |row: usize| {
         let wanted = time[row] + late[row];
@@ -58,7 +62,28 @@ fn interpolated(time: &[f64], column: &[f64], late: &[f64]) -> Vec<f64> {
             column[after]
         } else {
             let share = (wanted - time[before]) / width;
-            column[before] + share * (column[after] - column[before])
+            let rise = column[after] - column[before];
+            // what the slopes at both ends have beyond the straight line
+            let [leaving, arriving] = [before, after].map(|end| slopes[end] * width - rise);
+            column[before] + share * rise + share * (1.0 - share) * ((1.0 - share) * leaving - share * arriving)
+        }
+    };
+    (0..time.len()).map(at).collect()
+}
+
+/// Slope of a column at each row: of the parabola through the row and its neighbours, at an end of the straight line to its neighbour. Rows at one time have no slope between them.
+fn slopes(time: &[f64], column: &[f64]) -> Vec<f64> {
+    let last = time.len() - 1;
+    let step = |row: usize| (time[row + 1] - time[row], column[row + 1] - column[row]);
+    let between = |(width, rise): (f64, f64)| if width > 0.0 { rise / width } else { 0.0 };
+    let at = |row: usize| match row {
+        _ if last == 0 => 0.0,
+        0 => between(step(0)),
+        _ if row == last => between(step(last - 1)),
+        _ => {
+            let (left, right) = (step(row - 1), step(row));
+            let both = left.0 + right.0;
+            if both > 0.0 { (right.0 * between(left) + left.0 * between(right)) / both } else { 0.0 }
         }
     };
     (0..time.len()).map(at).collect()
@@ -101,6 +126,31 @@ mod tests {
         assert_eq!(shifted(0.5), [1.0, 3.0, 6.0, 11.0, 13.0, 16.0]);
         assert_eq!(shifted(-0.5), [0.0, 1.0, 5.0, 10.0, 11.0, 15.0]);
         assert_eq!(shifted(100.0), [6.0, 6.0, 6.0, 16.0, 16.0, 16.0]);
+    }
+
+    /// A cubic with the slopes of parabolas has no error on a parabola, however the rows are spaced, but beside the ends.
+    #[test]
+    fn a_parabola_is_read_between_rows_without_an_error() {
+        let time = vec![0.0, 1.0, 3.0, 4.0, 4.5, 7.0, 8.0];
+        let curve = |t: f64| 2.0 - 3.0 * t + 0.5 * t * t;
+        let force = Some(time.iter().copied().map(curve).collect());
+        let inputs = Inputs { time_s: Some(time.clone()), run: vec![1; 7], force_n: force, ..Inputs::default() };
+        let shifted = self::force(&on_one_clock(&inputs, &[&Late(0.4, 0.0)]));
+        for row in 1..5 {
+            approx::assert_abs_diff_eq!(shifted[row], curve(time[row] + 0.4), epsilon = 1e-12);
+        }
+    }
+
+    /// Rows at one time, as loggers of whole seconds write them, have finite values between them.
+    #[test]
+    fn repeated_times_are_read_without_a_slope() {
+        let inputs = Inputs {
+            time_s: Some(vec![0.0, 1.0, 1.0, 1.0, 2.0]),
+            run: vec![1; 5],
+            force_n: Some(vec![0.0, 1.0, 5.0, 2.0, 3.0]),
+            ..Inputs::default()
+        };
+        assert!(force(&on_one_clock(&inputs, &[&Late(0.5, 0.0)])).iter().all(|value| value.is_finite()));
     }
 
     #[test]

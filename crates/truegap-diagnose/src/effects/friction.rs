@@ -77,11 +77,19 @@ impl Stage for Dahl {
     }
 }
 
+/// Widest travel after a turn, in ranges of the driver: the widest play has turned over within 3.6 of it, half of the range. What takes longer is seen to the end on no way.
+const WIDEST: f64 = 0.15;
+
 const IDS: [&str; 2] = ["friction", "friction_of_second_driver"];
 
 impl Friction {
     fn course(&self, context: &Context<'_>) -> Course {
         Course::of(context, self.0).unwrap_or(Course::Load)
+    }
+
+    /// Whether the force may grow with the speed: against a recorded driver. What is proportional to the speed of a simulation is a reading that comes late.
+    fn may_grow(&self, context: &Context<'_>) -> bool {
+        matches!(self.course(context), Course::Driver(_))
     }
 
     /// Whether a share may build up with the speed: of a driver that the base model does not follow, for what follows it late looks the same.
@@ -91,8 +99,10 @@ impl Friction {
     }
 
     fn against(&self, values: &[f64], context: &Context<'_>) -> Against {
+        let course = self.course(context);
+        let viscous = values.get(2).copied().unwrap_or(0.0);
         let (by_speed, onset) = if let [_, _, _, by_speed, onset] = *values { (by_speed, onset) } else { (0.0, 1.0) };
-        Against { force: values[0], width: values[1], viscous: values[2], by_speed, onset, course: self.course(context) }
+        Against { force: values[0], width: values[1], viscous, by_speed, onset, course }
     }
 }
 
@@ -113,7 +123,7 @@ impl Effect for Friction {
     fn about(&self) -> About {
         About {
             physics: "friction acts on the reading, against the motion of a driver (a piston, a slide, a gap), whether the base model follows it or not",
-            equation: "value = true + F [(1 - r) s(x) + r tanh((dx/dt) / v0) + c dx/dt], s from -1 to 1 by three plays on the driver x with half widths (0.4, 0.8, 1.8) w, at rest when a run starts",
+            equation: "value = true + F [(1 - r) s(x) + r tanh((dx/dt) / v0) + c dx/dt], s from -1 to 1 by three plays on the driver x with half widths (0.4, 0.8, 1.8) w, at rest when a run starts; r = 0 where the base model follows x, c = 0 where x is a simulation: a lag looks like them there",
             excitation: "a driver that turns around",
             impostors: &["driver_coefficient", "readout_lag", "slow_response", "time_offset"],
             separates: "the reading jumps where the driver turns and stays there, at any speed; a lag grows with the speed",
@@ -139,9 +149,11 @@ impl Effect for Friction {
                 1.2,
                 "travel after a turn in which half of the force has changed sign",
             )
-            .within(1e-4 * span, span),
-            Parameter::normal("viscous", &per_speed(&unit), 0.0, 0.3 / speed, "speed-proportional part over the force"),
+            .within(1e-4 * span, WIDEST * span),
         ];
+        if self.may_grow(context) {
+            list.push(Parameter::normal("viscous", &per_speed(&unit), 0.0, 0.3 / speed, "speed-proportional part over the force"));
+        }
         if self.may_follow_the_speed(context) {
             list.extend([
                 Parameter::normal("by_speed", "", 0.0, 0.5, "share of the force that is gone at standstill").within(0.0, 1.0),
@@ -162,7 +174,8 @@ impl Effect for Friction {
         let course = self.course(context);
         let (span, speed) = (course.span(context), course.usual_speed(context));
         if !self.may_follow_the_speed(context) {
-            return [0.003, 0.01, 0.03, 0.1].map(|share| vec![share * span, 0.0]).to_vec();
+            let viscous = if self.may_grow(context) { &[0.0][..] } else { &[] };
+            return [0.003, 0.01, 0.03, 0.1].map(|share| [&[share * span], viscous].concat()).to_vec();
         }
         let by_travel = [0.003, 0.01, 0.03, 0.1].map(|share| vec![share * span, 0.0, 0.0, 0.1 * speed]);
         let by_speed = [0.03, 0.2].map(|share| vec![0.03 * span, 0.0, 1.0, share * speed]);
@@ -216,24 +229,18 @@ const SPOKEN_OF: f64 = 3.0;
 
 /// `usual` is the driver's usual speed, in its unit a second.
 fn told(fitted: &[FittedParameter], name: &str, usual: f64) -> String {
-    let (force, width, viscous) = (&fitted[0], &fitted[1], &fitted[2]);
+    let (force, width) = (&fitted[0], &fitted[1]);
     let turn = rounded(2.0 * width.value, &width.parameter.unit);
-    let grows = usual > 0.0 && viscous.value.abs() > SPOKEN_OF * viscous.sd;
-    let factor = if grows { 1.0 + viscous.value * usual } else { 1.0 };
+    let viscous = fitted.get(2).filter(|viscous| usual > 0.0 && viscous.value.abs() > SPOKEN_OF * viscous.sd);
+    let factor = viscous.map_or(1.0, |viscous| 1.0 + viscous.value * usual);
     let (whole, unit) = (force.value * factor, force.parameter.unit.as_str());
     // rising and falling lie as far from the middle, by size and its relative error
     let size = with_sd(whole.abs(), force.sd * factor.abs(), unit);
     let way = if whole < 0.0 { "lower" } else { "higher" };
-    let speed = if grows {
-        let per = &width.parameter.unit;
-        format!(
-            ", at the usual {}; {} of it without speed",
-            rounded(usual, &format!("{per}/s")),
-            rounded(force.value.abs(), unit)
-        )
-    } else {
-        String::new()
-    };
+    let speed = viscous.map_or_else(String::new, |_| {
+        let usual = rounded(usual, &format!("{}/s", width.parameter.unit));
+        format!(", at the usual {usual}; {} of it without speed", rounded(force.value.abs(), unit))
+    });
     let turned = match fitted.get(3..) {
         Some([by_speed, onset]) if by_speed.value > 0.9 => format!(
             "it is gone at standstill, and three quarters of it are there at {}",

@@ -149,6 +149,10 @@ pub trait Effect: Send + Sync {
     fn starts(&self, _context: &Context<'_>) -> Vec<Vec<f64>> {
         vec![Vec::new()]
     }
+    /// The effect whose law this one holds as a special case: an influence that comes late is a plain one where nothing is seen of its lag. It is named only where more is seen than that.
+    fn comes_down_to(&self) -> Option<EffectId> {
+        None
+    }
     /// Names of numbers that are 0 in the simplest law that goes by this name: a bend, a second way. Where rows left out do not bear them out, they are held there.
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &[]

@@ -7,7 +7,7 @@ use crate::{
         course::Course,
         delay::is_temperature,
         effect::{About, Effect, Family, FittedParameter},
-        memory::{play_set, rates, walk},
+        memory::{PLAY_SET, plays, rates, walk},
     },
     text::{percent_of, rounded, with_sd},
 };
@@ -21,6 +21,8 @@ struct Against {
     force: f64,
     /// travel, in the driver's unit
     width: f64,
+    /// how far the three plays are apart: 0 for one play, which turns over in a straight line; 1 for the spread of [`PLAY_SET`]
+    gradual: f64,
     /// force per speed, over `force`
     viscous: f64,
     /// share of the force that builds up with the speed and is gone at standstill; the rest builds up with the travel and stays
@@ -48,7 +50,8 @@ impl Stage for Against {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
         let way = |x: &[f64]| {
             let mut way = vec![0.0; x.len()];
-            play_set(drive.inputs, self.width, |row| x[row], |first| first, |row, slip| way[row] = -slip);
+            let half_widths = PLAY_SET.map(|ratio| (1.0 + self.gradual * (ratio - 1.0)) * self.width);
+            plays(drive.inputs, half_widths, |row| x[row], |first| first, |row, slip| way[row] = -slip);
             way
         };
         self.apply(drive, value, way, f64::tanh);
@@ -100,9 +103,10 @@ impl Friction {
 
     fn against(&self, values: &[f64], context: &Context<'_>) -> Against {
         let course = self.course(context);
-        let viscous = values.get(2).copied().unwrap_or(0.0);
-        let (by_speed, onset) = if let [_, _, _, by_speed, onset] = *values { (by_speed, onset) } else { (0.0, 1.0) };
-        Against { force: values[0], width: values[1], viscous, by_speed, onset, course }
+        let [force, width, gradual] = [0, 1, 2].map(|place| values[place]);
+        let viscous = values.get(3).copied().unwrap_or(0.0);
+        let (by_speed, onset) = if let Some([by_speed, onset]) = values.get(4..) { (*by_speed, *onset) } else { (0.0, 1.0) };
+        Against { force, width, gradual, viscous, by_speed, onset, course }
     }
 }
 
@@ -122,8 +126,8 @@ impl Effect for Friction {
     }
     fn about(&self) -> About {
         About {
-            physics: "friction acts on the reading, against the motion of a driver (a piston, a slide, a gap), whether the base model follows it or not",
-            equation: "value = true + F [(1 - r) s(x) + r tanh((dx/dt) / v0) + c dx/dt], s from -1 to 1 by three plays on the driver x with half widths (0.4, 0.8, 1.8) w, at rest when a run starts; r = 0 where the base model follows x, c = 0 where x is a simulation: a lag looks like them there",
+            physics: "friction, or the play (backlash) of a gear or a thread, acts on the reading against the motion of a driver (a piston, a slide, a gap), whether the base model follows it or not",
+            equation: "value = true + F [(1 - r) s(x) + r tanh((dx/dt) / v0) + c dx/dt], s from -1 to 1 by three plays on the driver x with half widths w (1 - 0.6 g, 1 - 0.2 g, 1 + 0.8 g), one play of half width w for g = 0, at rest when a run starts; r = 0 where the base model follows x, c = 0 where x is a simulation: a lag looks like them there",
             excitation: "a driver that turns around",
             impostors: &["driver_coefficient", "readout_lag", "slow_response", "time_offset"],
             separates: "the reading jumps where the driver turns and stays there, at any speed; a lag grows with the speed",
@@ -150,9 +154,23 @@ impl Effect for Friction {
                 "travel after a turn in which half of the force has changed sign",
             )
             .within(1e-4 * span, WIDEST * span),
+            Parameter::normal(
+                "gradual",
+                "",
+                1.0,
+                0.5,
+                "how gradually it changes sign: 0 in a straight line, as a play (backlash) does",
+            )
+            .within(0.0, 1.0),
         ];
         if self.may_grow(context) {
-            list.push(Parameter::normal("viscous", &per_speed(&unit), 0.0, 0.3 / speed, "speed-proportional part over the force"));
+            list.push(Parameter::normal(
+                "viscous",
+                &per_speed(&unit),
+                0.0,
+                0.3 / speed,
+                "speed-proportional part over the force",
+            ));
         }
         if self.may_follow_the_speed(context) {
             list.extend([
@@ -175,14 +193,14 @@ impl Effect for Friction {
         let (span, speed) = (course.span(context), course.usual_speed(context));
         if !self.may_follow_the_speed(context) {
             let viscous = if self.may_grow(context) { &[0.0][..] } else { &[] };
-            return [0.003, 0.01, 0.03, 0.1].map(|share| [&[share * span], viscous].concat()).to_vec();
+            return [0.003, 0.01, 0.03, 0.1].map(|share| [&[share * span, 0.8], viscous].concat()).to_vec();
         }
-        let by_travel = [0.003, 0.01, 0.03, 0.1].map(|share| vec![share * span, 0.0, 0.0, 0.1 * speed]);
-        let by_speed = [0.03, 0.2].map(|share| vec![0.03 * span, 0.0, 1.0, share * speed]);
+        let by_travel = [0.003, 0.01, 0.03, 0.1].map(|share| vec![share * span, 0.8, 0.0, 0.0, 0.1 * speed]);
+        let by_speed = [0.03, 0.2].map(|share| vec![0.03 * span, 0.8, 0.0, 1.0, share * speed]);
         by_travel.into_iter().chain(by_speed).collect()
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
-        &["viscous", "by_speed"]
+        &["gradual", "viscous", "by_speed"]
     }
     fn at_once(&self) -> &'static [&'static str] {
         &["width", "onset"]
@@ -227,11 +245,14 @@ fn per_speed(unit: &str) -> String {
 /// Viscous part below which it is not spoken of, in standard deviations.
 const SPOKEN_OF: f64 = 3.0;
 
+/// How gradually it changes sign where it is told as a play: the three plays are within 24 % and 32 % of one.
+const SHARP: f64 = 0.4;
+
 /// `usual` is the driver's usual speed, in its unit a second.
 fn told(fitted: &[FittedParameter], name: &str, usual: f64) -> String {
     let (force, width) = (&fitted[0], &fitted[1]);
     let turn = rounded(2.0 * width.value, &width.parameter.unit);
-    let viscous = fitted.get(2).filter(|viscous| usual > 0.0 && viscous.value.abs() > SPOKEN_OF * viscous.sd);
+    let viscous = fitted.get(3).filter(|viscous| usual > 0.0 && viscous.value.abs() > SPOKEN_OF * viscous.sd);
     let factor = viscous.map_or(1.0, |viscous| 1.0 + viscous.value * usual);
     let (whole, unit) = (force.value * factor, force.parameter.unit.as_str());
     // rising and falling lie as far from the middle, by size and its relative error
@@ -241,7 +262,8 @@ fn told(fitted: &[FittedParameter], name: &str, usual: f64) -> String {
         let usual = rounded(usual, &format!("{}/s", width.parameter.unit));
         format!(", at the usual {usual}; {} of it without speed", rounded(force.value.abs(), unit))
     });
-    let turned = match fitted.get(3..) {
+    let sharp = fitted[2].value < SHARP;
+    let turned = match fitted.get(4..) {
         Some([by_speed, onset]) if by_speed.value > 0.9 => format!(
             "it is gone at standstill, and three quarters of it are there at {}",
             rounded(onset.value, &onset.parameter.unit)
@@ -250,6 +272,7 @@ fn told(fitted: &[FittedParameter], name: &str, usual: f64) -> String {
             "{} of it is gone at standstill, the rest changes over within {turn} after a turn",
             percent_of(by_speed.value)
         ),
+        _ if sharp => format!("after a turn it changes over in a straight line within {turn}, as a play (backlash) does"),
         _ => format!("it changes over within {turn} after a turn"),
     };
     format!(
@@ -270,7 +293,7 @@ mod tests {
     }
 
     fn by_travel() -> Against {
-        Against { force: 7.0, width: 0.5, viscous: 0.0, by_speed: 0.0, onset: 0.5, course: Course::Driver(0) }
+        Against { force: 7.0, width: 0.5, gradual: 1.0, viscous: 0.0, by_speed: 0.0, onset: 0.5, course: Course::Driver(0) }
     }
 
     #[test]
@@ -290,6 +313,22 @@ mod tests {
         friction(0.1).readout(&drive, &Readout { zero: 0.0, span: 1.0 }, &mut value);
         // a quarter of a millimetre a second at the crossing adds 0.1 of it
         approx::assert_abs_diff_eq!(value[251], 7.0 * 1.025, epsilon = 1e-3);
+    }
+
+    /// A play alone turns over in a straight line: half of it half a width after a turn has taken back half a width.
+    #[test]
+    fn one_play_turns_over_in_a_straight_line() {
+        // up by 3 in steps of 0.1, and down again
+        let x: Vec<f64> = (0..=60_i32).map(|i| 3.0 - 0.1 * f64::from((i - 30).abs())).collect();
+        let drivers = vec![Driver { name: "position".into(), unit: "mm".into(), values: x }];
+        let inputs = Inputs { time_s: Some((0..=60).map(f64::from).collect()), run: vec![1; 61], drivers, ..Inputs::default() };
+        let drive = Drive { inputs: &inputs, load: &[0.0; 61], temperature_c: &[20.0; 61], reference_c: 20.0, full_load: 1.0 };
+        let mut value = vec![0.0; 61];
+        Against { gradual: 0.0, ..by_travel() }.readout(&drive, &Readout { zero: 0.0, span: 1.0 }, &mut value);
+        // the play of half width 0.5 is at its end at the turn, in the middle 0.5 after it, at its other end 1.0 after it
+        for (row, expected) in [(29, 7.0), (30, 7.0), (35, 0.0), (40, -7.0), (60, -7.0)] {
+            approx::assert_abs_diff_eq!(value[row], expected, epsilon = 1e-9);
+        }
     }
 
     /// A driver that goes, stops and goes on: the force of a motor is gone while it stands, that of a piston is not.

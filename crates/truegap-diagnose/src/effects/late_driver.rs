@@ -5,6 +5,7 @@ use crate::{
     effects::composed::words::{InWords, Kinetics, Place},
     effects::{
         course::Course,
+        driver_coefficient::DriverCoefficient,
         effect::{About, Effect, Family, FittedParameter},
         memory::first_order_lag,
     },
@@ -80,6 +81,9 @@ impl Effect for LateDriver {
             Parameter::log_normal("tau", "s", middle_s(context), 1.5, "time constant with which it arrives")
                 .within(0.0, context.longest_run_s.max(1.0)),
         ]
+    }
+    fn comes_down_to(&self) -> Option<EffectId> {
+        Some(DriverCoefficient(self.0).id())
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let middle = middle_s(context);

@@ -116,21 +116,27 @@ pub const PLAY_SET: [f64; 3] = [0.4, 0.8, 1.8];
 /// Slip of a set of plays of mean half width `width`, in units of `width`: -1 on a long rise, +1 on a long fall.
 ///
 /// Each run starts with the plays at rest at `rest(x of its first row)`; `visit(row, slip)` is called down the rows.
-pub fn play_set(
+pub fn play_set(inputs: &Inputs, width: f64, x: impl Fn(usize) -> f64, rest: impl Fn(f64) -> f64, visit: impl FnMut(usize, f64)) {
+    plays(inputs, PLAY_SET.map(|ratio| ratio * width), x, rest, visit);
+}
+
+/// The same of plays with these half widths: `visit` is given the slip of all of them over their sum, -1 to 1.
+pub fn plays(
     inputs: &Inputs,
-    width: f64,
+    half_widths: [f64; 3],
     x: impl Fn(usize) -> f64,
     rest: impl Fn(f64) -> f64,
     mut visit: impl FnMut(usize, f64),
 ) {
-    let mut plays = PLAY_SET.map(|ratio| Play::new(ratio * width, 0.0));
+    let whole: f64 = half_widths.iter().sum();
+    let mut plays = half_widths.map(|half_width| Play::new(half_width, 0.0));
     walk(inputs, |row, step| {
         let now = x(row);
         if step.is_none() {
             plays.iter_mut().for_each(|play| play.state = rest(now));
         }
         let slip: f64 = plays.iter_mut().map(|play| play.slip(now)).sum();
-        visit(row, slip / (PLAY_SET.len() as f64 * width));
+        visit(row, slip / whole);
     });
 }
 

@@ -19,6 +19,7 @@ use crate::{
     },
     selection::{
         candidates::{Search, Tried},
+        posterior::is_whole,
         tuning::RIGHT_FAMILY,
         verdict::{Decision, removed_by},
     },
@@ -138,7 +139,7 @@ impl Choice<'_, '_> {
         let search = &self.search.within(&context);
         let of_equations: Vec<usize> = (0..search.library.len()).filter(|e| !search.library[*e].free_form()).collect();
         let added = search.add_each(from, &of_equations, most, "rows left out");
-        added.into_iter().filter_map(|tried| self.asked(search, tried)).collect()
+        added.into_iter().filter(|tried| is_whole(search, tried)).filter_map(|tried| self.asked(search, tried)).collect()
     }
 
     /// A model asked for rows left out, with the better of both laws of its last effect; `None` where a law has run to a limit of its numbers: there it does not hold.

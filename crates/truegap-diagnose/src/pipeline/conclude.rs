@@ -13,7 +13,7 @@ use crate::{
         by_rows_left_out::by_rows_left_out,
         carried::with_carried,
         described::described,
-        judged::{Judged, Told, composed, judged},
+        judged::{Judged, Told, composed, judged, judged_again},
         options::Options,
         permuted_searches::permuted_searches,
         predicted::Predicted,
@@ -22,7 +22,7 @@ use crate::{
     },
     selection::{
         candidates::{Search, Tried},
-        examine::{Examined, judge},
+        examine::Examined,
         weak_effects::widened,
     },
     validation::{
@@ -153,7 +153,7 @@ fn sharpened(
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
     let Some(bank) = bank(prepared, search, &examined, told.options)? else { return Ok((None, examined, composition)) };
-    let sharpened = judge(search, &prepared.lack_of_fit, examined.selection.sharpened(bank.power));
+    let sharpened = judged_again(prepared, search, examined.selection.sharpened(bank.power))?;
     let composition = composed(prepared, &sharpened, told);
     Ok((Some(bank), sharpened, composition))
 }

@@ -26,8 +26,8 @@ use crate::{
         prepare::Prepared,
     },
     selection::{
-        candidates::{Progress, Tried},
-        examine::{Examined, examine},
+        candidates::{Progress, Search, Tried},
+        examine::{Examined, examine, judge},
         posterior::Selection,
         verdict::{Decision, Verdict, interrupted},
     },
@@ -72,6 +72,18 @@ pub(crate) fn examined(prepared: &Prepared<'_>, told: &Told<'_>) -> Result<Exami
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
     beside_a_tone(prepared, search, examine(search, &prepared.lack_of_fit)?)
+}
+
+/// Decides once more, where probabilities or fits of the models have changed.
+///
+/// # Errors
+/// Those of the simulator.
+pub(crate) fn judged_again(
+    prepared: &Prepared<'_>,
+    search: &Search<'_>,
+    selection: Selection,
+) -> Result<Examined, DiagnoseError> {
+    beside_a_tone(prepared, search, judge(search, &prepared.lack_of_fit, selection))
 }
 
 /// What is stood behind after rows left out were asked.
@@ -132,7 +144,7 @@ pub(crate) fn judged_once(
     let mut predicted = predicted(prepared, search, selection, decision, &by_base, kept_back.is_none());
     let key = selection.models[predicted.decision.model].key();
     if let Some((found, uncounted)) = uncounted.filter(|(found, _)| found.tried.key() != key) {
-        examined.selection = found.listed_in(uncounted);
+        examined = examined.with(found.listed_in(uncounted));
         predicted.decision.model = examined.selection.place_of(key);
     }
     let held = prepared.context.held.clone();
@@ -195,13 +207,13 @@ impl Judged {
         after: Adequacy,
         decide: impl FnOnce(usize, usize) -> Decision,
     ) -> Self {
-        let (place, selection) = (self.predicted.decision.model, self.examined.selection);
+        let (place, selection) = (self.predicted.decision.model, self.examined.selection.clone());
         let key = tried.key();
         let unseen = Unseen::of((self.by_base.unseen.clone(), &selection.base().fit), (unseen, &tried.fit));
         let selection = selection.told_as(place, tried);
         let model = selection.place_of(key);
         let decision = decide(model, selection.base);
-        self.examined.selection = selection;
+        self.examined = self.examined.with(selection);
         self.predicted = Predicted { unseen, decision, after: Some(after), ..self.predicted };
         self.held = held;
         self
@@ -210,10 +222,10 @@ impl Judged {
     /// The same with mechanisms beside what is stood behind: they are among the models, and the decision is not asked again.
     pub(crate) fn described_by(mut self, composition: Composition) -> Self {
         let key = self.stood_behind().key();
-        let selection = composition.listed_in(self.examined.selection);
+        let selection = composition.listed_in(self.examined.selection.clone());
         // the order of the models has changed
         self.predicted.decision.model = selection.place_of(key);
-        self.examined.selection = selection;
+        self.examined = self.examined.with(selection);
         Self { composition: Some(composition), ..self }
     }
 
@@ -240,12 +252,10 @@ pub(crate) fn may_compose(options: &Options) -> bool {
 
 /// What was examined, with the mechanisms among its models and in its decision.
 fn counted(composition: &Composition, examined: Examined, lack_of_fit: &LackOfFitTests) -> Examined {
-    let key = examined.selection.models[examined.decision.model].key();
-    let selection = composition.counted_in(examined.selection);
-    // the order of the models has changed
-    let decision = Decision { model: selection.place_of(key), ..examined.decision };
-    let (decision, after) = composition.decide(&selection, decision, lack_of_fit);
-    Examined { selection, decision, after: after.unwrap_or(examined.after), ..examined }
+    let selection = composition.counted_in(examined.selection.clone());
+    let examined = examined.with(selection);
+    let (decision, after) = composition.decide(&examined.selection, examined.decision, lack_of_fit);
+    Examined { decision, after: after.unwrap_or(examined.after), ..examined }
 }
 
 /// The decision, taken back where the recording may not be trusted or an input is missing that was hidden on purpose; with the reason.

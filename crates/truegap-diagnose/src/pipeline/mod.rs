@@ -38,7 +38,7 @@ use crate::{
     },
 };
 use conclude::conclude;
-use judged::{Told, composed};
+use judged::{Told, composed, judged_again};
 use noise_choice::slower;
 use prepare::Prepared;
 use std::{
@@ -91,7 +91,7 @@ pub fn diagnose(
         prepared.context.held = held;
         let searched = prepared.searched();
         let search = prepared.search(&searched, progress, told.stop);
-        examined = Examined { selection: with_held(&search, examined.selection, &prepared.context.held), ..examined };
+        examined = judged_again(&prepared, &search, with_held(&search, examined.selection, &prepared.context.held))?;
     }
     conclude(prepared, examined, composition, &told, known.into(), started)
 }

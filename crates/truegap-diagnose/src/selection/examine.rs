@@ -8,6 +8,7 @@ use crate::{
     selection::{
         candidates::{Search, Tried},
         detectability::detectability,
+        effect_set::EffectSet,
         posterior::{Selection, select},
         tempering::expected,
         unmodelled::Causes,
@@ -30,6 +31,16 @@ pub struct Examined {
     pub decision: Decision,
 }
 
+impl Examined {
+    /// The same decision on another list of models: their order may have changed.
+    #[must_use]
+    pub fn with(mut self, selection: Selection) -> Self {
+        self.decision.model = selection.place_of(self.selection.models[self.decision.model].key());
+        self.selection = selection;
+        self
+    }
+}
+
 /// Fits, weighs and decides.
 ///
 /// # Errors
@@ -39,7 +50,12 @@ pub fn examine(search: &Search<'_>, lack_of_fit: &LackOfFitTests) -> Result<Exam
     let nothing = expected(selection.models.iter(), &search.library).map_or(0.0, |m| m.fit.objective());
     let causes = Causes::new(search.problem, search.whitener);
     let selection = selection.with_unmodelled(&causes, &search.library, lack_of_fit.slack());
-    Ok(judge(search, lack_of_fit, selection.merged(|models, tried| invisible(search, models, tried, nothing))))
+    let temper = selection.temper;
+    let simpler = |models: &[Tried], tried: &Tried| {
+        let without = invisible(search, models, tried, nothing).map(|effect| tried.key().without(effect));
+        with_a_simpler_law(search, models, tried, temper).into_iter().chain(without).collect()
+    };
+    Ok(judge(search, lack_of_fit, selection.merged(simpler)))
 }
 
 /// The verdict on a selection.
@@ -51,6 +67,18 @@ pub fn judge(search: &Search<'_>, lack_of_fit: &LackOfFitTests, selection: Selec
     let decision =
         if stopped { interrupted(&selection) } else { decide(&selection, &before, &after, |e| search.library[e].free_form()) };
     Examined { selection, before, after, decision }
+}
+
+/// The effects of a model with a simpler law in the place of one that holds it as a special case, where that fits as well: within [`VISIBLE`] deviations, tempered as the evidence is.
+fn with_a_simpler_law(search: &Search<'_>, models: &[Tried], tried: &Tried, temper: f64) -> Option<EffectSet> {
+    let simpler = |effect: &usize| {
+        let simple = search.library.get(*effect)?.comes_down_to()?;
+        let simple = search.library.iter().position(|other| other.id() == simple)?;
+        let key: EffectSet = tried.key().without(*effect).iter().copied().chain([simple]).collect();
+        let fits = models.iter().find(|model| model.key() == key)?;
+        (2.0 * (fits.fit.objective() - tried.fit.objective()) < VISIBLE * VISIBLE * temper).then_some(key)
+    };
+    tried.effects.iter().find_map(simpler)
 }
 
 /// The effect of a model that stands least above the noise, and above the error of its equations, where that is not enough; `nothing` is the objective of the

@@ -179,12 +179,11 @@ impl Selection {
         self.unmodelled.first().filter(|(_, odds)| *odds > 1.0).map(|(u, _)| u)
     }
 
-    /// Counts each likely model for the one without its least visible effect, while that cannot be seen in the fit: it is not claimed.
+    /// Counts each likely model for the simpler one that says as much, while there is one: without its least visible effect, where that cannot be seen in the fit, or with a simpler law.
     ///
-    /// `invisible` names the least visible effect of a model, where it does not stand above the noise. One effect is dropped at a time: two that can stand in
-    /// for one another are each invisible beside the other, and together they are not nothing.
+    /// `simpler` has the effects of such models, the first that was tried counts. One effect is changed at a time: two that can stand in for one another are each invisible beside the other, and together they are not nothing.
     #[must_use]
-    pub fn merged(mut self, invisible: impl Fn(&[Tried], &Tried) -> Option<usize>) -> Self {
+    pub fn merged(mut self, simpler: impl Fn(&[Tried], &Tried) -> Vec<EffectSet>) -> Self {
         let keys: Vec<EffectSet> = self.models.iter().map(Tried::key).collect();
         let largest = keys.iter().map(|key| key.len()).max().unwrap_or(0);
         for size in (1..=largest).rev() {
@@ -192,10 +191,9 @@ impl Selection {
                 if keys[index].len() != size || self.probability[index] < NEGLIGIBLE {
                     continue;
                 }
-                let Some(dropped) = invisible(&self.models, &self.models[index]) else { continue };
-                let key = keys[index].without(dropped);
-                // where the smaller model was not tried, nothing is known of it
-                let Some(target) = keys.iter().position(|k| *k == key) else { continue };
+                let simpler = simpler(&self.models, &self.models[index]);
+                // where no simpler model was tried, nothing is known of it
+                let Some(target) = simpler.iter().find_map(|key| keys.iter().position(|k| k == key)) else { continue };
                 self.probability[target] += self.probability[index];
                 self.probability[index] = 0.0;
             }
@@ -253,7 +251,7 @@ pub fn select(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: Tried) ->
 }
 
 /// Whether every effect that changes another one has that beside it, where the library holds it.
-fn is_whole(search: &Search<'_>, model: &Tried) -> bool {
+pub(crate) fn is_whole(search: &Search<'_>, model: &Tried) -> bool {
     let is = |e: &usize, id: &str| search.library[*e].id().0 == id;
     let held = |id: &str| !(0..search.library.len()).any(|e| is(&e, id)) || model.effects.iter().any(|e| is(e, id));
     model.effects.iter().filter_map(|e| search.library[*e].beside(search.context)).all(held)
@@ -327,7 +325,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_seen_counts_for_the_model_without_it() {
-        let merged = three().merged(|_, tried| tried.effects.contains(&1).then_some(1));
+        let merged = three().merged(|_, tried| tried.effects.contains(&1).then(|| tried.key().without(1)).into_iter().collect());
         approx::assert_relative_eq!(merged.effect_probability[0], 0.8, max_relative = 1e-12);
         assert_eq!(merged.effect_probability[1], 0.0);
         approx::assert_relative_eq!(merged.probability.iter().sum::<f64>(), 1.0, max_relative = 1e-12);

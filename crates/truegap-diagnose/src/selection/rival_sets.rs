@@ -57,8 +57,10 @@ pub(crate) fn in_its_place(selection: &Selection, best: usize) -> Vec<f64> {
 pub(crate) fn sets_told(selection: &Selection, best: usize) -> Vec<Vec<usize>> {
     let told = &selection.models[best].effects;
     let likeliest = selection.likeliest_named().unwrap_or(best);
-    let places = selection.models[likeliest].effects.iter().zip(rival_sets(selection, likeliest, Places::One));
-    let sets: Vec<Vec<usize>> = places.filter(|(effect, _)| told.contains(effect)).map(|(_, set)| set).collect();
+    let known = rival_sets(selection, likeliest, Places::One);
+    let place = |effect: &usize| selection.models[likeliest].effects.iter().position(|e| e == effect);
+    // in the order of the model that is told
+    let sets: Vec<Vec<usize>> = told.iter().filter_map(|effect| known.get(place(effect)?).cloned()).collect();
     let sure = told.iter().all(|e| selection.effect_probability[*e] >= SURE);
     if sets.iter().any(|set| set.len() > 1) || sure {
         return sets;

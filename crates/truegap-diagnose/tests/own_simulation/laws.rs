@@ -59,6 +59,59 @@ fn a_driver_that_acts_late_is_named_with_its_time_constant() {
     assert!((size.value + 0.2).abs() < 4.0 * size.sd && (tau.value - 30.0).abs() < 4.0 * tau.sd.hypot(0.5), "{}", said.says);
 }
 
+/// A zero that goes with a temperature, at once. The thermometer has noise of its own, which a lag of half a row smooths: that is no cause.
+#[test]
+fn a_lag_of_which_nothing_is_seen_is_a_plain_influence() {
+    let rows = 2000;
+    let warm = |row: usize| 25.0 + 6.0 * (row as f64 / 160.0).sin();
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(|row| 30.0 * row as f64).collect()),
+        run: vec![1; rows],
+        drivers: vec![Driver {
+            name: "temp".into(),
+            unit: "degC".into(),
+            values: noisy(8, |row| warm(row), rows).iter().map(|t| (10.0 * t).round() / 10.0).collect(),
+        }],
+        ..Inputs::default()
+    };
+    let said = said(&Given::with_level(), &inputs, &noisy(9, |row| 3.0 + 0.05 * (warm(row) - 25.0), rows));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["driver_coefficient"], "{}", said.says);
+    assert!(!said.ambiguity.iter().flatten().any(|id| id == "late_driver"), "{}", said.says);
+}
+
+/// A gear with play: what it turns stays behind by 0.06 until the play is taken up, and the whole play is told.
+#[test]
+fn a_play_is_told_with_its_width() {
+    let rows = 3000;
+    let told: Vec<f64> = (0..rows).map(|row| 2.0 * (row as f64 / 70.0).sin() + 0.7 * (row as f64 / 23.0).sin()).collect();
+    let mut turned = told[0];
+    let truth: Vec<f64> = told
+        .iter()
+        .map(|x| {
+            turned = turned.clamp(x - 0.06, x + 0.06);
+            turned
+        })
+        .collect();
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(|row| 0.02 * row as f64).collect()),
+        run: vec![1; rows],
+        simulated: Some(told),
+        ..Inputs::default()
+    };
+    let said = said(&Given { unit: "mm", ..Given::fixed() }, &inputs, &noisy(10, |row| truth[row], rows));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!((said.verdict, named.as_slice()), (Verdict::Explained, &["friction"][..]), "{}", said.says);
+    let number = |name: &str| said.findings[0].parameters.iter().find(|p| p.name == name).unwrap();
+    let (force, width) = (number("force"), number("width"));
+    assert!(
+        (force.value.abs() - 0.06).abs() < 4.0 * force.sd && (width.value - 0.06).abs() < 4.0 * width.sd,
+        "{}",
+        said.findings[0].says
+    );
+    assert!(said.findings[0].says.contains("backlash"), "{}", said.findings[0].says);
+}
+
 #[test]
 fn a_threshold_of_the_reading_is_counted_from_its_least_and_so_is_what_it_makes() {
     let base = Given::with_level();

@@ -161,3 +161,10 @@ fn a_smaller_model_takes_over_with_its_own_sets_and_form() {
     let other = Decision { sets: vec![vec![0, 2], vec![1]], ..fuller.clone() };
     assert_eq!(stepped_back(&selection, &other, 1, &left(0.0)).verdict, Verdict::Ambiguous);
 }
+
+/// Effect 3 is a rival of effect 0; the told model holds them in another order than the likeliest does.
+#[test]
+fn sets_stand_in_the_order_of_the_model_that_is_told() {
+    let among = selection(3000.0, &[(&[1, 0, 2], 0.4), (&[1, 3, 2], 0.3), (&[0, 1], 0.25), (&[], 0.05)]);
+    assert_eq!(crate::selection::rival_sets::sets_told(&among, 2), [vec![0, 3], vec![1]]);
+}

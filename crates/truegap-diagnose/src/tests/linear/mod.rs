@@ -6,6 +6,7 @@
 mod effects;
 mod exact;
 mod fits;
+mod foreseen;
 mod held_out;
 mod kept_bank;
 mod lack_of_fit;

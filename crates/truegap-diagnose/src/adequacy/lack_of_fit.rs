@@ -5,12 +5,13 @@
 use crate::{
     adequacy::directions::Direction,
     adequacy::tuning::{ALIKE, LACK_OF_FIT_LEVEL, MOST_UNCERTAIN, STRETCHES},
+    data::problem::Problem,
     fit::{
         optimum::{Fit, Linearised},
         score_test::{JointTest, Scores, scores},
     },
     stats::excess_of,
-    whitening::whitener::Whitener,
+    whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
@@ -84,6 +85,19 @@ impl LackOfFitTests {
         Self { columns, runs, slack: 1.0 + 2.0 * uncertainty.min(MOST_UNCERTAIN), steps: 0.0 }
     }
 
+    /// The tests of the searched rows of a recording under their noise; `keep[row] = false` leaves a row out. What lasts is looked for inside of runs, and where the rows are in no order nowhere.
+    pub fn of(
+        problem: &Problem<'_>,
+        noise: &NoiseModel,
+        whitener: &Whitener,
+        directions: &[Direction],
+        keep: Option<&[bool]>,
+    ) -> Self {
+        let runs = problem.runs_in_order();
+        let runs = keep.map_or_else(|| runs.clone(), |keep| stretches_kept(&runs, keep));
+        Self::new(directions, whitener, runs, noise.uncertainty).beside_steps(noise.line_of_steps())
+    }
+
     /// The same, for a reading whose steps make lines of such an amplitude by themselves, in noise of a row.
     #[must_use]
     pub fn beside_steps(self, amplitude: f64) -> Self {
@@ -120,6 +134,15 @@ impl LackOfFitTests {
         let smooth = if self.columns.ncols() == 0 { none() } else { scores(&linearised, &self.columns).joint() };
         (smooth.over(self.slack), stretches(&linearised, &self.runs).over(self.slack))
     }
+}
+
+/// The stretches of runs that are kept.
+fn stretches_kept(runs: &[Range<usize>], keep: &[bool]) -> Vec<Range<usize>> {
+    let of_run = |run: &Range<usize>| {
+        let rows: Vec<usize> = run.clone().filter(|row| keep[*row]).collect();
+        rows.chunk_by(|a, b| a + 1 == *b).map(|rows| rows[0]..rows[rows.len() - 1] + 1).collect::<Vec<_>>()
+    };
+    runs.iter().flat_map(of_run).collect()
 }
 
 fn none() -> JointTest {
@@ -170,4 +193,15 @@ fn strongest_line(residual: &[f64], runs: &[Range<usize>], amplitude: f64) -> (f
         }
     }
     (best, at)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stretches_end_with_their_run_and_where_a_part_is_left_out() {
+        let keep: Vec<bool> = (0..12).map(|row| !(2..5).contains(&row) && !(8..10).contains(&row)).collect();
+        assert_eq!(stretches_kept(&[0..6, 6..10, 10..12], &keep), [0..2, 5..6, 6..8, 10..12]);
+    }
 }

@@ -71,7 +71,6 @@ pub fn fill(search: &Search<'_>, whole: Whole<'_>, found: &Examined, options: &B
     let whitener = noise.whitener(&inputs.runs(), None);
     let loose = noise.scaled(LOOSE).whitener(&inputs.runs(), None);
     let directions = directions(inputs, whole.problem.simulator);
-    let lack_of_fit = LackOfFitTests::new(&directions, &whitener, inputs.runs(), 0.0).beside_steps(noise.line_of_steps());
     let likely = likely(search, found);
     let key = key(search, inputs, &noise, &likely);
     let known = options.store.load(&key);
@@ -81,6 +80,9 @@ pub fn fill(search: &Search<'_>, whole: Whole<'_>, found: &Examined, options: &B
     let quiet = |_: Progress| {};
     let blank = vec![0.0; inputs.len()];
     let template = Problem { inputs, response: &blank, simulator: whole.problem.simulator };
+    // the bank's noise is taken as known
+    let known_noise = NoiseModel { uncertainty: 0.0, ..noise.clone() };
+    let lack_of_fit = LackOfFitTests::of(&template, &known_noise, &whitener, &directions, None);
     open.par_iter().with_max_len(1).for_each(|index| {
         if search.stop.load(Ordering::Relaxed) {
             return;

@@ -153,21 +153,42 @@ fn none() -> JointTest {
 fn stretches(linearised: &Linearised, runs: &[Range<usize>]) -> JointTest {
     let rows: usize = runs.iter().map(ExactSizeIterator::len).sum();
     let length = (rows / STRETCHES).max(8);
-    let cells: Vec<Range<usize>> = runs
-        .iter()
-        .flat_map(|r| r.clone().step_by(length).map(|a| a..(a + length).min(r.end)))
-        .filter(|c| c.len() * 2 > length)
-        .collect();
+    let pieces = || runs.iter().flat_map(|r| r.clone().step_by(length).map(move |a| a..(a + length).min(r.end)));
+    let mut cells: Vec<Cell> = pieces().filter(|piece| piece.len() * 2 > length).map(|piece| vec![piece]).collect();
+    // runs shorter than half a stretch are no stretch by themselves; where most rows lie in such, neighbours make one together
+    if 2 * cells.iter().map(rows_of).sum::<usize>() < rows {
+        cells = together(pieces(), length);
+    }
     if cells.len() < 4 {
         return none();
     }
-    let sum = |cell: &Range<usize>| linearised.residual.rows(cell.start, cell.len()).sum();
-    let scores = DVector::from_fn(cells.len(), |i, _| sum(&cells[i]));
+    let scores =
+        DVector::from_fn(cells.len(), |i, _| cells[i].iter().map(|p| linearised.residual.rows(p.start, p.len()).sum()).sum());
     let taken = DMatrix::from_fn(linearised.taken.ncols(), cells.len(), |p, i| {
-        linearised.taken.column(p).rows(cells[i].start, cells[i].len()).sum()
+        let column = linearised.taken.column(p);
+        cells[i].iter().map(|piece| column.rows(piece.start, piece.len()).sum()).sum()
     });
-    let lengths = DMatrix::from_diagonal(&DVector::from_fn(cells.len(), |i, _| cells[i].len() as f64));
+    let lengths = DMatrix::from_diagonal(&DVector::from_fn(cells.len(), |i, _| rows_of(&cells[i]) as f64));
     Scores { scores, covariance: lengths - taken.tr_mul(&taken) }.joint()
+}
+
+/// Pieces of runs whose rows have one mean.
+type Cell = Vec<Range<usize>>;
+
+fn rows_of(cell: &Cell) -> usize {
+    cell.iter().map(ExactSizeIterator::len).sum()
+}
+
+/// Neighbouring pieces, as many as make more than half of a stretch of this length; what is left over at the end is left out.
+fn together(pieces: impl Iterator<Item = Range<usize>>, length: usize) -> Vec<Cell> {
+    let (mut cells, mut open) = (Vec::new(), Cell::new());
+    for piece in pieces {
+        open.push(piece);
+        if 2 * rows_of(&open) > length {
+            cells.push(std::mem::take(&mut open));
+        }
+    }
+    cells
 }
 
 /// Fisher's test of the strongest line in the periodograms of the runs, of those above an amplitude: p-value and (run, cycles a row).

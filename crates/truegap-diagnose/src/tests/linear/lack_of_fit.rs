@@ -17,6 +17,7 @@ use crate::{
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
 
 /// A right model, tested along six directions: one false alarm in ten thousand recordings.
 #[test]
@@ -102,6 +103,22 @@ fn a_right_noise_is_not_lowered_and_one_three_times_too_loud_is_by_three() {
         // factors of the grid stand a quarter apart
         assert!((lowered.white_sd / exact).ln().abs() < 0.3, "{} {exact}", lowered.white_sd);
     }
+}
+
+/// Six hundred runs of eight rows, each shorter than half of the twenty rows of a stretch: what lasts over some of them is seen, and noise is not.
+#[test]
+fn short_runs_are_tested_together() {
+    let world = World::new(600, 8, &[]);
+    let random = &mut ChaCha8Rng::seed_from_u64(43);
+    let mut y: Vec<f64> = (0..4800).map(|_| StandardNormal.sample(random)).collect();
+    let tests = LackOfFitTests::new(&[], &world.whitener(1.0), world.inputs.runs(), 0.0);
+    let of = |y: &[f64]| world.search(y, |search, _| tests.adequacy(&search.base().unwrap().fit));
+    let noise = of(&y);
+    // two runs make sixteen rows
+    assert_eq!(noise.stretches.freedom, 300);
+    assert!(!noise.fires(), "{noise:?}");
+    y.iter_mut().enumerate().filter(|(row, _)| row / 480 % 2 == 0).for_each(|(_, y)| *y += 0.3);
+    assert!(of(&y).stretches.p_value < 1e-9, "{:?}", of(&y).stretches);
 }
 
 /// Three tests were tried; and noise known to a tenth may have 1.2 times the variance.

@@ -38,7 +38,7 @@ pub(super) fn permuted_searches(
     let model = Model::new(problem, &prepared.context, Vec::new());
     let misfit = model.misfit(&selection.base().fit.z)?;
     let predicted: Vec<f64> = problem.response.iter().zip(&misfit).map(|(reading, misfit)| reading - misfit).collect();
-    let (runs, misfit) = (problem.runs(), DMatrix::from_vec(misfit.len(), 1, misfit));
+    let (runs, misfit) = (problem.runs_of_recordings(), DMatrix::from_vec(misfit.len(), 1, misfit));
     let random = &mut ChaCha8Rng::seed_from_u64(SEEDS.permuted_searches);
     let quiet = |_: Progress| {};
     let unheard = Told { options: told.options, progress: &quiet, asked: told.asked, stop: told.stop };

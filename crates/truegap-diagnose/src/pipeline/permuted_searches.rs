@@ -49,7 +49,11 @@ pub(super) fn permuted_searches(
         let response: Vec<f64> = predicted.iter().zip(elsewhere.iter()).map(|(value, misfit)| value + misfit).collect();
         let permuted = Problem { response: &response, ..*problem };
         let again = Prepared::new(&permuted, prepared.noise.clone(), told.options)?;
-        gains.push(gain(&examined(&again, &unheard)?.selection, prepared.testable.len()));
+        let found = gain(&examined(&again, &unheard)?.selection, prepared.testable.len());
+        // a search that was ended has not seen all that it could have found
+        if !told.stop.load(Ordering::Relaxed) {
+            gains.push(found);
+        }
     }
     Ok((!gains.is_empty()).then(|| PermutedSearches::new(gain(selection, prepared.testable.len()), gains)))
 }

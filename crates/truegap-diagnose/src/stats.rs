@@ -43,6 +43,11 @@ pub fn rmse(prediction: &[f64], response: &[f64], rows: Range<usize>) -> Option<
     rmse_of_both([prediction, prediction], response, rows).map(|[error, _]| error)
 }
 
+/// Share of a root-mean-square error above the noise `floor` that is removed, `1 - (after^2 - floor^2) / (before^2 - floor^2)`.
+pub fn share_removed(before: f64, after: f64, floor: f64) -> f64 {
+    1.0 - (after * after - floor * floor) / (before * before - floor * floor).max(f64::MIN_POSITIVE)
+}
+
 /// Probability that a chi-squared variable of `freedom` exceeds `statistic`.
 pub fn upper_tail(statistic: f64, freedom: usize) -> f64 {
     ChiSquared::new(freedom.max(1) as f64).map_or(1.0, |d| d.sf(statistic))

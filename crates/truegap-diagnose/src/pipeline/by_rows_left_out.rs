@@ -22,6 +22,7 @@ use crate::{
         tuning::RIGHT_FAMILY,
         verdict::{Decision, removed_by},
     },
+    stats::share_removed,
     text::significant,
     validation::{
         cross_validation::{HeldOutFit, compared},
@@ -205,7 +206,7 @@ impl Choice<'_, '_> {
         let under_noise = removed_by(tried.fit.explains_beyond(&base.fit), after);
         let [before, left] = compared(&self.judged.by_base.unseen, unseen).map_or([1.0, 1.0], |both| both.rmse);
         let floor = self.prepared.noise.floor().min(left);
-        under_noise.max(1.0 - (left * left - floor * floor) / (before * before - floor * floor).max(f64::MIN_POSITIVE))
+        under_noise.max(share_removed(before, left, floor))
     }
 }
 

@@ -11,6 +11,7 @@ use crate::{
         optimum::Fit,
     },
     selection::candidates::{Search, Tried},
+    stats::share_removed,
     validation::tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, THERE},
     whitening::noise_model::NoiseModel,
 };
@@ -252,12 +253,12 @@ fn without(
     fit_around(model, &whitener, around, &FitOptions::default()).ok()
 }
 
-/// Share of the reproducible misfit that is removed, `1 - (after^2 - floor^2) / (before^2 - floor^2)`; `None` where nothing is there to remove.
+/// Share of the reproducible misfit that is removed ([`share_removed`]); `None` where nothing is there to remove.
 pub fn misfit_removed(before: f64, after: f64, floor: f64, rows: usize) -> Option<f64> {
     let there = before * before - floor * floor;
     // the floor's own square is uncertain by floor^2 sqrt(2 / rows it was measured on)
     let uncertain = floor * floor * (2.0 / rows.max(1) as f64).sqrt();
-    (there > THERE * uncertain).then(|| 1.0 - (after * after - floor * floor) / there)
+    (there > THERE * uncertain).then(|| share_removed(before, after, floor))
 }
 
 #[cfg(test)]

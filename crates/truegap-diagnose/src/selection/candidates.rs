@@ -25,7 +25,7 @@ use truegap_core::SimulationError;
 /// A model that was fitted: the base with some effects of the library.
 #[derive(Clone)]
 pub struct Tried {
-    /// indices into [`Search::library`], ascending in the order in which they were added
+    /// indices into [`Search::library`], in the order in which they were added
     pub effects: Vec<usize>,
     /// its fit
     pub fit: Fit,

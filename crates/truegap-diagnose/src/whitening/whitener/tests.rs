@@ -22,7 +22,7 @@ fn the_filter_equals_the_dense_covariance() {
     approx::assert_relative_eq!(filter.log_determinant, covariance.determinant().ln(), max_relative = 1e-10);
 }
 
-/// Unit lines over 40 rows with independent errors of their means, as smoothing leaves them: the filter must find the mean of all rows as uncertain as the
+/// Unit lines over 30 rows with independent errors of their means, as smoothing leaves them: the filter must find the mean of all rows as uncertain as the
 /// dense covariance of a moving average does, within what an autoregression can copy of it.
 #[test]
 fn the_error_of_smoothed_inputs_weighs_in_the_mean_like_the_noise_as_recorded() {

@@ -43,9 +43,27 @@ pub fn rmse(prediction: &[f64], response: &[f64], rows: Range<usize>) -> Option<
     rmse_of_both([prediction, prediction], response, rows).map(|[error, _]| error)
 }
 
+/// Share of a root-mean-square error above the noise `floor` that is removed, `1 - (after^2 - floor^2) / (before^2 - floor^2)`.
+pub fn share_removed(before: f64, after: f64, floor: f64) -> f64 {
+    1.0 - (after * after - floor * floor) / (before * before - floor * floor).max(f64::MIN_POSITIVE)
+}
+
 /// Probability that a chi-squared variable of `freedom` exceeds `statistic`.
 pub fn upper_tail(statistic: f64, freedom: usize) -> f64 {
     ChiSquared::new(freedom.max(1) as f64).map_or(1.0, |d| d.sf(statistic))
+}
+
+/// Logarithm of [`upper_tail`] for an even number of degrees of freedom, `half` of them, also where the probability itself is too small for a number.
+///
+/// **Source:** the sum of a Poisson distribution, NIST Digital Library of Mathematical Functions, 8.4.10. **Accuracy:** 1e-9, `logarithms_of_tails_are_those_of_the_tails`.
+pub fn log_upper_tail(statistic: f64, half: usize) -> f64 {
+    let mean = 0.5 * statistic;
+    let mut term = 0.0;
+    let terms = (0..half.max(1)).map(|k| {
+        term += if k > 0 { (mean / k as f64).ln() } else { 0.0 };
+        term
+    });
+    (log_sum_exp(&terms.collect::<Vec<_>>()) - mean).min(0.0)
 }
 
 /// Squared amplitude, in units of the noise variance, of a periodic part that has this p-value: `-2 ln p`.
@@ -76,4 +94,22 @@ pub fn log_sum_exp(values: &[f64]) -> f64 {
 pub fn normal_between(low: f64, high: f64) -> f64 {
     let upper_tail = |x: f64| 0.5 * erfc(x / std::f64::consts::SQRT_2);
     if low > 0.0 { upper_tail(low) - upper_tail(high) } else { upper_tail(-high) - upper_tail(-low) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn logarithms_of_tails_are_those_of_the_tails() {
+        for half in [1, 4, 12] {
+            for statistic in [0.5, 8.0, 30.0, 400.0] {
+                let (log, tail) = (log_upper_tail(statistic, half), upper_tail(statistic, 2 * half));
+                approx::assert_relative_eq!(log, tail.ln(), max_relative = 1e-9, epsilon = 1e-12);
+            }
+        }
+        // of two degrees of freedom it is exponential
+        assert_eq!(log_upper_tail(1e6, 1), -5e5);
+        assert!(log_upper_tail(0.0, 4).abs() < 1e-12);
+    }
 }

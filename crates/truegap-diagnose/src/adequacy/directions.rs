@@ -267,7 +267,7 @@ fn time_scales(inputs: &Inputs) -> Option<Vec<f64>> {
     shortest.is_finite().then(|| (0..5).map(|k| shortest * ratio.powf((f64::from(k) + 0.7) / 5.5)).collect())
 }
 
-/// Change per second, in units of the greatest.
+/// Change per second.
 fn rate(inputs: &Inputs, load: &[f64]) -> Vec<f64> {
     let steps = inputs.steps_s();
     let mut rate = vec![0.0; load.len()];

@@ -5,12 +5,13 @@
 use crate::{
     adequacy::directions::Direction,
     adequacy::tuning::{ALIKE, LACK_OF_FIT_LEVEL, MOST_UNCERTAIN, STRETCHES},
+    data::problem::Problem,
     fit::{
         optimum::{Fit, Linearised},
         score_test::{JointTest, Scores, scores},
     },
     stats::excess_of,
-    whitening::whitener::Whitener,
+    whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
@@ -84,6 +85,19 @@ impl LackOfFitTests {
         Self { columns, runs, slack: 1.0 + 2.0 * uncertainty.min(MOST_UNCERTAIN), steps: 0.0 }
     }
 
+    /// The tests of the searched rows of a recording under their noise; `keep[row] = false` leaves a row out. What lasts is looked for inside of runs, and where the rows are in no order nowhere.
+    pub fn of(
+        problem: &Problem<'_>,
+        noise: &NoiseModel,
+        whitener: &Whitener,
+        directions: &[Direction],
+        keep: Option<&[bool]>,
+    ) -> Self {
+        let runs = problem.runs_in_order();
+        let runs = keep.map_or_else(|| runs.clone(), |keep| stretches_kept(&runs, keep));
+        Self::new(directions, whitener, runs, noise.uncertainty).beside_steps(noise.line_of_steps())
+    }
+
     /// The same, for a reading whose steps make lines of such an amplitude by themselves, in noise of a row.
     #[must_use]
     pub fn beside_steps(self, amplitude: f64) -> Self {
@@ -122,6 +136,15 @@ impl LackOfFitTests {
     }
 }
 
+/// The stretches of runs that are kept.
+fn stretches_kept(runs: &[Range<usize>], keep: &[bool]) -> Vec<Range<usize>> {
+    let of_run = |run: &Range<usize>| {
+        let rows: Vec<usize> = run.clone().filter(|row| keep[*row]).collect();
+        rows.chunk_by(|a, b| a + 1 == *b).map(|rows| rows[0]..rows[rows.len() - 1] + 1).collect::<Vec<_>>()
+    };
+    runs.iter().flat_map(of_run).collect()
+}
+
 fn none() -> JointTest {
     JointTest { statistic: 0.0, freedom: 0, p_value: 1.0 }
 }
@@ -130,21 +153,42 @@ fn none() -> JointTest {
 fn stretches(linearised: &Linearised, runs: &[Range<usize>]) -> JointTest {
     let rows: usize = runs.iter().map(ExactSizeIterator::len).sum();
     let length = (rows / STRETCHES).max(8);
-    let cells: Vec<Range<usize>> = runs
-        .iter()
-        .flat_map(|r| r.clone().step_by(length).map(|a| a..(a + length).min(r.end)))
-        .filter(|c| c.len() * 2 > length)
-        .collect();
+    let pieces = || runs.iter().flat_map(|r| r.clone().step_by(length).map(move |a| a..(a + length).min(r.end)));
+    let mut cells: Vec<Cell> = pieces().filter(|piece| piece.len() * 2 > length).map(|piece| vec![piece]).collect();
+    // runs shorter than half a stretch are no stretch by themselves; where most rows lie in such, neighbours make one together
+    if 2 * cells.iter().map(rows_of).sum::<usize>() < rows {
+        cells = together(pieces(), length);
+    }
     if cells.len() < 4 {
         return none();
     }
-    let sum = |cell: &Range<usize>| linearised.residual.rows(cell.start, cell.len()).sum();
-    let scores = DVector::from_fn(cells.len(), |i, _| sum(&cells[i]));
+    let scores =
+        DVector::from_fn(cells.len(), |i, _| cells[i].iter().map(|p| linearised.residual.rows(p.start, p.len()).sum()).sum());
     let taken = DMatrix::from_fn(linearised.taken.ncols(), cells.len(), |p, i| {
-        linearised.taken.column(p).rows(cells[i].start, cells[i].len()).sum()
+        let column = linearised.taken.column(p);
+        cells[i].iter().map(|piece| column.rows(piece.start, piece.len()).sum()).sum()
     });
-    let lengths = DMatrix::from_diagonal(&DVector::from_fn(cells.len(), |i, _| cells[i].len() as f64));
+    let lengths = DMatrix::from_diagonal(&DVector::from_fn(cells.len(), |i, _| rows_of(&cells[i]) as f64));
     Scores { scores, covariance: lengths - taken.tr_mul(&taken) }.joint()
+}
+
+/// Pieces of runs whose rows have one mean.
+type Cell = Vec<Range<usize>>;
+
+fn rows_of(cell: &Cell) -> usize {
+    cell.iter().map(ExactSizeIterator::len).sum()
+}
+
+/// Neighbouring pieces, as many as make more than half of a stretch of this length; what is left over at the end is left out.
+fn together(pieces: impl Iterator<Item = Range<usize>>, length: usize) -> Vec<Cell> {
+    let (mut cells, mut open) = (Vec::new(), Cell::new());
+    for piece in pieces {
+        open.push(piece);
+        if 2 * rows_of(&open) > length {
+            cells.push(std::mem::take(&mut open));
+        }
+    }
+    cells
 }
 
 /// Fisher's test of the strongest line in the periodograms of the runs, of those above an amplitude: p-value and (run, cycles a row).
@@ -170,4 +214,15 @@ fn strongest_line(residual: &[f64], runs: &[Range<usize>], amplitude: f64) -> (f
         }
     }
     (best, at)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stretches_end_with_their_run_and_where_a_part_is_left_out() {
+        let keep: Vec<bool> = (0..12).map(|row| !(2..5).contains(&row) && !(8..10).contains(&row)).collect();
+        assert_eq!(stretches_kept(&[0..6, 6..10, 10..12], &keep), [0..2, 5..6, 6..8, 10..12]);
+    }
 }

@@ -39,7 +39,7 @@ pub(crate) fn unseen(found: &Found<'_>, tried: &Tried) -> HeldOutFit {
 /// What an added term of equal freedom removes when its history is permuted.
 pub(crate) fn permutation_control(found: &Found<'_>, tried: &Tried) -> Option<f64> {
     let problem = found.search.problem;
-    permuted(&found.selection.base().fit, &tried.fit, &problem.runs(), &problem.inputs.run)
+    permuted(&found.selection.base().fit, &tried.fit, &problem.runs_of_recordings(), &problem.inputs.run)
 }
 
 /// Root-mean-square errors of two predictions of every row.

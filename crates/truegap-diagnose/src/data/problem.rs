@@ -25,6 +25,16 @@ impl Problem<'_> {
         self.inputs.runs()
     }
 
+    /// The runs of each recording.
+    pub fn runs_of_recordings(&self) -> Vec<Vec<Range<usize>>> {
+        let runs = self.runs();
+        let inside = |rows: Range<usize>| runs.iter().filter(|run| rows.contains(&run.start)).cloned().collect();
+        match self.simulator.joined() {
+            Some(joined) => (0..joined.count()).map(|k| inside(joined.rows(k, self.inputs))).collect(),
+            None => vec![runs],
+        }
+    }
+
     /// The runs in which rows that follow one another belong together: all of them, or none where no clock says so and inputs that move were written in any order.
     pub fn runs_in_order(&self) -> Vec<Range<usize>> {
         let follow = self.inputs.time_s.is_some() || !Moved::of(self.inputs, self.simulator).anything();

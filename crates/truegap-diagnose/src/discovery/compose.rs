@@ -76,7 +76,7 @@ pub fn compose(
             break;
         }
     }
-    let explained = |tried: &Tried| selection.base().fit.objective() - tried.fit.objective();
+    let explained = |tried: &Tried| tried.fit.explains_beyond(&selection.base().fit);
     let matter_of_form = |found: &Composition| {
         explained(chosen) >= A_TENTH * explained(&found.tried) && says_all_of(search, chosen, &found.tried, &found.mechanisms)
     };
@@ -162,7 +162,7 @@ pub fn is_strained(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: &Tri
     let strained = (0..tried.effects.len()).filter(law).filter(at_limit);
     // nothing is said of a law without which the model has no answer
     let carried: Option<f64> = strained.map(|index| detectability(search, tried, index).map(|d| d.powi(2))).sum();
-    let explained = 2.0 * (base.fit.objective() - tried.fit.objective());
+    let explained = tried.fit.explains_beyond(&base.fit);
     carried.is_some_and(|carried| carried > 0.0 && carried > (1.0 - RIGHT_FAMILY) * explained)
 }
 
@@ -209,7 +209,7 @@ impl Composition {
 
     /// The share that the mechanisms remove and their verdict where they stand; `None` where they leave too much.
     fn stands(&self, selection: &Selection, after: &Adequacy) -> Option<(f64, Verdict)> {
-        let explained = 2.0 * (selection.base().fit.objective() - self.tried.fit.objective());
+        let explained = self.tried.fit.explains_beyond(&selection.base().fit);
         let removed = removed_by(explained, after);
         let sure = self.mechanisms.iter().all(|m| m.words.sure(SURE));
         let verdict = match Decision::adequate(removed, after) {

@@ -62,6 +62,11 @@ impl Fit {
         0.5 * (self.chi2 + self.prior.penalty())
     }
 
+    /// What it explains beyond another fit of the same rows, in units of the noise variance: twice the fall of the objective.
+    pub fn explains_beyond(&self, other: &Self) -> f64 {
+        2.0 * (other.objective() - self.objective())
+    }
+
     /// How little its numbers are to be believed after what is known beforehand: the prior's penalty, in squares of its standard deviations.
     pub fn disbelief(&self) -> f64 {
         self.prior.penalty()

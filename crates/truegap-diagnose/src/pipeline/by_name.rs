@@ -99,7 +99,7 @@ impl Judged {
     pub(crate) fn told_by(self, name: ByName) -> Self {
         let ByName { tried, held, unseen, after, .. } = name;
         let (place, selection) = (self.predicted.decision.model, &self.examined.selection);
-        let explained = 2.0 * (selection.base().fit.objective() - tried.fit.objective());
+        let explained = tried.fit.explains_beyond(&selection.base().fit);
         let removed = removed_by(explained, &after);
         let sets: Vec<Vec<usize>> =
             tried.effects.iter().map(|e| set_of(&selection.models[place], &self.predicted.decision, *e)).collect();

@@ -23,6 +23,7 @@ use crate::{
         tuning::RIGHT_FAMILY,
         verdict::{Decision, removed_by},
     },
+    stats::share_removed,
     text::significant,
     validation::{
         cross_validation::{HeldOutFit, compared},
@@ -203,10 +204,10 @@ impl Choice<'_, '_> {
     /// Share of the misfit that a model removes: under the noise or on rows left out, whichever is more.
     fn removed(&self, tried: &Tried, unseen: &HeldOutFit, after: &Adequacy) -> f64 {
         let base = self.judged.examined.selection.base();
-        let under_noise = removed_by(2.0 * (base.fit.objective() - tried.fit.objective()), after);
+        let under_noise = removed_by(tried.fit.explains_beyond(&base.fit), after);
         let [before, left] = compared(&self.judged.by_base.unseen, unseen).map_or([1.0, 1.0], |both| both.rmse);
         let floor = self.prepared.noise.floor().min(left);
-        under_noise.max(1.0 - (left * left - floor * floor) / (before * before - floor * floor).max(f64::MIN_POSITIVE))
+        under_noise.max(share_removed(before, left, floor))
     }
 }
 

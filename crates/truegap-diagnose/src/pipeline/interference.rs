@@ -31,7 +31,7 @@ pub(crate) fn with_interference(
     let (base, stood_behind) = (selection.base(), &selection.models[decision.model]);
     let residual = rows.left_by(stood_behind)?;
     let interference = rows.interference(&residual);
-    let explained = explained(base, stood_behind);
+    let explained = stood_behind.fit.explains_beyond(&base.fit);
     let apart = rows.apart(interference.tone, (base, stood_behind), &residual)?;
     let decision = match interference.is_anything() {
         true => decision.clone().with_interference(selection.base, explained, interference.excess(apart)),
@@ -55,11 +55,6 @@ pub(crate) fn beside_a_tone(prepared: &Prepared<'_>, search: &Search<'_>, examin
     let after = after.without_line(tone.per_row * blocks);
     let decision = decide(selection, before, &after, |e| search.library[e].free_form());
     Ok(Examined { after, decision, ..examined })
-}
-
-/// By how much the objective falls, in units of the noise variance.
-fn explained(base: &Tried, named: &Tried) -> f64 {
-    2.0 * (base.fit.objective() - named.fit.objective())
 }
 
 /// What models leave of every row.
@@ -92,6 +87,6 @@ impl EveryRow<'_, '_> {
         }
         let problem = self.prepared.problem;
         let power = |residual: &[f64]| tone.power_in(residual, problem.inputs.time_s.as_deref(), &problem.runs_in_order());
-        Ok(power(&self.left_by(base)?) - power(residual) <= (1.0 - RIGHT_FAMILY) * explained(base, named))
+        Ok(power(&self.left_by(base)?) - power(residual) <= (1.0 - RIGHT_FAMILY) * named.fit.explains_beyond(&base.fit))
     }
 }

@@ -38,7 +38,7 @@ pub(super) fn permuted_searches(
     let model = Model::new(problem, &prepared.context, Vec::new());
     let misfit = model.misfit(&selection.base().fit.z)?;
     let predicted: Vec<f64> = problem.response.iter().zip(&misfit).map(|(reading, misfit)| reading - misfit).collect();
-    let (runs, misfit) = (problem.runs(), DMatrix::from_vec(misfit.len(), 1, misfit));
+    let (runs, misfit) = (problem.runs_of_recordings(), DMatrix::from_vec(misfit.len(), 1, misfit));
     let random = &mut ChaCha8Rng::seed_from_u64(SEEDS.permuted_searches);
     let quiet = |_: Progress| {};
     let unheard = Told { options: told.options, progress: &quiet, asked: told.asked, stop: told.stop };
@@ -49,7 +49,11 @@ pub(super) fn permuted_searches(
         let response: Vec<f64> = predicted.iter().zip(elsewhere.iter()).map(|(value, misfit)| value + misfit).collect();
         let permuted = Problem { response: &response, ..*problem };
         let again = Prepared::new(&permuted, prepared.noise.clone(), told.options)?;
-        gains.push(gain(&examined(&again, &unheard)?.selection, prepared.testable.len()));
+        let found = gain(&examined(&again, &unheard)?.selection, prepared.testable.len());
+        // a search that was ended has not seen all that it could have found
+        if !told.stop.load(Ordering::Relaxed) {
+            gains.push(found);
+        }
     }
     Ok((!gains.is_empty()).then(|| PermutedSearches::new(gain(selection, prepared.testable.len()), gains)))
 }

@@ -209,7 +209,7 @@ impl RowsLeftOut<'_, '_> {
     fn could_be_named(&self, model: usize) -> bool {
         let (base, tried) = (self.selection.base(), &self.selection.models[model]);
         let after = self.left_by(model);
-        !after.fires() || removed_by(2.0 * (base.fit.objective() - tried.fit.objective()), &after) >= RIGHT_FAMILY
+        !after.fires() || removed_by(tried.fit.explains_beyond(&base.fit), &after) >= RIGHT_FAMILY
     }
 
     fn effects(&self, model: usize) -> &[usize] {

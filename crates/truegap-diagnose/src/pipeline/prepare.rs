@@ -85,9 +85,9 @@ impl<'a> Prepared<'a> {
         let whitener = searched_noise.whitener(&runs, None);
         let loose = searched_noise.scaled(LOOSE).whitener(&runs, None);
         let directions = directions(inputs, problem.simulator);
-        let in_order = if problem.runs_in_order().is_empty() { Vec::new() } else { runs };
-        let lack_of_fit = LackOfFitTests::new(&directions, &whitener, in_order, searched_noise.uncertainty)
-            .beside_steps(searched_noise.line_of_steps());
+        let response = averages.as_ref().map_or(problem.response, |t| t.response.as_slice());
+        let searched = Problem { inputs, response, simulator: problem.simulator };
+        let lack_of_fit = LackOfFitTests::of(&searched, &searched_noise, &whitener, &directions, None);
         Ok(Self {
             problem,
             context,

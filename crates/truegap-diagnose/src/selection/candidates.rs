@@ -25,7 +25,7 @@ use truegap_core::SimulationError;
 /// A model that was fitted: the base with some effects of the library.
 #[derive(Clone)]
 pub struct Tried {
-    /// indices into [`Search::library`], ascending in the order in which they were added
+    /// indices into [`Search::library`], in the order in which they were added
     pub effects: Vec<usize>,
     /// its fit
     pub fit: Fit,
@@ -251,9 +251,10 @@ impl<'a> Search<'a> {
         for shape in model.effects[last].starts(self.context) {
             let z_shape: Vec<f64> = parameters.iter().skip(1).zip(&shape).map(|(p, v)| p.prior.z(*v)).collect();
             // a size that is foreseen lies far from 0, where it starts
-            let foreseen = -zero_size(model, last);
+            let (zero, foreseen) = (zero_size(model, last), -zero_size(model, last));
             for trial in [0.01, 0.5, -0.5].into_iter().chain((foreseen != 0.0).then_some(foreseen)) {
-                if (bounds.0..=bounds.1).contains(&trial) {
+                // a step away from none, which a size that is foreseen may not reach
+                if (bounds.0..=bounds.1).contains(&(zero + trial)) {
                     starts.extend(self.straight_step(launch, model, trial, &z_shape, bounds));
                 }
             }
@@ -262,7 +263,7 @@ impl<'a> Search<'a> {
         starts
     }
 
-    /// Size that a straight line through size 0 and `trial` promises, and its gain in log likelihood.
+    /// Size that a straight line through size 0 and one `trial` from there promises, and its gain in log likelihood.
     fn straight_step(
         &self,
         launch: Launch<'_>,
@@ -273,8 +274,7 @@ impl<'a> Search<'a> {
     ) -> Option<Start> {
         let from = launch.from;
         let zero = zero_size(model, model.effects.len() - 1);
-        let size = if trial > 0.0 { (zero + trial).min(bounds.1) } else { (zero + trial).max(bounds.0) };
-        let (mut z, column) = with_one_more(model, &from.fit, size, shape, self.whitener_of(launch))?;
+        let (mut z, column) = with_one_more(model, &from.fit, zero + trial, shape, self.whitener_of(launch))?;
         let found = scores(launch.linearised, &DMatrix::from_column_slice(column.len(), 1, &column));
         let (score, variance) = (found.scores[0], found.covariance[(0, 0)]);
         let best =

@@ -204,9 +204,11 @@ impl Selection {
     /// The same models with the probabilities raised to a power: above 1 they were too modest, below 1 too bold (see [`crate::validation::recovery`]).
     #[must_use]
     pub fn sharpened(mut self, power: f64) -> Self {
-        let total: f64 = self.probability.iter().map(|p| p.powf(power)).sum();
-        self.probability.iter_mut().for_each(|p| *p = p.powf(power) / total);
-        self.unmodelled.iter_mut().for_each(|(_, odds)| *odds = odds.powf(power) / total);
+        // in logarithms: a power of odds that stand for certainty is larger than any number
+        let raised: Vec<f64> = self.probability.iter().map(|p| power * p.ln()).collect();
+        let total = log_sum_exp(&raised);
+        self.probability.iter_mut().zip(raised).for_each(|(p, raised)| *p = (raised - total).exp());
+        self.unmodelled.iter_mut().for_each(|(_, odds)| *odds = (power * odds.ln() - total).min(LARGEST_GAIN).exp());
         self.sorted()
     }
 
@@ -356,6 +358,18 @@ mod tests {
         let beside = selection(0.5).sharpened(2.0);
         // 0.2, 0.8 and odds of 0.5: squares 0.04, 0.64, 0.25
         approx::assert_relative_eq!(beside.probability_unmodelled(), 0.25 / 0.93, max_relative = 1e-12);
+    }
+
+    /// Odds that stand for certainty do so at any power, and leave nothing to what the library names.
+    #[test]
+    fn certainty_stays_certainty_at_every_power() {
+        for power in [0.25, 1.0, 4.06] {
+            let certain = selection(LARGEST_GAIN.exp()).sharpened(power);
+            approx::assert_relative_eq!(certain.probability_unmodelled(), 1.0, max_relative = 1e-12);
+            assert!(certain.effect_probability[0] < 1e-9, "{:?}", certain.effect_probability);
+        }
+        let nothing = selection(0.0).sharpened(4.06);
+        assert_eq!(nothing.probability_unmodelled(), 0.0);
     }
 
     /// A library that rows left out contradict has no probability left, and neither has what was composed beside it.

@@ -95,6 +95,9 @@ pub(crate) const UNMODELLED_PRIOR: f64 = 0.1;
 /// Rows at which a wandering course may turn, and at which a jump may lie.
 pub(crate) const WANDER_KNOTS: usize = 64;
 
+/// Most starts of runs among these rows: each takes a row of an eigenproblem beside every model, and two thousand of them would take minutes.
+pub(crate) const RUN_KNOTS: usize = 200;
+
 /// Sizes over which the evidence of a cause is averaged: lengths that its columns may have, in units of the noise.
 pub(crate) const LENGTHS: [f64; 6] = [3.0, 8.0, 20.0, 50.0, 130.0, 350.0];
 

@@ -17,7 +17,9 @@ use crate::{
         optimum::Linearised,
         score_test::{Scores, scores_with},
     },
-    selection::tuning::{ABSORBED_COLUMN, LENGTHS, MOST_BESIDE, NEAR_THE_BEST, OCTAVES, UNMODELLED_PRIOR, WANDER_KNOTS},
+    selection::tuning::{
+        ABSORBED_COLUMN, LENGTHS, MOST_BESIDE, NEAR_THE_BEST, OCTAVES, RUN_KNOTS, UNMODELLED_PRIOR, WANDER_KNOTS,
+    },
     selection::{candidates::Tried, effect_set::EffectSet, prior::one_more, tuning::RIGHT_FAMILY},
     stats::{log_sum_exp, symmetric_eigen},
     whitening::whitener::Whitener,
@@ -244,10 +246,12 @@ fn moves(column: &[f64]) -> bool {
     crate::stats::spread(column) > 0.0
 }
 
-/// Evenly spaced rows, and the first of every run but the first.
+/// Evenly spaced rows, and the first of every run but the first; of many runs as many as are known apart, evenly.
 fn knots(runs: &[Range<usize>], rows: usize) -> Vec<usize> {
     let mut knots: Vec<usize> = (1..WANDER_KNOTS).map(|k| k * rows / WANDER_KNOTS).filter(|k| *k > 0).collect();
-    knots.extend(runs.iter().skip(1).map(|r| r.start));
+    let starts: Vec<usize> = runs.iter().skip(1).map(|r| r.start).collect();
+    let kept = starts.len().min(RUN_KNOTS);
+    knots.extend((0..kept).map(|k| starts[k * starts.len() / kept]));
     knots.sort_unstable();
     knots.dedup();
     knots
@@ -354,6 +358,17 @@ mod tests {
         let (jump, walk) = (one_of(&scored(&columns, &planted), 20.0), together(&apart(&scored(&walk(), &planted)), 20.0));
         assert!(jump > walk + 5.0 && walk > 20.0, "{jump} {walk}");
         assert!(one_of(&scored(&columns, &noise(5)), 20.0) < 0.0);
+    }
+
+    /// What a zero does from run to run is a course of many steps, however many runs there are: its evidence takes the directions of a matrix with a row for each.
+    #[test]
+    fn many_runs_do_not_make_more_knots_and_few_keep_theirs() {
+        let of = |count: usize| (0..count).map(|k| 8 * k..8 * (k + 1)).collect::<Vec<Range<usize>>>();
+        let few = knots(&of(100), 800);
+        assert!(of(100).iter().skip(1).all(|run| few.contains(&run.start)));
+        let many = knots(&of(2000), 16_000);
+        assert!(many.len() < RUN_KNOTS + WANDER_KNOTS, "{}", many.len());
+        assert!(many.windows(2).all(|pair| pair[1] - pair[0] <= 16_000 / WANDER_KNOTS));
     }
 
     #[test]

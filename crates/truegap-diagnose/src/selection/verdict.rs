@@ -181,7 +181,7 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_f
         return unmodelled_instead(selection, unmodelled);
     }
     let Some(best) = stated(selection) else { return nothing(Verdict::Undecided) };
-    let removed = removed_by(2.0 * (selection.base().fit.objective() - selection.models[best].fit.objective()), after);
+    let removed = removed_by(selection.models[best].fit.explains_beyond(&selection.base().fit), after);
     let sets = sets_told(selection, best);
     let rivals = sets.iter().any(|s| s.len() > 1);
     let sure = selection.models[best].effects.iter().all(|e| selection.effect_probability[*e] >= SURE);
@@ -207,7 +207,7 @@ pub(crate) fn stepped_back(selection: &Selection, decision: &Decision, model: us
         place.and_then(|place| decision.sets.get(place)).cloned().unwrap_or_else(|| vec![*effect])
     };
     let sets: Vec<Vec<usize>> = smaller.effects.iter().map(set).collect();
-    let removed = removed_by(2.0 * (selection.base().fit.objective() - smaller.fit.objective()), after);
+    let removed = removed_by(smaller.fit.explains_beyond(&selection.base().fit), after);
     let verdict = match after.fires() {
         true if removed < RIGHT_FAMILY => return Decision { removed, ..Decision::nothing(Verdict::Unexplained, selection.base) },
         _ => Decision::of_sets(sets.iter(), removed, after),
@@ -256,7 +256,7 @@ fn removed_by_equations(selection: &Selection, best: usize, after: &Adequacy, fr
         return 1.0;
     }
     let without = selection.with(&free).unwrap_or(selection.base());
-    removed_by(2.0 * (without.fit.objective() - model.fit.objective()), after)
+    removed_by(model.fit.explains_beyond(&without.fit), after)
 }
 
 #[cfg(test)]

@@ -11,6 +11,7 @@ use crate::{
         optimum::Fit,
     },
     selection::candidates::{Search, Tried},
+    stats::share_removed,
     validation::tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, THERE},
     whitening::noise_model::NoiseModel,
 };
@@ -134,7 +135,13 @@ pub fn parts(runs: &[Range<usize>], numbers: &[u32]) -> (String, Vec<Part>) {
         part.name += &format!("{separator}{}", numbers[run.start]);
         part.rows.push(run.clone());
     }
-    ("each run left out in turn, predicted without having been seen".into(), parts)
+    (runs_in_turn(count, count < runs.len()), parts)
+}
+
+/// How whole runs are left out.
+fn runs_in_turn(count: usize, in_groups: bool) -> String {
+    let what = if in_groups { format!("runs in {count} groups, each group") } else { "each run".to_owned() };
+    what + " left out in turn, predicted without having been seen"
 }
 
 /// The same for several recordings: runs, and blocks of single runs where recordings have parameters that no other recording could tell.
@@ -154,7 +161,8 @@ fn joint_parts(joined: &dyn Joined, inputs: &Inputs) -> (String, Vec<Part>) {
             runs => chunks.extend(runs.iter().map(|run| (format!("run {}", inputs.run[run.start]), run.clone()))),
         }
     }
-    let count = chunks.len().min(MOST_PARTS);
+    let pieces = chunks.len();
+    let count = pieces.min(MOST_PARTS);
     let mut parts: Vec<Part> = (0..count).map(|_| Part { name: String::new(), rows: Vec::new() }).collect();
     for (index, (name, rows)) in chunks.into_iter().enumerate() {
         let part = &mut parts[index % count];
@@ -162,12 +170,12 @@ fn joint_parts(joined: &dyn Joined, inputs: &Inputs) -> (String, Vec<Part>) {
         part.name += &name;
         part.rows.push(rows);
     }
-    let how = if blocks {
-        "runs, and blocks of recordings that are one run, each left out in turn"
-    } else {
-        "each run left out in turn, predicted without having been seen"
+    let how = match (blocks, pieces > count) {
+        (true, false) => "runs, and blocks of recordings that are one run, each left out in turn".into(),
+        (true, true) => format!("runs, and blocks of recordings that are one run, in {count} groups, each left out in turn"),
+        (false, in_groups) => runs_in_turn(count, in_groups),
     };
-    (how.into(), parts)
+    (how, parts)
 }
 
 /// The parts of a problem that are left out one after another, and how.
@@ -252,12 +260,12 @@ fn without(
     fit_around(model, &whitener, around, &FitOptions::default()).ok()
 }
 
-/// Share of the reproducible misfit that is removed, `1 - (after^2 - floor^2) / (before^2 - floor^2)`; `None` where nothing is there to remove.
+/// Share of the reproducible misfit that is removed ([`share_removed`]); `None` where nothing is there to remove.
 pub fn misfit_removed(before: f64, after: f64, floor: f64, rows: usize) -> Option<f64> {
     let there = before * before - floor * floor;
     // the floor's own square is uncertain by floor^2 sqrt(2 / rows it was measured on)
     let uncertain = floor * floor * (2.0 / rows.max(1) as f64).sqrt();
-    (there > THERE * uncertain).then(|| 1.0 - (after * after - floor * floor) / there)
+    (there > THERE * uncertain).then(|| share_removed(before, after, floor))
 }
 
 #[cfg(test)]

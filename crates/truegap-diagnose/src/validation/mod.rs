@@ -1,6 +1,6 @@
 //! How far an answer can be trusted: rows left out, permuted histories, recordings whose cause is known, another recording.
 //!
-//! Limits: decides nothing.
+//! Limits: takes back what rows left out contradict, and chooses among rivals; names nothing that the selection has not tried.
 
 pub(crate) mod among_rivals;
 pub mod confirmation;

@@ -15,31 +15,36 @@ use std::ops::Range;
 
 /// Share of the misfit on parts left out that columns of equal freedom remove when their history is permuted: median over permutations.
 ///
-/// `base` and `chosen` are fits of the same whitened rows, `chosen` with more columns behind those of `base`; `runs` and `numbers` as in
+/// `base` and `chosen` are fits of the same whitened rows, `chosen` with more columns behind those of `base`; `recordings` are the runs of each, `numbers` as in
 /// [`parts`]. `None` where nothing was added, or the base model leaves nothing above the noise.
-pub fn permuted(base: &Fit, chosen: &Fit, runs: &[Range<usize>], numbers: &[u32]) -> Option<f64> {
+pub fn permuted(base: &Fit, chosen: &Fit, recordings: &[Vec<Range<usize>>], numbers: &[u32]) -> Option<f64> {
     let first = base.jacobian.ncols();
     let added = chosen.jacobian.columns(first, chosen.jacobian.ncols() - first).into_owned();
     if added.ncols() == 0 {
         return None;
     }
-    let (_, parts) = parts(runs, numbers);
+    let (_, parts) = parts(&recordings.concat(), numbers);
     let rows: Vec<Vec<usize>> = parts.iter().map(|p| p.rows.iter().cloned().flatten().collect()).collect();
     let mut random = ChaCha8Rng::seed_from_u64(SEEDS.permutation_control);
     let mut removed: Vec<f64> =
-        (0..PERMUTATIONS).filter_map(|_| removed(base, &permute(&added, runs, &mut random), &rows)).collect();
+        (0..PERMUTATIONS).filter_map(|_| removed(base, &permute(&added, recordings, &mut random), &rows)).collect();
     removed.sort_by(f64::total_cmp);
     removed.get(removed.len() / 2).copied()
 }
 
 /// Columns with their runs exchanged, each stretched to its new run and turned about by a tenth or more of its length: runs that repeat one another would
-/// otherwise stand in for one another.
-pub(crate) fn permute(columns: &DMatrix<f64>, runs: &[Range<usize>], random: &mut ChaCha8Rng) -> DMatrix<f64> {
+/// otherwise stand in for one another. Runs of one recording only: those of another have its noise and its size.
+pub(crate) fn permute(columns: &DMatrix<f64>, recordings: &[Vec<Range<usize>>], random: &mut ChaCha8Rng) -> DMatrix<f64> {
+    let mut turned = columns.clone();
+    recordings.iter().for_each(|runs| exchange(columns, &mut turned, runs, random));
+    turned
+}
+
+fn exchange(columns: &DMatrix<f64>, turned: &mut DMatrix<f64>, runs: &[Range<usize>], random: &mut ChaCha8Rng) {
     let mut source: Vec<usize> = (0..runs.len()).collect();
     while runs.len() > 1 && source.iter().enumerate().any(|(i, s)| i == *s) {
         source.shuffle(random);
     }
-    let mut turned = columns.clone();
     for (run, from) in runs.iter().zip(&source) {
         let from = &runs[*from];
         let offset: f64 = random.random_range(0.1..0.9);
@@ -48,7 +53,6 @@ pub(crate) fn permute(columns: &DMatrix<f64>, runs: &[Range<usize>], random: &mu
             turned.row_mut(row).copy_from(&columns.row(from.start + (place as usize).min(from.len() - 1)));
         }
     }
-    turned
 }
 
 /// Share of the squared misfit above the noise that base and added columns together remove on rows left out, against the base alone.
@@ -154,7 +158,7 @@ mod tests {
         let runs = [0..20, 20..40, 40..60];
         let column = DMatrix::from_fn(ROWS, 1, |row, _| row as f64);
         for seed in 0..10 {
-            let turned = permute(&column, &runs, &mut ChaCha8Rng::seed_from_u64(seed));
+            let turned = permute(&column, &[runs.to_vec()], &mut ChaCha8Rng::seed_from_u64(seed));
             for run in &runs {
                 let rows: Vec<usize> = run.clone().map(|row| turned[(row, 0)] as usize).collect();
                 let from = &runs[rows[0] / 20];
@@ -165,13 +169,27 @@ mod tests {
         }
     }
 
+    /// Two recordings of three and of two runs: a history stays in its own.
+    #[test]
+    fn runs_are_exchanged_inside_of_their_recording() {
+        let recordings = [vec![0..10, 10..20, 20..30], vec![30..45, 45..60]];
+        let column = DMatrix::from_fn(ROWS, 1, |row, _| row as f64);
+        for seed in 0..10 {
+            let turned = permute(&column, &recordings, &mut ChaCha8Rng::seed_from_u64(seed));
+            assert!((0..ROWS).all(|row| (row < 30) == (turned[(row, 0)] < 30.0)), "{turned}");
+        }
+    }
+
     #[test]
     fn what_acts_removes_more_than_its_permuted_history() {
         let fit = base(&recorded());
         let both = [course(0), course(1)].map(DVector::from_vec);
         let chosen = Fit { jacobian: DMatrix::from_columns(&both), ..fit.clone() };
         let numbers: Vec<u32> = (0..ROWS).map(|row| 1 + row as u32 / 20).collect();
-        let control = permuted(&fit, &chosen, &[0..20, 20..40, 40..60], &numbers).unwrap();
-        assert!(control < 0.3, "{control}");
+        let runs = vec![0..20, 20..40, 40..60];
+        let rows: Vec<Vec<usize>> = runs.iter().map(|run| run.clone().collect()).collect();
+        let control = permuted(&fit, &chosen, &[runs], &numbers).unwrap();
+        let there = removed(&fit, &DMatrix::from_columns(&both[1..]), &rows).unwrap();
+        assert!(control < 0.3 && there > 0.7, "{control} {there}");
     }
 }

@@ -17,7 +17,7 @@ use crate::{
     validation::cross_validation::{AllRows, Part, kept, parts_of},
     whitening::noise_model::NoiseModel,
 };
-use std::{ops::Range, sync::atomic::Ordering};
+use std::sync::atomic::Ordering;
 
 /// A choice made without one part of the recording.
 pub(crate) struct ChosenWithout {
@@ -66,8 +66,7 @@ fn without(
     let keep = kept(part, search.problem.response.len(), first);
     let whitener = noise.whitener(&runs, Some(&keep));
     let loose = noise.scaled(LOOSE).whitener(&runs, Some(&keep));
-    let lack_of_fit = LackOfFitTests::new(directions, &whitener, stretches(&runs, &keep), noise.uncertainty)
-        .beside_steps(noise.line_of_steps());
+    let lack_of_fit = LackOfFitTests::of(search.problem, noise, &whitener, directions, Some(&keep));
     // a search of its own is one step of this stage, whatever it goes through itself
     let quiet = |_: Progress| {};
     let library = search.library.clone();
@@ -75,24 +74,4 @@ fn without(
     let examined = examine(&fewer, &lack_of_fit).ok()?;
     let model = &examined.selection.models[examined.decision.model];
     Some((examined.decision.verdict, model.effects.clone(), model.fit.z.clone()))
-}
-
-/// The stretches of runs that are kept: the tests look for what lasts inside of each.
-fn stretches(runs: &[Range<usize>], keep: &[bool]) -> Vec<Range<usize>> {
-    let of_run = |run: &Range<usize>| {
-        let rows: Vec<usize> = run.clone().filter(|row| keep[*row]).collect();
-        rows.chunk_by(|a, b| a + 1 == *b).map(|rows| rows[0]..rows[rows.len() - 1] + 1).collect::<Vec<_>>()
-    };
-    runs.iter().flat_map(of_run).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn stretches_end_with_their_run_and_where_a_part_is_left_out() {
-        let keep: Vec<bool> = (0..12).map(|row| !(2..5).contains(&row) && !(8..10).contains(&row)).collect();
-        assert_eq!(stretches(&[0..6, 6..10, 10..12], &keep), [0..2, 5..6, 6..8, 10..12]);
-    }
 }

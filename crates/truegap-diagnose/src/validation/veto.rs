@@ -171,8 +171,6 @@ mod tests {
         assert_eq!(Unseen::nothing(predicted(&[4.0])).worse(true), None);
     }
 
-    /// Errors that nobody sees by eye, measured in the noise. A mimic gains in the parts that it was fitted to and loses 30 squares of noise in one that it was not; the right physics
-    /// may lose more in the part that holds the only first loading and gains in the others.
     #[test]
     fn what_is_removed_on_rows_left_out_is_counted_above_the_noise_and_by_parts() {
         let of = |named: &[f64]| Unseen { base: predicted(&[64.0, 64.0, 64.0]), named: Some(predicted(named)), believed: 0.0 };
@@ -187,6 +185,8 @@ mod tests {
         assert!(!Unseen::nothing(predicted(&[4.0])).in_most_parts());
     }
 
+    /// Errors that nobody sees by eye, measured in the noise. A mimic gains in the parts that it was fitted to and loses 30 squares of noise in one that it was not; the right physics
+    /// may lose more in the part that holds the only first loading and gains in the others.
     #[test]
     fn what_the_noise_says_of_rows_left_out_counts_where_errors_are_alike() {
         let believed = |gains: [f64; 4], believed: f64| {

@@ -4,9 +4,6 @@
 
 use crate::whitening::kinds::{InputError, Lasting, Noise};
 
-/// Most states of a row.
-pub(super) const MOST: usize = 10;
-
 /// How one part of the noise goes on into the next row.
 #[derive(Clone, Copy)]
 pub(super) struct Part {
@@ -24,7 +21,7 @@ pub(super) struct Parts<'a> {
 
 impl Parts<'_> {
     pub(super) fn count(&self) -> usize {
-        (2 + self.input.lasting.len()).min(MOST)
+        2 + self.input.lasting.len()
     }
 
     pub(super) fn weight(&self, row: usize) -> f64 {

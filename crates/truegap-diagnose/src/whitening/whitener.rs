@@ -13,7 +13,7 @@
 
 pub use crate::whitening::kinds::{InputError, Lasting, Noise};
 use crate::whitening::{
-    parts::{MOST, Part, Parts},
+    parts::{Part, Parts},
     shape::Shape,
 };
 use nalgebra::DMatrix;
@@ -38,7 +38,10 @@ pub struct Whitener {
     pub rows: usize,
 }
 
-/// Runs `$body` with the number of states as a constant, which is much faster where the loop over the rows knows it.
+/// Most states that the loop over the rows knows as a constant; very long recordings with slow noise, read to steps, have more.
+const MOST: usize = 10;
+
+/// Runs `$body` with the number of states, up to [`MOST`], as a constant, which is much faster where the loop over the rows knows it.
 macro_rules! with_states {
     ($states:expr, $count:ident => $body:expr) => {
         with_states!($states, $count => $body, 1, 2, 3, 4, 5, 6, 7, 8, 9)
@@ -86,8 +89,7 @@ impl Whitener {
         };
         for run in runs {
             let noise = &of_run(run);
-            let mut predicted = [[0.0; MOST]; MOST];
-            (0..states).for_each(|k| predicted[k][k] = parts.first(noise, k, run.start));
+            let mut predicted = Predicted::new(states, |k| parts.first(noise, k, run.start));
             for row in run.clone() {
                 if keep.is_none_or(|k| k[row]) {
                     let white = noise.white_sd * noise.white_sd + input.louder.get(row).copied().unwrap_or(0.0);
@@ -120,17 +122,17 @@ impl Whitener {
         }
     }
 
-    /// Gains of a row that is seen; `p`, the covariance predicted for it, becomes that after it.
-    fn observe(&mut self, row: usize, p: &mut [[f64; MOST]; MOST], white: f64) {
+    /// Gains of a row that is seen; the covariance predicted for it becomes that after it.
+    fn observe(&mut self, row: usize, predicted: &mut Predicted, white: f64) {
         let states = self.states;
-        let mut sums = [0.0; MOST];
-        (0..states).for_each(|k| sums[k] = p[k][..states].iter().sum());
-        let variance = sums[..states].iter().sum::<f64>() + white;
+        let Predicted { covariance: p, sums } = predicted;
+        (0..states).for_each(|k| sums[k] = p[k].iter().sum());
+        let variance = sums.iter().sum::<f64>() + white;
         self.inverse_sd[row] = variance.sqrt().recip();
         self.log_determinant += variance.ln();
         self.rows += 1;
         let gain = &mut self.gain[row * states..(row + 1) * states];
-        gain.iter_mut().zip(&sums).for_each(|(g, s)| *g = s / variance);
+        gain.iter_mut().zip(sums.iter()).for_each(|(g, s)| *g = s / variance);
         for i in 0..states {
             for j in i..states {
                 p[i][j] -= gain[i] * sums[j];
@@ -139,10 +141,10 @@ impl Whitener {
         }
     }
 
-    /// Takes the covariance `p` and the factors that lead there on to the row after.
-    fn step(&mut self, row: usize, p: &mut [[f64; MOST]; MOST], part: impl Fn(usize) -> Part) {
+    /// Takes the covariance and the factors that lead there on to the row after.
+    fn step(&mut self, row: usize, predicted: &mut Predicted, part: impl Fn(usize) -> Part) {
         let states = self.states;
-        let mut fresh = [0.0; MOST];
+        let Predicted { covariance: p, sums: fresh } = predicted;
         let carry = &mut self.carry[row * states..(row + 1) * states];
         for (k, c) in carry.iter_mut().enumerate() {
             Part { carry: *c, fresh: fresh[k] } = part(k);
@@ -157,6 +159,7 @@ impl Whitener {
     pub fn apply(&self, column: &mut [f64]) {
         match self.states {
             0 => column.iter_mut().zip(&self.inverse_sd).for_each(|(value, inverse_sd)| *value *= inverse_sd),
+            states if states > MOST => self.apply_with_many(column),
             states => with_states!(states, COUNT => self.apply_with::<COUNT>(column)),
         }
         self.shapes.iter().for_each(|shape| shape.take_out(column));
@@ -167,7 +170,7 @@ impl Whitener {
     /// The filter waits for one row before it goes to the next; four columns wait together.
     pub fn apply_each(&self, columns: &mut [Vec<f64>]) {
         for group in columns.chunks_mut(4) {
-            let ([a, b, c, d], 1..) = (&mut *group, self.states) else {
+            let ([a, b, c, d], 1..=MOST) = (&mut *group, self.states) else {
                 group.iter_mut().for_each(|column| self.apply(column));
                 continue;
             };
@@ -232,6 +235,19 @@ impl Whitener {
         }
     }
 
+    /// [`Whitener::apply`] with more states than [`MOST`].
+    fn apply_with_many(&self, column: &mut [f64]) {
+        for run in &self.runs {
+            let mut state = vec![0.0; self.states];
+            for row in run.clone() {
+                let innovation = column[row] - state.iter().sum::<f64>();
+                column[row] = innovation * self.inverse_sd[row];
+                let here = row * self.states..(row + 1) * self.states;
+                go_on(&mut state, innovation, &self.gain[here.clone()], &self.carry[here]);
+            }
+        }
+    }
+
     /// Columns of equal length, whitened, side by side.
     pub fn matrix(&self, columns: Vec<Vec<f64>>) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.inverse_sd.len(), columns.len());
@@ -246,7 +262,7 @@ impl Whitener {
     pub fn colour(&self, column: &mut [f64]) {
         self.shapes.iter().rev().for_each(|shape| shape.put_in(column));
         for run in &self.runs {
-            let mut state = [0.0; MOST];
+            let mut state = vec![0.0; self.states];
             for row in run.clone() {
                 let seen = self.inverse_sd[row] > 0.0;
                 let innovation = if seen { column[row] / self.inverse_sd[row] } else { 0.0 };
@@ -260,6 +276,21 @@ impl Whitener {
     /// Sum of the logarithms of the innovation variances plus squares of a whitened column: minus twice the log likelihood, up to a constant.
     pub fn deviance(&self, whitened: &[f64]) -> f64 {
         self.log_determinant + whitened.iter().map(|v| v * v).sum::<f64>()
+    }
+}
+
+/// What is known of the states before a row.
+struct Predicted {
+    covariance: Vec<Vec<f64>>,
+    /// room for one number a state
+    sums: Vec<f64>,
+}
+
+impl Predicted {
+    /// Independent states of these variances.
+    fn new(states: usize, variance: impl Fn(usize) -> f64) -> Self {
+        let row = |k: usize| (0..states).map(|j| if j == k { variance(k) } else { 0.0 }).collect();
+        Self { covariance: (0..states).map(row).collect(), sums: vec![0.0; states] }
     }
 }
 

@@ -3,7 +3,7 @@
 //! Limits: bursts of about ten to thirty rows; judged on every row, since means of rows silence them.
 
 use crate::adequacy::tuning::{BURST_LEVEL, BURST_WINDOWS};
-use crate::stats::upper_tail;
+use crate::stats::{log_upper_tail, upper_tail};
 use std::ops::Range;
 
 /// Rows in which the residual is louder than the noise.
@@ -30,7 +30,10 @@ impl Burst {
             Self { row, rows, loudness: (squares / rows as f64).sqrt(), p_value }
         };
         let all = BURST_WINDOWS.iter().flat_map(|rows| starts(*rows).map(|row| of(*rows, row)));
-        all.min_by(|a, b| a.p_value.total_cmp(&b.p_value)).unwrap_or(Self { row: 0, rows: 0, loudness: 1.0, p_value: 1.0 })
+        // of bursts beyond the least number that there is, and of windows in noise, the loudest by its logarithm
+        let log = |found: &Self| log_upper_tail(found.loudness.powi(2) * found.rows as f64 / slack, found.rows / 2);
+        let rarer = |a: &Self, b: &Self| a.p_value.total_cmp(&b.p_value).then_with(|| log(a).total_cmp(&log(b)));
+        all.min_by(rarer).unwrap_or(Self { row: 0, rows: 0, loudness: 1.0, p_value: 1.0 })
     }
 
     /// Whether it is there.
@@ -63,6 +66,16 @@ mod tests {
             // a tone of amplitude 4 brings the scatter to sqrt(1 + 8); windows overlap by half, so that one holds three quarters of it
             assert!(found.is_significant() && found.row.abs_diff(1207) <= 24 && (found.loudness - 3.0).abs() < 0.9, "{found:?}");
         }
+    }
+
+    /// A thousand times the noise has no probability that a number can hold, and a burst of sixty before it has none either.
+    #[test]
+    fn the_loudest_of_bursts_beyond_all_numbers_is_told() {
+        let mut residual = noise(4);
+        (200..224).for_each(|row| residual[row] = 60.0);
+        (1208..1216).for_each(|row| residual[row] = 1000.0);
+        let found = Burst::loudest(&residual, &[0..2000], 1.0);
+        assert_eq!((found.row, found.rows, found.p_value), (1208, 8, 0.0));
     }
 
     #[test]

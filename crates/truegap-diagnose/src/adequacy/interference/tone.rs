@@ -42,23 +42,22 @@ impl Tone {
         let count = (power.len().saturating_sub(first) / cycle).max(1) as f64 * 2.0;
         let Ok(noise) = Gamma::new(alike.len() as f64, 1.0) else { return Self::NONE };
         let surrounding = surroundings(&power, cycle);
-        let (mut best, mut best_level) = (Self::NONE, 1.0);
-        for line in first..power.len() {
-            let level = (surrounding[line] / alike.len() as f64).max(f64::MIN_POSITIVE);
-            let p_value = (noise.sf(power[line] / level) * count).min(1.0);
-            if p_value < best.p_value {
-                let per_row = line as f64 / size as f64;
-                let rows: usize = alike.iter().map(|r| r.len()).sum();
-                let amplitude = (4.0 * (power[line] - surrounding[line]).max(0.0) / rows as f64).sqrt();
-                best = Self { per_row, frequency_hz: time.map(|_| per_row / step), amplitude, p_value, steady: false };
-                best_level = level;
-            }
+        let level = |line: usize| (surrounding[line] / alike.len() as f64).max(f64::MIN_POSITIVE);
+        // every line has the same distribution: the rarest stands highest above what surrounds it, also where its probability is too small for a number
+        let height = |line: usize| power[line] / level(line);
+        let higher = |best: usize, line: usize| if height(line) > height(best) { line } else { best };
+        let Some(rarest) = (first..power.len()).reduce(higher) else { return Self::NONE };
+        let p_value = (noise.sf(height(rarest)) * count).min(1.0);
+        if p_value >= 1.0 {
+            return Self::NONE;
         }
-        if best.is_significant() {
-            let rows = Rows { residual, time: time.map(|time| (time, step)), runs: &alike };
-            best.steady = rows.hold_it_alike(rows.nearest(best.per_row), best_level);
-        }
-        best
+        let per_row = rarest as f64 / size as f64;
+        let rows: usize = alike.iter().map(|r| r.len()).sum();
+        let amplitude = (4.0 * (power[rarest] - surrounding[rarest]).max(0.0) / rows as f64).sqrt();
+        let found = Self { per_row, frequency_hz: time.map(|_| per_row / step), amplitude, p_value, steady: false };
+        let rows = Rows { residual, time: time.map(|time| (time, step)), runs: &alike };
+        let steady = found.is_significant() && rows.hold_it_alike(rows.nearest(per_row), level(rarest));
+        Self { steady, ..found }
     }
 
     /// Squares of the noise that a tone takes from a whitened residual, a phase and an amplitude for each run of its pace.
@@ -163,6 +162,16 @@ mod tests {
             approx::assert_abs_diff_eq!(found.amplitude, 0.3, epsilon = 0.09);
             approx::assert_relative_eq!(found.frequency_hz.unwrap_or(0.0), found.per_row / 0.2, max_relative = 1e-9);
         }
+    }
+
+    /// Both have no probability that a number can hold; the weaker one has the lower frequency.
+    #[test]
+    fn the_strongest_of_tones_beyond_all_numbers_is_told() {
+        let wave = |i: usize, per_row: f64| (std::f64::consts::TAU * per_row * i as f64).sin();
+        let tones = |i: usize| 3.0 * wave(i, 0.11) + 9.0 * wave(i, 0.32);
+        let residual: Vec<f64> = noise(6, 0.0).iter().enumerate().map(|(i, v)| v + tones(i)).collect();
+        let found = Tone::strongest(&residual, None, &RUNS);
+        assert!(found.p_value == 0.0 && (found.per_row - 0.32).abs() < 0.5 / 2300.0, "{found:?}");
     }
 
     #[test]

@@ -8,7 +8,7 @@ use crate::{
         mechanism::{Numbers, Sentence, Sum},
         words::{Driver, Form, Kinetics},
     },
-    effects::memory::{elapsed_s, first_order_lag, lag_through_runs, rates, walk},
+    effects::memory::{Play, elapsed_s, first_order_lag, lag_through_runs, rates, walk},
     stats::spread,
 };
 use truegap_core::Inputs;
@@ -130,11 +130,13 @@ fn late(inputs: &Inputs, tau_s: f64, x: &mut [f64]) {
 
 /// From -1 on a long fall to 1 on a long rise: a play of half width `width`, at rest at the first row of a run.
 fn way(inputs: &Inputs, x: &[f64], width: f64) -> Vec<f64> {
-    let (mut state, mut out) = (0.0, vec![0.0; x.len()]);
+    let (mut play, mut out) = (Play::new(width, 0.0), vec![0.0; x.len()]);
     walk(inputs, |row, step| {
-        // a fit may ask for numbers that are none, which no clamp takes
-        state = if step.is_none() { x[row] } else { state.max(x[row] - width).min(x[row] + width) };
-        out[row] = (x[row] - state) / width;
+        match step {
+            None => play.state = x[row],
+            Some(_) => _ = play.slip(x[row]),
+        }
+        out[row] = (x[row] - play.state) / width;
     });
     out
 }

@@ -1,8 +1,7 @@
 //! Rows left out: predictions from the other rows alone.
 
-use super::{World, normals};
+use super::{World, noise, normals};
 use crate::{
-    noise::several::measured,
     selection::{candidates::Tried, examine::examine},
     validation::{
         cross_validation::{AllRows, HeldOutFit, PartError, compared, held_out, misfit_removed},
@@ -10,18 +9,10 @@ use crate::{
         step_back::step_back,
         veto::Against,
     },
-    whitening::noise_model::NoiseModel,
 };
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-
-/// White noise of unit variance, as the world has it.
-fn noise(world: &World, y: &[f64]) -> NoiseModel {
-    let problem = crate::Problem { inputs: &world.inputs, response: y, simulator: &world.line };
-    let (_, noise) = measured(&problem).unwrap();
-    NoiseModel { response: world.noise, ..noise }
-}
 
 /// Predictions of one run from the others, and their variances, by the covariance of all rows.
 fn predicted(world: &World, terms: &[usize], y: &[f64], run: u32) -> (DVector<f64>, DVector<f64>) {

@@ -4,7 +4,7 @@ use super::World;
 use crate::{
     Problem,
     adequacy::{
-        directions::{Direction, Driver},
+        directions::{self, Direction},
         lack_of_fit::{Adequacy, LackOfFitTests},
     },
     noise::{
@@ -17,6 +17,8 @@ use crate::{
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+use truegap_core::Driver;
 
 /// A right model, tested along six directions: one false alarm in ten thousand recordings.
 #[test]
@@ -24,7 +26,7 @@ fn a_right_model_sets_off_no_alarm_and_a_course_beside_it_does() {
     let world = World::new(1, 96, &[1.0]);
     let random = &mut ChaCha8Rng::seed_from_u64(41);
     let directions = || -> Vec<Direction> {
-        let of = |k: usize| Direction { driver: Driver::Clock, column: super::effects::course(k + 1, 96) };
+        let of = |k: usize| Direction { driver: directions::Driver::Clock, column: super::effects::course(k + 1, 96) };
         (0..4).map(of).collect()
     };
     let tests = LackOfFitTests::new(&directions(), &world.whitener(1.0), world.inputs.runs(), 0.0);
@@ -101,6 +103,42 @@ fn a_right_noise_is_not_lowered_and_one_three_times_too_loud_is_by_three() {
         let exact = (y.iter().map(|y| y * y).sum::<f64>() / 200.0).sqrt();
         // factors of the grid stand a quarter apart
         assert!((lowered.white_sd / exact).ln().abs() < 0.3, "{} {exact}", lowered.white_sd);
+    }
+}
+
+/// Six hundred runs of eight rows, each shorter than half of the twenty rows of a stretch: what lasts over some of them is seen, and noise is not.
+#[test]
+fn short_runs_are_tested_together() {
+    let world = World::new(600, 8, &[]);
+    let random = &mut ChaCha8Rng::seed_from_u64(43);
+    let mut y: Vec<f64> = (0..4800).map(|_| StandardNormal.sample(random)).collect();
+    let tests = LackOfFitTests::new(&[], &world.whitener(1.0), world.inputs.runs(), 0.0);
+    let of = |y: &[f64]| world.search(y, |search, _| tests.adequacy(&search.base().unwrap().fit));
+    let noise = of(&y);
+    // two runs make sixteen rows
+    assert_eq!(noise.stretches.freedom, 300);
+    assert!(!noise.fires(), "{noise:?}");
+    y.iter_mut().enumerate().filter(|(row, _)| row / 480 % 2 == 0).for_each(|(_, y)| *y += 0.3);
+    assert!(of(&y).stretches.p_value < 1e-9, "{:?}", of(&y).stretches);
+}
+
+/// Rows that no clock orders and whose inputs move have neither stretches nor lines, whether some are left out or not; on a clock they have both.
+#[test]
+fn rows_in_no_order_have_nothing_that_lasts() {
+    let mut world = World::new(2, 96, &[]);
+    world.inputs.drivers = vec![Driver { name: "x".into(), unit: "V".into(), values: super::effects::course(0, 192) }];
+    let y: Vec<f64> = super::effects::course(3, 192).iter().map(|c| 20.0 * c).collect();
+    let keep: Vec<bool> = (0..192).map(|row| !(40..56).contains(&row)).collect();
+    for clock in [world.inputs.time_s.clone(), None] {
+        world.inputs.time_s = clock;
+        let problem = Problem { inputs: &world.inputs, response: &y, simulator: &world.line };
+        let (noise, whitener) = (super::noise(&world, &y), world.whitener(1.0));
+        let base = world.search(&y, |search, _| search.base().unwrap());
+        for keep in [None, Some(keep.as_slice())] {
+            let found = LackOfFitTests::of(&problem, &noise, &whitener, &[], keep).adequacy(&base.fit);
+            let ordered = world.inputs.time_s.is_some();
+            assert_eq!((found.stretches.freedom > 0, found.line_p_value < 1e-4), (ordered, ordered), "{found:?}");
+        }
     }
 }
 

@@ -6,7 +6,9 @@
 mod effects;
 mod exact;
 mod fits;
+mod foreseen;
 mod held_out;
+mod kept_bank;
 mod lack_of_fit;
 mod probabilities;
 mod tempered;
@@ -19,7 +21,9 @@ use crate::{
     Context, Problem,
     adequacy::lack_of_fit::LackOfFitTests,
     calibration::{InputError, Noise, Whitener},
+    noise::several::measured,
     selection::candidates::Search,
+    whitening::noise_model::NoiseModel,
 };
 use effects::{Line, Term};
 use exact::Exact;
@@ -111,6 +115,13 @@ impl World {
         };
         then(&search, &LackOfFitTests::new(&[], &whitener, self.inputs.runs(), 0.0))
     }
+}
+
+/// White noise of unit variance, as the world has it.
+fn noise(world: &World, y: &[f64]) -> NoiseModel {
+    let problem = crate::Problem { inputs: &world.inputs, response: y, simulator: &world.line };
+    let (_, noise) = measured(&problem).unwrap();
+    NoiseModel { response: world.noise, ..noise }
 }
 
 /// Unit normal numbers.

@@ -5,11 +5,14 @@ use super::{
     effects::{Line, course},
     exact::Exact,
 };
-use crate::{Library, Options, Problem, RecordingFacts, Verdict, answer::NoiseFacts, calibration::Noise, diagnose};
+use crate::{
+    Library, Options, Problem, RecordingFacts, Verdict, answer::NoiseFacts, calibration::Noise, diagnose,
+    selection::candidates::Progress,
+};
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Covariance of slow noise of this standard deviation: four parts of one size, with memories of 1.5 x 8^k rows, of each run anew.
 fn slow(run: &[u32], sd: f64) -> DMatrix<f64> {
@@ -55,4 +58,22 @@ fn values_and_deviations_are_stated_in_their_units() {
     let held = &fit.held_out;
     let [before, after] = [held.rmse_before.unwrap(), held.rmse_after.unwrap()].map(|e| e * e - fit.noise_floor.powi(2));
     approx::assert_relative_eq!(held.misfit_removed.unwrap(), 1.0 - after / before, max_relative = 1e-9);
+}
+
+/// A search that is ended in its midst has not seen all that it could have found, and says nothing of chance.
+#[test]
+fn a_permuted_search_that_was_ended_does_not_count() {
+    let world = World::new(4, 24, &[3.0, 3.0]);
+    let y = world.drawn(&[0], &[0.5], &mut ChaCha8Rng::seed_from_u64(14));
+    let library = world.terms.iter().fold(Library::empty(), |all, t| all.with(Box::new(t.clone())));
+    let options = Options { library, compose: false, permuted_searches: 3, ..Options::default() };
+    let problem = Problem { inputs: &world.inputs, response: &y, simulator: &world.line };
+    let stop = AtomicBool::new(false);
+    let ended = |progress: Progress| {
+        if progress.what == "2 of 3" {
+            stop.store(true, Ordering::Relaxed);
+        }
+    };
+    let found = diagnose(&problem, RecordingFacts::default(), &options, &ended, &stop).unwrap().diagnosis;
+    assert_eq!(found.permuted_searches.unwrap().gains.len(), 1);
 }

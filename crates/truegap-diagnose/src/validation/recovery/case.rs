@@ -35,6 +35,8 @@ pub struct BankCase {
     pub sets: Vec<Vec<String>>,
     /// models with their log probabilities, likeliest first
     pub models: Vec<(Vec<String>, f64)>,
+    /// causes outside the library: effects that each stands beside, and its log odds against all models together
+    pub unmodelled: Vec<(Vec<String>, f64)>,
 }
 
 impl BankCase {
@@ -43,6 +45,7 @@ impl BankCase {
         let names = |effects: &[usize]| effects.iter().map(|e| search.library[*e].id().to_string()).collect::<Vec<_>>();
         let (selection, decision) = (&answer.selection, &answer.decision);
         let models = selection.models.iter().zip(&selection.probability).map(|(m, p)| (names(&m.effects), p.ln()));
+        let outside = selection.unmodelled.iter().map(|(u, odds)| (names(&u.effects), odds.ln()));
         let ambiguous = decision.verdict == Verdict::Ambiguous;
         Self {
             truth,
@@ -50,6 +53,7 @@ impl BankCase {
             named: names(&selection.models[decision.model].effects),
             sets: if ambiguous { decision.sets.iter().map(|s| names(s)).filter(|s| s.len() > 1).collect() } else { Vec::new() },
             models: models.filter(|(_, p)| *p > KEPT_LOG_PROBABILITY).collect(),
+            unmodelled: outside.filter(|(_, odds)| *odds > KEPT_LOG_PROBABILITY).collect(),
         }
     }
 

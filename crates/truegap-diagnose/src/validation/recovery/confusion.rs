@@ -95,7 +95,7 @@ impl Bank {
         }
     }
 
-    /// The bank in three sentences.
+    /// The bank in two sentences.
     pub fn says_overall(&self) -> Vec<String> {
         let [nulls, alarms] = self.false_alarms;
         let [unmodelled, called] = self.unmodelled_named;

@@ -14,12 +14,11 @@ use crate::{
         candidates::{Progress, Search},
         examine::{Examined, examine},
     },
-    validation::recovery::{case::BankCase, confusion::Bank},
+    validation::recovery::{case::BankCase, confusion::Bank, key::key},
     validation::tuning::{BANK_ROWS, LIKELY_EFFECTS, LIKELY_FROM, STORE_EVERY},
     whitening::noise_model::NoiseModel,
 };
 use rayon::prelude::*;
-use sha2::{Digest, Sha256};
 use std::{
     collections::BTreeMap,
     sync::{
@@ -28,9 +27,6 @@ use std::{
     },
 };
 use truegap_core::SimulationError;
-
-/// Version of the rules by which a diagnosis answers; part of the key, raised where an answer may change.
-const RULES: u32 = 2;
 
 /// Keeps finished recordings of a bank between runs of the program.
 pub trait BankStore: Send + Sync {
@@ -75,7 +71,6 @@ pub fn fill(search: &Search<'_>, whole: Whole<'_>, found: &Examined, options: &B
     let whitener = noise.whitener(&inputs.runs(), None);
     let loose = noise.scaled(LOOSE).whitener(&inputs.runs(), None);
     let directions = directions(inputs, whole.problem.simulator);
-    let lack_of_fit = LackOfFitTests::new(&directions, &whitener, inputs.runs(), 0.0).beside_steps(noise.line_of_steps());
     let likely = likely(search, found);
     let key = key(search, inputs, &noise, &likely);
     let known = options.store.load(&key);
@@ -85,6 +80,9 @@ pub fn fill(search: &Search<'_>, whole: Whole<'_>, found: &Examined, options: &B
     let quiet = |_: Progress| {};
     let blank = vec![0.0; inputs.len()];
     let template = Problem { inputs, response: &blank, simulator: whole.problem.simulator };
+    // the bank's noise is taken as known
+    let known_noise = NoiseModel { uncertainty: 0.0, ..noise.clone() };
+    let lack_of_fit = LackOfFitTests::of(&template, &known_noise, &whitener, &directions, None);
     open.par_iter().with_max_len(1).for_each(|index| {
         if search.stop.load(Ordering::Relaxed) {
             return;
@@ -131,43 +129,4 @@ fn likely(search: &Search<'_>, found: &Examined) -> Vec<usize> {
     order.truncate(LIKELY_EFFECTS);
     order.sort_unstable();
     order
-}
-
-/// Hash of everything that the bank's answers depend on: protocol, priors, noise, library, rules.
-fn key(search: &Search<'_>, inputs: &truegap_core::Inputs, noise: &NoiseModel, likely: &[usize]) -> String {
-    let mut hash = Sha256::new();
-    let mut column = |name: &str, values: Option<&[f64]>| {
-        hash.update(name.as_bytes());
-        values.unwrap_or_default().iter().for_each(|v| hash.update(v.to_le_bytes()));
-    };
-    column("time", inputs.time_s.as_deref());
-    column("force", inputs.force_n.as_deref());
-    column("pressure", inputs.pressure_pa.as_deref());
-    column("gap", inputs.gap_m.as_deref());
-    column("temperature", inputs.temperature_c.as_deref());
-    column("humidity", inputs.humidity_pct.as_deref());
-    column("simulated", inputs.simulated.as_deref());
-    for driver in &inputs.drivers {
-        column(&driver.name, Some(&driver.values));
-    }
-    column("noise", Some(&[noise.response.white_sd, noise.response.ar_sd, noise.response.ar_correlation]));
-    for each in &noise.recordings {
-        column("its noise", Some(&[each.response.white_sd, each.response.ar_sd, each.response.ar_correlation]));
-    }
-    column("input", Some(&noise.input_error.variance));
-    column("level", Some(&noise.input_error.level));
-    noise.input_error.shapes.iter().for_each(|shape| column("shape", Some(shape)));
-    noise.input_error.lasting.iter().for_each(|lasting| {
-        column("lasting", Some(&lasting.variance));
-        column("memory", Some(&lasting.memory));
-    });
-    column("louder", Some(&noise.input_error.louder));
-    inputs.run.iter().for_each(|run| hash.update(run.to_le_bytes()));
-    hash.update(format!("{:?}", search.problem.simulator.parameters()));
-    for effect in &search.library {
-        hash.update(effect.id().to_string());
-        hash.update(format!("{:?}", effect.parameters(search.context)));
-    }
-    hash.update(format!("{} {RULES} {likely:?} {}", env!("CARGO_PKG_VERSION"), search.problem.simulator.name()));
-    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -5,6 +5,7 @@
 pub(crate) mod case;
 pub(crate) mod confusion;
 pub(crate) mod fill;
+pub(crate) mod key;
 pub(crate) mod power;
 pub(crate) mod truth;
 

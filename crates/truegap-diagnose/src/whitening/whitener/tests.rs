@@ -22,7 +22,7 @@ fn the_filter_equals_the_dense_covariance() {
     approx::assert_relative_eq!(filter.log_determinant, covariance.determinant().ln(), max_relative = 1e-10);
 }
 
-/// Unit lines over 40 rows with independent errors of their means, as smoothing leaves them: the filter must find the mean of all rows as uncertain as the
+/// Unit lines over 30 rows with independent errors of their means, as smoothing leaves them: the filter must find the mean of all rows as uncertain as the
 /// dense covariance of a moving average does, within what an autoregression can copy of it.
 #[test]
 fn the_error_of_smoothed_inputs_weighs_in_the_mean_like_the_noise_as_recorded() {
@@ -99,6 +99,28 @@ fn a_part_of_the_noise_that_is_nothing_takes_no_state() {
     let mut found = x.clone();
     lasts.apply(&mut found);
     approx::assert_relative_eq!(squared(&found), v.dot(&covariance.cholesky().unwrap().solve(&v)), max_relative = 1e-12);
+}
+
+/// Slow noise of a very long recording, of a reading and two inputs that are written in steps: eleven parts that last.
+#[test]
+fn every_part_of_the_noise_counts_however_many_there_are() {
+    let noise = Noise { white_sd: 0.7, ar_sd: 0.0, ar_correlation: 0.0 };
+    let memory = |k: usize| 0.3 + 0.06 * k as f64;
+    let part = |k: usize| Lasting { variance: vec![0.4; 14], memory: vec![memory(k); 14], of_reading: true };
+    let input = InputError { lasting: (0..11).map(part).collect(), ..InputError::white(vec![0.0; 14]) };
+    let covariance = DMatrix::from_fn(14, 14, |i, j| {
+        let lasting = (0..11).map(|k| 0.4 * memory(k).powi(i.abs_diff(j) as i32)).sum::<f64>();
+        if (i < 6) == (j < 6) { lasting + if i == j { 0.49 } else { 0.0 } } else { 0.0 }
+    });
+    let filter = Whitener::new(&noise, &input, None, &[0..6, 6..14], None);
+    is_the_dense_covariance(&filter, &covariance);
+    let columns: Vec<Vec<f64>> = (0..5).map(|k| (0..14).map(|row| ((row + k) as f64).cos()).collect()).collect();
+    let mut together = columns.clone();
+    filter.apply_each(&mut together);
+    for (mut alone, found) in columns.into_iter().zip(together) {
+        filter.apply(&mut alone);
+        assert_eq!(alone, found);
+    }
 }
 
 #[test]

@@ -229,9 +229,34 @@ fn an_error_of_a_bare_csv_names_the_toml_beside_it() {
 
 #[test]
 fn a_bare_csv_says_what_it_did_not_read() {
-    let bench = Bench::new("spare", b"time_s,Temperatur [\xb0C],capacitance_pf\n0,20,74\n1,21,75\n");
+    let bench = Bench::new("spare", b"time_s,Oven [\xb0C],capacitance_pf\n0,20,74\n1,21,75\n");
     let told: Vec<String> = bench.read().unwrap().notes.iter().map(ToString::to_string).collect();
-    assert!(told.iter().any(|note| note.contains("not read: `Temperatur [°C]`") && note.contains("truegap init")), "{told:?}");
+    assert!(told.iter().any(|note| note.contains("not read: `Oven [°C]`") && note.contains("truegap init")), "{told:?}");
+}
+
+/// `truegap init` read `t [s]` and `Load [N]`; a diagnosis of the table alone left them out, and its answer was wrong.
+#[test]
+fn a_bare_csv_is_read_by_the_words_that_init_knows() {
+    let read = |name: &str, header: &str, map: &[&str]| {
+        let bench = Bench::new(name, format!("{header}\n0,1,20,74\n1,2,21,75\n").as_bytes());
+        let told = Told { map: map.iter().map(|text| text.parse().unwrap()).collect(), ..Told::default() };
+        Recording::open_told(bench.0.join("t.csv"), &told).unwrap()
+    };
+    let cell = read("words", "t [s],Load [N],T [C],bridge [mV/V]", &["response=bridge [mV/V]"]);
+    let inputs = &cell.inputs;
+    assert_eq!(inputs.time_s.as_deref(), Some(&[0.0, 1.0][..]));
+    assert_eq!((inputs.force_n.as_deref(), inputs.temperature_c.as_deref()), (Some(&[1.0, 2.0][..]), Some(&[20.0, 21.0][..])));
+    let told: Vec<String> = cell.notes.iter().map(ToString::to_string).collect();
+    assert!(told.iter().any(|note| note.contains("`t [s]` as time, `Load [N]` as force, `T [C]` as temperature")), "{told:?}");
+    // what is told goes first; no unit, several columns, or a unit without a word are no reason to read one
+    let mapped = ["response=bridge [mV/V]", "driver.weight=Load [N]", "simulated=T [C]"];
+    let driven = read("driven", "t,Load [N],T [C],bridge [mV/V]", &mapped[..2]);
+    assert_eq!((driven.inputs.time_s, driven.inputs.force_n), (None, None));
+    let several = read("several", "age [s],Load 1 [N],Load 2 [N],bridge [mV/V]", &mapped[..1]);
+    assert_eq!((several.inputs.time_s, several.inputs.force_n), (None, None));
+    let toml = "schema = \"truegap.recording/1\"\nfile = \"t.csv\"\n[columns]\nresponse = \"x_mv\"\n";
+    let named = Recording::from_text("t", toml, "t [s],Load [N],x_mv\n0,1,2\n1,2,3\n").unwrap();
+    assert_eq!((named.inputs.time_s, named.inputs.force_n), (None, None), "a TOML says all");
 }
 
 /// Only `truegap init` took these for a clock; a note said that they were not read.

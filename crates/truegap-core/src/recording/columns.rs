@@ -4,6 +4,7 @@
 
 use super::{
     error::RecordingError,
+    guess::by_name,
     heading::Heading,
     manifest::{BaseSpec, Manifest, Named},
     map::NO_LINE,
@@ -69,7 +70,7 @@ pub(super) fn bind(
     for role in ROLES {
         found.extend(binder.find(role)?.map(|index| (role, index)));
     }
-    let mut notes = Vec::new();
+    let mut notes: Vec<Note> = binder.told_by_name(&found).into_iter().collect();
     let columns = found.into_iter().map(|(role, index)| binder.column(role, index, &mut notes));
     let mut columns = columns.collect::<Result<Vec<_>, _>>()?;
     binder.match_simulated(&mut columns)?;
@@ -97,7 +98,7 @@ impl Binder<'_> {
             ([index], _) => Ok(Some(*index)),
             ([], None) if role != Role::Response => match self.almost(role) {
                 Some(refused) => Err(refused),
-                None => Ok(self.dates().filter(|_| role == Role::Time)),
+                None => Ok(self.dates().filter(|_| role == Role::Time).or_else(|| self.by_a_word(role))),
             },
             ([], _) => Err(self.missing(role, named)),
             ([first, rest @ ..], _) if rest.iter().all(|index| name(*index) == name(*first)) => {
@@ -122,6 +123,32 @@ impl Binder<'_> {
         let of =
             |fits: &dyn Fn(&Heading) -> bool| only(dated.iter().copied().filter(|index| fits(&self.header[*index])).collect());
         of(&|heading| told(Role::Time, &heading.name)).or_else(|| of(&|heading| !heading.days))
+    }
+
+    /// The column of a table without a TOML that a word of its name and its unit tell, as they tell it to `truegap init`.
+    fn by_a_word(&self, role: Role) -> Option<usize> {
+        let dimension = dimension(role).filter(|_| self.bare)?;
+        let named = |name: &str| self.manifest.columns.values().any(|named| named.text == name);
+        let driver = |name: &str| self.manifest.drivers.iter().any(|driver| driver.column == name);
+        let is_free = |index: &usize| {
+            let heading = &self.header[*index];
+            let alone = self.header.iter().filter(|other| other.name == heading.name).count() == 1;
+            alone && !heading.dated && !heading.of_day && !named(&heading.name) && !driver(&heading.name)
+        };
+        let free: Vec<usize> = (0..self.header.len()).filter(is_free).collect();
+        let index = by_name(self.header, &free).found.get(&role).copied()?;
+        self.header[index].unit_of(dimension).map(|_| index)
+    }
+
+    /// A note of columns that were read by a word of their names.
+    fn told_by_name(&self, found: &[(Role, usize)]) -> Option<Note> {
+        let by_a_word = |(role, index): &&(Role, usize)| {
+            let heading = &self.header[*index];
+            !heading.dated && !self.manifest.columns.contains_key(role) && !is_default(*role, heading)
+        };
+        let told = found.iter().filter(by_a_word);
+        let told: Vec<String> = told.map(|(role, index)| format!("`{}` as {}", self.header[*index].name, role.key())).collect();
+        (!told.is_empty()).then(|| Note::ReadByName { columns: told.join(", ") })
     }
 
     /// Whether the TOML says of a column that is called after `role`, which it does not name, that it is something else: another role, or a driver in place of a load. A thermometer and

@@ -411,3 +411,45 @@ fn columns_that_are_told_of_are_read_and_sketched() {
     );
     assert!(refused("driver.pump=pumpe:V").contains("did you mean `pump`") && refused("force=fors:N").contains("`fors`"));
 }
+
+/// `init` asked for nothing but the reading; with that alone the base was a constant, and nothing said that the command was not read. It asked for a unit that a diagnosis reads from the name.
+#[test]
+fn what_a_reading_follows_is_asked_for_where_nothing_was_read() {
+    let bench = Bench::new("follows", b"time_ms,cmd_mm,enc_mm\n0,1,1.1\n20,2,2.1\n40,3,3.2\n");
+    let told = |map: &[&str]| Told { map: map.iter().map(|text| text.parse().unwrap()).collect(), ..Told::default() };
+    let sketched = |map: &[&str]| sketch(&bench.0.join("t.csv"), &told(map)).unwrap();
+    let named = sketched(&["response=enc_mm"]);
+    assert!(named.toml.contains("response = \"mm\"") && !named.open.iter().any(|says| says.contains("unit")), "{}", named.toml);
+    assert!(named.open.iter().any(|says| says.starts_with("what `cmd_mm` may be")), "{:?}", named.open);
+    assert!(named.open.iter().any(|says| says.contains("complete [base]")), "{:?}", named.open);
+    assert!(sketched(&[]).open.iter().any(|says| says.contains("complete [base]")));
+    std::fs::write(bench.0.join("t.toml"), &named.toml).unwrap();
+    let notes = |recording: Recording| recording.notes.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
+    let read = notes(Recording::open(bench.0.join("t.toml")).unwrap());
+    assert!(read.contains("these columns of numbers were not read: `cmd_mm`"), "{read}");
+    let bare = |map: &[&str]| notes(Recording::open_told(bench.0.join("t.csv"), &told(map)).unwrap());
+    assert!(bare(&["response=enc_mm"]).contains("not read: `cmd_mm`; if one is what was done"));
+    assert!(!bare(&["response=enc_mm", "driver.command=cmd_mm"]).contains("not read"));
+}
+
+/// The column of a simulation was proposed as the reading or as a driver, and the base that goes with it was not written.
+#[test]
+fn a_column_that_is_called_after_a_simulation_is_proposed_as_one() {
+    let bench = Bench::new("computed", b"t [s],Load [N],bridge [mV/V],model [mV/V]\n0,1,1.1,1\n1,2,2.1,2\n");
+    let sketched = |map: &[&str]| {
+        let told = Told { map: map.iter().map(|text| text.parse().unwrap()).collect(), ..Told::default() };
+        sketch(&bench.0.join("t.csv"), &told).unwrap()
+    };
+    let asked = sketched(&[]);
+    assert!(
+        asked.toml.contains("\nresponse = \"bridge [mV/V]\"") && asked.toml.contains("\n# simulated = \"model [mV/V]\""),
+        "{}",
+        asked.toml
+    );
+    assert!(asked.open.iter().any(|says| says.contains("`model [mV/V]` is your own simulation")), "{:?}", asked.open);
+    let told = sketched(&["simulated=model [mV/V]"]);
+    assert!(told.toml.contains("\n[base]\nmodel = \"external\"") && told.open.is_empty(), "{:?}\n{}", told.open, told.toml);
+    std::fs::write(bench.0.join("t.toml"), &told.toml).unwrap();
+    let read = Recording::open(bench.0.join("t.toml")).unwrap();
+    assert_eq!((read.base.model.as_str(), read.inputs.simulated.as_deref()), ("external", Some(&[1.0, 2.0][..])));
+}

@@ -32,6 +32,8 @@ pub enum Note {
     Dates { column: String, first: String },
     /// Columns that nothing asked for, in a table without a TOML.
     NotRead { columns: String },
+    /// Columns of numbers that nothing asked for, where nothing was read that the reading could follow.
+    NoInput { columns: String },
     /// Columns of a table without a TOML that were read because of a word of their names.
     ReadByName { columns: String },
     /// A temperature that looks like one in another unit.
@@ -98,6 +100,11 @@ impl fmt::Display for Note {
             Self::NotRead { columns } => write!(
                 f,
                 "not read: {columns}; name what they are in a TOML beside the CSV (`truegap init` writes one) or by --map, or leave them as they are"
+            ),
+            Self::NoInput { columns } => write!(
+                f,
+                "nothing was read that the reading could follow, and these columns of numbers were not read: {columns}; if one is what was done, name it by --map \
+                 driver.NAME=COLUMN:UNIT or under [drivers], if one is your own simulation, by --map simulated=COLUMN or under [columns]"
             ),
             Self::ReadByName { columns } => write!(
                 f,

@@ -4,7 +4,7 @@
 
 use super::{
     columnar,
-    columns::{dimension, quoted, there},
+    columns::{dimension, is_default, quoted, there},
     date_order::order,
     driver_columns::bind_drivers,
     error::RecordingError,
@@ -18,10 +18,10 @@ use super::{
     roles::ROLES,
     table::Table,
     told::Told,
-    words::{told, without_accents},
+    words::{is_called_simulation, told, without_accents},
 };
 use crate::inputs::Role;
-use crate::units::Dimension;
+use crate::units::{Dimension, is_unit};
 use std::path::Path;
 
 /// Rows that are looked at for numbers.
@@ -169,10 +169,18 @@ impl Writer<'_> {
         self.told.map.iter().filter_map(|mapped| placed(mapped, self.header)).collect()
     }
 
-    /// The columns among which roles are guessed: those that nothing is told of.
+    /// The columns among which roles are guessed: those that nothing is told of, and that are not called after a simulation.
     fn guessed(&self, usable: &[usize]) -> Vec<usize> {
         let told: Vec<usize> = self.told_of().iter().map(|(_, index, _)| *index).collect();
-        usable.iter().filter(|index| !told.contains(index)).copied().collect()
+        let computed = |index: usize| is_called_simulation(self.name(index)) && !is_default(Role::Simulated, &self.header[index]);
+        usable.iter().filter(|index| !told.contains(index) && !computed(**index)).copied().collect()
+    }
+
+    /// Columns that are called after a simulation and play no part yet.
+    fn computed(&self, guess: &Guess, usable: &[usize]) -> Vec<usize> {
+        let told: Vec<usize> = self.told_of().iter().map(|(_, index, _)| *index).collect();
+        let is_free = |index: &&usize| !told.contains(index) && guess.found.values().all(|taken| taken != *index);
+        usable.iter().filter(is_free).filter(|index| is_called_simulation(self.name(**index))).copied().collect()
     }
 
     fn with_told(&self, mut guess: Guess) -> Guess {
@@ -231,6 +239,20 @@ impl Writer<'_> {
                     self.line(&format!("# response = \"...\"   # the reading; one of: {names}"));
                     self.open.push("which column is the reading: complete `response` under [columns]".to_owned());
                 }
+                (None, None) if role == Role::Simulated => {
+                    let computed = self.computed(guess, usable);
+                    if let Some(first) = computed.first() {
+                        let names = quoted(computed.iter().map(|index| self.name(*index)));
+                        let line = format!(
+                            "# simulated = {}   # if it is your own simulation; then model = \"external\" under [base]",
+                            toml_text(self.name(*first))
+                        );
+                        self.open.push(format!(
+                            "whether {names} is your own simulation: then `simulated` under [columns], and model = \"external\" under [base]"
+                        ));
+                        self.line(&line);
+                    }
+                }
                 (None, None) => {}
             }
         }
@@ -274,6 +296,14 @@ impl Writer<'_> {
         let spare: Vec<usize> = usable.iter().filter(|index| !taken(index)).copied().collect();
         if spare.is_empty() {
             return;
+        }
+        let computed = self.computed(guess, usable);
+        let unasked: Vec<&str> = spare.iter().filter(|index| !computed.contains(index)).map(|index| self.name(*index)).collect();
+        if guess.found.contains_key(&Role::Response) && !unasked.is_empty() {
+            let names = quoted(unasked.into_iter());
+            self.open.push(format!(
+                "what {names} may be: what the reading follows (under [drivers]), your own simulation (`simulated` under [columns]), or nothing that matters"
+            ));
         }
         let names: Vec<&str> = spare.iter().map(|index| self.name(*index)).collect();
         self.line(&format!("\n# Not used: {}. Physics may follow a column that stands under [drivers]:", names.join(", ")));
@@ -335,13 +365,17 @@ impl Writer<'_> {
 
     fn base(&mut self, guess: &Guess) {
         self.line("\n# What the recording is compared with (docs/recordings.md):");
+        if guess.found.contains_key(&Role::Simulated) {
+            self.line(
+                "[base]\nmodel = \"external\"                                  # your own simulation, the column `simulated`",
+            );
+            return;
+        }
         self.line("# [base]\n# model = \"linear\"                                    # a straight line in the load");
         self.line("# model = \"stack\"\n# sensor = \"singletact-s15-4.5n\"                     # a capacitive sensor, built in or a TOML");
         self.line("# model = \"command\"\n# run = [\"python3\", \"sim.py\"]                      # your own simulator (docs/command-base.md)");
-        let has = |role: Role| guess.found.contains_key(&role);
-        if (has(Role::Force) || has(Role::Pressure)) && !has(Role::Simulated) {
-            self.open.push("what the recording is compared with: complete [base]".to_owned());
-        }
+        self.line("# model = \"external\"                                  # your own simulation, a column that stands as `simulated` under [columns]");
+        self.open.push("what the recording is compared with: complete [base]".to_owned());
     }
 }
 
@@ -358,8 +392,8 @@ fn unit(role: Role, heading: &Heading) -> Option<String> {
         None => {
             let known = heading.unit_of(Dimension::Capacitance).or(heading.unit_of(Dimension::Voltage));
             // behind an underscore anything may stand, in brackets and below the name a unit
-            let surely = |_: &&str| heading.below.is_some() || heading.name.ends_with([')', ']', '}', '>']);
-            known.or_else(|| heading.unit().filter(surely)).map(str::to_owned)
+            let surely = |unit: &&str| is_unit(unit) || heading.below.is_some() || heading.name.ends_with([')', ']', '}', '>']);
+            known.or_else(|| heading.proper_unit().filter(surely)).map(str::to_owned)
         }
     }
 }

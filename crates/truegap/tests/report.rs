@@ -295,3 +295,17 @@ fn every_panel_says_its_axes_and_the_page_has_the_script_that_reads_them() {
     assert!(panels > 6 && page.matches("data-y-unit=").count() == panels && page.contains("tg-values"));
     assert!(page.matches("data-cells=").count() == 2, "both maps");
 }
+
+/// The page named the first file for both.
+#[test]
+fn each_mechanism_is_told_with_its_own_file() {
+    let mut fixture = fixture::thermal_lag();
+    fixture.diagnosis.discovered = vec![fixture::mechanism(), fixture::mechanism()];
+    let page = html(&fixture.subject());
+    for file in ["discovered.toml", "discovered_second.toml"] {
+        assert!(
+            page.contains(&format!("{file} beside this page holds it: ")) && page.contains(&format!("--effect {file}")),
+            "{file}"
+        );
+    }
+}

@@ -13,7 +13,7 @@ use truegap_diagnose::{Library, Outcome};
 /// Names of the files that a diagnosis writes.
 pub const FILES: [&str; 6] = ["diagnosis.json", "augmented.toml", "prediction.csv", "report.html", DISCOVERED[0], DISCOVERED[1]];
 /// Names of the files of mechanisms that no library lists, where some were found.
-const DISCOVERED: [&str; 2] = ["discovered.toml", "discovered_second.toml"];
+pub(super) const DISCOVERED: [&str; 2] = ["discovered.toml", "discovered_second.toml"];
 
 /// A recording and what was found in it.
 pub struct Diagnosed {

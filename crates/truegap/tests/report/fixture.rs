@@ -274,3 +274,31 @@ fn adequacy() -> AdequacyFacts {
     };
     AdequacyFacts { before: Some(of(test(300.0, 1e-40))), after: Some(of(test(12.0, 0.4))), ..AdequacyFacts::default() }
 }
+
+/// A mechanism of words.
+pub fn mechanism() -> DiscoveredFacts {
+    let text = "schema = \"truegap.mechanism/1\"\nid = \"gap_follows_heating\"\nquantity = \"gap\"\naction = \"adds\"\ndriver = \"temperature_rate\"\n\
+                kinetics = \"first_order\"\nform = \"linear\"\nsize = { sd = 0.5, unit = \"1\" }\ntau = { value = 30.0, sd = 20.0, unit = \"s\" }\n";
+    let file: truegap_diagnose::mechanism::MechanismFile = toml::from_str(text).unwrap();
+    let word = String::new;
+    DiscoveredFacts {
+        place: word(),
+        driver: word(),
+        kinetics: word(),
+        form: word(),
+        action: word(),
+        sentence: file.sentence.clone(),
+        named: true,
+        in_other_words: false,
+        log_odds: 10.0,
+        probability: Default::default(),
+        clause: word(),
+        says: word(),
+        could_be: Vec::new(),
+        parameters: Vec::new(),
+        held_out: BeforeAfterUnit { rmse_before: None, rmse_after: None, unit: "pF".into() },
+        control_p_value: 0.01,
+        weighed: 100,
+        file,
+    }
+}

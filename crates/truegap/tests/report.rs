@@ -296,6 +296,13 @@ fn every_panel_says_its_axes_and_the_page_has_the_script_that_reads_them() {
     assert!(page.matches("data-cells=").count() == 2, "both maps");
 }
 
+/// One column may order five mismatches: its size, its speed, its way, how long it has been held, its greatest value.
+#[test]
+fn the_table_of_mismatches_says_what_of_a_column_orders_them() {
+    let page = html(&fixture::thermal_lag().subject());
+    assert!(page.contains("<td>with the time since the temperature changed</td>"), "the quantity is missing");
+}
+
 /// The page named the first file for both.
 #[test]
 fn each_mechanism_is_told_with_its_own_file() {

@@ -165,6 +165,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
         mismatch: vec![Mismatch {
             says: "the reading is behind while the temperature moves, 60 fF at 1 K/min".into(),
             driver: "temperature_c".into(),
+            along: "with the time since the temperature changed".into(),
             interval: [38.0, 45.0],
             runs: vec![2, 3],
             share: 0.81,

@@ -161,6 +161,7 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             says: "to fit, young_rtv must fall 24 %, 4.7 prior sd".into(),
             parameter: "young_rtv".into(),
             z: -4.7,
+            between_parts: false,
         }],
         mismatch: vec![Mismatch {
             says: "the reading is behind while the temperature moves, 60 fF at 1 K/min".into(),

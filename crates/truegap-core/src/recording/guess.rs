@@ -3,7 +3,7 @@
 //! Limits: a role is taken where one column alone fits; where several do, they are told and none is taken.
 
 use super::{
-    columns::{dimension, is_default},
+    default_names::{dimension, is_default},
     heading::Heading,
     roles::ROLES,
     words::told,

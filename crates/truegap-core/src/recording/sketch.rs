@@ -4,8 +4,9 @@
 
 use super::{
     columnar,
-    columns::{dimension, is_default, quoted, there},
+    columns::{quoted, there},
     date_order::order,
+    default_names::{dimension, is_default},
     driver_columns::bind_drivers,
     error::RecordingError,
     frame::FrameColumn,
@@ -18,7 +19,8 @@ use super::{
     roles::ROLES,
     table::Table,
     told::Told,
-    words::{is_called_simulation, told, without_accents},
+    toml_names::{free, plain, toml_key, toml_text},
+    words::{is_called_simulation, told},
 };
 use crate::inputs::Role;
 use crate::units::{Dimension, is_unit};
@@ -298,7 +300,7 @@ impl Writer<'_> {
             return;
         }
         let computed = self.computed(guess, usable);
-        let unasked: Vec<&str> = spare.iter().filter(|index| !computed.contains(index)).map(|index| self.name(*index)).collect();
+        let unasked: Vec<_> = spare.iter().filter(|index| !computed.contains(index)).map(|index| self.name(*index)).collect();
         if guess.found.contains_key(&Role::Response) && !unasked.is_empty() {
             let names = quoted(unasked.into_iter());
             self.open.push(format!(
@@ -396,33 +398,4 @@ fn unit(role: Role, heading: &Heading) -> Option<String> {
             known.or_else(|| heading.proper_unit().filter(surely)).map(str::to_owned)
         }
     }
-}
-
-fn toml_text(text: &str) -> String {
-    toml::Value::from(text).to_string()
-}
-
-/// A name as a key of TOML, in quotes where it needs them.
-fn toml_key(name: &str) -> String {
-    let is_plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-'));
-    if is_plain { name.to_owned() } else { toml_text(name) }
-}
-
-/// A name that TOML takes without quotes.
-fn plain(name: &str, index: usize) -> String {
-    let sign = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
-    let plain: String = without_accents(name).chars().map(sign).collect();
-    let words: Vec<&str> = plain.split('_').filter(|word| !word.is_empty()).collect();
-    // a role's word is no name of a driver
-    match words.join("_") {
-        name if name.is_empty() || ROLES.iter().any(|role| role.key() == name) => format!("column_{}", index + 1),
-        name => name,
-    }
-}
-
-/// `name`, or that with a number where it is taken.
-fn free(name: &str, taken: &[String]) -> String {
-    let numbered = (2..).map(|number| format!("{name}_{number}"));
-    let mut names = std::iter::once(name.to_owned()).chain(numbered);
-    names.find(|name| !taken.contains(name)).unwrap_or_default()
 }

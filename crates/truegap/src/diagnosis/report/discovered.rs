@@ -5,10 +5,12 @@
 use super::subject::Subject;
 use super::text::{measured, percent, spoken};
 use super::wording;
-use crate::diagnosis::diagnosed::DISCOVERED;
 use std::collections::BTreeMap;
 use truegap_diagnose::answer::DiscoveredFacts;
 use truegap_scene::page::{Page, Table};
+
+/// Names of the files of mechanisms that no library lists, where some were found.
+pub(in crate::diagnosis) const DISCOVERED: [&str; 2] = ["discovered.toml", "discovered_second.toml"];
 
 /// Probability of a word's value below which it is not listed.
 const LISTED: f64 = 0.02;

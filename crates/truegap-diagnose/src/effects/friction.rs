@@ -152,7 +152,13 @@ impl Effect for Friction {
             .within(1e-4 * span, WIDEST * span),
         ];
         if self.may_grow(context) {
-            list.push(Parameter::normal("viscous", &per_speed(&unit), 0.0, 0.3 / speed, "speed-proportional part over the force"));
+            list.push(Parameter::normal(
+                "viscous",
+                &per_speed(&unit),
+                0.0,
+                0.3 / speed,
+                "speed-proportional part over the force",
+            ));
         }
         if self.may_follow_the_speed(context) {
             list.extend([

@@ -231,7 +231,7 @@ fn an_error_of_a_bare_csv_names_the_toml_beside_it() {
 fn a_bare_csv_says_what_it_did_not_read() {
     let bench = Bench::new("spare", b"time_s,Oven [\xb0C],capacitance_pf\n0,20,74\n1,21,75\n");
     let told: Vec<String> = bench.read().unwrap().notes.iter().map(ToString::to_string).collect();
-    assert!(told.iter().any(|note| note.contains("not read: `Oven [°C]`") && note.contains("truegap init")), "{told:?}");
+    assert!(told.iter().any(|note| note.contains("not read: `Oven [°C]`") && note.contains("--map")), "{told:?}");
 }
 
 /// `truegap init` read `t [s]` and `Load [N]`; a diagnosis of the table alone left them out, and its answer was wrong.
@@ -333,7 +333,7 @@ fn a_column_called_after_a_role_that_holds_no_number_is_left_to_somebody() {
     assert!(open.iter().any(|says| says.contains("`Messwert [mV]` is called after the response")), "{open:?}");
     assert!(!open.iter().any(|says| says.contains("Prüfer")), "{open:?}");
     let header = Bench::new("header-only", b"time_s,force_n,capacitance_pf\n");
-    assert_eq!(sketch(&header.0.join("t.csv"), &Told::default()).unwrap().open.len(), 1);
+    assert_eq!(sketch(&header.0.join("t.csv"), &Told::default()).unwrap().open.len(), 2, "the reading and the base");
 }
 
 fn with_dates(name: &str, dates: [&str; 3], told: Option<bool>) -> Result<Vec<f64>, String> {
@@ -429,7 +429,7 @@ fn what_a_reading_follows_is_asked_for_where_nothing_was_read() {
     assert!(read.contains("these columns of numbers were not read: `cmd_mm`"), "{read}");
     let bare = |map: &[&str]| notes(Recording::open_told(bench.0.join("t.csv"), &told(map)).unwrap());
     assert!(bare(&["response=enc_mm"]).contains("not read: `cmd_mm`; if one is what was done"));
-    assert!(!bare(&["response=enc_mm", "driver.command=cmd_mm"]).contains("not read"));
+    assert!(!bare(&["response=enc_mm", "driver.command=cmd_mm"]).contains("`cmd_mm`"));
 }
 
 /// The column of a simulation was proposed as the reading or as a driver, and the base that goes with it was not written.

@@ -78,6 +78,10 @@ const FEW_ROWS: f64 = 0.02;
 const CLOSE: usize = 10;
 /// Noises of the reading by which one that stands differs from row to row, at most.
 const WITHIN_NOISE: f64 = 4.0;
+/// Rows by which it is judged how fast a reading goes on.
+const ONWARD: usize = 3;
+/// Steps of those rows that the first one may be.
+const STARTS_AS_FAST: f64 = 1.5;
 /// Share of equal neighbours where a reading stands and its noise is far below its step, at most.
 const ALL_BUT_ALWAYS: f64 = 0.9;
 
@@ -99,7 +103,7 @@ fn equal_where_it_stands(noise: f64) -> f64 {
 
 /// Rows of stretches longer than equal neighbours would make by chance, as often as they are equal nearby; `None` where there are none.
 ///
-/// A reading that was held jumps when it comes back: the chance counts how rare such a step is as well. One that comes back within its noise may have stood, as
+/// A reading that was held jumps when it comes back: the chance counts how rare such a step is as well. One that comes back within its noise, or starts to move, may have stood, as
 /// friction makes it although the input moves: then neighbours are equal as often as noise and step make them.
 fn too_long(response: &[f64], smallest: f64, runs: &[Range<usize>], stretches: &[Range<usize>]) -> Option<Vec<usize>> {
     let step = |row: usize| (response[row] - response[row - 1]).abs();
@@ -115,7 +119,10 @@ fn too_long(response: &[f64], smallest: f64, runs: &[Range<usize>], stretches: &
         let often = (equal + 1) as f64 / (pairs + 2) as f64;
         let noise = noise_in_steps(response, smallest, run, stretch);
         let back = if stretch.end < run.end { step(stretch.end) } else { 0.0 };
-        let may_stand = back < smallest * (WITHIN_NOISE * noise).max(1.5);
+        // one that was held makes up for all rows that it missed; one that stood starts as fast as it goes on
+        let onward: Vec<f64> = (stretch.end + 1..run.end.min(stretch.end + 1 + ONWARD)).map(step).collect();
+        let onward = if onward.is_empty() { 0.0 } else { median(&onward) };
+        let may_stand = back < smallest * (WITHIN_NOISE * noise).max(1.5) + STARTS_AS_FAST * onward;
         let often = if may_stand { often.max(equal_where_it_stands(noise)) } else { often };
         let jump = if stretch.end < run.end { as_large(back) } else { 1.0 };
         response.len() as f64 * often.powi(stretch.len() as i32) * jump < BY_CHANCE

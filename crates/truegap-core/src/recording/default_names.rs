@@ -1,10 +1,10 @@
-//! What the columns of a role are called by default, and what they measure.
+//! What the columns of a role are called by default, what they measure and in which unit.
 //!
 //! Limits: names and units of headings; which column is taken is for [`super::columns`].
 
 use super::heading::Heading;
 use crate::inputs::Role;
-use crate::units::Dimension;
+use crate::units::{Dimension, is_unit};
 
 /// What a role measures; `None` for names, and for readings in any unit.
 pub(super) fn dimension(role: Role) -> Option<Dimension> {
@@ -54,4 +54,17 @@ pub(super) fn is_default(role: Role, heading: &Heading) -> bool {
 /// Whether a column's name is a role's word with one more behind it, where a unit stands: `force_xyz`, `Force [pF]`.
 pub(super) fn called_after(role: Role, heading: &Heading) -> bool {
     heading.unit_in_name().is_some_and(|(measured, _)| measured.trim_end_matches('_').trim().eq_ignore_ascii_case(role.key()))
+}
+
+/// The unit of a role's column, as the header shows it.
+pub(super) fn shown_unit(role: Role, heading: &Heading) -> Option<String> {
+    match dimension(role) {
+        Some(dimension) => heading.unit_of(dimension).map(str::to_owned),
+        None => {
+            let known = heading.unit_of(Dimension::Capacitance).or(heading.unit_of(Dimension::Voltage));
+            // behind an underscore anything may stand, in brackets and below the name a unit
+            let surely = |unit: &&str| is_unit(unit) || heading.below.is_some() || heading.name.ends_with([')', ']', '}', '>']);
+            known.or_else(|| heading.proper_unit().filter(surely)).map(str::to_owned)
+        }
+    }
 }

@@ -6,7 +6,7 @@ use super::{
     columnar,
     columns::{quoted, there},
     date_order::order,
-    default_names::{dimension, is_default},
+    default_names::{dimension, is_default, shown_unit},
     driver_columns::bind_drivers,
     error::RecordingError,
     frame::FrameColumn,
@@ -23,8 +23,17 @@ use super::{
     words::{is_called_simulation, told},
 };
 use crate::inputs::Role;
-use crate::units::{Dimension, is_unit};
+use crate::units::Dimension;
 use std::path::Path;
+
+/// What may stand under `[base]`.
+const BASES: &str = r#"# [base]
+# model = "linear"                                   # a straight line in the load, or in driver = "NAME"
+# model = "external"                                 # your own simulation, a column that stands as `simulated` under [columns]
+# model = "stack"
+# sensor = "singletact-s15-4.5n"                     # a capacitive sensor, built in or a TOML
+# model = "command"
+# run = ["python3", "sim.py"]                        # your own simulator (docs/command-base.md)"#;
 
 /// Rows that are looked at for numbers.
 const LOOKED_AT: usize = 20;
@@ -171,17 +180,19 @@ impl Writer<'_> {
         self.told.map.iter().filter_map(|mapped| placed(mapped, self.header)).collect()
     }
 
+    fn is_told_of(&self, index: usize) -> bool {
+        self.told_of().iter().any(|(_, told, _)| *told == index)
+    }
+
     /// The columns among which roles are guessed: those that nothing is told of, and that are not called after a simulation.
     fn guessed(&self, usable: &[usize]) -> Vec<usize> {
-        let told: Vec<usize> = self.told_of().iter().map(|(_, index, _)| *index).collect();
         let computed = |index: usize| is_called_simulation(self.name(index)) && !is_default(Role::Simulated, &self.header[index]);
-        usable.iter().filter(|index| !told.contains(index) && !computed(**index)).copied().collect()
+        usable.iter().filter(|index| !self.is_told_of(**index) && !computed(**index)).copied().collect()
     }
 
     /// Columns that are called after a simulation and play no part yet.
     fn computed(&self, guess: &Guess, usable: &[usize]) -> Vec<usize> {
-        let told: Vec<usize> = self.told_of().iter().map(|(_, index, _)| *index).collect();
-        let is_free = |index: &&usize| !told.contains(index) && guess.found.values().all(|taken| taken != *index);
+        let is_free = |index: &&usize| !self.is_told_of(**index) && guess.found.values().all(|taken| taken != *index);
         usable.iter().filter(is_free).filter(|index| is_called_simulation(self.name(**index))).copied().collect()
     }
 
@@ -241,23 +252,20 @@ impl Writer<'_> {
                     self.line(&format!("# response = \"...\"   # the reading; one of: {names}"));
                     self.open.push("which column is the reading: complete `response` under [columns]".to_owned());
                 }
-                (None, None) if role == Role::Simulated => {
-                    let computed = self.computed(guess, usable);
-                    if let Some(first) = computed.first() {
-                        let names = quoted(computed.iter().map(|index| self.name(*index)));
-                        let line = format!(
-                            "# simulated = {}   # if it is your own simulation; then model = \"external\" under [base]",
-                            toml_text(self.name(*first))
-                        );
-                        self.open.push(format!(
-                            "whether {names} is your own simulation: then `simulated` under [columns], and model = \"external\" under [base]"
-                        ));
-                        self.line(&line);
-                    }
-                }
+                (None, None) if role == Role::Simulated => self.proposed(&self.computed(guess, usable)),
                 (None, None) => {}
             }
         }
+    }
+
+    /// Columns that may be a simulation, proposed as one.
+    fn proposed(&mut self, computed: &[usize]) {
+        let Some(first) = computed.first() else { return };
+        let (first, names) = (toml_text(self.name(*first)), quoted(computed.iter().map(|index| self.name(*index))));
+        self.line(&format!("# simulated = {first}   # if it is your own simulation; then model = \"external\" under [base]"));
+        self.open.push(format!(
+            "whether {names} is your own simulation: then `simulated` under [columns], and model = \"external\" under [base]"
+        ));
     }
 
     fn units(&mut self, guess: &Guess) {
@@ -274,7 +282,7 @@ impl Writer<'_> {
                 self.line("# time: the column holds dates, and is read in seconds from the first");
                 continue;
             }
-            match unit(*role, heading) {
+            match shown_unit(*role, heading) {
                 Some(unit) => self.line(&format!("{key} = {}", toml_text(&unit))),
                 None => {
                     let says = match heading.unit() {
@@ -292,9 +300,8 @@ impl Writer<'_> {
 
     /// Columns of numbers that play no role.
     fn spare(&mut self, guess: &Guess, usable: &[usize]) {
-        let told: Vec<usize> = self.told_of().iter().map(|(_, index, _)| *index).collect();
         let of_role = |index: usize| guess.found.values().any(|taken| *taken == index);
-        let taken = |index: &&usize| of_role(**index) || told.contains(*index) || self.header[**index].dated;
+        let taken = |index: &&usize| of_role(**index) || self.is_told_of(**index) || self.header[**index].dated;
         let spare: Vec<usize> = usable.iter().filter(|index| !taken(index)).copied().collect();
         if spare.is_empty() {
             return;
@@ -373,10 +380,7 @@ impl Writer<'_> {
             );
             return;
         }
-        self.line("# [base]\n# model = \"linear\"                                    # a straight line in the load");
-        self.line("# model = \"stack\"\n# sensor = \"singletact-s15-4.5n\"                     # a capacitive sensor, built in or a TOML");
-        self.line("# model = \"command\"\n# run = [\"python3\", \"sim.py\"]                      # your own simulator (docs/command-base.md)");
-        self.line("# model = \"external\"                                  # your own simulation, a column that stands as `simulated` under [columns]");
+        self.line(BASES);
         self.open.push("what the recording is compared with: complete [base]".to_owned());
     }
 }
@@ -385,17 +389,4 @@ impl Writer<'_> {
 fn placed<'a>(mapped: &'a Mapped, header: &[Heading]) -> Option<(&'a Part, usize, Option<&'a str>)> {
     let (column, unit) = mapped.column_and_unit(header);
     Some((mapped.part(), header.iter().position(|heading| heading.name == column)?, unit))
-}
-
-/// The unit of a role's column, as the header shows it.
-fn unit(role: Role, heading: &Heading) -> Option<String> {
-    match dimension(role) {
-        Some(dimension) => heading.unit_of(dimension).map(str::to_owned),
-        None => {
-            let known = heading.unit_of(Dimension::Capacitance).or(heading.unit_of(Dimension::Voltage));
-            // behind an underscore anything may stand, in brackets and below the name a unit
-            let surely = |unit: &&str| is_unit(unit) || heading.below.is_some() || heading.name.ends_with([')', ']', '}', '>']);
-            known.or_else(|| heading.proper_unit().filter(surely)).map(str::to_owned)
-        }
-    }
 }

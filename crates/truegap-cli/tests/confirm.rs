@@ -92,3 +92,28 @@ fn what_is_named_is_chosen_again_without_each_part() {
     let page = std::fs::read_to_string(bench.path("out/report.html")).unwrap();
     assert!(page.contains("What is named without each part"));
 }
+
+/// Where a recording never rests, its noise was what the base model leaves in short stretches: there a lag leaves ten times the noise, and the table said that the noise is larger than the
+/// error of the augmented model.
+#[test]
+fn the_noise_is_never_larger_than_what_the_augmented_model_leaves() {
+    let bench = Bench::new();
+    let simulated = |t: f64| 0.5 + 0.3 * (t / 1.1).sin() + 0.15 * (t / 0.37).sin();
+    let (mut late, mut state, mut rows) = (simulated(0.0), 7u64, String::new());
+    for row in 0..2000 {
+        let t = f64::from(row) * 0.1;
+        if row > 0 {
+            late += (0.5 * (simulated(t) + simulated(t - 0.1)) - late) * (1.0 - (-0.1f64 / 2.0).exp());
+        }
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        // uniform over 0.004 mV/V: a standard deviation of 0.00115 mV/V
+        let noise = ((state >> 33) as f64 / f64::from(1u32 << 31) - 0.5) * 0.004;
+        rows += &format!("{t},{},{}\n", simulated(t), late + noise);
+    }
+    bench.file("late.toml", common::LATE_SIMULATION).file("other.csv", &format!("time_s,simulated,bridge [mV/V]\n{rows}"));
+    let said = bench.run(&["-q", "--json", "confirm", "late.toml", "other.csv", "--map", "response=bridge [mV/V]"]);
+    let answer: serde_json::Value = serde_json::from_str(&said.out).unwrap_or_else(|_| panic!("{}{}", said.out, said.err));
+    let [noise, left] = ["noise", "augmented"].map(|part| answer[part]["rmse"].as_f64().unwrap());
+    assert!(noise <= left && (0.0009..0.0015).contains(&noise), "{noise} beside {left}: {}", answer["noise"]);
+    assert_eq!(answer["noise"]["measured"], false, "{}", answer["noise"]);
+}

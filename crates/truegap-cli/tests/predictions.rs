@@ -155,3 +155,16 @@ fn quiet_keeps_notes_to_itself() {
     let quiet = bench.run(&["simulate", "--drive", "r.csv", "--quiet"]);
     assert_eq!((quiet.err.as_str(), quiet.out), ("", loud.out));
 }
+
+/// Without options `--load` was asked for, and with it there was "no load that --load could give"; a profile needed "a column `Simulated`".
+#[test]
+fn a_model_that_follows_a_recorded_column_asks_for_a_recording_at_once() {
+    let bench = Bench::new();
+    bench.file("late.toml", common::LATE_SIMULATION);
+    let asked = |more: &[&str], parts: &[&str]| bench.refuses(&[&["simulate", "--model", "late.toml"], more].concat(), parts);
+    asked(&[], &["`external` follows the column `simulated`", "--drive RECORDING"]);
+    asked(&["--load", "1 N"], &["`external` follows the column `simulated`", "--drive RECORDING"]);
+    asked(&["--profile", "rates"], &["a profile has time, load and temperature alone", "--drive RECORDING"]);
+    bench.file("cell.csv", "time_s,force_n,response_mv/v\n0,1,1\n1,2,2\n");
+    asked(&["--drive", "cell.csv"], &["needs a column `simulated`"]);
+}

@@ -29,7 +29,7 @@ pub enum SimulationError {
         name: String,
     },
     /// A column that the model needs.
-    #[error("the base model `{model}` needs a column `{role:?}`; name it under [columns] or choose another [base] model")]
+    #[error("the base model `{model}` needs a column `{}`; name it under [columns] or choose another [base] model", .role.key())]
     MissingColumn {
         /// model
         model: String,

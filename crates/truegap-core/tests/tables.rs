@@ -229,9 +229,34 @@ fn an_error_of_a_bare_csv_names_the_toml_beside_it() {
 
 #[test]
 fn a_bare_csv_says_what_it_did_not_read() {
-    let bench = Bench::new("spare", b"time_s,Temperatur [\xb0C],capacitance_pf\n0,20,74\n1,21,75\n");
+    let bench = Bench::new("spare", b"time_s,Oven [\xb0C],capacitance_pf\n0,20,74\n1,21,75\n");
     let told: Vec<String> = bench.read().unwrap().notes.iter().map(ToString::to_string).collect();
-    assert!(told.iter().any(|note| note.contains("not read: `Temperatur [°C]`") && note.contains("truegap init")), "{told:?}");
+    assert!(told.iter().any(|note| note.contains("not read: `Oven [°C]`") && note.contains("--map")), "{told:?}");
+}
+
+/// `truegap init` read `t [s]` and `Load [N]`; a diagnosis of the table alone left them out, and its answer was wrong.
+#[test]
+fn a_bare_csv_is_read_by_the_words_that_init_knows() {
+    let read = |name: &str, header: &str, map: &[&str]| {
+        let bench = Bench::new(name, format!("{header}\n0,1,20,74\n1,2,21,75\n").as_bytes());
+        let told = Told { map: map.iter().map(|text| text.parse().unwrap()).collect(), ..Told::default() };
+        Recording::open_told(bench.0.join("t.csv"), &told).unwrap()
+    };
+    let cell = read("words", "t [s],Load [N],T [C],bridge [mV/V]", &["response=bridge [mV/V]"]);
+    let inputs = &cell.inputs;
+    assert_eq!(inputs.time_s.as_deref(), Some(&[0.0, 1.0][..]));
+    assert_eq!((inputs.force_n.as_deref(), inputs.temperature_c.as_deref()), (Some(&[1.0, 2.0][..]), Some(&[20.0, 21.0][..])));
+    let told: Vec<String> = cell.notes.iter().map(ToString::to_string).collect();
+    assert!(told.iter().any(|note| note.contains("`t [s]` as time, `Load [N]` as force, `T [C]` as temperature")), "{told:?}");
+    // what is told goes first; no unit, several columns, or a unit without a word are no reason to read one
+    let mapped = ["response=bridge [mV/V]", "driver.weight=Load [N]", "simulated=T [C]"];
+    let driven = read("driven", "t,Load [N],T [C],bridge [mV/V]", &mapped[..2]);
+    assert_eq!((driven.inputs.time_s, driven.inputs.force_n), (None, None));
+    let several = read("several", "age [s],Load 1 [N],Load 2 [N],bridge [mV/V]", &mapped[..1]);
+    assert_eq!((several.inputs.time_s, several.inputs.force_n), (None, None));
+    let toml = "schema = \"truegap.recording/1\"\nfile = \"t.csv\"\n[columns]\nresponse = \"x_mv\"\n";
+    let named = Recording::from_text("t", toml, "t [s],Load [N],x_mv\n0,1,2\n1,2,3\n").unwrap();
+    assert_eq!((named.inputs.time_s, named.inputs.force_n), (None, None), "a TOML says all");
 }
 
 /// Only `truegap init` took these for a clock; a note said that they were not read.
@@ -308,7 +333,7 @@ fn a_column_called_after_a_role_that_holds_no_number_is_left_to_somebody() {
     assert!(open.iter().any(|says| says.contains("`Messwert [mV]` is called after the response")), "{open:?}");
     assert!(!open.iter().any(|says| says.contains("Prüfer")), "{open:?}");
     let header = Bench::new("header-only", b"time_s,force_n,capacitance_pf\n");
-    assert_eq!(sketch(&header.0.join("t.csv"), &Told::default()).unwrap().open.len(), 1);
+    assert_eq!(sketch(&header.0.join("t.csv"), &Told::default()).unwrap().open.len(), 2, "the reading and the base");
 }
 
 fn with_dates(name: &str, dates: [&str; 3], told: Option<bool>) -> Result<Vec<f64>, String> {
@@ -385,4 +410,46 @@ fn columns_that_are_told_of_are_read_and_sketched() {
             .contains("--map driver.pump: column `pump` has no unit in its name; write driver.pump=\"pump:mm\"")
     );
     assert!(refused("driver.pump=pumpe:V").contains("did you mean `pump`") && refused("force=fors:N").contains("`fors`"));
+}
+
+/// `init` asked for nothing but the reading; with that alone the base was a constant, and nothing said that the command was not read. It asked for a unit that a diagnosis reads from the name.
+#[test]
+fn what_a_reading_follows_is_asked_for_where_nothing_was_read() {
+    let bench = Bench::new("follows", b"time_ms,cmd_mm,enc_mm\n0,1,1.1\n20,2,2.1\n40,3,3.2\n");
+    let told = |map: &[&str]| Told { map: map.iter().map(|text| text.parse().unwrap()).collect(), ..Told::default() };
+    let sketched = |map: &[&str]| sketch(&bench.0.join("t.csv"), &told(map)).unwrap();
+    let named = sketched(&["response=enc_mm"]);
+    assert!(named.toml.contains("response = \"mm\"") && !named.open.iter().any(|says| says.contains("unit")), "{}", named.toml);
+    assert!(named.open.iter().any(|says| says.starts_with("what `cmd_mm` may be")), "{:?}", named.open);
+    assert!(named.open.iter().any(|says| says.contains("complete [base]")), "{:?}", named.open);
+    assert!(sketched(&[]).open.iter().any(|says| says.contains("complete [base]")));
+    std::fs::write(bench.0.join("t.toml"), &named.toml).unwrap();
+    let notes = |recording: Recording| recording.notes.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
+    let read = notes(Recording::open(bench.0.join("t.toml")).unwrap());
+    assert!(read.contains("these columns of numbers were not read: `cmd_mm`"), "{read}");
+    let bare = |map: &[&str]| notes(Recording::open_told(bench.0.join("t.csv"), &told(map)).unwrap());
+    assert!(bare(&["response=enc_mm"]).contains("not read: `cmd_mm`; if one is what was done"));
+    assert!(!bare(&["response=enc_mm", "driver.command=cmd_mm"]).contains("`cmd_mm`"));
+}
+
+/// The column of a simulation was proposed as the reading or as a driver, and the base that goes with it was not written.
+#[test]
+fn a_column_that_is_called_after_a_simulation_is_proposed_as_one() {
+    let bench = Bench::new("computed", b"t [s],Load [N],bridge [mV/V],model [mV/V]\n0,1,1.1,1\n1,2,2.1,2\n");
+    let sketched = |map: &[&str]| {
+        let told = Told { map: map.iter().map(|text| text.parse().unwrap()).collect(), ..Told::default() };
+        sketch(&bench.0.join("t.csv"), &told).unwrap()
+    };
+    let asked = sketched(&[]);
+    assert!(
+        asked.toml.contains("\nresponse = \"bridge [mV/V]\"") && asked.toml.contains("\n# simulated = \"model [mV/V]\""),
+        "{}",
+        asked.toml
+    );
+    assert!(asked.open.iter().any(|says| says.contains("`model [mV/V]` is your own simulation")), "{:?}", asked.open);
+    let told = sketched(&["simulated=model [mV/V]"]);
+    assert!(told.toml.contains("\n[base]\nmodel = \"external\"") && told.open.is_empty(), "{:?}\n{}", told.open, told.toml);
+    std::fs::write(bench.0.join("t.toml"), &told.toml).unwrap();
+    let read = Recording::open(bench.0.join("t.toml")).unwrap();
+    assert_eq!((read.base.model.as_str(), read.inputs.simulated.as_deref()), ("external", Some(&[1.0, 2.0][..])));
 }

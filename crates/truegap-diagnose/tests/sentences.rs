@@ -4,7 +4,7 @@
 
 mod common;
 
-use truegap_core::Prior;
+use truegap_core::{Parameter, Prior};
 use truegap_diagnose::{Context, Effect, FittedParameter, library, sentence};
 
 /// Numbers of a text as they stand there, each with the text before it.
@@ -175,4 +175,19 @@ fn a_number_beside_the_size_may_be_large_where_its_prior_has_it() {
     }
     let says = sentence(regime.as_ref(), &fitted, &context, &[]);
     assert!(says.starts_with("something is switched") && !says.contains("the fit"), "{says}");
+}
+
+/// A load cell beside a straight line was told of a dielectric and of a strain.
+#[test]
+fn stiffening_is_told_in_words_that_hold_for_any_instrument() {
+    let line = common::Line { parameters: vec![Parameter::normal("slope", "V/N", 1.0, 0.1, "slope")] };
+    let inputs = common::recording();
+    let library = library();
+    let effect = library.iter().find(|e| e.id().0 == "strain_stiffening").unwrap();
+    let told = |context: &Context<'_>| sentence(effect.as_ref(), &fitted(effect.as_ref(), context, 0.0632, 0.1), context, &[]);
+    let beside_a_line = told(&Context::new(&inputs, &line, 3.0, 0.004));
+    assert!(!["dielectric", "strain", "plate"].iter().any(|word| beside_a_line.contains(word)), "{beside_a_line}");
+    assert!(beside_a_line.contains("more load"), "{beside_a_line}");
+    let plate = common::Plate::new(Some(false));
+    assert!(told(&Context::new(&inputs, &plate, 10.0, 0.004)).contains("the dielectric stiffens"));
 }

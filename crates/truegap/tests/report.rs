@@ -6,7 +6,7 @@
 mod fixture;
 
 use truegap::diagnosis::report::{html, terminal, wording};
-use truegap_diagnose::answer::{Confirmation, Confirmed, Errors, ModelFacts, NotTestable, OtherFacts, Verdict};
+use truegap_diagnose::answer::{Confirmation, Confirmed, Conflict, Errors, ModelFacts, NotTestable, OtherFacts, Verdict};
 use truegap_diagnose::confirmation::{Compared, Judgement, NoiseFloor, Reading};
 
 /// The page with plain spaces where a number is kept on one line with its sign.
@@ -294,4 +294,49 @@ fn every_panel_says_its_axes_and_the_page_has_the_script_that_reads_them() {
     let panels = page.matches("class=\"tg-panel\"").count();
     assert!(panels > 6 && page.matches("data-y-unit=").count() == panels && page.contains("tg-values"));
     assert!(page.matches("data-cells=").count() == 2, "both maps");
+}
+
+/// Parameters that two parts of a recording tell differently stood as at odds with what was known, beside a line that said that none was.
+#[test]
+fn what_differs_between_parts_of_a_recording_has_a_heading_of_its_own() {
+    let mut fixture = fixture::thermal_lag();
+    fixture.diagnosis.concealed = false;
+    let apart = || Conflict {
+        says: "the gain would be 1.00 at small loads but 1.02 at large loads, 6.2 standard deviations apart".into(),
+        parameter: "gain".into(),
+        z: 6.2,
+        between_parts: true,
+    };
+    fixture.diagnosis.conflicts.push(apart());
+    let text = terminal::summary(&fixture.diagnosis);
+    let at = |part: &str| text.find(part).unwrap_or_else(|| panic!("{part} is missing in\n{text}"));
+    let order =
+        ["At odds with what was known beforehand:", "4.7 prior sd", "Differs between parts of the recording:", "6.2 standard"]
+            .map(at);
+    assert!(order.is_sorted(), "{text}");
+    fixture.diagnosis.conflicts = vec![apart()];
+    assert!(!terminal::summary(&fixture.diagnosis).contains("At odds"));
+    let page = html(&fixture.subject());
+    assert!(page.contains("Differs between parts of the recording") && page.contains("6.2 standard deviations apart"));
+}
+
+/// One column may order five mismatches: its size, its speed, its way, how long it has been held, its greatest value.
+#[test]
+fn the_table_of_mismatches_says_what_of_a_column_orders_them() {
+    let page = html(&fixture::thermal_lag().subject());
+    assert!(page.contains("<td>with the time since the temperature changed</td>"), "the quantity is missing");
+}
+
+/// The page named the first file for both.
+#[test]
+fn each_mechanism_is_told_with_its_own_file() {
+    let mut fixture = fixture::thermal_lag();
+    fixture.diagnosis.discovered = vec![fixture::mechanism(), fixture::mechanism()];
+    let page = html(&fixture.subject());
+    for file in ["discovered.toml", "discovered_second.toml"] {
+        assert!(
+            page.contains(&format!("{file} beside this page holds it: ")) && page.contains(&format!("--effect {file}")),
+            "{file}"
+        );
+    }
 }

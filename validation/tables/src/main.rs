@@ -8,7 +8,7 @@ use truegap_tables::{REAL, TablesError, collect, pages};
 
 const HELP: &str = "truegap-tables [check | collect DIR]
 
-Writes the tables between `<!-- table: NAME -->` and `<!-- end -->` in README.md and docs/*.md from the result files of this repository.
+Writes the tables between `<!-- table: NAME -->` and `<!-- end -->` in README.md, docs/*.md and docs/guide/*.md from the result files of this repository.
   check        writes nothing; names the pages that differ, exit code 1 if any does
   collect DIR  writes validation/recordings/real.json from DIR/*/diagnosis.json, then the tables; a folder is named as its recording, `foam-insole--hold`";
 

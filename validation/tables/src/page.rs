@@ -34,15 +34,16 @@ impl Page {
     }
 }
 
-/// README.md and the pages of `docs/` of the repository in `root`, in order of their names.
+/// README.md and the pages of `docs/` and its guide of the repository in `root`, in order of their names.
 ///
 /// # Errors
 /// [`TablesError`] where a page, a mark in it or a result file is not as it should be.
 pub fn pages(root: &Path) -> Result<Vec<Page>, TablesError> {
-    let docs = root.join("docs");
     let mut paths = vec![root.join("README.md")];
-    for entry in std::fs::read_dir(&docs).map_err(TablesError::at(&docs))? {
-        paths.push(entry.map_err(TablesError::at(&docs))?.path());
+    for folder in ["docs", "docs/guide"].map(|folder| root.join(folder)) {
+        for entry in std::fs::read_dir(&folder).map_err(TablesError::at(&folder))? {
+            paths.push(entry.map_err(TablesError::at(&folder))?.path());
+        }
     }
     paths.retain(|path| path.extension().is_some_and(|end| end == "md"));
     paths.sort();

@@ -6,8 +6,8 @@ use crate::{csv, error::TablesError, front, real::Real, review, sources, speed, 
 use std::path::Path;
 
 /// Names that may stand in a mark, beside `csv PATH`, `mechanisms PATH`, `mechanism-counts PATH`, `coverage PATH` and `calibration PATH`.
-pub(crate) const NAMES: [&str; 9] =
-    ["front", "study", "study-size", "study-causes", "real", "speed", "crates", "stages", "review"];
+pub(crate) const NAMES: [&str; 10] =
+    ["front", "limits", "study", "study-size", "study-causes", "real", "speed", "crates", "stages", "review"];
 
 /// The text of a table; `line` is that of its mark, for messages.
 ///
@@ -31,6 +31,7 @@ pub(crate) fn table(root: &Path, name: &str, line: usize) -> Result<String, Tabl
     }
     let table = match name {
         "front" => front::table(root)?,
+        "limits" => front::limits(root)?,
         "study" => study::targets(root)?,
         "study-size" => study::by_size(root)?,
         "study-causes" => study::by_cause(root)?,

@@ -20,7 +20,7 @@ pub struct Simulate {
     #[arg(long, default_value = DEFAULT_SENSOR)]
     sensor: String,
     /// Loads: a value ("4.5 N"), a list ("0, 1, 4.5 N") or a range ("0:4.5 N:10", both ends included)
-    #[arg(long, allow_hyphen_values = true, required_unless_present_any = ["drive", "profile"], conflicts_with = "drive")]
+    #[arg(long, allow_hyphen_values = true, required_unless_present_any = ["drive", "profile", "model"], conflicts_with = "drive")]
     load: Option<String>,
     /// Temperatures, written like loads; the sensor's reference temperature where none is given
     #[arg(long, allow_hyphen_values = true, conflicts_with = "drive")]
@@ -89,7 +89,9 @@ impl Run for Simulate {
 
 impl Simulate {
     fn loads(&self, dimension: Dimension) -> anyhow::Result<Vec<f64>> {
-        let Some(load) = &self.load else { bail!("give --load, as in --load \"4.5 N\", or --drive RECORDING") };
+        let Some(load) = &self.load else {
+            bail!("give --load, as in --load \"4.5 N\", --drive RECORDING, or with --model a --profile")
+        };
         Ok(axis::values(load, dimension)?)
     }
 

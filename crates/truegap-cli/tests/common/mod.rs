@@ -82,3 +82,57 @@ impl Bench {
         said.err
     }
 }
+
+/// A model file: a simulation of one's own, read by electronics that follow it with a time constant of 2 s.
+pub const LATE_SIMULATION: &str = r#"schema = "truegap.model/1"
+made_by = "truegap 0.1.0"
+recording = "cell.toml"
+sha256 = "aa"
+verdict = "explained"
+unit = "mV/V"
+[base]
+model = "external"
+reference_c = 20.0
+[base.scale]
+unit = "mV/V"
+centre = 0.5
+range = 1.0
+at_rest = 0.0
+span = 1.0
+gaps_m = [0.0, 0.0]
+response_times_gap = 1.0
+[base.options]
+offset = true
+[scales]
+longest_run_s = 300.0
+shortest_step_s = 0.1
+duration_s = 300.0
+response_span = 1.0
+noise_sd = 0.002
+runs = 1
+[scales.moved]
+temperature_k = 0.0
+load = 0.0
+gap = false
+simulated = true
+drivers = []
+round = []
+[scales.moved.ranges]
+[[parameter]]
+name = "offset"
+unit = "mV/V"
+value = 0.0
+sd = 0.0001
+[[base_alone]]
+name = "offset"
+unit = "mV/V"
+value = 0.0
+sd = 0.0001
+[[effect]]
+id = "readout_lag"
+[[effect.parameters]]
+name = "tau"
+unit = "s"
+value = 2.0
+sd = 0.05
+"#;

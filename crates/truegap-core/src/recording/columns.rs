@@ -3,7 +3,9 @@
 //! Limits: a unit is the end of a column's name ([`super::notation`]), stands in a line of units under the header, or under `[units]`.
 
 use super::{
+    default_names::{called_after, default_name, dimension, is_default},
     error::RecordingError,
+    guess::by_name,
     heading::Heading,
     manifest::{BaseSpec, Manifest, Named},
     map::NO_LINE,
@@ -30,33 +32,6 @@ pub(super) struct Column {
     pub dated: bool,
 }
 
-/// What a role measures; `None` for names, and for readings in any unit.
-pub(super) fn dimension(role: Role) -> Option<Dimension> {
-    match role {
-        Role::Time => Some(Dimension::Time),
-        Role::Force => Some(Dimension::Force),
-        Role::Pressure => Some(Dimension::Pressure),
-        Role::Gap => Some(Dimension::Length),
-        Role::Temperature => Some(Dimension::Temperature),
-        Role::Humidity => Some(Dimension::Humidity),
-        Role::Response | Role::Simulated | Role::Run | Role::Sensor => None,
-    }
-}
-
-/// Name that the contract gives a role's column.
-fn default_name(role: Role) -> &'static str {
-    match role {
-        Role::Time => "time_s",
-        Role::Force => "force_n",
-        Role::Pressure => "pressure_kpa",
-        Role::Gap => "gap_mm",
-        Role::Temperature => "temperature_c",
-        Role::Humidity => "humidity_pct",
-        Role::Response => "capacitance_pf",
-        Role::Simulated | Role::Run | Role::Sensor => role.key(),
-    }
-}
-
 /// The columns of a header, and what was assumed about them.
 pub(super) fn bind(
     file: &Path,
@@ -69,7 +44,7 @@ pub(super) fn bind(
     for role in ROLES {
         found.extend(binder.find(role)?.map(|index| (role, index)));
     }
-    let mut notes = Vec::new();
+    let mut notes: Vec<Note> = binder.told_by_name(&found).into_iter().collect();
     let columns = found.into_iter().map(|(role, index)| binder.column(role, index, &mut notes));
     let mut columns = columns.collect::<Result<Vec<_>, _>>()?;
     binder.match_simulated(&mut columns)?;
@@ -97,7 +72,7 @@ impl Binder<'_> {
             ([index], _) => Ok(Some(*index)),
             ([], None) if role != Role::Response => match self.almost(role) {
                 Some(refused) => Err(refused),
-                None => Ok(self.dates().filter(|_| role == Role::Time)),
+                None => Ok(self.dates().filter(|_| role == Role::Time).or_else(|| self.by_a_word(role))),
             },
             ([], _) => Err(self.missing(role, named)),
             ([first, rest @ ..], _) if rest.iter().all(|index| name(*index) == name(*first)) => {
@@ -122,6 +97,32 @@ impl Binder<'_> {
         let of =
             |fits: &dyn Fn(&Heading) -> bool| only(dated.iter().copied().filter(|index| fits(&self.header[*index])).collect());
         of(&|heading| told(Role::Time, &heading.name)).or_else(|| of(&|heading| !heading.days))
+    }
+
+    /// The column of a table without a TOML that a word of its name and its unit tell, as they tell it to `truegap init`.
+    fn by_a_word(&self, role: Role) -> Option<usize> {
+        let dimension = dimension(role).filter(|_| self.bare)?;
+        let named = |name: &str| self.manifest.columns.values().any(|named| named.text == name);
+        let driver = |name: &str| self.manifest.drivers.iter().any(|driver| driver.column == name);
+        let is_free = |index: &usize| {
+            let heading = &self.header[*index];
+            let alone = self.header.iter().filter(|other| other.name == heading.name).count() == 1;
+            alone && !heading.dated && !heading.of_day && !named(&heading.name) && !driver(&heading.name)
+        };
+        let free: Vec<usize> = (0..self.header.len()).filter(is_free).collect();
+        let index = by_name(self.header, &free).found.get(&role).copied()?;
+        self.header[index].unit_of(dimension).map(|_| index)
+    }
+
+    /// A note of columns that were read by a word of their names.
+    fn told_by_name(&self, found: &[(Role, usize)]) -> Option<Note> {
+        let by_a_word = |(role, index): &&(Role, usize)| {
+            let heading = &self.header[*index];
+            !heading.dated && !self.manifest.columns.contains_key(role) && !is_default(*role, heading)
+        };
+        let told = found.iter().filter(by_a_word);
+        let told: Vec<String> = told.map(|(role, index)| format!("`{}` as {}", self.header[*index].name, role.key())).collect();
+        (!told.is_empty()).then(|| Note::ReadByName { columns: told.join(", ") })
     }
 
     /// Whether the TOML says of a column that is called after `role`, which it does not name, that it is something else: another role, or a driver in place of a load. A thermometer and
@@ -279,29 +280,6 @@ impl Binder<'_> {
 
 fn overrides(heading: &Heading, given: &Named, named: &str) -> Note {
     Note::UnitOverridesName { column: heading.name.clone(), unit: given.text.clone(), named: named.to_owned() }
-}
-
-/// Whether a column is one that a role has by default: the role's word, alone or with a unit behind it.
-pub(super) fn is_default(role: Role, heading: &Heading) -> bool {
-    let words: &[&str] = if role == Role::Response { &["capacitance", "response"] } else { &[role.key()] };
-    let is_word = |text: &str| words.iter().any(|word| text.trim_end_matches('_').trim().eq_ignore_ascii_case(word));
-    let lower = heading.name.trim().to_ascii_lowercase();
-    let shown = heading.unit_in_name().map(|(measured, _)| measured.to_ascii_lowercase());
-    match role {
-        _ if is_word(&heading.name) => true,
-        Role::Run | Role::Sensor => false,
-        Role::Simulated => lower.starts_with("simulated_") || shown.is_some_and(|measured| is_word(&measured)),
-        Role::Response if lower.starts_with("response_") || shown.as_deref() == Some("response") => true,
-        _ => {
-            let dimension = dimension(role).unwrap_or(Dimension::Capacitance);
-            heading.unit_of(dimension).is_some() && is_word(heading.measured(dimension))
-        }
-    }
-}
-
-/// Whether a column's name is a role's word with one more behind it, where a unit stands: `force_xyz`, `Force [pF]`.
-fn called_after(role: Role, heading: &Heading) -> bool {
-    heading.unit_in_name().is_some_and(|(measured, _)| measured.trim_end_matches('_').trim().eq_ignore_ascii_case(role.key()))
 }
 
 /// Refuses a name for a role that stands over no column.

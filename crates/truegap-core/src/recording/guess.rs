@@ -3,7 +3,7 @@
 //! Limits: a role is taken where one column alone fits; where several do, they are told and none is taken.
 
 use super::{
-    columns::{dimension, is_default},
+    default_names::{dimension, is_default},
     heading::Heading,
     roles::ROLES,
     words::told,
@@ -26,12 +26,20 @@ type Step<'a> = &'a dyn Fn(Role, &Heading) -> bool;
 
 /// Guesses among the columns `usable`: by the default name, then by a word of the name, then by the unit, then by what is left over.
 pub(super) fn guess(header: &[Heading], usable: &[usize]) -> Guess {
-    let mut guess = Guess::default();
     // a day is a clock where nothing better is
     let left_over =
         |role: Role, heading: &Heading| if role == Role::Time { heading.days } else { role == Role::Response && !heading.dated };
-    let steps: [Step; 4] = [&is_default, &called, &measured, &left_over];
-    for (number, fits) in steps.into_iter().enumerate() {
+    by_steps(header, usable, &[&is_default, &called, &measured, &left_over])
+}
+
+/// The same by names alone: the default one, or a word. A unit, or what is left over, is enough for a proposal that somebody looks at, and too little where nobody does.
+pub(super) fn by_name(header: &[Heading], usable: &[usize]) -> Guess {
+    by_steps(header, usable, &[&is_default, &called])
+}
+
+fn by_steps(header: &[Heading], usable: &[usize], steps: &[Step<'_>]) -> Guess {
+    let mut guess = Guess::default();
+    for (number, fits) in steps.iter().enumerate() {
         for role in ROLES {
             if guess.found.contains_key(&role) || guess.several.contains_key(&role) {
                 continue;

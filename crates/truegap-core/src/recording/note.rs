@@ -32,6 +32,10 @@ pub enum Note {
     Dates { column: String, first: String },
     /// Columns that nothing asked for, in a table without a TOML.
     NotRead { columns: String },
+    /// Columns of numbers that nothing asked for, where nothing was read that the reading could follow.
+    NoInput { columns: String },
+    /// Columns of a table without a TOML that were read because of a word of their names.
+    ReadByName { columns: String },
     /// A temperature that looks like one in another unit.
     OtherDegrees { column: String, unit: String, low: f64, high: f64, other: String },
     /// Commas were read as decimal points.
@@ -96,6 +100,15 @@ impl fmt::Display for Note {
             Self::NotRead { columns } => write!(
                 f,
                 "not read: {columns}; name what they are in a TOML beside the CSV (`truegap init` writes one) or by --map, or leave them as they are"
+            ),
+            Self::NoInput { columns } => write!(
+                f,
+                "nothing was read that the reading could follow, and these columns of numbers were not read: {columns}; if one is what was done, name it by --map \
+                 driver.NAME=COLUMN:UNIT or under [drivers], if one is your own simulation, by --map simulated=COLUMN or under [columns]"
+            ),
+            Self::ReadByName { columns } => write!(
+                f,
+                "read because of their names: {columns}; if that is not what they are, say so by --map or in a TOML beside the CSV (`truegap init` writes one)"
             ),
             Self::OtherDegrees { column, unit, low, high, other } => write!(
                 f,

@@ -14,6 +14,7 @@ use super::{
     heading::Heading,
     manifest::{BaseSpec, Manifest, Named},
     note::Note,
+    number::number,
     packed::{open_csv, unread},
     rows::Rows,
     singletact,
@@ -140,6 +141,7 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
             rows.order = order(&mut table, clock.index, manifest.dayfirst)?;
             table = Table::open(origin.csv, table.finish().1)?;
         }
+        let numeric = numbers_ahead(&table);
         rows.take(&mut table, &columns, &drivers, sensor.filter(|_| several).map(String::as_str))?;
         let used: Vec<usize> = columns.iter().map(|c| c.index).chain(drivers.iter().map(|d| d.index)).collect();
         if pass == 0 {
@@ -147,7 +149,13 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
             notes.extend(assumed);
             notes.extend(rows.first_date.take());
             notes.extend(rows.commas.then_some(Note::DecimalCommas));
-            notes.extend(not_read(&table.header, &used, origin).filter(|_| !table.singletact));
+            if !table.singletact {
+                let is_input = |c: &Column| !matches!(c.role, Role::Response | Role::Time | Role::Run | Role::Sensor);
+                let alone = drivers.is_empty() && !columns.iter().any(is_input);
+                notes.extend(
+                    no_input(&table.header, &used, &numeric).filter(|_| alone).or_else(|| not_read(&table.header, &used, origin)),
+                );
+            }
             bound = columns;
         } else {
             same_unit(origin.csv, &bound, &columns)?;
@@ -164,6 +172,19 @@ fn not_read(header: &[Heading], used: &[usize], origin: &Origin<'_>) -> Option<N
     let spare = header.iter().enumerate().filter(|(index, heading)| !heading.name.is_empty() && !used.contains(index));
     let spare = columns::quoted(spare.map(|(_, heading)| heading.name.as_str()));
     (origin.toml.is_none() && !spare.is_empty()).then_some(Note::NotRead { columns: spare })
+}
+
+/// Whether a number stands under each heading, in the first row.
+fn numbers_ahead<R: Read + Seek>(table: &Table<R>) -> Vec<bool> {
+    let is_number = |index: usize| table.row().get(index).is_some_and(|cell| number(cell, table.decimal_comma).is_ok());
+    (0..table.header.len()).map(is_number).collect()
+}
+
+/// Columns of numbers that were not read although the reading has nothing to follow.
+fn no_input(header: &[Heading], used: &[usize], numeric: &[bool]) -> Option<Note> {
+    let is_spare = |(index, heading): &(usize, &Heading)| !heading.name.is_empty() && !used.contains(index) && numeric[*index];
+    let spare = columns::quoted(header.iter().enumerate().filter(is_spare).map(|(_, heading)| heading.name.as_str()));
+    (!spare.is_empty()).then_some(Note::NoInput { columns: spare })
 }
 
 /// Columns of the vendor's tool that are each read as a sensor's response; none where the response is named, or in any other CSV.

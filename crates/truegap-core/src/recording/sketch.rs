@@ -4,8 +4,9 @@
 
 use super::{
     columnar,
-    columns::{dimension, quoted, there},
+    columns::{quoted, there},
     date_order::order,
+    default_names::{dimension, is_default, shown_unit},
     driver_columns::bind_drivers,
     error::RecordingError,
     frame::FrameColumn,
@@ -18,11 +19,21 @@ use super::{
     roles::ROLES,
     table::Table,
     told::Told,
-    words::{told, without_accents},
+    toml_names::{free, plain, toml_key, toml_text},
+    words::{is_called_simulation, told},
 };
 use crate::inputs::Role;
 use crate::units::Dimension;
 use std::path::Path;
+
+/// What may stand under `[base]`.
+const BASES: &str = r#"# [base]
+# model = "linear"                                   # a straight line in the load, or in driver = "NAME"
+# model = "external"                                 # your own simulation, a column that stands as `simulated` under [columns]
+# model = "stack"
+# sensor = "singletact-s15-4.5n"                     # a capacitive sensor, built in or a TOML
+# model = "command"
+# run = ["python3", "sim.py"]                        # your own simulator (docs/command-base.md)"#;
 
 /// Rows that are looked at for numbers.
 const LOOKED_AT: usize = 20;
@@ -169,10 +180,20 @@ impl Writer<'_> {
         self.told.map.iter().filter_map(|mapped| placed(mapped, self.header)).collect()
     }
 
-    /// The columns among which roles are guessed: those that nothing is told of.
+    fn is_told_of(&self, index: usize) -> bool {
+        self.told_of().iter().any(|(_, told, _)| *told == index)
+    }
+
+    /// The columns among which roles are guessed: those that nothing is told of, and that are not called after a simulation.
     fn guessed(&self, usable: &[usize]) -> Vec<usize> {
-        let told: Vec<usize> = self.told_of().iter().map(|(_, index, _)| *index).collect();
-        usable.iter().filter(|index| !told.contains(index)).copied().collect()
+        let computed = |index: usize| is_called_simulation(self.name(index)) && !is_default(Role::Simulated, &self.header[index]);
+        usable.iter().filter(|index| !self.is_told_of(**index) && !computed(**index)).copied().collect()
+    }
+
+    /// Columns that are called after a simulation and play no part yet.
+    fn computed(&self, guess: &Guess, usable: &[usize]) -> Vec<usize> {
+        let is_free = |index: &&usize| !self.is_told_of(**index) && guess.found.values().all(|taken| taken != *index);
+        usable.iter().filter(is_free).filter(|index| is_called_simulation(self.name(**index))).copied().collect()
     }
 
     fn with_told(&self, mut guess: Guess) -> Guess {
@@ -231,9 +252,20 @@ impl Writer<'_> {
                     self.line(&format!("# response = \"...\"   # the reading; one of: {names}"));
                     self.open.push("which column is the reading: complete `response` under [columns]".to_owned());
                 }
+                (None, None) if role == Role::Simulated => self.proposed(&self.computed(guess, usable)),
                 (None, None) => {}
             }
         }
+    }
+
+    /// Columns that may be a simulation, proposed as one.
+    fn proposed(&mut self, computed: &[usize]) {
+        let Some(first) = computed.first() else { return };
+        let (first, names) = (toml_text(self.name(*first)), quoted(computed.iter().map(|index| self.name(*index))));
+        self.line(&format!("# simulated = {first}   # if it is your own simulation; then model = \"external\" under [base]"));
+        self.open.push(format!(
+            "whether {names} is your own simulation: then `simulated` under [columns], and model = \"external\" under [base]"
+        ));
     }
 
     fn units(&mut self, guess: &Guess) {
@@ -250,7 +282,7 @@ impl Writer<'_> {
                 self.line("# time: the column holds dates, and is read in seconds from the first");
                 continue;
             }
-            match unit(*role, heading) {
+            match shown_unit(*role, heading) {
                 Some(unit) => self.line(&format!("{key} = {}", toml_text(&unit))),
                 None => {
                     let says = match heading.unit() {
@@ -268,12 +300,19 @@ impl Writer<'_> {
 
     /// Columns of numbers that play no role.
     fn spare(&mut self, guess: &Guess, usable: &[usize]) {
-        let told: Vec<usize> = self.told_of().iter().map(|(_, index, _)| *index).collect();
         let of_role = |index: usize| guess.found.values().any(|taken| *taken == index);
-        let taken = |index: &&usize| of_role(**index) || told.contains(*index) || self.header[**index].dated;
+        let taken = |index: &&usize| of_role(**index) || self.is_told_of(**index) || self.header[**index].dated;
         let spare: Vec<usize> = usable.iter().filter(|index| !taken(index)).copied().collect();
         if spare.is_empty() {
             return;
+        }
+        let computed = self.computed(guess, usable);
+        let unasked: Vec<_> = spare.iter().filter(|index| !computed.contains(index)).map(|index| self.name(*index)).collect();
+        if guess.found.contains_key(&Role::Response) && !unasked.is_empty() {
+            let names = quoted(unasked.into_iter());
+            self.open.push(format!(
+                "what {names} may be: what the reading follows (under [drivers]), your own simulation (`simulated` under [columns]), or nothing that matters"
+            ));
         }
         let names: Vec<&str> = spare.iter().map(|index| self.name(*index)).collect();
         self.line(&format!("\n# Not used: {}. Physics may follow a column that stands under [drivers]:", names.join(", ")));
@@ -335,13 +374,14 @@ impl Writer<'_> {
 
     fn base(&mut self, guess: &Guess) {
         self.line("\n# What the recording is compared with (docs/recordings.md):");
-        self.line("# [base]\n# model = \"linear\"                                    # a straight line in the load");
-        self.line("# model = \"stack\"\n# sensor = \"singletact-s15-4.5n\"                     # a capacitive sensor, built in or a TOML");
-        self.line("# model = \"command\"\n# run = [\"python3\", \"sim.py\"]                      # your own simulator (docs/command-base.md)");
-        let has = |role: Role| guess.found.contains_key(&role);
-        if (has(Role::Force) || has(Role::Pressure)) && !has(Role::Simulated) {
-            self.open.push("what the recording is compared with: complete [base]".to_owned());
+        if guess.found.contains_key(&Role::Simulated) {
+            self.line(
+                "[base]\nmodel = \"external\"                                  # your own simulation, the column `simulated`",
+            );
+            return;
         }
+        self.line(BASES);
+        self.open.push("what the recording is compared with: complete [base]".to_owned());
     }
 }
 
@@ -349,46 +389,4 @@ impl Writer<'_> {
 fn placed<'a>(mapped: &'a Mapped, header: &[Heading]) -> Option<(&'a Part, usize, Option<&'a str>)> {
     let (column, unit) = mapped.column_and_unit(header);
     Some((mapped.part(), header.iter().position(|heading| heading.name == column)?, unit))
-}
-
-/// The unit of a role's column, as the header shows it.
-fn unit(role: Role, heading: &Heading) -> Option<String> {
-    match dimension(role) {
-        Some(dimension) => heading.unit_of(dimension).map(str::to_owned),
-        None => {
-            let known = heading.unit_of(Dimension::Capacitance).or(heading.unit_of(Dimension::Voltage));
-            // behind an underscore anything may stand, in brackets and below the name a unit
-            let surely = |_: &&str| heading.below.is_some() || heading.name.ends_with([')', ']', '}', '>']);
-            known.or_else(|| heading.unit().filter(surely)).map(str::to_owned)
-        }
-    }
-}
-
-fn toml_text(text: &str) -> String {
-    toml::Value::from(text).to_string()
-}
-
-/// A name as a key of TOML, in quotes where it needs them.
-fn toml_key(name: &str) -> String {
-    let is_plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-'));
-    if is_plain { name.to_owned() } else { toml_text(name) }
-}
-
-/// A name that TOML takes without quotes.
-fn plain(name: &str, index: usize) -> String {
-    let sign = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
-    let plain: String = without_accents(name).chars().map(sign).collect();
-    let words: Vec<&str> = plain.split('_').filter(|word| !word.is_empty()).collect();
-    // a role's word is no name of a driver
-    match words.join("_") {
-        name if name.is_empty() || ROLES.iter().any(|role| role.key() == name) => format!("column_{}", index + 1),
-        name => name,
-    }
-}
-
-/// `name`, or that with a number where it is taken.
-fn free(name: &str, taken: &[String]) -> String {
-    let numbered = (2..).map(|number| format!("{name}_{number}"));
-    let mut names = std::iter::once(name.to_owned()).chain(numbered);
-    names.find(|name| !taken.contains(name)).unwrap_or_default()
 }

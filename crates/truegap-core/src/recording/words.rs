@@ -52,6 +52,29 @@ const WORDS: [(Role, &[&str], &[&str]); 7] = [
     ),
 ];
 
+/// Words by which people call the column of a simulation of their own.
+const SIMULATIONS: [&str; 14] = [
+    "model",
+    "modell",
+    "modele",
+    "modelo",
+    "modello",
+    "sim",
+    "simulated",
+    "simulation",
+    "simuliert",
+    "simulacion",
+    "simulazione",
+    "predicted",
+    "prediction",
+    "fem",
+];
+
+/// Whether a word of `name` says that its column was computed; such a column is proposed as a simulation, never taken for one.
+pub(super) fn is_called_simulation(name: &str) -> bool {
+    words(name).iter().any(|word| SIMULATIONS.contains(&without_accents(word).as_str()))
+}
+
 /// Whether a word of `name` is one of the role's.
 pub(super) fn told(role: Role, name: &str) -> bool {
     let words: Vec<String> = words(name);

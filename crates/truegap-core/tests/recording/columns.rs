@@ -56,8 +56,14 @@ fn a_header_is_sketched_and_read_back() {
     )
     .unwrap();
     let sketch = truegap_core::recording::sketch(&csv, &Told::default()).unwrap();
-    assert_eq!(sketch.open.len(), 1, "{:?}", sketch.open);
-    assert!(sketch.open[0].contains("[base]") && sketch.toml.contains("# Not used: pump [V]"), "{}", sketch.toml);
+    assert_eq!(sketch.open.len(), 2, "{:?}", sketch.open);
+    assert!(
+        sketch.open[0].contains("`pump [V]`")
+            && sketch.open[1].contains("[base]")
+            && sketch.toml.contains("# Not used: pump [V]"),
+        "{}",
+        sketch.toml
+    );
     std::fs::write(folder.join("b.toml"), &sketch.toml).unwrap();
     let read = truegap_core::Recording::open(folder.join("b.toml")).unwrap();
     assert_eq!(read.inputs.force_n, Some(vec![0.0, 1.5]));

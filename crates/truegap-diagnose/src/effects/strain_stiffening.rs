@@ -88,4 +88,14 @@ impl Effect for StrainStiffening {
             percent_with_sd(fitted[0].value, fitted[0].sd)
         )
     }
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
+        if context.has_plates() {
+            return self.says(fitted);
+        }
+        // such a base model is at a strain of 0.2 at its full load
+        format!(
+            "the instrument gives way less and less as the load grows: what the base model reaches at its full load takes {} more load",
+            percent_with_sd(fitted[0].value, fitted[0].sd)
+        )
+    }
 }

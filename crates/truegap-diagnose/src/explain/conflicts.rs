@@ -22,6 +22,8 @@ pub struct Conflict {
     pub parameter: String,
     /// standard deviations off
     pub z: f64,
+    /// whether two parts of the recording differ in it, rather than the fit from what was known beforehand
+    pub between_parts: bool,
 }
 
 /// All conflicts of a fitted base model.
@@ -36,7 +38,9 @@ fn against_prior(search: &Search<'_>, base: &Tried) -> Vec<Conflict> {
     let values = model.values(&base.fit.z);
     let parameters = model.parameters.iter().zip(&base.fit.z).zip(values).take(model.base_count());
     let conflicting = parameters.filter(|((_, z), _)| z.abs() > AGAINST_PRIOR);
-    conflicting.map(|((p, z), value)| Conflict { says: pushed(p, *z, value), parameter: p.name.clone(), z: *z }).collect()
+    conflicting
+        .map(|((p, z), value)| Conflict { says: pushed(p, *z, value), parameter: p.name.clone(), z: *z, between_parts: false })
+        .collect()
 }
 
 /// `to fit, Young's modulus (young_rtv) must fall from 1.08 MPa to 0.821 MPa (by 23.6 %), 4.7 standard deviations ...`.
@@ -98,7 +102,7 @@ fn between_regimes(search: &Search<'_>, base: &Tried) -> Vec<Conflict> {
         if let Some((index, z)) = worst.filter(|w| w.1.abs() > BETWEEN_REGIMES) {
             let p = &model.parameters[index];
             let says = differs(p, &regime, [first.0[index], second.0[index]], z);
-            let conflict = Conflict { says, parameter: p.name.clone(), z };
+            let conflict = Conflict { says, parameter: p.name.clone(), z, between_parts: true };
             match found
                 .iter_mut()
                 .find(|(other, told)| told.parameter == p.name && one_course(&other.in_second, &regime.in_second))

@@ -22,6 +22,8 @@ pub struct Mismatch {
     pub says: String,
     /// column that orders it
     pub driver: String,
+    /// what of it, in words: `with the speed of the load`
+    pub along: String,
     /// interval of that column where most of it lies
     pub interval: [f64; 2],
     /// runs concerned, by their number in the recording
@@ -71,8 +73,10 @@ fn mismatch(problem: &Problem<'_>, fit: &Fit, driver: Driver, share: f64, p_valu
     let interval = interval(&quantity.column, &fit.residual);
     let runs = runs(problem, fit);
     let where_ = if interval[0] < interval[1] { format!(", most of it {}", quantity.between(interval)) } else { String::new() };
-    let says = format!("recording and calibrated model differ {}{where_}", driver.says(problem.inputs));
-    Mismatch { says, driver: driver.column(problem.inputs).into_owned(), interval, runs, share: share.clamp(0.0, 1.0), p_value }
+    let along = driver.says(problem.inputs);
+    let says = format!("recording and calibrated model differ {along}{where_}");
+    let column = driver.column(problem.inputs).into_owned();
+    Mismatch { says, driver: column, along, interval, runs, share: share.clamp(0.0, 1.0), p_value }
 }
 
 /// A column that orders a mismatch, with the words before its interval and its unit.

@@ -54,8 +54,9 @@ pub fn repeated(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<u
         (rows.len() > by_chance && rows.len() as f64 <= MOST_REPEATED * response.len() as f64).then_some(rows)
     };
     let many = again(&|_| true).or_else(|| again(&whole));
-    let again = many
-        .or_else(|| too_long(response, &runs, &stretches).filter(|rows| rows.len() as f64 <= FEW_ROWS * response.len() as f64))?;
+    let again = many.or_else(|| {
+        too_long(response, step, &runs, &stretches).filter(|rows| rows.len() as f64 <= FEW_ROWS * response.len() as f64)
+    })?;
     let says = format!(
         "{} rows repeat the reading of the row before, the first is {}: the logger wrote old values again. They were left out; look whether it polls faster than the \
          converter converts",
@@ -73,10 +74,38 @@ const BY_CHANCE: f64 = 0.01;
 /// Share of rows in stretches that are too long, at most: more is a reading that does not change.
 const FEW_ROWS: f64 = 0.02;
 
+/// Rows on either side by which the noise of a reading that stands is judged.
+const CLOSE: usize = 10;
+/// Noises of the reading by which one that stands differs from row to row, at most.
+const WITHIN_NOISE: f64 = 4.0;
+/// Rows by which it is judged how fast a reading goes on.
+const ONWARD: usize = 3;
+/// Steps of those rows that the first one may be.
+const STARTS_AS_FAST: f64 = 1.5;
+/// Share of equal neighbours where a reading stands and its noise is far below its step, at most.
+const ALL_BUT_ALWAYS: f64 = 0.9;
+
+/// Noise of the reading about a smooth course close to a stretch, in steps: from second differences, which a steady motion leaves at 0.
+fn noise_in_steps(response: &[f64], step: f64, run: &Range<usize>, stretch: &Range<usize>) -> f64 {
+    let before = run.start.max((stretch.start - 1).saturating_sub(CLOSE))..stretch.start;
+    let after = stretch.end..run.end.min(stretch.end + CLOSE);
+    let bends = [before, after].into_iter().flat_map(|rows| response[rows].windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).abs()));
+    let bends: Vec<f64> = bends.collect();
+    // mean size of a Gaussian of variance 6: sqrt(12 / pi)
+    let sd = bends.iter().sum::<f64>() / bends.len().max(1) as f64 / (12.0 / std::f64::consts::PI).sqrt();
+    (sd / step).max(1.0 / 12f64.sqrt())
+}
+
+/// Chance that neighbours are equal where the reading stands with this noise, in steps: the density of their difference at 0.
+fn equal_where_it_stands(noise: f64) -> f64 {
+    (0.5 / (noise * std::f64::consts::PI.sqrt())).min(ALL_BUT_ALWAYS)
+}
+
 /// Rows of stretches longer than equal neighbours would make by chance, as often as they are equal nearby; `None` where there are none.
 ///
-/// A reading that was held jumps when it comes back: the chance counts how rare such a step is as well.
-fn too_long(response: &[f64], runs: &[Range<usize>], stretches: &[Range<usize>]) -> Option<Vec<usize>> {
+/// A reading that was held jumps when it comes back: the chance counts how rare such a step is as well. One that comes back within its noise, or starts to move, may have stood, as
+/// friction makes it although the input moves: then neighbours are equal as often as noise and step make them.
+fn too_long(response: &[f64], smallest: f64, runs: &[Range<usize>], stretches: &[Range<usize>]) -> Option<Vec<usize>> {
     let step = |row: usize| (response[row] - response[row - 1]).abs();
     let mut steps: Vec<f64> = runs.iter().flat_map(|run| run.start + 1..run.end).map(step).collect();
     steps.sort_by(f64::total_cmp);
@@ -88,7 +117,14 @@ fn too_long(response: &[f64], runs: &[Range<usize>], stretches: &[Range<usize>])
         let pairs = before.len() + after.len();
         let equal = before.chain(after).filter(|row| response[*row] == response[*row - 1]).count();
         let often = (equal + 1) as f64 / (pairs + 2) as f64;
-        let jump = if stretch.end < run.end { as_large(step(stretch.end)) } else { 1.0 };
+        let noise = noise_in_steps(response, smallest, run, stretch);
+        let back = if stretch.end < run.end { step(stretch.end) } else { 0.0 };
+        // one that was held makes up for all rows that it missed; one that stood starts as fast as it goes on
+        let onward: Vec<f64> = (stretch.end + 1..run.end.min(stretch.end + 1 + ONWARD)).map(step).collect();
+        let onward = if onward.is_empty() { 0.0 } else { median(&onward) };
+        let may_stand = back < smallest * (WITHIN_NOISE * noise).max(1.5) + STARTS_AS_FAST * onward;
+        let often = if may_stand { often.max(equal_where_it_stands(noise)) } else { often };
+        let jump = if stretch.end < run.end { as_large(back) } else { 1.0 };
         response.len() as f64 * often.powi(stretch.len() as i32) * jump < BY_CHANCE
     };
     let rows: Vec<usize> = stretches.iter().filter(improbable).flat_map(Clone::clone).collect();

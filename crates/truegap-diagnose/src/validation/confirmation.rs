@@ -4,7 +4,10 @@
 
 use crate::{
     data::{error::DiagnoseError, problem::Problem},
-    noise::several::measured,
+    noise::{
+        response::{follows_nothing, from_misfit},
+        several::measured,
+    },
     seeds::SEEDS,
     validation::tuning::{CONFIRMATION_BLOCKS, EXACT_BLOCKS, SHORTEST_BLOCK, SIGN_DRAWS},
 };
@@ -98,14 +101,28 @@ pub struct NoiseFloor {
     pub says: String,
 }
 
-/// The noise of a recording: at rest or from rows measured again, and where there are none from what the base model, calibrated for that alone, leaves over in
-/// short stretches.
+/// The noise of a recording: at rest or from rows measured again, and where there are none from what the augmented model leaves over in short stretches, `left`
+/// being what it leaves over of each row. (What the base model leaves there holds the physics that it lacks, as far as that is fast.)
+///
+/// What a model leaves that was not fitted to these rows holds their noise: the noise is never said to be larger.
 ///
 /// # Errors
 /// [`DiagnoseError`] where the base model has no answer.
-pub fn noise_floor(problem: &Problem<'_>) -> Result<NoiseFloor, DiagnoseError> {
-    let (_, noise) = measured(problem)?;
-    Ok(NoiseFloor { rmse: noise.floor(), measured: noise.measured, says: noise.says })
+pub fn noise_floor(problem: &Problem<'_>, left: &[f64]) -> Result<NoiseFloor, DiagnoseError> {
+    let (inputs, noise) = measured(problem)?;
+    let (mut rmse, mut says) = (noise.floor(), noise.says.clone());
+    if !noise.measured {
+        let still = Problem { inputs: &inputs, response: problem.response, simulator: problem.simulator };
+        let fuller = from_misfit(&still, &follows_nothing(&inputs, left.to_vec()), &noise);
+        if fuller.floor() < rmse {
+            (rmse, says) = (fuller.floor(), fuller.says.replace("the calibrated model", "the augmented model"));
+        }
+    }
+    let most = (left.iter().map(|r| r * r).sum::<f64>() / left.len().max(1) as f64).sqrt();
+    if most < rmse {
+        says += "; no more than the augmented model leaves in all rows";
+    }
+    Ok(NoiseFloor { rmse: rmse.min(most), measured: noise.measured, says })
 }
 
 /// Two predictions of one response, compared over the blocks of its runs.

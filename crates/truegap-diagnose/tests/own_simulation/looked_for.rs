@@ -78,6 +78,38 @@ fn a_reading_in_steps_does_not_repeat_where_what_it_follows_stands_still() {
     assert!(repeated(&problem, &Rows { inputs: &inputs, given: None, unit: "rad" }).is_none());
 }
 
+/// An encoder behind friction: it stands for some rows at each turn while the command moves on, and its step is near its noise. Three to fourteen rows were left out as old values of the
+/// logger. Rows that were held on the way are found as before.
+#[test]
+fn a_reading_in_steps_does_not_repeat_where_friction_holds_it() {
+    let told = |row: usize| 3.0 * (row as f64 / 60.0).sin();
+    let read = |noise: f64, seed: u64, held: &dyn Fn(usize) -> bool| {
+        let (mut random, mut at, mut last) = (ChaCha8Rng::seed_from_u64(seed), 0.0f64, 0.0f64);
+        let mut one = |row: usize| {
+            at = at.clamp(told(row) - 0.06, told(row) + 0.06);
+            let unit: f64 = StandardNormal.sample(&mut random);
+            last = if held(row) { last } else { ((at + noise * unit) / 0.005).round() * 0.005 };
+            last
+        };
+        let response: Vec<f64> = (0..3000).map(&mut one).collect();
+        let inputs = Inputs {
+            time_s: Some((0..3000).map(f64::from).collect()),
+            run: vec![1; 3000],
+            simulated: Some((0..3000).map(told).collect()),
+            ..Inputs::default()
+        };
+        let problem = Problem { inputs: &inputs, response: &response, simulator: &Given::fixed() };
+        repeated(&problem, &Rows { inputs: &inputs, given: None, unit: "mm" }).map(|(_, rows)| rows)
+    };
+    for seed in 0..10 {
+        for noise in [0.0, 0.001, 0.002, 0.004, 0.008] {
+            assert_eq!(read(noise, seed, &|_| false), None, "noise {noise}, seed {seed}");
+        }
+        // four rows on the way, where it moves by ten steps from row to row
+        assert_eq!(read(0.004, seed, &|row| (750..754).contains(&row)), Some((750..754).collect()), "seed {seed}");
+    }
+}
+
 /// Two instruments on one quantity that wanders, each with noise of its own. A lag of the second behind the first smooths the noise of the first and errs less, and so does a mean without a delay.
 #[test]
 fn noise_of_the_column_that_is_followed_is_no_lag() {

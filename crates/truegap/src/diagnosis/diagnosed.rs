@@ -3,7 +3,7 @@
 //! Limits: what is there is replaced as a whole or left as it was.
 
 use super::{DiagnosisError, prediction};
-use crate::diagnosis::report::{self, Provenance, Subject};
+use crate::diagnosis::report::{self, DISCOVERED, Provenance, Subject};
 use crate::models::{Base, ModelFile, ModelFileError, Programs};
 use crate::output::OutputFolder;
 use std::path::{Path, PathBuf};
@@ -12,8 +12,6 @@ use truegap_diagnose::{Library, Outcome};
 
 /// Names of the files that a diagnosis writes.
 pub const FILES: [&str; 6] = ["diagnosis.json", "augmented.toml", "prediction.csv", "report.html", DISCOVERED[0], DISCOVERED[1]];
-/// Names of the files of mechanisms that no library lists, where some were found.
-const DISCOVERED: [&str; 2] = ["discovered.toml", "discovered_second.toml"];
 
 /// A recording and what was found in it.
 pub struct Diagnosed {

@@ -7,6 +7,7 @@ use serde::Serialize;
 use truegap_core::units::{Dimension, readable};
 use truegap_core::{Inputs, Recording, Role, SimulationError};
 use truegap_diagnose::experiment::{PROFILES, inputs};
+use truegap_diagnose::text::listed;
 
 /// Why a model file has no answer.
 #[derive(Debug, thiserror::Error)]
@@ -14,8 +15,15 @@ use truegap_diagnose::experiment::{PROFILES, inputs};
 #[allow(missing_docs)] // the fields are named by the messages
 pub enum AnswerError {
     /// A base model whose load cannot be typed.
-    #[error("the base model `{model}` has no load that --load could give; drive it with --drive RECORDING")]
-    NoLoad { model: String },
+    #[error(
+        "the base model `{model}` follows {needs}, and --load gives a force or a pressure alone; give --drive RECORDING, which has the columns"
+    )]
+    NoLoad { model: String, needs: String },
+    /// A base model that a profile does not drive.
+    #[error(
+        "the base model `{model}` follows {needs}, and a profile has time, load and temperature alone; give --drive RECORDING, which has the columns"
+    )]
+    NoProfileSuits { model: String, needs: String },
     /// A profile that nobody knows.
     #[error("there is no profile `{name}`; use one of {}", PROFILES.iter().map(|p| p.name).collect::<Vec<_>>().join(", "))]
     NoProfile { name: String },
@@ -65,8 +73,14 @@ pub fn load_dimension(model: &RunningModel) -> Result<Dimension, AnswerError> {
     } else if needs.contains(&Role::Pressure) {
         Ok(Dimension::Pressure)
     } else {
-        Err(AnswerError::NoLoad { model: model.simulator().name().to_owned() })
+        Err(AnswerError::NoLoad { model: model.simulator().name().to_owned(), needs: needed(model) })
     }
+}
+
+/// What a model needs, in the words of `[columns]` and `[drivers]`.
+fn needed(model: &RunningModel) -> String {
+    let needs: Vec<String> = model.simulator().needs().iter().map(|role| format!("the column `{}`", role.key())).collect();
+    if needs.is_empty() { "no load".to_owned() } else { listed(&needs, "and") }
 }
 
 /// The model at every load (N or Pa, by [`load_dimension`]) and temperature (degrees Celsius), each point by itself.
@@ -113,6 +127,10 @@ pub fn along(model: &RunningModel, recording: &Recording) -> Result<Vec<Answer>,
 pub fn on_profile(model: &RunningModel, name: &str) -> Result<Vec<Answer>, AnswerError> {
     let profile = PROFILES.iter().find(|p| p.name == name).ok_or_else(|| AnswerError::NoProfile { name: name.to_owned() })?;
     let simulator = model.simulator();
+    let in_profile = |role: &Role| matches!(role, Role::Time | Role::Force | Role::Pressure | Role::Temperature);
+    if !simulator.needs().iter().all(in_profile) {
+        return Err(AnswerError::NoProfileSuits { model: simulator.name().to_owned(), needs: needed(model) });
+    }
     let role = if simulator.needs().contains(&Role::Pressure) { Role::Pressure } else { Role::Force };
     let inputs = inputs(profile, simulator.full_load().unwrap_or(0.0), role, simulator.reference_c());
     let responses = model.respond(&inputs).map_err(|error| refused(error, of_recording(format!("profile {name}"))))?;

@@ -161,10 +161,12 @@ fn diagnosis(before: f64, after: f64) -> Diagnosis {
             says: "to fit, young_rtv must fall 24 %, 4.7 prior sd".into(),
             parameter: "young_rtv".into(),
             z: -4.7,
+            between_parts: false,
         }],
         mismatch: vec![Mismatch {
             says: "the reading is behind while the temperature moves, 60 fF at 1 K/min".into(),
             driver: "temperature_c".into(),
+            along: "with the time since the temperature changed".into(),
             interval: [38.0, 45.0],
             runs: vec![2, 3],
             share: 0.81,
@@ -273,4 +275,32 @@ fn adequacy() -> AdequacyFacts {
         left_over_noise: 1.0,
     };
     AdequacyFacts { before: Some(of(test(300.0, 1e-40))), after: Some(of(test(12.0, 0.4))), ..AdequacyFacts::default() }
+}
+
+/// A mechanism of words.
+pub fn mechanism() -> DiscoveredFacts {
+    let text = "schema = \"truegap.mechanism/1\"\nid = \"gap_follows_heating\"\nquantity = \"gap\"\naction = \"adds\"\ndriver = \"temperature_rate\"\n\
+                kinetics = \"first_order\"\nform = \"linear\"\nsize = { sd = 0.5, unit = \"1\" }\ntau = { value = 30.0, sd = 20.0, unit = \"s\" }\n";
+    let file: truegap_diagnose::mechanism::MechanismFile = toml::from_str(text).unwrap();
+    let word = String::new;
+    DiscoveredFacts {
+        place: word(),
+        driver: word(),
+        kinetics: word(),
+        form: word(),
+        action: word(),
+        sentence: file.sentence.clone(),
+        named: true,
+        in_other_words: false,
+        log_odds: 10.0,
+        probability: Default::default(),
+        clause: word(),
+        says: word(),
+        could_be: Vec::new(),
+        parameters: Vec::new(),
+        held_out: BeforeAfterUnit { rmse_before: None, rmse_after: None, unit: "pF".into() },
+        control_p_value: 0.01,
+        weighed: 100,
+        file,
+    }
 }

@@ -4,8 +4,8 @@
 
 use crate::inputs::Role;
 use crate::recording::{
-    columns::is_default,
     date_text::{dates_of_text, first_text},
+    default_names::is_default,
     error::RecordingError,
     frame::FrameColumn,
     heading::Heading,

@@ -145,7 +145,8 @@ fn judge(
     let judged = Judged::new(&predicted, &recording, free);
     let freed = Judged::new(&predicted, &recording, Free { gain: true, offset: true }).test.judgement;
     let problem = Problem { inputs: &recording.inputs, response: &recording.response, simulator: model.simulator() };
-    let noise = noise_floor(&problem).map_err(|source| ConfirmError::Noise { recording: name.clone(), source })?;
+    let left: Vec<f64> = judged.columns[1].iter().zip(&recording.response).map(|(p, r)| r - p).collect();
+    let noise = noise_floor(&problem, &left).map_err(|source| ConfirmError::Noise { recording: name.clone(), source })?;
     if freed != judged.test.judgement {
         notes.push(format!(
             "with a gain and an offset of the reading free (--free gain,offset) the verdict would be `{}`: what decides is level or scale, not the course",

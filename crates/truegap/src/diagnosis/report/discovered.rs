@@ -9,6 +9,9 @@ use std::collections::BTreeMap;
 use truegap_diagnose::answer::DiscoveredFacts;
 use truegap_scene::page::{Page, Table};
 
+/// Names of the files of mechanisms that no library lists, where some were found.
+pub(in crate::diagnosis) const DISCOVERED: [&str; 2] = ["discovered.toml", "discovered_second.toml"];
+
 /// Probability of a word's value below which it is not listed.
 const LISTED: f64 = 0.02;
 
@@ -28,10 +31,11 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     let weighed = "Thousands of sentences were weighed: where something acts, what it follows, how in time, by which law. \
          A word is as sure as all sentences together that hold it.";
     let page = page.section(heading).text(&format!("{why} {weighed}"));
-    all.iter().fold(page, |page, mechanism| one(page, subject, mechanism))
+    all.iter().zip(DISCOVERED).fold(page, |page, (mechanism, file)| one(page, subject, mechanism, file))
 }
 
-fn one(page: Page, subject: &Subject<'_>, m: &DiscoveredFacts) -> Page {
+/// A mechanism, which is in `file`.
+fn one(page: Page, subject: &Subject<'_>, m: &DiscoveredFacts, file: &str) -> Page {
     let heading = format!("{} follows {}", spoken(&m.place), spoken(&m.driver));
     let stands = match (m.named, m.in_other_words) {
         (true, _) => "",
@@ -56,7 +60,9 @@ fn one(page: Page, subject: &Subject<'_>, m: &DiscoveredFacts) -> Page {
     if !m.could_be.is_empty() {
         page = page.text("Known physics that these words fit; a hint, no claim:").list(&m.could_be);
     }
-    page.text("discovered.toml beside this page holds it: `truegap diagnose OTHER --effect discovered.toml` tries it on another recording.")
+    page.text(&format!(
+        "{file} beside this page holds it: `truegap diagnose OTHER --effect {file}` tries it on another recording."
+    ))
 }
 
 fn words(m: &DiscoveredFacts) -> Table {

@@ -42,12 +42,13 @@ fn remains(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
 }
 
 fn table(mismatch: &[Mismatch]) -> Table {
-    let head = Table::new(&["ordered by", "where most of it lies", "runs", "share of the mismatch", "family-wise p"]);
+    let head =
+        Table::new(&["recording and model differ", "where most of it lies", "runs", "share of the mismatch", "family-wise p"]);
     mismatch.iter().fold(head, |table, m| {
         let runs: Vec<String> = m.runs.iter().map(u32::to_string).collect();
         let interval = format!("{} to {}", significant(m.interval[0], 4), significant(m.interval[1], 4));
         let share = if m.share.is_finite() { format!("{:.0} %", 100.0 * m.share) } else { "–".into() };
-        table.row(&[m.driver.clone(), interval, listed(&runs, "and"), share, p_value(m.p_value)])
+        table.row(&[m.along.clone(), interval, listed(&runs, "and"), share, p_value(m.p_value)])
     })
 }
 

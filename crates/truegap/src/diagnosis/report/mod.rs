@@ -26,6 +26,7 @@ mod summary;
 pub mod terminal;
 pub mod wording;
 
+pub(super) use discovered::DISCOVERED;
 pub use subject::{Provenance, Subject};
 pub use truegap_diagnose::text;
 

@@ -5,6 +5,7 @@
 use super::draw;
 use super::subject::Subject;
 use super::text::{capitalised, measured, significant, spoken};
+use super::wording;
 use truegap_diagnose::answer::ParameterFacts;
 use truegap_scene::figure::{Bars, FigureError};
 use truegap_scene::page::{Page, Table, Tone};
@@ -16,7 +17,7 @@ pub(super) const PUSHED: f64 = 3.0;
 pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     let base = &subject.diagnosis.base;
     let mut page = page.section("What calibration did to the parameters");
-    for conflict in &subject.diagnosis.conflicts {
+    for conflict in subject.diagnosis.conflicts.iter().filter(|conflict| !conflict.between_parts) {
         page = page.callout(Tone::Watch, &format!("{}.", capitalised(&conflict.says)));
     }
     page = page.text(&reading(subject));
@@ -28,7 +29,18 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
         distances(subject),
         "How far calibration moved each parameter from what was known of it, in standard deviations of what was known (sd).",
     );
-    page.table(&table(subject))
+    between_parts(page.table(&table(subject)), subject)
+}
+
+/// Parameters that would be one number in one part of the recording and another in the rest, whether or not either is at odds with what was known.
+fn between_parts(page: Page, subject: &Subject<'_>) -> Page {
+    let apart: Vec<String> =
+        subject.diagnosis.conflicts.iter().filter(|c| c.between_parts).map(|c| format!("{}.", capitalised(&c.says))).collect();
+    if apart.is_empty() {
+        return page;
+    }
+    let apart: Vec<&str> = apart.iter().map(String::as_str).collect();
+    page.subsection(wording::BETWEEN_PARTS).list(&apart)
 }
 
 fn reading(subject: &Subject<'_>) -> String {

@@ -5,7 +5,7 @@
 use super::text::{capitalised, listed, spoken};
 use super::{confirmation, not_tested, reference, wording};
 use truegap_diagnose::Verdict;
-use truegap_diagnose::answer::{Diagnosis, Reference};
+use truegap_diagnose::answer::{Conflict, Diagnosis, Reference};
 
 /// Verdict, findings with sizes, errors, what next.
 pub fn summary(diagnosis: &Diagnosis) -> String {
@@ -37,12 +37,7 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
         lines.push(format!("    words: {}", mechanism.probability.says().replace('_', " ")));
         lines.extend(mechanism.could_be.first().map(|hint| format!("    could be: {hint}")));
     }
-    if diagnosis.concealed {
-        lines.push("Calibration had concealed it:".into());
-    } else if !diagnosis.conflicts.is_empty() {
-        lines.push("At odds with what was known beforehand:".into());
-    }
-    lines.extend(diagnosis.conflicts.iter().map(|c| format!("  {}", c.says)));
+    lines.extend(conflicts(diagnosis));
     if !diagnosis.mismatch.is_empty() {
         lines.push("Where it is wrong:".into());
         lines.extend(diagnosis.mismatch.iter().take(4).map(|m| format!("  {}", m.says)));
@@ -67,6 +62,20 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
         lines.push(format!("Next: {}", diagnosis.next_experiment.says));
     }
     lines.join("\n")
+}
+
+/// What calibration did to the parameters, each kind under its heading; where it concealed what is missing, all of it is how.
+fn conflicts(diagnosis: &Diagnosis) -> Vec<String> {
+    let of = |heading: &str, is: &dyn Fn(&Conflict) -> bool| {
+        let told: Vec<String> = diagnosis.conflicts.iter().filter(|c| is(c)).map(|c| format!("  {}", c.says)).collect();
+        let heading = (diagnosis.concealed || !told.is_empty()).then(|| format!("{heading}:"));
+        heading.into_iter().chain(told).collect::<Vec<_>>()
+    };
+    if diagnosis.concealed {
+        return of("Calibration had concealed it", &|_| true);
+    }
+    [of("At odds with what was known beforehand", &|c| !c.between_parts), of(wording::BETWEEN_PARTS, &|c| c.between_parts)]
+        .concat()
 }
 
 /// A straight line and a smooth curve through the inputs, and what is said where the line is the better model.

@@ -11,6 +11,9 @@ pub const SURE: f64 = 10.0;
 /// Sets larger than this are not spelled out in a sentence.
 const MANY: usize = 5;
 
+/// Heading of parameters that differ between parts of a recording.
+pub(super) const BETWEEN_PARTS: &str = "Differs between parts of the recording";
+
 /// What the model carries beside the findings.
 pub(super) const CARRIED: &str =
     "smaller parts of the misfit, which are not claimed as causes: an equation that is slightly off leaves as much";

@@ -1,0 +1,70 @@
+//! What the columns of a role are called by default, what they measure and in which unit.
+//!
+//! Limits: names and units of headings; which column is taken is for [`super::columns`].
+
+use super::heading::Heading;
+use crate::inputs::Role;
+use crate::units::{Dimension, is_unit};
+
+/// What a role measures; `None` for names, and for readings in any unit.
+pub(super) fn dimension(role: Role) -> Option<Dimension> {
+    match role {
+        Role::Time => Some(Dimension::Time),
+        Role::Force => Some(Dimension::Force),
+        Role::Pressure => Some(Dimension::Pressure),
+        Role::Gap => Some(Dimension::Length),
+        Role::Temperature => Some(Dimension::Temperature),
+        Role::Humidity => Some(Dimension::Humidity),
+        Role::Response | Role::Simulated | Role::Run | Role::Sensor => None,
+    }
+}
+
+/// Name that the contract gives a role's column.
+pub(super) fn default_name(role: Role) -> &'static str {
+    match role {
+        Role::Time => "time_s",
+        Role::Force => "force_n",
+        Role::Pressure => "pressure_kpa",
+        Role::Gap => "gap_mm",
+        Role::Temperature => "temperature_c",
+        Role::Humidity => "humidity_pct",
+        Role::Response => "capacitance_pf",
+        Role::Simulated | Role::Run | Role::Sensor => role.key(),
+    }
+}
+
+/// Whether a column is one that a role has by default: the role's word, alone or with a unit behind it.
+pub(super) fn is_default(role: Role, heading: &Heading) -> bool {
+    let words: &[&str] = if role == Role::Response { &["capacitance", "response"] } else { &[role.key()] };
+    let is_word = |text: &str| words.iter().any(|word| text.trim_end_matches('_').trim().eq_ignore_ascii_case(word));
+    let lower = heading.name.trim().to_ascii_lowercase();
+    let shown = heading.unit_in_name().map(|(measured, _)| measured.to_ascii_lowercase());
+    match role {
+        _ if is_word(&heading.name) => true,
+        Role::Run | Role::Sensor => false,
+        Role::Simulated => lower.starts_with("simulated_") || shown.is_some_and(|measured| is_word(&measured)),
+        Role::Response if lower.starts_with("response_") || shown.as_deref() == Some("response") => true,
+        _ => {
+            let dimension = dimension(role).unwrap_or(Dimension::Capacitance);
+            heading.unit_of(dimension).is_some() && is_word(heading.measured(dimension))
+        }
+    }
+}
+
+/// Whether a column's name is a role's word with one more behind it, where a unit stands: `force_xyz`, `Force [pF]`.
+pub(super) fn called_after(role: Role, heading: &Heading) -> bool {
+    heading.unit_in_name().is_some_and(|(measured, _)| measured.trim_end_matches('_').trim().eq_ignore_ascii_case(role.key()))
+}
+
+/// The unit of a role's column, as the header shows it.
+pub(super) fn shown_unit(role: Role, heading: &Heading) -> Option<String> {
+    match dimension(role) {
+        Some(dimension) => heading.unit_of(dimension).map(str::to_owned),
+        None => {
+            let known = heading.unit_of(Dimension::Capacitance).or(heading.unit_of(Dimension::Voltage));
+            // behind an underscore anything may stand, in brackets and below the name a unit
+            let surely = |unit: &&str| is_unit(unit) || heading.below.is_some() || heading.name.ends_with([')', ']', '}', '>']);
+            known.or_else(|| heading.proper_unit().filter(surely)).map(str::to_owned)
+        }
+    }
+}

@@ -28,7 +28,9 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
         lines.push(format!("Beside it the model carries {}:", wording::CARRIED));
         lines.extend(diagnosis.carried.iter().map(|smaller| format!("  {}: {}", spoken(&smaller.effect), smaller.says)));
     }
-    for mechanism in &diagnosis.discovered {
+    // where the name is sure, the report alone says it in other words
+    let sure = diagnosis.verdict == Verdict::Explained;
+    for mechanism in diagnosis.discovered.iter().filter(|mechanism| !(sure && mechanism.in_other_words)) {
         if mechanism.in_other_words {
             lines.push(format!("  In words, as if no effect had a name: {}", mechanism.says));
         } else if !mechanism.named {

@@ -129,7 +129,10 @@ pub(super) fn chosen_again(diagnosis: &Diagnosis, again: &SelectedAgain) -> Stri
 /// How sure a finding is, in words with the two numbers.
 pub fn how_sure(finding: &Finding) -> String {
     let [stated, among_models] = [finding.probability, finding.probability_among_models].map(percent);
-    let beside = if stated == among_models { String::new() } else { format!(" ({among_models} among the models)") };
+    let beside = match stated == among_models {
+        true => String::new(),
+        false => format!(", as often as names that stood so high were right ({among_models} among the models)"),
+    };
     let probability = format!("probability {stated}{beside}");
     let Some(d) = finding.detectability else { return probability };
     let strength = match d {
@@ -189,7 +192,10 @@ mod tests {
         assert!(how_sure(&finding(Some(31.0))).contains("far out of the noise"));
         assert!(how_sure(&finding(Some(7.0))).contains("not beyond doubt"));
         assert!(how_sure(&finding(Some(3.0))).contains("barely"));
-        assert_eq!(how_sure(&finding(None)), "probability 91 % (97 % among the models)");
+        assert_eq!(
+            how_sure(&finding(None)),
+            "probability 91 %, as often as names that stood so high were right (97 % among the models)"
+        );
         assert!(how_sure(&finding(Some(1_159_754.8))).contains("d = over 1000"));
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Limits: a curve is inverted on the stretch about the middle of its span on which it does not turn back; a reading beyond that gets the input at its end.
 
-use super::{Models, Reading};
+use super::models::{Models, Reading};
 
 /// Cells into which the span of an input is cut where the stretch without a turn is looked for.
 const CELLS: i32 = 50;

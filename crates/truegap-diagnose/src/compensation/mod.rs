@@ -18,25 +18,10 @@
 
 mod inverse;
 mod iteration;
+mod models;
 #[cfg(test)]
 mod tests;
 
 pub use inverse::{Inverse, Span};
 pub use iteration::{Compensated, Limits, Stopped, compensated};
-
-/// A model of readings, one a row, from the input that is to be estimated; everything else that it follows is known and held inside.
-pub type Reading<'a, E> = dyn Fn(&[f64]) -> Result<Vec<f64>, E> + 'a;
-
-/// The two models of one sensor, at the same calibration.
-pub struct Models<'a, E> {
-    /// without the added physics; a row's reading follows from the input of that row
-    pub base: &'a Reading<'a, E>,
-    /// with it
-    pub augmented: &'a Reading<'a, E>,
-}
-
-/// Root mean square of a column; 0 of none.
-fn rms(column: impl Iterator<Item = f64> + Clone) -> f64 {
-    let rows = column.clone().count().max(1) as f64;
-    (column.map(|value| value * value).sum::<f64>() / rows).sqrt()
-}
+pub use models::{Models, Reading};

@@ -1,5 +1,6 @@
 //! Sensors whose true readings are known by closed form; none of their physics is that of the library.
 
+use super::iteration::rms;
 use super::*;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;

@@ -13,6 +13,7 @@
 //! | what is wrong with the recording itself | [`quality`] |
 //! | how far to trust an answer | [`confirmation`] by another recording, [`recovery`] of known causes |
 //! | calibration alone | [`calibration`] |
+//! | readings corrected for what was found | [`compensation`] |
 //!
 //! `examples/diagnose_csv.rs` goes from a CSV to a verdict; how the stages work is in `docs/diagnosis.md`.
 //!
@@ -67,6 +68,7 @@ extern crate self as truegap_diagnose;
 
 mod adequacy;
 pub mod answer;
+pub mod compensation;
 mod data;
 mod discovery;
 pub mod effects;

@@ -10,6 +10,7 @@ use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use truegap::diagnose::Library;
+use truegap::diagnosis::compensate::compensate_with;
 use truegap::diagnosis::confirm::{Confirmed, Free, confirm_with};
 use truegap::diagnosis::{Diagnosed, FILES, Request, cache_folder, open_with, report};
 use truegap::models::{ModelFile, ModelFileError, Programs, with_effects};
@@ -187,6 +188,23 @@ impl NativeDiagnosis {
         let name = Path::new("augmented.toml");
         let confirmed = self.serve(py, |programs| confirm_with(&model, name, recording, channel.as_deref(), free, programs))?;
         confirmation(py, confirmed.map_err(failed)?)
+    }
+
+    /// Corrects readings for what was added: the document of `truegap --json compensate` and the columns of its CSV.
+    #[pyo3(signature = (source, channel, all))]
+    fn compensate<'py>(
+        &self,
+        py: Python<'py>,
+        source: Source<'_>,
+        channel: Option<String>,
+        all: bool,
+    ) -> PyResult<(String, Columns<'py>)> {
+        let (recording, _) = source.read()?;
+        let model = self.diagnosed.model_file().map_err(failed)?;
+        let name = Path::new("augmented.toml");
+        let compensated = self.serve(py, |programs| compensate_with(&model, name, recording, channel.as_deref(), all, programs))?;
+        let compensated = compensated.map_err(failed)?;
+        Ok((serde_json::to_string(&compensated.document).map_err(failed)?, arrays(py, compensated.table())))
     }
 }
 

@@ -181,6 +181,12 @@ def test_what_was_added_is_confirmed_from_the_object_and_from_its_file(tmp_path,
     assert any(abs(value - 3.0) < 0.02 for value in seconds), d.says
     confirmation = d.confirm(late(2))
     assert confirmation.verdict == "confirmed" and confirmation.rmse_augmented < 1.5 * 5e-3 < confirmation.rmse_base, confirmation.says
+    # the function may have a memory, so its recorded input is used; what the lag did is gone
+    corrected = d.compensate(late(2))
+    truth = 1 + late(2)["force_n"] / 2
+    errors = [float(np.sqrt(np.mean((np.asarray(column) - truth) ** 2))) for column in (late(2)["response_mm"], corrected)]
+    assert errors[1] < 2 * 5e-3 < 0.1 * errors[0] and len(corrected) == 600, corrected
+    assert any("recorded input" in note for note in corrected.notes), corrected.notes
     d.save(tmp_path / "out")
     file = tmp_path / "out/augmented.toml"
     again = tg.confirm(file, late(2), base=spring, parameters=parameters)

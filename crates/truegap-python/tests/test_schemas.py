@@ -74,6 +74,7 @@ def test_a_diagnosis_its_model_and_what_the_model_answers(tmp_path):
     (tmp_path / "recording.csv").write_text((folder / "recording.csv").read_text().rstrip().rsplit("\n", 1)[0])
     (tmp_path / "other.toml").write_text((folder / "recording.toml").read_text())
     prints("confirmation", tmp_path, "confirm", "out/augmented.toml", "other.toml")
+    prints("compensation", tmp_path, "compensate", "out/augmented.toml", "other.toml")
 
 
 def test_every_verdict_and_what_it_stands_on_keeps_to_the_schema(tmp_path):

@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | what does the analytic model say? | [`predict`] | [`model`] |
 //! | do its assumptions hold? | [`verify`] | [`audit`], [`fem`], [`scene`] |
-//! | what does it leave out of a recording? | [`diagnosis`], with its [`report`](diagnosis::report); is that borne out elsewhere? [`confirm`](diagnosis::confirm) | [`diagnose`] |
+//! | what does it leave out of a recording? | [`diagnosis`], with its [`report`](diagnosis::report); is that borne out elsewhere? [`confirm`](diagnosis::confirm); what would be read without it? [`compensate`](diagnosis::compensate) | [`diagnose`] |
 //! | what is compared, and what comes out, as files and programs | [`models`] | [`model`], [`diagnose`] |
 //! | which design drifts less? | [`study`] | [`design`], [`sweep`] |
 //! | how often is a diagnosis right? | [`prove`] | a generator that shares nothing with it |

@@ -59,6 +59,8 @@ pub const DOCUMENTS: &[Document] = &[
         "truegap.case/1",
     ),
     written_as("coefficients", "`truegap --json coefficients`", ("truegap_cli::command::coefficients", "Answer")),
+    written_as("compensation", "`truegap --json compensate`", ("truegap::diagnosis::compensate::document", "Compensation"))
+        .id("truegap.compensation/1"),
     written_as(
         "confirmation",
         "confirmation.json, and `truegap --json confirm`",
@@ -82,7 +84,7 @@ pub const DOCUMENTS: &[Document] = &[
     written_as("mesh", "`truegap --json mesh`", ("truegap_cli::command::mesh", "Answer")),
     read_as(
         "model",
-        "augmented.toml, which `truegap simulate --model` and `truegap confirm` read",
+        "augmented.toml, which `truegap simulate --model`, `truegap confirm` and `truegap compensate` read",
         ("truegap::models::model_file", "ModelFile"),
         "truegap.model/1",
     ),

@@ -6,7 +6,8 @@ use crate::{error::TablesError, markdown::Markdown};
 use std::path::{Path, PathBuf};
 
 /// Stages of `truegap-diagnose`, the last one first: a stage may use those below it.
-const STAGES: [&str; 16] = [
+const STAGES: [&str; 17] = [
+    "compensation",
     "pipeline",
     "answer",
     "explain",

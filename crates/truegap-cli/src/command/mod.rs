@@ -5,6 +5,7 @@
 #[cfg(feature = "fem")]
 mod audit;
 mod coefficients;
+mod compensate;
 mod completions;
 mod confirm;
 mod diagnose;
@@ -68,6 +69,7 @@ commands! {
     Diagnose(diagnose::Diagnose),
     Init(init::Init),
     Confirm(confirm::Confirm),
+    Compensate(compensate::Compensate),
     Explain(explain::Explain),
     Simulate(simulate::Simulate),
     Coefficients(coefficients::Coefficients),
@@ -94,6 +96,6 @@ mod tests {
         use clap::Subcommand;
         let command = super::Command::augment_subcommands(clap::Command::new("truegap"));
         let names: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-        assert_eq!(names[..4], ["diagnose", "init", "confirm", "explain"]);
+        assert_eq!(names[..5], ["diagnose", "init", "confirm", "compensate", "explain"]);
     }
 }

@@ -129,6 +129,10 @@ pub trait Effect: Send + Sync {
     fn of_recorder(&self) -> bool {
         false
     }
+    /// Whether it is an error of the recorded input, as a load cell has one: a reading that is corrected for it would agree with the error.
+    fn of_reference(&self) -> bool {
+        false
+    }
     /// Names of the numbers that say how this recording began: another recording began in its own way.
     fn of_start(&self, _context: &Context<'_>) -> &'static [&'static str] {
         &[]

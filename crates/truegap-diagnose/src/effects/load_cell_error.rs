@@ -86,6 +86,9 @@ impl Effect for LoadCellError {
             source: "VDI/VDE/DKD 2638 (load cells: linearity and hysteresis); class 0.1 to 0.5 of full scale",
         }
     }
+    fn of_reference(&self) -> bool {
+        true
+    }
     fn touches(&self) -> Vec<StageName> {
         vec![StageName::LoadPath] // a wrong reference is a wrong load
     }

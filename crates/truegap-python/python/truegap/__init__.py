@@ -14,6 +14,7 @@ from __future__ import annotations
 from ._truegap import TruegapError, __version__
 from .analytic import audit, coefficients, sensors, simulate
 from .asking import confirm, diagnose
+from .compensation import Compensation
 from .confirmation import Confirmation
 from .diagnosis import Diagnosis, Finding, Prediction, Value
 from .explain import Explained, effects, explain
@@ -21,6 +22,7 @@ from .parameter import Parameter
 from .study import optimise, sensitivity, solve, tolerance
 
 __all__ = [
+    "Compensation",
     "Confirmation",
     "Diagnosis",
     "Explained",

@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _truegap
+from .compensation import Compensation
 from .confirmation import Confirmation
 from .frames import Path, Recording, has_toml, source
 from .tables import frame_of
@@ -218,6 +219,20 @@ class Diagnosis:
         document, table = self._native.confirm(self._source(recording, columns, units, drivers), list(free), channel)
         self._confirmed = Confirmation(json.loads(document), dict(table))
         return self._confirmed
+
+    def compensate(
+        self,
+        recording: Recording,
+        *,
+        all: bool = False,
+        channel: str | None = None,
+        columns: Mapping[str, str] | None = None,
+        units: Mapping[str, str] | None = None,
+        drivers: Mapping[str, Mapping[str, str]] | None = None,
+    ) -> Compensation:
+        """The readings without what was added; the load need not be in the frame. ``all``: the recording began as the diagnosed one did, so drift and settling are taken away as well."""
+        document, table = self._native.compensate(self._source(recording, columns, units, drivers), channel, all)
+        return Compensation(json.loads(document), dict(table))
 
     def _source(
         self,

@@ -13,6 +13,7 @@
 
 mod answer;
 mod base;
+mod deployed;
 mod mechanism_file;
 mod model_file;
 
@@ -22,5 +23,6 @@ pub(crate) use base::SLOW_S;
 pub use base::{
     Base, BaseModelError, Calls, Function, Programs, Remembered, base_model, base_model_with, base_options, columns, declared,
 };
+pub use deployed::{LeftOut, Parted};
 pub use mechanism_file::{EffectFileError, with_effects};
 pub use model_file::{ModelFile, ModelFileError, RunningModel, SCHEMA as MODEL_SCHEMA};

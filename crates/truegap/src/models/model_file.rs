@@ -225,11 +225,11 @@ fn sensor_text(name: &str, folder: Option<&Path>) -> Result<String, ModelFileErr
 
 /// A model that simulates: base model, its calibrated values, added physics.
 pub struct RunningModel {
-    simulator: Box<dyn Simulator>,
-    values: Vec<f64>,
+    pub(super) simulator: Box<dyn Simulator>,
+    pub(super) values: Vec<f64>,
     /// values where the base model was calibrated alone
     alone: Option<Vec<f64>>,
-    augmented: Augmented,
+    pub(super) augmented: Augmented,
 }
 
 impl RunningModel {
@@ -243,20 +243,25 @@ impl RunningModel {
     /// # Errors
     /// [`ModelFileError::Simulation`] where a row has no physical answer or a column is missing.
     pub fn respond(&self, inputs: &Inputs) -> Result<Vec<f64>, ModelFileError> {
+        self.respond_as(&self.augmented, inputs)
+    }
+
+    /// The same with the effects of `augmented`.
+    pub(super) fn respond_as(&self, augmented: &Augmented, inputs: &Inputs) -> Result<Vec<f64>, ModelFileError> {
         let library = Library::default();
-        self.has_drivers(inputs, &library)?;
+        self.has_drivers(augmented, inputs, &library)?;
         let mut context = Context::new(inputs, self.simulator.as_ref(), 0.0, 0.0);
-        self.augmented.apply_scales(&mut context);
-        let stages = self.augmented.stages(&library, &context)?;
+        augmented.apply_scales(&mut context);
+        let stages = augmented.stages(&library, &context)?;
         let stages: Vec<_> = stages.iter().map(AsRef::as_ref).collect();
         Ok(self.simulator.respond(&self.values, inputs, &stages)?)
     }
 
     /// `Ok` where every recorded driver that an added effect follows is among the inputs.
-    fn has_drivers(&self, inputs: &Inputs, library: &Library) -> Result<(), ModelFileError> {
+    fn has_drivers(&self, augmented: &Augmented, inputs: &Inputs, library: &Library) -> Result<(), ModelFileError> {
         let fitted = self.augmented.scales.moved.clone().unwrap_or_default();
         self.as_fitted(&fitted.one_row(), |context| {
-            for added in &self.augmented.effects {
+            for added in &augmented.effects {
                 let driver = added.mechanism.as_ref().map(|m| m.sentence.driver.clone());
                 let in_words = || library.find(&added.id).and_then(|effect| effect.in_words(context)).map(|words| words.driver);
                 let Some(Driver::Recorded(column) | Driver::RateOf(column)) = driver.or_else(in_words) else { continue };
@@ -270,7 +275,7 @@ impl RunningModel {
     }
 
     /// What `asked` says of the recording to which the effects were fitted, of which `row` has the drivers.
-    fn as_fitted<T>(&self, row: &Inputs, asked: impl FnOnce(&Context<'_>) -> T) -> T {
+    pub(super) fn as_fitted<T>(&self, row: &Inputs, asked: impl FnOnce(&Context<'_>) -> T) -> T {
         let mut context = Context::new(row, self.simulator.as_ref(), 0.0, 0.0);
         self.augmented.apply_scales(&mut context);
         asked(&context)

@@ -1,0 +1,164 @@
+//! The answer: its document, its sentence, and the CSV of corrected readings.
+//!
+//! Limits: decides nothing.
+
+use super::CompensateError;
+use crate::models::LeftOut;
+use serde::Serialize;
+use std::fmt::Write;
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+use truegap_diagnose::answer::{ModelFacts, OtherFacts};
+use truegap_diagnose::compensation::Stopped;
+use truegap_diagnose::text::{listed, significant, spoken};
+
+/// Identifier of the document.
+pub const SCHEMA: &str = "truegap.compensation/1";
+/// Columns by which an earlier result is known.
+const COLUMNS: &str = "reading,corrected";
+
+/// The input that was estimated.
+#[derive(Clone, Debug, Serialize)]
+pub struct Estimated {
+    /// the column
+    pub input: String,
+    /// its unit; empty where it is not known
+    pub unit: String,
+    /// rows whose reading no input of the base model gives: what was added is taken at the nearest
+    pub rows_outside: usize,
+}
+
+/// Errors against what the base model says at the recorded input.
+#[derive(Clone, Debug, Serialize)]
+pub struct Gained {
+    /// of the reading as it was recorded, root mean square, response unit
+    pub before: f64,
+    /// of the corrected reading
+    pub after: f64,
+}
+
+/// The answer.
+#[derive(Clone, Debug, Serialize)]
+pub struct Compensation {
+    /// always `truegap.compensation/1`
+    pub schema: &'static str,
+    /// program and version
+    pub made_by: String,
+    /// the model
+    pub model: ModelFacts,
+    /// the recording
+    pub recording: OtherFacts,
+    /// unit of the reading
+    pub unit: String,
+    /// effects for which the reading is corrected
+    pub corrected_for: Vec<String>,
+    /// the other added effects
+    pub left_out: Vec<LeftOut>,
+    /// the input that was estimated from the reading; absent where nothing had to be
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub estimated: Option<Estimated>,
+    /// passes that were made
+    pub passes: usize,
+    /// why there was no further pass
+    pub stopped: Stopped,
+    /// root mean square of the reading less what the augmented model gives at the estimated input, response unit
+    pub left: f64,
+    /// noise of the reading that the model file states, response unit
+    pub noise: f64,
+    /// noise of a corrected reading over that of a reading, where it is white
+    pub noise_growth: f64,
+    /// errors with and without the correction; absent where the true input was not recorded
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error: Option<Gained>,
+    /// the answer in a sentence
+    pub says: String,
+    /// what a reader should know beside it
+    pub notes: Vec<String>,
+}
+
+impl Compensation {
+    /// Whether the augmented model explains the reading as far as its noise allows to see.
+    pub fn explains(&self) -> bool {
+        matches!(self.stopped, Stopped::AtNoise | Stopped::Balanced)
+    }
+
+    pub(super) fn sentence(&self) -> String {
+        let names = listed(&self.corrected_for.iter().map(|id| spoken(id)).collect::<Vec<_>>(), "and");
+        let unit = &self.unit;
+        let passes = if self.passes == 1 { "1 pass".to_owned() } else { format!("{} passes", self.passes) };
+        let mut says = format!("Corrected for {names} in {passes}");
+        if let Some(Gained { before, after }) = self.error {
+            let [before, after] = [before, after].map(|error| significant(error, 3));
+            let _ = write!(says, ": error {before} {unit} before and {after} {unit} after"); // writing to a String cannot fail
+        }
+        let left = significant(self.left, 3);
+        let ends = match self.stopped {
+            Stopped::AtNoise => "the model leaves no more of the reading than its noise".to_owned(),
+            Stopped::Balanced => "a further pass would bring more noise than it takes error away".to_owned(),
+            Stopped::NoLongerFalls => {
+                format!("the model leaves {left} {unit} of the reading, and a further pass would leave no less")
+            }
+            Stopped::NoiseGrows => {
+                format!("the model leaves {left} {unit} of the reading, and a further pass would bring too much noise")
+            }
+            Stopped::LastPass => format!("the model leaves {left} {unit} of the reading after the last pass that is made"),
+        };
+        let (noise, grown) = (significant(self.noise, 3), significant(self.noise_growth, 3));
+        says + &format!("; {ends}. The noise, {noise} {unit}, has grown by a factor of {grown}.")
+    }
+}
+
+/// The answer and its rows.
+pub struct Compensated {
+    /// the answer
+    pub document: Compensation,
+    pub(super) run: Vec<u32>,
+    /// everything behind the run
+    pub(super) columns: Vec<(String, Vec<f64>)>,
+}
+
+impl Compensated {
+    /// Every row: run, time where there is one, reading, corrected reading, and the estimated input.
+    pub fn csv(&self) -> String {
+        let names: Vec<&str> = self.columns.iter().map(|(name, _)| name.as_str()).collect();
+        let mut text = format!("run,{}\n", names.join(","));
+        for (row, run) in self.run.iter().enumerate() {
+            let _ = write!(text, "{run}"); // writing to a String cannot fail
+            for (_, column) in &self.columns {
+                let _ = write!(text, ",{}", column[row]);
+            }
+            text.push('\n');
+        }
+        text
+    }
+
+    /// The columns of that CSV.
+    pub fn table(&self) -> Vec<(String, Vec<f64>)> {
+        let run = self.run.iter().map(|run| f64::from(*run)).collect();
+        std::iter::once(("run".to_owned(), run)).chain(self.columns.iter().cloned()).collect()
+    }
+
+    /// Writes the rows, all or none; an earlier result is replaced.
+    ///
+    /// # Errors
+    /// [`CompensateError`] where something else has the name, or the disk refuses.
+    pub fn write(&self, file: &Path) -> Result<(), CompensateError> {
+        check(file)?;
+        Ok(truegap_sweep::write_atomically(file, self.csv().as_bytes())?)
+    }
+}
+
+/// Whether `file` may be written: it is not there, or an earlier result. Asked before the work begins.
+///
+/// # Errors
+/// [`CompensateError::WouldBeLost`].
+pub fn check(file: &Path) -> Result<(), CompensateError> {
+    let would_be_lost = || CompensateError::WouldBeLost { file: file.to_owned() };
+    if !file.exists() {
+        return Ok(());
+    }
+    let mut first = String::new();
+    let read = File::open(file).and_then(|file| BufReader::new(file).read_line(&mut first));
+    if read.is_ok() && first.contains(COLUMNS) { Ok(()) } else { Err(would_be_lost()) }
+}

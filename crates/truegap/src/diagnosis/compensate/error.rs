@@ -1,0 +1,57 @@
+//! Why readings are not corrected.
+
+use crate::diagnosis::DiagnosisError;
+use crate::models::{AnswerError, ModelFileError};
+use std::path::PathBuf;
+use truegap_sweep::SweepError;
+
+/// Why readings are not corrected.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+#[allow(missing_docs)] // the fields are named by the messages
+pub enum CompensateError {
+    /// Not a model file.
+    #[error(transparent)]
+    Model(#[from] ModelFileError),
+    /// The recording cannot be taken as it is.
+    #[error(transparent)]
+    Recording(#[from] DiagnosisError),
+    /// Nothing to correct for.
+    #[error(
+        "{model}: no physics is added to its base model, so there is nothing to correct for; give the augmented.toml of a diagnosis that found a cause"
+    )]
+    NothingAdded { model: String },
+    /// Nothing that can be corrected.
+    #[error("{model}: a reading cannot be corrected for {reasons}; nothing else was added")]
+    NothingLeft { model: String, reasons: String },
+    /// Another kind of reading.
+    #[error(
+        "{recording}: its response is in {found}, the model's in {wanted}; name the unit under [units], or give a recording of the same kind"
+    )]
+    Unit { recording: String, found: String, wanted: String },
+    /// A column that is needed.
+    #[error(
+        "{recording}: there is no column for {column}, which {who} needs; name it with {map}, or under [columns] or [drivers] of its TOML"
+    )]
+    Missing { recording: String, column: String, who: String, map: String },
+    /// A base model that is not inverted.
+    #[error(
+        "{model}: its base model `{base}` may answer a row by the rows before it, so its input cannot be estimated from the reading; give a recording that has its input ({columns}), or \
+         diagnose with a simulated column or a table as the base"
+    )]
+    NotInverted { model: String, base: String, columns: String },
+    /// A base model that stands still.
+    #[error(
+        "{model}: its base model `{base}` does not move with {column}, so {column} cannot be estimated from the reading; diagnose with another base"
+    )]
+    StandsStill { model: String, base: String, column: String },
+    /// The model has no answer there.
+    #[error(transparent)]
+    NoAnswer(#[from] AnswerError),
+    /// A file that would be lost.
+    #[error("{file}: is there already, and is no earlier result of `truegap compensate`; give -o another name, or move it")]
+    WouldBeLost { file: PathBuf },
+    /// The disk says no.
+    #[error(transparent)]
+    Write(#[from] SweepError),
+}

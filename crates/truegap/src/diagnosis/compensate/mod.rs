@@ -1,0 +1,221 @@
+//! Readings of a sensor without the physics that a diagnosis has added to its model.
+//!
+//! Limits: the correction is as right as the model file; nothing is fitted. The input of the base model is estimated from the reading, everything else that base
+//! model and effects follow has to be recorded.
+
+mod document;
+mod error;
+mod input;
+mod needed;
+
+pub use document::{Compensated, Compensation, Estimated, Gained, SCHEMA, check};
+pub use error::CompensateError;
+
+use crate::diagnosis::{Request, open};
+use crate::models::{ModelFile, ModelFileError, Parted, Programs, RunningModel, of_recording, refused};
+use input::{Sought, Way};
+use std::path::Path;
+use truegap_core::{Inputs, Recording};
+use truegap_diagnose::Library;
+use truegap_diagnose::answer::{AddedEffect, ModelFacts, OtherFacts};
+use truegap_diagnose::compensation::{self, Inverse, Limits, Models};
+use truegap_diagnose::text::{listed, spoken};
+
+/// Corrects the readings of `recording` by the model file `file`; `channel` is its sensor column where it holds several, `all` says that it began as the recording
+/// of the diagnosis did, so that what follows the clock holds as well.
+///
+/// # Errors
+/// [`CompensateError`] where the two do not belong together, a column is missing, or a model has no answer.
+pub fn compensate(file: &Path, recording: Recording, channel: Option<&str>, all: bool) -> Result<Compensated, CompensateError> {
+    compensate_with(&ModelFile::open(file)?, file, recording, channel, all, &Programs::default())
+}
+
+/// As [`compensate`], by a model that was read already; `file` is its name, `programs` answer where its base model is a program or a function.
+///
+/// # Errors
+/// As [`compensate`].
+pub fn compensate_with(
+    written: &ModelFile,
+    file: &Path,
+    recording: Recording,
+    channel: Option<&str>,
+    all: bool,
+    programs: &Programs,
+) -> Result<Compensated, CompensateError> {
+    let name = if recording.path.as_os_str().is_empty() { "recording".into() } else { recording.path.display().to_string() };
+    let request = Request { channel: channel.map(str::to_owned), ..Request::default() };
+    let recording = open(vec![recording], &request)?.recording;
+    let model = written.build_with(programs)?;
+    let (file, same) = (file.display().to_string(), !recording.sha256.is_empty() && written.sha256 == recording.sha256);
+    if recording.response_unit != written.unit {
+        return Err(CompensateError::Unit { recording: name, found: recording.response_unit, wanted: written.unit.clone() });
+    }
+    let parted = model.parted(&Library::default(), same, all);
+    if parted.kept.is_empty() {
+        return Err(nothing(file, &parted));
+    }
+    let task = Task { model: &model, parted: &parted, recording: &recording, name: &name, file: &file };
+    let way = Way::of(&written.base, model.simulator());
+    task.has_columns(&way)?;
+    let found = task.corrected(&way)?;
+    let error = task.error(&way, &found.corrected, same)?;
+    Ok(task.answer(written, &way, found, error))
+}
+
+fn nothing(model: String, parted: &Parted) -> CompensateError {
+    let reasons: Vec<String> = parted.left_out.iter().map(|left| format!("{} ({})", spoken(&left.effect), left.why)).collect();
+    match reasons.is_empty() {
+        true => CompensateError::NothingAdded { model },
+        false => CompensateError::NothingLeft { model, reasons: listed(&reasons, "and") },
+    }
+}
+
+/// A recording to be corrected by a model.
+struct Task<'a> {
+    model: &'a RunningModel,
+    parted: &'a Parted,
+    recording: &'a Recording,
+    name: &'a str,
+    file: &'a str,
+}
+
+impl Task<'_> {
+    fn inputs(&self) -> &Inputs {
+        &self.recording.inputs
+    }
+
+    fn placed(&self, error: ModelFileError) -> CompensateError {
+        refused(error, of_recording(self.name.to_owned())).into()
+    }
+
+    /// Whether everything is recorded that is not estimated.
+    fn has_columns(&self, way: &Way) -> Result<(), CompensateError> {
+        let simulator = self.model.simulator();
+        let sought = if let Way::Estimated(sought) = way { Some(sought) } else { None };
+        let absent = |role: &&truegap_core::Role| self.inputs().column(**role).is_none();
+        let needs = simulator.needs().iter().filter(absent).map(|role| input::Column::Of(*role));
+        let needs: Vec<_> = needs.filter(|column| sought.is_none_or(|sought| sought.column != *column)).collect();
+        if let (Way::Recorded, false) = (way, needs.is_empty()) {
+            let columns = listed(&needs.iter().map(input::Column::name).collect::<Vec<_>>(), "and");
+            return Err(CompensateError::NotInverted { model: self.file.into(), base: simulator.name().into(), columns });
+        }
+        let of_base = needs.into_iter().next().map(|column| needed::Missing { column, effect: None });
+        match of_base.or_else(|| needed::missing(self.model, &self.parted.kept, sought, self.inputs())) {
+            None => Ok(()),
+            Some(needed::Missing { column, effect }) => Err(CompensateError::Missing {
+                recording: self.name.into(),
+                column: column.name(),
+                who: effect.map_or_else(|| format!("the base model `{}`", simulator.name()), |id| format!("`{id}`")),
+                map: column.map(),
+            }),
+        }
+    }
+
+    fn corrected(&self, way: &Way) -> Result<compensation::Compensated, CompensateError> {
+        let rows = self.recording.len();
+        let with = |effects: &[AddedEffect], input: &[f64]| match way {
+            Way::Estimated(Sought { column, .. }) => {
+                let mut inputs = self.inputs().clone();
+                column.put(&mut inputs, Some(input.to_vec()));
+                self.model.respond_with(effects, &inputs)
+            }
+            Way::Known | Way::Recorded => self.model.respond_with(effects, self.inputs()),
+        };
+        let (base, augmented) = (|input: &[f64]| with(&[], input), |input: &[f64]| with(&self.parted.kept, input));
+        let models = Models { base: &base, augmented: &augmented };
+        let inverse = match way {
+            Way::Estimated(Sought { span, straight: true, .. }) => Inverse::straight(&models, rows, span.width),
+            Way::Estimated(Sought { span, .. }) => Inverse::curve(&models, rows, *span),
+            Way::Known | Way::Recorded => Ok(Inverse::Known),
+        };
+        let inverse = inverse.map_err(|error| self.placed(error))?;
+        if let (Way::Estimated(Sought { column, .. }), false) = (way, inverse.moves()) {
+            let (model, base) = (self.file.to_owned(), self.model.simulator().name().to_owned());
+            return Err(CompensateError::StandsStill { model, base, column: column.name() });
+        }
+        let limits = Limits::of(self.model.scales().noise_sd);
+        compensation::compensated(&self.recording.response, &models, &inverse, &limits).map_err(|error| self.placed(error))
+    }
+
+    /// Errors against the base model at the recorded input, on the clock of the reading where that is known; `None` where the input was not recorded.
+    fn error(&self, way: &Way, corrected: &[f64], same: bool) -> Result<Option<Gained>, CompensateError> {
+        let recorded = match way {
+            Way::Estimated(Sought { column, .. }) => column.values(self.inputs()).is_some(),
+            Way::Known | Way::Recorded => true,
+        };
+        if !recorded {
+            return Ok(None);
+        }
+        let clocks = if same { self.parted.clocks.as_slice() } else { &[] };
+        let truth = self.model.respond_with(clocks, self.inputs()).map_err(|error| self.placed(error))?;
+        let rmse = |column: &[f64]| {
+            let squares: f64 = column.iter().zip(&truth).map(|(value, truth)| (value - truth).powi(2)).sum();
+            (squares / truth.len().max(1) as f64).sqrt()
+        };
+        Ok(Some(Gained { before: rmse(&self.recording.response), after: rmse(corrected) }))
+    }
+
+    fn answer(&self, written: &ModelFile, way: &Way, found: compensation::Compensated, error: Option<Gained>) -> Compensated {
+        let (recording, simulator) = (self.recording, self.model.simulator());
+        let time = recording.inputs.time_s.clone().map(|time| ("time_s".to_owned(), time));
+        let mut columns: Vec<(String, Vec<f64>)> = time.into_iter().collect();
+        columns.push(("reading".into(), recording.response.clone()));
+        columns.push(("corrected".into(), found.corrected));
+        let mut estimated = None;
+        if let Way::Estimated(Sought { column, .. }) = way {
+            columns.push((column.estimate(), found.input));
+            let unit = column.unit(simulator);
+            estimated = Some(Estimated { input: column.name(), unit, rows_outside: found.outside });
+        }
+        let mut document = Compensation {
+            schema: SCHEMA,
+            made_by: format!("truegap {}", env!("CARGO_PKG_VERSION")),
+            model: ModelFacts {
+                file: self.file.to_owned(),
+                recording: written.recording.clone(),
+                sha256: written.sha256.clone(),
+                verdict: written.verdict.clone(),
+                effects: self.model.effects(),
+                base_is_known: self.model.base_is_known(),
+            },
+            recording: OtherFacts {
+                source: self.name.to_owned(),
+                sha256: recording.sha256.clone(),
+                rows: recording.len(),
+                runs: recording.inputs.runs().len(),
+            },
+            unit: written.unit.clone(),
+            corrected_for: self.parted.kept.iter().map(|added| added.id.clone()).collect(),
+            left_out: self.parted.left_out.clone(),
+            estimated,
+            passes: found.passes,
+            stopped: found.stopped,
+            left: found.left,
+            noise: self.model.scales().noise_sd,
+            noise_growth: found.noise_growth,
+            error,
+            says: String::new(),
+            notes: self.notes(way, found.outside),
+        };
+        document.says = document.sentence();
+        Compensated { document, run: recording.inputs.run.clone(), columns }
+    }
+
+    fn notes(&self, way: &Way, outside: usize) -> Vec<String> {
+        let left_out = |left: &crate::models::LeftOut| format!("not corrected for {}: {}", spoken(&left.effect), left.why);
+        let mut notes: Vec<String> = self.parted.left_out.iter().map(left_out).collect();
+        match way {
+            Way::Recorded => notes.push(format!(
+                "the base model `{}` may answer a row by the rows before it, so its recorded input is used: without that column there is no correction",
+                self.model.simulator().name()
+            )),
+            Way::Estimated(Sought { column, .. }) if outside > 0 => notes.push(format!(
+                "in {outside} of {} rows no {} of the base model gives the corrected reading; what was added is taken at the nearest",
+                self.recording.len(),
+                column.name()
+            )),
+            _ => {}
+        }
+        notes
+    }
+}

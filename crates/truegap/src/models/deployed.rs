@@ -1,0 +1,94 @@
+//! A model file beside a recording that is to be corrected: which of the added effects hold there, and both models with these.
+//!
+//! Limits: what an effect is says the effect; nothing is fitted.
+
+use super::model_file::{ModelFileError, RunningModel};
+use serde::Serialize;
+use truegap_core::Inputs;
+use truegap_diagnose::answer::{AddedEffect, Scales};
+use truegap_diagnose::mechanism::Driver;
+use truegap_diagnose::{Augmented, Effect, Library};
+
+/// An added effect for which a reading is not corrected.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct LeftOut {
+    /// its id
+    pub effect: String,
+    /// why
+    pub why: &'static str,
+}
+
+/// The added effects, by whether a reading is corrected for them.
+#[derive(Clone, Debug, Default)]
+pub struct Parted {
+    /// those for which it is
+    pub kept: Vec<AddedEffect>,
+    /// the others
+    pub left_out: Vec<LeftOut>,
+    /// those of them that are clocks of the recorded inputs
+    pub clocks: Vec<AddedEffect>,
+}
+
+const OF_A_CLOCK: &str = "it is a clock of the recorded input: a corrected reading stays on the clock of the reading";
+const OF_THE_REFERENCE: &str = "it is an error of the recorded input and not of the reading";
+const BOUND_TO_RUNS: &str = "it has a number for each run of the recording that it was fitted to";
+const ON_THE_CLOCK: &str = "it follows the time since the first row of the recording that it was fitted to";
+
+impl RunningModel {
+    /// The added effects for which the readings of a recording may be corrected; `same` says that it is the recording that they were fitted to, `all` that
+    /// another one began as that one did.
+    ///
+    /// Numbers that say how the first recording began are 0 in another one.
+    pub fn parted(&self, library: &Library, same: bool, all: bool) -> Parted {
+        let bound = self.bound_to_runs(library);
+        let row = self.augmented.scales.moved.clone().unwrap_or_default().one_row();
+        self.as_fitted(&row, |context| {
+            let mut parted = Parted::default();
+            for added in &self.augmented.effects {
+                let effect = library.find(&added.id);
+                let driver = match &added.mechanism {
+                    Some(mechanism) => Some(mechanism.sentence.driver.clone()),
+                    None => effect.and_then(|effect| effect.in_words(context)).map(|words| words.driver),
+                };
+                let is_clock = effect.is_some_and(Effect::of_recorder);
+                let why = if is_clock {
+                    Some(OF_A_CLOCK)
+                } else if effect.is_some_and(Effect::of_reference) {
+                    Some(OF_THE_REFERENCE)
+                } else if !same && bound.contains(&added.id) {
+                    Some(BOUND_TO_RUNS)
+                } else if !same && !all && driver == Some(Driver::Time) {
+                    Some(ON_THE_CLOCK)
+                } else {
+                    None
+                };
+                if is_clock {
+                    parted.clocks.push(added.clone());
+                }
+                if let Some(why) = why {
+                    parted.left_out.push(LeftOut { effect: added.id.clone(), why });
+                    continue;
+                }
+                let mut added = added.clone();
+                let of_start = effect.filter(|_| !same).map_or(&[][..], |effect| effect.of_start(context));
+                added.parameters.iter_mut().filter(|p| of_start.contains(&p.name.as_str())).for_each(|p| p.value = 0.0);
+                parted.kept.push(added);
+            }
+            parted
+        })
+    }
+
+    /// Response of each row with these effects alone, at the calibration of the augmented model.
+    ///
+    /// # Errors
+    /// As [`RunningModel::respond`].
+    pub fn respond_with(&self, effects: &[AddedEffect], inputs: &Inputs) -> Result<Vec<f64>, ModelFileError> {
+        let augmented = Augmented { effects: effects.to_vec(), ..self.augmented.clone() };
+        self.respond_as(&augmented, inputs)
+    }
+
+    /// What the effects' equations take from the recording on which they were fitted.
+    pub fn scales(&self) -> &Scales {
+        &self.augmented.scales
+    }
+}

@@ -1,0 +1,210 @@
+//! Readings corrected by model files that are written by hand: what the sensor should have read is known by closed form.
+
+#![allow(clippy::unwrap_used)]
+
+#[path = "common/noise.rs"]
+mod common;
+
+use common::noise;
+use std::path::Path;
+use truegap::core::recording::BaseSpec;
+use truegap::core::{Driver, Inputs, Recording};
+use truegap::diagnose::compensation::Stopped;
+use truegap::diagnosis::compensate::{CompensateError, Compensated, SCHEMA, compensate_with};
+use truegap::models::{MODEL_SCHEMA, ModelFile, Programs};
+
+const ROWS: usize = 900;
+const SD: f64 = 0.02;
+const SCALE: &str =
+    r#"{ unit = "mm", centre = 8.5, range = 15.0, at_rest = 1.0, span = 15.0, gaps_m = [0.0, 0.0], response_times_gap = 1.0 }"#;
+const TEMPERATURE: &str = "[[effect]]\nid = \"temperature_coefficient\"\nparameters = [{ name = \"per_kelvin\", unit = \"mm/K\", value = 0.1, sd = 0.01 }, { name = \"bend\", unit = \"1/K\", value = 0.0, sd = 0.01 }]\n";
+const LAG: &str = "[[effect]]\nid = \"readout_lag\"\nparameters = [{ name = \"tau\", unit = \"s\", value = 8.0, sd = 0.1 }]\n";
+const LATE: &str = "[[effect]]\nid = \"time_offset\"\nparameters = [{ name = \"late\", unit = \"s\", value = 5.0, sd = 0.1 }]\n";
+
+/// A base, its numbers and effects as a file; `moved` is what moved when it was fitted.
+fn model(base: &str, parameters: &[(&str, f64)], moved: &str, effects: &str) -> ModelFile {
+    let number =
+        |(name, value): &(&str, f64)| format!("[[parameter]]\nname = \"{name}\"\nunit = \"mm\"\nvalue = {value}\nsd = 0.1\n");
+    let parameters: String = parameters.iter().map(number).collect();
+    let text = format!(
+        "schema = \"{MODEL_SCHEMA}\"\nmade_by = \"test\"\nrecording = \"a\"\nsha256 = \"b\"\nverdict = \"explained\"\nunit = \"mm\"\n{}{}\
+         [base]\n{base}\nscale = {SCALE}\nreference_c = 20.0\n\
+         [scales]\nlongest_run_s = 899.0\nshortest_step_s = 1.0\nduration_s = 899.0\nresponse_span = 15.0\nnoise_sd = {SD}\nruns = 1\n\
+         moved = {{ {moved} }}\n{parameters}{effects}",
+        if effects.is_empty() { "effect = []\n" } else { "" },
+        if parameters.is_empty() { "parameter = []\n" } else { "" },
+    );
+    ModelFile::parse(&text, Path::new("augmented.toml")).unwrap()
+}
+
+/// Reads `1 + 1.5 F`, F up to 10 N.
+fn line(effects: &str) -> ModelFile {
+    let base = "model = \"linear\"\norder = 1\ndriver = { role = \"force\", zero = 0.0, width = 10.0 }";
+    model(base, &[("offset", 1.0), ("slope", 15.0)], MOVED, effects)
+}
+
+const MOVED: &str = "temperature_k = 16.0, load = 1.0, gap = false, simulated = false, drivers = []";
+
+fn force() -> Vec<f64> {
+    (0..ROWS).map(|row| 5.0 + 3.0 * (row as f64 / 40.0).sin() + 1.5 * (row as f64 / 17.0).sin()).collect()
+}
+
+fn heat() -> Vec<f64> {
+    (0..ROWS).map(|row| 20.0 + 8.0 * (row as f64 / 150.0).sin()).collect()
+}
+
+fn with_noise(column: &[f64]) -> Vec<f64> {
+    let mut noise = noise(5);
+    column.iter().map(|value| value + SD * noise()).collect()
+}
+
+/// Steady state first, then `y' = (x - y) / tau` with x straight between rows, by the formula for a ramp.
+fn late(column: &[f64], tau: f64) -> Vec<f64> {
+    let keeps = (-1.0 / tau).exp();
+    let mut y = column[0];
+    let next = |pair: &[f64]| {
+        let slope = pair[1] - pair[0];
+        y = pair[1] - slope * tau + (y - pair[0] + slope * tau) * keeps;
+        y
+    };
+    std::iter::once(column[0]).chain(column.windows(2).map(next)).collect()
+}
+
+/// A recording of a sensor in use: a clock, a thermometer and what was read.
+fn in_use(response: &[f64]) -> Recording {
+    let inputs = Inputs {
+        time_s: Some((0..ROWS).map(|row| row as f64).collect()),
+        run: vec![1; ROWS],
+        temperature_c: Some(heat()),
+        ..Inputs::default()
+    };
+    Recording::new(inputs, with_noise(response), "mm", BaseSpec::default()).unwrap()
+}
+
+fn corrected(file: &ModelFile, recording: Recording, all: bool) -> Result<Compensated, CompensateError> {
+    compensate_with(file, Path::new("augmented.toml"), recording, None, all, &Programs::default())
+}
+
+fn column(found: &Compensated, name: &str) -> Vec<f64> {
+    found.table().into_iter().find(|(n, _)| n == name).unwrap().1
+}
+
+fn error(found: &Compensated, name: &str, truth: &[f64]) -> f64 {
+    let squares: f64 = column(found, name).iter().zip(truth).map(|(a, b)| (a - b).powi(2)).sum();
+    (squares / ROWS as f64).sqrt()
+}
+
+fn true_reading() -> Vec<f64> {
+    force().iter().map(|f| 1.0 + 1.5 * f).collect()
+}
+
+#[test]
+fn a_line_with_a_temperature_coefficient_reads_as_the_line() {
+    let truth = true_reading();
+    let read: Vec<f64> = truth.iter().zip(heat()).map(|(y, t)| y + 0.1 * (t - 20.0)).collect();
+    let found = corrected(&line(TEMPERATURE), in_use(&read), false).unwrap();
+    assert!(error(&found, "reading", &truth) > 20.0 * SD);
+    // nothing but the noise is left, of which no part was added
+    assert!(error(&found, "corrected", &truth) < 1.1 * SD, "{}", found.document.says);
+    let document = &found.document;
+    assert_eq!((document.schema, document.passes, document.stopped), (SCHEMA, 1, Stopped::AtNoise));
+    assert!(document.error.is_none() && (document.noise_growth - 1.0).abs() < 1e-9, "{}", document.says);
+    assert_eq!(document.estimated.as_ref().unwrap().input, "force");
+    assert!(error(&found, "estimated_force_n", &force()) < 1.1 * SD / 1.5);
+    assert_eq!(found.csv().lines().next(), Some("run,time_s,reading,corrected,estimated_force_n"));
+    assert_eq!(found.csv().lines().count(), ROWS + 1);
+}
+
+#[test]
+fn a_late_simulation_is_caught_up_and_the_gain_is_told_where_the_truth_is_there() {
+    let file =
+        model("model = \"external\"", &[], "temperature_k = 0.0, load = 0.0, gap = false, simulated = true, drivers = []", LAG);
+    let truth = true_reading();
+    let mut recording = in_use(&late(&truth, 8.0));
+    recording.inputs.simulated = Some(truth.clone());
+    let found = corrected(&file, recording, false).unwrap();
+    let (before, after) = (error(&found, "reading", &truth), error(&found, "corrected", &truth));
+    assert!(before > 20.0 * SD && after < 6.0 * SD && after < before / 8.0, "{after} of {before}: {}", found.document.says);
+    let told = found.document.error.as_ref().unwrap();
+    approx::assert_relative_eq!(told.before, before, max_relative = 1e-9);
+    approx::assert_relative_eq!(told.after, after, max_relative = 1e-9);
+    assert!(found.document.noise_growth <= 1.0 + found.document.passes as f64 && found.document.explains());
+}
+
+/// A bent base is inverted, and heat and a lag go together.
+#[test]
+fn a_bent_base_with_heat_and_a_lag_comes_back() {
+    let base = "model = \"linear\"\norder = 2\ndriver = { role = \"force\", zero = 0.0, width = 10.0 }";
+    let file = model(base, &[("offset", 1.0), ("slope", 15.0), ("order_2", -4.0)], MOVED, &format!("{TEMPERATURE}{LAG}"));
+    let truth: Vec<f64> = force().iter().map(|f| 1.0 + 1.5 * f - 0.04 * f * f).collect();
+    let warm: Vec<f64> = truth.iter().zip(heat()).map(|(y, t)| y + 0.1 * (t - 20.0)).collect();
+    let found = corrected(&file, in_use(&late(&warm, 8.0)), false).unwrap();
+    let (before, after) = (error(&found, "reading", &truth), error(&found, "corrected", &truth));
+    assert!(before > 30.0 * SD && after < 6.0 * SD, "{after} of {before}: {}", found.document.says);
+    // 1.5 - 0.08 F is the slope, 0.74 at the greatest force
+    assert!(error(&found, "estimated_force_n", &force()) < 6.0 * SD / 0.7);
+}
+
+#[test]
+fn what_belongs_to_one_recording_is_left_out_and_named() {
+    let drift = "[[effect]]\nid = \"settling\"\nparameters = [{ name = \"per_decade\", unit = \"mm\", value = 0.3, sd = 0.1 }, { name = \"knee\", unit = \"s\", value = 10.0, sd = 1.0 }]\n";
+    let file = line(&format!("{LATE}{TEMPERATURE}{drift}"));
+    let told = |found: Compensated| (found.document.corrected_for.clone(), found.document.notes.join("; "));
+    let (names, notes) = told(corrected(&file, in_use(&true_reading()), false).unwrap());
+    assert_eq!(names, ["temperature_coefficient"]);
+    assert!(notes.contains("time offset: it is a clock") && notes.contains("settling: it follows the time"), "{notes}");
+    let (names, _) = told(corrected(&file, in_use(&true_reading()), true).unwrap());
+    assert_eq!(names, ["temperature_coefficient", "settling"]);
+    let same = Recording { sha256: "b".into(), ..in_use(&true_reading()) };
+    assert_eq!(told(corrected(&file, same, false).unwrap()).0, ["temperature_coefficient", "settling"]);
+    let refused = corrected(&line(LATE), in_use(&true_reading()), true).err().unwrap();
+    assert!(matches!(refused, CompensateError::NothingLeft { .. }) && refused.to_string().contains("clock"), "{refused}");
+}
+
+#[test]
+fn a_column_that_an_effect_needs_is_asked_for_by_name() {
+    let mut cold = in_use(&true_reading());
+    cold.inputs.temperature_c = None;
+    let refused = corrected(&line(TEMPERATURE), cold, false).err().unwrap().to_string();
+    for part in ["no column for temperature", "`temperature_coefficient`", "--map temperature=COLUMN"] {
+        assert!(refused.contains(part), "{refused}");
+    }
+    let mut timeless = in_use(&true_reading());
+    timeless.inputs.time_s = None;
+    let refused = corrected(&line(LAG), timeless.clone(), false).err().unwrap().to_string();
+    assert!(refused.contains("no column for time") && refused.contains("`readout_lag`"), "{refused}");
+    // what does not follow the clock needs none
+    assert!(corrected(&line(TEMPERATURE), timeless, false).is_ok());
+    let moved = "temperature_k = 0.0, load = 1.0, gap = false, simulated = false, drivers = [\"supply\"], ranges = { supply = [11.0, 13.0] }";
+    let supply = "[[effect]]\nid = \"driver_coefficient\"\nparameters = [{ name = \"per_unit\", unit = \"mm/V\", value = 0.4, sd = 0.1 }, { name = \"bend\", unit = \"1/V\", value = 0.0, sd = 0.1 }]\n";
+    let base = "model = \"linear\"\norder = 1\ndriver = { role = \"force\", zero = 0.0, width = 10.0 }";
+    let file = model(base, &[("offset", 1.0), ("slope", 15.0)], moved, supply);
+    let refused = corrected(&file, in_use(&true_reading()), false).err().unwrap().to_string();
+    assert!(refused.contains("no column for supply") && refused.contains("--map driver.supply=COLUMN:UNIT"), "{refused}");
+    let mut whole = in_use(&true_reading());
+    whole.inputs.drivers = vec![Driver { name: "supply".into(), unit: "V".into(), values: vec![12.0; ROWS] }];
+    assert!(corrected(&file, whole, false).is_ok());
+}
+
+#[test]
+fn what_does_not_belong_together_is_refused() {
+    let counts = Recording { response_unit: "counts".into(), ..in_use(&true_reading()) };
+    assert!(matches!(corrected(&line(TEMPERATURE), counts, false).err(), Some(CompensateError::Unit { .. })));
+    assert!(matches!(corrected(&line(""), in_use(&true_reading()), false).err(), Some(CompensateError::NothingAdded { .. })));
+    let base = "model = \"linear\"\norder = 1\ndriver = { role = \"force\", zero = 0.0, width = 10.0 }";
+    let flat = model(base, &[("offset", 1.0), ("slope", 0.0)], MOVED, TEMPERATURE);
+    assert!(matches!(corrected(&flat, in_use(&true_reading()), false).err(), Some(CompensateError::StandsStill { .. })));
+}
+
+/// A file of the user's is not written over; an earlier result is.
+#[test]
+fn rows_are_written_where_nothing_is_lost() {
+    let folder = tempfile::tempdir().unwrap();
+    let found = corrected(&line(TEMPERATURE), in_use(&true_reading()), false).unwrap();
+    let (mine, out) = (folder.path().join("mine.csv"), folder.path().join("out.csv"));
+    std::fs::write(&mine, "time_s,reading\n1,2\n").unwrap();
+    assert!(matches!(found.write(&mine), Err(CompensateError::WouldBeLost { .. })));
+    (0..2).for_each(|_| found.write(&out).unwrap());
+    assert_eq!(std::fs::read_to_string(&out).unwrap(), found.csv());
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2);
+}

@@ -62,7 +62,7 @@ fn a_driver_that_acts_late_is_named_with_its_time_constant() {
 /// A zero that goes with a temperature, at once. The thermometer has noise of its own, which a lag of half a row smooths: that is no cause.
 #[test]
 fn a_lag_of_which_nothing_is_seen_is_a_plain_influence() {
-    let rows = 2000;
+    let rows = 700;
     let warm = |row: usize| 25.0 + 6.0 * (row as f64 / 160.0).sin();
     let inputs = Inputs {
         time_s: Some((0..rows).map(|row| 30.0 * row as f64).collect()),

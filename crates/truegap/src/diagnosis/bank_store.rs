@@ -44,7 +44,7 @@ mod tests {
         let cache = Cache(Some(folder.path().join("bank")));
         let case: BankCase = serde_json::from_value(serde_json::json!({
             "truth": {"effects": ["ageing"], "sibling": true, "stranger": null, "detectability": 12.0},
-            "verdict": "explained", "named": ["ageing"], "sets": [], "models": [[["ageing"], -0.1]]
+            "verdict": "explained", "named": ["ageing"], "sets": [], "models": [[["ageing"], -0.1]], "unmodelled": []
         }))
         .unwrap();
         let cases = BTreeMap::from([(3, case)]);

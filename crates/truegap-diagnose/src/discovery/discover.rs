@@ -11,10 +11,7 @@ use crate::{
         composed::{effect::Composed, mechanism::Sentence, words::Kinetics},
         effect::Effect,
     },
-    selection::{
-        candidates::{Search, Tried},
-        tuning::{FORM_ERROR, FORM_SHAPES},
-    },
+    selection::candidates::{Search, Tried},
     stats::log_sum_exp,
 };
 use std::sync::atomic::Ordering;
@@ -29,6 +26,9 @@ const FITTED: usize = 6;
 const CLOSE: f64 = 3.0;
 /// Share of turned histories that may do as well, at most.
 const BY_CHANCE: f64 = 0.05;
+/// Relative error that a composed law has beside the physics it stands for, and the number of shapes over which it spreads: as for equations of the library.
+const FORM_ERROR: f64 = 0.2;
+const FORM_SHAPES: f64 = 10.0;
 
 /// A mechanism found.
 pub struct Discovery {
@@ -81,7 +81,7 @@ pub fn discover(search: &Search<'_>, from: &Tried, scale: f64, id: EffectId) -> 
     Some(Discovery { effect: best.effect, tried: best.tried, words, gain, control_p_value, weighed: found.columns, rival })
 }
 
-/// Divisor of log evidence: words are told apart by no less than the error of their laws, which is that of the library's equations.
+/// Divisor of log evidence: words are told apart by no less than the error of their laws.
 fn temper(deviance: f64) -> f64 {
     1.0 + FORM_ERROR * FORM_ERROR * deviance / FORM_SHAPES
 }
@@ -146,7 +146,7 @@ fn fit_screened(
 ) -> Option<Fitted> {
     let (effect, tried) = fit_of(search, from, &found.sentences[index], id)?;
     let s = &mut found.sentences[index];
-    s.beyond = tried.fit.explains_beyond(&from.fit) - s.deviance;
+    s.beyond = 2.0 * (from.fit.objective() - tried.fit.objective()) - s.deviance;
     Some(Fitted { index, weight: s.weight(temper), effect, tried })
 }
 

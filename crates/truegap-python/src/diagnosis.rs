@@ -202,7 +202,8 @@ impl NativeDiagnosis {
         let (recording, _) = source.read()?;
         let model = self.diagnosed.model_file().map_err(failed)?;
         let name = Path::new("augmented.toml");
-        let compensated = self.serve(py, |programs| compensate_with(&model, name, recording, channel.as_deref(), all, programs))?;
+        let compensated =
+            self.serve(py, |programs| compensate_with(&model, name, recording, channel.as_deref(), all, programs))?;
         let compensated = compensated.map_err(failed)?;
         Ok((serde_json::to_string(&compensated.document).map_err(failed)?, arrays(py, compensated.table())))
     }

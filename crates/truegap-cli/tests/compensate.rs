@@ -51,7 +51,7 @@ parameters = [{ name = "per_kelvin", unit = "mm/K", value = 0.1, sd = 0.01 }, { 
 fn rows(with_force: bool) -> String {
     let row = |t: u32| {
         let (force, heat) = (5.0 + 3.0 * (f64::from(t) / 30.0).sin(), 20.0 + 8.0 * (f64::from(t) / 70.0).sin());
-        let read = 1.0 + 1.5 * force + 0.1 * (heat - 20.0) + if t % 2 == 0 { 0.01 } else { -0.01 };
+        let read = 1.0 + 1.5 * force + 0.1 * (heat - 20.0) + if t.is_multiple_of(2) { 0.01 } else { -0.01 };
         if with_force { format!("{t},{heat},{read},{force}\n") } else { format!("{t},{heat},{read}\n") }
     };
     let header = if with_force { "time_s,temperature_c,response_mm,force_n\n" } else { "time_s,temperature_c,response_mm\n" };

@@ -150,9 +150,16 @@ fn moved(column: &[f64], change: &[f64], share: f64) -> Vec<f64> {
 }
 
 /// Root mean square of a column; 0 of none.
-pub(super) fn rms(column: impl Iterator<Item = f64> + Clone) -> f64 {
+pub fn rms(column: impl Iterator<Item = f64> + Clone) -> f64 {
     let rows = column.clone().count().max(1) as f64;
-    (column.map(|value| value * value).sum::<f64>() / rows).sqrt()
+    let squares = |unit: f64| column.clone().map(|value| (value / unit).powi(2)).sum::<f64>() / rows;
+    let plain = squares(1.0).sqrt();
+    if plain.is_finite() {
+        return plain;
+    }
+    // squares of what is itself a number
+    let greatest = column.clone().fold(0.0f64, |most, value| most.max(value.abs()));
+    if greatest.is_finite() { greatest * squares(greatest).sqrt() } else { plain }
 }
 
 fn difference<'a>(a: &'a [f64], b: &'a [f64]) -> impl Iterator<Item = f64> + Clone + 'a {

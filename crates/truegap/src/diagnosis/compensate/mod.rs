@@ -50,6 +50,11 @@ pub fn compensate_with(
     if recording.response_unit != written.unit {
         return Err(CompensateError::Unit { recording: name, found: recording.response_unit, wanted: written.unit.clone() });
     }
+    let [low, high] =
+        recording.response.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], r| [low.min(*r), high.max(*r)]);
+    if !(high - low).is_finite() {
+        return Err(CompensateError::Range { recording: name, low, high, unit: recording.response_unit });
+    }
     let parted = model.parted(&Library::default(), same, all);
     if parted.kept.is_empty() {
         return Err(nothing(file, &parted));
@@ -59,7 +64,11 @@ pub fn compensate_with(
     task.has_columns(&way)?;
     let found = task.corrected(&way)?;
     let error = task.error(&way, &found.corrected, same)?;
-    Ok(task.answer(written, &way, found, error))
+    let answer = task.answer(written, &way, found, error);
+    match answer.not_finite() {
+        None => Ok(answer),
+        Some(what) => Err(CompensateError::NotFinite { recording: name, what }),
+    }
 }
 
 fn nothing(model: String, parted: &Parted) -> CompensateError {
@@ -148,10 +157,7 @@ impl Task<'_> {
         }
         let clocks = if same { self.parted.clocks.as_slice() } else { &[] };
         let truth = self.model.respond_with(clocks, self.inputs()).map_err(|error| self.placed(error))?;
-        let rmse = |column: &[f64]| {
-            let squares: f64 = column.iter().zip(&truth).map(|(value, truth)| (value - truth).powi(2)).sum();
-            (squares / truth.len().max(1) as f64).sqrt()
-        };
+        let rmse = |column: &[f64]| compensation::rms(column.iter().zip(&truth).map(|(value, truth)| value - truth));
         Ok(Some(Gained { before: rmse(&self.recording.response), after: rmse(corrected) }))
     }
 

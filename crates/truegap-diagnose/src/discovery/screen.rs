@@ -133,7 +133,7 @@ pub fn screen(model: &Model<'_>, z: &[f64], linearised: &Linearised, whitener: &
     if Course::of(model.context, 0).is_some_and(|course| !course.comes_again(model.context)) {
         laws.retain(|law| !is_bent_in_time(&law.sentence));
     }
-    let (turned, reversed) = (turned(&linearised.residual), reversed(&linearised.residual));
+    let [turned, reversed] = [turned(&linearised.residual), reversed(&linearised.residual)].map(|columns| columns.transpose());
     let places = places(&levers);
     let of_law = |law: &Law| {
         let Some(mut x) = course(&law.sentence.driver, &at) else { return Vec::new() };
@@ -263,6 +263,7 @@ fn suits(lever: &Lever, sentence: &Sentence, knows_lag: bool) -> bool {
     }
 }
 
+/// A sentence at one lever, and the greatest deviance of its grid for each residual that came `by_chance`, a row each.
 fn weighed(
     law: &Law,
     followed: &[Vec<f64>],
@@ -273,7 +274,7 @@ fn weighed(
     by_chance: &[&DMatrix<f64>],
 ) -> Option<(Screened, Vec<Vec<f64>>)> {
     let (mut grid, mut swings) = (Vec::with_capacity(followed.len()), Vec::with_capacity(followed.len()));
-    let mut control: Vec<Vec<f64>> = by_chance.iter().map(|columns| vec![0.0; columns.ncols()]).collect();
+    let (mut left, mut variances) = (Vec::new(), Vec::new());
     for u in followed {
         let mut b: Vec<f64> = u.iter().zip(&lever.of_row).map(|(u, s)| u * s).collect();
         swings.push(deviation(&b));
@@ -291,12 +292,19 @@ fn weighed(
             continue;
         }
         grid.push((b.dot(&linearised.residual), variance));
-        let off = &b - &linearised.taken * taken;
-        for (control, columns) in control.iter_mut().zip(by_chance) {
-            let scores = columns.tr_mul(&off);
-            control.iter_mut().zip(scores.iter()).for_each(|(c, s)| *c = f64::max(*c, s * s / variance));
-        }
+        left.push(b - &linearised.taken * taken);
+        variances.push(variance);
     }
+    let greatest = |residuals: &&DMatrix<f64>| {
+        let mut most = vec![0.0; residuals.nrows()];
+        if !left.is_empty() {
+            for (scores, variance) in (*residuals * DMatrix::from_columns(&left)).column_iter().zip(&variances) {
+                most.iter_mut().zip(scores.iter()).for_each(|(most, s)| *most = f64::max(*most, s * s / variance));
+            }
+        }
+        most
+    };
+    let control: Vec<Vec<f64>> = by_chance.iter().map(greatest).collect();
     let deviance = |(score, variance): &(f64, f64)| score * score / variance;
     let best = (0..grid.len()).max_by(|a, b| deviance(&grid[*a]).total_cmp(&deviance(&grid[*b])))?;
     let place = lever.quantity.place();

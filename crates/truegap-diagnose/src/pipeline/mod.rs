@@ -57,6 +57,18 @@ pub fn diagnose(
     progress: &(dyn Fn(Progress) + Sync),
     stop: &AtomicBool,
 ) -> Result<Outcome, DiagnoseError> {
+    let known = known.into();
+    // on a thread of the pool: what is split into parts there waits for no other thread to wake up
+    rayon::scope(|_| searched(problem, known, options, progress, stop))
+}
+
+fn searched(
+    problem: &Problem<'_>,
+    known: Known,
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+    stop: &AtomicBool,
+) -> Result<Outcome, DiagnoseError> {
     let started = Instant::now();
     check(problem)?;
     let (denoised, noise) = measured(problem)?;
@@ -93,7 +105,7 @@ pub fn diagnose(
         let search = prepared.search(&searched, progress, told.stop);
         examined = judged_again(&prepared, &search, with_held(&search, examined.selection, &prepared.context.held))?;
     }
-    conclude(prepared, examined, composition, &told, known.into(), started)
+    conclude(prepared, examined, composition, &told, known, started)
 }
 
 /// Numbers of the model stood behind that rows left out do not bear out; `None` where there are none.

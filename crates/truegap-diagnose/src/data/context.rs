@@ -70,7 +70,7 @@ fn duration(time: &[f64], inputs: &Inputs, simulator: &dyn Simulator) -> f64 {
 const HELD: f64 = 1e-6;
 
 /// What a reader is told of it.
-const HELD_SAYS: &str = "; held at 0, since rows left out are predicted better so";
+const HELD_SAYS: &str = "; held at 0, since rows left out are predicted as well or better so";
 
 /// Change of a temperature that a thermometer sees, K.
 const SOME_KELVIN: f64 = 0.2;

@@ -211,7 +211,7 @@ impl Course {
     }
 
     /// The column as it was recorded.
-    fn recorded<'a>(self, context: &Context<'a>) -> Option<Cow<'a, [f64]>> {
+    pub fn recorded<'a>(self, context: &Context<'a>) -> Option<Cow<'a, [f64]>> {
         let inputs = context.inputs;
         match self {
             Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice().into()),

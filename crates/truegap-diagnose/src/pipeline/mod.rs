@@ -18,6 +18,7 @@ mod permuted_searches;
 mod predicted;
 mod prepare;
 pub(crate) mod recording;
+mod richer_laws;
 mod simple_laws;
 
 pub use options::{Options, Restriction};
@@ -41,6 +42,7 @@ use conclude::conclude;
 use judged::{Told, composed, judged_again};
 use noise_choice::slower;
 use prepare::Prepared;
+use richer_laws::richer;
 use std::{
     sync::atomic::{AtomicBool, Ordering},
     time::Instant,
@@ -89,10 +91,14 @@ fn searched(
             examined = judged::examined(&prepared, &told)?;
         }
     }
+    if let Some(richer) = richer(&mut prepared, &examined, &told)? {
+        examined = richer;
+    }
     let mut composition = composed(&prepared, &examined, &told);
     // where stretches at rest cannot tell slow noise from noise with one memory, the whole recording does
     if let Some(slower) = slower(&prepared, &examined, composition.as_ref(), &told)? {
-        prepared = slower;
+        let held = std::mem::replace(&mut prepared, slower).context.held;
+        prepared.context.held = held;
         examined = judged::examined(&prepared, &told)?;
         composition = composed(&prepared, &examined, &told);
     }
@@ -100,7 +106,7 @@ fn searched(
     if composition.is_none()
         && let Some(held) = held(&prepared, &examined, &told)
     {
-        prepared.context.held = held;
+        prepared.context.held.extend(held);
         let searched = prepared.searched();
         let search = prepared.search(&searched, progress, told.stop);
         examined = judged_again(&prepared, &search, with_held(&search, examined.selection, &prepared.context.held))?;

@@ -291,6 +291,57 @@ fn friction_and_a_curve_are_no_loop_that_saturates() {
     }
 }
 
+/// A press that goes a step farther each time and back again: 2, 4, ... 12 mm.
+fn pressed() -> Vec<f64> {
+    let way = |stroke: usize, row: usize| 2.0 * (stroke + 1) as f64 * (1.0 - (row as f64 - 100.0).abs() / 100.0);
+    (0..6).flat_map(|stroke| (0..200).map(move |row| way(stroke, row))).collect()
+}
+
+/// A foam that gives 1 V for each mm and keeps, by the square of the greatest way so far, 0.3 V more at 12 mm; the generator takes the set as pressed flat in thin layers, one after another.
+#[test]
+fn a_set_that_the_greatest_way_leaves_is_named() {
+    let x = pressed();
+    let mut layers = [false; 240];
+    let truth: Vec<f64> = x
+        .iter()
+        .map(|x| {
+            layers.iter_mut().enumerate().for_each(|(k, flat)| *flat |= *x > 0.05 * (k as f64 + 0.5));
+            // layers take more of it the deeper they lie
+            let set: f64 =
+                layers.iter().enumerate().filter(|(_, flat)| **flat).map(|(k, _)| (k as f64 + 0.5) * 2.0 / 57_600.0).sum();
+            3.0 + x + 0.3 * set
+        })
+        .collect();
+    let inputs = driven("place", "mm", x);
+    let said = said(&Given { follows_driver: true, ..Given::with_level() }, &inputs, &noisy(24, |row| truth[row], truth.len()));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["permanent_set"], "{}", said.says);
+    let number = |name: &str| said.findings[0].parameters.iter().find(|p| p.name == name).unwrap();
+    let (left, exponent) = (number("left"), number("exponent"));
+    assert!((left.value - 0.3).abs() < 4.0 * left.sd && (exponent.value - 2.0).abs() < 4.0 * exponent.sd, "{}", said.says);
+}
+
+/// A slide that rubs and a curve go the same way each time: nothing stays.
+#[test]
+fn friction_and_a_curve_leave_no_set() {
+    let x = pressed();
+    let mut slip = 0.0;
+    let rubs: Vec<f64> = (0..x.len())
+        .map(|row| {
+            let step: f64 = if row == 0 { 0.0 } else { x[row] - x[row - 1] };
+            slip = (slip + step / 0.2_f64).clamp(-1.0, 1.0);
+            3.0 + x[row] + 0.1 * slip
+        })
+        .collect();
+    let bends: Vec<f64> = x.iter().map(|x| 3.0 + x + 0.3 * (x / 6.0).tanh()).collect();
+    for (truth, seed) in [(rubs, 25), (bends, 26)] {
+        let inputs = driven("place", "mm", x.clone());
+        let said =
+            said(&Given { follows_driver: true, ..Given::with_level() }, &inputs, &noisy(seed, |row| truth[row], truth.len()));
+        assert!(said.findings.iter().all(|f| f.effect != "permanent_set"), "{}", said.says);
+    }
+}
+
 /// A recorded driver on a clock of whole seconds.
 fn driven(name: &str, unit: &str, values: Vec<f64>) -> Inputs {
     let rows = values.len();

@@ -6,9 +6,6 @@ use std::fmt::Write;
 use truegap_core::{Recording, Role};
 use truegap_diagnose::Traces;
 
-/// Name of the clock's column.
-const TIME: &str = "time_s";
-
 /// Significant digits of a number.
 const DIGITS: usize = 10;
 
@@ -24,8 +21,10 @@ pub(super) fn csv(recording: &Recording, parts: &[Recording], traces: &Traces) -
         text.push_str(&crate::cells::cell(name));
     });
     text.push('\n');
-    let digits: Vec<usize> =
-        columns.iter().map(|(name, column)| if name == TIME { clock_digits(column) } else { DIGITS }).collect();
+    let digits: Vec<usize> = columns
+        .iter()
+        .map(|(name, column)| if name == Role::Time.column_name() { clock_digits(column) } else { DIGITS })
+        .collect();
     for (row, run) in recording.inputs.run.iter().enumerate() {
         let _ = write!(text, "{run}"); // writing to a String cannot fail
         for ((_, column), digits) in columns.iter().zip(&digits) {
@@ -93,16 +92,9 @@ fn suffix(unit: &str) -> String {
 
 fn input_name(role: Role, suffix: &str, simulated: &str) -> String {
     match role {
-        Role::Time => TIME.into(),
-        Role::Force => "force_n".into(),
-        Role::Pressure => "pressure_pa".into(),
-        Role::Gap => "gap_m".into(),
-        Role::Temperature => "temperature_c".into(),
-        Role::Humidity => "humidity_pct".into(),
         Role::Simulated => format!("simulated_{simulated}"),
         Role::Response => format!("recorded_{suffix}"),
-        Role::Run => "run".into(),
-        Role::Sensor => "sensor".into(),
+        other => other.column_name().into(),
     }
 }
 

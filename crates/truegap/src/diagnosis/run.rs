@@ -218,11 +218,7 @@ fn refused(source: DiagnoseError, recording: &Recording, base: &Base, asked: &dy
         source => return DiagnosisError::Diagnose { recording, source },
     };
     let needs = base.simulator.needs();
-    let unit = match needs.contains(&Role::Pressure) {
-        true => "Pa",
-        false if needs.contains(&Role::Gap) => "m",
-        false => "N",
-    };
+    let unit = [Role::Pressure, Role::Gap].into_iter().find(|role| needs.contains(role)).unwrap_or(Role::Force).unit();
     let model = base.sensor.as_ref().map_or_else(|| base.simulator.name().to_owned(), |s| s.name.clone());
     DiagnosisError::GapCloses { recording, row: row + 1, load: twelve_digits(load_si), unit, model, strain }
 }

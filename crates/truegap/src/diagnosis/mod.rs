@@ -33,6 +33,7 @@ mod pace;
 mod prediction;
 pub mod report;
 mod request;
+mod rows;
 mod run;
 mod screen;
 

@@ -3,6 +3,7 @@
 //! Limits: recordings given together must be read in the same unit.
 
 use super::DiagnosisError;
+use super::rows::rows_of_each;
 use crate::models::Programs;
 use std::path::PathBuf;
 use truegap_core::nearest::nearest;
@@ -209,9 +210,8 @@ pub(super) fn together(parts: &[Recording]) -> Result<Recording, DiagnosisError>
     }
     let (mut inputs, _) = behind_one_another(&parts.iter().map(|p| (&p.inputs, ROOM_C)).collect::<Vec<_>>());
     if let Some(clock) = &mut inputs.time_s {
-        let mut row = 0;
-        for part in &parts[..parts.len() - 1] {
-            row += part.len();
+        for rows in rows_of_each(parts).iter().skip(1) {
+            let row = rows.start;
             let (end, start) = (clock[row - 1], clock[row]);
             let shift = if start > end { 0.0 } else { end - start };
             clock[row..].iter_mut().for_each(|t| *t += shift);

@@ -21,6 +21,7 @@
 mod asking;
 mod bank_store;
 mod bases;
+mod beside_model;
 mod clock;
 pub mod compensate;
 pub mod confirm;

@@ -63,7 +63,7 @@ pub mod units;
 mod walk;
 
 pub use chain::{Dielectric, Drive, FieldView, Geometry, Readout, Stage, StageName};
-pub use column::same_column;
+pub use column::{ends, same_column};
 pub use corrections::Corrections;
 pub use curve::{Curve, CurveError};
 pub use effect::EffectId;

@@ -6,10 +6,11 @@ use nalgebra::{DMatrix, DVector, Dyn, SymmetricEigen};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 use statrs::function::erf::erfc;
 use std::ops::Range;
+use truegap_core::ends;
 
 /// Greatest less least.
 pub fn spread(x: &[f64]) -> f64 {
-    let (low, high) = x.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+    let (low, high) = ends(x.iter().copied());
     high - low
 }
 

@@ -3,7 +3,7 @@
 //! Limits: inputs in SI (temperature in degrees Celsius), ten significant digits; of a clock that does not begin at 0, as many more as its range lies below its numbers.
 
 use std::fmt::Write;
-use truegap_core::{Recording, Role};
+use truegap_core::{Recording, Role, ends};
 use truegap_diagnose::Traces;
 
 /// Significant digits of a number.
@@ -100,7 +100,7 @@ fn input_name(role: Role, suffix: &str, simulated: &str) -> String {
 
 /// Significant digits of a clock: its steps keep theirs where it counts from long ago, as seconds since 1970 do.
 fn clock_digits(time: &[f64]) -> usize {
-    let (low, high) = time.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), t| (low.min(*t), high.max(*t)));
+    let (low, high) = ends(time.iter().copied());
     let above = (low.abs().max(high.abs()) / (high - low)).log10();
     // seventeen tell any two numbers apart
     DIGITS + if above.is_finite() { above.floor().clamp(0.0, 7.0) as usize } else { 0 }

@@ -15,7 +15,7 @@ use crate::diagnosis::Diagnosed;
 use crate::models::{ModelFile, Programs, RunningModel, of_recording, refused};
 use document::says;
 use std::path::Path;
-use truegap_core::Recording;
+use truegap_core::{Recording, ends};
 use truegap_diagnose::answer;
 use truegap_diagnose::confirmation::{Compared, Judgement, LEVEL, NoiseFloor, Reading, compared, noise_floor};
 use truegap_diagnose::text::{listed, spoken, spoken_list};
@@ -171,7 +171,7 @@ fn belong_together(
     if !bound.is_empty() {
         return Err(ConfirmError::BoundToRuns { model: file, effects: bound.join(", ") });
     }
-    let (low, high) = recording.response.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+    let (low, high) = ends(recording.response.iter().copied());
     let hidden = model.not_shown_by(&recording.inputs, high - low, &library);
     let reasons: Vec<String> = hidden.iter().map(|(id, why)| format!("{} ({why})", spoken(id))).collect();
     if hidden.len() == effects.len() {

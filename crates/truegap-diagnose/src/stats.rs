@@ -35,6 +35,12 @@ pub fn rms(column: impl Iterator<Item = f64> + Clone) -> f64 {
     (column.map(|value| value * value).sum::<f64>() / rows).sqrt()
 }
 
+/// Root-mean-square distance of a column from its mean; 0 of none.
+pub fn deviation(column: &[f64]) -> f64 {
+    let mean = column.iter().sum::<f64>() / column.len().max(1) as f64;
+    rms(column.iter().map(|value| value - mean))
+}
+
 /// Root-mean-square error of each of two predictions over the rows of `rows` that both predict; a row without a prediction is NaN. `None` where there is no such
 /// row: an error over no rows is no error of 0.
 pub fn rmse_of_both(predictions: [&[f64]; 2], response: &[f64], rows: Range<usize>) -> Option<[f64; 2]> {

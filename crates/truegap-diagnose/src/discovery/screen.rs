@@ -21,7 +21,7 @@ use crate::{
     },
     fit::{model::Model, optimum::Linearised},
     seeds::SEEDS,
-    stats::{log_sum_exp, spread},
+    stats::{deviation, log_sum_exp, spread},
     whitening::whitener::Whitener,
 };
 use nalgebra::{DMatrix, DVector};
@@ -318,12 +318,6 @@ fn plausibility(place: Place, driver: &Driver, places: &[(Place, usize)]) -> f64
         Place::Dielectric if of_load => ELECTROSTRICTION,
         _ => 1.0,
     }
-}
-
-/// Root-mean-square distance from the mean.
-fn deviation(x: &[f64]) -> f64 {
-    let mean = x.iter().sum::<f64>() / x.len().max(1) as f64;
-    (x.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / x.len().max(1) as f64).sqrt()
 }
 
 /// Whether it goes up and down with time, whatever else was done.

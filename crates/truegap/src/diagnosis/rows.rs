@@ -1,4 +1,6 @@
 //! Rows of several recordings that stand behind one another.
+//!
+//! Limits: counts only; runs and clocks are carried on by [`super::request::together`].
 
 use std::ops::Range;
 use truegap_core::Recording;

@@ -21,13 +21,14 @@ use crate::{
     },
     fit::{model::Model, optimum::Linearised},
     seeds::SEEDS,
-    stats::{log_sum_exp, spread},
+    stats::{deviation, log_sum_exp, spread},
     whitening::whitener::Whitener,
 };
 use nalgebra::{DMatrix, DVector};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+use truegap_core::ends;
 
 /// Lengths that the column of a mechanism may have, in units of the noise; its evidence is the mean over them.
 const LENGTHS: [f64; 7] = [3.0, 8.0, 20.0, 50.0, 130.0, 350.0, 1000.0];
@@ -190,7 +191,7 @@ fn ranges(at: &Courses<'_>) -> Vec<Range> {
     let of = |driver: Driver| {
         let mut x = course(&driver, at)?;
         let moves = spread(&x) > 0.0;
-        let (low, high) = x.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
+        let (low, high) = ends(x.iter().copied());
         x.iter_mut().for_each(|x| *x = x.abs());
         let tenth = x.len().saturating_sub(1) * 9 / 10;
         let usual = *x.select_nth_unstable_by(tenth, f64::total_cmp).1;
@@ -325,12 +326,6 @@ fn plausibility(place: Place, driver: &Driver, places: &[(Place, usize)]) -> f64
         Place::Dielectric if of_load => ELECTROSTRICTION,
         _ => 1.0,
     }
-}
-
-/// Root-mean-square distance from the mean.
-fn deviation(x: &[f64]) -> f64 {
-    let mean = x.iter().sum::<f64>() / x.len().max(1) as f64;
-    (x.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / x.len().max(1) as f64).sqrt()
 }
 
 /// Whether it goes up and down with time, whatever else was done.

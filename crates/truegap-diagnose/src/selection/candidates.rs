@@ -38,6 +38,18 @@ impl Tried {
     }
 }
 
+#[cfg(test)]
+impl Tried {
+    /// A model with these effects that leaves `residual`, all its numbers at 0: for what is made of fitted models.
+    pub(crate) fn leaving(residual: Vec<f64>, effects: &[usize]) -> Self {
+        let (count, rows) = (1 + effects.len(), residual.len());
+        let free = vec![(f64::NEG_INFINITY, f64::INFINITY); count];
+        let (z, kinds) = (vec![0.0; count], crate::fit::model::Kinds::default());
+        let fit = crate::fit::optimum::finish(z, residual, DMatrix::zeros(rows, count), &free, kinds, (1, true));
+        Self { effects: effects.to_vec(), fit }
+    }
+}
+
 /// What is being tried, for a progress bar.
 #[derive(Clone, Debug)]
 pub struct Progress {

@@ -223,6 +223,20 @@ fn sensor_text(name: &str, folder: Option<&Path>) -> Result<String, ModelFileErr
     truegap_limits::read_text(&file).map_err(|source| ModelFileError::SensorFile { file, source })
 }
 
+/// What an added effect follows: as its mechanism says, else as the library says of its id; `None` where no words say it.
+pub(super) fn driver_of(added: &AddedEffect, library: &Library, context: &Context<'_>) -> Option<Driver> {
+    match &added.mechanism {
+        Some(mechanism) => Some(mechanism.sentence.driver.clone()),
+        None => Some(library.find(&added.id)?.in_words(context)?.driver),
+    }
+}
+
+/// Sets the numbers of an added effect to 0 that say how the recording began to which it was fitted: another one begins otherwise.
+pub(super) fn begin_anew(added: &mut AddedEffect, library: &Library, context: &Context<'_>) {
+    let of_start = library.find(&added.id).map_or(&[][..], |effect| effect.of_start(context));
+    added.parameters.iter_mut().filter(|p| of_start.contains(&p.name.as_str())).for_each(|p| p.value = 0.0);
+}
+
 /// A model that simulates: base model, its calibrated values, added physics.
 pub struct RunningModel {
     pub(super) simulator: Box<dyn Simulator>,
@@ -259,13 +273,12 @@ impl RunningModel {
 
     /// `Ok` where every recorded driver that an added effect follows is among the inputs.
     fn has_drivers(&self, augmented: &Augmented, inputs: &Inputs, library: &Library) -> Result<(), ModelFileError> {
-        let fitted = self.augmented.scales.moved.clone().unwrap_or_default();
-        self.as_fitted(&fitted.one_row(), |context| {
+        let drivers = self.augmented.scales.moved.as_ref().map_or(&[][..], |fitted| fitted.drivers.as_slice());
+        self.as_fitted(|context| {
             for added in &augmented.effects {
-                let driver = added.mechanism.as_ref().map(|m| m.sentence.driver.clone());
-                let in_words = || library.find(&added.id).and_then(|effect| effect.in_words(context)).map(|words| words.driver);
-                let Some(Driver::Recorded(column) | Driver::RateOf(column)) = driver.or_else(in_words) else { continue };
-                let is_driver = fitted.drivers.contains(&column);
+                let driver = driver_of(added, library, context);
+                let Some(Driver::Recorded(column) | Driver::RateOf(column)) = driver else { continue };
+                let is_driver = drivers.contains(&column);
                 if is_driver && inputs.drivers.iter().all(|driver| driver.name != column) {
                     return Err(ModelFileError::MissingDriver { effect: added.id.clone(), column });
                 }
@@ -274,9 +287,10 @@ impl RunningModel {
         })
     }
 
-    /// What `asked` says of the recording to which the effects were fitted, of which `row` has the drivers.
-    pub(super) fn as_fitted<T>(&self, row: &Inputs, asked: impl FnOnce(&Context<'_>) -> T) -> T {
-        let mut context = Context::new(row, self.simulator.as_ref(), 0.0, 0.0);
+    /// What `asked` says of the recording to which the effects were fitted: one row that has its drivers.
+    pub(super) fn as_fitted<T>(&self, asked: impl FnOnce(&Context<'_>) -> T) -> T {
+        let row = self.augmented.scales.moved.clone().unwrap_or_default().one_row();
+        let mut context = Context::new(&row, self.simulator.as_ref(), 0.0, 0.0);
         self.augmented.apply_scales(&mut context);
         asked(&context)
     }
@@ -311,13 +325,7 @@ impl RunningModel {
     pub fn elsewhere(mut self, library: &Library) -> (Self, Vec<String>) {
         let of_recorder = |added: &AddedEffect| library.find(&added.id).is_some_and(Effect::of_recorder);
         let (out, mut kept) = std::mem::take(&mut self.augmented.effects).into_iter().partition::<Vec<_>, _>(of_recorder);
-        let row = self.augmented.scales.moved.clone().unwrap_or_default().one_row();
-        self.as_fitted(&row, |context| {
-            for added in &mut kept {
-                let of_start = library.find(&added.id).map_or(&[][..], |effect| effect.of_start(context));
-                added.parameters.iter_mut().filter(|p| of_start.contains(&p.name.as_str())).for_each(|p| p.value = 0.0);
-            }
-        });
+        self.as_fitted(|context| kept.iter_mut().for_each(|added| begin_anew(added, library, context)));
         self.augmented.effects = kept;
         (self, out.into_iter().map(|added| added.id).collect())
     }
@@ -337,8 +345,7 @@ impl RunningModel {
     /// Every effect is known and has its numbers.
     fn check(&self) -> Result<(), ModelFileError> {
         let effects = Library::default();
-        let row = self.augmented.scales.moved.clone().unwrap_or_default().one_row();
-        self.as_fitted(&row, |context| {
+        self.as_fitted(|context| {
             for added in &self.augmented.effects {
                 let Some(effect) = effects.find(&added.id) else { continue };
                 let (expected, found) = (effect.parameters(context).len(), added.parameters.len());

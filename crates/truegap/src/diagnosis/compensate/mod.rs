@@ -11,15 +11,15 @@ mod needed;
 pub use document::{Compensated, Compensation, Estimated, Gained, SCHEMA, check};
 pub use error::CompensateError;
 
-use crate::diagnosis::{Request, open};
+use super::beside_model::{model_facts, opened, recording_facts};
 use crate::models::{ModelFile, ModelFileError, Parted, Programs, RunningModel, of_recording, refused};
 use input::{Sought, Way};
 use std::path::Path;
 use truegap_core::{Inputs, Recording};
-use truegap_diagnose::Library;
-use truegap_diagnose::answer::{AddedEffect, ModelFacts, OtherFacts};
+use truegap_diagnose::answer::AddedEffect;
 use truegap_diagnose::compensation::{self, Inverse, Limits, Models};
 use truegap_diagnose::text::{listed, spoken};
+use truegap_diagnose::{Library, rms};
 
 /// Corrects the readings of `recording` by the model file `file`; `channel` is its sensor column where it holds several, `all` says that it began as the recording
 /// of the diagnosis did, so that what follows the clock holds as well.
@@ -42,9 +42,7 @@ pub fn compensate_with(
     all: bool,
     programs: &Programs,
 ) -> Result<Compensated, CompensateError> {
-    let name = if recording.path.as_os_str().is_empty() { "recording".into() } else { recording.path.display().to_string() };
-    let request = Request { channel: channel.map(str::to_owned), ..Request::default() };
-    let recording = open(vec![recording], &request)?.recording;
+    let (recording, name) = opened(recording, channel)?;
     let model = written.build_with(programs)?;
     let (file, same) = (file.display().to_string(), !recording.sha256.is_empty() && written.sha256 == recording.sha256);
     if recording.response_unit != written.unit {
@@ -148,10 +146,7 @@ impl Task<'_> {
         }
         let clocks = if same { self.parted.clocks.as_slice() } else { &[] };
         let truth = self.model.respond_with(clocks, self.inputs()).map_err(|error| self.placed(error))?;
-        let rmse = |column: &[f64]| {
-            let squares: f64 = column.iter().zip(&truth).map(|(value, truth)| (value - truth).powi(2)).sum();
-            (squares / truth.len().max(1) as f64).sqrt()
-        };
+        let rmse = |column: &[f64]| rms(column.iter().zip(&truth).map(|(value, truth)| value - truth));
         Ok(Some(Gained { before: rmse(&self.recording.response), after: rmse(corrected) }))
     }
 
@@ -170,20 +165,8 @@ impl Task<'_> {
         let mut document = Compensation {
             schema: SCHEMA,
             made_by: format!("truegap {}", env!("CARGO_PKG_VERSION")),
-            model: ModelFacts {
-                file: self.file.to_owned(),
-                recording: written.recording.clone(),
-                sha256: written.sha256.clone(),
-                verdict: written.verdict.clone(),
-                effects: self.model.effects(),
-                base_is_known: self.model.base_is_known(),
-            },
-            recording: OtherFacts {
-                source: self.name.to_owned(),
-                sha256: recording.sha256.clone(),
-                rows: recording.len(),
-                runs: recording.inputs.runs().len(),
-            },
+            model: model_facts(self.model, written, self.file),
+            recording: recording_facts(recording, self.name),
             unit: written.unit.clone(),
             corrected_for: self.parted.kept.iter().map(|added| added.id.clone()).collect(),
             left_out: self.parted.left_out.clone(),

@@ -2,7 +2,7 @@
 //!
 //! Limits: equations and sources are those of the effect library.
 
-use super::text::{capitalised, listed, measured, spoken};
+use super::text::{capitalised, measured, spoken, spoken_list};
 use super::{subject::Subject, wording};
 use truegap_diagnose::answer::{Finding, ParameterFacts, Verdict};
 use truegap_diagnose::{About, Effect};
@@ -69,8 +69,7 @@ fn one(page: Page, subject: &Subject<'_>, finding: &Finding) -> Page {
     match about(subject, &finding.effect) {
         None => page,
         Some(about) => {
-            let impostors: Vec<String> = about.impostors.iter().map(|i| spoken(i)).collect();
-            let apart = format!("Told from {} by this: {}.", listed(&impostors, "and"), about.separates);
+            let apart = format!("Told from {} by this: {}.", spoken_list(about.impostors, "and"), about.separates);
             page.text(&apart).text(&format!("Source: {}.", about.source))
         }
     }
@@ -94,10 +93,9 @@ fn ambiguity(page: Page, subject: &Subject<'_>, sets: &[Vec<String>]) -> Page {
     }
     let page = page.section("What this recording cannot tell apart");
     sets.iter().fold(page, |page, set| {
-        let names: Vec<String> = set.iter().map(|m| spoken(m)).collect();
         let lines: Vec<String> =
             set.iter().filter_map(|m| about(subject, m).map(|a| format!("{}: {}", spoken(m), a.separates))).collect();
-        let page = page.text(&format!("{}.", capitalised(&listed(&names, "or"))));
+        let page = page.text(&format!("{}.", capitalised(&spoken_list(set.iter(), "or"))));
         if lines.len() > LISTED {
             page.details("What would tell them apart").list(&lines).end_details()
         } else {

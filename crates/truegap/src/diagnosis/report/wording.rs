@@ -3,7 +3,7 @@
 //! Limits: below a detectability of [`SURE`] nothing is called missing, only "most consistent with".
 
 use super::subject::error_scale;
-use super::text::{capitalised, detectability, listed, percent, spoken};
+use super::text::{capitalised, detectability, listed, percent, spoken, spoken_list};
 use truegap_diagnose::answer::{Diagnosis, DiscoveredFacts, Finding, SelectedAgain, Verdict};
 
 /// Detectability from which an effect is called missing without a reserve.
@@ -23,8 +23,8 @@ fn beyond_the_library(diagnosis: &Diagnosis) -> Option<String> {
     let named: Vec<&DiscoveredFacts> = diagnosis.discovered.iter().filter(|m| m.named).collect();
     let clauses: Vec<String> = named.iter().map(|m| m.clause.clone()).collect();
     let of_library = diagnosis.findings.iter().filter(|f| !f.effect.starts_with("discovered"));
-    let beside: Vec<String> = of_library.map(|f| spoken(&f.effect)).collect();
-    let beside = if beside.is_empty() { String::new() } else { format!(" beside {}", listed(&beside, "and")) };
+    let beside = spoken_list(of_library.map(|f| &f.effect), "and");
+    let beside = if beside.is_empty() { String::new() } else { format!(" beside {beside}") };
     let reserve = match diagnosis.verdict {
         Verdict::Explained => "",
         Verdict::WrongForm => "; its law is not adequate, misfit remains",
@@ -36,7 +36,7 @@ fn beyond_the_library(diagnosis: &Diagnosis) -> Option<String> {
 
 /// The verdict in one plain sentence.
 pub fn headline(diagnosis: &Diagnosis) -> String {
-    let names = || listed(&named(&diagnosis.findings), "and");
+    let names = || spoken_list(diagnosis.findings.iter().map(|f| &f.effect), "and");
     let sure = diagnosis.findings.iter().all(|f| f.detectability.is_some_and(|d| d >= SURE));
     let no_finding = diagnosis.findings.is_empty();
     if diagnosis.notices.iter().any(|n| n.withholds) {
@@ -82,23 +82,20 @@ pub(super) fn adds(diagnosis: &Diagnosis) -> bool {
     }
 }
 
-fn named(findings: &[Finding]) -> Vec<String> {
-    findings.iter().map(|f| spoken(&f.effect)).collect()
-}
-
 /// What is certain, then what it may be beside.
 fn ambiguous(diagnosis: &Diagnosis) -> String {
     let open = |f: &&Finding| diagnosis.ambiguity.iter().any(|set| set.contains(&f.effect));
-    let certain: Vec<String> = diagnosis.findings.iter().filter(|f| !open(f)).map(|f| spoken(&f.effect)).collect();
+    let certain = spoken_list(diagnosis.findings.iter().filter(|f| !open(f)).map(|f| &f.effect), "and");
     let sets: Vec<String> = diagnosis.ambiguity.iter().map(|set| one_of(set)).collect();
-    let choice = if sets.is_empty() { listed(&named(&diagnosis.findings), "or") } else { sets.join("; and one of ") };
+    let choice = if sets.is_empty() {
+        spoken_list(diagnosis.findings.iter().map(|f| &f.effect), "or")
+    } else {
+        sets.join("; and one of ")
+    };
     if certain.is_empty() {
         format!("Missing from the model is one of {choice}. This recording cannot tell which.")
     } else {
-        format!(
-            "Missing from the model: {}; beside it one of {choice}, and this recording cannot tell which.",
-            listed(&certain, "and")
-        )
+        format!("Missing from the model: {certain}; beside it one of {choice}, and this recording cannot tell which.")
     }
 }
 

@@ -153,6 +153,10 @@ pub trait Effect: Send + Sync {
     fn starts(&self, _context: &Context<'_>) -> Vec<Vec<f64>> {
         vec![Vec::new()]
     }
+    /// Sizes, in the unit of the size, from which a search starts as well: where the reading goes up and down with the size, so that no straight step leads from nothing to the right one.
+    fn far_sizes(&self, _context: &Context<'_>) -> Vec<f64> {
+        Vec::new()
+    }
     /// The effect whose law this one holds as a special case: an influence that comes late is a plain one where nothing is seen of its lag. It is named only where more is seen than that.
     fn comes_down_to(&self) -> Option<EffectId> {
         None

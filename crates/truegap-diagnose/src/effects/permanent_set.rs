@@ -22,7 +22,7 @@ struct Set {
     size: f64,
     exponent: f64,
     course: Course,
-    /// range of the driver, in its unit
+    /// range of a recorded driver in the recording to which it was fitted, or a full load
     span: f64,
     /// part of the whole set that a part of the way leaves
     law: fn(f64, f64) -> f64,
@@ -76,18 +76,20 @@ fn leaves_and_stays(column: &[f64]) -> bool {
 /// Whether a column says how far or how hard something is pressed: it has the unit of a force, a pressure or a length.
 fn presses(course: Course, context: &Context<'_>) -> bool {
     match course {
-        Course::Load | Course::Gap => true,
+        Course::Load => true,
         Course::Driver(_) => {
             let unit = course.unit(context);
             [Dimension::Force, Dimension::Pressure, Dimension::Length].iter().any(|dimension| dimension.scale(&unit).is_ok())
         }
-        Course::Simulated => false,
+        Course::Gap | Course::Simulated => false,
     }
 }
 
 fn set(values: &[f64], context: &Context<'_>, law: fn(f64, f64) -> f64) -> Box<dyn Stage> {
     let course = Course::of(context, 0).unwrap_or(Course::Load);
-    Box::new(Set { size: values[0], exponent: values[1], course, span: course.span(context), law })
+    let [least, greatest] = course.ends(context);
+    let span = if greatest > least { greatest - least } else { 1.0 };
+    Box::new(Set { size: values[0], exponent: values[1], course, span, law })
 }
 
 impl Effect for PermanentSet {
@@ -107,7 +109,7 @@ impl Effect for PermanentSet {
     fn about(&self) -> About {
         About {
             physics: "a part of what the greatest load so far has moved stays when the load goes back: plastic indentation, a foam that is pressed flat, a bed that packs, a seat that beds in",
-            equation: "value = true + A (m / X)^p, m the greatest way of the driver from its first value so far, X its range",
+            equation: "value = true + A (m / X)^p, m the greatest way of the driver from its first value so far, X its range or a full load",
             excitation: "loads that grow, and go back in between",
             impostors: &["friction", "nonlinearity", "settling", "offset_drift", "viscoelastic_creep"],
             separates: "it grows only while the load is greater than ever before, and what has been left does not come back",
@@ -121,7 +123,7 @@ impl Effect for PermanentSet {
                 context.simulator.unit(),
                 0.0,
                 0.5 * context.response_span.abs(),
-                "what the whole range of the driver leaves",
+                "what the whole range of the driver, or a full load, leaves",
             ),
             Parameter::log_normal("exponent", "1", 1.0, 0.5, "power of the greatest way with which it grows").within(0.2, 4.0),
         ]

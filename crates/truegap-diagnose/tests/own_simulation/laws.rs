@@ -291,6 +291,28 @@ fn friction_and_a_curve_are_no_loop_that_saturates() {
     }
 }
 
+/// Two microphones hear one wandering sound 22 s apart, which is four of its half widths: straight steps from nothing end in the nearest wave.
+#[test]
+fn a_shift_by_many_waves_is_found() {
+    let rows = 1500;
+    let at = |time: f64| (0..9).map(|k| (0.21 * (1.0 + 0.17 * f64::from(k)) * time + f64::from(k * k)).sin()).sum::<f64>() / 3.0;
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(f64::from).collect()),
+        run: vec![1; rows as usize],
+        simulated: Some((0..rows).map(|row| 3.0 + at(f64::from(row))).collect()),
+        ..Inputs::default()
+    };
+    let said = said(
+        &Given { follows_driver: true, ..Given::fixed() },
+        &inputs,
+        &noisy(27, |row| 3.0 + at(row as f64 + 22.0), rows as usize),
+    );
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["time_offset"], "{}", said.says);
+    let late = &said.findings[0].parameters[0];
+    assert!((late.value - 22.0).abs() < 0.05, "{}", said.says);
+}
+
 /// A press that goes a step farther each time and back again: 2, 4, ... 12 mm.
 fn pressed() -> Vec<f64> {
     let way = |stroke: usize, row: usize| 2.0 * (stroke + 1) as f64 * (1.0 - (row as f64 - 100.0).abs() / 100.0);

@@ -185,7 +185,10 @@ impl ModelFile {
         // a base without parameters is the same alone
         let is_known = !self.base_alone.is_empty() || values.is_empty();
         let alone = is_known.then(|| self::values(&self.base_alone, simulator.as_ref())).transpose()?;
-        let model = RunningModel { simulator, values, alone, augmented: self.augmented() };
+        let mut model = RunningModel { simulator, values, alone, augmented: self.augmented() };
+        let (library, mut effects) = (Library::default(), std::mem::take(&mut model.augmented.effects));
+        model.as_fitted(|context| effects.iter_mut().for_each(|added| complete(added, &library, context)));
+        model.augmented.effects = effects;
         model.check()?;
         Ok(model)
     }
@@ -235,6 +238,18 @@ pub(super) fn driver_of(added: &AddedEffect, library: &Library, context: &Contex
 pub(super) fn begin_anew(added: &mut AddedEffect, library: &Library, context: &Context<'_>) {
     let of_start = library.find(&added.id).map_or(&[][..], |effect| effect.of_start(context));
     added.parameters.iter_mut().filter(|p| of_start.contains(&p.name.as_str())).for_each(|p| p.value = 0.0);
+}
+
+/// Gives an added effect the further numbers of a richer law, as 0, where the file is of before the law had them.
+fn complete(added: &mut AddedEffect, library: &Library, context: &Context<'_>) {
+    let Some(effect) = library.find(&added.id) else { return };
+    for (place, parameter) in effect.parameters(context).into_iter().enumerate() {
+        let missing = added.parameters.iter().all(|p| p.name != parameter.name);
+        if missing && place <= added.parameters.len() && effect.may_be_more().contains(&parameter.name.as_str()) {
+            let nothing = NamedValue { name: parameter.name, unit: parameter.unit, value: 0.0, sd: 0.0 };
+            added.parameters.insert(place, nothing);
+        }
+    }
 }
 
 /// A model that simulates: base model, its calibrated values, added physics.

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Value:
-    """A fitted number: ``value`` with standard deviation ``sd``, in ``unit``."""
+    """A fitted number: ``value`` with standard deviation ``sd``, in ``unit``; ``sd_of_fit`` is the part that noise and prior make."""
 
     name: str
     unit: str
@@ -32,11 +32,13 @@ class Value:
     prior: tuple[float, float]
     #: whether it stands on a bound
     at_limit: bool
+    #: the part of ``sd`` that noise and prior make where the model is right in every respect; the rest is what weak effects and errors of equations may have done
+    sd_of_fit: float
 
     @classmethod
     def of(cls, raw: Mapping[str, Any]) -> Value:
         centre, sd = raw["prior"]
-        return cls(raw["name"], raw["unit"], raw["value"], raw["sd"], (centre, sd), raw["at_limit"])
+        return cls(raw["name"], raw["unit"], raw["value"], raw["sd"], (centre, sd), raw["at_limit"], raw["sd_of_fit"])
 
     def __str__(self) -> str:
         unit = "" if self.unit == "1" else f" {self.unit}"

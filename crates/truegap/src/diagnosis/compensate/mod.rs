@@ -18,8 +18,14 @@ use std::path::Path;
 use truegap_core::{Inputs, Recording};
 use truegap_diagnose::answer::AddedEffect;
 use truegap_diagnose::compensation::{self, Inverse, Limits, Models};
-use truegap_diagnose::text::{listed, spoken};
+use truegap_diagnose::text::{listed, significant, spoken};
 use truegap_diagnose::{Library, rms};
+
+/// Part of the rows that may be far beyond what the base model gives. Such a row has no input, and gets what was added at the end of the range: where most rows do, the
+/// answer is no correction by this model.
+const OUTSIDE: f64 = 0.5;
+/// Part of the range of the base model's readings from which on a row is far beyond it: noise and a zero that has moved put a sensor at rest a little below its least reading.
+const FAR: f64 = 0.1;
 
 /// Corrects the readings of `recording` by the model file `file`; `channel` is its sensor column where it holds several, `all` says that it began as the recording
 /// of the diagnosis did, so that what follows the clock holds as well.
@@ -110,7 +116,6 @@ impl Task<'_> {
     }
 
     fn corrected(&self, way: &Way) -> Result<compensation::Compensated, CompensateError> {
-        let rows = self.recording.len();
         let with = |effects: &[AddedEffect], input: &[f64]| match way {
             Way::Estimated(Sought { column, .. }) => {
                 let mut inputs = self.inputs().clone();
@@ -121,18 +126,40 @@ impl Task<'_> {
         };
         let (base, augmented) = (|input: &[f64]| with(&[], input), |input: &[f64]| with(&self.parted.kept, input));
         let models = Models { base: &base, augmented: &augmented };
-        let inverse = match way {
-            Way::Estimated(Sought { span, straight: true, .. }) => Inverse::straight(&models, rows, span.width),
-            Way::Estimated(Sought { span, .. }) => Inverse::curve(&models, rows, *span),
-            Way::Known | Way::Recorded => Ok(Inverse::Known),
-        };
+        let inverse = self.inverse(way, &models)?;
+        let limits = Limits::of(self.model.scales().noise_sd);
+        let found = compensation::compensated(&self.recording.response, &models, &inverse, &limits);
+        let found = found.map_err(|error| self.placed(error))?;
+        self.is_within(way, &inverse, &found)?;
+        Ok(found)
+    }
+
+    /// How a reading leads to the input that is sought.
+    fn inverse(&self, way: &Way, models: &Models<'_, ModelFileError>) -> Result<Inverse, CompensateError> {
+        let rows = self.recording.len();
+        let Way::Estimated(Sought { column, span, straight }) = way else { return Ok(Inverse::Known) };
+        let inverse = if *straight { Inverse::straight(models, rows, span.width) } else { Inverse::curve(models, rows, *span) };
         let inverse = inverse.map_err(|error| self.placed(error))?;
-        if let (Way::Estimated(Sought { column, .. }), false) = (way, inverse.moves()) {
+        if !inverse.moves() {
             let (model, base) = (self.file.to_owned(), self.model.simulator().name().to_owned());
             return Err(CompensateError::StandsStill { model, base, column: column.name() });
         }
-        let limits = Limits::of(self.model.scales().noise_sd);
-        compensation::compensated(&self.recording.response, &models, &inverse, &limits).map_err(|error| self.placed(error))
+        Ok(inverse)
+    }
+
+    /// Refuses readings that are for the most part no readings of this model.
+    fn is_within(&self, way: &Way, inverse: &Inverse, found: &compensation::Compensated) -> Result<(), CompensateError> {
+        let rows = self.recording.len();
+        let (Way::Estimated(Sought { column, .. }), Some(gives)) = (way, inverse.gives()) else { return Ok(()) };
+        let outside = inverse.far_outside(&found.corrected, FAR);
+        if outside as f64 <= OUTSIDE * rows as f64 {
+            return Ok(());
+        }
+        let read = found.corrected.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], r| [a.min(*r), b.max(*r)]);
+        let unit = &self.recording.response_unit;
+        let [read, gives] = [read, gives].map(|[a, b]| format!("{} to {} {unit}", significant(a, 4), significant(b, 4)));
+        let (recording, model) = (self.name.to_owned(), self.file.to_owned());
+        Err(CompensateError::Outside { recording, model, outside, rows, input: column.name(), read, gives })
     }
 
     /// Errors against the base model at the recorded input, on the clock of the reading where that is known; `None` where the input was not recorded.

@@ -15,6 +15,8 @@ const LISTED: usize = 4;
 pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     let diagnosis = subject.diagnosis;
     let page = if diagnosis.findings.is_empty() { page } else { page.section(heading(diagnosis.verdict)) };
+    let has_two = diagnosis.findings.iter().flat_map(|finding| &finding.parameters).any(|p| !wording::of_fit_alone(p).is_empty());
+    let page = if has_two { page.text(wording::TWO_DEVIATIONS) } else { page };
     let page = diagnosis.findings.iter().fold(page, |page, finding| one(page, subject, finding));
     let page = ambiguity(page, subject, &diagnosis.ambiguity);
     carried(page, subject)
@@ -82,7 +84,8 @@ fn parameters(parameters: &[ParameterFacts]) -> Table {
     parameters.iter().fold(Table::new(&head[..cut]), |table, p| {
         let limit = if p.at_limit { "at its limit" } else { "" };
         let prior = measured(p.prior[0], p.prior[1], &p.unit);
-        let row = [spoken(&p.name), p.meaning.clone(), measured(p.value, p.sd, &p.unit), prior, limit.to_owned()];
+        let fitted = wording::number(p) + &wording::of_fit_alone(p);
+        let row = [spoken(&p.name), p.meaning.clone(), fitted, prior, limit.to_owned()];
         table.row(&row[..cut])
     })
 }

@@ -3,8 +3,8 @@
 //! Limits: below a detectability of [`SURE`] nothing is called missing, only "most consistent with".
 
 use super::subject::error_scale;
-use super::text::{capitalised, detectability, listed, percent, spoken, spoken_list};
-use truegap_diagnose::answer::{Diagnosis, DiscoveredFacts, Finding, SelectedAgain, Verdict};
+use super::text::{capitalised, detectability, listed, measured, percent, spoken, spoken_list};
+use truegap_diagnose::answer::{Diagnosis, DiscoveredFacts, Finding, ParameterFacts, SelectedAgain, Verdict};
 
 /// Detectability from which an effect is called missing without a reserve.
 pub const SURE: f64 = 10.0;
@@ -118,6 +118,22 @@ pub(super) fn error_if_any(diagnosis: &Diagnosis, value: Option<f64>) -> String 
     value.map_or_else(|| "–".to_owned(), |value| error(diagnosis, value))
 }
 
+/// What the two deviations of a number are, for a page on which some number has two.
+pub(super) const TWO_DEVIATIONS: &str = "The error beside a number counts in what effects too weak to be named, and errors of the equations, may have done to it. \
+     That of the fit alone is what noise and prior leave open where the model is right in every respect.";
+
+/// A fitted number with its whole deviation.
+pub(super) fn number(parameter: &ParameterFacts) -> String {
+    measured(parameter.value, parameter.sd, &parameter.unit)
+}
+
+/// The same number with the deviation of the fit alone, in brackets; nothing where that reads no otherwise.
+pub(super) fn of_fit_alone(parameter: &ParameterFacts) -> String {
+    let alone = measured(parameter.value, parameter.sd_of_fit, &parameter.unit);
+    let differs = parameter.sd_of_fit.is_finite() && parameter.sd_of_fit > 0.0 && alone != number(parameter);
+    if differs { format!(" (of the fit alone: {alone})") } else { String::new() }
+}
+
 /// The choice made again without each part, with its error.
 pub(super) fn chosen_again(diagnosis: &Diagnosis, again: &SelectedAgain) -> String {
     format!("{}; error on those parts {}", again.says, error_if_any(diagnosis, again.rmse))
@@ -165,6 +181,26 @@ pub fn misfit_removed(diagnosis: &Diagnosis) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_number_has_two_deviations_where_they_read_otherwise() {
+        let number = |sd: f64, sd_of_fit: f64| {
+            let facts = ParameterFacts {
+                name: "tau".into(),
+                unit: "s".into(),
+                prior: [0.0, 1.0],
+                value: 2.0016,
+                sd,
+                sd_of_fit,
+                at_limit: false,
+                meaning: String::new(),
+            };
+            number(&facts) + &of_fit_alone(&facts)
+        };
+        assert_eq!(number(0.07, 0.0005), "2.002 ± 0.070 s (of the fit alone: 2.00160 ± 0.00050 s)");
+        assert_eq!(number(0.07, 0.0699), "2.002 ± 0.070 s");
+        assert_eq!([number(0.07, f64::NAN), number(0.07, 0.0)], ["2.002 ± 0.070 s"; 2]);
+    }
 
     fn finding(detectability: Option<f64>) -> Finding {
         Finding {

@@ -32,7 +32,14 @@ pub fn resolution(column: &[f64]) -> f64 {
 /// Root mean square of a column; 0 of none.
 pub fn rms(column: impl Iterator<Item = f64> + Clone) -> f64 {
     let rows = column.clone().count().max(1) as f64;
-    (column.map(|value| value * value).sum::<f64>() / rows).sqrt()
+    let squares = |unit: f64| column.clone().map(|value| (value / unit).powi(2)).sum::<f64>() / rows;
+    let plain = squares(1.0).sqrt();
+    if plain.is_finite() {
+        return plain;
+    }
+    // squares of what is itself a number
+    let greatest = column.clone().fold(0.0f64, |most, value| most.max(value.abs()));
+    if greatest.is_finite() { greatest * squares(greatest).sqrt() } else { plain }
 }
 
 /// Root-mean-square distance of a column from its mean; 0 of none.

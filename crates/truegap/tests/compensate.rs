@@ -23,18 +23,22 @@ const LATE: &str = "[[effect]]\nid = \"time_offset\"\nparameters = [{ name = \"l
 
 /// A base, its numbers and effects as a file; `moved` is what moved when it was fitted.
 fn model(base: &str, parameters: &[(&str, f64)], moved: &str, effects: &str) -> ModelFile {
+    ModelFile::parse(&text(base, parameters, moved, effects), Path::new("augmented.toml")).unwrap()
+}
+
+/// The text of that file.
+fn text(base: &str, parameters: &[(&str, f64)], moved: &str, effects: &str) -> String {
     let number =
         |(name, value): &(&str, f64)| format!("[[parameter]]\nname = \"{name}\"\nunit = \"mm\"\nvalue = {value}\nsd = 0.1\n");
     let parameters: String = parameters.iter().map(number).collect();
-    let text = format!(
+    format!(
         "schema = \"{MODEL_SCHEMA}\"\nmade_by = \"test\"\nrecording = \"a\"\nsha256 = \"b\"\nverdict = \"explained\"\nunit = \"mm\"\n{}{}\
          [base]\n{base}\nscale = {SCALE}\nreference_c = 20.0\n\
          [scales]\nlongest_run_s = 899.0\nshortest_step_s = 1.0\nduration_s = 899.0\nresponse_span = 15.0\nnoise_sd = {SD}\nruns = 1\n\
          moved = {{ {moved} }}\n{parameters}{effects}",
         if effects.is_empty() { "effect = []\n" } else { "" },
         if parameters.is_empty() { "parameter = []\n" } else { "" },
-    );
-    ModelFile::parse(&text, Path::new("augmented.toml")).unwrap()
+    )
 }
 
 /// Reads `1 + 1.5 F`, F up to 10 N.
@@ -225,6 +229,88 @@ fn readings_of_another_sensor_are_refused_and_a_few_rows_beyond_are_counted() {
     for part in ["in 451 of 900 rows no force", "augmented.toml", "the base model gives -0.54", "13.24 mm", "--map response="] {
         assert!(told.contains(part), "`{part}` is missing in: {told}");
     }
+}
+
+const LINE: &str = "model = \"linear\"\norder = 1\ndriver = { role = \"force\", zero = 0.0, width = 10.0 }";
+const TABLE: &str = "model = \"table\"\noptions = { offset = false }\ngrid = { unit = \"mm\", axes = [{ role = \"force\", at = [0.0, 10.0] }, { role = \"temperature\", at = [0.0, 40.0] }], values = [1.0, 1.0, 16.0, 16.0] }";
+const STEPS: &str =
+    "[[effect]]\nid = \"offset_steps\"\nparameters = [{ name = \"size\", unit = \"mm\", value = 0.3, sd = 0.1 }]\n";
+
+/// Why a model is not run in which `from` has become `to`.
+fn refused(base: &str, numbers: &[(&str, f64)], effects: &str, from: &str, to: &str) -> String {
+    let whole = text(base, numbers, MOVED, effects);
+    let changed = whole.replacen(from, to, 1);
+    assert_ne!(changed, whole, "there is no {from}");
+    let file = ModelFile::parse(&changed, Path::new("augmented.toml")).unwrap();
+    corrected(&file, in_use(&true_reading()), false).err().unwrap().to_string()
+}
+
+/// Each of these ended in a panic, took all memory, or was answered.
+#[test]
+fn numbers_that_cannot_be_are_refused_by_their_name() {
+    let numbers = [("offset", 1.0), ("slope", 15.0)];
+    let line = |from: &str, to: &str| refused(LINE, &numbers, &format!("{TEMPERATURE}{LAG}{STEPS}"), from, to);
+    for (from, to, part) in [
+        ("order = 1", "order = 4294967296", "from 1 to 6, not 4294967296"),
+        ("width = 10.0", "width = 0.0", "width = 0; write a finite number above 0"),
+        ("width = 10.0", "width = nan", "width = NaN"),
+        ("range = 15.0", "range = inf", "range = inf"),
+        ("noise_sd = 0.02", "noise_sd = nan", "noise_sd under [scales] is NaN"),
+        ("noise_sd = 0.02", "noise_sd = -1.0", "noise_sd under [scales] is -1"),
+        ("longest_run_s = 899.0", "longest_run_s = inf", "longest_run_s under [scales] is inf"),
+        ("temperature_k = 16.0", "temperature_k = nan", "temperature_k under [scales] is NaN"),
+        ("value = 15", "value = nan", "`slope` of [[parameter]] is NaN"),
+        ("value = 8.0", "value = inf", "`tau` of readout_lag is inf; write a finite number"),
+        ("value = 8.0", "value = -8.0", "`tau` of readout_lag is -8; write a number from 0 on"),
+        ("runs = 1", "runs = 9223372036854775807", "`offset_steps` has 9223372036854775807 parameters, the model file gives 1"),
+    ] {
+        let says = line(from, to);
+        assert!(says.contains(part), "{to}: {says}");
+    }
+    for (from, to, part) in [
+        (", 16.0]", "]", "3 numbers for 4 combinations"),
+        ("at = [0.0, 40.0]", "at = [0.0]", "at of the axis temperature = [0.0]; write two numbers or more"),
+        ("at = [0.0, 40.0]", "at = [40.0, 0.0]", "each above the one before"),
+        (
+            "[{ role = \"force\", at = [0.0, 10.0] }, ",
+            "[{ role = \"gap\", at = [0.0, 1.0] }, { role = \"force\", at = [0.0, 10.0] }, ",
+            "one axis or two",
+        ),
+    ] {
+        let says = refused(TABLE, &[], TEMPERATURE, from, to);
+        assert!(says.contains(part), "{to}: {says}");
+    }
+    let late = "timeout_s = -1.0\nsimulator = { unit = \"mm\", reference_c = 20.0, parameters = [] }";
+    let command = format!("model = \"command\"\nrun = [\"true\"]\nfolder = \".\"\n{late}\n#");
+    let says = refused(LINE, &numbers, TEMPERATURE, LINE, &command);
+    assert!(says.contains("timeout_s = -1; write a finite number above 0"), "{says}");
+}
+
+/// What is too large for its square is told as it is; what is too large itself is refused, by its row.
+#[test]
+fn no_answer_holds_a_number_that_is_none() {
+    let file = line(TEMPERATURE);
+    let mut recording = in_use(&true_reading());
+    recording.inputs.force_n = Some(vec![1e200; ROWS]);
+    let error = corrected(&file, recording, false).unwrap().document.error.unwrap();
+    approx::assert_relative_eq!(error.before, 1.5e200, max_relative = 1e-9);
+    let mut wide = in_use(&true_reading());
+    (wide.response[0], wide.response[1]) = (-1e308, 1e308);
+    let refused = corrected(&file, wide, false).err().unwrap();
+    assert!(
+        matches!(refused, CompensateError::Range { .. }) && refused.to_string().contains("from -1e308 to 1e308 mm"),
+        "{refused}"
+    );
+}
+
+/// Rows are counted from 1, as in every other message.
+#[test]
+fn a_row_without_an_answer_is_told_by_its_number() {
+    let base = TABLE.replace("{ role = \"force\", at = [0.0, 10.0] }, ", "").replace(", 16.0, 16.0", "");
+    let mut hot = in_use(&true_reading());
+    hot.inputs.temperature_c.as_mut().unwrap()[4] = 90.0;
+    let says = corrected(&model(&base, &[], MOVED, TEMPERATURE), hot, false).err().unwrap().to_string();
+    assert!(says.starts_with("recording, row 5: temperature is 90"), "{says}");
 }
 
 /// A file of the user's is not written over; an earlier result is.

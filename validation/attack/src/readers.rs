@@ -2,11 +2,15 @@
 //!
 //! Limits: mutations of the corpus, not of the grammar; the same seed gives the same inputs, so a run that held holds again.
 
+mod compensate;
+
+use compensate::compensate;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use std::cell::Cell;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 use truegap::models::ModelFile;
 use truegap::study::audit::SpaceFile;
 use truegap_core::{Dimension, Measure, Recording, Sensor};
@@ -31,11 +35,15 @@ enum Read {
 }
 
 impl Reader {
-    fn read(&self, bytes: &[u8]) -> Result<bool, String> {
-        match self.read {
+    /// Whether it is taken, and how long that took to say.
+    fn read(&self, bytes: &[u8]) -> Result<(bool, Duration), String> {
+        let begin = Instant::now();
+        let is_taken = match self.read {
             Read::Text(read) => read(&String::from_utf8_lossy(bytes)),
             Read::Bytes(read) => read(bytes),
-        }
+        }?;
+        let took = begin.elapsed();
+        if took > LONGEST { Err(format!("took {:.0} s", took.as_secs_f64())) } else { Ok((is_taken, took)) }
     }
 }
 
@@ -44,6 +52,20 @@ pub const SEED: u8 = 7;
 
 /// Inputs after which a count is told.
 const TOLD: u32 = 10_000;
+
+/// Longest time that a small input may take, on a busy machine as well.
+const LONGEST: Duration = Duration::from_secs(20);
+
+/// Longest time in which a failure is made shorter, ms.
+const SHORTENED_MS: u32 = 60_000;
+
+/// What came of the inputs of a reader.
+pub struct Fed {
+    /// how many were taken, and sound
+    pub taken: u32,
+    /// the longest that one took
+    pub slowest: Duration,
+}
 
 /// Every reader.
 pub fn all() -> Vec<Reader> {
@@ -56,6 +78,7 @@ pub fn all() -> Vec<Reader> {
         reader("case", &["meshes/cases"], case),
         reader("mechanism", &[], mechanism),
         reader("model", &[], model),
+        reader("compensate", &[], compensate),
         reader("msh", &[], msh),
         reader("shard", &[], shard),
         reader("space", &["meshes/spaces"], space),
@@ -63,27 +86,35 @@ pub fn all() -> Vec<Reader> {
     ]
 }
 
-/// Gives `count` mutated inputs to a reader; how many of them it took.
+/// Gives `count` mutated inputs to a reader; how many of them it took, and how long the slowest was looked at.
 ///
 /// # Errors
 /// The first input that made it panic or answer unsoundly, made as short as possible, and what happened.
-pub fn feed(reader: &Reader, count: u32) -> Result<u32, String> {
+pub fn feed(reader: &Reader, count: u32) -> Result<Fed, String> {
     let corpus = corpus(reader)?;
     for (file, bytes) in &corpus {
-        let is_taken = reader.read(bytes).map_err(|what| format!("{}: {what}", file.display()))?;
+        let (is_taken, _) = reader.read(bytes).map_err(|what| format!("{}: {what}", file.display()))?;
         if !is_taken {
             return Err(format!("{}: sound, and refused", file.display()));
         }
     }
     let seeds: Vec<Vec<u8>> = corpus.into_iter().map(|(_, bytes)| bytes).collect();
-    let config = Config { cases: count, failure_persistence: None, max_shrink_iters: 2000, ..Config::default() };
+    let config = Config {
+        cases: count,
+        failure_persistence: None,
+        max_shrink_iters: 2000,
+        max_shrink_time: SHORTENED_MS,
+        ..Config::default()
+    };
     let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &[SEED; 32]));
     let strategy = (0..seeds.len(), prop::collection::vec(change(), 1..6));
-    let (taken, given) = (Cell::new(0), Cell::new(0));
+    let (taken, given, slowest) = (Cell::new(0), Cell::new(0), Cell::new(Duration::ZERO));
     let fed = runner.run(&strategy, |(which, changes)| {
         let bytes = changes.iter().fold(seeds[which].clone(), |bytes, change| change.of(bytes, &seeds));
         let shown = String::from_utf8_lossy(&bytes);
-        let is_taken = reader.read(&bytes).map_err(|what| TestCaseError::fail(format!("{what}; the input was {shown:?}")))?;
+        let read = reader.read(&bytes).map_err(|what| TestCaseError::fail(format!("{what}; the input was {shown:?}")));
+        let (is_taken, took) = read?;
+        slowest.set(slowest.get().max(took));
         taken.set(taken.get() + u32::from(is_taken));
         given.set(given.get() + 1);
         // what a run that is broken off has held is no less true
@@ -92,7 +123,7 @@ pub fn feed(reader: &Reader, count: u32) -> Result<u32, String> {
         }
         Ok(())
     });
-    fed.map(|()| taken.get()).map_err(|error| error.to_string())
+    fed.map(|()| Fed { taken: taken.get(), slowest: slowest.get() }).map_err(|error| error.to_string())
 }
 
 /// Inputs to begin with, in the order of their names.

@@ -14,6 +14,7 @@ mod options;
 mod parallel_plate;
 mod plate_beside;
 mod plate_columns;
+mod possible;
 mod scale;
 mod spec;
 mod surface;

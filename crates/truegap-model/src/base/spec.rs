@@ -191,6 +191,14 @@ pub enum BaseError {
         /// the model
         model: &'static str,
     },
+    /// A number that cannot be.
+    #[error("the base model cannot be: {what}; write {wanted}")]
+    Impossible {
+        /// the number, under its key
+        what: String,
+        /// what may stand there
+        wanted: &'static str,
+    },
     /// No rows.
     #[error("the recording has no rows, so the base model `{model}` cannot be scaled; give at least two rows")]
     Empty {

@@ -185,6 +185,7 @@ fn a_black_box_is_asked_with_what_arrives() {
     let written = BaseModel::of("function", None, options, recorded).unwrap();
     let again: BaseModel = toml::from_str(&toml::to_string(&written).unwrap()).unwrap();
     assert_eq!(written, again);
+    again.check().unwrap();
     assert!(matches!(again.build(None), Err(BaseError::NobodyToAsk { model: "function" })));
     let responder: Arc<dyn Responder> = Arc::new(Spring);
     let model = again.answered_by(&responder).unwrap();

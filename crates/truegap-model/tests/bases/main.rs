@@ -154,6 +154,8 @@ fn a_written_base_model_is_the_same_when_read_again() {
         let text = toml::to_string(&written).unwrap();
         let again: BaseModel = toml::from_str(&text).unwrap();
         assert_eq!(written, again, "{text}");
+        // whatever is made for a recording can be
+        again.check().unwrap();
         let sensor = default_sensor().unwrap();
         let model = again.build(Some(&sensor)).unwrap();
         assert_eq!(model.name(), name);

@@ -30,7 +30,17 @@ pub enum AnswerError {
     /// The plates touch.
     #[error("{place} closes the gap (strain {strain:.3}); stay below that load")]
     GapCloses { place: String, strain: f64 },
-    /// No finite answer, a column that is missing, or an effect that cannot be.
+    /// No number, or one that is not finite, came out.
+    #[error(
+        "{place}: the model has no finite response there; check load and temperature there, and the numbers of the model file"
+    )]
+    NotFinite { place: String },
+    /// A place that a table does not hold.
+    #[error(
+        "{place}: {column} is {value} (SI), outside the table of the model, which goes from {low} to {high}; stay within the table, or leave the row out"
+    )]
+    OutsideTable { place: String, column: &'static str, value: f64, low: f64, high: f64 },
+    /// A column that is missing, or an effect that cannot be.
     #[error("{place}: {source}")]
     Model { place: String, source: ModelFileError },
 }
@@ -161,6 +171,10 @@ pub(crate) fn refused(error: ModelFileError, place: impl Fn(Option<usize>) -> St
     match error {
         ModelFileError::Simulation(SimulationError::GapCloses { row, strain, .. }) => {
             AnswerError::GapCloses { place: place(Some(row)), strain }
+        }
+        ModelFileError::Simulation(SimulationError::NotFinite { row, .. }) => AnswerError::NotFinite { place: place(Some(row)) },
+        ModelFileError::Simulation(SimulationError::OutsideTable { row, role, value, low, high }) => {
+            AnswerError::OutsideTable { place: place(Some(row)), column: role.key(), value, low, high }
         }
         source => AnswerError::Model { place: place(None), source },
     }

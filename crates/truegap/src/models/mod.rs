@@ -13,6 +13,7 @@
 
 mod answer;
 mod base;
+mod checked;
 mod deployed;
 mod mechanism_file;
 mod model_file;

@@ -82,6 +82,9 @@ pub enum ModelFileError {
     /// An effect with more or fewer numbers than its equations have.
     #[error("the effect `{id}` has {expected} parameters, the model file gives {found}; list each with name, unit, value, sd")]
     ParameterCount { id: String, expected: usize, found: usize },
+    /// A number that cannot be.
+    #[error("the model file: {what} is {value}; write {wanted}")]
+    Number { what: String, value: f64, wanted: &'static str },
     /// A column that an effect follows and the inputs do not have.
     #[error(
         "`{effect}` follows `{column}`, which the inputs do not have; name it under [drivers] as in the recording that the model was fitted to"
@@ -175,6 +178,7 @@ impl ModelFile {
     /// # Errors
     /// As [`ModelFile::build`].
     pub fn build_with(&self, programs: &Programs) -> Result<RunningModel, ModelFileError> {
+        self.check_numbers()?;
         let sensor = self.sensor.as_ref().map(|text| Sensor::from_toml(text, "sensor of the model file")).transpose()?;
         let simulator = programs.model(&self.base, sensor.as_ref(), sensor.as_ref().and_then(foreseen))?;
         if self.unit != simulator.unit() {
@@ -243,6 +247,8 @@ pub(super) fn begin_anew(added: &mut AddedEffect, library: &Library, context: &C
 /// Gives an added effect the further numbers of a richer law, as 0, where the file is of before the law had them.
 fn complete(added: &mut AddedEffect, library: &Library, context: &Context<'_>) {
     let Some(effect) = library.find(&added.id) else { return };
+    // a count of runs alone costs no memory
+    let context = &context.clone().with_runs(context.runs.min(added.parameters.len() + 2));
     for (place, parameter) in effect.parameters(context).into_iter().enumerate() {
         let missing = added.parameters.iter().all(|p| p.name != parameter.name);
         if missing && place <= added.parameters.len() && effect.may_be_more().contains(&parameter.name.as_str()) {
@@ -355,25 +361,5 @@ impl RunningModel {
     /// Ids of the added effects.
     pub fn effects(&self) -> Vec<String> {
         self.augmented.effects.iter().map(|added| added.id.clone()).collect()
-    }
-
-    /// Every effect is known and has its numbers.
-    fn check(&self) -> Result<(), ModelFileError> {
-        let effects = Library::default();
-        self.as_fitted(|context| {
-            for added in &self.augmented.effects {
-                let Some(effect) = effects.find(&added.id) else { continue };
-                let (expected, found) = (effect.parameters(context).len(), added.parameters.len());
-                if expected != found {
-                    return Err(ModelFileError::ParameterCount { id: added.id.clone(), expected, found });
-                }
-            }
-            // an id that the library does not have is told with all that it has; nothing is walked here
-            let known = |added: &AddedEffect| effects.find(&added.id).is_some();
-            match self.augmented.effects.iter().all(known) {
-                true => Ok(()),
-                false => Ok(self.augmented.stages(&effects, context).map(|_| ())?),
-            }
-        })
     }
 }

@@ -119,6 +119,19 @@ pub struct Compensated {
 }
 
 impl Compensated {
+    /// What of the answer is no finite number; `None` where all of it is.
+    pub(super) fn not_finite(&self) -> Option<String> {
+        for (name, column) in &self.columns {
+            if let Some(row) = column.iter().position(|value| !value.is_finite()) {
+                return Some(format!("`{name}` of row {}", row + 1));
+            }
+        }
+        let Compensation { left, noise_growth, error, .. } = &self.document;
+        let errors = error.iter().flat_map(|error| [("the error before", error.before), ("the error after", error.after)]);
+        let mut sizes = [("what the model leaves", *left), ("the growth of the noise", *noise_growth)].into_iter().chain(errors);
+        sizes.find(|(_, size)| !size.is_finite()).map(|(name, _)| name.to_owned())
+    }
+
     /// Every row: run, time where there is one, reading, corrected reading, and the estimated input.
     pub fn csv(&self) -> String {
         let names: Vec<&str> = self.columns.iter().map(|(name, _)| name.as_str()).collect();

@@ -29,6 +29,14 @@ pub enum CompensateError {
         "{recording}: its response is in {found}, the model's in {wanted}; name the unit under [units], or give a recording of the same kind"
     )]
     Unit { recording: String, found: String, wanted: String },
+    /// Readings of which nothing can be said.
+    #[error(
+        "{recording}: its response goes from {low:e} to {high:e} {unit}, farther than a number can hold; leave such rows out, or mark them with nan"
+    )]
+    Range { recording: String, low: f64, high: f64, unit: String },
+    /// A number that is none.
+    #[error("{recording}: {what} is no finite number; check the unit of the response, and the numbers of the model file")]
+    NotFinite { recording: String, what: String },
     /// A column that is needed.
     #[error(
         "{recording}: there is no column for {column}, which {who} needs; name it with {map}, or under [columns] or [drivers] of its TOML"

@@ -54,6 +54,11 @@ pub fn compensate_with(
     if recording.response_unit != written.unit {
         return Err(CompensateError::Unit { recording: name, found: recording.response_unit, wanted: written.unit.clone() });
     }
+    let [low, high] =
+        recording.response.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], r| [low.min(*r), high.max(*r)]);
+    if !(high - low).is_finite() {
+        return Err(CompensateError::Range { recording: name, low, high, unit: recording.response_unit });
+    }
     let parted = model.parted(&Library::default(), same, all);
     if parted.kept.is_empty() {
         return Err(nothing(file, &parted));
@@ -63,7 +68,11 @@ pub fn compensate_with(
     task.has_columns(&way)?;
     let found = task.corrected(&way)?;
     let error = task.error(&way, &found.corrected, same)?;
-    Ok(task.answer(written, &way, found, error))
+    let answer = task.answer(written, &way, found, error);
+    match answer.not_finite() {
+        None => Ok(answer),
+        Some(what) => Err(CompensateError::NotFinite { recording: name, what }),
+    }
 }
 
 fn nothing(model: String, parted: &Parted) -> CompensateError {

@@ -1,0 +1,109 @@
+//! Whether the numbers of a model file can be, before anything is built of them.
+//!
+//! Limits: a number that is possible and wrong is not found; standard deviations play no part in an answer and are not looked at.
+
+use super::model_file::{ModelFile, ModelFileError, RunningModel};
+use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales};
+use truegap_diagnose::mechanism::Numbers;
+use truegap_diagnose::{Context, Effect, Library};
+
+impl ModelFile {
+    /// Whether every number can be.
+    ///
+    /// # Errors
+    /// [`ModelFileError::Number`] or [`ModelFileError::Base`] with the first that cannot.
+    pub(super) fn check_numbers(&self) -> Result<(), ModelFileError> {
+        self.base.check()?;
+        self.scales_are_possible()?;
+        self.parameters.iter().try_for_each(|value| finite("[[parameter]]", value))?;
+        self.base_alone.iter().try_for_each(|value| finite("[[base_alone]]", value))?;
+        self.effects.iter().try_for_each(|effect| {
+            effect.parameters.iter().try_for_each(|value| finite(&effect.id, value))?;
+            effect.mechanism.as_ref().map_or(Ok(()), |mechanism| held(&effect.id, &mechanism.numbers))
+        })
+    }
+
+    fn scales_are_possible(&self) -> Result<(), ModelFileError> {
+        let Scales { longest_run_s, shortest_step_s, duration_s, response_span, noise_sd, .. } = self.scales;
+        let scales = [
+            ("longest_run_s", longest_run_s),
+            ("shortest_step_s", shortest_step_s),
+            ("duration_s", duration_s),
+            ("response_span", response_span),
+            ("noise_sd", noise_sd),
+        ];
+        let wrong = scales.into_iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0));
+        wrong.map_or(Ok(()), |(name, value)| Err(of_scales(name, value)))?;
+        let Some(moved) = &self.scales.moved else { return Ok(()) };
+        let ends = moved.ranges.iter().flat_map(|(name, ends)| ends.iter().map(move |end| (name.as_str(), *end)));
+        let mut ranges = [("temperature_k", moved.temperature_k), ("load", moved.load)].into_iter().chain(ends);
+        let wrong = ranges.find(|(_, value)| !value.is_finite());
+        wrong.map_or(Ok(()), |(name, value)| Err(of_scales(name, value)))
+    }
+}
+
+fn of_scales(name: &str, value: f64) -> ModelFileError {
+    let wanted = "what `truegap diagnose` writes there: a finite number, and no time or size below 0";
+    ModelFileError::Number { what: format!("{name} under [scales]"), value, wanted }
+}
+
+impl RunningModel {
+    /// Every effect is known and has its numbers, none of them below 0 that cannot be.
+    pub(super) fn check(&self) -> Result<(), ModelFileError> {
+        let effects = Library::default();
+        self.as_fitted(|context| {
+            for added in &self.augmented.effects {
+                let Some(effect) = effects.find(&added.id) else { continue };
+                has_its_numbers(effect, added, context)?;
+            }
+            // an id that the library does not have is told with all that it has; nothing is walked here
+            let known = |added: &AddedEffect| effects.find(&added.id).is_some();
+            match self.augmented.effects.iter().all(known) {
+                true => Ok(()),
+                false => Ok(self.augmented.stages(&effects, context).map(|_| ())?),
+            }
+        })
+    }
+}
+
+/// As many numbers as the effect has, for as many runs as a file with these numbers can mean: a count of runs alone costs no memory.
+fn has_its_numbers(effect: &dyn Effect, added: &AddedEffect, context: &Context<'_>) -> Result<(), ModelFileError> {
+    let (found, runs) = (added.parameters.len(), context.runs.min(added.parameters.len() + 2));
+    let parameters = effect.parameters(&context.clone().with_runs(runs));
+    if parameters.len() != found {
+        let fewer = effect.parameters(&context.clone().with_runs(runs.saturating_sub(1))).len();
+        let per_run = parameters.len().saturating_sub(fewer);
+        let expected = parameters.len().saturating_add(per_run.saturating_mul(context.runs - runs));
+        return Err(ModelFileError::ParameterCount { id: added.id.clone(), expected, found });
+    }
+    let below = added.parameters.iter().zip(&parameters).find(|(given, known)| known.bounds.0 >= 0.0 && given.value < 0.0);
+    below.map_or(Ok(()), |(NamedValue { name, value, .. }, _)| {
+        Err(ModelFileError::Number { what: format!("`{name}` of {}", added.id), value: *value, wanted: "a number from 0 on" })
+    })
+}
+
+fn finite(of: &str, NamedValue { name, value, .. }: &NamedValue) -> Result<(), ModelFileError> {
+    match value.is_finite() {
+        true => Ok(()),
+        false => Err(ModelFileError::Number { what: format!("`{name}` of {of}"), value: *value, wanted: "a finite number" }),
+    }
+}
+
+/// The fixed numbers of a mechanism.
+fn held(id: &str, numbers: &Numbers) -> Result<(), ModelFileError> {
+    let Numbers { tau_s, width, threshold, exponent, scale, period, phase, turn } = *numbers;
+    let numbers = [
+        ("tau_s", tau_s),
+        ("width", width),
+        ("threshold", threshold),
+        ("exponent", exponent),
+        ("scale", scale),
+        ("period", period),
+        ("phase", phase),
+        ("turn", turn),
+    ];
+    let wrong = numbers.into_iter().find(|(_, value)| !value.is_finite());
+    wrong.map_or(Ok(()), |(name, value)| {
+        Err(ModelFileError::Number { what: format!("{name} of {id}"), value, wanted: "a finite number" })
+    })
+}

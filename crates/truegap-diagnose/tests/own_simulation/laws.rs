@@ -1,6 +1,6 @@
 //! Laws that are found beside such a base model, with their numbers and words.
 
-use crate::given::{Given, noisy, said, simulated};
+use crate::given::{Given, noisy, said, said_by, simulated};
 use truegap_core::{Driver, EffectId, Inputs, Parameter};
 use truegap_diagnose::mechanism::{self, Action, Composed, Form, Kinetics, Numbers, Quantity, Sentence};
 use truegap_diagnose::{Context, Effect, FittedParameter, Verdict, library};
@@ -288,6 +288,25 @@ fn friction_and_a_curve_are_no_loop_that_saturates() {
         let said =
             said(&Given { follows_driver: true, ..Given::with_level() }, &inputs, &noisy(seed, |row| truth[row], rows as usize));
         assert!(said.findings.iter().all(|f| f.effect != "saturating_loop"), "{}", said.says);
+    }
+}
+
+/// A stage that goes up and down, with a scale that is bent by 0.2 V in the middle, or in waves of 0.2 V: further weights are held at nothing for the one, and opened for the other.
+#[test]
+fn a_curve_has_further_turns_where_rows_left_out_bear_them_out() {
+    let x: Vec<f64> = (0..1800).map(|row| usize::abs_diff(row % 300, 150) as f64 / 150.0).collect();
+    let arch = |x: f64| 0.8 * x * (1.0 - x);
+    let waves = |x: f64| 0.2 * (5.0 * std::f64::consts::PI * x).sin();
+    for (departure, seed, held) in [(&arch as &dyn Fn(f64) -> f64, 31, true), (&waves, 32, false)] {
+        let inputs = driven("place", "mm", x.clone());
+        let given = Given { follows_driver: true, ..Given::with_level() };
+        let said = said_by("nonlinearity", &given, &inputs, &noisy(seed, |row| 3.0 + x[row] + departure(x[row]), x.len()));
+        assert_eq!(said.findings.len(), 1, "{}", said.says);
+        // five half waves are the same seen from both ends, so that of the two weights one is needed
+        let ripple = said.findings[0].parameters.iter().find(|p| p.name == "ripple").unwrap();
+        assert_eq!(ripple.meaning.contains("held at 0"), held, "{}", ripple.meaning);
+        // noise of 0.01; five half waves are not quite a polynomial of the fourth degree on an arch
+        assert!(said.fit.in_sample.rmse_after < 0.02, "{}: {}", said.fit.in_sample.rmse_after, said.says);
     }
 }
 

@@ -37,13 +37,19 @@ enum Read {
 impl Reader {
     /// Whether it is taken, and how long that took to say.
     fn read(&self, bytes: &[u8]) -> Result<(bool, Duration), String> {
+        let (is_taken, took) = self.timed(bytes)?;
+        // a machine that stood still for that long does not do so twice
+        let took = if took > LONGEST { took.min(self.timed(bytes)?.1) } else { took };
+        if took > LONGEST { Err(format!("took {:.0} s", took.as_secs_f64())) } else { Ok((is_taken, took)) }
+    }
+
+    fn timed(&self, bytes: &[u8]) -> Result<(bool, Duration), String> {
         let begin = Instant::now();
         let is_taken = match self.read {
             Read::Text(read) => read(&String::from_utf8_lossy(bytes)),
             Read::Bytes(read) => read(bytes),
-        }?;
-        let took = begin.elapsed();
-        if took > LONGEST { Err(format!("took {:.0} s", took.as_secs_f64())) } else { Ok((is_taken, took)) }
+        };
+        Ok((is_taken?, begin.elapsed()))
     }
 }
 

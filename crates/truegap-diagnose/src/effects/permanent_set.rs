@@ -103,8 +103,9 @@ impl Effect for PermanentSet {
         Family::MechanicalMemory
     }
     fn in_words(&self, context: &Context<'_>) -> Option<InWords> {
-        let follows_load = Course::of(context, 0)? == Course::Load;
-        follows_load.then_some(InWords { place: Place::Readout, driver: Driver::LoadHistory, kinetics: Kinetics::Accumulating })
+        let course = Course::of(context, 0)?;
+        let driver = if course == Course::Load { Driver::LoadHistory } else { course.driver(context) };
+        Some(InWords { place: Place::Readout, driver, kinetics: Kinetics::Accumulating })
     }
     fn about(&self) -> About {
         About {

@@ -45,6 +45,7 @@ pub fn sampled(model: &Model<'_>, whitener: &Whitener, fit: &Fit, draws: usize, 
         })
         .collect();
     let weigh = |(normal, stretch): &(DVector<f64>, f64)| {
+        let stretch = *stretch;
         let along = DVector::from_fn(soft, |i, _| normal[i] * (stretch / sloppy.curvature[i]).sqrt());
         let proposal = log_t(soft, normal.norm_squared() * stretch) + 0.5 * sloppy.curvature.iter().map(|c| c.ln()).sum::<f64>();
         let height = sloppy.height(&along, &bounds).unwrap_or(f64::INFINITY);

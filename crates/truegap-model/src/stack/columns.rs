@@ -29,6 +29,9 @@ const BLOCK: usize = 32;
 /// Rows that one processor computes at a time where another one is idle; whole blocks.
 const SHARE: usize = 16 * BLOCK;
 
+/// Value, aspect and plates of the rows of a share.
+type Share<'a> = ((&'a mut [f64], &'a mut [f64]), &'a mut [f64]);
+
 /// A column of a block.
 type Rows32 = [f64; BLOCK];
 
@@ -114,7 +117,7 @@ fn in_blocks(device: &Device, drive: &Drive<'_>, geometry: &Geometry<'_>, factor
         block(device, &given)
     };
     let shares = value.par_chunks_mut(SHARE).zip(aspect.par_chunks_mut(SHARE)).zip(plates.par_chunks_mut(SHARE)).enumerate();
-    let fill = |(share, ((value, aspect), plates)): (usize, ((&mut [f64], &mut [f64]), &mut [f64]))| {
+    let fill = |(share, ((value, aspect), plates)): (usize, Share<'_>)| {
         for start in (0..value.len()).step_by(BLOCK) {
             let count = BLOCK.min(value.len() - start);
             let read = read(share * SHARE + start, count)?;

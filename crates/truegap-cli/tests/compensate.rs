@@ -121,3 +121,28 @@ fn what_is_missing_or_would_be_lost_is_refused_before_the_work() {
     ]);
     assert_eq!(said.code, 0, "{}", said.err);
 }
+
+/// A base that bends gives readings up to 13.24 mm; the sensor of `other.csv` reads 30 mm more.
+#[test]
+fn a_recording_of_another_sensor_is_refused_and_nothing_is_written() {
+    let bench = bench();
+    let bend = "[[parameter]]\nname = \"order_2\"\nunit = \"mm\"\nvalue = -4.0\nsd = 0.1\n\n[[effect]]";
+    bench.file("bent.toml", &MODEL.replace("order = 1", "order = 2").replace("[[effect]]", bend));
+    let more = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        cells[2].parse::<f64>().map_or(format!("{line}\n"), |read| format!("{},{},{}\n", cells[0], cells[1], read + 30.0))
+    };
+    bench.file("other.csv", &rows(false).lines().map(more).collect::<String>());
+    bench.refuses(
+        &["-q", "compensate", "bent.toml", "other.csv", "-o", "none.csv"],
+        &["other.csv: in 300 of 300 rows no force", "bent.toml", "13.24 mm", "another sensor", "--map response=COLUMN:UNIT"],
+    );
+    assert!(!bench.path("none.csv").exists());
+    // the first quarter of the rows alone: counted in a note, and corrected
+    let all = rows(false);
+    let few = all.lines().enumerate().map(|(row, line)| if row > 75 { format!("{line}\n") } else { more(line) });
+    bench.file("few.csv", &few.collect::<String>());
+    let said = bench.run(&["compensate", "bent.toml", "few.csv", "-o", "some.csv"]);
+    assert!(said.code != 2 && said.err.contains("in 75 of 300 rows no force"), "{} {}", said.code, said.err);
+    assert!(bench.path("some.csv").exists());
+}

@@ -1,11 +1,16 @@
-//! Columns compared whole.
+//! Columns taken whole: compared, and their ends.
 //!
-//! Limits: a row that is not a number differs from itself.
+//! Limits: a row that is not a number differs from itself, and is no end.
 
 /// Whether two columns are the same, looked at in blocks: a comparison that may stop at each row takes rows one by one.
 pub fn same_column(a: &[f64], b: &[f64]) -> bool {
     let differ = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(false, |any, (a, b)| any | (a != b));
     a.len() == b.len() && a.chunks(64).zip(b.chunks(64)).all(|(a, b)| !differ(a, b))
+}
+
+/// Least and greatest value; from infinity down to minus infinity where there is none.
+pub fn ends(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
 #[cfg(test)]

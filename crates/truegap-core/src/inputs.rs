@@ -47,7 +47,37 @@ impl Role {
             Self::Sensor => "sensor",
         }
     }
+
+    /// Name of its column where quantities are written in SI: its key, with its unit behind it where it has one.
+    pub fn column_name(self) -> &'static str {
+        match self {
+            Self::Time => "time_s",
+            Self::Force => "force_n",
+            Self::Pressure => "pressure_pa",
+            Self::Gap => "gap_m",
+            Self::Temperature => "temperature_c",
+            Self::Humidity => "humidity_pct",
+            Self::Response | Self::Simulated | Self::Run | Self::Sensor => self.key(),
+        }
+    }
+
+    /// Unit of its column in [`Inputs`]; empty where readings may be in any unit, and where it is no quantity.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Time => "s",
+            Self::Force => "N",
+            Self::Pressure => "Pa",
+            Self::Gap => "m",
+            Self::Temperature => "degC",
+            Self::Humidity => "%",
+            Self::Response | Self::Simulated | Self::Run | Self::Sensor => "",
+        }
+    }
 }
+
+/// The roles that have a column in [`Inputs`], in the order in which columns are written.
+pub const INPUT_ROLES: [Role; 7] =
+    [Role::Time, Role::Force, Role::Pressure, Role::Gap, Role::Temperature, Role::Humidity, Role::Simulated];
 
 /// A recorded column that physics may follow although no base model asks for it: the position of a piston, the voltage of a pump.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -109,6 +139,20 @@ impl Inputs {
         column.as_deref()
     }
 
+    /// The place of a role's column, to be filled, changed or emptied; `None` of a role that has none ([`INPUT_ROLES`] have one).
+    pub fn column_mut(&mut self, role: Role) -> Option<&mut Option<Vec<f64>>> {
+        Some(match role {
+            Role::Time => &mut self.time_s,
+            Role::Force => &mut self.force_n,
+            Role::Pressure => &mut self.pressure_pa,
+            Role::Gap => &mut self.gap_m,
+            Role::Temperature => &mut self.temperature_c,
+            Role::Humidity => &mut self.humidity_pct,
+            Role::Simulated => &mut self.simulated,
+            Role::Response | Role::Run | Role::Sensor => return None,
+        })
+    }
+
     /// Row ranges of the runs, in order.
     pub fn runs(&self) -> Vec<Range<usize>> {
         let mut runs = Vec::new();
@@ -140,20 +184,27 @@ impl Inputs {
         self.drivers.iter().map(changed).collect()
     }
 
+    /// Other rows: of the runs `run`, and every column replaced by what `change` makes of it.
+    #[must_use]
+    pub fn columns_as(&self, run: Vec<u32>, change: impl Fn(&[f64]) -> Vec<f64>) -> Self {
+        let changed = |column: &Option<Vec<f64>>| column.as_deref().map(&change);
+        Self {
+            time_s: changed(&self.time_s),
+            run,
+            force_n: changed(&self.force_n),
+            pressure_pa: changed(&self.pressure_pa),
+            gap_m: changed(&self.gap_m),
+            temperature_c: changed(&self.temperature_c),
+            humidity_pct: changed(&self.humidity_pct),
+            simulated: changed(&self.simulated),
+            drivers: self.drivers_as(&change),
+        }
+    }
+
     /// The rows that `keep` names, in that order.
     #[must_use]
     pub fn select(&self, keep: &[usize]) -> Self {
-        let pick = |column: &Option<Vec<f64>>| column.as_ref().map(|c| keep.iter().map(|&row| c[row]).collect());
-        Self {
-            time_s: pick(&self.time_s),
-            run: keep.iter().map(|&row| self.run[row]).collect(),
-            force_n: pick(&self.force_n),
-            pressure_pa: pick(&self.pressure_pa),
-            gap_m: pick(&self.gap_m),
-            temperature_c: pick(&self.temperature_c),
-            humidity_pct: pick(&self.humidity_pct),
-            simulated: pick(&self.simulated),
-            drivers: self.drivers_as(|column| keep.iter().map(|&row| column[row]).collect()),
-        }
+        let run = keep.iter().map(|&row| self.run[row]).collect();
+        self.columns_as(run, |column| keep.iter().map(|&row| column[row]).collect())
     }
 }

@@ -9,7 +9,7 @@
 //! | quantities with units | [`units`], [`Measure`], [`Dimension`] |
 //! | a sensor, from its file or built in | [`Sensor`], [`sensor`] |
 //! | a recording, from its files | [`Recording`], [`recording`] |
-//! | what was done to a sensor | [`Inputs`], [`Role`] |
+//! | what was done to a sensor | [`Inputs`], [`Role`], [`INPUT_ROLES`] |
 //! | the chain from load to reading, and what plugs in | [`Stage`], [`StageName`], [`Drive`], [`Geometry`], [`Dielectric`], [`FieldView`], [`Readout`] |
 //! | a model of the response | [`Instrument`], where it is an equation of the load; [`Simulator`], [`Parameter`], [`Prior`], [`SimulationError`] |
 //! | how a model walks the chain | [`walk`], [`Plates`], [`walk_without_plates`] |
@@ -63,11 +63,11 @@ pub mod units;
 mod walk;
 
 pub use chain::{Dielectric, Drive, FieldView, Geometry, Readout, Stage, StageName};
-pub use column::same_column;
+pub use column::{ends, same_column};
 pub use corrections::Corrections;
 pub use curve::{Curve, CurveError};
 pub use effect::EffectId;
-pub use inputs::{Driver, Inputs, Role};
+pub use inputs::{Driver, INPUT_ROLES, Inputs, Role};
 pub use instrument::Instrument;
 pub use parameter::{Parameter, Prior};
 pub use recording::{BaseSpec, Note, Recording, RecordingError};

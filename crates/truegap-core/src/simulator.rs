@@ -119,8 +119,8 @@ pub trait Simulator: Send + Sync {
     }
 }
 
-/// The response of a [`Simulator`] near the point for which it was made: for difference quotients, each of which costs less than a response.
-pub trait Beside {
+/// The response of a [`Simulator`] near the point for which it was made: for difference quotients, each of which costs less than a response, and which are taken side by side.
+pub trait Beside: Sync {
     /// Response of each row at other values and with other stages, the physics of the base model to first order in the difference; stages act in full.
     ///
     /// # Errors

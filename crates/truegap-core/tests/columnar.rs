@@ -45,6 +45,10 @@ mod read {
             assert_eq!((&read.inputs, &read.response, &read.columns), (&csv.inputs, &csv.response, &csv.columns), "{name}");
             assert!(read.notes.iter().any(|note| matches!(note, Note::Dates { .. })), "{:?}", read.notes);
             assert!(read.notes.iter().any(|note| matches!(note, Note::RowsWithoutValue { rows: 1, .. })), "{:?}", read.notes);
+            // text among them, as of the CSV
+            for notes in [&read.notes, &csv.notes] {
+                assert!(notes.contains(&Note::NotRead { columns: "`fan`, `who`".into() }), "{notes:?}");
+            }
         }
         let toml =
             "schema = \"truegap.recording/1\"\nfile = \"bench.arrow\"\n[drivers]\nfan = { column = \"fan\", unit = \"1\" }\n";
@@ -54,6 +58,8 @@ mod read {
             (read.inputs.drivers[0].values.as_slice(), read.path.file_name().unwrap()),
             (&[1.0, 2.0, 4.0, 5.0][..], "bench.toml".as_ref())
         );
+        // a TOML says which column is what
+        assert!(read.notes.iter().all(|note| !matches!(note, Note::NotRead { .. })), "{:?}", read.notes);
         std::fs::remove_dir_all(&folder).unwrap();
     }
 

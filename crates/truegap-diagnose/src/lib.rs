@@ -95,6 +95,7 @@ pub use effects::{
 pub use pipeline::{Options, Restriction, diagnose, recording::diagnose_recording};
 pub use seeds::{SEEDS, Seeds};
 pub use selection::candidates::Progress;
+pub use stats::rms;
 
 pub use validation::{confirmation, cross_validation::parts, recovery};
 

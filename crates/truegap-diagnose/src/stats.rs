@@ -6,10 +6,11 @@ use nalgebra::{DMatrix, DVector, Dyn, SymmetricEigen};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 use statrs::function::erf::erfc;
 use std::ops::Range;
+use truegap_core::ends;
 
 /// Greatest less least.
 pub fn spread(x: &[f64]) -> f64 {
-    let (low, high) = x.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+    let (low, high) = ends(x.iter().copied());
     high - low
 }
 
@@ -26,6 +27,25 @@ pub fn resolution(column: &[f64]) -> f64 {
     let differences = column.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|d| *d > 1e-12 * greatest);
     let least = differences.fold(f64::INFINITY, f64::min);
     if least.is_finite() { least } else { 0.0 }
+}
+
+/// Root mean square of a column; 0 of none.
+pub fn rms(column: impl Iterator<Item = f64> + Clone) -> f64 {
+    let rows = column.clone().count().max(1) as f64;
+    let squares = |unit: f64| column.clone().map(|value| (value / unit).powi(2)).sum::<f64>() / rows;
+    let plain = squares(1.0).sqrt();
+    if plain.is_finite() {
+        return plain;
+    }
+    // squares of what is itself a number
+    let greatest = column.clone().fold(0.0f64, |most, value| most.max(value.abs()));
+    if greatest.is_finite() { greatest * squares(greatest).sqrt() } else { plain }
+}
+
+/// Root-mean-square distance of a column from its mean; 0 of none.
+pub fn deviation(column: &[f64]) -> f64 {
+    let mean = column.iter().sum::<f64>() / column.len().max(1) as f64;
+    rms(column.iter().map(|value| value - mean))
 }
 
 /// Root-mean-square error of each of two predictions over the rows of `rows` that both predict; a row without a prediction is NaN. `None` where there is no such

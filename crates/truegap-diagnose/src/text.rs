@@ -270,6 +270,11 @@ pub fn listed<S: AsRef<str>>(items: &[S], last: &str) -> String {
     }
 }
 
+/// Ids as a reader says them, [`listed`]: `thermal lag and offset drift`.
+pub fn spoken_list<S: AsRef<str>>(ids: impl IntoIterator<Item = S>, last: &str) -> String {
+    listed(&ids.into_iter().map(|id| spoken(id.as_ref())).collect::<Vec<_>>(), last)
+}
+
 /// What is left where `removed` is removed, in words that never say that nothing is.
 pub(crate) fn share_left(removed: f64) -> String {
     let left = 100.0 * (1.0 - removed);

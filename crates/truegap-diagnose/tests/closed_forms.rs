@@ -157,6 +157,16 @@ fn a_loop_that_saturates_turns_over_half_a_width_past_the_middle() {
 }
 
 #[test]
+fn a_set_grows_with_the_greatest_load_so_far_and_stays() {
+    let bench = Bench::new((0..5).map(f64::from).collect(), vec![0.0, 0.5, 0.25, 1.0, 0.0], vec![20.0; 5]);
+    let value = bench.readings("permanent_set", &[3.0, 2.0], &[100.0; 5]);
+    // 3 for the whole range, by the square of the greatest load
+    for (value, left) in value.iter().zip([0.0, 0.75, 0.75, 3.0, 3.0]) {
+        assert_abs_diff_eq!(*value, 100.0 + left, epsilon = 100.0 * ROUNDING);
+    }
+}
+
+#[test]
 fn a_zero_that_settles_goes_by_as_much_in_every_tenfold_of_the_time() {
     let bench = Bench::hold(0.0, &[0.0, 9.0, 99.0, 999.0]);
     // a knee of a second: 1 + t is 1, 10, 100, 1000

@@ -64,10 +64,10 @@ fn the_library_holds_every_id_of_the_contract_once() {
     let mut ids: Vec<&str> = library().iter().map(|effect| effect.id().0).collect();
     // 24 of the contract, `temperature_coefficient` for base models that have no place for temperature, `clock_rate`, and three that finite elements have
     // computed; then coefficient and friction of two drivers, relaxation and lag of a reading, a change of regime, a spring inside a simulator, a loop that saturates, and a logarithm of the time
-    assert_eq!(ids.len(), 47);
+    assert_eq!(ids.len(), 48);
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 47);
+    assert_eq!(ids.len(), 48);
     let foreseen: Vec<&str> = library().iter().filter(|e| e.foreseen()).map(|e| e.id().0).collect();
     assert_eq!(foreseen, ["bonded_layers", "held_warp", "rim_field"]);
     assert!(ids.contains(&"temperature_coefficient"));

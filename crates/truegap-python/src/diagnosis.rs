@@ -3,7 +3,7 @@
 //! Limits: the words of the command line; results leave as JSON, text and arrays.
 
 use crate::desk::{Declared, PythonFunction, serve};
-use crate::source::{Source, failed, rebased};
+use crate::source::{Source, failed, note_in_python, rebased};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use serde::Deserialize;
@@ -147,7 +147,7 @@ impl NativeDiagnosis {
 
     /// What reading the recordings changed, left out or assumed.
     fn notes(&self) -> Vec<String> {
-        self.diagnosed.recording.notes.iter().map(ToString::to_string).collect()
+        self.diagnosed.recording.notes.iter().map(note_in_python).collect()
     }
 
     /// How often a function or a program was asked, and the seconds that it took.

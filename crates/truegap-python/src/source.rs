@@ -29,8 +29,8 @@ pub(crate) enum Source<'py> {
     Path(PathBuf),
     /// path of a table, and what a TOML would say of it as JSON
     Table(PathBuf, String),
-    /// name, what a TOML would say as JSON, columns
-    Frame(String, String, Vec<Given<'py>>),
+    /// name, what a TOML would say as JSON, columns, names of columns without numbers
+    Frame(String, String, Vec<Given<'py>>, Vec<String>),
 }
 
 impl Source<'_> {
@@ -42,7 +42,7 @@ impl Source<'_> {
                 let read = Recording::open_table(path, &toml_of(says)?).map_err(|error| failed(in_python(error)))?;
                 Ok((read, path.display().to_string()))
             }
-            Self::Frame(name, says, columns) => Ok((framed(name, says, columns)?, name.clone())),
+            Self::Frame(name, says, columns, left_out) => Ok((framed(name, says, columns, left_out)?, name.clone())),
         }
     }
 }
@@ -53,7 +53,7 @@ fn toml_of(says: &str) -> PyResult<String> {
     toml::to_string(&says).map_err(failed)
 }
 
-fn framed(name: &str, says: &str, columns: &[Given<'_>]) -> PyResult<Recording> {
+fn framed(name: &str, says: &str, columns: &[Given<'_>], left_out: &[String]) -> PyResult<Recording> {
     let says = toml_of(says)?;
     let column = |(name, values, since): &Given<'_>| -> Result<FrameColumn<'static>, numpy::AsSliceError> {
         let cells = match since.as_deref() {
@@ -65,7 +65,7 @@ fn framed(name: &str, says: &str, columns: &[Given<'_>]) -> PyResult<Recording> 
     };
     let columns = columns.iter().map(column);
     let columns = columns.collect::<Result<Vec<_>, numpy::AsSliceError>>().map_err(failed)?;
-    Recording::from_columns(name, &says, &columns).map_err(|error| failed(in_python(error)))
+    Recording::from_frame(name, &says, &columns, left_out).map_err(|error| failed(in_python(error)))
 }
 
 /// What to do about a frame, said as Python says it: no TOML lies beside it.
@@ -92,6 +92,26 @@ fn in_python(error: RecordingError) -> String {
         }
         RecordingError::UnknownKey { file, table, key, instead, .. } => {
             format!("{}: {} has no key `{key}`; {instead}", file.display(), table.trim_matches(['[', ']']))
+        }
+        other => other.to_string(),
+    }
+}
+
+/// What reading changed, left out or assumed, said as Python says it.
+pub(crate) fn note_in_python(note: &Note) -> String {
+    match note {
+        Note::NotRead { columns } => format!(
+            "not read: {columns}; name what they are by columns={{\"force\": \"...\"}} or drivers={{\"NAME\": {{\"column\": \"...\", \"unit\": \"...\"}}}}, or leave \
+             them as they are"
+        ),
+        Note::NoInput { columns } => format!(
+            "nothing was read that the reading could follow, and these columns of numbers were not read: {columns}; if one is what was done, name it: \
+             drivers={{\"NAME\": {{\"column\": \"...\", \"unit\": \"...\"}}}}; if one is your own simulation: columns={{\"simulated\": \"...\"}}"
+        ),
+        Note::ReadByName { columns } => {
+            format!(
+                "read because of their names: {columns}; if that is not what they are, say so: columns={{\"force\": \"...\"}}"
+            )
         }
         other => other.to_string(),
     }

@@ -66,6 +66,19 @@ def test_a_lazy_frame_and_a_structured_array_are_read():
     assert times(pd.DataFrame(pressed()).to_records(index=False)) == pytest.approx(np.arange(300.0))
 
 
+def test_columns_that_are_not_read_are_named_in_words_of_python(tmp_path):
+    made = pd.DataFrame({**pressed(), "spare": np.cos(np.arange(300.0)), "label": "press"})
+    made.to_csv(tmp_path / "r.csv", index=False)
+    made.to_parquet(tmp_path / "r.parquet", index=False)
+    for recording in (made, pl.from_pandas(made), tmp_path / "r.csv", tmp_path / "r.parquet"):
+        notes = tg.diagnose(recording, base="linear", progress=False).notes
+        assert any(note.startswith("not read: `spare`, `label`; name what they are by columns=") for note in notes), notes
+        assert not any("--map" in note or "TOML" in note for note in notes), notes
+        drivers = {"spare": {"column": "spare", "unit": "mm"}}
+        notes = tg.diagnose(recording, base="linear", drivers=drivers, progress=False).notes
+        assert any(note.startswith("not read: `label`;") for note in notes), notes
+
+
 def test_what_is_no_frame_of_numbers_says_what_to_do():
     made = pd.DataFrame(pressed())
     with pytest.raises(TypeError, match="pandas.DataFrame"):

@@ -38,6 +38,7 @@ def test_the_simulator_with_the_cubic_term_agrees_and_predicts_the_other_recordi
     truth = {"k": stiffening_spring.K, "c": stiffening_spring.C, "k3": stiffening_spring.K3}
     for parameter in after.base_parameters:
         assert abs(parameter.value - truth[parameter.name]) < 4 * parameter.sd, str(parameter)
+        assert 0 < parameter.sd_of_fit <= parameter.sd, repr(parameter)
     # 600 rows: the error of an error is 3 % of it
     assert stiffening_spring.error(after, stiffening_spring.recorded(2)) == pytest.approx(stiffening_spring.NOISE, rel=0.12)
 

@@ -200,6 +200,37 @@ fn what_does_not_belong_together_is_refused() {
     assert!(matches!(corrected(&flat, in_use(&true_reading()), false).err(), Some(CompensateError::StandsStill { .. })));
 }
 
+/// Reads `1 + 1.5 F - 0.04 F^2`, F up to 10 N: with a tenth below and a fifth above, -0.54 to 13.24 mm.
+fn bent() -> ModelFile {
+    let base = "model = \"linear\"\norder = 2\ndriver = { role = \"force\", zero = 0.0, width = 10.0 }";
+    model(base, &[("offset", 1.0), ("slope", 15.0), ("order_2", -4.0)], MOVED, TEMPERATURE)
+}
+
+/// Rows beyond what a model gives get what was added at its end. Of another sensor most are, and the answer was given with exit code 0.
+#[test]
+fn readings_of_another_sensor_are_refused_and_a_few_rows_beyond_are_counted() {
+    let read = |beyond: usize, far: f64| -> Vec<f64> {
+        let row = |row: usize| if row < beyond { far } else { 6.0 };
+        (0..ROWS).map(row).zip(heat()).map(|(y, t)| y + 0.1 * (t - 20.0)).collect()
+    };
+    // a tenth of the range of 13.78 mm may be a zero that has moved
+    let found = corrected(&bent(), in_use(&read(ROWS, 14.4)), false).unwrap();
+    assert_eq!(found.document.estimated.as_ref().unwrap().rows_outside, ROWS);
+    let found = corrected(&bent(), in_use(&read(ROWS / 2, 40.0)), false).unwrap();
+    assert_eq!(found.document.estimated.as_ref().unwrap().rows_outside, ROWS / 2);
+    assert!(
+        found.document.notes.iter().any(|note| note.starts_with("in 450 of 900 rows no force")),
+        "{:?}",
+        found.document.notes
+    );
+    let refused = corrected(&bent(), in_use(&read(ROWS / 2 + 1, 40.0)), false).err().unwrap();
+    assert!(matches!(refused, CompensateError::Outside { outside: 451, rows: ROWS, .. }), "{refused}");
+    let told = refused.to_string();
+    for part in ["in 451 of 900 rows no force", "augmented.toml", "the base model gives -0.54", "13.24 mm", "--map response="] {
+        assert!(told.contains(part), "`{part}` is missing in: {told}");
+    }
+}
+
 const LINE: &str = "model = \"linear\"\norder = 1\ndriver = { role = \"force\", zero = 0.0, width = 10.0 }";
 const TABLE: &str = "model = \"table\"\noptions = { offset = false }\ngrid = { unit = \"mm\", axes = [{ role = \"force\", at = [0.0, 10.0] }, { role = \"temperature\", at = [0.0, 40.0] }], values = [1.0, 1.0, 16.0, 16.0] }";
 const STEPS: &str =
@@ -214,7 +245,7 @@ fn refused(base: &str, numbers: &[(&str, f64)], effects: &str, from: &str, to: &
     corrected(&file, in_use(&true_reading()), false).err().unwrap().to_string()
 }
 
-/// Each of these ended in a panic, took all memory, or was answered.
+/// Of these some ended in a panic or not at all, others were answered, or refused in words that mislead.
 #[test]
 fn numbers_that_cannot_be_are_refused_by_their_name() {
     let numbers = [("offset", 1.0), ("slope", 15.0)];

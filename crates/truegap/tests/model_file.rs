@@ -206,6 +206,28 @@ fn every_effect_is_read_again_as_it_was_written() {
     }
 }
 
+/// A curve of before its richer law had numbers means what it meant.
+#[test]
+fn a_law_that_has_got_further_numbers_since_is_the_simple_one() {
+    let (plain, inputs) = (head(EXTERNAL, "degC", "offset"), simulated(600));
+    let empty = plain.build().unwrap();
+    let context = Context::new(&inputs, empty.simulator(), 7.0, 0.01);
+    let library = library();
+    let curve = library.iter().find(|e| e.id().0 == "nonlinearity").unwrap();
+    let values = [0.1, 0.4, 0.8, 0.6, -0.3, 0.2];
+    let parameters = curve.parameters(&context);
+    let added = AddedEffect {
+        id: "nonlinearity".into(),
+        parameters: parameters.iter().zip(values).map(|(p, v)| named(&p.name, &p.unit, v)).collect(),
+        mechanism: None,
+    };
+    let scales = Scales { moved: Some(context.moved.clone()), ..plain.scales.clone() };
+    let model = ModelFile { effects: vec![added], scales, ..plain.clone() }.build().unwrap();
+    let simple = curve.with(&[&values[..], &[0.0; 2]].concat(), &context);
+    let by_hand = empty.simulator().respond(&[0.3], &inputs, &[simple.as_ref()]).unwrap();
+    assert_eq!(model.respond(&inputs).unwrap(), by_hand);
+}
+
 /// A temperature that hardly moves in another recording does not turn a coefficient of temperature into one of something else.
 #[test]
 fn what_an_effect_follows_is_that_of_the_recording_it_was_fitted_to() {

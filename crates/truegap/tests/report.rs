@@ -65,6 +65,22 @@ fn a_report_holds_every_part_of_the_answer() {
     assert!(!page.contains("A figure is left out"), "a figure was not drawn");
 }
 
+/// Sentences and terminal tell the whole deviation alone; so do tables where that of the fit reads the same.
+#[test]
+fn tables_tell_the_deviation_of_the_fit_where_it_is_another() {
+    let mut fixture = fixture::thermal_lag();
+    let (alone, why) = ("(of the fit alone: ", "what noise and prior leave open");
+    let page = breakable(&html(&fixture.subject()));
+    assert!(!page.contains(alone) && !page.contains(why));
+    let before = terminal::summary(&fixture.diagnosis);
+    for number in [&mut fixture.diagnosis.findings[0].parameters[0], &mut fixture.diagnosis.base.parameters_after[0]] {
+        number.sd_of_fit = 0.01 * number.sd;
+    }
+    let page = breakable(&html(&fixture.subject()));
+    assert_eq!([page.matches(alone).count(), page.matches(why).count()], [2, 2]);
+    assert_eq!(terminal::summary(&fixture.diagnosis), before);
+}
+
 #[test]
 fn a_report_loads_nothing_from_elsewhere_and_keeps_markup_of_names_out() {
     let mut fixture = fixture::thermal_lag();

@@ -16,6 +16,8 @@ use super::{
 use crate::inputs::Role;
 use crate::nearest::nearest;
 use crate::units::{Dimension, UnitError};
+use std::cell::OnceCell;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// A column that plays a role.
@@ -39,7 +41,7 @@ pub(super) fn bind(
     header: &[Heading],
     manifest: &Manifest,
 ) -> Result<(Vec<Column>, Vec<Note>), RecordingError> {
-    let binder = Binder { file, toml: toml.unwrap_or(file), bare: toml.is_none(), header, manifest };
+    let binder = Binder { file, toml: toml.unwrap_or(file), bare: toml.is_none(), header, manifest, by_words: OnceCell::new() };
     let mut found = Vec::new();
     for role in ROLES {
         found.extend(binder.find(role)?.map(|index| (role, index)));
@@ -58,9 +60,21 @@ struct Binder<'a> {
     bare: bool,
     header: &'a [Heading],
     manifest: &'a Manifest,
+    /// what words of names tell of all roles at once, when the first role asks
+    by_words: OnceCell<BTreeMap<Role, usize>>,
 }
 
 impl Binder<'_> {
+    /// Whether the TOML names a column of this name for a role.
+    fn has_role(&self, name: &str) -> bool {
+        self.manifest.columns.values().any(|named| named.text == name)
+    }
+
+    /// Whether it stands under `[drivers]`.
+    fn is_driver(&self, name: &str) -> bool {
+        self.manifest.drivers.iter().any(|driver| driver.column == name)
+    }
+
     /// Index of a role's column.
     fn find(&self, role: Role) -> Result<Option<usize>, RecordingError> {
         let named = self.manifest.columns.get(&role);
@@ -89,9 +103,8 @@ impl Binder<'_> {
 
     /// The column that is the clock as it alone holds dates: where several do, the one that is called after a clock. Days alone need such a name, as a table of one day has no other clock.
     fn dates(&self) -> Option<usize> {
-        let named = |name: &str| self.manifest.columns.values().any(|named| named.text == name);
         let dated: Vec<usize> = (0..self.header.len())
-            .filter(|index| self.bare && self.header[*index].dated && !named(&self.header[*index].name))
+            .filter(|index| self.bare && self.header[*index].dated && !self.has_role(&self.header[*index].name))
             .collect();
         let only = |found: Vec<usize>| if let [index] = found[..] { Some(index) } else { None };
         let of =
@@ -102,16 +115,18 @@ impl Binder<'_> {
     /// The column of a table without a TOML that a word of its name and its unit tell, as they tell it to `truegap init`.
     fn by_a_word(&self, role: Role) -> Option<usize> {
         let dimension = dimension(role).filter(|_| self.bare)?;
-        let named = |name: &str| self.manifest.columns.values().any(|named| named.text == name);
-        let driver = |name: &str| self.manifest.drivers.iter().any(|driver| driver.column == name);
+        let index = *self.by_words.get_or_init(|| by_name(self.header, &self.free()).found).get(&role)?;
+        self.header[index].unit_of(dimension).map(|_| index)
+    }
+
+    /// The columns of which nobody has said anything and that alone have their name; dates and times of day are none of them.
+    fn free(&self) -> Vec<usize> {
         let is_free = |index: &usize| {
             let heading = &self.header[*index];
             let alone = self.header.iter().filter(|other| other.name == heading.name).count() == 1;
-            alone && !heading.dated && !heading.of_day && !named(&heading.name) && !driver(&heading.name)
+            alone && !heading.dated && !heading.of_day && !self.has_role(&heading.name) && !self.is_driver(&heading.name)
         };
-        let free: Vec<usize> = (0..self.header.len()).filter(is_free).collect();
-        let index = by_name(self.header, &free).found.get(&role).copied()?;
-        self.header[index].unit_of(dimension).map(|_| index)
+        (0..self.header.len()).filter(is_free).collect()
     }
 
     /// A note of columns that were read by a word of their names.
@@ -128,9 +143,8 @@ impl Binder<'_> {
     /// Whether the TOML says of a column that is called after `role`, which it does not name, that it is something else: another role, or a driver in place of a load. A thermometer and
     /// a clock are what effects of their own follow, so a driver does not take these away without a word.
     fn is_meant_otherwise(&self, role: Role, heading: &Heading) -> bool {
-        let another = self.manifest.columns.values().any(|named| named.text == heading.name);
-        let driver = || self.manifest.drivers.iter().any(|driver| driver.column == heading.name);
-        another || (matches!(role, Role::Force | Role::Pressure | Role::Gap | Role::Humidity) && driver())
+        let may_be_driver = matches!(role, Role::Force | Role::Pressure | Role::Gap | Role::Humidity);
+        self.has_role(&heading.name) || (may_be_driver && self.is_driver(&heading.name))
     }
 
     /// Why a role has no column although the header holds one that is called after it: what stands behind the word is no unit of it. To leave the column out
@@ -284,7 +298,8 @@ fn overrides(heading: &Heading, given: &Named, named: &str) -> Note {
 
 /// Refuses a name for a role that stands over no column.
 pub(super) fn there(file: &Path, header: &[Heading], role: Role, named: &Named) -> Result<(), RecordingError> {
-    let binder = Binder { file, toml: file, bare: true, header, manifest: &Manifest::default() };
+    let manifest = &Manifest::default();
+    let binder = Binder { file, toml: file, bare: true, header, manifest, by_words: OnceCell::new() };
     let is_there = header.iter().any(|heading| heading.name == named.text);
     if is_there { Ok(()) } else { Err(binder.missing(role, Some(named))) }
 }

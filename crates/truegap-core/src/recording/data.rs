@@ -3,7 +3,7 @@
 //! Limits: rows are kept in the order of the file.
 
 use super::{manifest::BaseSpec, note::Note};
-use crate::inputs::{Inputs, Role};
+use crate::inputs::{INPUT_ROLES, Inputs, Role};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -75,16 +75,7 @@ impl Recording {
     /// The columns of numbers that were recorded, SI, with their roles.
     pub fn quantities(&self) -> Vec<(Role, &[f64])> {
         let inputs = &self.inputs;
-        let columns = [
-            (Role::Time, &inputs.time_s),
-            (Role::Force, &inputs.force_n),
-            (Role::Pressure, &inputs.pressure_pa),
-            (Role::Gap, &inputs.gap_m),
-            (Role::Temperature, &inputs.temperature_c),
-            (Role::Humidity, &inputs.humidity_pct),
-            (Role::Simulated, &inputs.simulated),
-        ];
-        let given = columns.into_iter().filter_map(|(role, column)| column.as_deref().map(|c| (role, c)));
+        let given = INPUT_ROLES.into_iter().filter_map(|role| Some((role, inputs.column(role)?)));
         given.chain([(Role::Response, self.response.as_slice())]).collect()
     }
 

@@ -22,14 +22,10 @@ pub(super) fn dimension(role: Role) -> Option<Dimension> {
 /// Name that the contract gives a role's column.
 pub(super) fn default_name(role: Role) -> &'static str {
     match role {
-        Role::Time => "time_s",
-        Role::Force => "force_n",
         Role::Pressure => "pressure_kpa",
         Role::Gap => "gap_mm",
-        Role::Temperature => "temperature_c",
-        Role::Humidity => "humidity_pct",
         Role::Response => "capacitance_pf",
-        Role::Simulated | Role::Run | Role::Sensor => role.key(),
+        other => other.column_name(),
     }
 }
 

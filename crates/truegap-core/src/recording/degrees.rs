@@ -3,6 +3,7 @@
 //! Limits: a doubt, never a correction: an oven has 300 degrees Celsius, and helium 4 kelvins.
 
 use super::{columns::Column, data::Recording, note::Note};
+use crate::column::ends;
 use crate::inputs::Role;
 use crate::units::{Dimension, twelve_digits};
 
@@ -17,7 +18,7 @@ pub(super) fn doubt(recording: &Recording, columns: &[Column]) -> Option<Note> {
     let (factor, offset) = column.scale;
     let written = |celsius: f64| twelve_digits((celsius - offset) / factor);
     let values = recording.inputs.temperature_c.as_ref()?.iter().map(|celsius| written(*celsius));
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+    let (low, high) = ends(values);
     let inside = |(from, to): (f64, f64)| low >= from && high <= to;
     let read_in = |unit: &str| Dimension::Temperature.scale(unit) == Ok(column.scale);
     let (unit, other) = match () {

@@ -15,6 +15,7 @@ use super::{
     manifest::Manifest,
     note::Note,
     rows::{Impossible, impossible},
+    spare::Spare,
     whole::{Gone, Instant, is_angle},
 };
 use crate::inputs::{Driver, Inputs, Role};
@@ -53,6 +54,10 @@ impl<'a> FrameColumn<'a> {
         Self { name: name.to_owned(), values: Cow::Borrowed(values), cells: Cells::Numbers }
     }
 
+    fn holds_numbers(&self) -> bool {
+        self.cells == Cells::Numbers && self.values.iter().any(|value| value.is_finite())
+    }
+
     pub(super) fn heading(&self) -> Heading {
         Heading { dated: self.cells != Cells::Numbers, ..Heading::of(&self.name) }
     }
@@ -64,17 +69,26 @@ impl Recording {
     /// # Errors
     /// As [`Recording::open`]; [`RecordingError::Lengths`] where the columns are not of one length.
     pub fn from_columns(name: &str, toml: &str, table: &[FrameColumn<'_>]) -> Result<Self, RecordingError> {
-        let path = PathBuf::from(name);
-        let manifest = Manifest::parse(&path, toml)?;
-        Self::of_frame(&path, None, manifest, table)
+        Self::from_frame(name, toml, table, &[])
     }
 
-    /// Reads a recording from columns, as `manifest` says; `toml` is where that stands.
+    /// As [`Recording::from_columns`], of a frame that has further columns; `left_out` are the names of those, which hold neither numbers nor times.
+    ///
+    /// # Errors
+    /// As [`Recording::from_columns`].
+    pub fn from_frame(name: &str, toml: &str, table: &[FrameColumn<'_>], left_out: &[String]) -> Result<Self, RecordingError> {
+        let path = PathBuf::from(name);
+        let manifest = Manifest::parse(&path, toml)?;
+        Self::of_frame(&path, None, manifest, table, left_out)
+    }
+
+    /// Reads a recording from columns, as `manifest` says; `toml` is where that stands, `left_out` are the names of columns without numbers.
     pub(super) fn of_frame(
         path: &Path,
         toml: Option<&Path>,
         manifest: Manifest,
         table: &[FrameColumn<'_>],
+        left_out: &[String],
     ) -> Result<Self, RecordingError> {
         let header: Vec<Heading> = table.iter().map(FrameColumn::heading).collect();
         same_length(table)?;
@@ -86,6 +100,7 @@ impl Recording {
         let (inputs, response, found) = frame.columns(&kept, &mut gone)?;
         gone.check(path.to_owned(), response.len())?;
         notes.extend(frame.dates());
+        notes.extend(frame.spare(&header, left_out, toml.is_none()));
         notes.extend(gone.notes());
         notes.extend(found);
         if response.is_empty() {
@@ -141,6 +156,12 @@ impl Frame<'_> {
             }
         }
         kept
+    }
+
+    /// What is told of columns that were not read.
+    fn spare(&self, header: &[Heading], left_out: &[String], bare: bool) -> Option<Note> {
+        let numeric: Vec<bool> = self.table.iter().map(FrameColumn::holds_numbers).collect();
+        Spare { header, columns: self.bound, drivers: self.drivers, numeric: &numeric, left_out, bare }.note()
     }
 
     /// What is told of a clock that is a date.

@@ -35,6 +35,7 @@ mod singletact;
 mod sketch;
 mod small_letters;
 mod source;
+mod spare;
 mod stamp;
 mod table;
 mod text;

@@ -11,13 +11,13 @@ use super::{
     degrees,
     driver_columns::bind_drivers,
     error::RecordingError,
-    heading::Heading,
     manifest::{BaseSpec, Manifest, Named},
     note::Note,
     number::number,
     packed::{open_csv, unread},
     rows::Rows,
     singletact,
+    spare::Spare,
     table::Table,
     told::Told,
 };
@@ -116,7 +116,7 @@ fn opened(origin: &Origin<'_>, manifest: Manifest) -> Result<Recording, Recordin
             let manifest = manifest.told(origin.told, &frame.header());
             frame.read_dates(origin.csv, &manifest)?;
             frame.holds_numbers(origin.csv, &manifest)?;
-            let mut recording = Recording::of_frame(origin.csv, origin.toml, manifest, &frame.columns)?;
+            let mut recording = Recording::of_frame(origin.csv, origin.toml, manifest, &frame.columns, &frame.left_out_names())?;
             recording.sha256 = frame.sha256;
             recording.path = origin.toml.unwrap_or(origin.csv).to_owned();
             Ok(recording)
@@ -143,18 +143,15 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
         }
         let numeric = numbers_ahead(&table);
         rows.take(&mut table, &columns, &drivers, sensor.filter(|_| several).map(String::as_str))?;
-        let used: Vec<usize> = columns.iter().map(|c| c.index).chain(drivers.iter().map(|d| d.index)).collect();
         if pass == 0 {
             notes = std::mem::take(&mut table.notes);
             notes.extend(assumed);
             notes.extend(rows.first_date.take());
             notes.extend(rows.commas.then_some(Note::DecimalCommas));
             if !table.singletact {
-                let is_input = |c: &Column| !matches!(c.role, Role::Response | Role::Time | Role::Run | Role::Sensor);
-                let alone = drivers.is_empty() && !columns.iter().any(is_input);
-                notes.extend(
-                    no_input(&table.header, &used, &numeric).filter(|_| alone).or_else(|| not_read(&table.header, &used, origin)),
-                );
+                let (header, bare) = (table.header.as_slice(), origin.toml.is_none());
+                let spare = Spare { header, columns: &columns, drivers: &drivers, numeric: &numeric, left_out: &[], bare };
+                notes.extend(spare.note());
             }
             bound = columns;
         } else {
@@ -167,24 +164,10 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
     assemble(rows, &bound, notes, sha256, origin, manifest.base)
 }
 
-/// Columns that a table without a TOML holds and nothing asked for: who wrote them may think that they are read.
-fn not_read(header: &[Heading], used: &[usize], origin: &Origin<'_>) -> Option<Note> {
-    let spare = header.iter().enumerate().filter(|(index, heading)| !heading.name.is_empty() && !used.contains(index));
-    let spare = columns::quoted(spare.map(|(_, heading)| heading.name.as_str()));
-    (origin.toml.is_none() && !spare.is_empty()).then_some(Note::NotRead { columns: spare })
-}
-
 /// Whether a number stands under each heading, in the first row.
 fn numbers_ahead<R: Read + Seek>(table: &Table<R>) -> Vec<bool> {
     let is_number = |index: usize| table.row().get(index).is_some_and(|cell| number(cell, table.decimal_comma).is_ok());
     (0..table.header.len()).map(is_number).collect()
-}
-
-/// Columns of numbers that were not read although the reading has nothing to follow.
-fn no_input(header: &[Heading], used: &[usize], numeric: &[bool]) -> Option<Note> {
-    let is_spare = |(index, heading): &(usize, &Heading)| !heading.name.is_empty() && !used.contains(index) && numeric[*index];
-    let spare = columns::quoted(header.iter().enumerate().filter(is_spare).map(|(_, heading)| heading.name.as_str()));
-    (!spare.is_empty()).then_some(Note::NoInput { columns: spare })
 }
 
 /// Columns of the vendor's tool that are each read as a sensor's response; none where the response is named, or in any other CSV.

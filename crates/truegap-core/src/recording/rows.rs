@@ -23,12 +23,12 @@ use std::io::{Read, Seek};
 
 /// Why a value cannot be, SI; `None` where it can. An instrument for humidity reads a little below nothing and a little above all.
 pub(super) fn impossible(role: Role, value: f64) -> Option<Impossible> {
-    let (possible, unit, why) = match role {
-        Role::Temperature => (value >= ABSOLUTE_ZERO_C, "degC", "it lies below absolute zero"),
-        Role::Humidity => ((-5.0..=110.0).contains(&value), "%", "relative humidity lies between 0 and 100 %"),
+    let (possible, why) = match role {
+        Role::Temperature => (value >= ABSOLUTE_ZERO_C, "it lies below absolute zero"),
+        Role::Humidity => ((-5.0..=110.0).contains(&value), "relative humidity lies between 0 and 100 %"),
         _ => return None,
     };
-    (!possible).then_some(Impossible { unit, why })
+    (!possible).then_some(Impossible { unit: role.unit(), why })
 }
 
 /// A value that cannot be.
@@ -332,15 +332,12 @@ impl Rows {
         let mut response = Vec::new();
         for (role, column) in self.values {
             match role {
-                Role::Time => inputs.time_s = Some(column),
-                Role::Force => inputs.force_n = Some(column),
-                Role::Pressure => inputs.pressure_pa = Some(column),
-                Role::Gap => inputs.gap_m = Some(column),
-                Role::Temperature => inputs.temperature_c = Some(column),
-                Role::Humidity => inputs.humidity_pct = Some(column),
-                Role::Simulated => inputs.simulated = Some(column),
                 Role::Response => response = column,
-                Role::Run | Role::Sensor => {}
+                role => {
+                    if let Some(place) = inputs.column_mut(role) {
+                        *place = Some(column);
+                    }
+                }
             }
         }
         let notes = self

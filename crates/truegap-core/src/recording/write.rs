@@ -87,14 +87,8 @@ pub(super) fn names(recording: &Recording) -> BTreeMap<Role, String> {
 
 fn name(role: Role, recording: &Recording) -> &'static str {
     match role {
-        Role::Time => "time_s",
-        Role::Force => "force_n",
-        Role::Pressure => "pressure_pa",
-        Role::Gap => "gap_m",
-        Role::Temperature => "temperature_c",
-        Role::Humidity => "humidity_pct",
         Role::Response if recording.response_unit == "pF" => "capacitance_pf",
-        other => other.key(),
+        other => other.column_name(),
     }
 }
 

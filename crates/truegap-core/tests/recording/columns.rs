@@ -25,6 +25,36 @@ fn columns_in_memory_are_read_as_a_csv_is() {
     assert_eq!(from_columns.inputs.drivers[0].unit, "V");
 }
 
+/// The note of columns that were not read was that of a CSV alone.
+#[test]
+fn what_was_not_read_of_columns_is_told_as_of_a_csv() {
+    let spare = |notes: &[Note]| -> Vec<Note> {
+        notes.iter().filter(|note| matches!(note, Note::NotRead { .. } | Note::NoInput { .. })).cloned().collect()
+    };
+    let header = "schema = \"truegap.recording/1\"\nfile = \"a.csv\"\n";
+    let command = "[drivers]\ncommand = { column = \"cmd\", unit = \"mm\" }\n";
+    let table: Vec<FrameColumn<'_>> = [("cmd", &[1.0, 2.0]), ("spare", &[3.0, 4.0]), ("capacitance_pf", &[7.0, 8.0])]
+        .into_iter()
+        .map(|(name, column)| FrameColumn::numbers(name, column))
+        .collect();
+    let folder = std::env::temp_dir().join(format!("truegap-spare-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let csv = folder.join("a.csv");
+    std::fs::write(&csv, "cmd,spare,capacitance_pf,who\n1,3,7,x\n2,4,8,y\n").unwrap();
+    let read = |toml: &str| {
+        let by_frame = Recording::from_frame("frame", toml, &table, &["who".to_owned()]).unwrap();
+        let by_csv = Recording::open_table(&csv, toml).unwrap();
+        assert_eq!(spare(&by_frame.notes), spare(&by_csv.notes));
+        spare(&by_frame.notes)
+    };
+    assert_eq!(read(&format!("{header}{command}")), [Note::NotRead { columns: "`spare`, `who`".into() }]);
+    // where there is nothing to follow, columns of numbers are what was meant
+    assert_eq!(read(header), [Note::NoInput { columns: "`cmd`, `spare`".into() }]);
+    let all = format!("{header}{command}spare = {{ column = \"spare\", unit = \"mm\" }}\n");
+    assert!(spare(&Recording::from_columns("frame", &all, &table).unwrap().notes).is_empty());
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
 #[test]
 fn rows_of_a_frame_with_holes_are_left_out_and_counted() {
     let toml = "schema = \"truegap.recording/1\"\nfile = \"frame\"\n";

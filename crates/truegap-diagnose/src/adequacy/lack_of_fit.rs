@@ -8,7 +8,7 @@ use crate::{
     data::problem::Problem,
     fit::{
         optimum::{Fit, Linearised},
-        score_test::{JointTest, Scores, scores},
+        score_test::{JointTest, Scores, scores_with},
     },
     stats::excess_of,
     whitening::{noise_model::NoiseModel, whitener::Whitener},
@@ -20,6 +20,8 @@ use std::ops::Range;
 pub struct LackOfFitTests {
     /// n x k
     columns: DMatrix<f64>,
+    /// products of the columns with one another
+    gram: DMatrix<f64>,
     runs: Vec<Range<usize>>,
     /// factor by which the noise may be larger than taken, two standard deviations up
     slack: f64,
@@ -82,7 +84,8 @@ impl LackOfFitTests {
     /// Whitens the directions; `uncertainty` is the relative standard deviation of the noise's variance.
     pub fn new(directions: &[Direction], whitener: &Whitener, runs: Vec<Range<usize>>, uncertainty: f64) -> Self {
         let columns = whitener.matrix(directions.iter().map(|d| d.column.clone()).collect());
-        Self { columns, runs, slack: 1.0 + 2.0 * uncertainty.min(MOST_UNCERTAIN), steps: 0.0 }
+        let gram = columns.tr_mul(&columns);
+        Self { columns, gram, runs, slack: 1.0 + 2.0 * uncertainty.min(MOST_UNCERTAIN), steps: 0.0 }
     }
 
     /// The tests of the searched rows of a recording under their noise; `keep[row] = false` leaves a row out. What lasts is looked for inside of runs, and where the rows are in no order nowhere.
@@ -111,7 +114,11 @@ impl LackOfFitTests {
 
     /// Scores along the directions.
     pub fn scores(&self, fit: &Fit) -> Scores {
-        scores(&fit.linearised(), &self.columns)
+        self.scores_about(&fit.linearised())
+    }
+
+    fn scores_about(&self, linearised: &Linearised) -> Scores {
+        scores_with(linearised, &self.columns, &self.gram)
     }
 
     /// What a fit may leave over, in units of the noise variance: what the tests find above expectation, and two standard deviations of the smooth one.
@@ -131,7 +138,7 @@ impl LackOfFitTests {
     /// The two tests of what calibration leaves.
     fn smooth_and_stretches(&self, fit: &Fit) -> (JointTest, JointTest) {
         let linearised = fit.linearised();
-        let smooth = if self.columns.ncols() == 0 { none() } else { scores(&linearised, &self.columns).joint() };
+        let smooth = if self.columns.ncols() == 0 { none() } else { self.scores_about(&linearised).joint() };
         (smooth.over(self.slack), stretches(&linearised, &self.runs).over(self.slack))
     }
 }

@@ -130,7 +130,7 @@ fn absorbed_share(found: &Found<'_>) -> f64 {
     let mut without = chosen.fit.z.clone();
     (0..chosen.effects.len()).for_each(|i| without[model.first_of(i)] = zero_size(&model, i));
     let Ok(there) = model.residual(&without, found.search.whitener) else { return 0.0 };
-    let raw: f64 = there.iter().zip(&chosen.fit.residual).map(|(a, b)| (a - b).powi(2)).sum();
+    let raw: f64 = there.iter().zip(chosen.fit.residual.iter()).map(|(a, b)| (a - b).powi(2)).sum();
     let left = (found.selection.base().fit.chi2 - chosen.fit.chi2).max(0.0);
     if raw > 0.0 { 1.0 - (left / raw).sqrt().min(1.0) } else { 0.0 }
 }

@@ -17,7 +17,7 @@ pub struct ParameterFacts {
     pub value: f64,
     /// standard deviation: noise, prior, and what effects too weak to be named or the equations of those that are named may have done to it
     pub sd: f64,
-    /// the part of it that noise and prior make where the model is right in every respect
+    /// the part of it that noise and prior make where the model is right in every respect; of numbers that are told by least squares, the difference of the two calibrations as well
     pub sd_of_fit: f64,
     /// on a bound
     pub at_limit: bool,

@@ -103,6 +103,24 @@ impl Inverse {
         }
     }
 
+    /// Least and greatest reading that the base model gives over all rows; `None` where it gives any.
+    pub fn gives(&self) -> Option<[f64; 2]> {
+        let Self::Curve { readings: [low, high], .. } = self else { return None };
+        let ends = low.iter().chain(high);
+        Some(ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], reading| [least.min(*reading), most.max(*reading)]))
+    }
+
+    /// Rows whose reading is beyond what the base model gives there by more than `part` of its range.
+    pub fn far_outside(&self, readings: &[f64], part: f64) -> usize {
+        let Self::Curve { readings: [low, high], .. } = self else { return 0 };
+        let is_far = |row: &usize| {
+            let (least, most) = (low[*row].min(high[*row]), low[*row].max(high[*row]));
+            let margin = part * (most - least);
+            readings[*row] < least - margin || readings[*row] > most + margin
+        };
+        (0..readings.len()).filter(is_far).count()
+    }
+
     /// Input of each row at which the base model gives these readings, and the number of rows that no input gives, which get the nearest.
     ///
     /// # Errors

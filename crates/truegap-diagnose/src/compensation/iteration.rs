@@ -3,6 +3,7 @@
 //! Limits: what a sensor has lost, as a lag loses quick changes, comes back only as far as the noise allows.
 
 use super::{inverse::Inverse, models::Models};
+use crate::stats::rms;
 
 /// What is left may stand above what the noise alone would leave by this factor: a bias of a third of the noise.
 const ABOVE_NOISE: f64 = 1.05;
@@ -147,19 +148,6 @@ fn step<E>(readings: &[f64], corrected: &[f64], models: &Models<'_, E>, inverse:
 
 fn moved(column: &[f64], change: &[f64], share: f64) -> Vec<f64> {
     column.iter().zip(change).map(|(value, change)| value + share * change).collect()
-}
-
-/// Root mean square of a column; 0 of none.
-pub fn rms(column: impl Iterator<Item = f64> + Clone) -> f64 {
-    let rows = column.clone().count().max(1) as f64;
-    let squares = |unit: f64| column.clone().map(|value| (value / unit).powi(2)).sum::<f64>() / rows;
-    let plain = squares(1.0).sqrt();
-    if plain.is_finite() {
-        return plain;
-    }
-    // squares of what is itself a number
-    let greatest = column.clone().fold(0.0f64, |most, value| most.max(value.abs()));
-    if greatest.is_finite() { greatest * squares(greatest).sqrt() } else { plain }
 }
 
 fn difference<'a>(a: &'a [f64], b: &'a [f64]) -> impl Iterator<Item = f64> + Clone + 'a {

@@ -23,5 +23,5 @@ mod models;
 mod tests;
 
 pub use inverse::{Inverse, Span};
-pub use iteration::{Compensated, Limits, Stopped, compensated, rms};
+pub use iteration::{Compensated, Limits, Stopped, compensated};
 pub use models::{Models, Reading};

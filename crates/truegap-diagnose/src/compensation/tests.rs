@@ -1,7 +1,7 @@
 //! Sensors whose true readings are known by closed form; none of their physics is that of the library.
 
-use super::iteration::rms;
 use super::*;
+use crate::stats::rms;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};

@@ -2,7 +2,7 @@
 //!
 //! Limits: known by their unit alone; a column in another unit is no angle.
 
-use truegap_core::Driver;
+use truegap_core::{Driver, ends};
 
 /// Share of a turn that an angle must cover, so that laws of the whole turn can be seen.
 const COVERED: f64 = 0.5;
@@ -29,7 +29,7 @@ pub(crate) fn turning(unit: &str, low: f64, high: f64) -> Option<f64> {
 /// Whether a driver is an angle that begins anew after each turn: its number goes from one end to the other where nothing has moved far.
 pub(crate) fn begins_anew(driver: &Driver) -> bool {
     let values = &driver.values;
-    let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+    let (low, high) = ends(values.iter().copied());
     let Some(turn) = turning(&driver.unit, low, high).filter(|turn| high - low <= ONE_TURN * turn) else { return false };
     values.windows(2).any(|w| (w[1] - w[0]).abs() > 0.5 * turn)
 }

@@ -6,6 +6,7 @@ pub use crate::data::load::load_column;
 
 use crate::data::moved::Moved;
 use std::sync::{Arc, OnceLock};
+use truegap_core::ends;
 use truegap_core::{Corrections, EffectId, Inputs, Joined, Parameter, Prior, Simulator, simulator::StageName};
 
 /// Why nothing that takes time can be looked for.
@@ -56,7 +57,7 @@ pub struct Context<'a> {
 }
 
 fn range(column: &[f64]) -> (f64, f64) {
-    column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)))
+    ends(column.iter().copied())
 }
 
 /// From first to last row on one clock; of the longest recording where there are several.
@@ -70,7 +71,7 @@ fn duration(time: &[f64], inputs: &Inputs, simulator: &dyn Simulator) -> f64 {
 const HELD: f64 = 1e-6;
 
 /// What a reader is told of it.
-const HELD_SAYS: &str = "; held at 0, since rows left out are predicted better so";
+const HELD_SAYS: &str = "; held at 0, since rows left out are predicted as well or better so";
 
 /// Change of a temperature that a thermometer sees, K.
 const SOME_KELVIN: f64 = 0.2;

@@ -8,7 +8,7 @@ use crate::{
 };
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use truegap_core::{Driver, Inputs, Simulator};
+use truegap_core::{Driver, Inputs, Simulator, ends};
 
 /// Columns that moved.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -38,8 +38,7 @@ impl Moved {
         let moves = |column: &Option<Vec<f64>>| column.as_deref().is_some_and(|column| range(column) > 0.0);
         let moving = inputs.drivers.iter().filter(|driver| range(&driver.values) > 0.0);
         let (round, straight): (Vec<&Driver>, Vec<&Driver>) = moving.partition(|driver| begins_anew(driver));
-        let ends = |x: &[f64]| x.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(*x), high.max(*x)]);
-        let ranges = straight.iter().map(|driver| (driver.name.clone(), ends(&driver.values))).collect();
+        let ranges = straight.iter().map(|driver| (driver.name.clone(), ends(driver.values.iter().copied()).into())).collect();
         let names = |drivers: Vec<&Driver>| drivers.into_iter().map(|driver| driver.name.clone()).collect();
         Self {
             temperature_k: inputs.temperature_c.as_deref().map_or(0.0, range),

@@ -14,6 +14,7 @@ use crate::{
     selection::candidates::{Search, Tried},
     stats::log_sum_exp,
 };
+use rayon::prelude::*;
 use std::sync::atomic::Ordering;
 use truegap_core::{EffectId, simulator::StageName};
 
@@ -117,14 +118,19 @@ struct Fitted {
 /// Fits the most promising sentences beside `from`, corrects what the screen promised of them, and gives the one with the most weight, and the others.
 fn best_fit(search: &Search<'_>, from: &Tried, found: &mut Screen, temper: f64, id: EffectId) -> Option<(Fitted, Vec<Fitted>)> {
     let mut all: Vec<Fitted> = Vec::new();
-    for index in promising(found, temper) {
-        all.extend(fit_screened(search, from, found, (index, temper), id));
+    let fits: Vec<(usize, Option<(Composed, Tried)>)> = promising(found, temper)
+        .into_par_iter()
+        .map(|index| (index, fit_of(search, from, &found.sentences[index], id)))
+        .collect();
+    for (index, fit) in fits {
+        all.extend(fit.map(|fit| corrected(from, found, (index, temper), fit)));
     }
     // late by less than two rows: that is at once, and another sentence says so
     for late in all.iter().filter(|f| is_at_once(search, f)).map(|f| f.index).collect::<Vec<_>>() {
         let Some(twin) = found.at_once(late, temper) else { continue };
         if !all.iter().any(|f| f.index == twin) {
-            all.extend(fit_screened(search, from, found, (twin, temper), id));
+            let fit = fit_of(search, from, &found.sentences[twin], id);
+            all.extend(fit.map(|fit| corrected(from, found, (twin, temper), fit)));
         }
         if found.sentences[twin].weight(temper) > found.sentences[late].weight(temper) - CLOSE {
             found.sentences[late].beyond = f64::NEG_INFINITY;
@@ -136,18 +142,11 @@ fn best_fit(search: &Search<'_>, from: &Tried, found: &mut Screen, temper: f64, 
     Some((best, all))
 }
 
-/// Fits a sentence beside `from` and corrects what the screen promised of it.
-fn fit_screened(
-    search: &Search<'_>,
-    from: &Tried,
-    found: &mut Screen,
-    (index, temper): (usize, f64),
-    id: EffectId,
-) -> Option<Fitted> {
-    let (effect, tried) = fit_of(search, from, &found.sentences[index], id)?;
+/// A sentence that was fitted beside `from`, and what the screen promised of it corrected.
+fn corrected(from: &Tried, found: &mut Screen, (index, temper): (usize, f64), (effect, tried): (Composed, Tried)) -> Fitted {
     let s = &mut found.sentences[index];
     s.beyond = 2.0 * (from.fit.objective() - tried.fit.objective()) - s.deviance;
-    Some(Fitted { index, weight: s.weight(temper), effect, tried })
+    Fitted { index, weight: s.weight(temper), effect, tried }
 }
 
 /// The likeliest mechanism with another value of the least sure word; one that was not fitted yet is.

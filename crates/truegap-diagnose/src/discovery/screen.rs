@@ -21,13 +21,14 @@ use crate::{
     },
     fit::{model::Model, optimum::Linearised},
     seeds::SEEDS,
-    stats::{log_sum_exp, spread},
+    stats::{deviation, log_sum_exp, spread},
     whitening::whitener::Whitener,
 };
 use nalgebra::{DMatrix, DVector};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+use truegap_core::ends;
 
 /// Lengths that the column of a mechanism may have, in units of the noise; its evidence is the mean over them.
 const LENGTHS: [f64; 7] = [3.0, 8.0, 20.0, 50.0, 130.0, 350.0, 1000.0];
@@ -133,7 +134,7 @@ pub fn screen(model: &Model<'_>, z: &[f64], linearised: &Linearised, whitener: &
     if Course::of(model.context, 0).is_some_and(|course| !course.comes_again(model.context)) {
         laws.retain(|law| !is_bent_in_time(&law.sentence));
     }
-    let (turned, reversed) = (turned(&linearised.residual), reversed(&linearised.residual));
+    let [turned, reversed] = [turned(&linearised.residual), reversed(&linearised.residual)].map(|columns| columns.transpose());
     let places = places(&levers);
     let of_law = |law: &Law| {
         let Some(mut x) = course(&law.sentence.driver, &at) else { return Vec::new() };
@@ -190,7 +191,7 @@ fn ranges(at: &Courses<'_>) -> Vec<Range> {
     let of = |driver: Driver| {
         let mut x = course(&driver, at)?;
         let moves = spread(&x) > 0.0;
-        let (low, high) = x.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
+        let (low, high) = ends(x.iter().copied());
         x.iter_mut().for_each(|x| *x = x.abs());
         let tenth = x.len().saturating_sub(1) * 9 / 10;
         let usual = *x.select_nth_unstable_by(tenth, f64::total_cmp).1;
@@ -263,6 +264,7 @@ fn suits(lever: &Lever, sentence: &Sentence, knows_lag: bool) -> bool {
     }
 }
 
+/// A sentence at one lever, and the greatest deviance of its grid for each residual that came `by_chance`, a row each.
 fn weighed(
     law: &Law,
     followed: &[Vec<f64>],
@@ -273,7 +275,7 @@ fn weighed(
     by_chance: &[&DMatrix<f64>],
 ) -> Option<(Screened, Vec<Vec<f64>>)> {
     let (mut grid, mut swings) = (Vec::with_capacity(followed.len()), Vec::with_capacity(followed.len()));
-    let mut control: Vec<Vec<f64>> = by_chance.iter().map(|columns| vec![0.0; columns.ncols()]).collect();
+    let (mut left, mut variances) = (Vec::new(), Vec::new());
     for u in followed {
         let mut b: Vec<f64> = u.iter().zip(&lever.of_row).map(|(u, s)| u * s).collect();
         swings.push(deviation(&b));
@@ -291,12 +293,19 @@ fn weighed(
             continue;
         }
         grid.push((b.dot(&linearised.residual), variance));
-        let off = &b - &linearised.taken * taken;
-        for (control, columns) in control.iter_mut().zip(by_chance) {
-            let scores = columns.tr_mul(&off);
-            control.iter_mut().zip(scores.iter()).for_each(|(c, s)| *c = f64::max(*c, s * s / variance));
-        }
+        left.push(b - &linearised.taken * taken);
+        variances.push(variance);
     }
+    let greatest = |residuals: &&DMatrix<f64>| {
+        let mut most = vec![0.0; residuals.nrows()];
+        if !left.is_empty() {
+            for (scores, variance) in (*residuals * DMatrix::from_columns(&left)).column_iter().zip(&variances) {
+                most.iter_mut().zip(scores.iter()).for_each(|(most, s)| *most = f64::max(*most, s * s / variance));
+            }
+        }
+        most
+    };
+    let control: Vec<Vec<f64>> = by_chance.iter().map(greatest).collect();
     let deviance = |(score, variance): &(f64, f64)| score * score / variance;
     let best = (0..grid.len()).max_by(|a, b| deviance(&grid[*a]).total_cmp(&deviance(&grid[*b])))?;
     let place = lever.quantity.place();
@@ -317,12 +326,6 @@ fn plausibility(place: Place, driver: &Driver, places: &[(Place, usize)]) -> f64
         Place::Dielectric if of_load => ELECTROSTRICTION,
         _ => 1.0,
     }
-}
-
-/// Root-mean-square distance from the mean.
-fn deviation(x: &[f64]) -> f64 {
-    let mean = x.iter().sum::<f64>() / x.len().max(1) as f64;
-    (x.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / x.len().max(1) as f64).sqrt()
 }
 
 /// Whether it goes up and down with time, whatever else was done.

@@ -8,7 +8,7 @@ use crate::{
     stats::{median, spread},
 };
 use std::borrow::Cow;
-use truegap_core::{Drive, Parameter};
+use truegap_core::{Drive, Parameter, ends};
 
 /// Range of the load from which on it drives a reading, full loads.
 const LOADED: f64 = 0.05;
@@ -192,9 +192,7 @@ impl Course {
             let [least, greatest] = self.ends(context);
             return 0.5 * (least + greatest);
         }
-        let (least, greatest) = self.recorded(context).map_or((0.0, 0.0), |column| {
-            column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), x| (least.min(*x), greatest.max(*x)))
-        });
+        let (least, greatest) = self.recorded(context).map_or((0.0, 0.0), |column| ends(column.iter().copied()));
         0.5 * (least + greatest)
     }
 
@@ -211,7 +209,7 @@ impl Course {
     }
 
     /// The column as it was recorded.
-    fn recorded<'a>(self, context: &Context<'a>) -> Option<Cow<'a, [f64]>> {
+    pub fn recorded<'a>(self, context: &Context<'a>) -> Option<Cow<'a, [f64]>> {
         let inputs = context.inputs;
         match self {
             Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice().into()),

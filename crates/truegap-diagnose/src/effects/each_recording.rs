@@ -86,6 +86,9 @@ impl<E: Effect> Effect for EachRecording<E> {
     fn about(&self) -> About {
         self.inner.about()
     }
+    fn far_sizes(&self, context: &Context<'_>) -> Vec<f64> {
+        self.inner.far_sizes(context)
+    }
     fn touches(&self) -> Vec<StageName> {
         self.inner.touches()
     }

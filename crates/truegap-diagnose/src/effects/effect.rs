@@ -153,12 +153,20 @@ pub trait Effect: Send + Sync {
     fn starts(&self, _context: &Context<'_>) -> Vec<Vec<f64>> {
         vec![Vec::new()]
     }
+    /// Sizes, in the unit of the size, from which a search starts as well: where the reading goes up and down with the size, so that no straight step leads from nothing to the right one.
+    fn far_sizes(&self, _context: &Context<'_>) -> Vec<f64> {
+        Vec::new()
+    }
     /// The effect whose law this one holds as a special case: an influence that comes late is a plain one where nothing is seen of its lag. It is named only where more is seen than that.
     fn comes_down_to(&self) -> Option<EffectId> {
         None
     }
     /// Names of numbers that are 0 in the simplest law that goes by this name: a bend, a second way. Where rows left out do not bear them out, they are held there.
     fn may_be_nothing(&self) -> &'static [&'static str] {
+        &[]
+    }
+    /// Names of numbers of a richer law by the same name, 0 in the law that is tried at first. They are opened where rows left out bear them out.
+    fn may_be_more(&self) -> &'static [&'static str] {
         &[]
     }
     /// Names of numbers, behind the size, whose lower limit is a law as good as any: what takes no time or no way. One that lies there does not say that the law fails.

@@ -38,6 +38,7 @@ mod nonlinearity;
 mod offset_drift;
 mod offset_steps;
 mod parasitic_capacitance;
+mod permanent_set;
 mod permittivity_temperature;
 mod plate_bending;
 mod rate_independent_hysteresis;
@@ -92,6 +93,7 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(friction::Friction(1)),
         Box::new(saturating_loop::SaturatingLoop),
         Box::new(nonlinearity::Nonlinearity),
+        Box::new(permanent_set::PermanentSet),
         Box::new(temperature_coefficient::TemperatureCoefficient),
         Box::new(driver_coefficient::DriverCoefficient(0)),
         Box::new(driver_coefficient::DriverCoefficient(1)),

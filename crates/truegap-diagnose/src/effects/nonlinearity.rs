@@ -11,6 +11,9 @@ use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageN
 /// A smooth bend of the characteristic between the ends of the span, where it is none.
 pub struct Nonlinearity;
 
+/// Weights that a curve with one bend or two does without.
+const FURTHER: [&str; 2] = ["sway", "ripple"];
+
 /// Places at which the mean square of a departure is taken.
 const PLACES: usize = 48;
 
@@ -26,7 +29,7 @@ struct Bend {
     /// width of that place, in spans; a wide one warps nothing
     width: f64,
     /// weights of Legendre's first polynomials along the warped scale
-    weights: [f64; 3],
+    weights: [f64; 5],
     /// what warps the scale
     warp: Warp,
 }
@@ -45,7 +48,8 @@ fn logarithm(u: f64) -> (f64, f64) {
 
 impl Bend {
     fn of(values: &[f64], warp: Warp) -> Self {
-        let shape = Self { scale: 1.0, middle: values[1], width: values[2], weights: [values[3], values[4], values[5]], warp };
+        let shape =
+            Self { scale: 1.0, middle: values[1], width: values[2], weights: std::array::from_fn(|k| values[3 + k]), warp };
         let places = (0..PLACES).map(|k| (k as f64 + 0.5) / PLACES as f64);
         let square = places.map(|x| shape.at(x).powi(2)).sum::<f64>() / PLACES as f64;
         Self { scale: values[0] / square.sqrt().hypot(LEAST), ..shape }
@@ -73,8 +77,11 @@ impl Bend {
     }
 
     fn weighted(&self, u: f64) -> f64 {
-        let [even, lean, crowd] = self.weights;
-        even + lean * u + crowd * 0.5 * (3.0 * u * u - 1.0)
+        let [even, lean, crowd, sway, ripple] = self.weights;
+        let square = u * u;
+        let third = 0.5 * u * (5.0 * square - 3.0);
+        let fourth = 0.125 * (square * (35.0 * square - 30.0) + 3.0);
+        even + lean * u + crowd * 0.5 * (3.0 * square - 1.0) + sway * third + ripple * fourth
     }
 
     /// Greatest departure between the ends, and where it is: shares of the span.
@@ -116,7 +123,7 @@ impl Effect for Nonlinearity {
     fn about(&self) -> About {
         About {
             physics: "the characteristic is bent where the base model has a straight one: linearity error of a sensor, an amplifier, a law of nature",
-            equation: "value = true + b S g / rms(g), g = w - x + 4 w (1 - w) [c0 + c1 u + c2 (3 u^2 - 1) / 2], x the reading above its zero over the span S, w(x) from asinh((x - m) / h) with w(0) = 0 and w(1) = 1, u = 2 w - 1; straight on beyond the ends",
+            equation: "value = true + b S g / rms(g), g = w - x + 4 w (1 - w) [c0 P0(u) + ... + c4 P4(u)], P Legendre's polynomials, x the reading above its zero over the span S, w(x) from asinh((x - m) / h) with w(0) = 0 and w(1) = 1, u = 2 w - 1; straight on beyond the ends",
             excitation: "readings all over the span",
             impostors: &["saturation", "temperature_coefficient", "driver_coefficient", "offset_drift"],
             separates: "one curve, up and down, slow and fast, today and tomorrow",
@@ -125,6 +132,12 @@ impl Effect for Nonlinearity {
     }
     fn describes(&self) -> bool {
         true
+    }
+    fn may_be_nothing(&self) -> &'static [&'static str] {
+        &FURTHER
+    }
+    fn may_be_more(&self) -> &'static [&'static str] {
+        &FURTHER
     }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         let weight =
@@ -142,11 +155,13 @@ impl Effect for Nonlinearity {
             weight("even", 1.0, "part that is the same to both sides of the middle"),
             weight("lean", 0.7, "part that leans to the upper end"),
             weight("crowd", 0.5, "part that crowds to both ends"),
+            weight("sway", 0.35, "part that turns twice"),
+            weight("ripple", 0.25, "part that turns three times"),
         ]
     }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
-        let plain = |even: f64, lean: f64| vec![0.5, 5.0, even, lean, 0.0];
-        let steep = |middle: f64| vec![middle, 0.08, 0.0, 0.0, 0.0];
+        let plain = |even: f64, lean: f64| vec![0.5, 5.0, even, lean, 0.0, 0.0, 0.0];
+        let steep = |middle: f64| vec![middle, 0.08, 0.0, 0.0, 0.0, 0.0, 0.0];
         vec![plain(1.0, 0.0), steep(0.0), steep(1.0), steep(0.5), plain(0.0, 1.0)]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
@@ -189,7 +204,7 @@ mod tests {
     #[test]
     fn without_a_steep_place_it_is_a_parabola_through_the_ends() {
         // so wide that the scale departs from a straight one by less than 1 / (6 h^2); the parabola 4 x (1 - x) has the root mean square sqrt(8 / 15)
-        let bend = Bend::of(&[0.1, 0.5, 1e4, 1.0, 0.0, 0.0], asinh);
+        let bend = Bend::of(&[0.1, 0.5, 1e4, 1.0, 0.0, 0.0, 0.0, 0.0], asinh);
         assert_eq!((bend.at(0.0), bend.at(1.0)), (0.0, 0.0));
         let scale = 0.1 / (8.0f64 / 15.0).sqrt().hypot(LEAST);
         // midpoint rule with 48 places: 1e-4
@@ -198,8 +213,27 @@ mod tests {
     }
 
     #[test]
+    fn the_parts_of_its_arch_are_legendres_polynomials() {
+        // without a steep place u is 2 x - 1; by Bonnet's recursion from 1 and u
+        let legendre = |degree: usize, u: f64| {
+            let next = |(before, now): (f64, f64), n: usize| {
+                let n = n as f64;
+                (now, ((2.0 * n + 1.0) * u * now - n * before) / (n + 1.0))
+            };
+            if degree == 0 { 1.0 } else { (1..degree).fold((1.0, u), next).1 }
+        };
+        for degree in 0..5 {
+            let weights = std::array::from_fn(|k| if k == degree { 1.0 } else { 0.0 });
+            let bend = Bend { scale: 1.0, middle: 0.5, width: 1e4, weights, warp: asinh };
+            for x in [0.1, 0.35, 0.8] {
+                approx::assert_abs_diff_eq!(bend.at(x), 4.0 * x * (1.0 - x) * legendre(degree, 2.0 * x - 1.0), epsilon = 1e-7);
+            }
+        }
+    }
+
+    #[test]
     fn a_narrow_place_at_the_lower_end_is_a_logarithm() {
-        let bend = Bend { scale: 1.0, middle: 0.0, width: 1e-3, weights: [0.0; 3], warp: asinh };
+        let bend = Bend { scale: 1.0, middle: 0.0, width: 1e-3, weights: [0.0; 5], warp: asinh };
         // asinh(x / h) is ln(2 x / h) far above h: straight line and departure together are 1 + ln(x) / ln(2 / h)
         for x in [0.05, 0.3, 0.8] {
             approx::assert_relative_eq!(x + bend.at(x), 1.0 + x.ln() / 2e3_f64.ln(), epsilon = 1e-4);
@@ -208,7 +242,7 @@ mod tests {
 
     #[test]
     fn it_goes_straight_on_beyond_the_ends_without_a_kink() {
-        let bend = Bend::of(&[0.1, 0.3, 0.2, 1.5, -0.4, 0.3], asinh);
+        let bend = Bend::of(&[0.1, 0.3, 0.2, 1.5, -0.4, 0.3, -0.5, 0.2], asinh);
         for end in [0.0, 1.0] {
             let step = 1e-6;
             let (inside, outside) = if end == 0.0 { (step, -step) } else { (1.0 - step, 1.0 + step) };

@@ -3,6 +3,7 @@
 //! Limits: all at the centre of the priors of the base model; the reading on a sample of the rows.
 
 use crate::data::context::Context;
+use crate::stats::deviation;
 use std::sync::Mutex;
 use truegap_core::{Drive, Stage};
 
@@ -30,10 +31,7 @@ fn spread(context: &Context<'_>, stage: &dyn Stage) -> Option<f64> {
     let values = context.simulator.centre();
     let without = context.simulator.respond(&values, &inputs, &[]).ok()?;
     let with = context.simulator.respond(&values, &inputs, &[stage]).ok()?;
-    let count = keep.len() as f64;
-    let change = || with.iter().zip(&without).map(|(a, b)| a - b);
-    let mean = change().sum::<f64>() / count;
-    Some((change().map(|c| (c - mean).powi(2)).sum::<f64>() / count).sqrt())
+    Some(deviation(&with.iter().zip(&without).map(|(a, b)| a - b).collect::<Vec<_>>()))
 }
 
 /// Strain of a full load at the reference temperature, the base model at the centre of its priors; 1 where no load is known or the model has no answer.

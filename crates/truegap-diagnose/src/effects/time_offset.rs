@@ -77,6 +77,14 @@ impl Effect for TimeOffset {
         let most = (0.2 * context.longest_run_s).max(scale);
         vec![Parameter::normal("late", "s", 0.0, scale, "time by which the load's clock is late").within(-most, most)]
     }
+    fn far_sizes(&self, context: &Context<'_>) -> Vec<f64> {
+        let Some((width_s, most_s)) = alike_within_s(context).zip(self.parameters(context).first().map(|late| late.bounds.1))
+        else {
+            return Vec::new();
+        };
+        let away = (1..=WIDTHS_LOOKED_AT).map(|k| f64::from(k) * width_s).take_while(|away| *away <= most_s);
+        away.flat_map(|away| [away, -away]).collect()
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Inputs)?;
         context.needs_clock()?;
@@ -94,6 +102,25 @@ impl Effect for TimeOffset {
     fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
         said(Course::on_a_clock(context).map_or("the load", |course| course.name(context)), fitted)
     }
+}
+
+/// Widths of what is followed, to either side, at which a search for a shift begins.
+const WIDTHS_LOOKED_AT: u32 = 12;
+
+/// Time by which the column that is followed may be shifted and still looks like itself: where its correlation with itself has fallen to one half, s. A shift by more is not found by straight steps from nothing.
+fn alike_within_s(context: &Context<'_>) -> Option<f64> {
+    let column = Course::on_a_clock(context).ok()?.recorded(context)?;
+    let time = context.inputs.time_s.as_deref()?;
+    let run = context.inputs.runs().into_iter().max_by_key(ExactSizeIterator::len)?;
+    let (x, rows) = (&column[run.clone()], run.len());
+    let mean = x.iter().sum::<f64>() / rows as f64;
+    let alike = |by: usize| x.iter().zip(&x[by..]).map(|(a, b)| (a - mean) * (b - mean)).sum::<f64>();
+    let half = 0.5 * alike(0);
+    // by doubling, then between the last two: the first rows of a correlation only fall
+    let beyond = (0..).map(|k| 1 << k).take_while(|by| *by < rows / 2).find(|by| alike(*by) < half)?;
+    let within = (beyond / 2..beyond).collect::<Vec<_>>().partition_point(|by| alike(*by) >= half) + beyond / 2;
+    let step_s = (time[run.end - 1] - time[run.start]) / (rows - 1) as f64;
+    Some(within.max(1) as f64 * step_s).filter(|width| *width > 0.0)
 }
 
 fn said(whose: &str, fitted: &[FittedParameter]) -> String {

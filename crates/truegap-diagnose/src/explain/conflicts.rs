@@ -11,7 +11,7 @@ use crate::{
 };
 use nalgebra::{Cholesky, DMatrix, DVector};
 use serde::Serialize;
-use truegap_core::{Inputs, Joined, Parameter};
+use truegap_core::{Inputs, Joined, Parameter, ends};
 
 /// Calibration against what is known beforehand.
 #[derive(Clone, Debug, Serialize)]
@@ -129,7 +129,7 @@ fn regimes(search: &Search<'_>) -> Vec<Regime> {
     let n = inputs.len();
     let mut list = Vec::new();
     let mut halves = |first: &str, second: &str, column: &[f64]| {
-        let (low, high) = column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+        let (low, high) = ends(column.iter().copied());
         let middle = 0.5 * (low + high);
         let in_second = column.iter().map(|v| *v > middle).collect();
         list.push(Regime { first: first.into(), second: second.into(), in_second });

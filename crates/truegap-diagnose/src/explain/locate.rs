@@ -14,6 +14,7 @@ use crate::{
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
+use truegap_core::ends;
 
 /// A place where recording and calibrated base model differ.
 #[derive(Clone, Debug, Serialize)]
@@ -188,7 +189,7 @@ pub fn map(problem: &Problem<'_>, residual: &[f64]) -> Option<Map> {
 }
 
 fn edges(column: &[f64], bins: usize) -> Vec<f64> {
-    let (low, high) = column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+    let (low, high) = ends(column.iter().copied());
     (0..=bins).map(|i| low + (high - low) * i as f64 / bins as f64).collect()
 }
 

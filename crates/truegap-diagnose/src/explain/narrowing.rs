@@ -10,7 +10,7 @@ use crate::{
         play::left_of,
     },
     selection::candidates::{Search, Tried},
-    text::{listed, significant, spoken, with_sd},
+    text::{significant, spoken, spoken_list, with_sd},
 };
 
 /// Relative error up to which a number needs no further run.
@@ -30,8 +30,8 @@ pub struct LeastSure {
 
 /// What to measure once the cause is told from all others.
 pub(crate) fn narrowing(search: &Search<'_>, best: &Tried, least_sure: Option<LeastSure>) -> NextExperiment {
-    let names = best.effects.iter().map(|e| spoken(search.library[*e].id().0)).collect::<Vec<_>>();
-    let told_apart = format!("nothing is left that {} would have to be told from", listed(&names, "and"));
+    let names = spoken_list(best.effects.iter().map(|e| search.library[*e].id().0), "and");
+    let told_apart = format!("nothing is left that {names} would have to be told from");
     let only = |says: String| NextExperiment { says, ..NextExperiment::default() };
     let Some(least) = least_sure.filter(|l| relative(&l.number) > SURE_ENOUGH) else {
         return only(format!("{told_apart}, and its numbers are sure to a tenth or better: no further run is needed"));

@@ -108,15 +108,16 @@ pub const PROFILES: [Profile; 6] = [
 pub fn inputs(profile: &Profile, full: f64, role: Role, start_c: f64) -> Inputs {
     let points = (profile.points)(start_c);
     let load: Vec<f64> = points.iter().map(|p| p.1 * full).collect();
-    let column = |wanted: Role| (role == wanted).then(|| load.clone());
-    Inputs {
+    let mut inputs = Inputs {
         time_s: Some(points.iter().map(|p| p.0).collect()),
         run: points.iter().map(|p| p.3).collect(),
-        force_n: column(Role::Force),
-        pressure_pa: column(Role::Pressure),
         temperature_c: Some(points.iter().map(|p| p.2).collect()),
         ..Inputs::default()
+    };
+    if let Some(column) = inputs.column_mut(role) {
+        *column = Some(load);
     }
+    inputs
 }
 
 fn long_hold(t: f64) -> Points {

@@ -15,6 +15,7 @@ use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{ChiSquared, Distribution, StandardNormal};
+use rayon::prelude::*;
 use statrs::function::gamma::ln_gamma;
 use std::f64::consts::PI;
 
@@ -37,15 +38,20 @@ pub fn sampled(model: &Model<'_>, whitener: &Whitener, fit: &Fit, draws: usize, 
     let mass: f64 = bounds.iter().map(|(low, high)| normal_between(*low, *high).max(1e-12).ln()).sum();
     let chi = ChiSquared::new(PROPOSAL_FREEDOM).ok()?;
     let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let mut weights = Vec::with_capacity(draws);
-    for _ in 0..draws {
-        let normal = DVector::from_fn(soft, |_, _| -> f64 { StandardNormal.sample(&mut random) });
-        let stretch: f64 = PROPOSAL_FREEDOM / chi.sample(&mut random);
+    let drawn: Vec<(DVector<f64>, f64)> = (0..draws)
+        .map(|_| {
+            let normal = DVector::from_fn(soft, |_, _| -> f64 { StandardNormal.sample(&mut random) });
+            (normal, PROPOSAL_FREEDOM / chi.sample(&mut random))
+        })
+        .collect();
+    let weigh = |(normal, stretch): &(DVector<f64>, f64)| {
+        let stretch = *stretch;
         let along = DVector::from_fn(soft, |i, _| normal[i] * (stretch / sloppy.curvature[i]).sqrt());
         let proposal = log_t(soft, normal.norm_squared() * stretch) + 0.5 * sloppy.curvature.iter().map(|c| c.ln()).sum::<f64>();
         let height = sloppy.height(&along, &bounds).unwrap_or(f64::INFINITY);
-        weights.push(sloppy.across - height - 0.5 * soft as f64 * (2.0 * PI).ln() - mass - proposal);
-    }
+        sloppy.across - height - 0.5 * soft as f64 * (2.0 * PI).ln() - mass - proposal
+    };
+    let weights: Vec<f64> = drawn.par_iter().map(weigh).collect();
     let total = log_sum_exp(&weights);
     let squares = log_sum_exp(&weights.iter().map(|w| 2.0 * w).collect::<Vec<_>>());
     let share = (2.0 * total - squares).exp() / draws as f64;

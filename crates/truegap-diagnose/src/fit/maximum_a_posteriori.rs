@@ -18,8 +18,21 @@ use truegap_core::SimulationError;
 /// # Errors
 /// Those of the simulator at the starting point; later steps that have no answer are shortened.
 pub fn fit(model: &Model<'_>, whitener: &Whitener, start: &[f64], options: &FitOptions) -> Result<Fit, SimulationError> {
-    let bounds = model.bounds();
-    let mut search = Descent::at(model, whitener, start, &bounds)?;
+    fit_within(model, whitener, start, &model.bounds(), options)
+}
+
+/// The same inside narrower bounds; equal bounds hold a parameter still.
+///
+/// # Errors
+/// As [`fit`].
+pub(crate) fn fit_within(
+    model: &Model<'_>,
+    whitener: &Whitener,
+    start: &[f64],
+    bounds: &[(f64, f64)],
+    options: &FitOptions,
+) -> Result<Fit, SimulationError> {
+    let mut search = Descent::at(model, whitener, start, bounds)?;
     search.refresh(0)?;
     search.run(options)?;
     Ok(search.finish())

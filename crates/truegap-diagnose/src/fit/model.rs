@@ -11,6 +11,7 @@ use crate::{
     whitening::whitener::Whitener,
 };
 use nalgebra::DMatrix;
+use rayon::prelude::*;
 use truegap_core::{Beside, Parameter, SimulationError, Stage};
 
 /// A base model with effects plugged in, as a function of prior-whitened coordinates z.
@@ -164,10 +165,12 @@ impl<'a> Model<'a> {
         bounds: &[(f64, f64)],
     ) -> Result<(), SimulationError> {
         let (free, near) = self.near(columns, z, bounds);
-        for group in free.chunks(ABREAST) {
+        let of = |group: &[usize]| {
             let moved = group.iter().map(|i| near.moved(*i, bounds[*i])).collect::<Result<Vec<_>, _>>()?;
-            fill(jacobian, moved, at, whitener);
-        }
+            Ok(whitened(moved, whitener))
+        };
+        let groups: Vec<Vec<Stepped>> = free.par_chunks(ABREAST).map(of).collect::<Result<_, SimulationError>>()?;
+        groups.iter().flatten().for_each(|stepped| stepped.fill(jacobian, at));
         Ok(())
     }
 
@@ -186,7 +189,7 @@ impl<'a> Model<'a> {
         let bounds = self.bounds();
         let here = self.misfit(z)?;
         let (free, near) = self.near(0..z.len(), z, &bounds);
-        let moved = free.iter().map(|i| near.moved(*i, bounds[*i])).collect::<Result<Vec<_>, _>>()?;
+        let moved = free.par_iter().map(|i| near.moved(*i, bounds[*i])).collect::<Result<Vec<_>, _>>()?;
         Ok(Around { z: z.to_vec(), here, moved })
     }
 }
@@ -205,13 +208,13 @@ impl Around {
         whitener.apply(&mut residual);
         let mut jacobian = DMatrix::zeros(residual.len(), self.z.len());
         for group in self.moved.chunks(ABREAST) {
-            fill(&mut jacobian, group.to_vec(), &residual, whitener);
+            whitened(group.to_vec(), whitener).iter().for_each(|stepped| stepped.fill(&mut jacobian, &residual));
         }
         (residual, jacobian)
     }
 }
 
-/// What is left over a step away, not whitened.
+/// What is left over a step away.
 #[derive(Clone)]
 struct Stepped {
     /// coordinate that has moved
@@ -221,16 +224,20 @@ struct Stepped {
     scale: f64,
 }
 
-/// Whitens these columns and puts their difference to `at` over the step into the Jacobian.
-fn fill(jacobian: &mut DMatrix<f64>, moved: Vec<Stepped>, at: &[f64], whitener: &Whitener) {
-    let places: Vec<(usize, f64)> = moved.iter().map(|m| (m.index, m.scale)).collect();
-    let mut residuals: Vec<Vec<f64>> = moved.into_iter().map(|m| m.left).collect();
-    whitener.apply_each(&mut residuals);
-    for ((index, scale), residual) in places.into_iter().zip(&residuals) {
-        let mut column = jacobian.column_mut(index);
-        let both = residual.iter().zip(at);
-        column.iter_mut().zip(both).for_each(|(column, (there, here))| *column = (here - there) * scale);
+impl Stepped {
+    /// Puts the difference of what was `at` the point over the step into the Jacobian; both are whitened.
+    fn fill(&self, jacobian: &mut DMatrix<f64>, at: &[f64]) {
+        let mut column = jacobian.column_mut(self.index);
+        let both = self.left.iter().zip(at);
+        column.iter_mut().zip(both).for_each(|(column, (there, here))| *column = (here - there) * self.scale);
     }
+}
+
+/// The same, whitened side by side.
+fn whitened(moved: Vec<Stepped>, whitener: &Whitener) -> Vec<Stepped> {
+    let (places, mut columns): (Vec<_>, Vec<_>) = moved.into_iter().map(|m| ((m.index, m.scale), m.left)).unzip();
+    whitener.apply_each(&mut columns);
+    places.into_iter().zip(columns).map(|((index, scale), left)| Stepped { index, left, scale }).collect()
 }
 
 /// Columns that are whitened side by side.

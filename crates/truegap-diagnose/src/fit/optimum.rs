@@ -7,6 +7,7 @@ use crate::{
     fit::{laplace, model::Kinds, prior::Prior},
 };
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use std::sync::Arc;
 
 /// A fit at the optimum of its linearised objective.
 pub struct Linearised {
@@ -25,7 +26,7 @@ impl Linearised {
     }
 }
 
-/// A fit at its optimum.
+/// A fit at its optimum; what has a number for each row is shared by its copies.
 #[derive(Clone)]
 pub struct Fit {
     /// most probable point, prior-whitened
@@ -35,9 +36,9 @@ pub struct Fit {
     /// sum of squares of the whitened residual
     pub chi2: f64,
     /// whitened residual
-    pub residual: Vec<f64>,
+    pub residual: Arc<Vec<f64>>,
     /// whitened Jacobian at the optimum
-    pub jacobian: DMatrix<f64>,
+    pub jacobian: Arc<DMatrix<f64>>,
     /// what is known of the parameters, there
     pub(crate) prior: Prior,
     /// J^T J and the curvature of the prior
@@ -160,6 +161,7 @@ pub(crate) fn finish(
     let gain = |i: &usize| laplace::any_scale(z[*i], sd[*i] * sd[*i], gradient[*i], bounds[*i]);
     let scale_gain: f64 = open_sizes.iter().map(gain).filter(|gain| gain.is_finite()).sum();
     let log_evidence = laplace::laplace(chi2, &z, prior.penalty(), &hessian, gradient.as_slice(), bounds) + scale_gain;
+    let (residual, jacobian) = (Arc::new(residual), Arc::new(jacobian));
     Fit { z, sd, chi2, residual, jacobian, prior, hessian, at_limit, free_form, log_evidence, scale_gain, iterations, converged }
 }
 

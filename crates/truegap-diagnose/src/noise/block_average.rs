@@ -72,19 +72,8 @@ pub fn block_averages(
     let (groups, moved) = bounded(problem, noise, target);
     let mean =
         |column: &[f64]| groups.iter().map(|g| column[g.clone()].iter().sum::<f64>() / g.len() as f64).collect::<Vec<f64>>();
-    let option = |column: &Option<Vec<f64>>| column.as_deref().map(mean);
     let from = problem.inputs;
-    let inputs = Inputs {
-        time_s: option(&from.time_s),
-        run: groups.iter().map(|g| from.run[g.start]).collect(),
-        force_n: option(&from.force_n),
-        pressure_pa: option(&from.pressure_pa),
-        gap_m: option(&from.gap_m),
-        temperature_c: option(&from.temperature_c),
-        humidity_pct: option(&from.humidity_pct),
-        simulated: option(&from.simulated),
-        drivers: from.drivers_as(mean),
-    };
+    let inputs = from.columns_as(groups.iter().map(|g| from.run[g.start]).collect(), mean);
     let mut response = mean(problem.response);
     if moved {
         let of_means = problem.simulator.respond(&problem.simulator.centre(), &inputs, &[])?;

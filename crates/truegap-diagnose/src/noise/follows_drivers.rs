@@ -82,6 +82,7 @@ pub(crate) fn laws(inputs: &Inputs, column: &[f64]) -> Vec<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::stats::rms;
     use truegap_core::Driver;
 
     #[test]
@@ -94,7 +95,7 @@ mod tests {
         let held = play(&inputs, 0.5, &x, |first| first);
         let misfit = (0..2000).map(|row| 7.0 * (x[row] - held[row]) / 0.5 + noise[row]).collect();
         let left = without_what_follows_drivers(&inputs, misfit);
-        let size = |column: &[f64]| (column.iter().map(|v| v * v).sum::<f64>() / 2000.0).sqrt();
+        let size = |column: &[f64]| rms(column.iter().copied());
         // the play's width is none of those tried: a twentieth of the 7 may be left, not the 7
         assert!(size(&left) > 0.9 * size(&noise) && size(&left) < 0.45, "{} of {}", size(&left), size(&noise));
     }

@@ -79,6 +79,7 @@ fn around(misfit: &[f64], cycles: usize) -> (f64, DVector<f64>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::stats::rms;
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
     use rand_distr::{Distribution, StandardNormal};
@@ -91,7 +92,7 @@ mod tests {
     }
 
     fn size(column: &[f64]) -> f64 {
-        (column.iter().map(|v| v * v).sum::<f64>() / column.len() as f64).sqrt()
+        rms(column.iter().copied())
     }
 
     #[test]

@@ -11,6 +11,7 @@ use crate::{
     noise::scout::{from_start, scouted},
     pipeline::prepare::Prepared,
     selection::candidates::{Search, Tried},
+    stats::rms,
     validation::cross_validation::AllRows,
     whitening::{
         noise_model::{NoiseModel, RecordingNoise},
@@ -91,8 +92,7 @@ pub(crate) fn by_squares(prepared: &Prepared<'_>, search: &Search<'_>, all: AllR
 
 /// Root mean square of what a model leaves over.
 pub(crate) fn left_over(model: &Model<'_>, z: &[f64]) -> Option<f64> {
-    let misfit = model.misfit(z).ok()?;
-    Some((misfit.iter().map(|m| m * m).sum::<f64>() / misfit.len().max(1) as f64).sqrt())
+    Some(rms(model.misfit(z).ok()?.iter().copied()))
 }
 
 /// White noise of this size in place of what the reading and its inputs have; rows that are louder stay so.

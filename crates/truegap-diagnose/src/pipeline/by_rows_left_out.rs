@@ -153,7 +153,8 @@ impl Choice<'_, '_> {
             let unseen = predicted_like_base(self.prepared, search, &self.judged.by_base, &tried);
             Some(Asked { tried, held: search.context.held.clone(), unseen })
         };
-        let numbers: Vec<_> = effect.may_be_nothing().iter().map(|name| (effect.id(), *name)).collect();
+        let open = effect.may_be_nothing().iter().filter(|name| !search.context.holds(effect.id(), name));
+        let numbers: Vec<_> = open.map(|name| (effect.id(), *name)).collect();
         let plain = (!numbers.is_empty()).then(|| {
             let context = search.context.holding([search.context.held.as_slice(), &numbers].concat());
             let search = &self.search.within(&context);

@@ -144,7 +144,7 @@ pub(crate) fn judged_once(
     let mut predicted = predicted(prepared, search, selection, decision, &by_base, kept_back.is_none());
     let key = selection.models[predicted.decision.model].key();
     if let Some((found, uncounted)) = uncounted.filter(|(found, _)| found.tried.key() != key) {
-        examined = examined.with(found.listed_in(uncounted));
+        examined = examined.with(|_| found.listed_in(uncounted));
         predicted.decision.model = examined.selection.place_of(key);
     }
     let held = prepared.context.held.clone();
@@ -207,13 +207,12 @@ impl Judged {
         after: Adequacy,
         decide: impl FnOnce(usize, usize) -> Decision,
     ) -> Self {
-        let (place, selection) = (self.predicted.decision.model, self.examined.selection.clone());
-        let key = tried.key();
-        let unseen = Unseen::of((self.by_base.unseen.clone(), &selection.base().fit), (unseen, &tried.fit));
-        let selection = selection.told_as(place, tried);
-        let model = selection.place_of(key);
-        let decision = decide(model, selection.base);
-        self.examined = self.examined.with(selection);
+        let (place, key) = (self.predicted.decision.model, tried.key());
+        let base = &self.examined.selection.base().fit;
+        let unseen = Unseen::of((self.by_base.unseen.clone(), base), (unseen, &tried.fit));
+        self.examined = self.examined.with(|selection| selection.told_as(place, tried));
+        let selection = &self.examined.selection;
+        let decision = decide(selection.place_of(key), selection.base);
         self.predicted = Predicted { unseen, decision, after: Some(after), ..self.predicted };
         self.held = held;
         self
@@ -222,10 +221,9 @@ impl Judged {
     /// The same with mechanisms beside what is stood behind: they are among the models, and the decision is not asked again.
     pub(crate) fn described_by(mut self, composition: Composition) -> Self {
         let key = self.stood_behind().key();
-        let selection = composition.listed_in(self.examined.selection.clone());
+        self.examined = self.examined.with(|selection| composition.listed_in(selection));
         // the order of the models has changed
-        self.predicted.decision.model = selection.place_of(key);
-        self.examined = self.examined.with(selection);
+        self.predicted.decision.model = self.examined.selection.place_of(key);
         Self { composition: Some(composition), ..self }
     }
 
@@ -252,8 +250,7 @@ pub(crate) fn may_compose(options: &Options) -> bool {
 
 /// What was examined, with the mechanisms among its models and in its decision.
 fn counted(composition: &Composition, examined: Examined, lack_of_fit: &LackOfFitTests) -> Examined {
-    let selection = composition.counted_in(examined.selection.clone());
-    let examined = examined.with(selection);
+    let examined = examined.with(|selection| composition.counted_in(selection));
     let (decision, after) = composition.decide(&examined.selection, examined.decision, lack_of_fit);
     Examined { decision, after: after.unwrap_or(examined.after), ..examined }
 }

@@ -18,6 +18,7 @@ mod permuted_searches;
 mod predicted;
 mod prepare;
 pub(crate) mod recording;
+mod richer_laws;
 mod simple_laws;
 
 pub use options::{Options, Restriction};
@@ -41,6 +42,7 @@ use conclude::conclude;
 use judged::{Told, composed, judged_again};
 use noise_choice::slower;
 use prepare::Prepared;
+use richer_laws::richer;
 use std::{
     sync::atomic::{AtomicBool, Ordering},
     time::Instant,
@@ -53,6 +55,18 @@ use std::{
 pub fn diagnose(
     problem: &Problem<'_>,
     known: impl Into<Known>,
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+    stop: &AtomicBool,
+) -> Result<Outcome, DiagnoseError> {
+    let known = known.into();
+    // on a thread of the pool: what is split into parts there waits for no other thread to wake up
+    rayon::scope(|_| searched(problem, known, options, progress, stop))
+}
+
+fn searched(
+    problem: &Problem<'_>,
+    known: Known,
     options: &Options,
     progress: &(dyn Fn(Progress) + Sync),
     stop: &AtomicBool,
@@ -77,10 +91,14 @@ pub fn diagnose(
             examined = judged::examined(&prepared, &told)?;
         }
     }
+    if let Some(richer) = richer(&mut prepared, &examined, &told)? {
+        examined = richer;
+    }
     let mut composition = composed(&prepared, &examined, &told);
     // where stretches at rest cannot tell slow noise from noise with one memory, the whole recording does
     if let Some(slower) = slower(&prepared, &examined, composition.as_ref(), &told)? {
-        prepared = slower;
+        let held = std::mem::replace(&mut prepared, slower).context.held;
+        prepared.context.held = held;
         examined = judged::examined(&prepared, &told)?;
         composition = composed(&prepared, &examined, &told);
     }
@@ -88,12 +106,12 @@ pub fn diagnose(
     if composition.is_none()
         && let Some(held) = held(&prepared, &examined, &told)
     {
-        prepared.context.held = held;
+        prepared.context.held.extend(held);
         let searched = prepared.searched();
         let search = prepared.search(&searched, progress, told.stop);
         examined = judged_again(&prepared, &search, with_held(&search, examined.selection, &prepared.context.held))?;
     }
-    conclude(prepared, examined, composition, &told, known.into(), started)
+    conclude(prepared, examined, composition, &told, known, started)
 }
 
 /// Numbers of the model stood behind that rows left out do not bear out; `None` where there are none.

@@ -75,8 +75,10 @@ impl<'a> Prepared<'a> {
     /// # Errors
     /// Those of the simulator at the centre of its prior.
     pub fn new(problem: &'a Problem<'a>, noise: NoiseModel, options: &'a Options) -> Result<Self, DiagnoseError> {
-        let context = problem.context(problem.span(), noise.floor());
+        let mut context = problem.context(problem.span(), noise.floor());
         let (testable, not_testable) = part(&context, options);
+        // richer laws wait for rows left out that bear them out
+        context.held = testable.iter().flat_map(|effect| effect.may_be_more().iter().map(|name| (effect.id(), *name))).collect();
         let averages = block_averages(problem, &noise, searched_rows(problem.response.len()))?;
         let scout = Scout::of(problem, &noise)?;
         let inputs = averages.as_ref().map_or(problem.inputs, |t| &t.inputs);

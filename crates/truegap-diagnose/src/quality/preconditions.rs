@@ -43,15 +43,11 @@ fn constant(problem: &Problem<'_>) -> Option<(&'static str, String)> {
     if inputs.drivers.iter().any(|driver| !stands(&driver.values, 0.0)) {
         return None;
     }
-    let driving = |role: Role| match role {
-        Role::Force => inputs.force_n.as_ref().map(|c| ("force", "N", c)),
-        Role::Pressure => inputs.pressure_pa.as_ref().map(|c| ("pressure", "Pa", c)),
-        Role::Gap => inputs.gap_m.as_ref().map(|c| ("gap", "m", c)),
-        _ => None,
-    };
-    let all: Vec<_> = problem.simulator.needs().iter().filter_map(|role| driving(*role)).collect();
+    let drives = |role: &Role| matches!(role, Role::Force | Role::Pressure | Role::Gap);
+    let driving = problem.simulator.needs().iter().copied().filter(drives);
+    let all: Vec<_> = driving.filter_map(|role| Some((role.key(), role.unit(), inputs.column(role)?))).collect();
     let full = problem.simulator.full_load();
-    let still = |(_, _, column): &(&str, &str, &Vec<f64>)| {
+    let still = |(_, _, column): &(&str, &str, &[f64])| {
         let greatest = column.iter().fold(0.0f64, |m, v| m.max(v.abs()));
         stands(column, 1e-3 * full.unwrap_or(greatest))
     };

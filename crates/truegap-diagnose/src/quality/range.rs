@@ -30,7 +30,8 @@ fn loads(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
     let load = problem.simulator.load(problem.inputs)?;
     let out: Vec<usize> = (0..load.len()).filter(|row| !(LOWEST_LOAD..=HIGHEST_LOAD).contains(&load[*row])).collect();
     let worst = *out.iter().max_by(|a, b| (load[**a] - 0.5).abs().total_cmp(&(load[**b] - 0.5).abs()))?;
-    let (name, unit) = if problem.simulator.needs().contains(&Role::Pressure) { ("pressure", "Pa") } else { ("force", "N") };
+    let role = if problem.simulator.needs().contains(&Role::Pressure) { Role::Pressure } else { Role::Force };
+    let (name, unit) = (role.key(), role.unit());
     let text = |share: f64| Scale::of(unit, (share * full).abs()).text(share * full);
     let fix = if load[worst] > 0.0 {
         "leave these rows out, or name a sensor of a larger range with --sensor"

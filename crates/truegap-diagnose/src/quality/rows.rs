@@ -97,7 +97,7 @@ pub(crate) fn standing_still(stretches: &[Range<usize>], longest: usize) -> f64 
 
 /// Least and greatest value over some rows.
 pub(crate) fn ends(column: &[f64], rows: impl Iterator<Item = usize>) -> (f64, f64) {
-    rows.map(|row| column[row]).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+    truegap_core::ends(rows.map(|row| column[row]))
 }
 
 /// Whether a column moves by no more than `least`, or shows nothing but its own noise, which the reading does not follow.

@@ -7,14 +7,14 @@ use crate::{
     effects::{effect::Effect, sentence::at_once},
     fit::{
         levenberg_marquardt::FitOptions,
-        maximum_a_posteriori::{approach, fit, fit_onwards},
+        maximum_a_posteriori::{approach, fit, fit_onwards, fit_within},
         model::Model,
         optimum::{Fit, Linearised},
         score_test::scores,
     },
     noise::scout::{Scout, scouted},
     selection::effect_set::EffectSet,
-    selection::tuning::{DRIVEN_FAR, HOPELESS, LOOSE_FITS, PROMISING_START, STARTS},
+    selection::tuning::{DRIVEN_FAR, FAR_SHARE, HOPELESS, LOOSE_FITS, PROMISING_START, STARTS},
     whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
 use nalgebra::DMatrix;
@@ -35,6 +35,18 @@ impl Tried {
     /// The same effects whatever their order.
     pub fn key(&self) -> EffectSet {
         EffectSet::from(self.effects.as_slice())
+    }
+}
+
+#[cfg(test)]
+impl Tried {
+    /// A model with these effects that leaves `residual`, all its numbers at 0: for what is made of fitted models.
+    pub(crate) fn leaving(residual: Vec<f64>, effects: &[usize]) -> Self {
+        let (count, rows) = (1 + effects.len(), residual.len());
+        let free = vec![(f64::NEG_INFINITY, f64::INFINITY); count];
+        let (z, kinds) = (vec![0.0; count], crate::fit::model::Kinds::default());
+        let fit = crate::fit::optimum::finish(z, residual, DMatrix::zeros(rows, count), &free, kinds, (1, true));
+        Self { effects: effects.to_vec(), fit }
     }
 }
 
@@ -259,6 +271,12 @@ impl<'a> Search<'a> {
                 }
             }
         }
+        if launch.from.effects.is_empty() {
+            let far = model.effects[last].far_sizes(self.context).into_iter().map(|size| parameters[0].prior.z(size));
+            let shape = model.effects[last].starts(self.context).into_iter().next().unwrap_or_default();
+            let shape: Vec<f64> = parameters.iter().skip(1).zip(&shape).map(|(p, v)| p.prior.z(*v)).collect();
+            starts.extend(far.filter(|z| (bounds.0..=bounds.1).contains(z)).filter_map(|z| self.far(launch, model, z, &shape)));
+        }
         starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         starts
     }
@@ -282,6 +300,21 @@ impl<'a> Search<'a> {
         let step = best - zero;
         z[from.fit.z.len()] = if step == 0.0 { (zero + 1e-3 * trial.signum()).clamp(bounds.0, bounds.1) } else { best };
         Some(Start { z, gain: score * step - 0.5 * variance * step * step })
+    }
+
+    /// A start with this size, the base model calibrated beside it: what does not follow the reading at all is calibrated to no influence, and no shift of that shows.
+    fn far(&self, launch: Launch<'_>, model: &Model<'_>, size: f64, shape: &[f64]) -> Option<Start> {
+        let from = &launch.from.fit;
+        let z: Vec<f64> = from.z.iter().copied().chain([size]).chain(shape.iter().copied()).collect();
+        let mut bounds = model.bounds();
+        for (bound, z) in bounds.iter_mut().zip(&z).skip(from.z.len()) {
+            *bound = (*z, *z);
+        }
+        let found =
+            fit_within(model, self.whitener_of(launch), &z, &bounds, &FitOptions { iterations: 1, tolerance: 0.5 }).ok()?;
+        let gain = from.objective() - found.objective();
+        // by chance one of many sizes gains a little; what is meant is most of what is left
+        (gain > FAR_SHARE * from.objective()).then_some(Start { z: found.z, gain })
     }
 }
 

@@ -15,7 +15,7 @@ pub fn detectability(search: &Search<'_>, tried: &Tried, index: usize) -> Option
     let mut without = tried.fit.z.clone();
     without[model.first_of(index)] = zero_size(&model, index);
     let there = model.residual(&without, search.whitener).ok()?;
-    let contribution: Vec<f64> = there.iter().zip(&tried.fit.residual).map(|(a, b)| a - b).collect();
+    let contribution: Vec<f64> = there.iter().zip(tried.fit.residual.iter()).map(|(a, b)| a - b).collect();
     let own = model.range_of(index);
     let others: Vec<usize> = (0..tried.fit.z.len()).filter(|i| !own.contains(i)).collect();
     Some(left_over(&tried.fit, &others, &contribution).sqrt())

@@ -32,12 +32,13 @@ pub struct Examined {
 }
 
 impl Examined {
-    /// The same decision on another list of models: their order may have changed.
+    /// The same decision on the list of models that `change` makes of its own: their order may have changed.
     #[must_use]
-    pub fn with(mut self, selection: Selection) -> Self {
-        self.decision.model = selection.place_of(self.selection.models[self.decision.model].key());
-        self.selection = selection;
-        self
+    pub fn with(self, change: impl FnOnce(Selection) -> Selection) -> Self {
+        let key = self.selection.models[self.decision.model].key();
+        let selection = change(self.selection);
+        let decision = Decision { model: selection.place_of(key), ..self.decision };
+        Self { selection, decision, ..self }
     }
 }
 

@@ -73,13 +73,16 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
         }
     }
 
-    /// `from` with each other effect, those that promise most fitted; nothing where that was done from the same fit.
-    fn beside_all(&mut self, from: &Tried, all: &[usize], step: &'static str) -> Vec<Tried> {
-        if self.extended.iter().any(|(effects, z)| *effects == from.effects && *z == from.fit.z) {
-            return Vec::new();
+    /// Each of `from` with each other effect, those that promise most fitted, side by side; nothing where that was done from the same fit.
+    fn beside_all(&mut self, from: &[Tried], all: &[usize], step: &'static str) -> Vec<Tried> {
+        let mut fresh: Vec<&Tried> = Vec::with_capacity(from.len());
+        for tried in from {
+            if !self.extended.iter().any(|(effects, z)| *effects == tried.effects && *z == tried.fit.z) {
+                self.extended.push((tried.effects.clone(), tried.fit.z.clone()));
+                fresh.push(tried);
+            }
         }
-        self.extended.push((from.effects.clone(), from.fit.z.clone()));
-        self.search.add_each(from, all, PARTNERS, step)
+        fresh.par_iter().flat_map_iter(|tried| self.search.add_each(tried, all, PARTNERS, step)).collect()
     }
 
     /// Each of the best singles with every other effect, then the best partner with every other (a swap), then all pairs of the best; no more than the first where the
@@ -88,50 +91,41 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
     /// An effect may show beside one alone that is not the best: a lag of a coefficient, where something else follows the recording more closely at first.
     fn pairs(&mut self, best: &[&Tried], all: &[usize]) {
         let Some(first) = best.first() else { return };
-        let forward = self.beside_all(first, all, "two effects");
+        let forward = self.beside_all(std::slice::from_ref(*first), all, "two effects");
         let Some(second) = ranked(&forward).first().map(|i| forward[*i].clone()) else { return };
         self.keep(forward);
         if second.fit.log_evidence < first.fit.log_evidence + CLEAR_GAIN && !self.lack_of_fit.adequacy(&first.fit).fires() {
             return;
         }
-        for other in best.iter().skip(1).take(ABREAST - 1) {
-            let found = self.beside_all(other, all, "two effects");
-            self.keep(found);
-        }
-        if let Some(alone) = second.effects.get(1).and_then(|partner| self.models.get(&EffectSet::from(&[*partner][..])).cloned())
-        {
-            let found = self.beside_all(&alone, all, "two effects, swapped");
-            self.keep(found);
-        }
-        for (index, one) in best.iter().enumerate().skip(1) {
+        let partner = second.effects.get(1).and_then(|partner| self.models.get(&EffectSet::from(&[*partner][..])));
+        let others: Vec<Tried> = best.iter().skip(1).take(ABREAST - 1).copied().chain(partner).cloned().collect();
+        let found = self.beside_all(&others, all, "two effects");
+        self.keep(found);
+        let of = |(index, one): (usize, &&Tried)| {
             let others = best[index + 1..].iter().map(|o| o.effects[0]);
-            let others: Vec<usize> =
-                others.filter(|o| !self.models.contains_key(&EffectSet::from(&[one.effects[0], *o][..]))).collect();
-            self.keep(self.search.add_each(one, &others, PARTNERS, "pairs of the best"));
-        }
+            let open = |o: &usize| !self.models.contains_key(&EffectSet::from(&[one.effects[0], *o][..]));
+            self.search.add_each(one, &others.filter(open).collect::<Vec<_>>(), PARTNERS, "pairs of the best")
+        };
+        let found: Vec<Vec<Tried>> = best.par_iter().enumerate().skip(1).map(of).collect();
+        self.keep(found.into_iter().flatten());
     }
 
     /// The best pairs with every other effect, where the best is worth it; where the triple is, too, each of its other pairs with every other effect (a swap).
     fn triples(&mut self, all: &[usize]) {
         let Some(pair) = self.worth_more(2) else { return };
-        let abreast = self.best_of(2, ABREAST);
-        for from in &abreast {
-            let found = self.beside_all(from, all, "three effects");
-            self.keep(found);
-        }
+        let found = self.beside_all(&self.best_of(2, ABREAST), all, "three effects");
+        self.keep(found);
         let Some(triple) = self.worth_more(3) else { return };
         let without = |left_out: &usize| triple.effects.iter().copied().filter(|e| e != left_out).collect::<Vec<_>>();
-        for other in pair.effects.iter().map(without) {
-            let known = self.models.get(&EffectSet::from(other.as_slice())).cloned();
-            let from = known.or_else(|| {
+        let fitted = |other: Vec<usize>| {
+            self.models.get(&EffectSet::from(other.as_slice())).cloned().or_else(|| {
                 let alone = self.models.get(&EffectSet::from(&other[..1]))?;
                 self.search.add_each(alone, &other[1..], 1, "three effects, swapped").pop()
-            });
-            let Some(from) = from else { continue };
-            let found = self.beside_all(&from, all, "three effects, swapped");
-            self.keep(found);
-            self.keep([from]);
-        }
+            })
+        };
+        let from: Vec<Tried> = pair.effects.iter().map(without).filter_map(fitted).collect();
+        let found = self.beside_all(&from, all, "three effects, swapped");
+        self.keep(found.into_iter().chain(from));
     }
 
     /// The likeliest models of `count` effects, at most `most`, none far behind the first.

@@ -271,19 +271,29 @@ fn weigh(mut models: Vec<Tried>, library: &[&dyn Effect], lack_of_fit: &LackOfFi
 }
 
 #[cfg(test)]
+impl Selection {
+    /// Models that leave nothing, by their effects, with their probabilities; the first is the base model.
+    pub(crate) fn of(models: &[(&[usize], f64)]) -> Self {
+        let effects = models.iter().flat_map(|(effects, _)| *effects).max().map_or(0, |last| last + 1);
+        Self {
+            models: models.iter().map(|(effects, _)| Tried::leaving(vec![0.0; 3], effects)).collect(),
+            probability: models.iter().map(|(_, p)| *p).collect(),
+            effect_probability: vec![0.0; effects],
+            temper: 1.0,
+            base: 0,
+            check: EvidenceCheck::default(),
+            unmodelled: Vec::new(),
+        }
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        fit::{model::Kinds, optimum::finish},
-        selection::unmodelled::Cause,
-    };
-    use nalgebra::DMatrix;
+    use crate::selection::unmodelled::Cause;
 
     fn tried(effects: &[usize]) -> Tried {
-        let count = 1 + effects.len();
-        let free = vec![(f64::NEG_INFINITY, f64::INFINITY); count];
-        let fit = finish(vec![0.0; count], vec![0.0; 3], DMatrix::zeros(3, count), &free, Kinds::default(), (1, true));
-        Tried { effects: effects.to_vec(), fit }
+        Tried::leaving(vec![0.0; 3], effects)
     }
 
     fn selection(odds: f64) -> Selection {

@@ -20,6 +20,9 @@ pub(crate) const STARTS: usize = 2;
 /// Share of the best start's promise from which another is followed.
 pub(crate) const PROMISING_START: f64 = 0.6;
 
+/// Share of what the base model leaves that a size far from nothing must gain for a search to start there.
+pub(crate) const FAR_SHARE: f64 = 0.5;
+
 // examine.rs
 
 /// Detectability below which an effect is not claimed: three standard deviations. From 4.5 to 8 was tried and no better on all counts (`docs/history.md`).

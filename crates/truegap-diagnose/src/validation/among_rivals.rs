@@ -80,39 +80,15 @@ pub(crate) fn first_of_each(sets: &[Vec<usize>], named: &[usize]) -> Vec<Vec<usi
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        fit::{model::Kinds, optimum::finish},
-        selection::model_space::EvidenceCheck,
-        validation::cross_validation::PartError,
-    };
-    use nalgebra::DMatrix;
-
-    fn tried(effects: &[usize]) -> Tried {
-        let count = 1 + effects.len();
-        let free = vec![(f64::NEG_INFINITY, f64::INFINITY); count];
-        let fit = finish(vec![0.0; count], vec![0.0; 3], DMatrix::zeros(3, count), &free, Kinds::default(), (1, true));
-        Tried { effects: effects.to_vec(), fit }
-    }
+    use crate::validation::cross_validation::PartError;
 
     /// One effect of a pair is exchanged; neither a larger model nor one that shares nothing is a rival.
     #[test]
     fn a_rival_has_one_effect_exchanged() {
-        let all = selection(&[(&[], 0.0), (&[0, 1], 0.5), (&[2, 1], 0.2), (&[2, 3], 0.2), (&[0, 1, 2], 0.1), (&[3, 0], 0.0)]);
+        let all = Selection::of(&[(&[], 0.0), (&[0, 1], 0.5), (&[2, 1], 0.2), (&[2, 3], 0.2), (&[0, 1, 2], 0.1), (&[3, 0], 0.0)]);
         let mut found = exchanged(&all, 1);
         found.sort_unstable();
         assert_eq!(found, [((0, 2), 2), ((1, 3), 5)]);
-    }
-
-    fn selection(models: &[(&[usize], f64)]) -> Selection {
-        Selection {
-            models: models.iter().map(|(effects, _)| tried(effects)).collect(),
-            probability: models.iter().map(|(_, p)| *p).collect(),
-            effect_probability: vec![0.0; 4],
-            temper: 1.0,
-            base: 0,
-            check: EvidenceCheck::default(),
-            unmodelled: Vec::new(),
-        }
     }
 
     fn errors(squares: f64) -> HeldOutFit {
@@ -121,7 +97,7 @@ mod tests {
     }
 
     fn chosen(models: &[(&[usize], f64)], squares: impl Fn(&[usize]) -> f64) -> Option<(usize, Vec<Vec<usize>>)> {
-        let selection = selection(models);
+        let selection = Selection::of(models);
         let first = Named { model: 0, unseen: errors(squares(models[0].0)) };
         let sets = [vec![3], vec![0, 1, 2]];
         best_foreteller(&selection, (&first, &sets), |tried| errors(squares(&tried.effects))).map(|(n, sets)| (n.model, sets))

@@ -9,6 +9,7 @@ use crate::{
         several::measured,
     },
     seeds::SEEDS,
+    stats::rms,
     validation::tuning::{CONFIRMATION_BLOCKS, EXACT_BLOCKS, SHORTEST_BLOCK, SIGN_DRAWS},
 };
 use rand::{RngExt, SeedableRng};
@@ -118,7 +119,7 @@ pub fn noise_floor(problem: &Problem<'_>, left: &[f64]) -> Result<NoiseFloor, Di
             (rmse, says) = (fuller.floor(), fuller.says.replace("the calibrated model", "the augmented model"));
         }
     }
-    let most = (left.iter().map(|r| r * r).sum::<f64>() / left.len().max(1) as f64).sqrt();
+    let most = rms(left.iter().copied());
     if most < rmse {
         says += "; no more than the augmented model leaves in all rows";
     }

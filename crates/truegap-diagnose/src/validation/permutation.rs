@@ -184,7 +184,7 @@ mod tests {
     fn what_acts_removes_more_than_its_permuted_history() {
         let fit = base(&recorded());
         let both = [course(0), course(1)].map(DVector::from_vec);
-        let chosen = Fit { jacobian: DMatrix::from_columns(&both), ..fit.clone() };
+        let chosen = Fit { jacobian: DMatrix::from_columns(&both).into(), ..fit.clone() };
         let numbers: Vec<u32> = (0..ROWS).map(|row| 1 + row as u32 / 20).collect();
         let runs = vec![0..20, 20..40, 40..60];
         let rows: Vec<Vec<usize>> = runs.iter().map(|run| run.clone().collect()).collect();

@@ -82,31 +82,7 @@ pub(crate) fn step_back(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        fit::{model::Kinds, optimum::finish},
-        selection::model_space::EvidenceCheck,
-        validation::cross_validation::PartError,
-    };
-    use nalgebra::DMatrix;
-
-    fn tried(effects: &[usize]) -> Tried {
-        let count = 1 + effects.len();
-        let free = vec![(f64::NEG_INFINITY, f64::INFINITY); count];
-        let fit = finish(vec![0.0; count], vec![0.0; 3], DMatrix::zeros(3, count), &free, Kinds::default(), (1, true));
-        Tried { effects: effects.to_vec(), fit }
-    }
-
-    fn selection(models: &[&[usize]]) -> Selection {
-        Selection {
-            models: models.iter().map(|effects| tried(effects)).collect(),
-            probability: vec![0.0; models.len()],
-            effect_probability: vec![0.0; 3],
-            temper: 1.0,
-            base: 0,
-            check: EvidenceCheck::default(),
-            unmodelled: Vec::new(),
-        }
-    }
+    use crate::validation::cross_validation::PartError;
 
     /// Errors on two parts of a hundred rows each.
     fn errs(error: f64) -> HeldOutFit {
@@ -117,12 +93,13 @@ mod tests {
     /// What is left out of effects 0, 1 and 2, which err by 1.00 together; by `others` without some of them, and by 4 without all.
     fn left_out(others: &[(&[usize], f64)], enough: Option<fn(usize) -> bool>) -> Vec<usize> {
         let whole: &[usize] = &[0, 1, 2];
-        let models: Vec<&[usize]> = [&[][..], whole].into_iter().chain(others.iter().map(|(effects, _)| *effects)).collect();
+        let models = [&[][..], whole].into_iter().chain(others.iter().map(|(effects, _)| *effects));
+        let selection = Selection::of(&models.map(|effects| (effects, 0.0)).collect::<Vec<_>>());
         let error = |tried: &Tried| {
             let known = others.iter().find(|(effects, _)| *effects == tried.effects.as_slice());
             errs(known.map_or(1.0, |(_, error)| *error))
         };
-        let (_, _, left) = step_back(&selection(&models), (1, errs(1.0)), &errs(4.0), error, (2 + 1, |_| false), enough);
+        let (_, _, left) = step_back(&selection, (1, errs(1.0)), &errs(4.0), error, (2 + 1, |_| false), enough);
         left.into_iter().flat_map(|left| left.effects).collect()
     }
 
@@ -153,7 +130,7 @@ mod tests {
     /// Two mechanisms beside an effect gain 3 % together; no model holds one of them.
     #[test]
     fn mechanisms_go_together() {
-        let all = selection(&[&[], &[0, 3, 4], &[0]]);
+        let all = Selection::of(&[(&[], 0.0), (&[0, 3, 4], 0.0), (&[0], 0.0)]);
         let error = |tried: &Tried| errs(if tried.effects == [0] { 1.03 } else { 1.0 });
         let enough: Option<fn(usize) -> bool> = Some(|_| true);
         let (model, _, left) = step_back(&all, (1, errs(1.0)), &errs(4.0), error, (3, |_| false), enough);

@@ -83,9 +83,19 @@ pub fn noisy(seed: u64, truth: impl Fn(usize) -> f64, rows: usize) -> Vec<f64> {
 }
 
 pub fn said(model: &Given, inputs: &Inputs, response: &[f64]) -> Diagnosis {
+    said_with(&Options::default(), model, inputs, response)
+}
+
+/// What is said where this effect alone may be named.
+pub fn said_by(effect: &str, model: &Given, inputs: &Inputs, response: &[f64]) -> Diagnosis {
+    let options = Options { effects: vec![effect.into()], compose: false, ..Options::default() };
+    said_with(&options, model, inputs, response)
+}
+
+fn said_with(options: &Options, model: &Given, inputs: &Inputs, response: &[f64]) -> Diagnosis {
     let problem = Problem { inputs, response, simulator: model };
     let facts = RecordingFacts { rows: response.len(), runs: inputs.runs().len(), ..RecordingFacts::default() };
-    diagnose(&problem, facts, &Options::default(), &|_| (), &AtomicBool::new(false)).unwrap().diagnosis
+    diagnose(&problem, facts, options, &|_| (), &AtomicBool::new(false)).unwrap().diagnosis
 }
 
 /// Half an hour at 1 s of a simulation that goes up and down.

@@ -1,6 +1,6 @@
 //! Laws that are found beside such a base model, with their numbers and words.
 
-use crate::given::{Given, noisy, said, simulated};
+use crate::given::{Given, noisy, said, said_by, simulated};
 use truegap_core::{Driver, EffectId, Inputs, Parameter};
 use truegap_diagnose::mechanism::{self, Action, Composed, Form, Kinetics, Numbers, Quantity, Sentence};
 use truegap_diagnose::{Context, Effect, FittedParameter, Verdict, library};
@@ -288,6 +288,98 @@ fn friction_and_a_curve_are_no_loop_that_saturates() {
         let said =
             said(&Given { follows_driver: true, ..Given::with_level() }, &inputs, &noisy(seed, |row| truth[row], rows as usize));
         assert!(said.findings.iter().all(|f| f.effect != "saturating_loop"), "{}", said.says);
+    }
+}
+
+/// A stage that goes up and down, with a scale that is bent by 0.2 V in the middle, or in waves of 0.2 V: further weights are held at nothing for the one, and opened for the other.
+#[test]
+fn a_curve_has_further_turns_where_rows_left_out_bear_them_out() {
+    let x: Vec<f64> = (0..1800).map(|row| usize::abs_diff(row % 300, 150) as f64 / 150.0).collect();
+    let arch = |x: f64| 0.8 * x * (1.0 - x);
+    let waves = |x: f64| 0.2 * (5.0 * std::f64::consts::PI * x).sin();
+    for (departure, seed, held) in [(&arch as &dyn Fn(f64) -> f64, 31, true), (&waves, 32, false)] {
+        let inputs = driven("place", "mm", x.clone());
+        let given = Given { follows_driver: true, ..Given::with_level() };
+        let said = said_by("nonlinearity", &given, &inputs, &noisy(seed, |row| 3.0 + x[row] + departure(x[row]), x.len()));
+        assert_eq!(said.findings.len(), 1, "{}", said.says);
+        // five half waves are the same seen from both ends, so that of the two weights one is needed
+        let ripple = said.findings[0].parameters.iter().find(|p| p.name == "ripple").unwrap();
+        assert_eq!(ripple.meaning.contains("held at 0"), held, "{}", ripple.meaning);
+        // noise of 0.01; five half waves are not quite a polynomial of the fourth degree on an arch
+        assert!(said.fit.in_sample.rmse_after < 0.02, "{}: {}", said.fit.in_sample.rmse_after, said.says);
+    }
+}
+
+/// Two microphones hear one wandering sound 22 s apart, which is four of its half widths: straight steps from nothing end in the nearest wave.
+#[test]
+fn a_shift_by_many_waves_is_found() {
+    let rows = 1500;
+    let at = |time: f64| (0..9).map(|k| (0.21 * (1.0 + 0.17 * f64::from(k)) * time + f64::from(k * k)).sin()).sum::<f64>() / 3.0;
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(f64::from).collect()),
+        run: vec![1; rows as usize],
+        simulated: Some((0..rows).map(|row| 3.0 + at(f64::from(row))).collect()),
+        ..Inputs::default()
+    };
+    let said = said(
+        &Given { follows_driver: true, ..Given::fixed() },
+        &inputs,
+        &noisy(27, |row| 3.0 + at(row as f64 + 22.0), rows as usize),
+    );
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["time_offset"], "{}", said.says);
+    let late = &said.findings[0].parameters[0];
+    assert!((late.value - 22.0).abs() < 0.05, "{}", said.says);
+}
+
+/// A press that goes a step farther each time and back again: 2, 4, ... 12 mm.
+fn pressed() -> Vec<f64> {
+    let way = |stroke: usize, row: usize| 2.0 * (stroke + 1) as f64 * (1.0 - (row as f64 - 100.0).abs() / 100.0);
+    (0..6).flat_map(|stroke| (0..200).map(move |row| way(stroke, row))).collect()
+}
+
+/// A foam that gives 1 V for each mm and keeps, by the square of the greatest way so far, 0.3 V more at 12 mm; the generator takes the set as pressed flat in thin layers, one after another.
+#[test]
+fn a_set_that_the_greatest_way_leaves_is_named() {
+    let x = pressed();
+    let mut layers = [false; 240];
+    let truth: Vec<f64> = x
+        .iter()
+        .map(|x| {
+            layers.iter_mut().enumerate().for_each(|(k, flat)| *flat |= *x > 0.05 * (k as f64 + 0.5));
+            // layers take more of it the deeper they lie
+            let set: f64 =
+                layers.iter().enumerate().filter(|(_, flat)| **flat).map(|(k, _)| (k as f64 + 0.5) * 2.0 / 57_600.0).sum();
+            3.0 + x + 0.3 * set
+        })
+        .collect();
+    let inputs = driven("place", "mm", x);
+    let said = said(&Given { follows_driver: true, ..Given::with_level() }, &inputs, &noisy(24, |row| truth[row], truth.len()));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["permanent_set"], "{}", said.says);
+    let number = |name: &str| said.findings[0].parameters.iter().find(|p| p.name == name).unwrap();
+    let (left, exponent) = (number("left"), number("exponent"));
+    assert!((left.value - 0.3).abs() < 4.0 * left.sd && (exponent.value - 2.0).abs() < 4.0 * exponent.sd, "{}", said.says);
+}
+
+/// A slide that rubs and a curve go the same way each time: nothing stays.
+#[test]
+fn friction_and_a_curve_leave_no_set() {
+    let x = pressed();
+    let mut slip = 0.0;
+    let rubs: Vec<f64> = (0..x.len())
+        .map(|row| {
+            let step: f64 = if row == 0 { 0.0 } else { x[row] - x[row - 1] };
+            slip = (slip + step / 0.2_f64).clamp(-1.0, 1.0);
+            3.0 + x[row] + 0.1 * slip
+        })
+        .collect();
+    let bends: Vec<f64> = x.iter().map(|x| 3.0 + x + 0.3 * (x / 6.0).tanh()).collect();
+    for (truth, seed) in [(rubs, 25), (bends, 26)] {
+        let inputs = driven("place", "mm", x.clone());
+        let said =
+            said(&Given { follows_driver: true, ..Given::with_level() }, &inputs, &noisy(seed, |row| truth[row], truth.len()));
+        assert!(said.findings.iter().all(|f| f.effect != "permanent_set"), "{}", said.says);
     }
 }
 

@@ -59,9 +59,9 @@ impl BlackBox {
         if let Some(load) = self.facts.load {
             let recorded = self.load(drive.inputs).unwrap_or_default();
             let deformed = deformation(drive.load, drive, stages)?;
-            let column = if load.role == Role::Force { &mut inputs.force_n } else { &mut inputs.pressure_pa };
+            let column = inputs.column_mut(load.role).into_iter().flatten();
             // a row that nothing acts on keeps its last bit
-            let rows = column.iter_mut().flatten().zip(recorded.iter().zip(&deformed));
+            let rows = column.flatten().zip(recorded.iter().zip(&deformed));
             rows.filter(|(_, (before, after))| before != after).for_each(|(value, (_, after))| *value = after * load.width);
         }
         inputs.temperature_c.iter_mut().for_each(|column| column.copy_from_slice(drive.temperature_c));

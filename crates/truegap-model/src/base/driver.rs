@@ -4,7 +4,7 @@
 
 use crate::equations::load::{BeadLaw, compressive_strain};
 use serde::{Deserialize, Serialize};
-use truegap_core::{Drive, Inputs, Role, SimulationError, Stage};
+use truegap_core::{Drive, Inputs, Role, SimulationError, Stage, ends};
 
 /// Strain at full load that stands for a deformation whose size is not known.
 const TYPICAL_STRAIN: f64 = 0.2;
@@ -32,7 +32,7 @@ impl Driver {
     /// The driver as a recording has it; `None` where the column is not there or never moves.
     pub fn of(inputs: &Inputs, role: Role) -> Option<Self> {
         let column = inputs.column(role)?;
-        let (low, high) = column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)));
+        let (low, high) = ends(column.iter().copied());
         let (zero, width) = if is_load(role) { (0.0, high.max(-low)) } else { (low, high - low) };
         (high > low && width.is_finite()).then_some(Self { role, zero, width })
     }
@@ -80,8 +80,7 @@ impl NamedDriver {
         let named = inputs.drivers.iter().filter(|driver| name.is_none_or(|name| name == driver.name));
         named
             .filter_map(|driver| {
-                let values = driver.values.iter();
-                let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)));
+                let (low, high) = ends(driver.values.iter().copied());
                 let width = high - low;
                 (width > 0.0 && width.is_finite()).then(|| Self { name: driver.name.clone(), zero: low, width })
             })

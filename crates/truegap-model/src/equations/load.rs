@@ -3,6 +3,7 @@
 //! Limits: frictionless beads of one Poisson's ratio; compressive strain below 1, tension above the strain at which a bead would neck without end.
 
 use super::plates::Compression;
+use rayon::prelude::*;
 
 /// How a bead carries load: bulging with its Poisson's ratio, stiffening with strain.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -95,26 +96,29 @@ pub fn compressive_strain(reduced_load: f64, law: BeadLaw) -> Option<f64> {
 
 /// Rows that [`compressive_strains`] solves side by side.
 const ABREAST: usize = 16;
+/// Such blocks that one processor solves at a time where another one is idle.
+const SHARE: usize = 64;
 
 /// [`compressive_strain`] of each load, to the last bit; NaN where the beads cannot carry it.
 ///
 /// Sixteen rows take their steps side by side, which spares most of what a row alone waits for; those that do not settle are solved by themselves.
 pub fn compressive_strains(reduced_loads: &[f64], law: BeadLaw) -> Vec<f64> {
-    let mut strains = Vec::with_capacity(reduced_loads.len());
     let alone = |q: &f64| compressive_strain(*q, law).unwrap_or(f64::NAN);
     if law.poisson == 0.0 && law.stiffening == [0.0, 0.0] {
-        strains.extend(reduced_loads.iter().map(alone));
-        return strains;
+        return reduced_loads.iter().map(alone).collect();
     }
-    let (blocks, rest) = reduced_loads.as_chunks::<ABREAST>();
     let plain = law.stiffening == [0.0, 0.0];
-    for block in blocks {
+    let mut strains = vec![0.0; reduced_loads.len()];
+    let solve = |(loads, strains): (&[f64], &mut [f64])| {
+        let Ok(block) = <&[f64; ABREAST]>::try_from(loads) else {
+            return loads.iter().zip(strains).for_each(|(q, strain)| *strain = alone(q));
+        };
         let (found, settled) = newton_abreast(block, law);
-        for ((q, strain), settled) in block.iter().zip(found).zip(settled) {
-            strains.push(if settled > 0.0 && (plain || rises_to(strain, law)) { strain } else { alone(q) });
+        for (k, (q, strain)) in block.iter().zip(strains).enumerate() {
+            *strain = if settled[k] > 0.0 && (plain || rises_to(found[k], law)) { found[k] } else { alone(q) };
         }
-    }
-    strains.extend(rest.iter().map(alone));
+    };
+    reduced_loads.par_chunks(ABREAST).zip(strains.par_chunks_mut(ABREAST)).with_min_len(SHARE).for_each(solve);
     strains
 }
 

@@ -16,6 +16,7 @@ use crate::equations::{
     thermal::{Areas, expanded_area, expanded_length},
     warp::Dome,
 };
+use rayon::prelude::*;
 use std::{borrow::Cow, f64::consts::PI};
 use truegap_core::{
     Dielectric, Drive, GapReadings, Geometry, Inputs, PlateColumns, Plates, Readings, Readout, RefusedRow, SimulationError,
@@ -24,6 +25,12 @@ use truegap_core::{
 
 /// Rows of a block: two dozen columns of it stay near the processor.
 const BLOCK: usize = 32;
+
+/// Rows that one processor computes at a time where another one is idle; whole blocks.
+const SHARE: usize = 16 * BLOCK;
+
+/// Value, aspect and plates of the rows of a share.
+type Share<'a> = ((&'a mut [f64], &'a mut [f64]), &'a mut [f64]);
 
 /// A column of a block.
 type Rows32 = [f64; BLOCK];
@@ -93,9 +100,8 @@ pub(super) fn plain(
 /// What the plates read, block by block; `None` where they touch in any row.
 fn in_blocks(device: &Device, drive: &Drive<'_>, geometry: &Geometry<'_>, factors: &Dielectric) -> Option<Readings> {
     let rows = drive.load.len();
-    let [mut value, mut aspect, mut plates] = [(); 3].map(|()| Vec::with_capacity(rows));
-    for start in (0..rows).step_by(BLOCK) {
-        let count = BLOCK.min(rows - start);
+    let [mut value, mut aspect, mut plates] = [(); 3].map(|()| vec![0.0; rows]);
+    let read = |start: usize, count: usize| {
         // what is missing at the end is the last row once more
         let of = |column: &[f64]| -> Rows32 { std::array::from_fn(|k| column[start + k.min(count - 1)]) };
         let given = Given {
@@ -108,11 +114,20 @@ fn in_blocks(device: &Device, drive: &Drive<'_>, geometry: &Geometry<'_>, factor
             beads: of(&factors.beads),
             insulator: of(&factors.insulator),
         };
-        let read = block(device, &given)?;
-        value.extend_from_slice(&read.value[..count]);
-        aspect.extend_from_slice(&read.aspect[..count]);
-        plates.extend_from_slice(&read.plates[..count]);
-    }
+        block(device, &given)
+    };
+    let shares = value.par_chunks_mut(SHARE).zip(aspect.par_chunks_mut(SHARE)).zip(plates.par_chunks_mut(SHARE)).enumerate();
+    let fill = |(share, ((value, aspect), plates)): (usize, Share<'_>)| {
+        for start in (0..value.len()).step_by(BLOCK) {
+            let count = BLOCK.min(value.len() - start);
+            let read = read(share * SHARE + start, count)?;
+            value[start..start + count].copy_from_slice(&read.value[..count]);
+            aspect[start..start + count].copy_from_slice(&read.aspect[..count]);
+            plates[start..start + count].copy_from_slice(&read.plates[..count]);
+        }
+        Some(())
+    };
+    shares.map(fill).collect::<Option<()>>()?;
     Some(Readings { value, gap: Some(GapReadings { aspect, plates }) })
 }
 

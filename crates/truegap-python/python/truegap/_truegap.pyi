@@ -9,10 +9,10 @@ import numpy.typing as npt
 
 Column = npt.NDArray[np.float64]
 Columns = list[tuple[str, Column]]
-#: a path; a path and what a TOML would say of it; a name, that, and columns:
+#: a path; a path and what a TOML would say of it; a name, that, columns, and names of columns without numbers. A column:
 #: name, values, and the first date where these are seconds since then; an empty text where they are durations
 FrameColumns = list[tuple[str, Column, str | None]]
-Source = str | os.PathLike[str] | tuple[str, str] | tuple[str, str, FrameColumns]
+Source = str | os.PathLike[str] | tuple[str, str] | tuple[str, str, FrameColumns, list[str]]
 Progress = Callable[[float, str, str], object]
 
 Given = tuple[str, Callable[[dict[str, Column], dict[str, float]], Column], Sequence[object]]

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _truegap
+from .answer import Document, read
 from .frames import Path
 from .tables import frame_of
 
@@ -33,16 +34,16 @@ def simulate(
     return frame_of({name: np.array([state[name] for state in states], dtype=np.float64) for name in states[0]})
 
 
-def coefficients(sensor: str = DEFAULT_SENSOR, *, warp: bool = True) -> dict[str, Any]:
+def coefficients(sensor: str = DEFAULT_SENSOR, *, warp: bool = True) -> Document:
     """Temperature coefficients and linearity between 20 and 50 degC; names hold the units."""
-    return cast("dict[str, Any]", json.loads(_truegap.coefficients(sensor, warp)))
+    return read(_truegap.coefficients(sensor, warp))
 
 
 def audit(
     sensor: str = DEFAULT_SENSOR, *, only: Sequence[str] = (), remember: bool = True, folder: Path | None = None
-) -> dict[str, Any]:
+) -> Document:
     """Every assumption of the analytic model measured by finite elements: the content of ``audit.json``, which is also written to ``folder``."""
-    return cast("dict[str, Any]", json.loads(_truegap.audit(sensor, list(only), remember, folder)))
+    return read(_truegap.audit(sensor, list(only), remember, folder))
 
 
 def sensors() -> list[str]:

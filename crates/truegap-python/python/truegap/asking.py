@@ -103,8 +103,7 @@ def confirm(
     """
     function = given(base, parameters) if base is not None else None
     other = source(recording, name="frame", columns=columns, units=units, drivers=drivers, base=None)
-    document, table = _truegap.confirm(model, other, list(free), channel, function)
-    return Confirmation(json.loads(document), dict(table))
+    return Confirmation.of(_truegap.confirm(model, other, list(free), channel, function))
 
 
 def _name(index: int, recordings: Sequence[Recording]) -> str:

@@ -3,35 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
-import numpy as np
-import numpy.typing as npt
-
-from .tables import frame_of
+from .answer import Answer, StandsForColumn
+from .tables import Column
 
 
 @dataclass(frozen=True)
-class Compensation:
-    """Corrected readings, one a row, and how far they can be trusted; stands for the readings where an array is wanted."""
+class Compensation(StandsForColumn, Answer):
+    """Corrected readings, one a row, and how far they can be trusted; stands for the readings where an array is wanted.
 
-    #: the whole answer, as ``truegap --json compensate`` prints it
-    document: dict[str, Any]
-    #: rows with reading, corrected reading and estimated input
-    table: dict[str, npt.NDArray[np.float64]]
+    ``document`` is what ``truegap --json compensate`` prints, ``table`` the rows with reading, corrected reading and estimated input.
+    """
 
     @property
-    def corrected(self) -> npt.NDArray[np.float64]:
+    def corrected(self) -> Column:
         """Readings without the added physics, in ``unit``."""
         return self.table["corrected"]
-
-    @property
-    def says(self) -> str:
-        return str(self.document["says"])
-
-    @property
-    def unit(self) -> str:
-        return str(self.document["unit"])
 
     @property
     def passes(self) -> int:
@@ -47,15 +34,8 @@ class Compensation:
         """What a reader should know: effects left out, rows without an answer."""
         return [str(note) for note in self.document["notes"]]
 
-    def to_frame(self) -> Any:
-        """The rows as a pandas frame, else a polars one; a dict of arrays where neither is installed."""
-        return frame_of(self.table)
-
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> npt.NDArray[Any]:
-        return np.array(self.corrected, dtype=dtype) if copy else np.asarray(self.corrected, dtype=dtype)
-
-    def __len__(self) -> int:
-        return len(self.corrected)
+    def _column(self) -> Column:
+        return self.corrected
 
     def __repr__(self) -> str:
         return f"<truegap.Compensation: {self.says}>"

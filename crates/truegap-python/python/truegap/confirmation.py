@@ -4,34 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from html import escape
-from typing import Any
 
-import numpy as np
-import numpy.typing as npt
-
-from .tables import frame_of
+from .answer import Answer
 
 
 @dataclass(frozen=True)
-class Confirmation:
-    """``confirmed``, ``refuted`` or ``cannot_tell``, and what it rests on."""
-
-    #: the whole answer, as ``confirmation.json`` holds it
-    document: dict[str, Any]
-    #: rows with both predictions, as ``confirmation.csv`` holds them
-    table: dict[str, npt.NDArray[np.float64]]
+class Confirmation(Answer):
+    """``confirmed``, ``refuted`` or ``cannot_tell``, and what it rests on: ``document`` as in ``confirmation.json``, ``table`` as in ``confirmation.csv``."""
 
     @property
     def verdict(self) -> str:
         return str(self.document["verdict"])
-
-    @property
-    def says(self) -> str:
-        return str(self.document["says"])
-
-    @property
-    def unit(self) -> str:
-        return str(self.document["unit"])
 
     @property
     def rmse_base(self) -> float:
@@ -47,10 +30,6 @@ class Confirmation:
     def noise(self) -> float:
         """Noise of the recording, in ``unit``."""
         return float(self.document["noise"]["rmse"])
-
-    def to_frame(self) -> Any:
-        """The rows as a pandas frame, else a polars one; a dict of arrays where neither is installed."""
-        return frame_of(self.table)
 
     def __repr__(self) -> str:
         return f"<truegap.Confirmation: {self.verdict}. {self.says}>"

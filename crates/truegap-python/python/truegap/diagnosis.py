@@ -2,30 +2,27 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
 from . import _truegap
+from .answer import Document, StandsForColumn, read
 from .compensation import Compensation
 from .confirmation import Confirmation
 from .frames import Path, Recording, has_toml, source
-from .tables import frame_of
+from .tables import Column, frame_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Column = npt.NDArray[np.float64]
-
 
 @dataclass(frozen=True)
 class Value:
-    """A fitted number: ``value`` with standard deviation ``sd``, in ``unit``."""
+    """A fitted number: ``value`` with standard deviation ``sd``, in ``unit``; ``sd_of_fit`` is the part that noise and prior make."""
 
     name: str
     unit: str
@@ -35,11 +32,13 @@ class Value:
     prior: tuple[float, float]
     #: whether it stands on a bound
     at_limit: bool
+    #: the part of ``sd`` that noise and prior make where the model is right in every respect; the rest is what weak effects and errors of equations may have done
+    sd_of_fit: float
 
     @classmethod
     def of(cls, raw: Mapping[str, Any]) -> Value:
         centre, sd = raw["prior"]
-        return cls(raw["name"], raw["unit"], raw["value"], raw["sd"], (centre, sd), raw["at_limit"])
+        return cls(raw["name"], raw["unit"], raw["value"], raw["sd"], (centre, sd), raw["at_limit"], raw["sd_of_fit"])
 
     def __str__(self) -> str:
         unit = "" if self.unit == "1" else f" {self.unit}"
@@ -86,7 +85,7 @@ class Finding:
 
 
 @dataclass(frozen=True)
-class Prediction:
+class Prediction(StandsForColumn):
     """Response of each row, in ``unit``; stands for the augmented model's where an array is wanted."""
 
     augmented: Column
@@ -94,11 +93,8 @@ class Prediction:
     base: Column
     unit: str
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> npt.NDArray[Any]:
-        return np.array(self.augmented, dtype=dtype) if copy else np.asarray(self.augmented, dtype=dtype)
-
-    def __len__(self) -> int:
-        return len(self.augmented)
+    def _column(self) -> Column:
+        return self.augmented
 
     def __repr__(self) -> str:
         if not len(self):
@@ -122,10 +118,9 @@ class Diagnosis:
         self._confirmed: Confirmation | None = None
 
     @cached_property
-    def document(self) -> dict[str, Any]:
+    def document(self) -> Document:
         """The whole answer, as ``diagnosis.json`` holds it."""
-        document: dict[str, Any] = json.loads(self._native.json())
-        return document
+        return read(self._native.json())
 
     @property
     def verdict(self) -> str:
@@ -216,8 +211,7 @@ class Diagnosis:
         drivers: Mapping[str, Mapping[str, str]] | None = None,
     ) -> Confirmation:
         """Whether a recording that took no part bears out what was added; nothing is refitted but ``free``: gain, offset."""
-        document, table = self._native.confirm(self._source(recording, columns, units, drivers), list(free), channel)
-        self._confirmed = Confirmation(json.loads(document), dict(table))
+        self._confirmed = Confirmation.of(self._native.confirm(self._source(recording, columns, units, drivers), list(free), channel))
         return self._confirmed
 
     def compensate(
@@ -231,8 +225,7 @@ class Diagnosis:
         drivers: Mapping[str, Mapping[str, str]] | None = None,
     ) -> Compensation:
         """The readings without what was added; the load need not be in the frame. ``all``: the recording began as the diagnosed one did, so drift and settling are taken away as well."""
-        document, table = self._native.compensate(self._source(recording, columns, units, drivers), channel, all)
-        return Compensation(json.loads(document), dict(table))
+        return Compensation.of(self._native.compensate(self._source(recording, columns, units, drivers), channel, all))
 
     def _source(
         self,

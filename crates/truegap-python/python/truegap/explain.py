@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from html import escape
-from typing import Any
 
 from . import _truegap
+from .answer import Document, read
 
 
 @dataclass(frozen=True)
@@ -23,7 +22,7 @@ class Explained:
     told_apart_by: str
     source: str
     #: all of it, as ``truegap --json explain`` prints it
-    document: dict[str, Any]
+    document: Document
 
     def __str__(self) -> str:
         return "\n".join([f"{self.effect}: {self.physics}.", "", f"    {self.equation}", "", *(f"{name}: {text}" for name, text in self._lines())])
@@ -46,7 +45,7 @@ class Explained:
 
 def explain(effect: str) -> Explained:
     """The effect of this name, as a finding has it: ``tg.explain("thermal_lag")``."""
-    raw = json.loads(_truegap.explain(effect))
+    raw = read(_truegap.explain(effect))
     return Explained(
         raw["effect"],
         raw["physics"],
@@ -61,4 +60,4 @@ def explain(effect: str) -> Explained:
 
 def effects() -> dict[str, str]:
     """Every effect of the library with its physics in a sentence."""
-    return dict(json.loads(_truegap.explain(None)))
+    return dict(read(_truegap.explain(None)))

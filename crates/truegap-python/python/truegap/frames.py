@@ -136,9 +136,9 @@ def source(
         is_told = bool(columns or units or drivers)
         if has_toml(recording) and is_told:
             raise TypeError("columns, units and drivers of this recording stand in its TOML; change them there, or give the table that it names: `a.csv`")
-        if is_text(recording) and is_told:
+        if is_told and (reading or is_text(recording)):
             return os.fspath(recording), _says(os.fspath(recording), columns or {}, units or {}, drivers, base)
-        if is_text(recording) or (reading and not is_told):
+        if reading or is_text(recording):
             return recording
         name, table = os.fspath(recording), _truegap.read_columns(recording)
     else:
@@ -155,7 +155,7 @@ def source(
     clocks = [column for column in left_out if column.lower() in CLOCKS]
     if clocks and "time" not in roles and not any(_is_clock(column) for column, *_ in table):
         raise TypeError(f"the column `{clocks[0]}` of the frame is called after the clock and {left_out[clocks[0]]}; or drop it")
-    return name, _says(name, roles, measured, drivers, base), table
+    return name, _says(name, roles, measured, drivers, base), table, list(left_out)
 
 
 def _says(

@@ -6,11 +6,10 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from .parameter import Named, Parameter
+from .tables import Column
 
-Column = npt.NDArray[np.float64]
 #: ``inputs`` holds one array a recorded column, in SI: ``run``, ``time_s``, ``force_n``, ``pressure_pa``, ``gap_m``, ``temperature_c``, ``humidity_pct``,
 #: ``simulated``, and every driver under its own name.
 Simulator = Callable[[dict[str, Column], dict[str, float]], Any]

@@ -9,7 +9,8 @@ import numpy as np
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from .diagnosis import Column, Diagnosis
+    from .diagnosis import Diagnosis
+    from .tables import Column
 
 #: Colours that a colour-blind reader tells apart (Okabe & Ito 2008).
 RECORDED, BASE, AUGMENTED = "#000000", "#0072B2", "#D55E00"

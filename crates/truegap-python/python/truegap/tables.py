@@ -1,10 +1,15 @@
-"""Columns as a frame of whichever library is there."""
+"""Columns, and a frame of them of whichever library is there."""
 
 from __future__ import annotations
 
 import importlib
 from collections.abc import Mapping
 from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+Column = npt.NDArray[np.float64]
 
 
 def frame_of(columns: Mapping[str, Any]) -> Any:

@@ -21,6 +21,7 @@
 mod asking;
 mod bank_store;
 mod bases;
+mod beside_model;
 mod clock;
 pub mod compensate;
 pub mod confirm;
@@ -33,6 +34,7 @@ mod pace;
 mod prediction;
 pub mod report;
 mod request;
+mod rows;
 mod run;
 mod screen;
 

@@ -3,11 +3,8 @@
 //! Limits: inputs in SI (temperature in degrees Celsius), ten significant digits; of a clock that does not begin at 0, as many more as its range lies below its numbers.
 
 use std::fmt::Write;
-use truegap_core::{Recording, Role};
+use truegap_core::{Recording, Role, ends};
 use truegap_diagnose::Traces;
-
-/// Name of the clock's column.
-const TIME: &str = "time_s";
 
 /// Significant digits of a number.
 const DIGITS: usize = 10;
@@ -24,8 +21,10 @@ pub(super) fn csv(recording: &Recording, parts: &[Recording], traces: &Traces) -
         text.push_str(&crate::cells::cell(name));
     });
     text.push('\n');
-    let digits: Vec<usize> =
-        columns.iter().map(|(name, column)| if name == TIME { clock_digits(column) } else { DIGITS }).collect();
+    let digits: Vec<usize> = columns
+        .iter()
+        .map(|(name, column)| if name == Role::Time.column_name() { clock_digits(column) } else { DIGITS })
+        .collect();
     for (row, run) in recording.inputs.run.iter().enumerate() {
         let _ = write!(text, "{run}"); // writing to a String cannot fail
         for ((_, column), digits) in columns.iter().zip(&digits) {
@@ -93,22 +92,15 @@ fn suffix(unit: &str) -> String {
 
 fn input_name(role: Role, suffix: &str, simulated: &str) -> String {
     match role {
-        Role::Time => TIME.into(),
-        Role::Force => "force_n".into(),
-        Role::Pressure => "pressure_pa".into(),
-        Role::Gap => "gap_m".into(),
-        Role::Temperature => "temperature_c".into(),
-        Role::Humidity => "humidity_pct".into(),
         Role::Simulated => format!("simulated_{simulated}"),
         Role::Response => format!("recorded_{suffix}"),
-        Role::Run => "run".into(),
-        Role::Sensor => "sensor".into(),
+        other => other.column_name().into(),
     }
 }
 
 /// Significant digits of a clock: its steps keep theirs where it counts from long ago, as seconds since 1970 do.
 fn clock_digits(time: &[f64]) -> usize {
-    let (low, high) = time.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), t| (low.min(*t), high.max(*t)));
+    let (low, high) = ends(time.iter().copied());
     let above = (low.abs().max(high.abs()) / (high - low)).log10();
     // seventeen tell any two numbers apart
     DIGITS + if above.is_finite() { above.floor().clamp(0.0, 7.0) as usize } else { 0 }

@@ -3,10 +3,11 @@
 //! Limits: recordings given together must be read in the same unit.
 
 use super::DiagnosisError;
+use super::rows::rows_of_each;
 use crate::models::Programs;
 use std::path::PathBuf;
 use truegap_core::nearest::nearest;
-use truegap_core::{Inputs, Note, Recording};
+use truegap_core::{Note, Recording, Role};
 use truegap_diagnose::Library;
 use truegap_diagnose::answer::Hidden;
 use truegap_diagnose::joint::{Free, behind_one_another};
@@ -159,23 +160,16 @@ pub(super) fn named(recording: &Recording) -> String {
     if recording.path.as_os_str().is_empty() { "recording".into() } else { recording.path.display().to_string() }
 }
 
-/// One of the input columns, to be taken away.
-type Column = fn(&mut Inputs) -> &mut Option<Vec<f64>>;
-
-const CONCEALABLE: [(&str, &str, Column); 5] = [
-    ("temperature", "°C", |i| &mut i.temperature_c),
-    ("humidity", "%", |i| &mut i.humidity_pct),
-    ("force", "N", |i| &mut i.force_n),
-    ("pressure", "Pa", |i| &mut i.pressure_pa),
-    ("gap", "m", |i| &mut i.gap_m),
-];
+/// The input columns that may be taken away.
+const CONCEALABLE: [Role; 5] = [Role::Temperature, Role::Humidity, Role::Force, Role::Pressure, Role::Gap];
 
 /// Takes a column away from all recordings that have it.
 fn conceal(parts: &mut [Recording], column: &str) -> Result<Hidden, DiagnosisError> {
-    let Some(first) = parts.first_mut() else { return Err(DiagnosisError::NoRecording) };
-    let in_file = first.columns.iter().find(|(_, name)| *name == column).map(|(role, _)| format!("{role:?}").to_lowercase());
-    let wanted = in_file.as_deref().unwrap_or(column);
-    let found = CONCEALABLE.iter().find(|(role, _, get)| *role == wanted && get(&mut first.inputs).is_some());
+    let Some(first) = parts.first() else { return Err(DiagnosisError::NoRecording) };
+    let in_file = first.columns.iter().find(|(_, name)| *name == column).map(|(role, _)| role.key());
+    let wanted = in_file.unwrap_or(column);
+    let recorded = |role: &Role| first.inputs.column(*role).is_some();
+    let found = CONCEALABLE.into_iter().find(|role| role.key() == wanted && recorded(role));
     let driver = |part: &Recording| part.inputs.drivers.iter().position(|driver| driver.name == column);
     if let (None, Some(index)) = (found, driver(first)) {
         let unit = first.inputs.drivers[index].unit.clone();
@@ -185,15 +179,18 @@ fn conceal(parts: &mut [Recording], column: &str) -> Result<Hidden, DiagnosisErr
         };
         return Ok(Hidden { column: column.into(), unit, values: parts.iter_mut().flat_map(take).collect() });
     }
-    let Some((role, unit, get)) = found else {
-        let there = CONCEALABLE.iter().filter(|(_, _, get)| get(&mut first.inputs).is_some());
-        let mut names: Vec<String> = there.map(|(role, ..)| (*role).to_owned()).collect();
+    let Some(role) = found else {
+        let mut names: Vec<String> = CONCEALABLE.into_iter().filter(recorded).map(|role| role.key().to_owned()).collect();
         names.extend(first.inputs.drivers.iter().map(|driver| driver.name.clone()));
         let names = names.join(", ");
         return Err(DiagnosisError::NothingToConceal { recording: named(first), column: column.into(), names });
     };
-    let take = |part: &mut Recording| get(&mut part.inputs).take().unwrap_or_else(|| vec![f64::NAN; part.len()]);
-    Ok(Hidden { column: (*role).into(), unit: (*unit).into(), values: parts.iter_mut().flat_map(take).collect() })
+    let take = |part: &mut Recording| {
+        let taken = part.inputs.column_mut(role).and_then(Option::take);
+        taken.unwrap_or_else(|| vec![f64::NAN; part.len()])
+    };
+    let unit = role.unit().replace("degC", "°C");
+    Ok(Hidden { column: role.key().into(), unit, values: parts.iter_mut().flat_map(take).collect() })
 }
 
 /// Temperature that stands for one that was not recorded, degrees Celsius; drawn, never simulated.
@@ -213,9 +210,8 @@ pub(super) fn together(parts: &[Recording]) -> Result<Recording, DiagnosisError>
     }
     let (mut inputs, _) = behind_one_another(&parts.iter().map(|p| (&p.inputs, ROOM_C)).collect::<Vec<_>>());
     if let Some(clock) = &mut inputs.time_s {
-        let mut row = 0;
-        for part in &parts[..parts.len() - 1] {
-            row += part.len();
+        for rows in rows_of_each(parts).iter().skip(1) {
+            let row = rows.start;
             let (end, start) = (clock[row - 1], clock[row]);
             let shift = if start > end { 0.0 } else { end - start };
             clock[row..].iter_mut().for_each(|t| *t += shift);

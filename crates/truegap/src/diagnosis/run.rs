@@ -8,6 +8,7 @@ use super::clock::utc_now;
 use super::course::Course;
 use super::diagnosed::Diagnosed;
 use super::request::{Opened, Request, named};
+use super::rows::rows_of_each;
 use super::screen::{Screened, reserve, screen};
 use super::{DiagnosisError, bank_store};
 use crate::diagnosis::report::Provenance;
@@ -165,14 +166,9 @@ fn members<'a>(opened: &'a Opened, bases: &'a Bases) -> Vec<Member<'a>> {
 
 /// The recording that a joint row belongs to, and its first row.
 fn part_of(parts: &[Recording], row: usize) -> (usize, usize) {
-    let mut first = 0;
-    for (index, part) in parts.iter().enumerate() {
-        if row < first + part.len() || index + 1 == parts.len() {
-            return (index, first);
-        }
-        first += part.len();
-    }
-    (0, 0)
+    let rows = rows_of_each(parts);
+    let index = rows.iter().position(|rows| row < rows.end).unwrap_or(parts.len().saturating_sub(1));
+    (index, rows.get(index).map_or(0, |rows| rows.start))
 }
 
 fn moved_up(source: DiagnoseError, rows: usize) -> DiagnoseError {
@@ -189,19 +185,15 @@ fn moved_up(source: DiagnoseError, rows: usize) -> DiagnoseError {
 
 /// Each of several recordings, for the record.
 fn each(opened: &Opened, bases: &Bases, files: &[(String, String)], joint: &Inputs) -> Vec<OneRecording> {
-    let mut row = 0;
-    let one = |(index, part): (usize, &Recording)| {
-        let first_run = joint.run.get(row).copied().unwrap_or(1);
-        row += part.len();
-        OneRecording {
-            number: index + 1,
-            source: files.get(index).map_or_else(|| named(part), |(name, _)| name.clone()),
-            sensor: bases.bases[bases.specimen[index]].sensor.as_ref().map(|s| s.name.clone()),
-            rows: part.len(),
-            runs: part.inputs.runs().len(),
-            first_run,
-            sha256: part.sha256.clone(),
-        }
+    let rows = rows_of_each(&opened.parts);
+    let one = |(index, part): (usize, &Recording)| OneRecording {
+        number: index + 1,
+        source: files.get(index).map_or_else(|| named(part), |(name, _)| name.clone()),
+        sensor: bases.bases[bases.specimen[index]].sensor.as_ref().map(|s| s.name.clone()),
+        rows: part.len(),
+        runs: part.inputs.runs().len(),
+        first_run: joint.run.get(rows[index].start).copied().unwrap_or(1),
+        sha256: part.sha256.clone(),
     };
     opened.parts.iter().enumerate().map(one).collect()
 }
@@ -218,11 +210,7 @@ fn refused(source: DiagnoseError, recording: &Recording, base: &Base, asked: &dy
         source => return DiagnosisError::Diagnose { recording, source },
     };
     let needs = base.simulator.needs();
-    let unit = match needs.contains(&Role::Pressure) {
-        true => "Pa",
-        false if needs.contains(&Role::Gap) => "m",
-        false => "N",
-    };
+    let unit = [Role::Pressure, Role::Gap].into_iter().find(|role| needs.contains(role)).unwrap_or(Role::Force).unit();
     let model = base.sensor.as_ref().map_or_else(|| base.simulator.name().to_owned(), |s| s.name.clone());
     DiagnosisError::GapCloses { recording, row: row + 1, load: twelve_digits(load_si), unit, model, strain }
 }

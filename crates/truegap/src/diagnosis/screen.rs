@@ -5,6 +5,7 @@
 use super::DiagnosisError;
 use super::bases::{Bases, bases};
 use super::request::{Opened, together};
+use super::rows::rows_of_each;
 use truegap_core::{Recording, Simulator};
 use truegap_diagnose::quality::FEWEST_ROWS;
 use truegap_diagnose::quality::{Notice, NoticeKind};
@@ -67,12 +68,8 @@ fn of(notice: Notice, index: usize, several: usize) -> Notice {
 
 /// The rows that `kept` names, recording by recording.
 fn without(opened: Opened, kept: &[Vec<usize>]) -> Result<Opened, DiagnosisError> {
-    let mut rows = Vec::new();
-    let mut first = 0;
-    for (keep, part) in kept.iter().zip(parts(&opened)) {
-        rows.extend(keep.iter().map(|row| first + row));
-        first += part.len();
-    }
+    let each = rows_of_each(parts(&opened));
+    let rows: Vec<usize> = kept.iter().zip(&each).flat_map(|(keep, rows)| keep.iter().map(|row| rows.start + row)).collect();
     let mut hidden = opened.hidden;
     hidden.iter_mut().for_each(|h| h.values = rows.iter().map(|row| h.values[*row]).collect());
     let parts: Vec<Recording> = opened.parts.iter().zip(kept).map(|(part, keep)| part.select(keep)).collect();

@@ -51,8 +51,7 @@ impl RunningModel {
     /// Every effect is known and has its numbers, none of them below 0 that cannot be.
     pub(super) fn check(&self) -> Result<(), ModelFileError> {
         let effects = Library::default();
-        let row = self.augmented.scales.moved.clone().unwrap_or_default().one_row();
-        self.as_fitted(&row, |context| {
+        self.as_fitted(|context| {
             for added in &self.augmented.effects {
                 let Some(effect) = effects.find(&added.id) else { continue };
                 has_its_numbers(effect, added, context)?;

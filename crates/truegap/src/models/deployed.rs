@@ -2,7 +2,7 @@
 //!
 //! Limits: what an effect is says the effect; nothing is fitted.
 
-use super::model_file::{ModelFileError, RunningModel};
+use super::model_file::{ModelFileError, RunningModel, begin_anew, driver_of};
 use serde::Serialize;
 use truegap_core::Inputs;
 use truegap_diagnose::answer::{AddedEffect, Scales};
@@ -41,15 +41,10 @@ impl RunningModel {
     /// Numbers that say how the first recording began are 0 in another one.
     pub fn parted(&self, library: &Library, same: bool, all: bool) -> Parted {
         let bound = self.bound_to_runs(library);
-        let row = self.augmented.scales.moved.clone().unwrap_or_default().one_row();
-        self.as_fitted(&row, |context| {
+        self.as_fitted(|context| {
             let mut parted = Parted::default();
             for added in &self.augmented.effects {
                 let effect = library.find(&added.id);
-                let driver = match &added.mechanism {
-                    Some(mechanism) => Some(mechanism.sentence.driver.clone()),
-                    None => effect.and_then(|effect| effect.in_words(context)).map(|words| words.driver),
-                };
                 let is_clock = effect.is_some_and(Effect::of_recorder);
                 let why = if is_clock {
                     Some(OF_A_CLOCK)
@@ -57,7 +52,7 @@ impl RunningModel {
                     Some(OF_THE_REFERENCE)
                 } else if !same && bound.contains(&added.id) {
                     Some(BOUND_TO_RUNS)
-                } else if !same && !all && driver == Some(Driver::Time) {
+                } else if !same && !all && driver_of(added, library, context) == Some(Driver::Time) {
                     Some(ON_THE_CLOCK)
                 } else {
                     None
@@ -70,8 +65,9 @@ impl RunningModel {
                     continue;
                 }
                 let mut added = added.clone();
-                let of_start = effect.filter(|_| !same).map_or(&[][..], |effect| effect.of_start(context));
-                added.parameters.iter_mut().filter(|p| of_start.contains(&p.name.as_str())).for_each(|p| p.value = 0.0);
+                if !same {
+                    begin_anew(&mut added, library, context);
+                }
                 parted.kept.push(added);
             }
             parted

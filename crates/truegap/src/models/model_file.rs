@@ -189,7 +189,10 @@ impl ModelFile {
         // a base without parameters is the same alone
         let is_known = !self.base_alone.is_empty() || values.is_empty();
         let alone = is_known.then(|| self::values(&self.base_alone, simulator.as_ref())).transpose()?;
-        let model = RunningModel { simulator, values, alone, augmented: self.augmented() };
+        let mut model = RunningModel { simulator, values, alone, augmented: self.augmented() };
+        let (library, mut effects) = (Library::default(), std::mem::take(&mut model.augmented.effects));
+        model.as_fitted(|context| effects.iter_mut().for_each(|added| complete(added, &library, context)));
+        model.augmented.effects = effects;
         model.check()?;
         Ok(model)
     }
@@ -225,6 +228,34 @@ fn sensor_text(name: &str, folder: Option<&Path>) -> Result<String, ModelFileErr
     let beside = folder.map(|f| f.join(name)).filter(|path| path.is_file());
     let file = beside.unwrap_or_else(|| PathBuf::from(name));
     truegap_limits::read_text(&file).map_err(|source| ModelFileError::SensorFile { file, source })
+}
+
+/// What an added effect follows: as its mechanism says, else as the library says of its id; `None` where no words say it.
+pub(super) fn driver_of(added: &AddedEffect, library: &Library, context: &Context<'_>) -> Option<Driver> {
+    match &added.mechanism {
+        Some(mechanism) => Some(mechanism.sentence.driver.clone()),
+        None => Some(library.find(&added.id)?.in_words(context)?.driver),
+    }
+}
+
+/// Sets the numbers of an added effect to 0 that say how the recording began to which it was fitted: another one begins otherwise.
+pub(super) fn begin_anew(added: &mut AddedEffect, library: &Library, context: &Context<'_>) {
+    let of_start = library.find(&added.id).map_or(&[][..], |effect| effect.of_start(context));
+    added.parameters.iter_mut().filter(|p| of_start.contains(&p.name.as_str())).for_each(|p| p.value = 0.0);
+}
+
+/// Gives an added effect the further numbers of a richer law, as 0, where the file is of before the law had them.
+fn complete(added: &mut AddedEffect, library: &Library, context: &Context<'_>) {
+    let Some(effect) = library.find(&added.id) else { return };
+    // a count of runs alone costs no memory
+    let context = &context.clone().with_runs(context.runs.min(added.parameters.len() + 2));
+    for (place, parameter) in effect.parameters(context).into_iter().enumerate() {
+        let missing = added.parameters.iter().all(|p| p.name != parameter.name);
+        if missing && place <= added.parameters.len() && effect.may_be_more().contains(&parameter.name.as_str()) {
+            let nothing = NamedValue { name: parameter.name, unit: parameter.unit, value: 0.0, sd: 0.0 };
+            added.parameters.insert(place, nothing);
+        }
+    }
 }
 
 /// A model that simulates: base model, its calibrated values, added physics.
@@ -263,13 +294,12 @@ impl RunningModel {
 
     /// `Ok` where every recorded driver that an added effect follows is among the inputs.
     fn has_drivers(&self, augmented: &Augmented, inputs: &Inputs, library: &Library) -> Result<(), ModelFileError> {
-        let fitted = self.augmented.scales.moved.clone().unwrap_or_default();
-        self.as_fitted(&fitted.one_row(), |context| {
+        let drivers = self.augmented.scales.moved.as_ref().map_or(&[][..], |fitted| fitted.drivers.as_slice());
+        self.as_fitted(|context| {
             for added in &augmented.effects {
-                let driver = added.mechanism.as_ref().map(|m| m.sentence.driver.clone());
-                let in_words = || library.find(&added.id).and_then(|effect| effect.in_words(context)).map(|words| words.driver);
-                let Some(Driver::Recorded(column) | Driver::RateOf(column)) = driver.or_else(in_words) else { continue };
-                let is_driver = fitted.drivers.contains(&column);
+                let driver = driver_of(added, library, context);
+                let Some(Driver::Recorded(column) | Driver::RateOf(column)) = driver else { continue };
+                let is_driver = drivers.contains(&column);
                 if is_driver && inputs.drivers.iter().all(|driver| driver.name != column) {
                     return Err(ModelFileError::MissingDriver { effect: added.id.clone(), column });
                 }
@@ -278,9 +308,10 @@ impl RunningModel {
         })
     }
 
-    /// What `asked` says of the recording to which the effects were fitted, of which `row` has the drivers.
-    pub(super) fn as_fitted<T>(&self, row: &Inputs, asked: impl FnOnce(&Context<'_>) -> T) -> T {
-        let mut context = Context::new(row, self.simulator.as_ref(), 0.0, 0.0);
+    /// What `asked` says of the recording to which the effects were fitted: one row that has its drivers.
+    pub(super) fn as_fitted<T>(&self, asked: impl FnOnce(&Context<'_>) -> T) -> T {
+        let row = self.augmented.scales.moved.clone().unwrap_or_default().one_row();
+        let mut context = Context::new(&row, self.simulator.as_ref(), 0.0, 0.0);
         self.augmented.apply_scales(&mut context);
         asked(&context)
     }
@@ -315,13 +346,7 @@ impl RunningModel {
     pub fn elsewhere(mut self, library: &Library) -> (Self, Vec<String>) {
         let of_recorder = |added: &AddedEffect| library.find(&added.id).is_some_and(Effect::of_recorder);
         let (out, mut kept) = std::mem::take(&mut self.augmented.effects).into_iter().partition::<Vec<_>, _>(of_recorder);
-        let row = self.augmented.scales.moved.clone().unwrap_or_default().one_row();
-        self.as_fitted(&row, |context| {
-            for added in &mut kept {
-                let of_start = library.find(&added.id).map_or(&[][..], |effect| effect.of_start(context));
-                added.parameters.iter_mut().filter(|p| of_start.contains(&p.name.as_str())).for_each(|p| p.value = 0.0);
-            }
-        });
+        self.as_fitted(|context| kept.iter_mut().for_each(|added| begin_anew(added, library, context)));
         self.augmented.effects = kept;
         (self, out.into_iter().map(|added| added.id).collect())
     }

@@ -3,7 +3,7 @@
 //! Limits: load, temperature and time as they are, no memory; a few hundred rows are learned from; whole runs are left out.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
-use truegap_core::Inputs;
+use truegap_core::{Inputs, ends};
 use truegap_diagnose::parts;
 
 /// Rows learned from.
@@ -38,7 +38,7 @@ pub(super) fn misfit_removed(inputs: &Inputs, residual: &[f64], noise: f64) -> O
 fn features(inputs: &Inputs) -> Vec<[f64; 3]> {
     let scaled = |column: Option<&Vec<f64>>| -> Vec<f64> {
         let Some(column) = column else { return vec![0.0; inputs.len()] };
-        let (low, high) = column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+        let (low, high) = ends(column.iter().copied());
         let range = if high > low { high - low } else { 1.0 };
         column.iter().map(|v| (v - low) / range).collect()
     };

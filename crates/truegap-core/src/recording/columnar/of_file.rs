@@ -74,6 +74,11 @@ impl Frame {
         Ok(())
     }
 
+    /// Names of what is neither numbers nor times, once [`Frame::read_dates`] has looked at the texts.
+    pub fn left_out_names(&self) -> Vec<String> {
+        self.left_out.iter().map(|(name, _)| name.clone()).collect()
+    }
+
     /// Refuses a file whose columns of text are named for numbers.
     ///
     /// # Errors

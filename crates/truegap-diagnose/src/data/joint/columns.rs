@@ -3,26 +3,11 @@
 //! Limits: a column that a recording lacks stands as a constant among the joint columns and is taken out again before that recording is simulated.
 
 use std::ops::Range;
-use truegap_core::{Driver, Inputs, Role};
-
-/// A column of the inputs, to be read.
-type Get = fn(&Inputs) -> &Option<Vec<f64>>;
-/// The same, to be changed.
-type GetMut = fn(&mut Inputs) -> &mut Option<Vec<f64>>;
-
-const COLUMNS: [(Role, Get, GetMut); 7] = [
-    (Role::Time, |i| &i.time_s, |i| &mut i.time_s),
-    (Role::Force, |i| &i.force_n, |i| &mut i.force_n),
-    (Role::Pressure, |i| &i.pressure_pa, |i| &mut i.pressure_pa),
-    (Role::Gap, |i| &i.gap_m, |i| &mut i.gap_m),
-    (Role::Temperature, |i| &i.temperature_c, |i| &mut i.temperature_c),
-    (Role::Humidity, |i| &i.humidity_pct, |i| &mut i.humidity_pct),
-    (Role::Simulated, |i| &i.simulated, |i| &mut i.simulated),
-];
+use truegap_core::{Driver, INPUT_ROLES, Inputs, Role};
 
 /// Columns that were recorded.
 pub(crate) fn recorded(inputs: &Inputs) -> Vec<Role> {
-    COLUMNS.iter().filter(|(_, get, _)| get(inputs).is_some()).map(|(role, ..)| *role).collect()
+    INPUT_ROLES.into_iter().filter(|role| inputs.column(*role).is_some()).collect()
 }
 
 /// All inputs, runs numbered on from 1; and the number of the first run of each recording.
@@ -38,10 +23,11 @@ pub fn behind_one_another(members: &[(&Inputs, f64)]) -> (Inputs, Vec<u32>) {
             all.run.extend(run.map(|_| runs));
         }
     }
-    for (role, get, get_mut) in COLUMNS {
-        if members.iter().any(|(inputs, _)| get(inputs).is_some()) {
-            let own = |m: &(&Inputs, f64)| get(m.0).clone().unwrap_or_else(|| stand_in(role, m.0.len(), m.1));
-            *get_mut(&mut all) = Some(members.iter().flat_map(own).collect());
+    for role in INPUT_ROLES {
+        let own = |m: &(&Inputs, f64)| m.0.column(role).map_or_else(|| stand_in(role, m.0.len(), m.1), <[f64]>::to_vec);
+        let recorded = members.iter().any(|(inputs, _)| inputs.column(role).is_some());
+        if let (true, Some(column)) = (recorded, all.column_mut(role)) {
+            *column = Some(members.iter().flat_map(own).collect());
         }
     }
     all.drivers = drivers(members);
@@ -77,10 +63,12 @@ fn stand_in(role: Role, rows: usize, temperature_c: f64) -> Vec<f64> {
 
 /// Some rows, with the columns of `has` only.
 pub(crate) fn block(inputs: &Inputs, rows: Range<usize>, has: &[Role]) -> Inputs {
-    let drivers = inputs.drivers_as(|column| column[rows.clone()].to_vec());
-    let mut own = Inputs { run: inputs.run[rows.clone()].to_vec(), drivers, ..Inputs::default() };
-    for (_, get, get_mut) in COLUMNS.iter().filter(|(role, ..)| has.contains(role)) {
-        *get_mut(&mut own) = get(inputs).as_ref().map(|column| column[rows.clone()].to_vec());
+    let own = |column: &[f64]| column[rows.clone()].to_vec();
+    let mut block = Inputs { run: inputs.run[rows.clone()].to_vec(), drivers: inputs.drivers_as(own), ..Inputs::default() };
+    for role in INPUT_ROLES.into_iter().filter(|role| has.contains(role)) {
+        if let Some(column) = block.column_mut(role) {
+            *column = inputs.column(role).map(own);
+        }
     }
-    own
+    block
 }

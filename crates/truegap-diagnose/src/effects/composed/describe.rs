@@ -13,6 +13,7 @@ use crate::{
     effects::effect::FittedParameter,
     text::with_sd,
 };
+use truegap_core::ends;
 
 /// Share of a quantity from which on a change of it that is hardly known is none that a reader can use.
 const RUNS_AWAY: f64 = 10.0;
@@ -121,7 +122,7 @@ fn most(sentence: &Sentence, start: &Numbers, fitted: &[FittedParameter], contex
         reading: reading.as_deref(),
     };
     let u = column(sentence, &numbers, &at)?;
-    let (low, high) = u.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), u| (l.min(*u), h.max(*u)));
+    let (low, high) = ends(u.iter().copied());
     let span = high - low;
     let (unit, factor) = match quantity_unit(sentence, context).as_str() {
         "1" => ("%".to_owned(), 100.0),

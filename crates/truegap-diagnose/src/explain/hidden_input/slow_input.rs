@@ -14,7 +14,7 @@ use crate::{
         candidates::{Search, Tried},
         posterior::Selection,
     },
-    stats::rmse,
+    stats::{deviation, rmse},
     text::{Scale, significant},
 };
 use serde::Serialize;
@@ -229,9 +229,7 @@ fn moves(column: &[f64], rows: &Range<usize>) -> bool {
 
 /// Rows at which the course is known better than to half of how far it moves.
 fn determined(course: &[f64], sd: &[f64]) -> Vec<bool> {
-    let n = course.len().max(1) as f64;
-    let mean = course.iter().sum::<f64>() / n;
-    let moves = (course.iter().map(|c| (c - mean).powi(2)).sum::<f64>() / n).sqrt();
+    let moves = deviation(course);
     sd.iter().map(|sd| *sd < DETERMINED * moves).collect()
 }
 

@@ -36,10 +36,9 @@ fn a_rival_joins_the_set_of_its_effect() {
 }
 
 use crate::{
-    fit::{model::Kinds, optimum::finish, score_test::JointTest},
+    fit::score_test::JointTest,
     selection::{candidates::Tried, model_space::EvidenceCheck},
 };
-use nalgebra::DMatrix;
 
 /// What is left over of a model: nothing, or `excess` above twelve degrees of freedom.
 fn left(excess: f64) -> Adequacy {
@@ -57,10 +56,7 @@ fn left(excess: f64) -> Adequacy {
 fn selection(misfit: f64, models: &[(&[usize], f64)]) -> Selection {
     let tried = |effects: &[usize]| {
         let left: f64 = (misfit - 1000.0 * effects.len() as f64).max(0.0);
-        let count = 1 + effects.len();
-        let free = vec![(f64::NEG_INFINITY, f64::INFINITY); count];
-        let fit = finish(vec![0.0; count], vec![left.sqrt()], DMatrix::zeros(1, count), &free, Kinds::default(), (1, true));
-        Tried { effects: effects.to_vec(), fit }
+        Tried::leaving(vec![left.sqrt()], effects)
     };
     let of = |effect: usize| models.iter().filter(|(e, _)| e.contains(&effect)).map(|(_, p)| p).sum();
     Selection {

@@ -12,6 +12,7 @@ use crate::{
         rescale::{not_above, quieter_than},
         several::measured,
     },
+    stats::rms,
     whitening::noise_model::NoiseModel,
 };
 use nalgebra::{DMatrix, DVector};
@@ -100,7 +101,7 @@ fn a_right_noise_is_not_lowered_and_one_three_times_too_loud_is_by_three() {
         assert_eq!(of_square(0.75), 1.0);
         assert!(of_square(0.66) < 0.9);
         let lowered = not_above(&problem, &y, model(&problem, 3.0)).response;
-        let exact = (y.iter().map(|y| y * y).sum::<f64>() / 200.0).sqrt();
+        let exact = rms(y.iter().copied());
         // factors of the grid stand a quarter apart
         assert!((lowered.white_sd / exact).ln().abs() < 0.3, "{} {exact}", lowered.white_sd);
     }

@@ -50,6 +50,10 @@ fn values_and_deviations_are_stated_in_their_units() {
         // what else may act makes it wider
         assert!((1.0 - 1e-9..1.9).contains(&(facts.sd / facts.sd_of_fit)), "{} beside {}", facts.sd, facts.sd_of_fit);
     }
+    let findings = found.findings.iter().chain(&found.carried).flat_map(|finding| &finding.parameters);
+    for number in found.base.parameters.iter().chain(&found.base.parameters_after).chain(findings) {
+        assert!(number.sd >= number.sd_of_fit * (1.0 - 1e-9) && number.sd_of_fit > 0.0, "{number:?}");
+    }
     approx::assert_abs_diff_eq!(found.base.parameters[0].value, 5.0 * alone, epsilon = 0.02 * level.sd);
     let fit = &found.fit;
     let left = |p: &[f64]| p.iter().zip(&y).map(|(p, y)| (p - y).powi(2)).sum::<f64>() / y.len() as f64;

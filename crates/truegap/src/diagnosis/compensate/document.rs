@@ -11,7 +11,7 @@ use std::io::{BufRead, BufReader};
 use std::path::Path;
 use truegap_diagnose::answer::{ModelFacts, OtherFacts};
 use truegap_diagnose::compensation::Stopped;
-use truegap_diagnose::text::{listed, significant, spoken};
+use truegap_diagnose::text::{significant, spoken_list};
 
 /// Identifier of the document.
 pub const SCHEMA: &str = "truegap.compensation/1";
@@ -84,7 +84,7 @@ impl Compensation {
     }
 
     pub(super) fn sentence(&self) -> String {
-        let names = listed(&self.corrected_for.iter().map(|id| spoken(id)).collect::<Vec<_>>(), "and");
+        let names = spoken_list(&self.corrected_for, "and");
         let unit = &self.unit;
         let passes = if self.passes == 1 { "1 pass".to_owned() } else { format!("{} passes", self.passes) };
         let mut says = format!("Corrected for {names} in {passes}");

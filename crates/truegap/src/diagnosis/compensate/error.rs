@@ -53,6 +53,13 @@ pub enum CompensateError {
         "{model}: its base model `{base}` does not move with {column}, so {column} cannot be estimated from the reading; diagnose with another base"
     )]
     StandsStill { model: String, base: String, column: String },
+    /// Most rows are far beyond what the model gives.
+    #[error(
+        "{recording}: in {outside} of {rows} rows no {input} of the base model of {model} gives the corrected reading: these go from {read}, and the base model gives \
+         {gives}; it looks like another sensor, another range or a wrong unit: name the column and unit of the reading with --map response=COLUMN:UNIT, or diagnose \
+         a recording of this sensor that covers the range, and give its augmented.toml"
+    )]
+    Outside { recording: String, model: String, outside: usize, rows: usize, input: String, read: String, gives: String },
     /// The model has no answer there.
     #[error(transparent)]
     NoAnswer(#[from] AnswerError),

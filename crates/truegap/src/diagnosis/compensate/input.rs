@@ -66,20 +66,6 @@ impl Way {
     }
 }
 
-/// The place of a column with a role; `None` where it is none that is done to a sensor.
-fn place(inputs: &mut Inputs, role: Role) -> Option<&mut Option<Vec<f64>>> {
-    Some(match role {
-        Role::Time => &mut inputs.time_s,
-        Role::Force => &mut inputs.force_n,
-        Role::Pressure => &mut inputs.pressure_pa,
-        Role::Gap => &mut inputs.gap_m,
-        Role::Temperature => &mut inputs.temperature_c,
-        Role::Humidity => &mut inputs.humidity_pct,
-        Role::Simulated => &mut inputs.simulated,
-        Role::Response | Role::Run | Role::Sensor => return None,
-    })
-}
-
 impl Column {
     pub fn values<'a>(&self, inputs: &'a Inputs) -> Option<&'a [f64]> {
         match self {
@@ -92,7 +78,7 @@ impl Column {
     pub fn put(&self, inputs: &mut Inputs, values: Option<Vec<f64>>) {
         match (self, values) {
             (Self::Of(role), values) => {
-                if let Some(place) = place(inputs, *role) {
+                if let Some(place) = inputs.column_mut(*role) {
                     *place = values;
                 }
             }
@@ -123,27 +109,15 @@ impl Column {
     /// Its unit, where one is known.
     pub fn unit(&self, simulator: &dyn Simulator) -> String {
         match self {
-            Self::Of(Role::Time) => "s".into(),
-            Self::Of(Role::Force) => "N".into(),
-            Self::Of(Role::Pressure) => "Pa".into(),
-            Self::Of(Role::Gap) => "m".into(),
-            Self::Of(Role::Temperature) => "degC".into(),
-            Self::Of(Role::Humidity) => "%".into(),
             Self::Of(Role::Simulated) => simulator.simulated_unit().into(),
-            Self::Of(_) | Self::Driver(_) => String::new(),
+            Self::Of(role) => role.unit().into(),
+            Self::Driver(_) => String::new(),
         }
     }
 
     /// Name of the column that holds its estimate.
     pub fn estimate(&self) -> String {
-        let ending = match self {
-            Self::Of(Role::Force) => "_n",
-            Self::Of(Role::Pressure) => "_pa",
-            Self::Of(Role::Gap) => "_m",
-            Self::Of(Role::Temperature) => "_c",
-            Self::Of(Role::Humidity) => "_pct",
-            _ => "",
-        };
-        format!("estimated_{}{ending}", self.name())
+        let name = if let Self::Of(role) = self { role.column_name() } else { &self.name() };
+        format!("estimated_{name}")
     }
 }

@@ -11,15 +11,21 @@ mod needed;
 pub use document::{Compensated, Compensation, Estimated, Gained, SCHEMA, check};
 pub use error::CompensateError;
 
-use crate::diagnosis::{Request, open};
+use super::beside_model::{model_facts, opened, recording_facts};
 use crate::models::{ModelFile, ModelFileError, Parted, Programs, RunningModel, of_recording, refused};
 use input::{Sought, Way};
 use std::path::Path;
 use truegap_core::{Inputs, Recording};
-use truegap_diagnose::Library;
-use truegap_diagnose::answer::{AddedEffect, ModelFacts, OtherFacts};
+use truegap_diagnose::answer::AddedEffect;
 use truegap_diagnose::compensation::{self, Inverse, Limits, Models};
-use truegap_diagnose::text::{listed, spoken};
+use truegap_diagnose::text::{listed, significant, spoken};
+use truegap_diagnose::{Library, rms};
+
+/// Part of the rows that may be far beyond what the base model gives. Such a row has no input, and gets what was added at the end of the range: where most rows do, the
+/// answer is no correction by this model.
+const OUTSIDE: f64 = 0.5;
+/// Part of the range of the base model's readings from which on a row is far beyond it: noise and a zero that has moved put a sensor at rest a little below its least reading.
+const FAR: f64 = 0.1;
 
 /// Corrects the readings of `recording` by the model file `file`; `channel` is its sensor column where it holds several, `all` says that it began as the recording
 /// of the diagnosis did, so that what follows the clock holds as well.
@@ -42,9 +48,7 @@ pub fn compensate_with(
     all: bool,
     programs: &Programs,
 ) -> Result<Compensated, CompensateError> {
-    let name = if recording.path.as_os_str().is_empty() { "recording".into() } else { recording.path.display().to_string() };
-    let request = Request { channel: channel.map(str::to_owned), ..Request::default() };
-    let recording = open(vec![recording], &request)?.recording;
+    let (recording, name) = opened(recording, channel)?;
     let model = written.build_with(programs)?;
     let (file, same) = (file.display().to_string(), !recording.sha256.is_empty() && written.sha256 == recording.sha256);
     if recording.response_unit != written.unit {
@@ -121,7 +125,6 @@ impl Task<'_> {
     }
 
     fn corrected(&self, way: &Way) -> Result<compensation::Compensated, CompensateError> {
-        let rows = self.recording.len();
         let with = |effects: &[AddedEffect], input: &[f64]| match way {
             Way::Estimated(Sought { column, .. }) => {
                 let mut inputs = self.inputs().clone();
@@ -132,18 +135,40 @@ impl Task<'_> {
         };
         let (base, augmented) = (|input: &[f64]| with(&[], input), |input: &[f64]| with(&self.parted.kept, input));
         let models = Models { base: &base, augmented: &augmented };
-        let inverse = match way {
-            Way::Estimated(Sought { span, straight: true, .. }) => Inverse::straight(&models, rows, span.width),
-            Way::Estimated(Sought { span, .. }) => Inverse::curve(&models, rows, *span),
-            Way::Known | Way::Recorded => Ok(Inverse::Known),
-        };
+        let inverse = self.inverse(way, &models)?;
+        let limits = Limits::of(self.model.scales().noise_sd);
+        let found = compensation::compensated(&self.recording.response, &models, &inverse, &limits);
+        let found = found.map_err(|error| self.placed(error))?;
+        self.is_within(way, &inverse, &found)?;
+        Ok(found)
+    }
+
+    /// How a reading leads to the input that is sought.
+    fn inverse(&self, way: &Way, models: &Models<'_, ModelFileError>) -> Result<Inverse, CompensateError> {
+        let rows = self.recording.len();
+        let Way::Estimated(Sought { column, span, straight }) = way else { return Ok(Inverse::Known) };
+        let inverse = if *straight { Inverse::straight(models, rows, span.width) } else { Inverse::curve(models, rows, *span) };
         let inverse = inverse.map_err(|error| self.placed(error))?;
-        if let (Way::Estimated(Sought { column, .. }), false) = (way, inverse.moves()) {
+        if !inverse.moves() {
             let (model, base) = (self.file.to_owned(), self.model.simulator().name().to_owned());
             return Err(CompensateError::StandsStill { model, base, column: column.name() });
         }
-        let limits = Limits::of(self.model.scales().noise_sd);
-        compensation::compensated(&self.recording.response, &models, &inverse, &limits).map_err(|error| self.placed(error))
+        Ok(inverse)
+    }
+
+    /// Refuses readings that are for the most part no readings of this model.
+    fn is_within(&self, way: &Way, inverse: &Inverse, found: &compensation::Compensated) -> Result<(), CompensateError> {
+        let rows = self.recording.len();
+        let (Way::Estimated(Sought { column, .. }), Some(gives)) = (way, inverse.gives()) else { return Ok(()) };
+        let outside = inverse.far_outside(&found.corrected, FAR);
+        if outside as f64 <= OUTSIDE * rows as f64 {
+            return Ok(());
+        }
+        let read = found.corrected.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], r| [a.min(*r), b.max(*r)]);
+        let unit = &self.recording.response_unit;
+        let [read, gives] = [read, gives].map(|[a, b]| format!("{} to {} {unit}", significant(a, 4), significant(b, 4)));
+        let (recording, model) = (self.name.to_owned(), self.file.to_owned());
+        Err(CompensateError::Outside { recording, model, outside, rows, input: column.name(), read, gives })
     }
 
     /// Errors against the base model at the recorded input, on the clock of the reading where that is known; `None` where the input was not recorded.
@@ -157,7 +182,7 @@ impl Task<'_> {
         }
         let clocks = if same { self.parted.clocks.as_slice() } else { &[] };
         let truth = self.model.respond_with(clocks, self.inputs()).map_err(|error| self.placed(error))?;
-        let rmse = |column: &[f64]| compensation::rms(column.iter().zip(&truth).map(|(value, truth)| value - truth));
+        let rmse = |column: &[f64]| rms(column.iter().zip(&truth).map(|(value, truth)| value - truth));
         Ok(Some(Gained { before: rmse(&self.recording.response), after: rmse(corrected) }))
     }
 
@@ -176,20 +201,8 @@ impl Task<'_> {
         let mut document = Compensation {
             schema: SCHEMA,
             made_by: format!("truegap {}", env!("CARGO_PKG_VERSION")),
-            model: ModelFacts {
-                file: self.file.to_owned(),
-                recording: written.recording.clone(),
-                sha256: written.sha256.clone(),
-                verdict: written.verdict.clone(),
-                effects: self.model.effects(),
-                base_is_known: self.model.base_is_known(),
-            },
-            recording: OtherFacts {
-                source: self.name.to_owned(),
-                sha256: recording.sha256.clone(),
-                rows: recording.len(),
-                runs: recording.inputs.runs().len(),
-            },
+            model: model_facts(self.model, written, self.file),
+            recording: recording_facts(recording, self.name),
             unit: written.unit.clone(),
             corrected_for: self.parted.kept.iter().map(|added| added.id.clone()).collect(),
             left_out: self.parted.left_out.clone(),

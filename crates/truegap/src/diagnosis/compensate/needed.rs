@@ -5,7 +5,7 @@
 use super::input::{Column, Sought};
 use crate::models::RunningModel;
 use std::f64::consts::TAU;
-use truegap_core::{Inputs, Role};
+use truegap_core::{INPUT_ROLES, Inputs};
 use truegap_diagnose::answer::AddedEffect;
 
 /// Rows of the trial.
@@ -55,8 +55,7 @@ fn differs(whole: &[f64], without: Option<&[f64]>) -> bool {
 }
 
 fn columns(trial: &Inputs) -> Vec<Column> {
-    let roles = [Role::Time, Role::Force, Role::Pressure, Role::Gap, Role::Temperature, Role::Humidity, Role::Simulated];
-    let there = roles.into_iter().filter(|role| trial.column(*role).is_some()).map(Column::Of);
+    let there = INPUT_ROLES.into_iter().filter(|role| trial.column(*role).is_some()).map(Column::Of);
     there.chain(trial.drivers.iter().map(|driver| Column::Driver(driver.name.clone()))).collect()
 }
 

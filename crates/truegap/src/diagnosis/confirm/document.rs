@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use truegap_core::Recording;
 use truegap_diagnose::answer::{Confirmation, Errors};
 use truegap_diagnose::confirmation::{Compared, Judgement, LEVEL, NoiseFloor};
-use truegap_diagnose::text::{capitalised, listed, p_value, significant, spoken};
+use truegap_diagnose::text::{capitalised, p_value, significant, spoken_list};
 
 /// Identifier of the document.
 pub const SCHEMA: &str = "truegap.confirmation/1";
@@ -31,7 +31,7 @@ pub fn words(judgement: Judgement) -> &'static str {
 }
 
 pub(super) fn says(test: &Compared, errors: [&Errors; 2], noise: &NoiseFloor, unit: &str, effects: &[String]) -> String {
-    let added = listed(&effects.iter().map(|id| spoken(id)).collect::<Vec<_>>(), "and");
+    let added = spoken_list(effects, "and");
     let [before, after, floor] = [errors[0].rmse, errors[1].rmse, noise.rmse].map(|error| significant(error, 3));
     let test_says = format!(
         "in {} of {} blocks with it the error is smaller, p = {}, level {:.0} %",

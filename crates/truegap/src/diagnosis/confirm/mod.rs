@@ -9,15 +9,17 @@ pub use document::{Confirmed, FILES, SCHEMA, words};
 pub use error::ConfirmError;
 pub use truegap_diagnose::answer::{Confirmation, Errors, ModelFacts, OtherFacts};
 
-use crate::diagnosis::{Diagnosed, Request, open};
+use super::beside_model::{model_facts, opened, recording_facts};
+use super::request::named;
+use crate::diagnosis::Diagnosed;
 use crate::models::{ModelFile, Programs, RunningModel, of_recording, refused};
 use document::says;
 use std::path::Path;
-use truegap_core::Recording;
+use truegap_core::{Recording, ends};
 use truegap_diagnose::answer;
 use truegap_diagnose::confirmation::{Compared, Judgement, LEVEL, NoiseFloor, Reading, compared, noise_floor};
-use truegap_diagnose::text::{listed, spoken};
-use truegap_diagnose::{Library, Problem};
+use truegap_diagnose::text::{listed, spoken, spoken_list};
+use truegap_diagnose::{Library, Problem, rms};
 
 /// Stands for the file of a model that was found in the same run.
 const OF_THIS_RUN: &str = "augmented.toml of this run";
@@ -104,21 +106,6 @@ pub fn confirm_within(diagnosed: &mut Diagnosed, recording: Recording, free: Fre
     });
 }
 
-fn spoken_list(ids: &[String]) -> String {
-    listed(&ids.iter().map(|id| spoken(id)).collect::<Vec<_>>(), "and")
-}
-
-fn named(recording: &Recording) -> String {
-    if recording.path.as_os_str().is_empty() { "recording".to_owned() } else { recording.path.display().to_string() }
-}
-
-/// The recording as a diagnosis would take it, and its name.
-fn opened(recording: Recording, channel: Option<&str>) -> Result<(Recording, String), ConfirmError> {
-    let name = named(&recording);
-    let request = Request { channel: channel.map(str::to_owned), ..Request::default() };
-    Ok((open(vec![recording], &request)?.recording, name))
-}
-
 /// Judges a model on a recording; `file` and `name` are where they come from, for a reader.
 fn judge(
     written: &ModelFile,
@@ -130,13 +117,13 @@ fn judge(
 ) -> Result<Confirmed, ConfirmError> {
     let (model, of_recorder) = written.build_with(programs)?.elsewhere(&Library::default());
     if model.effects().is_empty() && !of_recorder.is_empty() {
-        return Err(ConfirmError::OfRecorder { model: file.to_owned(), effects: spoken_list(&of_recorder) });
+        return Err(ConfirmError::OfRecorder { model: file.to_owned(), effects: spoken_list(&of_recorder, "and") });
     }
     let mut notes = belong_together(&model, written, file, &recording, &name)?;
     if !of_recorder.is_empty() {
         notes.push(format!(
             "{} belongs to what recorded and not to what was recorded: another recording has its own, so it is left out here",
-            spoken_list(&of_recorder)
+            spoken_list(&of_recorder, "and")
         ));
     }
     let no_answer = |error| refused(error, of_recording(name.clone()));
@@ -153,8 +140,7 @@ fn judge(
             words(freed)
         ));
     }
-    let recorded =
-        OtherFacts { source: name, sha256: recording.sha256.clone(), rows: recording.len(), runs: recording.inputs.runs().len() };
+    let recorded = recording_facts(&recording, &name);
     let facts = model_facts(&model, written, file);
     let [base, augmented] = judged.columns.clone();
     let document =
@@ -185,7 +171,7 @@ fn belong_together(
     if !bound.is_empty() {
         return Err(ConfirmError::BoundToRuns { model: file, effects: bound.join(", ") });
     }
-    let (low, high) = recording.response.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+    let (low, high) = ends(recording.response.iter().copied());
     let hidden = model.not_shown_by(&recording.inputs, high - low, &library);
     let reasons: Vec<String> = hidden.iter().map(|(id, why)| format!("{} ({why})", spoken(id))).collect();
     if hidden.len() == effects.len() {
@@ -202,17 +188,6 @@ fn belong_together(
     Ok(notes)
 }
 
-fn model_facts(model: &RunningModel, written: &ModelFile, file: &str) -> ModelFacts {
-    ModelFacts {
-        file: file.to_owned(),
-        recording: written.recording.clone(),
-        sha256: written.sha256.clone(),
-        verdict: written.verdict.clone(),
-        effects: model.effects(),
-        base_is_known: model.base_is_known(),
-    }
-}
-
 /// Base and augmented model, in this order, with what is free fitted, and their comparison.
 struct Judged {
     columns: [Vec<f64>; 2],
@@ -225,10 +200,7 @@ impl Judged {
         let response = &recording.response;
         let readings = predicted.each_ref().map(|p| Reading::fitted(p, response, free.gain, free.offset));
         let columns = [0, 1].map(|k: usize| readings[k].of(&predicted[k]));
-        let rmse = |column: &[f64]| {
-            let squares: f64 = column.iter().zip(response).map(|(p, r)| (p - r).powi(2)).sum();
-            (squares / response.len().max(1) as f64).sqrt()
-        };
+        let rmse = |column: &[f64]| rms(column.iter().zip(response).map(|(p, r)| p - r));
         let errors = [0, 1].map(|k: usize| Errors { rmse: rmse(&columns[k]), reading: readings[k] });
         let test = compared(&columns[0], &columns[1], response, &recording.inputs.runs());
         Self { columns, errors, test }

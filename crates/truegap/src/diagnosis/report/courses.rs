@@ -4,6 +4,7 @@
 
 use super::draw::{self, AFTER, BEFORE, RECORDED};
 use super::{axis::Axis, subject::Subject, text::Scale};
+use truegap_core::Role;
 use truegap_scene::figure::{Figure, FigureError, Stack};
 use truegap_scene::page::Page;
 
@@ -50,17 +51,11 @@ struct Driver {
 
 fn drivers(subject: &Subject<'_>) -> Vec<Driver> {
     let inputs = subject.inputs;
-    let columns = [
-        ("force", "N", &inputs.force_n),
-        ("pressure", "Pa", &inputs.pressure_pa),
-        ("gap", "m", &inputs.gap_m),
-        ("temperature", "°C", &inputs.temperature_c),
-        ("humidity", "%", &inputs.humidity_pct),
-    ];
+    let roles = [Role::Force, Role::Pressure, Role::Gap, Role::Temperature, Role::Humidity];
     let recorded = inputs.drivers.iter().map(|d| driver(&d.name, &d.unit, &d.values));
-    columns
+    roles
         .into_iter()
-        .filter_map(|(label, unit, column)| column.as_ref().map(|values| driver(label, unit, values)))
+        .filter_map(|role| Some(driver(role.key(), role.unit(), inputs.column(role)?)))
         .chain(recorded)
         .filter(|driver| driver.values.iter().any(|v| *v != driver.values[0]))
         .collect()

@@ -3,7 +3,7 @@
 //! Limits: tells what was composed; whether the verdict stands behind it is said first.
 
 use super::subject::Subject;
-use super::text::{measured, percent, spoken};
+use super::text::{percent, spoken};
 use super::wording;
 use std::collections::BTreeMap;
 use truegap_diagnose::answer::DiscoveredFacts;
@@ -43,10 +43,9 @@ fn one(page: Page, subject: &Subject<'_>, m: &DiscoveredFacts, file: &str) -> Pa
         (false, false) => "The verdict does not stand behind it; it is what comes nearest. ",
     };
     let mut page = page.subsection(&heading).text(&format!("{stands}{}.", super::text::capitalised(&m.says))).table(&words(m));
-    let parameters = m
-        .parameters
-        .iter()
-        .fold(Table::new(&["number", "fitted"]), |table, p| table.row(&[spoken(&p.name), measured(p.value, p.sd, &p.unit)]));
+    let parameters = m.parameters.iter().fold(Table::new(&["number", "fitted"]), |table, p| {
+        table.row(&[spoken(&p.name), wording::number(p) + &wording::of_fit_alone(p)])
+    });
     page = page.table(&parameters);
     let error = |value| wording::error_if_any(subject.diagnosis, value);
     page = page.text(&format!(

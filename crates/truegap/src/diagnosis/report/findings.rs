@@ -2,7 +2,7 @@
 //!
 //! Limits: equations and sources are those of the effect library.
 
-use super::text::{capitalised, listed, measured, spoken};
+use super::text::{capitalised, measured, spoken, spoken_list};
 use super::{subject::Subject, wording};
 use truegap_diagnose::answer::{Finding, ParameterFacts, Verdict};
 use truegap_diagnose::{About, Effect};
@@ -15,6 +15,8 @@ const LISTED: usize = 4;
 pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     let diagnosis = subject.diagnosis;
     let page = if diagnosis.findings.is_empty() { page } else { page.section(heading(diagnosis.verdict)) };
+    let has_two = diagnosis.findings.iter().flat_map(|finding| &finding.parameters).any(|p| !wording::of_fit_alone(p).is_empty());
+    let page = if has_two { page.text(wording::TWO_DEVIATIONS) } else { page };
     let page = diagnosis.findings.iter().fold(page, |page, finding| one(page, subject, finding));
     let page = ambiguity(page, subject, &diagnosis.ambiguity);
     carried(page, subject)
@@ -69,8 +71,7 @@ fn one(page: Page, subject: &Subject<'_>, finding: &Finding) -> Page {
     match about(subject, &finding.effect) {
         None => page,
         Some(about) => {
-            let impostors: Vec<String> = about.impostors.iter().map(|i| spoken(i)).collect();
-            let apart = format!("Told from {} by this: {}.", listed(&impostors, "and"), about.separates);
+            let apart = format!("Told from {} by this: {}.", spoken_list(about.impostors, "and"), about.separates);
             page.text(&apart).text(&format!("Source: {}.", about.source))
         }
     }
@@ -83,7 +84,8 @@ fn parameters(parameters: &[ParameterFacts]) -> Table {
     parameters.iter().fold(Table::new(&head[..cut]), |table, p| {
         let limit = if p.at_limit { "at its limit" } else { "" };
         let prior = measured(p.prior[0], p.prior[1], &p.unit);
-        let row = [spoken(&p.name), p.meaning.clone(), measured(p.value, p.sd, &p.unit), prior, limit.to_owned()];
+        let fitted = wording::number(p) + &wording::of_fit_alone(p);
+        let row = [spoken(&p.name), p.meaning.clone(), fitted, prior, limit.to_owned()];
         table.row(&row[..cut])
     })
 }
@@ -94,10 +96,9 @@ fn ambiguity(page: Page, subject: &Subject<'_>, sets: &[Vec<String>]) -> Page {
     }
     let page = page.section("What this recording cannot tell apart");
     sets.iter().fold(page, |page, set| {
-        let names: Vec<String> = set.iter().map(|m| spoken(m)).collect();
         let lines: Vec<String> =
             set.iter().filter_map(|m| about(subject, m).map(|a| format!("{}: {}", spoken(m), a.separates))).collect();
-        let page = page.text(&format!("{}.", capitalised(&listed(&names, "or"))));
+        let page = page.text(&format!("{}.", capitalised(&spoken_list(set.iter(), "or"))));
         if lines.len() > LISTED {
             page.details("What would tell them apart").list(&lines).end_details()
         } else {

@@ -3,7 +3,7 @@
 //! Limits: told only where the diagnosis holds such a term.
 
 use super::axis::Axis;
-use super::text::{capitalised, percent, significant, spoken};
+use super::text::{capitalised, percent, significant, spoken, spoken_list};
 use super::{draw, subject::Subject, summary, wording};
 use truegap_diagnose::answer::{BeforeAfter, PredictionOnly};
 use truegap_scene::page::{Page, Table};
@@ -35,7 +35,6 @@ pub(super) fn add(page: Page, subject: &Subject<'_>, axis: &Axis) -> Page {
 }
 
 fn sentence(subject: &Subject<'_>, term: &PredictionOnly) -> String {
-    let shapes: Vec<String> = term.terms.iter().map(|t| spoken(&t.shaped_like)).collect();
     let control = term.permutation_control.map_or(String::new(), |share| {
         format!(" A term of equal freedom driven by a permuted history removes {}.", percent(share))
     });
@@ -44,7 +43,7 @@ fn sentence(subject: &Subject<'_>, term: &PredictionOnly) -> String {
     });
     format!(
         "A flexible term shaped like {} serves prediction only: its equation is not adequate, and no cause is claimed.{removed}{control} The noise of one reading is {}.",
-        super::text::listed(&shapes, "and"),
+        spoken_list(term.terms.iter().map(|t| &t.shaped_like), "and"),
         wording::error(subject.diagnosis, subject.diagnosis.fit.noise_floor),
     )
 }

@@ -3,7 +3,7 @@
 //! Limits: the ranking is the diagnosis's.
 
 use super::subject::Subject;
-use super::text::{capitalised, listed, significant, spoken};
+use super::text::{capitalised, significant, spoken_list};
 use truegap_scene::page::{Page, Table};
 
 /// Sentence, ranked options, command that plays the profile.
@@ -14,10 +14,9 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     }
     let mut page = page.section("What to measure next").text(&format!("{}.", capitalised(next.says.trim_end_matches('.'))));
     if !next.separates.is_empty() {
-        let names: Vec<String> = next.separates.iter().map(|s| spoken(s)).collect();
         page = page.text(&format!(
             "To be told apart: {}. What this recording leaves less than a twentieth of the likeliest model's probability is excluded and not among them.",
-            listed(&names, "and")
+            spoken_list(&next.separates, "and")
         ));
     }
     if next.options.is_empty() {

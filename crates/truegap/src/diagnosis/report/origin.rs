@@ -4,6 +4,7 @@
 
 use super::subject::Subject;
 use super::text::{Scale, capitalised, significant};
+use truegap_core::Role;
 use truegap_diagnose::answer::NoiseFacts;
 use truegap_scene::page::{Page, Table, Tone};
 
@@ -47,13 +48,8 @@ fn noise_table(noise: &NoiseFacts, subject: &Subject<'_>) -> Table {
 }
 
 fn load_unit(subject: &Subject<'_>) -> &'static str {
-    let inputs = subject.inputs;
-    match (&inputs.force_n, &inputs.pressure_pa, &inputs.gap_m) {
-        (Some(_), ..) => "N",
-        (None, Some(_), _) => "Pa",
-        (None, None, Some(_)) => "m",
-        _ => "",
-    }
+    let recorded = |role: &Role| subject.inputs.column(*role).is_some();
+    [Role::Force, Role::Pressure, Role::Gap].into_iter().find(recorded).map_or("", Role::unit)
 }
 
 /// Rows of the recovery bank, where it was run.

@@ -29,7 +29,10 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
         distances(subject),
         "How far calibration moved each parameter from what was known of it, in standard deviations of what was known (sd).",
     );
-    between_parts(page.table(&table(subject)), subject)
+    let mut shown = base.parameters.iter().chain(base.parameters_after.iter().filter(|_| subject.is_augmented()));
+    let has_two = shown.any(|p| !wording::of_fit_alone(p).is_empty());
+    let page = page.table(&table(subject));
+    between_parts(if has_two { page.text(wording::TWO_DEVIATIONS) } else { page }, subject)
 }
 
 /// Parameters that would be one number in one part of the recording and another in the rest, whether or not either is at odds with what was known.
@@ -118,7 +121,7 @@ fn table(subject: &Subject<'_>) -> Table {
 
 fn value(parameter: &ParameterFacts) -> String {
     let limit = if parameter.at_limit { " (at its limit)" } else { "" };
-    format!("{}{limit}", measured(parameter.value, parameter.sd, &parameter.unit))
+    format!("{}{limit}{}", wording::number(parameter), wording::of_fit_alone(parameter))
 }
 
 fn distance(parameter: &ParameterFacts) -> String {

@@ -3,8 +3,8 @@
 //! Limits: below a detectability of [`SURE`] nothing is called missing, only "most consistent with".
 
 use super::subject::error_scale;
-use super::text::{capitalised, detectability, listed, percent, spoken};
-use truegap_diagnose::answer::{Diagnosis, DiscoveredFacts, Finding, SelectedAgain, Verdict};
+use super::text::{capitalised, detectability, listed, measured, percent, spoken, spoken_list};
+use truegap_diagnose::answer::{Diagnosis, DiscoveredFacts, Finding, ParameterFacts, SelectedAgain, Verdict};
 
 /// Detectability from which an effect is called missing without a reserve.
 pub const SURE: f64 = 10.0;
@@ -23,8 +23,8 @@ fn beyond_the_library(diagnosis: &Diagnosis) -> Option<String> {
     let named: Vec<&DiscoveredFacts> = diagnosis.discovered.iter().filter(|m| m.named).collect();
     let clauses: Vec<String> = named.iter().map(|m| m.clause.clone()).collect();
     let of_library = diagnosis.findings.iter().filter(|f| !f.effect.starts_with("discovered"));
-    let beside: Vec<String> = of_library.map(|f| spoken(&f.effect)).collect();
-    let beside = if beside.is_empty() { String::new() } else { format!(" beside {}", listed(&beside, "and")) };
+    let beside = spoken_list(of_library.map(|f| &f.effect), "and");
+    let beside = if beside.is_empty() { String::new() } else { format!(" beside {beside}") };
     let reserve = match diagnosis.verdict {
         Verdict::Explained => "",
         Verdict::WrongForm => "; its law is not adequate, misfit remains",
@@ -36,7 +36,7 @@ fn beyond_the_library(diagnosis: &Diagnosis) -> Option<String> {
 
 /// The verdict in one plain sentence.
 pub fn headline(diagnosis: &Diagnosis) -> String {
-    let names = || listed(&named(&diagnosis.findings), "and");
+    let names = || spoken_list(diagnosis.findings.iter().map(|f| &f.effect), "and");
     let sure = diagnosis.findings.iter().all(|f| f.detectability.is_some_and(|d| d >= SURE));
     let no_finding = diagnosis.findings.is_empty();
     if diagnosis.notices.iter().any(|n| n.withholds) {
@@ -82,23 +82,20 @@ pub(super) fn adds(diagnosis: &Diagnosis) -> bool {
     }
 }
 
-fn named(findings: &[Finding]) -> Vec<String> {
-    findings.iter().map(|f| spoken(&f.effect)).collect()
-}
-
 /// What is certain, then what it may be beside.
 fn ambiguous(diagnosis: &Diagnosis) -> String {
     let open = |f: &&Finding| diagnosis.ambiguity.iter().any(|set| set.contains(&f.effect));
-    let certain: Vec<String> = diagnosis.findings.iter().filter(|f| !open(f)).map(|f| spoken(&f.effect)).collect();
+    let certain = spoken_list(diagnosis.findings.iter().filter(|f| !open(f)).map(|f| &f.effect), "and");
     let sets: Vec<String> = diagnosis.ambiguity.iter().map(|set| one_of(set)).collect();
-    let choice = if sets.is_empty() { listed(&named(&diagnosis.findings), "or") } else { sets.join("; and one of ") };
+    let choice = if sets.is_empty() {
+        spoken_list(diagnosis.findings.iter().map(|f| &f.effect), "or")
+    } else {
+        sets.join("; and one of ")
+    };
     if certain.is_empty() {
         format!("Missing from the model is one of {choice}. This recording cannot tell which.")
     } else {
-        format!(
-            "Missing from the model: {}; beside it one of {choice}, and this recording cannot tell which.",
-            listed(&certain, "and")
-        )
+        format!("Missing from the model: {certain}; beside it one of {choice}, and this recording cannot tell which.")
     }
 }
 
@@ -119,6 +116,22 @@ pub(super) fn error(diagnosis: &Diagnosis, value: f64) -> String {
 /// The same of an error that there may be none of: no row was predicted.
 pub(super) fn error_if_any(diagnosis: &Diagnosis, value: Option<f64>) -> String {
     value.map_or_else(|| "–".to_owned(), |value| error(diagnosis, value))
+}
+
+/// What the two deviations of a number are, for a page on which some number has two.
+pub(super) const TWO_DEVIATIONS: &str = "The error beside a number counts in what effects too weak to be named, and errors of the equations, may have done to it. \
+     That of the fit alone is what noise and prior leave open where the model is right in every respect.";
+
+/// A fitted number with its whole deviation.
+pub(super) fn number(parameter: &ParameterFacts) -> String {
+    measured(parameter.value, parameter.sd, &parameter.unit)
+}
+
+/// The same number with the deviation of the fit alone, in brackets; nothing where that reads no otherwise.
+pub(super) fn of_fit_alone(parameter: &ParameterFacts) -> String {
+    let alone = measured(parameter.value, parameter.sd_of_fit, &parameter.unit);
+    let differs = parameter.sd_of_fit.is_finite() && parameter.sd_of_fit > 0.0 && alone != number(parameter);
+    if differs { format!(" (of the fit alone: {alone})") } else { String::new() }
 }
 
 /// The choice made again without each part, with its error.
@@ -168,6 +181,26 @@ pub fn misfit_removed(diagnosis: &Diagnosis) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_number_has_two_deviations_where_they_read_otherwise() {
+        let number = |sd: f64, sd_of_fit: f64| {
+            let facts = ParameterFacts {
+                name: "tau".into(),
+                unit: "s".into(),
+                prior: [0.0, 1.0],
+                value: 2.0016,
+                sd,
+                sd_of_fit,
+                at_limit: false,
+                meaning: String::new(),
+            };
+            number(&facts) + &of_fit_alone(&facts)
+        };
+        assert_eq!(number(0.07, 0.0005), "2.002 ± 0.070 s (of the fit alone: 2.00160 ± 0.00050 s)");
+        assert_eq!(number(0.07, 0.0699), "2.002 ± 0.070 s");
+        assert_eq!([number(0.07, f64::NAN), number(0.07, 0.0)], ["2.002 ± 0.070 s"; 2]);
+    }
 
     fn finding(detectability: Option<f64>) -> Finding {
         Finding {

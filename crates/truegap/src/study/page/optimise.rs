@@ -5,6 +5,7 @@
 use super::{number, spoken, values};
 use crate::study::StudyError;
 use crate::study::answer::optimise::{FrontAnswer, OptimiseAnswer};
+use truegap_core::ends;
 use truegap_design::METRICS;
 use truegap_design::optimise::{Candidate, Choice, OBJECTIVES};
 use truegap_scene::figure::{Figure, FigureError};
@@ -41,7 +42,7 @@ fn plot(answer: &OptimiseAnswer, a: usize, b: usize) -> Result<String, FigureErr
 /// Ends of both axes around designs, with the starting design at (1, 1) where that costs less than two thirds of the room of either: on one axis alone it would
 /// cost room and not be seen.
 fn windows(ratios: [Vec<f64>; 2]) -> [(f64, f64); 2] {
-    let ends = ratios.map(|r| r.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), r| (low.min(*r), high.max(*r))));
+    let ends = ratios.map(|r| ends(r.iter().copied()));
     let with_start = |(low, high): (f64, f64)| (low.min(1.0), high.max(1.0));
     let length = |(low, high): (f64, f64)| high - low;
     let is_near = ends.iter().all(|ends| length(with_start(*ends)) < 3.0 * length(*ends));

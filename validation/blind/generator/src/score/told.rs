@@ -17,6 +17,7 @@ pub fn told_family(id: &str) -> Option<&'static str> {
         | "friction"
         | "friction_of_second_driver"
         | "saturating_loop"
+        | "permanent_set"
         | "stress_relaxation" => "mechanical_memory",
         "thermal_lag"
         | "thermal_hysteresis"

@@ -1,0 +1,7 @@
+//! Tables as people and instruments write them: letters, separators, headers, remarks, numbers and dates.
+
+#![allow(clippy::unwrap_used)]
+
+mod bench;
+mod names;
+mod written;

@@ -3,6 +3,7 @@
 //! Limits: a curve is inverted on the stretch about the middle of its span on which it does not turn back; a reading beyond that gets the input at its end.
 
 use super::models::{Models, Reading};
+use truegap_core::ends;
 
 /// Cells into which the span of an input is cut where the stretch without a turn is looked for.
 const CELLS: i32 = 50;
@@ -106,8 +107,7 @@ impl Inverse {
     /// Least and greatest reading that the base model gives over all rows; `None` where it gives any.
     pub fn gives(&self) -> Option<[f64; 2]> {
         let Self::Curve { readings: [low, high], .. } = self else { return None };
-        let ends = low.iter().chain(high);
-        Some(ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], reading| [least.min(*reading), most.max(*reading)]))
+        Some(ends(low.iter().chain(high).copied()).into())
     }
 
     /// Rows whose reading is beyond what the base model gives there by more than `part` of its range.

@@ -4,6 +4,7 @@
 
 use super::{inverse::Inverse, models::Models};
 use crate::stats::rms;
+use truegap_core::ends;
 
 /// What is left may stand above what the noise alone would leave by this factor: a bias of a third of the noise.
 const ABOVE_NOISE: f64 = 1.05;
@@ -94,8 +95,8 @@ struct Step {
 /// # Errors
 /// Those of the models.
 pub fn compensated<E>(readings: &[f64], models: &Models<'_, E>, inverse: &Inverse, limits: &Limits) -> Result<Compensated, E> {
-    let range = readings.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], r| [low.min(*r), high.max(*r)]);
-    let range = (range[1] - range[0]).max(f64::MIN_POSITIVE);
+    let (low, high) = ends(readings.iter().copied());
+    let range = (high - low).max(f64::MIN_POSITIVE);
     let sd = if limits.noise_sd > 0.0 { limits.noise_sd } else { TRIAL * range };
     let noisy: Vec<f64> = readings.iter().enumerate().map(|(row, reading)| reading + sd * sign(row)).collect();
     let step = |readings: &[f64], corrected: &[f64]| step(readings, corrected, models, inverse);

@@ -99,6 +99,11 @@ impl Course {
             .find_map(|(moves, course)| moves.then_some(course))
     }
 
+    /// The same for an effect that is asked for its numbers: whether it could be shown at all is asked elsewhere, and the load stands for what is not there.
+    pub fn or_load(context: &Context<'_>, number: usize) -> Self {
+        Self::of(context, number).unwrap_or(Self::Load)
+    }
+
     /// `Ok` where the driver of this number was recorded, moved, and the base model does not follow it by itself; `followed` says what there is instead where it does.
     ///
     /// # Errors

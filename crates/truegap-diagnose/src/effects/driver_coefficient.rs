@@ -47,7 +47,7 @@ const IDS: [&str; 2] = ["driver_coefficient", "second_driver_coefficient"];
 
 impl DriverCoefficient {
     fn parabola(&self, values: &[f64], context: &Context<'_>) -> Parabola {
-        let course = Course::of(context, self.0).unwrap_or(Course::Load);
+        let course = Course::or_load(context, self.0);
         Parabola { per_unit: values[0], bend: values[1], course }
     }
 }
@@ -77,7 +77,7 @@ impl Effect for DriverCoefficient {
         }
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let course = Course::of(context, self.0).unwrap_or(Course::Load);
+        let course = Course::or_load(context, self.0);
         let (bend, unit) = (course.span(context).recip(), course.unit(context));
         vec![
             course.influence(context, "change of the reading per unit of the driver"),

@@ -55,7 +55,7 @@ const IDS: [&str; 2] = ["driver_gain", "second_driver_gain"];
 
 impl DriverGain {
     fn gain(&self, values: &[f64], context: &Context<'_>) -> Gain {
-        let course = Course::of(context, self.0).unwrap_or(Course::Load);
+        let course = Course::or_load(context, self.0);
         let [low, high] = course.ends(context);
         let range = [0.5 * (low + high), (0.5 * (high - low)).max(f64::MIN_POSITIVE)];
         Gain { log_gain: values[0], bend: values[1], pivot: values[2], range, course }

@@ -87,7 +87,7 @@ const IDS: [&str; 2] = ["friction", "friction_of_second_driver"];
 
 impl Friction {
     fn course(&self, context: &Context<'_>) -> Course {
-        Course::of(context, self.0).unwrap_or(Course::Load)
+        Course::or_load(context, self.0)
     }
 
     /// Whether the force may grow with the speed: against a recorded driver. What is proportional to the speed of a simulation is a reading that comes late.

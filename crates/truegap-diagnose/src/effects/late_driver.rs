@@ -39,7 +39,7 @@ const IDS: [&str; 2] = ["late_driver", "late_second_driver"];
 
 impl LateDriver {
     fn behind(&self, values: &[f64], context: &Context<'_>, lags: usize) -> Behind {
-        let course = Course::of(context, self.0).unwrap_or(Course::Load);
+        let course = Course::or_load(context, self.0);
         Behind { per_unit: values[0], tau_s: values[1], lags, course }
     }
 }
@@ -75,7 +75,7 @@ impl Effect for LateDriver {
         }
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let course = Course::of(context, self.0).unwrap_or(Course::Load);
+        let course = Course::or_load(context, self.0);
         vec![
             course.influence(context, "change of the reading per unit of the driver, in the end"),
             Parameter::log_normal("tau", "s", middle_s(context), 1.5, "time constant with which it arrives")

@@ -12,7 +12,7 @@ use crate::{
     stats::spread,
     text::with_sd,
 };
-use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName, units::Dimension};
+use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, ends, simulator::StageName, units::Dimension};
 
 /// A power of the way that the moving driver has gone at most, as it adds to the reading.
 pub struct PermanentSet;
@@ -51,7 +51,7 @@ impl Stage for Set {
 fn farthest_so_far(x: &[f64]) -> Vec<f64> {
     let Some(first) = x.first() else { return Vec::new() };
     let away: Vec<f64> = x.iter().map(|x| x - first).collect();
-    let (least, most) = away.iter().fold((0.0f64, 0.0f64), |(least, most), x| (least.min(*x), most.max(*x)));
+    let (least, most) = ends(away.iter().copied());
     let side = if most >= -least { 1.0 } else { -1.0 };
     greatest_so_far(&away.iter().map(|x| side * x).collect::<Vec<f64>>(), 0.0).collect()
 }
@@ -86,7 +86,7 @@ fn presses(course: Course, context: &Context<'_>) -> bool {
 }
 
 fn set(values: &[f64], context: &Context<'_>, law: fn(f64, f64) -> f64) -> Box<dyn Stage> {
-    let course = Course::of(context, 0).unwrap_or(Course::Load);
+    let course = Course::or_load(context, 0);
     let [least, greatest] = course.ends(context);
     let span = if greatest > least { greatest - least } else { 1.0 };
     Box::new(Set { size: values[0], exponent: values[1], course, span, law })
@@ -183,7 +183,7 @@ mod tests {
     #[test]
     fn what_was_pressed_flat_stays_flat() {
         assert_eq!(farthest_so_far(&[1.0, 3.0, 2.0, 1.0, 4.0, 0.5]), [0.0, 2.0, 2.0, 2.0, 3.0, 3.0]);
-        // a gap that closes goes farther down than up
+        // a distance that closes goes farther down than up
         assert_eq!(farthest_so_far(&[5.0, 5.5, 2.0, 4.0]), [0.0, 0.0, 3.0, 3.0]);
     }
 

@@ -60,7 +60,7 @@ const WIDEST: f64 = 0.06;
 const NARROWEST: f64 = 2e-3;
 
 fn course(context: &Context<'_>) -> Course {
-    Course::of(context, 0).unwrap_or(Course::Load)
+    Course::or_load(context, 0)
 }
 
 fn turning(values: &[f64], context: &Context<'_>, curve: fn(f64) -> f64) -> Box<dyn Stage> {

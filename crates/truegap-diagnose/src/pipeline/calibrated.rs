@@ -32,7 +32,7 @@ pub(crate) struct ByBase {
 /// better by a tenth: a channel that hangs for most of its rows takes the level from the few that move.
 pub(crate) fn by_base(prepared: &Prepared<'_>, search: &Search<'_>, base: &Tried, missing: bool) -> ByBase {
     let all = prepared.all_rows();
-    let under_noise = held_out(search, &prepared.searched_noise, base, all);
+    let under_noise = prepared.foretold(search, base);
     let alone = alone(prepared, search, all, base).map(|alone| {
         let unseen = held_out(search, &alone.noise, &alone.tried, all).scored_as(&under_noise);
         (alone, unseen)

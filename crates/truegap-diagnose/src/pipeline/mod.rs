@@ -33,7 +33,6 @@ use crate::{
         examine::Examined,
     },
     validation::{
-        cross_validation::held_out,
         held_numbers::{not_borne_out, with_held},
         tuning::CLEARLY_WORSE,
     },
@@ -122,7 +121,7 @@ fn held(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> Option
     }
     let searched = prepared.searched();
     let search = prepared.search(&searched, told.progress, told.stop);
-    let under_noise = |search: &Search<'_>, tried: &Tried| held_out(search, &prepared.searched_noise, tried, prepared.all_rows());
+    let under_noise = |search: &Search<'_>, tried: &Tried| prepared.foretold(search, tried);
     let held = not_borne_out(&search, stood_behind, &under_noise, CLEARLY_WORSE);
     (!held.is_empty()).then_some(held)
 }

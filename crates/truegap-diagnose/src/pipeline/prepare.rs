@@ -27,7 +27,7 @@ use crate::{
         verdict::Verdict,
     },
     text::spoken,
-    validation::cross_validation::AllRows,
+    validation::cross_validation::{AllRows, HeldOutFit, held_out},
     whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
 use std::sync::atomic::AtomicBool;
@@ -116,6 +116,11 @@ impl<'a> Prepared<'a> {
     /// Every row, and which of them each searched row begins with.
     pub fn all_rows(&self) -> AllRows<'_> {
         AllRows { problem: self.problem, first: self.averages.as_ref().map(|t| t.first.as_slice()) }
+    }
+
+    /// What a model foretells of rows left out, calibrated under the noise.
+    pub fn foretold(&self, search: &Search<'_>, tried: &Tried) -> HeldOutFit {
+        held_out(search, &self.searched_noise, tried, self.all_rows())
     }
 
     /// Effects for a reader; what is behind those of the library was composed of words.

@@ -6,17 +6,14 @@
 
 use crate::{
     data::{context::Number, error::DiagnoseError},
-    fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit},
     pipeline::{
         judged::{self, Told},
         prepare::Prepared,
     },
-    selection::{
-        candidates::{Search, Tried},
-        examine::Examined,
-    },
+    selection::{candidates::Tried, examine::Examined},
     validation::{
-        cross_validation::{HeldOutFit, compared, held_out},
+        cross_validation::{HeldOutFit, compared},
+        held_numbers::fitted_from_nothing,
         tuning::{CLEARLY_WORSE, FELT},
     },
 };
@@ -62,31 +59,14 @@ fn borne_out(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> O
     let kept: Vec<Number> = search.context.held.iter().filter(|number| !opened.contains(number)).copied().collect();
     let context = search.context.holding(kept.clone());
     let wider = &search.within(&context);
-    let richer = released(wider, tried, &opened)?;
-    let both = compared(&foretold(prepared, search, tried), &foretold(prepared, wider, &richer))?;
+    let richer = fitted_from_nothing(wider, tried, &opened)?;
+    let both = compared(&prepared.foretold(search, tried), &prepared.foretold(wider, &richer))?;
     both.better_by(FELT).then_some(kept)
-}
-
-/// A model fitted again where these numbers of its effects are no longer held.
-fn released(search: &Search<'_>, tried: &Tried, opened: &[Number]) -> Option<Tried> {
-    let model = search.model(&tried.effects);
-    let mut start = tried.fit.z.clone();
-    for (index, effect) in model.effects.iter().enumerate() {
-        let is_opened =
-            |place: &usize| opened.iter().any(|(id, name)| *id == effect.id() && *name == model.parameters[*place].name);
-        model.range_of(index).filter(is_opened).for_each(|place| start[place] = 0.0);
-    }
-    let fit = fit(&model, search.whitener, &start, &FitOptions::default()).ok()?;
-    Some(Tried { effects: tried.effects.clone(), fit })
 }
 
 /// What the model that is stood behind foretells of rows left out.
 fn stood_behind(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> HeldOutFit {
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
-    foretold(prepared, search, &examined.selection.models[examined.decision.model])
-}
-
-fn foretold(prepared: &Prepared<'_>, search: &Search<'_>, tried: &Tried) -> HeldOutFit {
-    held_out(search, &prepared.searched_noise, tried, prepared.all_rows())
+    prepared.foretold(search, &examined.selection.models[examined.decision.model])
 }

@@ -260,22 +260,22 @@ impl<'a> Search<'a> {
         let parameters = &model.parameters[model.range_of(last)];
         let bounds = model.bounds()[model.first_of(last)];
         let mut starts: Vec<Start> = Vec::new();
-        for shape in model.effects[last].starts(self.context) {
-            let z_shape: Vec<f64> = parameters.iter().skip(1).zip(&shape).map(|(p, v)| p.prior.z(*v)).collect();
+        let to_z = |shape: Vec<f64>| parameters.iter().skip(1).zip(shape).map(|(p, v)| p.prior.z(v)).collect::<Vec<f64>>();
+        let shapes: Vec<Vec<f64>> = model.effects[last].starts(self.context).into_iter().map(to_z).collect();
+        for shape in &shapes {
             // a size that is foreseen lies far from 0, where it starts
             let (zero, foreseen) = (zero_size(model, last), -zero_size(model, last));
             for trial in [0.01, 0.5, -0.5].into_iter().chain((foreseen != 0.0).then_some(foreseen)) {
                 // a step away from none, which a size that is foreseen may not reach
                 if (bounds.0..=bounds.1).contains(&(zero + trial)) {
-                    starts.extend(self.straight_step(launch, model, trial, &z_shape, bounds));
+                    starts.extend(self.straight_step(launch, model, trial, shape, bounds));
                 }
             }
         }
         if launch.from.effects.is_empty() {
             let far = model.effects[last].far_sizes(self.context).into_iter().map(|size| parameters[0].prior.z(size));
-            let shape = model.effects[last].starts(self.context).into_iter().next().unwrap_or_default();
-            let shape: Vec<f64> = parameters.iter().skip(1).zip(&shape).map(|(p, v)| p.prior.z(*v)).collect();
-            starts.extend(far.filter(|z| (bounds.0..=bounds.1).contains(z)).filter_map(|z| self.far(launch, model, z, &shape)));
+            let shape = shapes.first().map_or(&[][..], Vec::as_slice);
+            starts.extend(far.filter(|z| (bounds.0..=bounds.1).contains(z)).filter_map(|z| self.far(launch, model, z, shape)));
         }
         starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         starts

@@ -2,7 +2,7 @@
 //!
 //! Limits: a number that is possible and wrong is not found; standard deviations play no part in an answer and are not looked at.
 
-use super::model_file::{ModelFile, ModelFileError, RunningModel};
+use super::model_file::{ModelFile, ModelFileError, RunningModel, within_its_runs};
 use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales};
 use truegap_diagnose::mechanism::Numbers;
 use truegap_diagnose::{Context, Effect, Library};
@@ -66,12 +66,12 @@ impl RunningModel {
     }
 }
 
-/// As many numbers as the effect has, for as many runs as a file with these numbers can mean: a count of runs alone costs no memory.
+/// As many numbers as the effect has, none of them below 0 that cannot be.
 fn has_its_numbers(effect: &dyn Effect, added: &AddedEffect, context: &Context<'_>) -> Result<(), ModelFileError> {
-    let (found, runs) = (added.parameters.len(), context.runs.min(added.parameters.len() + 2));
-    let parameters = effect.parameters(&context.clone().with_runs(runs));
+    let within = within_its_runs(added, context);
+    let (found, runs, parameters) = (added.parameters.len(), within.runs, effect.parameters(&within));
     if parameters.len() != found {
-        let fewer = effect.parameters(&context.clone().with_runs(runs.saturating_sub(1))).len();
+        let fewer = effect.parameters(&within.with_runs(runs.saturating_sub(1))).len();
         let per_run = parameters.len().saturating_sub(fewer);
         let expected = parameters.len().saturating_add(per_run.saturating_mul(context.runs - runs));
         return Err(ModelFileError::ParameterCount { id: added.id.clone(), expected, found });

@@ -244,12 +244,15 @@ pub(super) fn begin_anew(added: &mut AddedEffect, library: &Library, context: &C
     added.parameters.iter_mut().filter(|p| of_start.contains(&p.name.as_str())).for_each(|p| p.value = 0.0);
 }
 
+/// The context with no more runs than an effect with so many numbers can mean: a count of runs alone costs no memory.
+pub(super) fn within_its_runs<'a>(added: &AddedEffect, context: &Context<'a>) -> Context<'a> {
+    context.clone().with_runs(context.runs.min(added.parameters.len() + 2))
+}
+
 /// Gives an added effect the further numbers of a richer law, as 0, where the file is of before the law had them.
 fn complete(added: &mut AddedEffect, library: &Library, context: &Context<'_>) {
     let Some(effect) = library.find(&added.id) else { return };
-    // a count of runs alone costs no memory
-    let context = &context.clone().with_runs(context.runs.min(added.parameters.len() + 2));
-    for (place, parameter) in effect.parameters(context).into_iter().enumerate() {
+    for (place, parameter) in effect.parameters(&within_its_runs(added, context)).into_iter().enumerate() {
         let missing = added.parameters.iter().all(|p| p.name != parameter.name);
         if missing && place <= added.parameters.len() && effect.may_be_more().contains(&parameter.name.as_str()) {
             let nothing = NamedValue { name: parameter.name, unit: parameter.unit, value: 0.0, sd: 0.0 };

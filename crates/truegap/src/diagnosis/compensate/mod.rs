@@ -15,7 +15,7 @@ use super::beside_model::{model_facts, opened, recording_facts};
 use crate::models::{ModelFile, ModelFileError, Parted, Programs, RunningModel, of_recording, refused};
 use input::{Sought, Way};
 use std::path::Path;
-use truegap_core::{Inputs, Recording};
+use truegap_core::{Inputs, Recording, ends};
 use truegap_diagnose::answer::AddedEffect;
 use truegap_diagnose::compensation::{self, Inverse, Limits, Models};
 use truegap_diagnose::text::{listed, significant, spoken};
@@ -54,8 +54,7 @@ pub fn compensate_with(
     if recording.response_unit != written.unit {
         return Err(CompensateError::Unit { recording: name, found: recording.response_unit, wanted: written.unit.clone() });
     }
-    let [low, high] =
-        recording.response.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], r| [low.min(*r), high.max(*r)]);
+    let (low, high) = ends(recording.response.iter().copied());
     if !(high - low).is_finite() {
         return Err(CompensateError::Range { recording: name, low, high, unit: recording.response_unit });
     }
@@ -164,7 +163,7 @@ impl Task<'_> {
         if outside as f64 <= OUTSIDE * rows as f64 {
             return Ok(());
         }
-        let read = found.corrected.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], r| [a.min(*r), b.max(*r)]);
+        let read: [f64; 2] = ends(found.corrected.iter().copied()).into();
         let unit = &self.recording.response_unit;
         let [read, gives] = [read, gives].map(|[a, b]| format!("{} to {} {unit}", significant(a, 4), significant(b, 4)));
         let (recording, model) = (self.name.to_owned(), self.file.to_owned());

@@ -12,8 +12,8 @@ use truegap::diagnosis::confirm::{ConfirmError, Confirmation, Free, SCHEMA, conf
 use truegap::diagnosis::{Request, diagnose, example_recording, open};
 use truegap::models::ModelFile;
 
-const FIXED: Free = Free { gain: false, offset: false };
-const BOTH: Free = Free { gain: true, offset: true };
+const FIXED: Free = Free { gain: false, offset: false, clock: false };
+const BOTH: Free = Free { gain: true, offset: true, clock: false };
 
 /// What the built-in recording is diagnosed with: a thermal lag.
 fn found() -> &'static ModelFile {
@@ -116,6 +116,39 @@ fn a_clock_is_left_to_the_recording_that_it_was_found_in() {
     assert!(answer.notes.iter().any(|note| note.starts_with("time offset belongs to what recorded")), "{:?}", answer.notes);
     let alone = confirm(&written(folder.path(), &with(vec![clock])), other(true, 1.0, 0.0), None, FIXED).err().unwrap();
     assert!(matches!(alone, ConfirmError::OfRecorder { .. }) && alone.to_string().contains("time offset"), "{alone}");
+}
+
+/// A recording whose load is stamped by another clock: what was found is hidden behind it until a clock is fitted, and that clock is the planted one.
+#[test]
+fn a_clock_of_the_other_recording_is_fitted_where_it_is_free() {
+    let planted = |recording: Recording| {
+        let time = recording.inputs.time_s.clone().unwrap();
+        let first = time[0];
+        // the load of the time t stands in the row of t + s
+        let late = |t: f64| 35.0 + 0.004 * (t - first);
+        let force = recording.inputs.force_n.clone().unwrap();
+        let at = |t: f64| {
+            let after = time.partition_point(|other| *other < t).clamp(1, time.len() - 1);
+            let share = ((t - time[after - 1]) / (time[after] - time[after - 1])).clamp(0.0, 1.0);
+            force[after - 1] + share * (force[after] - force[after - 1])
+        };
+        let stamped = time.iter().map(|t| at(t - late(*t))).collect();
+        Recording { inputs: Inputs { force_n: Some(stamped), ..recording.inputs.clone() }, ..recording }
+    };
+    let without = judged(planted(other(true, 1.0, 0.0)), BOTH);
+    let with = judged(planted(other(true, 1.0, 0.0)), Free { clock: true, ..BOTH });
+    assert!(without.verdict != Judgement::Confirmed && without.augmented.clock.is_none(), "{}", without.says);
+    assert_eq!((with.verdict, with.free.as_slice()), (Judgement::Confirmed, &["gain", "offset", "clock"][..]), "{}", with.says);
+    assert!(with.augmented.rmse < 0.5 * without.augmented.rmse, "{} {}", with.says, without.says);
+    let clock = with.augmented.clock.unwrap();
+    // rows are 10 s apart, and the load of the planted recording is straight between them
+    assert!((clock.late_s - 35.0).abs() < 2.5 && (clock.rate - 0.004).abs() < 4e-4, "{clock:?}");
+    assert!(with.base.clock.is_some());
+    let mut timeless = other(true, 1.0, 0.0);
+    timeless.inputs.time_s = None;
+    let folder = tempfile::tempdir().unwrap();
+    let refused = confirm(&written(folder.path(), found()), timeless, None, Free { clock: true, ..BOTH }).err().unwrap();
+    assert!(refused.to_string().contains("no time"), "{refused}");
 }
 
 #[test]

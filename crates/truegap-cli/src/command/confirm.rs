@@ -22,7 +22,7 @@ pub struct Confirm {
     /// TOML or CSV of the other recording, or a folder with a recording.toml
     #[arg(value_name = "OTHER")]
     recording: PathBuf,
-    /// What may be fitted to the other recording: gain, offset, or gain,offset of its reading; nothing else is
+    /// What may be fitted to the other recording: gain and offset of its reading, clock of its load against that of its reading (gain,offset,clock); nothing else is
     #[arg(long, value_delimiter = ',', value_name = "WHAT")]
     free: Vec<String>,
     /// Sensor column of a recording that holds several
@@ -59,15 +59,20 @@ impl Run for Confirm {
 
 fn print(console: &Console, document: &Confirmation) -> anyhow::Result<()> {
     let unit = &document.unit;
-    let header = ["".to_owned(), format!("error (RMS)\n{unit}"), "gain".to_owned(), format!("offset\n{unit}")];
     let is_free = |word: &str| document.free.contains(&word);
+    let clock = is_free("clock");
+    let columns = ["".to_owned(), format!("error (RMS)\n{unit}"), "gain".to_owned(), format!("offset\n{unit}")];
+    let clocks = ["load late at first row\ns".to_owned(), "falls behind\nms/s".to_owned()];
+    let header: Vec<String> = columns.into_iter().chain(clocks.into_iter().filter(|_| clock)).collect();
     let cell = |word: &str, value: f64| if is_free(word) { digits(value, 4) } else { "-".to_owned() };
     let models = [("base model alone", &document.base), ("augmented model", &document.augmented)];
     let rows = models.map(|(name, model)| {
         let (gain, offset) = (cell("gain", model.reading.gain), cell("offset", model.reading.offset));
-        vec![name.to_owned(), digits(model.rmse, 4), gain, offset]
+        let clock = model.clock.map(|clock| [digits(clock.late_s, 3), digits(1e3 * clock.rate, 3)]);
+        [name.to_owned(), digits(model.rmse, 4), gain, offset].into_iter().chain(clock.into_iter().flatten()).collect()
     });
-    let noise = vec!["noise".to_owned(), digits(document.noise.rmse, 4), "-".to_owned(), "-".to_owned()];
+    let nothing = std::iter::repeat_n("-".to_owned(), header.len() - 2);
+    let noise: Vec<String> = ["noise".to_owned(), digits(document.noise.rmse, 4)].into_iter().chain(nothing).collect();
     console.print(format!("Verdict: {}. {}\n", words(document.verdict), document.says))?;
     console.print(table(&header, rows.into_iter().chain([noise])))?;
     console.print(format!("Noise: {}.", document.noise.says))?;

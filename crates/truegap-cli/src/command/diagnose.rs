@@ -58,7 +58,7 @@ pub struct Diagnose {
     /// Hide an input column, to see what its absence does: temperature, humidity, force, pressure, gap
     #[arg(long, value_delimiter = ',', value_name = "COLUMN")]
     conceal: Vec<String>,
-    /// Give each recording after the first its own gain or offset against the first, and that of --confirm as well: gain, offset, or gain,offset
+    /// Give each recording after the first its own gain or offset against the first, and that of --confirm as well: gain, offset, or gain,offset; that of --confirm may have its own clock, too: gain,offset,clock
     #[arg(long, value_delimiter = ',', value_name = "WHAT", conflicts_with = "batch")]
     free: Vec<String>,
     /// Recording that takes no part: what is found is judged on it, with nothing refitted but what --free names
@@ -114,6 +114,15 @@ impl Diagnose {
             confirm_within(&mut diagnosed, other, free);
         }
         Ok(diagnosed)
+    }
+
+    /// What each recording after the first has of its own: with one recording it is that of --confirm alone that has anything; the clock is its own always.
+    fn free_beside_the_first(&self) -> Vec<String> {
+        match (&self.confirm, self.recordings.len()) {
+            (Some(_), 1) => Vec::new(),
+            (Some(_), _) => self.free.iter().filter(|word| *word != "clock").cloned().collect(),
+            (None, _) => self.free.clone(),
+        }
     }
 
     fn read(&self, paths: &[PathBuf]) -> anyhow::Result<Vec<Recording>> {
@@ -183,8 +192,7 @@ impl Diagnose {
             effects: self.effects.clone(),
             conceal: self.conceal.clone(),
             channel: self.channel.clone(),
-            // with one recording it is that of --confirm alone that has a gain or offset of its own
-            free: if self.confirm.is_some() && self.recordings.len() == 1 { Vec::new() } else { self.free.clone() },
+            free: self.free_beside_the_first(),
             bank: self.bank.map(|n| n as usize),
             answers: self.answers(),
             command: command_line(),

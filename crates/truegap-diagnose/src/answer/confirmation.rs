@@ -2,7 +2,7 @@
 //!
 //! Limits: plain data.
 
-use crate::validation::confirmation::{Compared, Judgement, NoiseFloor, Reading};
+use crate::validation::confirmation::{Compared, Judgement, NoiseFloor, OtherClock, Reading};
 use serde::Serialize;
 
 /// The model that was judged.
@@ -43,6 +43,9 @@ pub struct Errors {
     /// gain and offset that were fitted, as far as they were free
     #[serde(flatten)]
     pub reading: Reading,
+    /// clock that was fitted, where it was free
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub clock: Option<OtherClock>,
 }
 
 /// The answer, as `confirmation.json` holds it.
@@ -72,7 +75,7 @@ pub struct Confirmation {
     pub verdict: Judgement,
     /// what it rests on
     pub test: Compared,
-    /// verdict where gain and offset are free, whatever was asked
+    /// verdict where gain and offset are free as well, whatever was asked
     pub verdict_if_gain_and_offset_are_free: Judgement,
     /// the answer in a sentence
     pub says: String,

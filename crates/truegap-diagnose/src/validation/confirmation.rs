@@ -17,6 +17,8 @@ use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 use std::ops::Range;
 
+pub use super::other_clock::{OtherClock, with_clock};
+
 /// Probability with which two models of equal error would be told apart.
 pub const LEVEL: f64 = 0.05;
 
@@ -73,7 +75,7 @@ impl Reading {
     /// $$ g = \frac{\sum (p - \bar p)(y - \bar y)}{\sum (p - \bar p)^2}, \quad o = \bar y - g \bar p $$
     ///
     /// A gain without an offset goes through zero. A prediction that does not move says nothing of the gain, which stays 1.
-    pub fn fitted(prediction: &[f64], response: &[f64], gain: bool, offset: bool) -> Self {
+    pub fn fitted(prediction: &[f64], response: &[f64], FreeReading { gain, offset }: FreeReading) -> Self {
         let rows = response.len().max(1) as f64;
         let mean = |column: &[f64]| if offset { column.iter().sum::<f64>() / rows } else { 0.0 };
         let (p, y) = (mean(prediction), mean(response));
@@ -89,6 +91,15 @@ impl Reading {
     pub fn of(&self, prediction: &[f64]) -> Vec<f64> {
         prediction.iter().map(|p| self.gain * p + self.offset).collect()
     }
+}
+
+/// What of a reading is fitted to a recording that took no part.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FreeReading {
+    /// its gain
+    pub gain: bool,
+    /// its offset
+    pub offset: bool,
 }
 
 /// The noise of a recording.
@@ -247,16 +258,20 @@ mod tests {
         assert!(cut.windows(2).all(|w| w[0].end == w[1].start));
     }
 
+    fn free(gain: bool, offset: bool) -> FreeReading {
+        FreeReading { gain, offset }
+    }
+
     #[test]
     fn gain_and_offset_are_exact_where_the_reading_is_a_line() {
         let prediction: Vec<f64> = (0..50).map(|row| (f64::from(row) * 0.3).sin()).collect();
         let read: Vec<f64> = prediction.iter().map(|p| 1.25 * p - 3.0).collect();
-        let both = Reading::fitted(&prediction, &read, true, true);
+        let both = Reading::fitted(&prediction, &read, free(true, true));
         assert!((both.gain - 1.25).abs() < 1e-12 && (both.offset + 3.0).abs() < 1e-12, "{both:?}");
-        assert_eq!(Reading::fitted(&prediction, &read, false, false), Reading { gain: 1.0, offset: 0.0 });
+        assert_eq!(Reading::fitted(&prediction, &read, free(false, false)), Reading { gain: 1.0, offset: 0.0 });
         let through_zero: Vec<f64> = prediction.iter().map(|p| 0.8 * p).collect();
-        assert!((Reading::fitted(&prediction, &through_zero, true, false).gain - 0.8).abs() < 1e-12);
-        let level = Reading::fitted(&[2.0; 50], &read, true, true);
+        assert!((Reading::fitted(&prediction, &through_zero, free(true, false)).gain - 0.8).abs() < 1e-12);
+        let level = Reading::fitted(&[2.0; 50], &read, free(true, true));
         assert_eq!(level.gain, 1.0);
         assert!((level.of(&[2.0])[0] - read.iter().sum::<f64>() / 50.0).abs() < 1e-12);
     }

@@ -97,7 +97,7 @@ def confirm(
     free: Sequence[str] = (),
     channel: str | None = None,
 ) -> Confirmation:
-    """Judge the ``augmented.toml`` of a diagnosis on a recording that took no part in it.
+    """Judge the ``augmented.toml`` of a diagnosis on a recording that took no part in it; nothing is refitted but ``free``: gain, offset, clock.
 
     Where the base model was a function, ``base`` and ``parameters`` give it again.
     """

@@ -210,7 +210,7 @@ class Diagnosis:
         units: Mapping[str, str] | None = None,
         drivers: Mapping[str, Mapping[str, str]] | None = None,
     ) -> Confirmation:
-        """Whether a recording that took no part bears out what was added; nothing is refitted but ``free``: gain, offset."""
+        """Whether a recording that took no part bears out what was added; nothing is refitted but ``free``: gain, offset, clock."""
         self._confirmed = Confirmation.of(self._native.confirm(self._source(recording, columns, units, drivers), list(free), channel))
         return self._confirmed
 

@@ -65,7 +65,9 @@ pub enum DiagnosisError {
     #[error(transparent)]
     Joint(#[from] truegap_diagnose::joint::JointError),
     /// Not a thing that a recording can have of its own.
-    #[error("--free {word} is not known; a recording may have its own gain, offset, or both: --free gain,offset")]
+    #[error(
+        "--free {word} is not known; a recording may have its own gain, offset, or both: --free gain,offset (its clock is its own always; `clock` is for a recording that takes no part: truegap confirm)"
+    )]
     UnknownFree { word: String },
     /// One recording has nothing to be compared with.
     #[error("--free gives each of several recordings a gain or offset against the first; name at least two, or leave --free out")]

@@ -6,6 +6,7 @@ use super::model_file::{ModelFileError, RunningModel, begin_anew, driver_of};
 use serde::Serialize;
 use truegap_core::Inputs;
 use truegap_diagnose::answer::{AddedEffect, Scales};
+use truegap_diagnose::confirmation::OtherClock;
 use truegap_diagnose::mechanism::Driver;
 use truegap_diagnose::{Augmented, Effect, Library};
 
@@ -80,7 +81,7 @@ impl RunningModel {
     /// As [`RunningModel::respond`].
     pub fn respond_with(&self, effects: &[AddedEffect], inputs: &Inputs) -> Result<Vec<f64>, ModelFileError> {
         let augmented = Augmented { effects: effects.to_vec(), ..self.augmented.clone() };
-        self.respond_as(&augmented, inputs)
+        self.respond_as(&augmented, inputs, &OtherClock::default())
     }
 
     /// What the effects' equations take from the recording on which they were fitted.

@@ -6,8 +6,9 @@ use crate::models::base::{Programs, foreseen};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use truegap_core::sensor::{SensorError, builtin_sensors};
-use truegap_core::{Inputs, Sensor, SimulationError, Simulator};
+use truegap_core::{Inputs, Sensor, SimulationError, Simulator, Stage};
 use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales, UnknownEffect};
+use truegap_diagnose::confirmation::OtherClock;
 use truegap_diagnose::{Augmented, Context, Effect, Library, Outcome, mechanism::Driver};
 use truegap_model::{BaseError, BaseModel};
 
@@ -281,17 +282,30 @@ impl RunningModel {
     /// # Errors
     /// [`ModelFileError::Simulation`] where a row has no physical answer or a column is missing.
     pub fn respond(&self, inputs: &Inputs) -> Result<Vec<f64>, ModelFileError> {
-        self.respond_as(&self.augmented, inputs)
+        self.respond_by(&OtherClock::default(), inputs)
+    }
+
+    /// The same with a clock of the inputs that differs from that of the response.
+    ///
+    /// # Errors
+    /// As [`RunningModel::respond`].
+    pub fn respond_by(&self, clock: &OtherClock, inputs: &Inputs) -> Result<Vec<f64>, ModelFileError> {
+        self.respond_as(&self.augmented, inputs, clock)
     }
 
     /// The same with the effects of `augmented`.
-    pub(super) fn respond_as(&self, augmented: &Augmented, inputs: &Inputs) -> Result<Vec<f64>, ModelFileError> {
+    pub(super) fn respond_as(
+        &self,
+        augmented: &Augmented,
+        inputs: &Inputs,
+        clock: &OtherClock,
+    ) -> Result<Vec<f64>, ModelFileError> {
         let library = Library::default();
         self.has_drivers(augmented, inputs, &library)?;
         let mut context = Context::new(inputs, self.simulator.as_ref(), 0.0, 0.0);
         augmented.apply_scales(&mut context);
         let stages = augmented.stages(&library, &context)?;
-        let stages: Vec<_> = stages.iter().map(AsRef::as_ref).collect();
+        let stages: Vec<&dyn Stage> = stages.iter().map(AsRef::as_ref).chain([clock as &dyn Stage]).collect();
         Ok(self.simulator.respond(&self.values, inputs, &stages)?)
     }
 
@@ -329,7 +343,15 @@ impl RunningModel {
     /// # Errors
     /// As [`RunningModel::respond`].
     pub fn respond_alone(&self, inputs: &Inputs) -> Result<Vec<f64>, ModelFileError> {
-        Ok(self.simulator.respond(self.alone.as_ref().unwrap_or(&self.values), inputs, &[])?)
+        self.respond_alone_by(&OtherClock::default(), inputs)
+    }
+
+    /// The same with a clock of the inputs that differs from that of the response.
+    ///
+    /// # Errors
+    /// As [`RunningModel::respond`].
+    pub fn respond_alone_by(&self, clock: &OtherClock, inputs: &Inputs) -> Result<Vec<f64>, ModelFileError> {
+        Ok(self.simulator.respond(self.alone.as_ref().unwrap_or(&self.values), inputs, &[clock])?)
     }
 
     /// The added effects that have a number for each run: these mean nothing in the runs of another recording.

@@ -50,8 +50,13 @@ pub enum ConfirmError {
     #[error("{recording}: its noise: {source}")]
     Noise { recording: String, source: DiagnoseError },
     /// A word that means nothing.
-    #[error("--free {word}: only `gain` and `offset` can be free")]
+    #[error("--free {word}: only `gain`, `offset` and `clock` can be free")]
     Free { word: String },
+    /// A clock to be fitted where none was recorded.
+    #[error(
+        "{recording}: it has no time, so no clock can be fitted to it; name its column of time under [columns], or leave `clock` out of --free"
+    )]
+    NoClock { recording: String },
     /// The answer cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),

@@ -1,6 +1,6 @@
 //! A model file judged on a recording that took no part in it: is what was added borne out there?
 //!
-//! Limits: nothing is refitted but a gain and an offset of the reading, where that is said; readings that a diagnosis would leave out count as they are.
+//! Limits: nothing is refitted but a gain and an offset of the reading and a clock, where that is said; readings that a diagnosis would leave out count as they are.
 
 mod document;
 mod error;
@@ -12,12 +12,14 @@ pub use truegap_diagnose::answer::{Confirmation, Errors, ModelFacts, OtherFacts}
 use super::beside_model::{model_facts, opened, recording_facts};
 use super::request::named;
 use crate::diagnosis::Diagnosed;
-use crate::models::{ModelFile, Programs, RunningModel, of_recording, refused};
+use crate::models::{ModelFile, ModelFileError, Programs, RunningModel, of_recording, refused};
 use document::says;
 use std::path::Path;
 use truegap_core::{Recording, ends};
 use truegap_diagnose::answer;
-use truegap_diagnose::confirmation::{Compared, Judgement, LEVEL, NoiseFloor, Reading, compared, noise_floor};
+use truegap_diagnose::confirmation::{
+    Compared, FreeReading, Judgement, LEVEL, NoiseFloor, OtherClock, Reading, compared, noise_floor, with_clock,
+};
 use truegap_diagnose::text::{listed, spoken, spoken_list};
 use truegap_diagnose::{Library, Problem, rms};
 
@@ -31,23 +33,30 @@ pub struct Free {
     pub gain: bool,
     /// offset of the reading
     pub offset: bool,
+    /// clock of the load against that of the reading
+    pub clock: bool,
 }
 
 impl Free {
     /// From words of the command line.
     ///
     /// # Errors
-    /// [`ConfirmError::Free`] for any word but `gain` and `offset`.
+    /// [`ConfirmError::Free`] for any word but `gain`, `offset` and `clock`.
     pub fn of(words: &[String]) -> Result<Self, ConfirmError> {
-        if let Some(word) = words.iter().find(|word| !matches!(word.as_str(), "gain" | "offset")) {
+        if let Some(word) = words.iter().find(|word| !matches!(word.as_str(), "gain" | "offset" | "clock")) {
             return Err(ConfirmError::Free { word: word.clone() });
         }
         let has = |word: &str| words.iter().any(|w| w == word);
-        Ok(Self { gain: has("gain"), offset: has("offset") })
+        Ok(Self { gain: has("gain"), offset: has("offset"), clock: has("clock") })
     }
 
     fn words(self) -> Vec<&'static str> {
-        [("gain", self.gain), ("offset", self.offset)].into_iter().filter_map(|(word, is)| is.then_some(word)).collect()
+        let words = [("gain", self.gain), ("offset", self.offset), ("clock", self.clock)];
+        words.into_iter().filter_map(|(word, is)| is.then_some(word)).collect()
+    }
+
+    fn reading(self) -> FreeReading {
+        FreeReading { gain: self.gain, offset: self.offset }
     }
 }
 
@@ -120,17 +129,16 @@ fn judge(
         return Err(ConfirmError::OfRecorder { model: file.to_owned(), effects: spoken_list(&of_recorder, "and") });
     }
     let mut notes = belong_together(&model, written, file, &recording, &name)?;
-    if !of_recorder.is_empty() {
-        notes.push(format!(
-            "{} belongs to what recorded and not to what was recorded: another recording has its own, so it is left out here",
-            spoken_list(&of_recorder, "and")
-        ));
+    if free.clock && recording.inputs.time_s.is_none() {
+        return Err(ConfirmError::NoClock { recording: name });
     }
     let no_answer = |error| refused(error, of_recording(name.clone()));
-    let predicted =
-        [model.respond_alone(&recording.inputs).map_err(no_answer)?, model.respond(&recording.inputs).map_err(no_answer)?];
-    let judged = Judged::new(&predicted, &recording, free);
-    let freed = Judged::new(&predicted, &recording, Free { gain: true, offset: true }).test.judgement;
+    let asked = |free: Free| Judged::new(&model, &recording, free).map_err(no_answer);
+    let judged = asked(free)?;
+    let freed = asked(Free { gain: true, offset: true, ..free })?.test.judgement;
+    if !of_recorder.is_empty() {
+        notes.push(of_recorders(&of_recorder, free));
+    }
     let problem = Problem { inputs: &recording.inputs, response: &recording.response, simulator: model.simulator() };
     let left: Vec<f64> = judged.columns[1].iter().zip(&recording.response).map(|(p, r)| r - p).collect();
     let noise = noise_floor(&problem, &left).map_err(|source| ConfirmError::Noise { recording: name.clone(), source })?;
@@ -146,6 +154,19 @@ fn judge(
     let document =
         Confirmation { free: free.words(), notes, ..judged.document(facts, recorded, noise, written.unit.clone(), freed) };
     Ok(Confirmed { document, recording, base, augmented })
+}
+
+/// What is told of effects that belong to what recorded, and are left out.
+fn of_recorders(effects: &[String], free: Free) -> String {
+    let instead = if free.clock {
+        "base and augmented model have each been given a clock of this one"
+    } else {
+        "where this one has two clocks as well, --free gain,offset,clock gives both models a clock of it"
+    };
+    format!(
+        "{} belongs to what recorded and not to what was recorded: another recording has its own, so it is left out here; {instead}",
+        spoken_list(effects, "and")
+    )
 }
 
 /// Whether this recording can say anything of this model; notes where it can with a reserve.
@@ -196,14 +217,22 @@ struct Judged {
 }
 
 impl Judged {
-    fn new(predicted: &[Vec<f64>; 2], recording: &Recording, free: Free) -> Self {
-        let response = &recording.response;
-        let readings = predicted.each_ref().map(|p| Reading::fitted(p, response, free.gain, free.offset));
-        let columns = [0, 1].map(|k: usize| readings[k].of(&predicted[k]));
-        let rmse = |column: &[f64]| rms(column.iter().zip(response).map(|(p, r)| p - r));
-        let errors = [0, 1].map(|k: usize| Errors { rmse: rmse(&columns[k]), reading: readings[k] });
-        let test = compared(&columns[0], &columns[1], response, &recording.inputs.runs());
-        Self { columns, errors, test }
+    fn new(model: &RunningModel, recording: &Recording, free: Free) -> Result<Self, ModelFileError> {
+        let (inputs, response) = (&recording.inputs, &recording.response);
+        let judged = |predict: &dyn Fn(&OtherClock) -> Result<Vec<f64>, ModelFileError>| {
+            let (clock, predicted) = match free.clock {
+                true => with_clock(inputs, response, free.reading(), predict)?,
+                false => (OtherClock::default(), predict(&OtherClock::default())?),
+            };
+            let reading = Reading::fitted(&predicted, response, free.reading());
+            let column = reading.of(&predicted);
+            let rmse = rms(column.iter().zip(response).map(|(p, r)| p - r));
+            Ok::<_, ModelFileError>((column, Errors { rmse, reading, clock: free.clock.then_some(clock) }))
+        };
+        let (base, of_base) = judged(&|clock| model.respond_alone_by(clock, inputs))?;
+        let (augmented, of_augmented) = judged(&|clock| model.respond_by(clock, inputs))?;
+        let test = compared(&base, &augmented, response, &inputs.runs());
+        Ok(Self { columns: [base, augmented], errors: [of_base, of_augmented], test })
     }
 
     fn document(

@@ -6,6 +6,7 @@ use super::subject::Subject;
 use super::text::significant;
 use truegap_diagnose::answer::{Confirmation, Confirmed, Errors};
 use truegap_diagnose::confirmation::Judgement;
+use truegap_diagnose::text::listed;
 use truegap_scene::page::{Page, Table, Tone};
 
 /// Verdict, sentence, errors, what a reader should know beside them.
@@ -32,7 +33,8 @@ fn judged(page: Page, confirmation: &Confirmation) -> Page {
     let free = if confirmation.free.is_empty() {
         "nothing was refitted to it".to_owned()
     } else {
-        format!("nothing was refitted to it but {} of the reading", confirmation.free.join(" and "))
+        let free: Vec<String> = confirmation.free.iter().map(|word| free_in_words(word)).collect();
+        format!("nothing was refitted to it but {}", listed(&free, "and"))
     };
     let page = page
         .text(&format!("{}, {} rows; {free}.", confirmation.recording.source, confirmation.recording.rows))
@@ -41,6 +43,15 @@ fn judged(page: Page, confirmation: &Confirmation) -> Page {
         .table(&table(confirmation))
         .text(&format!("Noise: {}.", confirmation.noise.says));
     if confirmation.notes.is_empty() { page } else { page.list(&confirmation.notes) }
+}
+
+/// What is free, for a reader.
+fn free_in_words(word: &str) -> String {
+    if word == "clock" {
+        "a clock of the load against that of the reading".to_owned()
+    } else {
+        format!("the {word} of the reading")
+    }
 }
 
 fn headline(confirmation: &Confirmation) -> String {
@@ -58,11 +69,19 @@ fn table(confirmation: &Confirmation) -> Table {
     let cell = |word: &str, value: f64| if is_free(word) { significant(value, 3) } else { "–".to_owned() };
     let row = |name: &str, model: &Errors| {
         let (gain, offset) = (cell("gain", model.reading.gain), cell("offset", model.reading.offset));
+        let clock = model.clock.map(|clock| [significant(clock.late_s, 3), significant(1e3 * clock.rate, 3)]);
         [name.to_owned(), significant(model.rmse, 3), gain, offset]
+            .into_iter()
+            .chain(clock.into_iter().flatten())
+            .collect::<Vec<_>>()
     };
     let (error, offset) = (format!("error, {unit}"), format!("offset, {unit}"));
-    let noise = ["noise of one reading".to_owned(), significant(confirmation.noise.rmse, 3), "–".to_owned(), "–".to_owned()];
-    Table::new(&["model", &error, "gain", &offset])
+    let clocks = ["load late at first row, s", "falls behind, ms/s"].into_iter().filter(|_| is_free("clock"));
+    let header: Vec<&str> = ["model", error.as_str(), "gain", offset.as_str()].into_iter().chain(clocks).collect();
+    let nothing = std::iter::repeat_n("–".to_owned(), header.len() - 2);
+    let noise: Vec<String> =
+        ["noise of one reading".to_owned(), significant(confirmation.noise.rmse, 3)].into_iter().chain(nothing).collect();
+    Table::new(&header)
         .row(&row("calibrated model", &confirmation.base))
         .row(&row("with what was missing", &confirmation.augmented))
         .row(&noise)

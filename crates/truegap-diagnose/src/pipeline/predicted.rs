@@ -152,8 +152,8 @@ impl RowsLeftOut<'_, '_> {
             }
             None => {}
         }
-        let farther = |[without, with]: &[f64; 2]| with > without && self.squares_lost([*without, *with]) > unseen.believed;
-        if let Some([without, with]) = self.errors(model).filter(farther) {
+        let (rows, floor) = (self.prepared.problem.response.len(), self.prepared.noise.floor());
+        if let Some([without, with]) = self.errors(model).filter(|errors| unseen.farther(*errors, rows, floor)) {
             let verdict = if self.left_by(self.selection.base).fires() { Verdict::Unexplained } else { Verdict::Agrees };
             let says = self.says_farther(model, [without, with]);
             return self.nothing(Decision::nothing(verdict, self.selection.base), None, [told, vec![says]].concat());
@@ -257,11 +257,6 @@ impl RowsLeftOut<'_, '_> {
             self.search.model_over(problem, &tried.effects).respond(&tried.fit.z).ok()
         };
         rmse_of_both([&of(self.selection.base)?, &of(model)?], problem.response, 0..problem.response.len())
-    }
-
-    /// By how many squares of the noise all rows together are farther off with the second of two errors of a row: a base model may come nearer with numbers that nobody believes.
-    fn squares_lost(&self, [without, with]: [f64; 2]) -> f64 {
-        self.prepared.problem.response.len() as f64 * (with.powi(2) - without.powi(2)) / self.prepared.noise.floor().powi(2)
     }
 
     fn says_farther(&self, model: usize, [without, with]: [f64; 2]) -> String {

@@ -107,6 +107,12 @@ impl Unseen {
         self.compared().is_some_and(|both| both.rmse[1] > CLEARLY_WORSE * both.rmse[0])
     }
 
+    /// Whether errors of a row without a model and with it, on the `rows` that both were fitted to, are larger with it: by more squares of the noise of a row, `floor`, than its numbers are more believable. A
+    /// base model may come nearer with numbers that nobody believes.
+    pub fn farther(&self, [without, with]: [f64; 2], rows: usize, floor: f64) -> bool {
+        with > without && rows as f64 * (with.powi(2) - without.powi(2)) > self.believed * floor.powi(2)
+    }
+
     /// Share of the reproducible misfit that the model removes on rows left out; `None` where there is next to none. `floor` is the noise of a row, measured on `rows` of them.
     pub fn removed(&self, floor: f64, rows: usize) -> Option<f64> {
         let [base, named] = self.compared()?.rmse;
@@ -208,6 +214,15 @@ mod tests {
         // the base model follows all rows as well, with numbers that nobody believes
         assert_eq!(believed([0.25, 0.5, -0.25, -1.0], 60.0), None);
         assert_eq!(believed([0.25, 0.5, -80.0, -1.0], 60.0), Some(Against::Score(80.25)));
+    }
+
+    /// Errors of 10 and 11 in 100 rows with a noise of 5 are 84 squares apart: a base model whose numbers are further off by 90 squares has followed the rows with numbers that nobody believes.
+    #[test]
+    fn larger_errors_count_beyond_what_nobody_believes() {
+        let of = |believed: f64, errors| Unseen { base: predicted(&[4.0]), named: None, believed }.farther(errors, 100, 5.0);
+        assert!(of(0.0, [10.0, 11.0]) && of(80.0, [10.0, 11.0]));
+        assert!(!of(90.0, [10.0, 11.0]));
+        assert!(!of(0.0, [11.0, 10.0]) && !of(0.0, [10.0, 10.0]));
     }
 
     /// Errors of 20 and 18, in two parts, one of which loses 30 squares of a noise and the other nothing: where that noise was taken from what a model leaves, the smaller error counts.

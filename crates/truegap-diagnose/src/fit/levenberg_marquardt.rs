@@ -7,6 +7,7 @@ use crate::{
     fit::{
         model::Model,
         optimum::{Fit, finish, gram},
+        ways::Ways,
     },
     whitening::whitener::Whitener,
 };
@@ -47,6 +48,10 @@ pub(crate) struct Descent<'a, 'm> {
     stale: bool,
     iterations: usize,
     converged: bool,
+    /// where earlier searches from other starts have been
+    others: Option<&'a Ways>,
+    /// where it was before each of its steps, where that is asked
+    pub(crate) way: Vec<Vec<f64>>,
 }
 
 impl<'a, 'm> Descent<'a, 'm> {
@@ -82,7 +87,21 @@ impl<'a, 'm> Descent<'a, 'm> {
             stale: false,
             iterations: 0,
             converged: false,
+            others: None,
+            way: Vec::new(),
         }
+    }
+
+    /// The same search, which ends where it comes upon the way of an earlier one.
+    pub(crate) fn apart_from(self, others: &'a Ways) -> Self {
+        Self { others: Some(others), ..self }
+    }
+
+    /// Notes where it is; whether an earlier search has been there, after as many steps or fewer: then it would only go the same way.
+    pub(crate) fn comes_upon_another(&mut self) -> bool {
+        let Some(others) = self.others else { return false };
+        self.way.push(self.z.clone());
+        others.lead_through(&self.z, self.way.len())
     }
 
     /// Computes the columns from `first` on anew.
@@ -110,9 +129,13 @@ impl<'a, 'm> Descent<'a, 'm> {
         Some(gain)
     }
 
-    pub(crate) fn run(&mut self, options: &FitOptions) -> Result<(), SimulationError> {
+    /// Searches to the end; `false` where it came upon the way of an earlier search and was given up there.
+    pub(crate) fn run(&mut self, options: &FitOptions) -> Result<bool, SimulationError> {
         let (mut reach, mut failed) = (REACH, 0);
         while self.iterations < options.iterations && !self.converged {
+            if self.comes_upon_another() {
+                return Ok(false);
+            }
             self.iterations += 1;
             let was_stale = self.stale;
             let promise = self.promised();
@@ -139,7 +162,10 @@ impl<'a, 'm> Descent<'a, 'm> {
                 }
             }
         }
-        if self.stale { self.refresh(0) } else { Ok(()) }
+        if self.stale {
+            self.refresh(0)?;
+        }
+        Ok(true)
     }
 
     /// A step along a sloppy direction that is too curved for steps that may never climb: straight along it, at most `reach` in any coordinate

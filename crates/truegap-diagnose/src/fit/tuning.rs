@@ -67,3 +67,9 @@ pub(crate) const SAME_OPTIMUM: f64 = 0.5;
 
 /// Sloppiest directions along which starts are laid, and their distance in posterior standard deviations.
 pub(crate) const START_DIRECTIONS: (usize, f64) = (3, 4.0);
+
+// ways.rs
+
+/// Prior standard deviations, in every coordinate, within which two searches are at one place: a hundredth of what the next step along a sloppy direction is, and along a stiff one the next
+/// step finds the floor from either.
+pub(crate) const SAME_PLACE: f64 = 0.01;

@@ -205,6 +205,11 @@ impl<'a, 'm> Descent<'a, 'm> {
         Some(next.iter().zip(&self.z).map(|(to, from)| from + share * (to - from)).collect())
     }
 
+    /// Whether a straight step to the optimum, with all derivatives known, promises to leave less than `level`.
+    pub(crate) fn promises_less_than(&self, level: f64) -> bool {
+        objective(self.model, &self.residual, &self.z) - self.promised() < level
+    }
+
     /// What a straight step to the optimum promises to lower the objective by.
     fn promised(&self) -> f64 {
         let (gram, gradient) = (self.gram(), self.downhill());

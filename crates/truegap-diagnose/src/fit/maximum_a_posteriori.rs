@@ -39,6 +39,27 @@ pub(crate) fn fit_within(
     Ok(search.finish())
 }
 
+/// As [`fit_within`]; `None` where a straight step from the start does not promise to leave less than `level`.
+///
+/// # Errors
+/// As [`fit`].
+pub(crate) fn fit_where_promising(
+    model: &Model<'_>,
+    whitener: &Whitener,
+    start: &[f64],
+    bounds: &[(f64, f64)],
+    options: &FitOptions,
+    level: f64,
+) -> Result<Option<Fit>, SimulationError> {
+    let mut search = Descent::at(model, whitener, start, bounds)?;
+    search.refresh(0)?;
+    if !search.promises_less_than(level) {
+        return Ok(None);
+    }
+    search.run(options)?;
+    Ok(Some(search.finish()))
+}
+
 /// As [`fit`] from a point around which the model is known: for several noises from one point.
 ///
 /// # Errors

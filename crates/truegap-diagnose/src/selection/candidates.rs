@@ -7,7 +7,7 @@ use crate::{
     effects::{effect::Effect, sentence::at_once},
     fit::{
         levenberg_marquardt::FitOptions,
-        maximum_a_posteriori::{approach, fit, fit_apart, fit_onwards, fit_within},
+        maximum_a_posteriori::{approach, fit, fit_apart, fit_onwards, fit_where_promising},
         model::Model,
         optimum::{Fit, Linearised},
         score_test::scores,
@@ -15,7 +15,7 @@ use crate::{
     },
     noise::scout::{Scout, scouted},
     selection::effect_set::EffectSet,
-    selection::tuning::{DRIVEN_FAR, FAR_SHARE, HOPELESS, LOOSE_FITS, PROMISING_START, STARTS},
+    selection::tuning::{DRIVEN_FAR, FAR_PROMISE, FAR_SHARE, HOPELESS, LOOSE_FITS, PROMISING_START, STARTS},
     whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
 use nalgebra::DMatrix;
@@ -315,8 +315,9 @@ impl<'a> Search<'a> {
         for (bound, z) in bounds.iter_mut().zip(&z).skip(from.z.len()) {
             *bound = (*z, *z);
         }
-        let found =
-            fit_within(model, self.whitener_of(launch), &z, &bounds, &FitOptions { iterations: 1, tolerance: 0.5 }).ok()?;
+        let (whitener, options) = (self.whitener_of(launch), FitOptions { iterations: 1, tolerance: 0.5 });
+        let worth_it = FAR_PROMISE * (1.0 - FAR_SHARE) * from.objective();
+        let found = fit_where_promising(model, whitener, &z, &bounds, &options, worth_it).ok()??;
         let gain = from.objective() - found.objective();
         // by chance one of many sizes gains a little; what is meant is most of what is left
         (gain > FAR_SHARE * from.objective()).then_some(Start { z: found.z, gain })

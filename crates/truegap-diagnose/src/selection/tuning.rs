@@ -23,6 +23,9 @@ pub(crate) const PROMISING_START: f64 = 0.6;
 /// Share of what the base model leaves that a size far from nothing must gain for a search to start there.
 pub(crate) const FAR_SHARE: f64 = 0.5;
 
+/// How many times what may be left a straight step from there may promise to leave: it is curved, but sizes that are of no use leave a hundred times as much.
+pub(crate) const FAR_PROMISE: f64 = 4.0;
+
 // examine.rs
 
 /// Detectability below which an effect is not claimed: three standard deviations. From 4.5 to 8 was tried and no better on all counts (`docs/history.md`).

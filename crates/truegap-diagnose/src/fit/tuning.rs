@@ -14,6 +14,9 @@ pub(crate) const STIFF: f64 = 100.0;
 /// Most steps in which the stiff directions are fitted, and the promise below which they are.
 pub(crate) const STIFF_STEPS: (usize, f64) = (4, 0.1);
 
+/// Part of the draws after which it is asked whether they are enough: one in so many.
+pub(crate) const FIRST_DRAWS: usize = 4;
+
 // laplace.rs
 
 /// Scales, in prior standard deviations, over which what is known of a size beforehand is spread.

@@ -52,6 +52,9 @@ pub(crate) const CLOSE: f64 = 12.0;
 /// Models whose evidence is sampled, those with the most weight, and the draws for each.
 pub(crate) const SAMPLED: (usize, usize) = (8, 128);
 
+/// Standard error of a log weight from which on more draws change nothing: a probability is known to a twentieth of itself.
+pub(crate) const ENOUGH_KNOWN: f64 = 0.05;
+
 /// Effective share of draws from which a sampled evidence stands in for Laplace's.
 pub(crate) const ENOUGH_DRAWS: f64 = 0.1;
 

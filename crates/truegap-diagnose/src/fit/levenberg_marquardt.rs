@@ -46,6 +46,8 @@ pub(crate) struct Descent<'a, 'm> {
     damping: f64,
     /// whether some columns were computed elsewhere
     stale: bool,
+    /// first columns that may stay as they were computed elsewhere where the search ends at its first step, since its fit needs no more
+    rough: usize,
     iterations: usize,
     converged: bool,
     /// where earlier searches from other starts have been
@@ -85,6 +87,7 @@ impl<'a, 'm> Descent<'a, 'm> {
             gram: OnceCell::new(),
             damping: 1e-6,
             stale: false,
+            rough: 0,
             iterations: 0,
             converged: false,
             others: None,
@@ -95,6 +98,11 @@ impl<'a, 'm> Descent<'a, 'm> {
     /// The same search, which ends where it comes upon the way of an earlier one.
     pub(crate) fn apart_from(self, others: &'a Ways) -> Self {
         Self { others: Some(others), ..self }
+    }
+
+    /// The same search for a model that cannot win: where its first step gains nothing, the first `columns` derivatives are good enough as they were known.
+    pub(crate) fn content_with(self, columns: usize) -> Self {
+        Self { rough: columns, ..self }
     }
 
     /// Notes where it is; whether an earlier search has been there, after as many steps or fewer: then it would only go the same way.
@@ -155,6 +163,13 @@ impl<'a, 'm> Descent<'a, 'm> {
                     self.damping = 1e-6;
                 }
                 None => self.converged = true,
+                Some(gain) if was_stale && self.iterations == 1 && self.rough > 0 && gain < options.tolerance => {
+                    self.refresh(self.rough)?;
+                    self.converged = self.promised() < options.tolerance;
+                    if self.converged {
+                        return Ok(true);
+                    }
+                }
                 Some(gain) => {
                     let only_effects = !was_stale && gain > options.tolerance && self.model.base_count() < self.z.len();
                     self.refresh(if only_effects { self.model.base_count() } else { 0 })?;

@@ -95,6 +95,7 @@ pub fn fit_onwards(
 }
 
 /// As [`fit`] or, where derivatives by the first parameters are `known`, as [`fit_onwards`]; `None` where the search comes upon the way of one of the `others`, to which its own is added.
+/// A `hopeless` model keeps the known derivatives where nothing is gained.
 ///
 /// # Errors
 /// As [`fit`].
@@ -104,6 +105,7 @@ pub(crate) fn fit_apart(
     start: &[f64],
     known: Option<&DMatrix<f64>>,
     options: &FitOptions,
+    hopeless: bool,
     others: &mut Ways,
 ) -> Result<Option<Fit>, SimulationError> {
     let bounds = model.bounds();
@@ -114,6 +116,9 @@ pub(crate) fn fit_apart(
     match known {
         Some(known) => search.know(known)?,
         None => search.refresh(0)?,
+    }
+    if let Some(known) = known.filter(|_| hopeless) {
+        search = search.content_with(known.ncols());
     }
     let ended = search.run(options)?;
     let way = std::mem::take(&mut search.way);

@@ -246,14 +246,15 @@ impl<'a> Search<'a> {
             let known = &launch.from.fit.jacobian;
             z = approach(model, self.whitener_of(launch), &z, &bounds, known, &held, &mut been.held).ok()??;
         }
-        let options = FitOptions { iterations: if start.gain > HOPELESS { 6 } else { 3 }, tolerance: 0.5 };
+        let hopeless = start.gain <= HOPELESS;
+        let options = FitOptions { iterations: if hopeless { 3 } else { 6 }, tolerance: 0.5 };
         if launch.noise == LaunchNoise::Measured {
             let known = Some(launch.from.fit.jacobian.as_ref());
-            return fit_apart(model, self.whitener, &z, known, &options, &mut been.measured).ok()?;
+            return fit_apart(model, self.whitener, &z, known, &options, hopeless, &mut been.measured).ok()?;
         }
         let options = |iterations: usize| FitOptions { iterations, tolerance: 0.5 };
-        z = fit_apart(model, self.whitener_of(launch), &z, None, &options(8), &mut been.loose).ok()??.z;
-        fit_apart(model, self.whitener, &z, None, &options(20), &mut been.measured).ok()?
+        z = fit_apart(model, self.whitener_of(launch), &z, None, &options(8), false, &mut been.loose).ok()??.z;
+        fit_apart(model, self.whitener, &z, None, &options(20), false, &mut been.measured).ok()?
     }
 
     /// Starting points of one more effect, most promising first, judged by one straight step from `from`.

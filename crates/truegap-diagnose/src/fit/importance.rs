@@ -6,7 +6,7 @@
 //! Limits: one optimum; the curvature of the stiff directions is taken as the same all along; where few draws carry the weight, the estimate is refused and Laplace stands.
 
 use crate::{
-    fit::tuning::{PROPOSAL_FREEDOM, STIFF, STIFF_STEPS},
+    fit::tuning::{FIRST_DRAWS, PROPOSAL_FREEDOM, STIFF, STIFF_STEPS},
     fit::{model::Model, optimum::Fit},
     stats::{log_sum_exp, normal_between, symmetric_eigen},
     whitening::whitener::Whitener,
@@ -28,10 +28,29 @@ pub struct Sampled {
     pub effective_share: f64,
 }
 
-/// Draws the soft directions from a multivariate t about the optimum and averages the weights; `None` where no draw has an answer.
+/// What is known after some draws.
+struct Mean {
+    log_evidence: f64,
+    effective_share: f64,
+    /// standard error of the log evidence
+    error: f64,
+}
+
+impl Mean {
+    fn of(weights: &[f64]) -> Self {
+        let draws = weights.len() as f64;
+        let total = log_sum_exp(weights);
+        let squares = log_sum_exp(&weights.iter().map(|w| 2.0 * w).collect::<Vec<_>>());
+        let effective_share = (2.0 * total - squares).exp() / draws;
+        Self { log_evidence: total - draws.ln(), effective_share, error: ((effective_share.recip() - 1.0) / draws).sqrt() }
+    }
+}
+
+/// Draws the soft directions from a multivariate t about the optimum and averages the weights; `None` where no draw has an answer. A quarter of the `draws` has to do where the log evidence is
+/// known to `enough` after it.
 ///
 /// **Source:** importance sampling as in Robert & Casella, Monte Carlo Statistical Methods, section 3.3, on the profile over the stiff directions.
-pub fn sampled(model: &Model<'_>, whitener: &Whitener, fit: &Fit, draws: usize, seed: u64) -> Option<Sampled> {
+pub fn sampled(model: &Model<'_>, whitener: &Whitener, fit: &Fit, draws: usize, enough: f64, seed: u64) -> Option<Sampled> {
     let sloppy = SloppyDirections::of(model, whitener, fit);
     let soft = sloppy.soft.ncols();
     let bounds = model.bounds();
@@ -51,11 +70,15 @@ pub fn sampled(model: &Model<'_>, whitener: &Whitener, fit: &Fit, draws: usize, 
         let height = sloppy.height(&along, &bounds).unwrap_or(f64::INFINITY);
         sloppy.across - height - 0.5 * soft as f64 * (2.0 * PI).ln() - mass - proposal
     };
-    let weights: Vec<f64> = drawn.par_iter().map(weigh).collect();
-    let total = log_sum_exp(&weights);
-    let squares = log_sum_exp(&weights.iter().map(|w| 2.0 * w).collect::<Vec<_>>());
-    let share = (2.0 * total - squares).exp() / draws as f64;
-    total.is_finite().then(|| Sampled { log_evidence: total - (draws as f64).ln(), effective_share: share })
+    let (first, rest) = drawn.split_at(draws / FIRST_DRAWS);
+    let mut weights: Vec<f64> = first.par_iter().map(weigh).collect();
+    // NaN where no draw has an answer yet
+    let known = Mean::of(&weights).error < enough;
+    if !known {
+        weights.par_extend(rest.par_iter().map(weigh));
+    }
+    let Mean { log_evidence, effective_share, .. } = Mean::of(&weights);
+    log_evidence.is_finite().then_some(Sampled { log_evidence, effective_share })
 }
 
 /// Log density of the standard multivariate t in `n` dimensions at a squared distance.

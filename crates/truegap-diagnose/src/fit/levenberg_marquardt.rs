@@ -7,6 +7,7 @@ use crate::{
     fit::{
         model::Model,
         optimum::{Fit, finish, gram},
+        ways::Ways,
     },
     whitening::whitener::Whitener,
 };
@@ -45,8 +46,14 @@ pub(crate) struct Descent<'a, 'm> {
     damping: f64,
     /// whether some columns were computed elsewhere
     stale: bool,
+    /// first columns that may stay as they were computed elsewhere where the search ends at its first step, since its fit needs no more
+    rough: usize,
     iterations: usize,
     converged: bool,
+    /// where earlier searches from other starts have been
+    others: Option<&'a Ways>,
+    /// where it was before each of its steps, where that is asked
+    pub(crate) way: Vec<Vec<f64>>,
 }
 
 impl<'a, 'm> Descent<'a, 'm> {
@@ -80,9 +87,29 @@ impl<'a, 'm> Descent<'a, 'm> {
             gram: OnceCell::new(),
             damping: 1e-6,
             stale: false,
+            rough: 0,
             iterations: 0,
             converged: false,
+            others: None,
+            way: Vec::new(),
         }
+    }
+
+    /// The same search, which ends where it comes upon the way of an earlier one.
+    pub(crate) fn apart_from(self, others: &'a Ways) -> Self {
+        Self { others: Some(others), ..self }
+    }
+
+    /// The same search for a model that cannot win: where its first step gains nothing, the first `columns` derivatives are good enough as they were known.
+    pub(crate) fn content_with(self, columns: usize) -> Self {
+        Self { rough: columns, ..self }
+    }
+
+    /// Notes where it is; whether an earlier search has been there, after as many steps or fewer: then it would only go the same way.
+    pub(crate) fn comes_upon_another(&mut self) -> bool {
+        let Some(others) = self.others else { return false };
+        self.way.push(self.z.clone());
+        others.lead_through(&self.z, self.way.len())
     }
 
     /// Computes the columns from `first` on anew.
@@ -110,9 +137,13 @@ impl<'a, 'm> Descent<'a, 'm> {
         Some(gain)
     }
 
-    pub(crate) fn run(&mut self, options: &FitOptions) -> Result<(), SimulationError> {
+    /// Searches to the end; `false` where it came upon the way of an earlier search and was given up there.
+    pub(crate) fn run(&mut self, options: &FitOptions) -> Result<bool, SimulationError> {
         let (mut reach, mut failed) = (REACH, 0);
         while self.iterations < options.iterations && !self.converged {
+            if self.comes_upon_another() {
+                return Ok(false);
+            }
             self.iterations += 1;
             let was_stale = self.stale;
             let promise = self.promised();
@@ -132,6 +163,13 @@ impl<'a, 'm> Descent<'a, 'm> {
                     self.damping = 1e-6;
                 }
                 None => self.converged = true,
+                Some(gain) if was_stale && self.iterations == 1 && self.rough > 0 && gain < options.tolerance => {
+                    self.refresh(self.rough)?;
+                    self.converged = self.promised() < options.tolerance;
+                    if self.converged {
+                        return Ok(true);
+                    }
+                }
                 Some(gain) => {
                     let only_effects = !was_stale && gain > options.tolerance && self.model.base_count() < self.z.len();
                     self.refresh(if only_effects { self.model.base_count() } else { 0 })?;
@@ -139,7 +177,10 @@ impl<'a, 'm> Descent<'a, 'm> {
                 }
             }
         }
-        if self.stale { self.refresh(0) } else { Ok(()) }
+        if self.stale {
+            self.refresh(0)?;
+        }
+        Ok(true)
     }
 
     /// A step along a sloppy direction that is too curved for steps that may never climb: straight along it, at most `reach` in any coordinate
@@ -177,6 +218,11 @@ impl<'a, 'm> Descent<'a, 'm> {
         let longest = next.iter().zip(&self.z).map(|(to, from)| (to - from).abs()).fold(0.0, f64::max);
         let share = if longest > reach { reach / longest } else { 1.0 };
         Some(next.iter().zip(&self.z).map(|(to, from)| from + share * (to - from)).collect())
+    }
+
+    /// Whether a straight step to the optimum, with all derivatives known, promises to leave less than `level`.
+    pub(crate) fn promises_less_than(&self, level: f64) -> bool {
+        objective(self.model, &self.residual, &self.z) - self.promised() < level
     }
 
     /// What a straight step to the optimum promises to lower the objective by.

@@ -13,3 +13,4 @@ pub(crate) mod remembered;
 pub(crate) mod score_test;
 pub(crate) mod several_starts;
 pub(crate) mod tuning;
+pub(crate) mod ways;

@@ -14,6 +14,9 @@ pub(crate) const STIFF: f64 = 100.0;
 /// Most steps in which the stiff directions are fitted, and the promise below which they are.
 pub(crate) const STIFF_STEPS: (usize, f64) = (4, 0.1);
 
+/// Part of the draws after which it is asked whether they are enough: one in so many.
+pub(crate) const FIRST_DRAWS: usize = 4;
+
 // laplace.rs
 
 /// Scales, in prior standard deviations, over which what is known of a size beforehand is spread.
@@ -67,3 +70,9 @@ pub(crate) const SAME_OPTIMUM: f64 = 0.5;
 
 /// Sloppiest directions along which starts are laid, and their distance in posterior standard deviations.
 pub(crate) const START_DIRECTIONS: (usize, f64) = (3, 4.0);
+
+// ways.rs
+
+/// Prior standard deviations, in every coordinate, within which two searches are at one place: a hundredth of what the next step along a sloppy direction is, and along a stiff one the next
+/// step finds the floor from either.
+pub(crate) const SAME_PLACE: f64 = 0.01;

@@ -11,10 +11,9 @@ use crate::{
     },
     selection::candidates::{Search, Tried},
     validation::{
-        cross_validation::{AllRows, HeldOutFit, compared, held_out},
+        cross_validation::{HeldOutFit, compared, held_out},
         tuning::FELT,
     },
-    whitening::noise_model::NoiseModel,
 };
 
 /// The base model by itself: how it is told, and what it foretells of rows left out.
@@ -50,9 +49,8 @@ pub(crate) fn by_base(prepared: &Prepared<'_>, search: &Search<'_>, base: &Tried
 
 /// Predictions of rows left out, by the better of two ways to calibrate where least squares are one.
 pub(crate) fn predictions(prepared: &Prepared<'_>, search: &Search<'_>, by_base: &ByBase, tried: &Tried) -> HeldOutFit {
-    let (noise, all) = (&prepared.searched_noise, prepared.all_rows());
-    let squares = by_base.squares.then(|| by_least_squares(search, noise, tried, all)).flatten();
-    nearer(held_out(search, noise, tried, all), squares)
+    let squares = by_base.squares.then(|| by_least_squares(prepared, search, tried)).flatten();
+    nearer(prepared.foretold(search, tried), squares)
 }
 
 /// Predictions of rows left out, calibrated as the base model is told: by least squares, half the work of [`predictions`], where that is another calibration of the base model, else as these.
@@ -60,14 +58,15 @@ pub(crate) fn predicted_like_base(prepared: &Prepared<'_>, search: &Search<'_>, 
     if by_base.alone.is_none() {
         return predictions(prepared, search, by_base, tried);
     }
-    let (noise, all) = (&prepared.searched_noise, prepared.all_rows());
-    by_least_squares(search, noise, tried, all).unwrap_or_else(|| held_out(search, noise, tried, all))
+    by_least_squares(prepared, search, tried).unwrap_or_else(|| prepared.foretold(search, tried))
 }
 
 /// Predictions of rows left out by a model that is calibrated by least squares: under white noise as large as what it leaves over.
-fn by_least_squares(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> Option<HeldOutFit> {
+fn by_least_squares(prepared: &Prepared<'_>, search: &Search<'_>, tried: &Tried) -> Option<HeldOutFit> {
+    let (noise, all) = (&prepared.searched_noise, prepared.all_rows());
     let size = left_over(&search.model_over(all.problem, &tried.effects), &tried.fit.z)?;
-    Some(held_out(search, &white(noise, size), tried, all).by_least_squares())
+    let ask = || held_out(search, &white(noise, size), tried, all).by_least_squares();
+    Some(prepared.answered(search, tried, true, ask))
 }
 
 /// What a model foretells, calibrated under the noise or, as the base model is where that is told alone, by least squares: else the two ways to calibrate would be compared, and not the

@@ -3,6 +3,7 @@
 //! Limits: one recording (or several joined into one simulator) at a time.
 
 mod alone;
+mod asked;
 mod by_a_mean;
 mod by_name;
 mod by_rows_left_out;

@@ -19,7 +19,7 @@ use crate::{
         scout::Scout,
         several::with_wild_rows,
     },
-    pipeline::options::Options,
+    pipeline::{asked::Asked, options::Options},
     selection::{
         candidates::{Progress, Search, Tried},
         examine::Examined,
@@ -67,6 +67,8 @@ pub(crate) struct Prepared<'a> {
     pub directions: Vec<Direction>,
     /// the tests along them
     pub lack_of_fit: LackOfFitTests,
+    /// what models foretell of rows left out, as far as that was asked
+    pub asked: Asked,
 }
 
 impl<'a> Prepared<'a> {
@@ -103,6 +105,7 @@ impl<'a> Prepared<'a> {
             directions,
             lack_of_fit,
             noise,
+            asked: Asked::default(),
         })
     }
 
@@ -120,7 +123,13 @@ impl<'a> Prepared<'a> {
 
     /// What a model foretells of rows left out, calibrated under the noise.
     pub fn foretold(&self, search: &Search<'_>, tried: &Tried) -> HeldOutFit {
-        held_out(search, &self.searched_noise, tried, self.all_rows())
+        self.answered(search, tried, false, || held_out(search, &self.searched_noise, tried, self.all_rows()))
+    }
+
+    /// What a model foretells of rows left out, by least squares or under the noise: asked once, where no mechanism composed of words is in it.
+    pub fn answered(&self, search: &Search<'_>, tried: &Tried, squares: bool, ask: impl FnOnce() -> HeldOutFit) -> HeldOutFit {
+        let of_library = tried.effects.iter().all(|effect| *effect < self.testable.len());
+        if of_library { self.asked.answer(search, tried, squares, ask) } else { ask() }
     }
 
     /// Effects for a reader; what is behind those of the library was composed of words.

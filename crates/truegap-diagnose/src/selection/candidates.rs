@@ -7,14 +7,15 @@ use crate::{
     effects::{effect::Effect, sentence::at_once},
     fit::{
         levenberg_marquardt::FitOptions,
-        maximum_a_posteriori::{approach, fit, fit_onwards, fit_within},
+        maximum_a_posteriori::{approach, fit, fit_apart, fit_onwards, fit_where_promising},
         model::Model,
         optimum::{Fit, Linearised},
         score_test::scores,
+        ways::Ways,
     },
     noise::scout::{Scout, scouted},
     selection::effect_set::EffectSet,
-    selection::tuning::{DRIVEN_FAR, FAR_SHARE, HOPELESS, LOOSE_FITS, PROMISING_START, STARTS},
+    selection::tuning::{DRIVEN_FAR, FAR_PROMISE, FAR_SHARE, HOPELESS, LOOSE_FITS, PROMISING_START, STARTS},
     whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
 use nalgebra::DMatrix;
@@ -144,7 +145,8 @@ impl<'a> Search<'a> {
         let best = starts.first()?;
         let close = starts.iter().take(STARTS).filter(|s| s.gain >= PROMISING_START * best.gain);
         let starts: Vec<&Start> = if best.gain > HOPELESS { close.collect() } else { vec![best] };
-        let fits = starts.iter().filter_map(|s| self.refine(&model, s, launch));
+        let mut been = Been::default();
+        let fits = starts.iter().filter_map(|s| self.refine(&model, s, launch, &mut been));
         let fit = fits.max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence))?;
         // a larger model cannot fit worse than the one that it holds: start again from there
         let lost = launch.noise == LaunchNoise::Measured
@@ -231,8 +233,8 @@ impl<'a> Search<'a> {
         fit(&model, self.loose, &start, &FitOptions::default()).ok().map(|fit| Tried { effects: from.effects.clone(), fit })
     }
 
-    /// Refits with everything free, after a first fit that holds the shape of the new effect.
-    fn refine(&self, model: &Model<'_>, start: &Start, launch: Launch<'_>) -> Option<Fit> {
+    /// Refits with everything free, after a first fit that holds the shape of the new effect; `None` where it would go a way on which an earlier start has `been`.
+    fn refine(&self, model: &Model<'_>, start: &Start, launch: Launch<'_>, been: &mut Been) -> Option<Fit> {
         let before = launch.from.fit.z.len();
         let mut bounds = model.bounds();
         for (bound, z) in bounds.iter_mut().zip(&start.z).skip(before + 1) {
@@ -241,14 +243,18 @@ impl<'a> Search<'a> {
         let held = FitOptions { iterations: 3, tolerance: 1.0 };
         let mut z = start.z.clone();
         if z.len() > before + 1 {
-            z = approach(model, self.whitener_of(launch), &z, &bounds, &launch.from.fit.jacobian, &held).ok()?;
+            let known = &launch.from.fit.jacobian;
+            z = approach(model, self.whitener_of(launch), &z, &bounds, known, &held, &mut been.held).ok()??;
         }
-        let options = FitOptions { iterations: if start.gain > HOPELESS { 6 } else { 3 }, tolerance: 0.5 };
+        let hopeless = start.gain <= HOPELESS;
+        let options = FitOptions { iterations: if hopeless { 3 } else { 6 }, tolerance: 0.5 };
         if launch.noise == LaunchNoise::Measured {
-            return fit_onwards(model, self.whitener, &z, &launch.from.fit.jacobian, &options).ok();
+            let known = Some(launch.from.fit.jacobian.as_ref());
+            return fit_apart(model, self.whitener, &z, known, &options, hopeless, &mut been.measured).ok()?;
         }
-        z = fit(model, self.whitener_of(launch), &z, &FitOptions { iterations: 8, tolerance: 0.5 }).ok()?.z;
-        fit(model, self.whitener, &z, &FitOptions { iterations: 20, tolerance: 0.5 }).ok()
+        let options = |iterations: usize| FitOptions { iterations, tolerance: 0.5 };
+        z = fit_apart(model, self.whitener_of(launch), &z, None, &options(8), false, &mut been.loose).ok()??.z;
+        fit_apart(model, self.whitener, &z, None, &options(20), false, &mut been.measured).ok()?
     }
 
     /// Starting points of one more effect, most promising first, judged by one straight step from `from`.
@@ -310,8 +316,9 @@ impl<'a> Search<'a> {
         for (bound, z) in bounds.iter_mut().zip(&z).skip(from.z.len()) {
             *bound = (*z, *z);
         }
-        let found =
-            fit_within(model, self.whitener_of(launch), &z, &bounds, &FitOptions { iterations: 1, tolerance: 0.5 }).ok()?;
+        let (whitener, options) = (self.whitener_of(launch), FitOptions { iterations: 1, tolerance: 0.5 });
+        let worth_it = FAR_PROMISE * (1.0 - FAR_SHARE) * from.objective();
+        let found = fit_where_promising(model, whitener, &z, &bounds, &options, worth_it).ok()??;
         let gain = from.objective() - found.objective();
         // by chance one of many sizes gains a little; what is meant is most of what is left
         (gain > FAR_SHARE * from.objective()).then_some(Start { z: found.z, gain })
@@ -344,6 +351,14 @@ struct Launch<'a> {
     from: &'a Tried,
     linearised: &'a Linearised,
     noise: LaunchNoise,
+}
+
+/// Where the searches from earlier starts of one model have been: while its shape was held, under larger noise, and under that of the recording.
+#[derive(Default)]
+struct Been {
+    held: Ways,
+    loose: Ways,
+    measured: Ways,
 }
 
 /// A starting point and what a straight step promises of it.

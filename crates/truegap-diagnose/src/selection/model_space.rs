@@ -6,7 +6,9 @@ use crate::{
     adequacy::lack_of_fit::LackOfFitTests,
     fit::importance::{Sampled, sampled},
     seeds::SEEDS,
-    selection::tuning::{ABREAST, BETTER_PART, CLEAR_GAIN, CLOSE, ENOUGH_DRAWS, PARTNERS, REFITTED_MODELS, SAMPLED},
+    selection::tuning::{
+        ABREAST, BETTER_PART, CLEAR_GAIN, CLOSE, ENOUGH_DRAWS, ENOUGH_KNOWN, PARTNERS, REFITTED_MODELS, SAMPLED,
+    },
     selection::{
         candidates::{Progress, Search, Tried},
         effect_set::EffectSet,
@@ -202,8 +204,10 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
         let best = order.first().map_or(0.0, |o| o.1);
         let near = |(place, (key, w)): &(usize, (&EffectSet, f64))| key.is_empty() || (*place < SAMPLED.0 && *w > best - CLOSE);
         let keys: Vec<EffectSet> = order.into_iter().enumerate().filter(near).map(|(_, (key, _))| key.clone()).collect();
+        // what is weighed is the evidence over the temper, and so is its error
+        let enough = ENOUGH_KNOWN * self.temper();
         let found: Vec<(EffectSet, Sampled)> =
-            keys.par_iter().filter_map(|key| Some((key.clone(), self.sampled(key)?))).collect();
+            keys.par_iter().filter_map(|key| Some((key.clone(), self.sampled(key, enough)?))).collect();
         let mut report = EvidenceCheck { models: found.len(), ..EvidenceCheck::default() };
         let shares = found.iter().map(|(_, s)| s.effective_share);
         report.effective_share = [shares.clone().fold(1.0, f64::min), shares.fold(0.0, f64::max)];
@@ -217,10 +221,10 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
         report
     }
 
-    fn sampled(&self, key: &EffectSet) -> Option<Sampled> {
+    fn sampled(&self, key: &EffectSet, enough: f64) -> Option<Sampled> {
         let m = self.models.get(key).filter(|_| !self.stopped())?;
         let seed = key.iter().fold(SEEDS.evidence, |seed, e| seed.wrapping_mul(31).wrapping_add(*e as u64 + 1));
-        sampled(&self.search.model(&m.effects), self.search.whitener, &m.fit, SAMPLED.1, seed)
+        sampled(&self.search.model(&m.effects), self.search.whitener, &m.fit, SAMPLED.1, enough, seed)
     }
 }
 

@@ -23,6 +23,9 @@ pub(crate) const PROMISING_START: f64 = 0.6;
 /// Share of what the base model leaves that a size far from nothing must gain for a search to start there.
 pub(crate) const FAR_SHARE: f64 = 0.5;
 
+/// How many times what may be left a straight step from there may promise to leave: it is curved, but sizes that are of no use leave a hundred times as much.
+pub(crate) const FAR_PROMISE: f64 = 4.0;
+
 // examine.rs
 
 /// Detectability below which an effect is not claimed: three standard deviations. From 4.5 to 8 was tried and no better on all counts (`docs/history.md`).
@@ -48,6 +51,9 @@ pub(crate) const CLOSE: f64 = 12.0;
 
 /// Models whose evidence is sampled, those with the most weight, and the draws for each.
 pub(crate) const SAMPLED: (usize, usize) = (8, 128);
+
+/// Standard error of a log weight from which on more draws change nothing: a probability is known to a twentieth of itself.
+pub(crate) const ENOUGH_KNOWN: f64 = 0.05;
 
 /// Effective share of draws from which a sampled evidence stands in for Laplace's.
 pub(crate) const ENOUGH_DRAWS: f64 = 0.1;

@@ -20,7 +20,7 @@ fn sampling_finds_the_evidence_that_a_grid_finds() {
     let noise = Noise { white_sd: 60.0, ar_sd: 0.0, ar_correlation: 0.0 };
     let whitener = Whitener::new(&noise, &InputError::white(vec![0.0; response.len()]), None, &inputs.runs(), None);
     let best = fit(&model, &whitener, &[0.0, 0.0], &FitOptions::default()).unwrap();
-    let found = sampled(&model, &whitener, &best, 800, 1).unwrap();
+    let found = sampled(&model, &whitener, &best, 800, 0.0, 1).unwrap();
 
     // the integral of likelihood times prior, step 0.15 standard deviations
     let step = 0.15;

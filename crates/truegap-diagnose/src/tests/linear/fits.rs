@@ -113,7 +113,7 @@ fn sampled_evidence_is_that_of_the_covariance_and_counts_the_mass_of_the_prior()
         let found = world.search(&y, |search, _| {
             let model = search.model(&[0, 1, 2]);
             let best = fit(&model, search.whitener, &[0.1, 0.0, 0.0], &FitOptions::default()).unwrap();
-            sampled(&model, search.whitener, &best, 4000, 1).unwrap()
+            sampled(&model, search.whitener, &best, 4000, 0.0, 1).unwrap()
         });
         // 4000 draws of an effective share above 0.2: three standard errors of the mean weight are below 0.1
         assert!(found.effective_share > 0.2, "{found:?}");

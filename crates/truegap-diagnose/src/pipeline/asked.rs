@@ -30,12 +30,8 @@ struct Question {
 impl Asked {
     /// What `ask` says of a model, calibrated by least squares or not (`squares`); what it said before, where the same was asked.
     pub fn answer(&self, search: &Search<'_>, tried: &Tried, squares: bool, ask: impl FnOnce() -> HeldOutFit) -> HeldOutFit {
-        let question = Question {
-            effects: tried.effects.clone(),
-            z: tried.fit.z.clone(),
-            held: search.context.held.clone(),
-            squares,
-        };
+        let question =
+            Question { effects: tried.effects.clone(), z: tried.fit.z.clone(), held: search.context.held.clone(), squares };
         let known = self.list().iter().find(|(before, _)| *before == question).map(|(_, answer)| answer.clone());
         known.unwrap_or_else(|| {
             let answer = ask();

@@ -4,7 +4,7 @@
 
 use crate::selection::{
     posterior::Selection,
-    tuning::{RIVAL, SURE},
+    tuning::{LIKELIER_THAN_NOT, RIVAL, SURE},
 };
 
 /// How many effects may stand in the place of one.
@@ -53,7 +53,7 @@ pub(crate) fn in_its_place(selection: &Selection, best: usize) -> Vec<f64> {
 
 /// The sets that are told of `best`, which may be a smaller model than the likeliest: of such a one the larger ones that hold it are no rivals.
 ///
-/// Two effects together are looked for in the place of one where no one effect stands there and the model is not sure.
+/// Two effects together are looked for in the place of one where no one effect stands there and the model is not sure; and then what most models without it hold.
 pub(crate) fn sets_told(selection: &Selection, best: usize) -> Vec<Vec<usize>> {
     let told = &selection.models[best].effects;
     let likeliest = selection.likeliest_named().unwrap_or(best);
@@ -65,5 +65,23 @@ pub(crate) fn sets_told(selection: &Selection, best: usize) -> Vec<Vec<usize>> {
     if sets.iter().any(|set| set.len() > 1) || sure {
         return sets;
     }
-    rival_sets(selection, best, Places::OneOrTwo)
+    let in_place = rival_sets(selection, best, Places::OneOrTwo);
+    if in_place.iter().any(|set| set.len() > 1) { in_place } else { held_by_most(selection, best) }
+}
+
+/// For each effect of model `best`: itself, and where it is not sure, those that most of the probability without it holds. Each model of such a rival may be far behind, where many of them share what it is
+/// worth: a lag at the input beside any one of five small effects, in the place of a lag of the response that needs none of them.
+fn held_by_most(selection: &Selection, best: usize) -> Vec<Vec<usize>> {
+    let told = &selection.models[best].effects;
+    let place = |effect: &usize| {
+        let without: Vec<_> =
+            selection.models.iter().zip(&selection.probability).filter(|(tried, _)| !tried.effects.contains(effect)).collect();
+        let all: f64 = without.iter().map(|(_, p)| **p).sum();
+        let held =
+            |other: &usize| -> f64 { without.iter().filter(|(tried, _)| tried.effects.contains(other)).map(|(_, p)| **p).sum() };
+        let open = selection.effect_probability[*effect] < SURE;
+        let others = (0..selection.effect_probability.len()).filter(|other| open && !told.contains(other));
+        std::iter::once(*effect).chain(others.filter(|other| held(other) > LIKELIER_THAN_NOT * all)).collect()
+    };
+    told.iter().map(place).collect()
 }

@@ -62,7 +62,7 @@ fn selection(misfit: f64, models: &[(&[usize], f64)]) -> Selection {
     Selection {
         models: models.iter().map(|(effects, _)| tried(effects)).collect(),
         probability: models.iter().map(|(_, p)| *p).collect(),
-        effect_probability: (0..3).map(of).collect(),
+        effect_probability: (0..5).map(of).collect(),
         temper: 1.0,
         base: models.iter().position(|(e, _)| e.is_empty()).unwrap(),
         check: EvidenceCheck::default(),
@@ -106,6 +106,18 @@ fn what_is_left_decides_on_the_form() {
 fn two_effects_together_may_stand_in_the_place_of_one() {
     let one_or_two = decided(&[(&[0], 0.6), (&[1, 2], 0.4), (&[], 0.0)], 90.0, 0.0);
     assert_eq!((one_or_two.verdict, one_or_two.sets), (Verdict::Ambiguous, vec![vec![0, 1, 2]]));
+}
+
+/// One effect by itself, or another beside any of many: each of those models is far behind, and what is open is which of the two it is.
+#[test]
+fn many_models_of_one_rival_stand_in_the_place_of_an_effect_together() {
+    let many: &[(&[usize], f64)] =
+        &[(&[0], 0.88), (&[1, 2], 0.035), (&[1, 3], 0.035), (&[1, 4], 0.035), (&[4], 0.005), (&[], 0.01)];
+    let found = decided(many, 90.0, 0.0);
+    assert_eq!((found.verdict, found.sets), (Verdict::Ambiguous, vec![vec![0, 1]]));
+    // three rivals that share it alike are none
+    let apart: &[(&[usize], f64)] = &[(&[0], 0.88), (&[1, 2], 0.035), (&[3], 0.035), (&[4], 0.035), (&[], 0.01)];
+    assert_eq!(decided(apart, 90.0, 0.0).verdict, Verdict::Undecided);
 }
 
 /// The first effect has a rival in its place, the second is rather not there: it is not told beside the two.

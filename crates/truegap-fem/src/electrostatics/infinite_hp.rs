@@ -14,6 +14,13 @@ use std::collections::HashMap;
 const RADIAL: usize = POWERS + 1;
 type Rays = [[f64; RADIAL]; RADIAL];
 
+/// A point of a rule along an edge, and the shapes there: values and slopes.
+struct EdgePoint {
+    at: f64,
+    weight: f64,
+    shapes: Vec<[f64; 2]>,
+}
+
 /// All infinite elements of a space.
 pub(super) struct InfiniteEdges<'a> {
     exterior: &'a Exterior,
@@ -22,14 +29,19 @@ pub(super) struct InfiniteEdges<'a> {
     permittivity: &'a [f64],
     /// Integrals of radial functions: values, value and slope, slopes.
     rays: [Rays; 3],
-    /// Points along an edge with their weights and shapes, by the number of shapes.
-    along: HashMap<usize, Vec<(f64, f64, Vec<[f64; 2]>)>>,
+    /// Points along an edge, by the number of shapes.
+    along: HashMap<usize, Vec<EdgePoint>>,
 }
 
 impl<'a> InfiniteEdges<'a> {
     pub fn new(exterior: &'a Exterior, space: &'a Space<'a>, symmetry: Symmetry, permittivity: &'a [f64]) -> InfiniteEdges<'a> {
         let counts = exterior.edges.iter().map(|&e| space.on_edge(e).len());
-        let points = |n: usize| edge_rule(2 * n + 2).into_iter().map(move |(t, w)| (t, w, line_shapes(n - 1, t))).collect();
+        let points = |n: usize| {
+            edge_rule(2 * n + 2)
+                .into_iter()
+                .map(|(at, weight)| EdgePoint { at, weight, shapes: line_shapes(n - 1, at) })
+                .collect()
+        };
         let mut along = HashMap::new();
         counts.for_each(|n| {
             along.entry(n).or_insert_with(|| points(n));
@@ -68,8 +80,8 @@ impl<'a> InfiniteEdges<'a> {
         let n = signs.len();
         // the last function along the edge is 1, for the potential at infinity
         let mut along = vec![[0.0; 4]; (n + 1) * (n + 1)];
-        for (t, w, shapes) in &self.along[&n] {
-            let d = plane::along(a, b, *t);
+        for EdgePoint { at, weight: w, shapes } in &self.along[&n] {
+            let d = plane::along(a, b, *at);
             let weight = match self.symmetry {
                 Symmetry::Axisymmetric => w * std::f64::consts::TAU * d[0] / cross,
                 Symmetry::Planar => w / cross,

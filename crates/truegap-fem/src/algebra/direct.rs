@@ -14,11 +14,11 @@ use faer::{Conj, MatMut, Par, Side, Spec};
 use nalgebra_sparse::CscMatrix;
 
 /// Largest normwise backward error that a solution may have after refinement.
-const ALLOWED_RESIDUAL: f64 = 1e-11;
+pub(crate) const ALLOWED_RESIDUAL: f64 = 1e-11;
 /// Backward error above which a step of refinement can still gain something.
 const REFINE_ABOVE: f64 = 4.0 * f64::EPSILON;
 /// Largest relative error of a known solution before the matrix counts as singular.
-const ALLOWED_PROBE_ERROR: f64 = 0.05;
+pub(crate) const ALLOWED_PROBE_ERROR: f64 = 0.05;
 
 /// Which factorisation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -221,7 +221,7 @@ impl Direct {
 }
 
 /// Largest magnitude; NaN if any entry is NaN.
-fn largest(x: &[f64]) -> f64 {
+pub(crate) fn largest(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |m, v| if v.is_nan() || v.abs() > m { v.abs() } else { m })
 }
 

@@ -9,6 +9,7 @@ mod error;
 mod pattern;
 mod vector;
 
+pub(crate) use direct::{ALLOWED_PROBE_ERROR, ALLOWED_RESIDUAL, largest};
 pub use direct::{Direct, Kind, Memory, Solution};
 pub use error::SolveError;
 pub use pattern::{Pattern, ScatterMap};

@@ -37,8 +37,14 @@ pub fn element_residual(dofs: &ElementDofs, u: &[f64], matrix: impl Fn(usize, &m
 }
 
 /// Computes `work(e)` for all elements in parallel batches and hands the results to `take` in order.
+///
+/// Few elements, and those of a single thread, are computed here: to hand them to another thread and wait for it costs more than they do.
 pub(crate) fn for_each_element<T: Send>(elements: usize, work: impl Fn(usize) -> T + Sync, mut take: impl FnMut(usize, T)) {
     const BATCH: usize = 16384;
+    const FEW: usize = 64;
+    if elements <= FEW || rayon::current_num_threads() == 1 {
+        return (0..elements).for_each(|e| take(e, work(e)));
+    }
     for first in (0..elements).step_by(BATCH) {
         let last = elements.min(first + BATCH);
         let batch: Vec<T> = (first..last).into_par_iter().with_min_len(64).map(&work).collect();

@@ -138,8 +138,7 @@ impl Physics for Electrostatics<'_> {
             for j in 0..m {
                 for i in j..m {
                     let sign = permittivity * local[i].sign * local[j].sign;
-                    let k = sign * triangle.gradients(local[i].shape as usize, local[j].shape as usize);
-                    (out[j * m + i], out[i * m + j]) = (k, k);
+                    out[j * m + i] = sign * triangle.gradients(local[i].shape as usize, local[j].shape as usize);
                 }
             }
             out

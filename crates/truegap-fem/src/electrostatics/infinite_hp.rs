@@ -14,6 +14,13 @@ use std::collections::HashMap;
 const RADIAL: usize = POWERS + 1;
 type Rays = [[f64; RADIAL]; RADIAL];
 
+/// A point of a rule along an edge, and the shapes there: values and slopes.
+struct EdgePoint {
+    at: f64,
+    weight: f64,
+    shapes: Vec<[f64; 2]>,
+}
+
 /// All infinite elements of a space.
 pub(super) struct InfiniteEdges<'a> {
     exterior: &'a Exterior,
@@ -22,11 +29,24 @@ pub(super) struct InfiniteEdges<'a> {
     permittivity: &'a [f64],
     /// Integrals of radial functions: values, value and slope, slopes.
     rays: [Rays; 3],
+    /// Points along an edge, by the number of shapes.
+    along: HashMap<usize, Vec<EdgePoint>>,
 }
 
 impl<'a> InfiniteEdges<'a> {
     pub fn new(exterior: &'a Exterior, space: &'a Space<'a>, symmetry: Symmetry, permittivity: &'a [f64]) -> InfiniteEdges<'a> {
-        InfiniteEdges { exterior, space, symmetry, permittivity, rays: rays(symmetry) }
+        let counts = exterior.edges.iter().map(|&e| space.on_edge(e).len());
+        let points = |n: usize| {
+            edge_rule(2 * n + 2)
+                .into_iter()
+                .map(|(at, weight)| EdgePoint { at, weight, shapes: line_shapes(n - 1, at) })
+                .collect()
+        };
+        let mut along = HashMap::new();
+        counts.for_each(|n| {
+            along.entry(n).or_insert_with(|| points(n));
+        });
+        InfiniteEdges { exterior, space, symmetry, permittivity, rays: rays(symmetry), along }
     }
 
     /// Appends the unknowns of the elements: powers of every trace, then the potential at infinity, the last of all.
@@ -50,7 +70,7 @@ impl<'a> InfiniteEdges<'a> {
         dofs.count = next as usize + 1;
     }
 
-    /// Matrix of the element behind the edge `k`, full.
+    /// Matrix of the element behind the edge `k`, lower triangle, column by column of the full one.
     pub fn matrix(&self, k: usize) -> Vec<f64> {
         let edge = self.exterior.edges[k];
         let [a, b] = edge.map(|n| plane::minus(self.space.mesh.points[n as usize], self.exterior.centre));
@@ -60,13 +80,13 @@ impl<'a> InfiniteEdges<'a> {
         let n = signs.len();
         // the last function along the edge is 1, for the potential at infinity
         let mut along = vec![[0.0; 4]; (n + 1) * (n + 1)];
-        for (t, w) in edge_rule(2 * n + 2) {
-            let d = plane::along(a, b, t);
+        for EdgePoint { at, weight: w, shapes } in &self.along[&n] {
+            let d = plane::along(a, b, *at);
             let weight = match self.symmetry {
                 Symmetry::Axisymmetric => w * std::f64::consts::TAU * d[0] / cross,
                 Symmetry::Planar => w / cross,
             };
-            let mut shapes = line_shapes(n - 1, t);
+            let mut shapes = shapes.clone();
             shapes.iter_mut().zip(&signs).for_each(|(s, sign)| *s = s.map(|x| x * sign));
             shapes.push([1.0, 0.0]);
             let metric = [plane::dot(d, d), plane::dot(d, tangent), plane::dot(tangent, tangent)].map(|m| m * weight);
@@ -88,7 +108,12 @@ impl<'a> InfiniteEdges<'a> {
             let t = along[i * (n + 1) + j];
             permittivity * (t[0] * values[p][q] + t[1] * mixed[p][q] + t[2] * mixed[q][p] + t[3] * slopes[p][q])
         };
-        functions.iter().flat_map(|g| functions.iter().map(move |f| entry(f, g))).collect()
+        let m = functions.len();
+        let mut out = vec![0.0; m * m];
+        for (j, g) in functions.iter().enumerate() {
+            functions.iter().enumerate().skip(j).for_each(|(i, f)| out[j * m + i] = entry(f, g));
+        }
+        out
     }
 }
 

@@ -40,7 +40,7 @@ impl Side for Laplace<'_> {
         if wedge.ends.is_some_and(|e| e.contains(&Edge::Other)) {
             return Some(UNKNOWN);
         }
-        zeros(condition).into_iter().find(|a| !is_integer(*a))
+        zeros(condition).find(|a| !is_integer(*a))
     }
 }
 
@@ -49,23 +49,20 @@ fn is_integer(a: f64) -> bool {
 }
 
 /// Zeros of a function in (0, 4], those where it touches zero without crossing included.
-fn zeros(f: impl Fn(f64) -> f64) -> Vec<f64> {
+fn zeros(f: impl Fn(f64) -> f64) -> impl Iterator<Item = f64> {
     let step = 1e-2;
-    let at = |k: usize| (k as f64 + 0.37) * step;
-    let mut out = Vec::new();
-    for k in 0..(LARGEST / step) as usize {
+    let at = move |k: usize| (k as f64 + 0.37) * step;
+    let mut known = [at(0), at(1)].map(&f);
+    (0..(LARGEST / step) as usize).filter_map(move |k| {
         let [a, b, c] = [k, k + 1, k + 2].map(at);
-        let [fa, fb, fc] = [a, b, c].map(&f);
+        let [fa, fb, fc] = [known[0], known[1], f(c)];
+        known = [fb, fc];
         if fa * fb <= 0.0 {
-            out.push(bisected(&f, [a, b]));
-        } else if fb * fc > 0.0 && fb.abs() < fa.abs().min(fc.abs()) {
-            let low = lowest(&|x| f(x).abs(), [a, c]);
-            if f(low).abs() < 1e-9 {
-                out.push(low);
-            }
+            return Some(bisected(&f, [a, b]));
         }
-    }
-    out
+        let touches = fb * fc > 0.0 && fb.abs() < fa.abs().min(fc.abs());
+        touches.then(|| lowest(&|x| f(x).abs(), [a, c])).filter(|low| f(*low).abs() < 1e-9)
+    })
 }
 
 fn bisected(f: &impl Fn(f64) -> f64, [mut a, mut b]: [f64; 2]) -> f64 {
@@ -129,7 +126,11 @@ fn williams(angle: f64, ends: [Edge; 2], kappa: f64) -> Option<f64> {
         let mut a = start;
         for _ in 0..60 {
             let (value, slope) = f(a);
-            a -= value / slope;
+            let step = value / slope;
+            a -= step;
+            if !(step.norm_sqr() > 1e-30 * a.norm_sqr()) {
+                break;
+            }
         }
         let found = f(a).0.norm() < 1e-9 && a.re > 1e-3 && a.re <= LARGEST;
         // at an integer free ends have rigid motions and uniform stress; double zeros are met to half of the digits only

@@ -25,6 +25,14 @@ pub(crate) struct Wedge {
     pub ends: Option<[Edge; 2]>,
 }
 
+impl Wedge {
+    /// Whether another one differs by no more than rounding.
+    pub fn is_like(&self, other: &Wedge) -> bool {
+        let alike = |(a, b): (&(f64, u16), &(f64, u16))| a.1 == b.1 && (a.0 - b.0).abs() < 1e-12;
+        self.ends == other.ends && self.sectors.len() == other.sectors.len() && self.sectors.iter().zip(&other.sectors).all(alike)
+    }
+}
+
 /// The wedges around every corner of the mesh that has a condition, an interface or the end of the domain.
 ///
 /// `edge` gives the condition on an edge, `None` where the inside goes on.

@@ -8,9 +8,12 @@
 //! **Source:** Babuska & Guo (1988); Schwab, p- and hp-Finite Element Methods (1998).
 
 mod corner;
+mod dense;
 mod error;
 mod fan;
+mod fronts;
 mod grading;
+mod order;
 mod reference;
 mod sequence;
 mod shapes;

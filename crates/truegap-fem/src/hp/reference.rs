@@ -7,17 +7,21 @@ use super::shapes::{Jet, count, shapes};
 use crate::mesh::Point;
 use crate::space::{QuadraturePoint, triangle_rule};
 use crate::symmetry::Symmetry;
+use nalgebra::DMatrix;
 
 /// The integrals for shapes up to a degree.
 #[derive(Debug)]
 pub(crate) struct Reference {
     count: usize,
-    /// Of `l_c d_a N_i d_b N_j`, by corner c and by (a, b) = (0, 0), (0, 1), (1, 1).
-    slopes: [[Vec<f64>; 3]; 3],
+    /// Of `l_c d_a N_i d_b N_j`, by (a, b) = (0, 0), (0, 1), (1, 1) and by corner c, shape by shape: what an entry needs lies together.
+    slopes: Vec<[[f64; 3]; 3]>,
+    /// Of `l_c` and the products that a metric multiplies, symmetric in i and j: (0, 0), (0, 1) with (1, 0), (1, 1), by corners each.
+    gradients: Vec<[f64; 9]>,
     /// Of `d_a N_i N_j`.
     mixed: [Vec<f64>; 2],
-    /// For what divides by r: points of a finer rule, and the shapes there.
-    points: Vec<(QuadraturePoint, Vec<f64>)>,
+    /// For what divides by r: points of a finer rule, and the shapes there, point by shape.
+    points: Vec<QuadraturePoint>,
+    values: DMatrix<f64>,
 }
 
 /// Quantities of a straight triangle: integrals of `w dN_i/dx_a dN_j/dx_b`, and in axisymmetric bodies those with 1 / r.
@@ -28,6 +32,8 @@ pub(crate) struct AffineElement<'a> {
     jacobian: f64,
     /// `[reference][physical]` (1/m).
     inverse: [[f64; 2]; 2],
+    /// Factors of [`Reference::gradients`]: products of the gradients of the reference coordinates times the weights at the corners.
+    metric: [f64; 9],
     weights: [f64; 3],
     symmetry: Symmetry,
 }
@@ -36,35 +42,39 @@ impl Reference {
     /// Integrals for shapes up to the degree `p`; those with a division by r only where `divided`.
     pub fn new(p: usize, divided: bool) -> Reference {
         let n = count(p);
-        let mut slopes: [[Vec<f64>; 3]; 3] = Default::default();
-        let mut mixed: [Vec<f64>; 2] = Default::default();
-        slopes.iter_mut().flatten().chain(&mut mixed).for_each(|m| m.resize(n * n, 0.0));
-        for q in triangle_rule(2 * p - 1) {
-            let at = shapes(p, q.at);
-            let corner = [1.0 - q.at[0] - q.at[1], q.at[0], q.at[1]].map(|l| l * q.weight);
-            for (i, u) in at.iter().enumerate() {
-                for (ab, slope) in [(0, u.slope[0]), (1, u.slope[0]), (2, u.slope[1])] {
-                    let side = usize::from(ab > 0);
-                    let row = i * n..(i + 1) * n;
-                    let [s0, s1, s2] = &mut slopes;
-                    let rows = (&mut s0[ab][row.clone()], &mut s1[ab][row.clone()], &mut s2[ab][row]);
-                    for (j, v) in at.iter().enumerate() {
-                        let product = slope * v.slope[side];
-                        rows.0[j] += corner[0] * product;
-                        rows.1[j] += corner[1] * product;
-                        rows.2[j] += corner[2] * product;
-                    }
-                }
-                if divided {
-                    for (j, v) in at.iter().enumerate() {
-                        (0..2).for_each(|a| mixed[a][i * n + j] += q.weight * u.slope[a] * v.value);
-                    }
+        let rule = triangle_rule(2 * p - 1);
+        let at: Vec<Vec<Jet>> = rule.iter().map(|q| shapes(p, q.at)).collect();
+        // shapes by points, and points by shapes with the weights
+        let slope = [0, 1].map(|a| DMatrix::from_fn(n, rule.len(), |i, q| at[q][i].slope[a]));
+        let weighted = |of: &dyn Fn(&Jet) -> f64, l: &dyn Fn([f64; 2]) -> f64| {
+            DMatrix::from_fn(rule.len(), n, |q, i| rule[q].weight * l(rule[q].at) * of(&at[q][i]))
+        };
+        let corner: [&dyn Fn([f64; 2]) -> f64; 3] = [&|[x, y]| 1.0 - x - y, &|[x, _]| x, &|[_, y]| y];
+        let mut slopes = vec![[[0.0; 3]; 3]; n * n];
+        for b in 0..2 {
+            for (c, l) in corner.iter().enumerate() {
+                let right = weighted(&|j| j.slope[b], l);
+                for a in 0..=b {
+                    let products = &slope[a] * &right;
+                    slopes.iter_mut().enumerate().for_each(|(k, s)| s[a + b][c] = products[(k / n, k % n)]);
                 }
             }
         }
-        let values = |q: QuadraturePoint| (q, shapes(p, q.at).iter().map(|j: &Jet| j.value).collect());
-        let points = if divided { triangle_rule(2 * p + 2).into_iter().map(values).collect() } else { Vec::new() };
-        Reference { count: n, slopes, mixed, points }
+        let gradient = |k: usize| {
+            let ([s00, s01, s11], [_, s10, _]) = (slopes[k], slopes[k % n * n + k / n]);
+            std::array::from_fn(|q| [s00[q % 3], s01[q % 3] + s10[q % 3], s11[q % 3]][q / 3])
+        };
+        let gradients = (0..n * n).map(gradient).collect();
+        if !divided {
+            let (mixed, values) = ([0, 1].map(|_| vec![0.0; n * n]), DMatrix::zeros(0, n));
+            return Reference { count: n, slopes, gradients, mixed, points: Vec::new(), values };
+        }
+        let right = weighted(&|j| j.value, &|_| 1.0);
+        let mixed = slope.map(|left| (left * &right).transpose().as_slice().to_vec());
+        let points = triangle_rule(2 * p + 2);
+        let at: Vec<Vec<Jet>> = points.iter().map(|q| shapes(p, q.at)).collect();
+        let values = DMatrix::from_fn(points.len(), n, |q, i| at[q][i].value);
+        Reference { count: n, slopes, gradients, mixed, points, values }
     }
 
     /// The straight triangle of these corners (m), counter-clockwise.
@@ -74,18 +84,20 @@ impl Reference {
         let jacobian = d[0][0] * d[1][1] - d[0][1] * d[1][0];
         let s = 1.0 / jacobian;
         let inverse = [[d[1][1] * s, -d[1][0] * s], [-d[0][1] * s, d[0][0] * s]];
+        let metric = [(0, 0), (0, 1), (1, 1)].map(|(a, b)| inverse[a][0] * inverse[b][0] + inverse[a][1] * inverse[b][1]);
         let weights = corners.map(|p| jacobian * symmetry.weight(p[0]));
-        AffineElement { reference: self, corners, jacobian, inverse, weights, symmetry }
+        let metric = std::array::from_fn(|q| metric[q / 3] * weights[q % 3]);
+        AffineElement { reference: self, corners, jacobian, inverse, metric, weights, symmetry }
     }
 }
 
 impl AffineElement<'_> {
     /// Integral of `w grad N_i . grad N_j` (m, planar: 1).
+    #[inline]
     pub fn gradients(&self, i: usize, j: usize) -> f64 {
-        let g = &self.inverse;
-        let metric = |a: usize, b: usize| g[a][0] * g[b][0] + g[a][1] * g[b][1];
-        let [s00, s01, s10, s11] = self.reference_slopes(i, j);
-        metric(0, 0) * s00 + metric(0, 1) * (s01 + s10) + metric(1, 1) * s11
+        let [a, b, c, d, e, f, g, h, k] = self.reference.gradients[i * self.reference.count + j];
+        let m = &self.metric;
+        (m[0] * a + m[1] * b + m[2] * c) + (m[3] * d + m[4] * e + m[5] * f) + (m[6] * g + m[7] * h + m[8] * k)
     }
 
     /// Integrals of `w dN_i/dx_a dN_j/dx_b` as `[a][b]`.
@@ -100,10 +112,10 @@ impl AffineElement<'_> {
     /// Integrals over reference slopes (0, 0), (0, 1), (1, 0), (1, 1).
     #[inline]
     fn reference_slopes(&self, i: usize, j: usize) -> [f64; 4] {
-        let n = self.reference.count;
-        let (ij, ji) = (i * n + j, j * n + i);
-        let sum = |ab: usize, k: usize| (0..3).map(|c| self.weights[c] * self.reference.slopes[c][ab][k]).sum::<f64>();
-        [sum(0, ij), sum(1, ij), sum(1, ji), sum(2, ij)]
+        let (n, w) = (self.reference.count, &self.weights);
+        let [ij, ji] = [i * n + j, j * n + i].map(|k| &self.reference.slopes[k]);
+        let sum = |s: &[f64; 3]| w[0] * s[0] + w[1] * s[1] + w[2] * s[2];
+        [sum(&ij[0]), sum(&ij[1]), sum(&ji[1]), sum(&ij[2])]
     }
 
     /// Integrals of `(w / r) dN_i/dx_a N_j`, zero in planar bodies.
@@ -121,21 +133,15 @@ impl AffineElement<'_> {
         if self.symmetry == Symmetry::Planar {
             return Vec::new();
         }
-        let n = numbers.len();
-        let mut out = vec![0.0; n * n];
-        let mut values = vec![0.0; n];
-        for (q, shapes) in &self.reference.points {
-            let r = (1.0 - q.at[0] - q.at[1]) * self.corners[0][0] + q.at[0] * self.corners[1][0] + q.at[1] * self.corners[2][0];
-            let weight = q.weight * self.jacobian * self.symmetry.weight_slope() / r;
-            values.iter_mut().zip(numbers).for_each(|(v, &i)| *v = shapes[i]);
-            for i in 0..n {
-                let scaled = weight * values[i];
-                out[i * n..i * n + i + 1].iter_mut().zip(&values).for_each(|(o, v)| *o += scaled * v);
-            }
-        }
-        for i in 0..n {
-            (0..i).for_each(|j| out[j * n + i] = out[i * n + j]);
-        }
-        out
+        let [a, b, c] = self.corners.map(|p| p[0]);
+        let weight = |q: &QuadraturePoint| {
+            let r = (1.0 - q.at[0] - q.at[1]) * a + q.at[0] * b + q.at[1] * c;
+            q.weight * self.jacobian * self.symmetry.weight_slope() / r
+        };
+        let weights: Vec<f64> = self.reference.points.iter().map(weight).collect();
+        let values = self.reference.values.select_columns(numbers);
+        let mut weighted = values.clone();
+        weighted.column_iter_mut().for_each(|mut v| v.iter_mut().zip(&weights).for_each(|(v, w)| *v *= w));
+        (values.transpose() * weighted).data.into()
     }
 }

@@ -5,7 +5,7 @@
 
 use super::corner::Side;
 use super::error::HpError;
-use super::fan::{Edge, wedges};
+use super::fan::{Edge, Wedge, wedges};
 use super::grading::{Graded, Layers, graded, separated};
 use super::system::Gram;
 use crate::error::FemError;
@@ -75,7 +75,7 @@ pub struct HpOutcome {
     pub unknowns: usize,
     /// Spaces solved in.
     pub levels: usize,
-    /// Largest normwise backward error of the last solves.
+    /// Bound of the largest normwise backward error of the last solves.
     pub residual: f64,
     /// Time spent on all spaces.
     pub seconds: HpSeconds,
@@ -96,7 +96,18 @@ pub struct HpSeconds {
 pub(super) fn singular(physics: &impl Physics, mesh: &Mesh) -> Corners {
     let topology = Topology::new(mesh);
     let special = physics.edges(mesh, &topology);
-    let least = |wedges: Vec<super::fan::Wedge>| wedges.iter().filter_map(|w| physics.side().exponent(w)).reduce(f64::min);
+    let side = physics.side();
+    // most points of a straight boundary see the same
+    let mut known: Vec<(Wedge, Option<f64>)> = Vec::new();
+    let mut exponent = |w: Wedge| match known.iter().find(|(k, _)| k.is_like(&w)) {
+        Some((_, exponent)) => *exponent,
+        None => {
+            let exponent = side.exponent(&w);
+            known.push((w, exponent));
+            exponent
+        }
+    };
+    let mut least = |wedges: Vec<Wedge>| wedges.into_iter().filter_map(&mut exponent).reduce(f64::min);
     wedges(mesh, &topology, &|e| special[e]).into_iter().filter_map(|(n, w)| Some((n, least(w)?))).collect()
 }
 

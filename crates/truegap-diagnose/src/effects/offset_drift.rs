@@ -14,12 +14,23 @@ use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageN
 /// Zero that moves at a rate which may itself fade or grow.
 pub struct OffsetDrift;
 
+/// The number by which the speed changes for good.
+const TURNING: &str = "turning";
 /// Seconds in an hour.
 const HOUR: f64 = 3600.0;
 
 struct Drift {
     per_hour: f64,
     fading_per_hour: f64,
+    /// change of the speed an hour, that goes on for good
+    per_square_hour: f64,
+}
+
+impl Drift {
+    /// Drift `hours` after the first row.
+    fn after(&self, hours: f64) -> f64 {
+        self.per_hour * drifted(hours, self.fading_per_hour) + 0.5 * self.per_square_hour * hours.powi(2)
+    }
 }
 
 /// Hours of drift at the first rate that have gone by after `hours`: `(1 - exp(-k t)) / k`.
@@ -29,8 +40,7 @@ fn drifted(hours: f64, fading: f64) -> f64 {
 
 impl Stage for Drift {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
-        let add = |row: usize| self.per_hour * drifted(elapsed_s(drive.inputs, row) / HOUR, self.fading_per_hour);
-        value.iter_mut().enumerate().for_each(|(row, value)| *value += add(row));
+        value.iter_mut().enumerate().for_each(|(row, value)| *value += self.after(elapsed_s(drive.inputs, row) / HOUR));
     }
 }
 
@@ -42,18 +52,19 @@ const LEAST_FADING: f64 = 0.2;
 
 impl Stage for Settling {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
-        let Drift { per_hour, fading_per_hour } = self.0;
+        let Drift { per_hour, fading_per_hour, per_square_hour } = self.0;
         for (row, value) in value.iter_mut().enumerate() {
             let hours = elapsed_s(drive.inputs, row) / HOUR;
             let reach = fading_per_hour.abs() + LEAST_FADING;
             let fading = (reach * hours).ln_1p() / reach;
             *value += per_hour * if fading_per_hour < 0.0 { 2.0 * hours - fading } else { fading };
+            *value += 0.5 * per_square_hour * hours.powi(2);
         }
     }
 }
 
 fn drift(values: &[f64]) -> Drift {
-    Drift { per_hour: values[0], fading_per_hour: values[1] }
+    Drift { per_hour: values[0], fading_per_hour: values[1], per_square_hour: values.get(2).copied().unwrap_or(0.0) }
 }
 
 /// Standard deviation of the fading, over the recording. Settling in an eighth of a recording is ordinary after an instrument was switched on (a glider's supply: a time constant of 523 s in 4066 s), and lay eight standard deviations away with one.
@@ -77,11 +88,11 @@ impl Effect for OffsetDrift {
     fn about(&self) -> About {
         About {
             physics: "the zero of the electronics, or of the assembly, moves with the clock through all runs",
-            equation: "value = true + r (1 - exp(-k t)) / k, t from the first row; k = 0 is a straight line",
+            equation: "value = true + r (1 - exp(-k t)) / k + a t^2 / 2, t from the first row; k = 0 is a straight line; a is 0 beside plates, and until rows left out bear it out",
             excitation: "a clock, and the same state visited early and late",
             impostors: &["ageing", "viscoelastic_creep", "offset_steps", "humidity_uptake", "thermal_lag"],
             separates: "the same at every load, goes on between the runs, knows no history of the load",
-            source: "JCGM 200:2012 (VIM), 4.21 instrumental drift",
+            source: "JCGM 200:2012 (VIM), 4.21 instrumental drift; frequency drift of clocks: Riley, Handbook of Frequency Stability Analysis, NIST SP 1065",
         }
     }
     fn separations(&self) -> &'static [Separation] {
@@ -98,7 +109,7 @@ impl Effect for OffsetDrift {
         // a value that should not move has no span of its own: what moved may all be drift
         let usual = if context.simulator.moves() { 0.03 } else { 1.0 };
         let rate = usual * context.response_span.abs() / hours;
-        vec![
+        let mut parameters = vec![
             Parameter::normal(
                 "rate",
                 &format!("{}/h", context.simulator.unit()),
@@ -108,14 +119,24 @@ impl Effect for OffsetDrift {
             ),
             Parameter::normal("fading", "1/h", 0.0, USUAL_FADING / hours, "share of the speed that is lost in an hour")
                 .within(-1.5 / hours, QUICKEST_FADING / hours),
-        ]
+        ];
+        if !context.has_plates() {
+            let unit = format!("{}/h^2", context.simulator.unit());
+            parameters.push(Parameter::normal(TURNING, &unit, 0.0, rate / hours, "change of the speed in an hour, for good"));
+        }
+        parameters
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let hours = (context.duration_s / HOUR).max(1e-6);
-        vec![vec![0.0], vec![4.0 / hours], vec![40.0 / hours]]
+        let fadings = [0.0, 4.0 / hours, 40.0 / hours];
+        let plates = context.has_plates();
+        fadings.map(|fading| if plates { vec![fading] } else { vec![fading, 0.0] }).to_vec()
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["fading"]
+    }
+    fn may_be_more(&self) -> &'static [&'static str] {
+        &[TURNING]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
@@ -130,7 +151,8 @@ impl Effect for OffsetDrift {
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let rate = &fitted[0];
         let fading = fitted.get(1).filter(|fading| fading.value > 2.0 * fading.sd && fading.value > 0.0);
-        match fading {
+        let turning = fitted.get(2).filter(|turning| turning.value != 0.0);
+        match fading.filter(|_| turning.is_none()) {
             // at the first row it is of no use to say how fast: what is lost in the end is what one sees
             Some(fading) => {
                 let reading = rate.parameter.unit.strip_suffix("/h").unwrap_or(&rate.parameter.unit);
@@ -141,7 +163,13 @@ impl Effect for OffsetDrift {
                     with_sd(end(rate.value), end(rate.sd), reading)
                 )
             }
-            None => format!("the zero drifts by {}", with_sd(rate.value, rate.sd, &rate.parameter.unit)),
+            None => {
+                let turns = turning.map(|turning| {
+                    let by = with_sd(turning.value, turning.sd, &turning.parameter.unit);
+                    format!(" at the first row, and its speed changes by {by}")
+                });
+                format!("the zero drifts by {}{}", with_sd(rate.value, rate.sd, &rate.parameter.unit), turns.unwrap_or_default())
+            }
         }
     }
 }
@@ -149,6 +177,26 @@ impl Effect for OffsetDrift {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// 2 us/h that grow by 0.5 us/h each hour are 3 us/h after two hours: 5 us by then, and 4 without.
+    #[test]
+    fn a_drift_that_turns_is_a_parabola_and_told_as_one() {
+        let turning = drift(&[2.0, 0.0, 0.5]);
+        approx::assert_relative_eq!(turning.after(2.0), 5.0, max_relative = 1e-12);
+        approx::assert_relative_eq!(drift(&[2.0, 0.0]).after(2.0), 4.0, max_relative = 1e-12);
+        let number = |name: &str, unit: &str, value: f64| FittedParameter {
+            parameter: Parameter::normal(name, unit, 0.0, 1.0, ""),
+            value,
+            sd: 0.1,
+            sd_of_fit: 0.1,
+            at_limit: false,
+        };
+        let told = [number("rate", "us/h", 2.0), number("fading", "1/h", 0.0), number(TURNING, "us/h^2", 0.5)];
+        assert_eq!(
+            OffsetDrift.says(&told),
+            "the zero drifts by 2.00 us/h (sd 0.10) at the first row, and its speed changes by 0.50 us/h^2 (sd 0.10)"
+        );
+    }
 
     /// 16 000 um/h that are gone after a second and a half are 7 um.
     #[test]

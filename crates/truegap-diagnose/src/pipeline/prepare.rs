@@ -80,7 +80,10 @@ impl<'a> Prepared<'a> {
         let mut context = problem.context(problem.span(), noise.floor());
         let (testable, not_testable) = part(&context, options);
         // richer laws wait for rows left out that bear them out
-        context.held = testable.iter().flat_map(|effect| effect.may_be_more().iter().map(|name| (effect.id(), *name))).collect();
+        let has = |effect: &dyn Effect, name: &str| effect.parameters(&context).iter().any(|number| number.name == name);
+        let more = testable.iter().flat_map(|effect| effect.may_be_more().iter().map(|name| (*effect, *name)));
+        let held = more.filter(|(effect, name)| has(*effect, name)).map(|(effect, name)| (effect.id(), name)).collect();
+        context.held = held;
         let averages = block_averages(problem, &noise, searched_rows(problem.response.len()))?;
         let scout = Scout::of(problem, &noise)?;
         let inputs = averages.as_ref().map_or(problem.inputs, |t| &t.inputs);

@@ -7,7 +7,7 @@ use crate::{
     fit::importance::{Sampled, sampled},
     seeds::SEEDS,
     selection::tuning::{
-        ABREAST, BETTER_PART, CLEAR_GAIN, CLOSE, ENOUGH_DRAWS, ENOUGH_KNOWN, PARTNERS, REFITTED_MODELS, SAMPLED,
+        ABREAST, BETTER_PART, CLEAR_GAIN, CLOSE, ENOUGH_DRAWS, ENOUGH_KNOWN, MAY_BE_NAMED, PARTNERS, REFITTED_MODELS, SAMPLED,
     },
     selection::{
         candidates::{Progress, Search, Tried},
@@ -203,11 +203,12 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
         order.sort_by(|a, b| b.1.total_cmp(&a.1));
         let best = order.first().map_or(0.0, |o| o.1);
         let near = |(place, (key, w)): &(usize, (&EffectSet, f64))| key.is_empty() || (*place < SAMPLED.0 && *w > best - CLOSE);
-        let keys: Vec<EffectSet> = order.into_iter().enumerate().filter(near).map(|(_, (key, _))| key.clone()).collect();
-        // what is weighed is the evidence over the temper, and so is its error
-        let enough = ENOUGH_KNOWN * self.temper();
+        // what is weighed is the evidence over the temper, and so is its error; what may be named is drawn in full, since names go by small differences
+        let enough = |w: f64| if w > best - MAY_BE_NAMED { 0.0 } else { ENOUGH_KNOWN * self.temper() };
+        let keys: Vec<(EffectSet, f64)> =
+            order.into_iter().enumerate().filter(near).map(|(_, (key, w))| (key.clone(), enough(w))).collect();
         let found: Vec<(EffectSet, Sampled)> =
-            keys.par_iter().filter_map(|key| Some((key.clone(), self.sampled(key, enough)?))).collect();
+            keys.par_iter().filter_map(|(key, enough)| Some((key.clone(), self.sampled(key, *enough)?))).collect();
         let mut report = EvidenceCheck { models: found.len(), ..EvidenceCheck::default() };
         let shares = found.iter().map(|(_, s)| s.effective_share);
         report.effective_share = [shares.clone().fold(1.0, f64::min), shares.fold(0.0, f64::max)];

@@ -55,6 +55,9 @@ pub(crate) const SAMPLED: (usize, usize) = (8, 128);
 /// Standard error of a log weight from which on more draws change nothing: a probability is known to a twentieth of itself.
 pub(crate) const ENOUGH_KNOWN: f64 = 0.05;
 
+/// Difference in log weight within which a model may be named beside the best one, odds of a twentieth (`RIVAL`).
+pub(crate) const MAY_BE_NAMED: f64 = 3.0;
+
 /// Effective share of draws from which a sampled evidence stands in for Laplace's.
 pub(crate) const ENOUGH_DRAWS: f64 = 0.1;
 

@@ -83,7 +83,7 @@ impl Effect for ClockRate {
     fn about(&self) -> About {
         About {
             physics: "load and response were recorded by two clocks (or counted as samples of two rates), and one runs faster",
-            equation: "the load at time t stands in the row of t + r (t - a), t from the first row; a cubic between rows",
+            equation: "the load at time t stands in the row of t + r (t - a), t from the first row; between rows straight or by a cubic, as the rows say",
             excitation: "load that changes fast, early and late in the recording, with a clock",
             impostors: &["time_offset", "rate_independent_hysteresis", "viscoelastic_creep", "readout_lag", "mullins_softening"],
             separates: "the response is behind the load at one end of the recording and ahead of it at the other, which nothing physical is",

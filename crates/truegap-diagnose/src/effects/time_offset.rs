@@ -56,7 +56,7 @@ impl Effect for TimeOffset {
     fn about(&self) -> About {
         About {
             physics: "load and response were stamped by two clocks, or one of them was buffered",
-            equation: "the load at time t stands in the row of t + s; a cubic between rows",
+            equation: "the load at time t stands in the row of t + s; between rows straight or by a cubic, as the rows say",
             excitation: "load that changes fast, at more than one rate, with a clock",
             impostors: &["readout_lag", "rate_independent_hysteresis", "viscoelastic_creep", "trapped_air_stiffness"],
             separates: "the loop over load grows with the rate and may run the wrong way round; corners stay sharp, where a lag rounds them",

@@ -1,6 +1,6 @@
 //! The ways of searches from several starts: one that comes upon the way of another would only go to the same end.
 //!
-//! Two starts of one shape differ in a size, which the first step finds; without this each is followed to the end, and half of all fits is work done twice.
+//! Two starts of one shape differ in a size, which the first step finds; without this each is followed to the end, and a fifth of the work of fits is done twice.
 //!
 //! Limits: searches of one model under one noise with the same settings.
 

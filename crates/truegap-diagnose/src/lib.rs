@@ -11,7 +11,7 @@
 //! | the answer | [`Outcome`]: [`Diagnosis`], [`Traces`], [`Augmented`]; all of `diagnosis.json` is in [`answer`] |
 //! | the omitted physics that is known, and how to add some | [`effects`], [`Effect`], [`Library`], [`Context`] |
 //! | what is wrong with the recording itself | [`quality`] |
-//! | how far to trust an answer | [`confirmation`] by another recording, [`recovery`] of known causes |
+//! | how far to trust an answer | [`confirmation`] by another recording (with a clock of its own: [`other_clock`]), [`recovery`] of known causes |
 //! | calibration alone | [`calibration`] |
 //! | readings corrected for what was found | [`compensation`] |
 //!
@@ -97,7 +97,7 @@ pub use seeds::{SEEDS, Seeds};
 pub use selection::candidates::Progress;
 pub use stats::rms;
 
-pub use validation::{confirmation, cross_validation::parts, recovery};
+pub use validation::{confirmation, cross_validation::parts, other_clock, recovery};
 
 /// Runs that a next experiment may be: what `truegap simulate --profile` plays.
 pub mod experiment {

@@ -2,7 +2,8 @@
 //!
 //! Limits: plain data.
 
-use crate::validation::confirmation::{Compared, Judgement, NoiseFloor, OtherClock, Reading};
+use crate::validation::confirmation::{Compared, Judgement, NoiseFloor, Reading};
+use crate::validation::other_clock::OtherClock;
 use serde::Serialize;
 
 /// The model that was judged.

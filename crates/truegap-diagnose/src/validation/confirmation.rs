@@ -17,8 +17,6 @@ use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 use std::ops::Range;
 
-pub use super::other_clock::{OtherClock, with_clock};
-
 /// Probability with which two models of equal error would be told apart.
 pub const LEVEL: f64 = 0.05;
 

@@ -6,8 +6,8 @@ use super::model_file::{ModelFileError, RunningModel, begin_anew, driver_of};
 use serde::Serialize;
 use truegap_core::Inputs;
 use truegap_diagnose::answer::{AddedEffect, Scales};
-use truegap_diagnose::confirmation::OtherClock;
 use truegap_diagnose::mechanism::Driver;
+use truegap_diagnose::other_clock::OtherClock;
 use truegap_diagnose::{Augmented, Effect, Library};
 
 /// An added effect for which a reading is not corrected.

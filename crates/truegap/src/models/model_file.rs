@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use truegap_core::sensor::{SensorError, builtin_sensors};
 use truegap_core::{Inputs, Sensor, SimulationError, Simulator, Stage};
 use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales, UnknownEffect};
-use truegap_diagnose::confirmation::OtherClock;
+use truegap_diagnose::other_clock::OtherClock;
 use truegap_diagnose::{Augmented, Context, Effect, Library, Outcome, mechanism::Driver};
 use truegap_model::{BaseError, BaseModel};
 

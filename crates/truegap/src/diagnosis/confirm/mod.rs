@@ -17,9 +17,8 @@ use document::says;
 use std::path::Path;
 use truegap_core::{Recording, ends};
 use truegap_diagnose::answer;
-use truegap_diagnose::confirmation::{
-    Compared, FreeReading, Judgement, LEVEL, NoiseFloor, OtherClock, Reading, compared, noise_floor, with_clock,
-};
+use truegap_diagnose::confirmation::{Compared, FreeReading, Judgement, LEVEL, NoiseFloor, Reading, compared, noise_floor};
+use truegap_diagnose::other_clock::{OtherClock, with_clock};
 use truegap_diagnose::text::{listed, spoken, spoken_list};
 use truegap_diagnose::{Library, Problem, rms};
 

@@ -220,7 +220,7 @@ fn where_a_wrong_form_leaves_misfit_is_told_and_drawn() {
 }
 
 fn confirmation() -> Confirmation {
-    let errors = |rmse| Errors { rmse, reading: Reading { gain: 1.0, offset: 0.0 } };
+    let errors = |rmse| Errors { rmse, reading: Reading { gain: 1.0, offset: 0.0 }, clock: None };
     let facts = |text: &str| text.to_owned();
     Confirmation {
         schema: "truegap.confirmation/1",

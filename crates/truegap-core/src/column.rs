@@ -13,6 +13,22 @@ pub fn ends(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
+/// Median, the upper of two; 0 where there is no value.
+pub fn median(values: &[f64]) -> f64 {
+    let mut values = values.to_vec();
+    let middle = values.len() / 2;
+    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f64::total_cmp).1 }
+}
+
+/// Median absolute value of a unit normal.
+pub const MEDIAN_NORMAL: f64 = 0.674_489_750_196_081_7;
+
+/// Standard deviation of independent normal numbers, from the absolute values of differences of neighbours whose weights have this sum of `squares` (6 of the second, 20 of the third): by their median, which neither a
+/// smooth course nor few steps reach. In the unit of the numbers; 0 where there is no difference.
+pub fn sd_of_differences(differences: &[f64], squares: f64) -> f64 {
+    median(differences) / MEDIAN_NORMAL / squares.sqrt()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

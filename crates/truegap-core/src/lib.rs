@@ -63,7 +63,7 @@ pub mod units;
 mod walk;
 
 pub use chain::{Dielectric, Drive, FieldView, Geometry, Readout, Stage, StageName};
-pub use column::{ends, same_column};
+pub use column::{MEDIAN_NORMAL, ends, median, same_column, sd_of_differences};
 pub use corrections::Corrections;
 pub use curve::{Curve, CurveError};
 pub use effect::EffectId;

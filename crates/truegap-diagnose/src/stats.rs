@@ -8,17 +8,12 @@ use statrs::function::erf::erfc;
 use std::ops::Range;
 use truegap_core::ends;
 
+pub use truegap_core::{MEDIAN_NORMAL, median, sd_of_differences};
+
 /// Greatest less least.
 pub fn spread(x: &[f64]) -> f64 {
     let (low, high) = ends(x.iter().copied());
     high - low
-}
-
-/// Median; 0 of none.
-pub fn median(values: &[f64]) -> f64 {
-    let mut values = values.to_vec();
-    let middle = values.len() / 2;
-    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f64::total_cmp).1 }
 }
 
 /// Smallest difference between two neighbouring values of a column; 0 where all are equal.

@@ -4,7 +4,7 @@
 //!
 //! Limits: a shifted column keeps its first and last value beyond the ends of a run, where nothing was recorded.
 
-use crate::{chain::Stage, inputs::Inputs};
+use crate::{chain::Stage, column::sd_of_differences, inputs::Inputs};
 use std::{borrow::Cow, ops::Range};
 
 /// The inputs on the response's clock.
@@ -62,10 +62,8 @@ impl Between {
         let rows: usize = runs.iter().map(|run| inner(run).len()).sum();
         let [straight, cubic] = runs.iter().flat_map(inner).fold([0.0; 2], |[straight, cubic], row| {
             let rows = [row - 2, row - 1, row + 1, row + 2];
-            let left = [Self::Straight, Self::Cubic].map(|between| {
-                let read = four(rows.map(|row| clock[row]), rows.map(|row| column[row]), clock[row], between);
-                (read - column[row]).powi(2)
-            });
+            let left = both_ways(rows.map(|row| clock[row]), rows.map(|row| column[row]), clock[row])
+                .map(|read| (read - column[row]).powi(2));
             [straight + left[0], cubic + left[1]]
         });
         // the cubic makes more of the noise of its four rows: squares of the weights -1, 9, 9, -1 over 16, and of 1, 1 over 2
@@ -87,29 +85,22 @@ impl Between {
     }
 }
 
-/// Variance of what changes from row to row without a course: from the median third difference, which neither a smooth course nor few steps reach. A third difference of independent numbers has twenty times their variance.
+/// Variance of what changes from row to row without a course.
 fn noise_variance(column: &[f64], runs: &[Range<usize>]) -> f64 {
     let third = |w: &[f64]| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).abs();
-    let mut differences: Vec<f64> = runs.iter().flat_map(|run| column[run.clone()].windows(4).map(third)).collect();
-    let middle = differences.len() / 2;
-    if differences.is_empty() {
-        return 0.0;
-    }
-    let median = *differences.select_nth_unstable_by(middle, f64::total_cmp).1;
-    (median / HALF_OF_A_NORMAL).powi(2) / 20.0
+    let differences: Vec<f64> = runs.iter().flat_map(|run| column[run.clone()].windows(4).map(third)).collect();
+    sd_of_differences(&differences, 20.0).powi(2)
 }
 
-/// Absolute value that half of normal numbers of unit variance stay below.
-const HALF_OF_A_NORMAL: f64 = 0.674_489_750_196_081_7;
-
-/// The value at `wanted`, between the second and the third of four rows.
-fn four(time: [f64; 4], column: [f64; 4], wanted: f64, between: Between) -> f64 {
+/// The value at `wanted`, between the second and the third of four rows: straight, and by a cubic.
+fn both_ways(time: [f64; 4], column: [f64; 4], wanted: f64) -> [f64; 2] {
     let width = time[2] - time[1];
     if width <= 0.0 {
-        return column[1];
+        return [column[1]; 2];
     }
-    let slope = |row: usize| parabola([row - 1, row, row + 1].map(|row| (time[row], column[row])));
-    between.value((wanted - time[1]) / width, width, (column[1], column[2] - column[1]), [slope(1), slope(2)])
+    let slopes = [1, 2].map(|row| parabola([row - 1, row, row + 1].map(|row: usize| (time[row], column[row]))));
+    let at = |between: Between| between.value((wanted - time[1]) / width, width, (column[1], column[2] - column[1]), slopes);
+    [at(Between::Straight), at(Between::Cubic)]
 }
 
 /// A column at `time + late`, held beyond the ends; `time + late` must not run backwards.

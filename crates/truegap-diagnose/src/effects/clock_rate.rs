@@ -135,7 +135,7 @@ fn said(whose: &str, fitted: &[FittedParameter]) -> String {
 /// Standard deviation of the rate: nominal sampling rates are kept to some tenths of a per cent.
 const USUAL: f64 = 3e-3;
 /// Greatest rate: beyond it someone would have noticed.
-const MOST: f64 = 0.05;
+pub(crate) const MOST: f64 = 0.05;
 
 #[cfg(test)]
 mod tests {

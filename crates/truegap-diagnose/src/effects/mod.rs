@@ -12,7 +12,7 @@ pub(crate) mod sentence;
 
 mod ageing;
 mod bonded_layers;
-mod clock_rate;
+pub(crate) mod clock_rate;
 mod contact_toe_in;
 pub(crate) mod course;
 pub(crate) mod cycle;
@@ -55,7 +55,7 @@ mod stress_relaxation;
 mod temperature_coefficient;
 mod thermal_hysteresis;
 mod thermal_lag;
-mod time_offset;
+pub(crate) mod time_offset;
 mod trapped_air_stiffness;
 mod viscoelastic_creep;
 

@@ -178,20 +178,18 @@ impl Effect for OffsetDrift {
 mod tests {
     use super::*;
 
+    fn number(name: &str, unit: &str, value: f64, sd: f64) -> FittedParameter {
+        let parameter = Parameter::normal(name, unit, 0.0, 1.0, "");
+        FittedParameter { parameter, value, sd, sd_of_fit: sd, at_limit: false }
+    }
+
     /// 2 us/h that grow by 0.5 us/h each hour are 3 us/h after two hours: 5 us by then, and 4 without.
     #[test]
     fn a_drift_that_turns_is_a_parabola_and_told_as_one() {
         let turning = drift(&[2.0, 0.0, 0.5]);
         approx::assert_relative_eq!(turning.after(2.0), 5.0, max_relative = 1e-12);
         approx::assert_relative_eq!(drift(&[2.0, 0.0]).after(2.0), 4.0, max_relative = 1e-12);
-        let number = |name: &str, unit: &str, value: f64| FittedParameter {
-            parameter: Parameter::normal(name, unit, 0.0, 1.0, ""),
-            value,
-            sd: 0.1,
-            sd_of_fit: 0.1,
-            at_limit: false,
-        };
-        let told = [number("rate", "us/h", 2.0), number("fading", "1/h", 0.0), number(TURNING, "us/h^2", 0.5)];
+        let told = [number("rate", "us/h", 2.0, 0.1), number("fading", "1/h", 0.0, 0.1), number(TURNING, "us/h^2", 0.5, 0.1)];
         assert_eq!(
             OffsetDrift.says(&told),
             "the zero drifts by 2.00 us/h (sd 0.10) at the first row, and its speed changes by 0.50 us/h^2 (sd 0.10)"
@@ -201,13 +199,6 @@ mod tests {
     /// 16 000 um/h that are gone after a second and a half are 7 um.
     #[test]
     fn a_drift_that_settles_is_told_by_where_it_settles() {
-        let number = |name: &str, unit: &str, value: f64, sd: f64| FittedParameter {
-            parameter: Parameter::normal(name, unit, 0.0, 1.0, ""),
-            value,
-            sd,
-            sd_of_fit: sd,
-            at_limit: false,
-        };
         let settles = [number("rate", "um/h", 16_000.0, 800.0), number("fading", "1/h", 2400.0, 100.0)];
         assert_eq!(
             OffsetDrift.says(&settles),

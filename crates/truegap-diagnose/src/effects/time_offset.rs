@@ -74,7 +74,7 @@ impl Effect for TimeOffset {
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let scale = context.shortest_step_s.unwrap_or(1.0).max(0.05);
-        let most = (0.2 * context.longest_run_s).max(scale);
+        let most = (LARGEST_SHARE * context.longest_run_s).max(scale);
         vec![Parameter::normal("late", "s", 0.0, scale, "time by which the load's clock is late").within(-most, most)]
     }
     fn far_sizes(&self, context: &Context<'_>) -> Vec<f64> {
@@ -104,6 +104,8 @@ impl Effect for TimeOffset {
     }
 }
 
+/// Greatest shift, share of the longest run.
+pub(crate) const LARGEST_SHARE: f64 = 0.2;
 /// Widths of what is followed, to either side, at which a search for a shift begins.
 const WIDTHS_LOOKED_AT: u32 = 12;
 

@@ -5,9 +5,6 @@
 use crate::{noise::tuning::BESIDE, stats::median};
 use std::ops::Range;
 
-/// Median absolute value of a unit normal.
-pub(crate) const MEDIAN_NORMAL: f64 = 0.674_489_750_196_081_7;
-
 /// How far a row stands from its neighbours.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Apart {

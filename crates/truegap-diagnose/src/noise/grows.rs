@@ -8,11 +8,11 @@
 use crate::{
     effects::memory::rates,
     noise::{
-        apart::{Apart, MEDIAN_NORMAL, apart},
+        apart::{Apart, apart},
         follows_drivers::{laws, without},
         tuning::{EVEN_SPEEDS, GROWS_EVENLY, NOISE_GROWS, READING_GROUPS, ROWS_OF_A_GROUP},
     },
-    stats::{median, spread},
+    stats::{MEDIAN_NORMAL, median, spread},
 };
 use std::ops::Range;
 use truegap_core::Inputs;

@@ -5,7 +5,7 @@
 use crate::{
     noise::denoise::crookedness,
     noise::tuning::{CLEARLY_SMALLER, LEAST_LEFT, LONG_RUN, MOSTLY_CURVED, SCATTER_STRETCH, STRAIGHT},
-    stats::median,
+    stats::{MEDIAN_NORMAL, median},
 };
 use std::ops::Range;
 
@@ -60,7 +60,7 @@ fn of_order(column: &[f64], runs: &[Range<usize>], pairs: usize) -> Option<f64> 
     let all = median(&differences);
     let quiet = stretches.get(stretches.len() / 4).copied().unwrap_or(all);
     let typical = if quiet < MOSTLY_CURVED * all { quiet } else { all };
-    (!differences.is_empty()).then(|| typical / 0.674_489_750_196_081_7 / factor)
+    (!differences.is_empty()).then(|| typical / MEDIAN_NORMAL / factor)
 }
 
 #[cfg(test)]

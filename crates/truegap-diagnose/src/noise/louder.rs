@@ -9,11 +9,11 @@
 
 use crate::{
     noise::{
-        apart::{MEDIAN_NORMAL, apart},
+        apart::apart,
         grows::{Beside, grows},
         tuning::{FAR_OFF, FEWEST_FAR_OFF, SHARE_FAR_OFF, TAIL_FREEDOM, WEIGHS_LESS, WILD},
     },
-    stats::{median, spread},
+    stats::{MEDIAN_NORMAL, median, spread},
 };
 use std::ops::Range;
 

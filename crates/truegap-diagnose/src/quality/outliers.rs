@@ -9,7 +9,7 @@ use crate::{
         notice::{Notice, NoticeKind},
         rows::Rows,
     },
-    stats::resolution,
+    stats::{resolution, sd_of_differences},
 };
 use std::ops::Range;
 
@@ -81,11 +81,7 @@ fn stands_out(column: &[f64], group: &Range<usize>, least: f64) -> bool {
 
 /// White noise from second differences, deaf to corners and spikes.
 fn white_sd(column: &[f64], runs: &[Range<usize>]) -> f64 {
-    let mut second: Vec<f64> =
+    let second: Vec<f64> =
         runs.iter().flat_map(|run| column[run.clone()].windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).abs())).collect();
-    if second.is_empty() {
-        return 0.0;
-    }
-    let middle = second.len() / 2;
-    *second.select_nth_unstable_by(middle, f64::total_cmp).1 / 0.674_489_750_196_081_7 / 6f64.sqrt()
+    sd_of_differences(&second, 6.0)
 }

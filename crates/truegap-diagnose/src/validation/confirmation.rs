@@ -3,7 +3,7 @@
 //! Limits: blocks of one run share a history and are taken to be independent; a single wild reading costs power, it does not decide.
 
 use crate::{
-    data::{error::DiagnoseError, problem::Problem},
+    data::{error::DiagnoseError, joint::Free, problem::Problem},
     noise::{
         response::{follows_nothing, from_misfit},
         several::measured,
@@ -73,7 +73,7 @@ impl Reading {
     /// $$ g = \frac{\sum (p - \bar p)(y - \bar y)}{\sum (p - \bar p)^2}, \quad o = \bar y - g \bar p $$
     ///
     /// A gain without an offset goes through zero. A prediction that does not move says nothing of the gain, which stays 1.
-    pub fn fitted(prediction: &[f64], response: &[f64], FreeReading { gain, offset }: FreeReading) -> Self {
+    pub fn fitted(prediction: &[f64], response: &[f64], Free { gain, offset }: Free) -> Self {
         let rows = response.len().max(1) as f64;
         let mean = |column: &[f64]| if offset { column.iter().sum::<f64>() / rows } else { 0.0 };
         let (p, y) = (mean(prediction), mean(response));
@@ -89,15 +89,6 @@ impl Reading {
     pub fn of(&self, prediction: &[f64]) -> Vec<f64> {
         prediction.iter().map(|p| self.gain * p + self.offset).collect()
     }
-}
-
-/// What of a reading is fitted to a recording that took no part.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct FreeReading {
-    /// its gain
-    pub gain: bool,
-    /// its offset
-    pub offset: bool,
 }
 
 /// The noise of a recording.
@@ -256,8 +247,8 @@ mod tests {
         assert!(cut.windows(2).all(|w| w[0].end == w[1].start));
     }
 
-    fn free(gain: bool, offset: bool) -> FreeReading {
-        FreeReading { gain, offset }
+    fn free(gain: bool, offset: bool) -> Free {
+        Free { gain, offset }
     }
 
     #[test]

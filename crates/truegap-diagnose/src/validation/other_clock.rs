@@ -8,7 +8,11 @@
 //!
 //! Limits: one clock for all runs; a shift of up to a fifth of the longest run, a rate of up to a twentieth.
 
-use crate::validation::confirmation::{FreeReading, Reading};
+use crate::{
+    data::joint::Free,
+    effects::{clock_rate::MOST, time_offset::LARGEST_SHARE},
+    validation::confirmation::Reading,
+};
 use nalgebra::{Matrix2, Vector2};
 use serde::Serialize;
 use std::iter;
@@ -37,7 +41,7 @@ impl Stage for OtherClock {
 pub fn with_clock<E>(
     inputs: &Inputs,
     response: &[f64],
-    free: FreeReading,
+    free: Free,
     mut predict: impl FnMut(&OtherClock) -> Result<Vec<f64>, E>,
 ) -> Result<(OtherClock, Vec<f64>), E> {
     let still = predict(&OtherClock::default())?;
@@ -46,15 +50,13 @@ pub fn with_clock<E>(
         let read = Reading::fitted(prediction, response, free).of(prediction);
         read.iter().zip(response).map(|(p, r)| p - r).collect::<Vec<f64>>()
     };
-    let mut at = |clock: OtherClock| {
-        let prediction = predict(&clock).ok()?;
+    let there = |clock: OtherClock, prediction: Vec<f64>| {
         let left = errors(&prediction);
-        let squares: f64 = left.iter().map(|e| e * e).sum();
-        squares.is_finite().then_some(At { clock, prediction, left, squares })
+        let squares = left.iter().map(|e| e * e).sum();
+        At { clock, prediction, left, squares }
     };
-    let left = errors(&still);
-    let squares = left.iter().map(|e| e * e).sum();
-    let still = At { clock: OtherClock::default(), prediction: still, left, squares };
+    let still = there(OtherClock::default(), still);
+    let mut at = |clock: OtherClock| Some(there(clock, predict(&clock).ok()?)).filter(|there| there.squares.is_finite());
     let mut shifted: Vec<At> = limits.shifts().filter_map(|late_s| at(OtherClock { late_s, rate: 0.0 })).collect();
     shifted.sort_by(|a, b| a.squares.total_cmp(&b.squares));
     shifted.truncate(STARTS);
@@ -94,7 +96,7 @@ impl Limits {
         let longest = lengths.fold(0.0, f64::max);
         let length_s = time.last()? - time.first()?;
         let step_s = longest / (time.len() as f64 / inputs.runs().len() as f64).max(1.0);
-        (step_s > 0.0).then_some(Self { step_s, shift_s: LARGEST_SHIFT * longest, length_s })
+        (step_s > 0.0).then_some(Self { step_s, shift_s: LARGEST_SHARE * longest, length_s })
     }
 
     /// Shifts at which a search begins: one row, two, four, ... to either side.
@@ -104,10 +106,7 @@ impl Limits {
     }
 
     fn clamped(&self, clock: OtherClock) -> OtherClock {
-        OtherClock {
-            late_s: clock.late_s.clamp(-self.shift_s, self.shift_s),
-            rate: clock.rate.clamp(-LARGEST_RATE, LARGEST_RATE),
-        }
+        OtherClock { late_s: clock.late_s.clamp(-self.shift_s, self.shift_s), rate: clock.rate.clamp(-MOST, MOST) }
     }
 
     /// Marquardt's way down from a clock, in seconds at the first row and at the last.
@@ -154,10 +153,6 @@ const STARTS: usize = 2;
 const STEPS: usize = 12;
 /// A step that takes off less than this share of the squares ends a search.
 const CLOSE: f64 = 1e-4;
-/// Greatest shift, of the longest run: that of the effect `time_offset`.
-const LARGEST_SHIFT: f64 = 0.2;
-/// Greatest rate, s/s: that of the effect `clock_rate`.
-const LARGEST_RATE: f64 = 0.05;
 
 #[cfg(test)]
 mod tests {
@@ -181,7 +176,7 @@ mod tests {
         let inputs = inputs(2000);
         for truth in [OtherClock { late_s: 1.3, rate: -0.011 }, OtherClock { late_s: -2.2, rate: 0.004 }] {
             let response: Vec<f64> = late(&inputs, &truth).iter().map(|v| 3.0 - 0.7 * v).collect();
-            let free = FreeReading { gain: true, offset: true };
+            let free = Free { gain: true, offset: true };
             let (found, prediction) =
                 with_clock(&inputs, &response, free, |clock| Ok::<_, ()>(late(&inputs, clock))).unwrap_or_default();
             // no noise: the way down ends where a step takes off a ten thousandth of the squares
@@ -194,7 +189,7 @@ mod tests {
     #[test]
     fn without_a_clock_in_the_recording_nothing_is_shifted() {
         let inputs = Inputs { time_s: None, ..inputs(50) };
-        let free = FreeReading::default();
+        let free = Free::default();
         let mut asked = 0;
         let found = with_clock(&inputs, &[1.0; 50], free, |_| {
             asked += 1;
@@ -206,7 +201,7 @@ mod tests {
     #[test]
     fn a_model_without_an_answer_says_why_and_one_that_fails_elsewhere_is_kept_where_it_answers() {
         let inputs = inputs(400);
-        let free = FreeReading { gain: true, offset: false };
+        let free = Free { gain: true, offset: false };
         assert_eq!(with_clock(&inputs, &[0.0; 400], free, |_| Err::<Vec<f64>, _>("no answer")).err(), Some("no answer"));
         let response = late(&inputs, &OtherClock::default());
         let found = with_clock(&inputs, &response, free, |clock| {

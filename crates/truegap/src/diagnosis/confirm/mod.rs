@@ -17,10 +17,10 @@ use document::says;
 use std::path::Path;
 use truegap_core::{Recording, ends};
 use truegap_diagnose::answer;
-use truegap_diagnose::confirmation::{Compared, FreeReading, Judgement, LEVEL, NoiseFloor, Reading, compared, noise_floor};
+use truegap_diagnose::confirmation::{Compared, Judgement, LEVEL, NoiseFloor, Reading, compared, noise_floor};
 use truegap_diagnose::other_clock::{OtherClock, with_clock};
 use truegap_diagnose::text::{listed, spoken, spoken_list};
-use truegap_diagnose::{Library, Problem, rms};
+use truegap_diagnose::{Library, Problem, joint, rms};
 
 /// Stands for the file of a model that was found in the same run.
 const OF_THIS_RUN: &str = "augmented.toml of this run";
@@ -54,8 +54,8 @@ impl Free {
         words.into_iter().filter_map(|(word, is)| is.then_some(word)).collect()
     }
 
-    fn reading(self) -> FreeReading {
-        FreeReading { gain: self.gain, offset: self.offset }
+    fn reading(self) -> joint::Free {
+        joint::Free { gain: self.gain, offset: self.offset }
     }
 }
 

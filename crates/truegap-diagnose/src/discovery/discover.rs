@@ -137,6 +137,8 @@ fn best_fit(search: &Search<'_>, from: &Tried, found: &mut Screen, temper: f64, 
             all.retain(|f| f.index != late);
         }
     }
+    let kept: Vec<usize> = all.iter().map(|f| f.index).collect();
+    found.promise_no_more_than(&kept);
     let best = all.iter().enumerate().max_by(|a, b| a.1.weight.total_cmp(&b.1.weight))?.0;
     let best = all.swap_remove(best);
     Some((best, all))

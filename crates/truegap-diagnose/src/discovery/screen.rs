@@ -110,6 +110,17 @@ impl Screen {
         twins.map(|(i, s)| (i, s.weight(temper))).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
     }
 
+    /// Takes the promises of sentences that were not fitted down to what the best of those that were, `fitted`, has kept: a straight step may promise more than there is.
+    pub fn promise_no_more_than(&mut self, fitted: &[usize]) {
+        let kept = |s: &Screened| s.deviance + s.beyond;
+        let Some(most) = fitted.iter().map(|i| kept(&self.sentences[*i])).max_by(f64::total_cmp) else { return };
+        for (index, s) in self.sentences.iter_mut().enumerate() {
+            if !fitted.contains(&index) {
+                s.beyond = s.beyond.min(most - s.deviance);
+            }
+        }
+    }
+
     /// Probability that freedom alone does as well as `deviance`, which this sentence has: the share of turns that reach it, the recording itself counted.
     pub fn control_p_value(&self, sentence: &Sentence, deviance: f64) -> f64 {
         let control = if is_a_tone(sentence) { &self.control_of_tones } else { &self.control };
@@ -368,6 +379,37 @@ fn turned(residual: &DVector<f64>) -> DMatrix<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::effects::composed::words::Action;
+
+    /// Promises of 100, 60 and 20, of which the first was fitted and kept 40: the second promises no more than that, the third what it did.
+    #[test]
+    fn no_sentence_promises_more_than_the_best_that_was_fitted_has_kept() {
+        let sentence = Sentence {
+            quantity: Quantity::Reading,
+            driver: Driver::Time,
+            kinetics: Kinetics::Static,
+            form: Form::Linear,
+            action: Action::Adds,
+            even: false,
+            below: false,
+            passing: false,
+            sum: None,
+        };
+        let of = |deviance: f64, beyond: f64| Screened {
+            sentence: sentence.clone(),
+            numbers: Numbers::default(),
+            swing: 1.0,
+            deviance,
+            beyond,
+            log_prior: 0.0,
+            grid: vec![(deviance.sqrt(), 1.0)],
+        };
+        let sentences = vec![of(100.0, -60.0), of(60.0, 0.0), of(20.0, 0.0)];
+        let mut screen = Screen { sentences, control: Vec::new(), control_of_tones: Vec::new(), columns: 3 };
+        screen.promise_no_more_than(&[0]);
+        let promised: Vec<f64> = screen.sentences.iter().map(|s| s.deviance + s.beyond).collect();
+        assert_eq!(promised, [40.0, 40.0, 20.0]);
+    }
 
     #[test]
     fn a_tone_is_the_same_turned_about_and_falls_apart_reversed() {

@@ -86,8 +86,14 @@ impl Judged {
     pub(crate) fn taken_back(mut self, verdict: Verdict, says: String) -> Self {
         let decision = Decision::nothing(verdict, self.examined.selection.base);
         let left_out = [self.predicted.left_out, vec![says]].concat();
-        self.predicted =
-            Predicted { unseen: Unseen::nothing(self.by_base.unseen.clone()), decision, after: None, vetoed: None, left_out };
+        self.predicted = Predicted {
+            unseen: Unseen::nothing(self.by_base.unseen.clone()),
+            decision,
+            after: None,
+            vetoed: None,
+            left_out,
+            refuted: Vec::new(),
+        };
         self.held = Vec::new();
         self
     }

@@ -109,6 +109,12 @@ pub(crate) fn judged(
     if !first.took_all_back(prepared.testable.len()) || !may_compose(told.options) {
         return Ok(first);
     }
+    if let Some(examined) = first.without_what_was_refuted(prepared, told)? {
+        let second = judged_once(prepared, told, examined, None, Some(first.by_base.clone()))?;
+        if second.names_something() {
+            return Ok(second.after(first));
+        }
+    }
     let Some((examined, composition)) = first.refuted(prepared, told) else { return Ok(first) };
     let second = judged_once(prepared, told, examined, Some(composition), Some(first.by_base.clone()))?;
     Ok(if second.names_something() { second.after(first) } else { first })
@@ -184,6 +190,21 @@ impl Judged {
         let named_something = named != selection.base && self.kept_back.is_none();
         let of_the_library = selection.models[named].effects.iter().all(|e| *e < library);
         named_something && of_the_library && self.predicted.decision.model == selection.base
+    }
+
+    /// What was examined without models that hold what rows left out contradict, where others are likely enough to be rivals.
+    fn without_what_was_refuted(&self, prepared: &Prepared<'_>, told: &Told<'_>) -> Result<Option<Examined>, DiagnoseError> {
+        let searched = prepared.searched();
+        let search = &prepared.search(&searched, told.progress, told.stop);
+        let refuted = &self.predicted.refuted;
+        if refuted.is_empty() {
+            return Ok(None);
+        }
+        let Some(selection) = self.examined.selection.clone().without_holders_of(refuted, search.library.len()) else {
+            return Ok(None);
+        };
+        let examined = judged_again(prepared, search, selection)?;
+        Ok((examined.decision.model != examined.selection.base).then_some(examined))
     }
 
     /// What was examined as if the library had no answer, and the mechanism beside the base model.

@@ -37,6 +37,8 @@ pub(crate) struct Predicted {
     pub vetoed: Option<Reserved>,
     /// what is not claimed beside the rest, for a reader
     pub left_out: Vec<String>,
+    /// effects of the model that was asked last and is not stood behind
+    pub refuted: Vec<usize>,
 }
 
 /// Predicts rows left out: what predicts them much worse than the base model is not claimed, nor an effect without which the others predict them better. What predicts them well is
@@ -88,8 +90,7 @@ impl RowsLeftOut<'_, '_> {
             _ => ((asked, first.unseen), decision),
         };
         let library = (self.prepared.testable.len(), |e: usize| self.search.library[e].free_form());
-        let enough = |smaller: usize| self.could_be_named(smaller);
-        let enough = (!self.prepared.noise_is_known()).then_some(enough);
+        let enough = (self.prepared.noise_is_known(), |smaller: usize| self.could_be_named(smaller));
         let fuller = start.0;
         let (model, named, left_out) = step_back(self.selection, start, &self.by_base.unseen, of, library, enough);
         let unseen =
@@ -99,7 +100,9 @@ impl RowsLeftOut<'_, '_> {
         let rivals = if stepped && decision.model == model { self.as_near(model, unseen.stood_behind()) } else { Vec::new() };
         let decision = rivals.into_iter().fold(decision, Decision::with_rival);
         let told = if named_before { left_out.iter().map(|left| self.told(left)).collect() } else { Vec::new() };
-        self.concluded((fuller, model), unseen, (decision, stepped), told)
+        let concluded = self.concluded((fuller, model), unseen, (decision, stepped), told);
+        let refuted = if concluded.decision.model == model { Vec::new() } else { self.effects(model).to_vec() };
+        Predicted { refuted, ..concluded }
     }
 
     /// What may stand in the place of an effect of a smaller model where the noise was not measured: the effect and its rivals, which were weighed beside effects that are not claimed. Rows
@@ -163,12 +166,19 @@ impl RowsLeftOut<'_, '_> {
             return self.nothing(decision, None, [told, vec![self.says_next_to_nothing(model, share)]].concat());
         }
         let after = (stepped || rescued).then(|| self.left_by(model));
-        Predicted { unseen, decision, after, vetoed: None, left_out: told }
+        Predicted { unseen, decision, after, vetoed: None, left_out: told, refuted: Vec::new() }
     }
 
     /// The answer of a decision that names nothing.
     fn nothing(&self, decision: Decision, after: Option<Adequacy>, left_out: Vec<String>) -> Predicted {
-        Predicted { unseen: Unseen::nothing(self.by_base.unseen.clone()), decision, after, vetoed: None, left_out }
+        Predicted {
+            unseen: Unseen::nothing(self.by_base.unseen.clone()),
+            decision,
+            after,
+            vetoed: None,
+            left_out,
+            refuted: Vec::new(),
+        }
     }
 
     /// Nothing is named since it would change next to nothing: the base model agrees where that is all that tests see, what was left out before as well.

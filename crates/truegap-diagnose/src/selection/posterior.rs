@@ -5,7 +5,7 @@
 use crate::{
     adequacy::lack_of_fit::LackOfFitTests,
     effects::effect::Effect,
-    selection::tuning::{LARGEST_GAIN, NEGLIGIBLE, UNMODELLED_PRIOR},
+    selection::tuning::{LARGEST_GAIN, NEGLIGIBLE, RIVAL, UNMODELLED_PRIOR},
     selection::{
         candidates::{Search, Tried},
         effect_set::EffectSet,
@@ -116,14 +116,51 @@ impl Selection {
     /// The same where rows left out contradict all of the library's answer: all probability on the base model, and nothing from behind the `library` effects.
     #[must_use]
     pub fn refuted(mut self, library: usize) -> Self {
+        self.keep_the_library(library);
+        self.base = self.models.iter().position(|m| m.effects.is_empty()).unwrap_or(0);
+        self.base_alone()
+    }
+
+    /// Drops models that hold effects from behind the `library` ones.
+    fn keep_the_library(&mut self, library: usize) {
         let inside: Vec<bool> = self.models.iter().map(|m| m.effects.iter().all(|e| *e < library)).collect();
         let mut kept = inside.iter().copied();
         self.models.retain(|_| kept.next().unwrap_or(true));
         let mut kept = inside.iter().copied();
         self.probability.retain(|_| kept.next().unwrap_or(true));
         self.effect_probability.truncate(library);
-        self.base = self.models.iter().position(|m| m.effects.is_empty()).unwrap_or(0);
-        self.base_alone()
+    }
+
+    /// The same with all that is left of probability shared as before.
+    fn shared(mut self) -> Self {
+        let total: f64 = self.probability.iter().sum();
+        self.probability.iter_mut().for_each(|p| *p /= total);
+        self.sorted()
+    }
+
+    /// The same without probability for the models that hold all of the `refuted` effects, and without those from behind the `library` effects; `None` where what is left was no rival of those.
+    #[must_use]
+    pub fn without_holders_of(mut self, refuted: &[usize], library: usize) -> Option<Self> {
+        self.keep_the_library(library);
+        let holds = |m: &Tried| refuted.iter().all(|e| m.effects.contains(e));
+        let (mut gone, mut left) = (0.0, 0.0);
+        for (m, p) in self.models.iter().zip(&mut self.probability) {
+            if holds(m) {
+                gone += std::mem::take(p);
+            } else if !m.effects.is_empty() {
+                left += *p;
+            }
+        }
+        self.unmodelled.clear();
+        (left > RIVAL * gone).then(|| self.shared())
+    }
+
+    /// The same without models that hold effects from behind the `library` ones, and room for `more` of those.
+    #[must_use]
+    pub fn of_the_library(mut self, library: usize, more: usize) -> Self {
+        self.keep_the_library(library);
+        self.effect_probability.extend(std::iter::repeat_n(0.0, more));
+        self.shared()
     }
 
     /// The same with one more model, `log_odds` against everything else together, that holds `more` effects from behind the library.
@@ -380,6 +417,26 @@ mod tests {
         }
         let nothing = selection(0.0).sharpened(4.06);
         assert_eq!(nothing.probability_unmodelled(), 0.0);
+    }
+
+    /// Of 0.2, 0.5 and 0.3 the models that hold effect 0 are gone: the base model is alone, and no rival is left. Without those that hold effects 0 and 1, 0.2 and 0.5 are left of 0.7.
+    #[test]
+    fn without_what_rows_left_out_refute_rivals_keep_their_shares() {
+        assert!(three().without_holders_of(&[0], 2).is_none());
+        let left = three().without_holders_of(&[0, 1], 2).unwrap();
+        approx::assert_relative_eq!(left.effect_probability[0], 0.5 / 0.7, max_relative = 1e-12);
+        assert_eq!((left.effect_probability[1], left.models.len()), (0.0, 3));
+        // a rival of a thousandth is none
+        let sure = Selection { probability: vec![0.001, 0.998, 0.001], ..three() };
+        assert!(sure.without_holders_of(&[0, 1], 2).is_none());
+    }
+
+    /// A model from behind one effect of the library gives its share back, and room is made for two others.
+    #[test]
+    fn mechanisms_make_room_for_others() {
+        let left = three().of_the_library(1, 2);
+        assert_eq!((left.models.len(), left.effect_probability.len()), (2, 3));
+        approx::assert_relative_eq!(left.effect_probability[0], 0.5 / 0.7, max_relative = 1e-12);
     }
 
     /// A library that rows left out contradict has no probability left, and neither has what was composed beside it.

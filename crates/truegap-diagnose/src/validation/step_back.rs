@@ -25,18 +25,17 @@ pub(crate) struct LeftOut {
     pub against: Against,
 }
 
-/// The model to stand behind instead of `start`, its predictions of rows left out, and what was left out on the way. Where the noise was not measured, `enough` says whether a model leaves
-/// little enough to be named by itself: else what is hardly felt explains the rest all the same. Behind the first `library` effects stand composed mechanisms.
+/// The model to stand behind instead of `start`, its predictions of rows left out, and what was left out on the way. `enough` says whether a model leaves
+/// little enough to be named by itself: else what is hardly felt where the noise was not `measured`, or loses a little in its squares, explains the rest all the same. Behind the first `library` effects stand composed mechanisms.
 pub(crate) fn step_back(
     selection: &Selection,
     start: (usize, HeldOutFit),
     base: &HeldOutFit,
     unseen: impl Fn(&Tried) -> HeldOutFit,
     (library, free_form): (usize, impl Fn(usize) -> bool),
-    enough: Option<impl Fn(usize) -> bool>,
+    (measured, enough): (bool, impl Fn(usize) -> bool),
 ) -> (usize, HeldOutFit, Vec<LeftOut>) {
     let ((mut model, mut named), mut left_out) = (start, Vec::new());
-    let measured = enough.is_none();
     // small gains are counted together: each is little beside the rest, and all of them may not be
     let mut nearest = named.clone();
     loop {
@@ -59,11 +58,13 @@ pub(crate) fn step_back(
                 || compared(&both.base, both.named.as_ref()?).map(|both| both.rmse).filter(|[without, with]| without < with);
             let stands = || {
                 let beside = Unseen::of((base.clone(), &selection.base().fit), (both.base.clone(), &without.fit));
-                beside.worse(measured).is_none() && enough.as_ref().is_some_and(|enough| enough(place))
+                beside.worse(measured).is_none() && !measured && enough(place)
             };
             let little = || little(&both.base, &nearest).filter(|_| stands());
             let doubted = || if doubtful { better().map(Against::Errors) } else { None };
-            let against = both.worse(measured).or_else(doubted).or_else(little)?;
+            // what the noise alone tells of rows left out is no reason to name nothing
+            let bearable = |against: &Against| doubtful || !matches!(against, Against::Score(_)) || enough(place);
+            let against = both.worse(measured).filter(bearable).or_else(doubted).or_else(little)?;
             Some((place, both.base, LeftOut { effects, against }))
         });
         let cost = |left: &LeftOut| left.against.cost();
@@ -91,7 +92,7 @@ mod tests {
     }
 
     /// What is left out of effects 0, 1 and 2, which err by 1.00 together; by `others` without some of them, and by 4 without all.
-    fn left_out(others: &[(&[usize], f64)], enough: Option<fn(usize) -> bool>) -> Vec<usize> {
+    fn left_out(others: &[(&[usize], f64)], measured: bool, enough: bool) -> Vec<usize> {
         let whole: &[usize] = &[0, 1, 2];
         let models = [&[][..], whole].into_iter().chain(others.iter().map(|(effects, _)| *effects));
         let selection = Selection::of(&models.map(|effects| (effects, 0.0)).collect::<Vec<_>>());
@@ -99,7 +100,7 @@ mod tests {
             let known = others.iter().find(|(effects, _)| *effects == tried.effects.as_slice());
             errs(known.map_or(1.0, |(_, error)| *error))
         };
-        let (_, _, left) = step_back(&selection, (1, errs(1.0)), &errs(4.0), error, (2 + 1, |_| false), enough);
+        let (_, _, left) = step_back(&selection, (1, errs(1.0)), &errs(4.0), error, (2 + 1, |_| false), (measured, |_| enough));
         left.into_iter().flat_map(|left| left.effects).collect()
     }
 
@@ -108,23 +109,23 @@ mod tests {
 
     #[test]
     fn what_is_hardly_felt_is_left_out_where_the_noise_was_not_measured() {
-        assert_eq!(left_out(HARDLY_FELT, Some(|_| true)), [2]);
+        assert_eq!(left_out(HARDLY_FELT, false, true), [2]);
         // a noise that was measured tells such effects
-        assert!(left_out(HARDLY_FELT, None).is_empty());
+        assert!(left_out(HARDLY_FELT, true, true).is_empty());
     }
 
     /// Small gains are counted together: without both, errors are 7 % larger, and one of them stays.
     #[test]
     fn small_gains_do_not_add_up_to_what_is_felt() {
         let felt_together: &[(&[usize], f64)] = &[(&[0, 1], 1.01), (&[0, 2], 1.04), (&[1, 2], 2.0), (&[0], 1.02)];
-        assert_eq!(left_out(felt_together, Some(|_| true)), [2, 1]);
-        assert_eq!(left_out(HARDLY_FELT, Some(|_| true)).len(), 1);
+        assert_eq!(left_out(felt_together, false, true), [2, 1]);
+        assert_eq!(left_out(HARDLY_FELT, false, true).len(), 1);
     }
 
     /// What explains the rest is told, however little it is felt: without it nothing could be named.
     #[test]
     fn what_the_rest_cannot_stand_without_stays() {
-        assert!(left_out(HARDLY_FELT, Some(|_| false)).is_empty());
+        assert!(left_out(HARDLY_FELT, false, false).is_empty());
     }
 
     /// Two mechanisms beside an effect gain 3 % together; no model holds one of them.
@@ -132,8 +133,25 @@ mod tests {
     fn mechanisms_go_together() {
         let all = Selection::of(&[(&[], 0.0), (&[0, 3, 4], 0.0), (&[0], 0.0)]);
         let error = |tried: &Tried| errs(if tried.effects == [0] { 1.03 } else { 1.0 });
-        let enough: Option<fn(usize) -> bool> = Some(|_| true);
-        let (model, _, left) = step_back(&all, (1, errs(1.0)), &errs(4.0), error, (3, |_| false), enough);
+        let (model, _, left) = step_back(&all, (1, errs(1.0)), &errs(4.0), error, (3, |_| false), (false, |_| true));
         assert_eq!((model, left[0].effects.as_slice()), (2, &[3, 4][..]));
+    }
+
+    /// Two effects err as one of them alone, and lose 5 squares of the noise beside it: it stays where the other alone could not be named, and goes where it could.
+    #[test]
+    fn a_few_squares_of_the_noise_are_no_reason_to_name_nothing() {
+        let scored = |error: f64, score: f64| {
+            let part =
+                |_| PartError { name: "block".into(), squares: Some(100.0 * error * error), rows: 100, score: Some(score) };
+            HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: (0..2).map(part).collect() }
+        };
+        let all = Selection::of(&[(&[], 0.0), (&[0, 1], 0.0), (&[0], 0.0)]);
+        let alone = |_: &Tried| scored(1.0, 100.0);
+        let left = |enough: bool| {
+            let start = (1, scored(1.0, 102.5));
+            step_back(&all, start, &scored(4.0, 900.0), alone, (2, |_| false), (true, |_| enough)).2
+        };
+        assert!(left(false).is_empty());
+        assert_eq!(left(true)[0].effects, [1]);
     }
 }

@@ -133,7 +133,7 @@ fn an_effect_without_which_the_rest_predicts_better_is_not_claimed() {
             let unseen = |tried: &Tried| of_parts(if tried.effects.contains(&1) { both } else { one });
             let start = (index(&[0, 1]), unseen(&selection.models[index(&[0, 1])]));
             let (model, named, left_out) =
-                step_back(&selection, start, &of_parts(base), unseen, (usize::MAX, |_| free), None::<fn(usize) -> bool>);
+                step_back(&selection, start, &of_parts(base), unseen, (usize::MAX, |_| free), (true, |_| true));
             (model, named.parts[0].rmse(), left_out)
         };
         let told = |second: f64, free: bool| of_all([2.0; 3], [1.0; 3], [second; 3], free);

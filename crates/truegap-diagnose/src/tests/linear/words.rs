@@ -7,12 +7,14 @@ use super::{
 };
 use crate::{
     discovery::{
+        compose::describe,
         discover::{IDS, discover},
         marginals::marginals,
         screen::{Screen, Screened},
     },
     effects::composed::mechanism::Sentence,
     mechanism::{Action, Driver, Form, Kinetics, Numbers, Quantity},
+    selection::posterior::select,
 };
 use nalgebra::DVector;
 use rand::SeedableRng;
@@ -116,4 +118,25 @@ fn a_mechanism_is_discovered_where_there_is_one_and_by_chance_one_time_in_twenty
     let noise = world.drawn(&[], &[], &mut ChaCha8Rng::seed_from_u64(3));
     let read: Vec<f64> = drifting.iter().zip(noise).map(|(d, n)| d + n).collect();
     assert!(found(&read).is_some_and(|p| p <= 0.05), "{:?}", found(&read));
+}
+
+/// A reading that levels off, by a law that several sentences tell, and a tone that one does. The tone is told first, and what both gain is counted once: log odds are never more than what the fit explains.
+#[test]
+fn what_two_mechanisms_gain_is_counted_once_in_whatever_order_they_are_told() {
+    let world = World::new(1, 240, &[]);
+    let noise = world.drawn(&[], &[], &mut ChaCha8Rng::seed_from_u64(5));
+    let read = |(row, noise): (usize, f64)| {
+        let time = row as f64;
+        12.0 * (1.0 - (-time / 60.0).exp()) + 4.0 * (time * std::f64::consts::TAU / 12.0).sin() + noise
+    };
+    let response: Vec<f64> = noise.into_iter().enumerate().map(read).collect();
+    world.search(&response, |search, lack_of_fit| {
+        let selection = select(search, lack_of_fit, search.base().unwrap());
+        let found = describe(search, &selection, lack_of_fit).unwrap();
+        let told: Vec<Kinetics> = found.mechanisms.iter().map(|m| m.effect.sentence.kinetics).collect();
+        assert_eq!((told.len(), told[0]), (2, Kinetics::Periodic), "{told:?}");
+        let explained =
+            (selection.base().fit.objective() - found.tried.fit.objective()) / (selection.temper * lack_of_fit.slack());
+        assert!(found.log_odds < explained, "{} of {explained}", found.log_odds);
+    });
 }

@@ -1,7 +1,7 @@
 //! When mechanisms are composed, beside which model, and whether one takes the place of what the library says.
 //!
-//! A mechanism has to be likelier than all of the library and than every unmodelled course together. An equation of the library whose shape has run to the limit of what it means is a rival by what it explains
-//! there; what rows left out have contradicted is none.
+//! A mechanism has to be likelier than all of the library and than every unmodelled course together. An equation of the library whose shape has run to the limit of
+//! what it means is no rival: the fit says that its law does not hold.
 //!
 //! Limits: one recording; two mechanisms at most.
 
@@ -46,17 +46,6 @@ pub struct Composition {
     pub in_other_words: bool,
 }
 
-/// What the library's own answer is worth beside mechanisms.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Library {
-    /// its equations hold
-    Holds,
-    /// its best equations have run to their limits: a rival still, by what they explain there
-    Strained,
-    /// rows left out have contradicted it: no rival
-    Refuted,
-}
-
 /// Mechanisms where the library leaves something; `None` where it does not, or where freedom alone does as well. A library that rows left out have `refuted` is no rival.
 pub fn compose(
     search: &Search<'_>,
@@ -67,12 +56,7 @@ pub fn compose(
     refuted: bool,
 ) -> Option<Composition> {
     let chosen = &selection.models[decision.model];
-    let library = match refuted {
-        true => Library::Refuted,
-        false if is_strained(search, lack_of_fit, selection.base(), chosen) => Library::Strained,
-        false => Library::Holds,
-    };
-    let strained = library != Library::Holds;
+    let strained = refuted || is_strained(search, lack_of_fit, selection.base(), chosen);
     if search.problem.simulator.joined().is_some() || !leaves_something(decision, after, strained) {
         return None;
     }
@@ -85,7 +69,7 @@ pub fn compose(
     );
     let mut best: Option<Composition> = None;
     for from in launches {
-        let found = beside(search, selection, from, lack_of_fit, library);
+        let found = beside(search, selection, from, lack_of_fit, strained);
         let better = |f: &Composition| best.as_ref().is_none_or(|b| f.log_odds > b.log_odds);
         best = found.filter(better).or(best);
         if best.as_ref().is_some_and(|b| !lack_of_fit.adequacy(&b.tried.fit).fires()) {
@@ -104,7 +88,7 @@ pub fn describe(search: &Search<'_>, selection: &Selection, lack_of_fit: &LackOf
     if search.problem.simulator.joined().is_some() {
         return None;
     }
-    let found = beside(search, selection, selection.base(), lack_of_fit, Library::Holds)?;
+    let found = beside(search, selection, selection.base(), lack_of_fit, false)?;
     Some(Composition { in_other_words: true, ..found })
 }
 
@@ -115,7 +99,7 @@ pub fn compose_beside(
     from: &Tried,
     lack_of_fit: &LackOfFitTests,
 ) -> Option<Composition> {
-    beside(search, selection, from, lack_of_fit, Library::Holds)
+    beside(search, selection, from, lack_of_fit, false)
 }
 
 /// Whether there is anything to compose for.
@@ -133,14 +117,14 @@ fn beside(
     selection: &Selection,
     from: &Tried,
     lack_of_fit: &LackOfFitTests,
-    library: Library,
+    strained: bool,
 ) -> Option<Composition> {
     let scale = selection.temper * lack_of_fit.slack();
     let first = discover(search, from, scale, IDS[0])?;
     let tried = first.tried.clone();
-    let rival = |m: &Tried| library != Library::Refuted || m.effects.is_empty();
+    let rival = |m: &Tried| !strained || m.effects.is_empty();
     let log_odds = selection.log_odds_beside(from, first.gain, lack_of_fit.slack(), rival);
-    let library_strained = library != Library::Holds;
+    let library_strained = strained;
     let second = if lack_of_fit.adequacy(&tried.fit).fires() { second(search, &first, scale) } else { None };
     let Some(second) = second else {
         return Some(Composition { mechanisms: vec![first], tried, log_odds, library_strained, in_other_words: false });
@@ -197,7 +181,7 @@ pub fn is_strained(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: &Tri
 }
 
 impl Composition {
-    /// The selection with the mechanisms' model in it. A library whose best equation has run to its limits, and what mimics that, is set aside where they are likelier.
+    /// The selection with the mechanisms' model in it. A library whose best equation has run to its limits, and what mimics that, is set aside.
     pub fn counted_in(&self, selection: Selection) -> Selection {
         self.with(selection, self.log_odds)
     }
@@ -208,7 +192,7 @@ impl Composition {
     }
 
     fn with(&self, selection: Selection, log_odds: f64) -> Selection {
-        let selection = if self.library_strained && self.log_odds > 0.0 { selection.base_alone() } else { selection };
+        let selection = if self.library_strained { selection.base_alone() } else { selection };
         selection.with_model(self.tried.clone(), log_odds, self.mechanisms.len())
     }
 

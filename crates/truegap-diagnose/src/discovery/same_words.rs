@@ -39,17 +39,16 @@ pub fn says_all_of(search: &Search<'_>, named: &Tried, tried: &Tried, mechanisms
 pub fn says_the_same(search: &Search<'_>, named: &Tried, tried: &Tried, mechanisms: &[Discovery]) -> bool {
     let library = search.library.len();
     let beside_base = tried.effects.iter().all(|e| *e >= library);
-    let names: Vec<InWords> = named
-        .effects
-        .iter()
-        .filter_map(|e| search.library.get(*e)?.in_words(search.context))
-        .map(|w| moved(w, search.context))
-        .collect();
-    let said = |mechanism: &Discovery| {
-        let own = moved(mechanism.effect.sentence.in_words(), search.context);
-        names.iter().any(|name| (&name.driver, name.kinetics) == (&own.driver, own.kinetics) && acts_at(&mechanism.words, name))
-    };
-    beside_base && mechanisms.iter().all(said)
+    beside_base && mechanisms.iter().all(|mechanism| says_one_of(search, &named.effects, mechanism))
+}
+
+/// Whether a mechanism says what one of these `effects` of the library says.
+pub fn says_one_of(search: &Search<'_>, effects: &[usize], mechanism: &Discovery) -> bool {
+    let own = moved(mechanism.effect.sentence.in_words(), search.context);
+    let names = effects.iter().filter_map(|e| search.library.get(*e)?.in_words(search.context));
+    names
+        .map(|words| moved(words, search.context))
+        .any(|name| (&name.driver, name.kinetics) == (&own.driver, own.kinetics) && acts_at(&mechanism.words, &name))
 }
 
 /// The words with the reading for the load as well: the plates of a sensor follow it.

@@ -2,7 +2,10 @@
 //!
 //! A right cause whose equation is slightly off leaves a rest, and another effect can follow a part of that. It is small beside what the cause explains, and tests still see the other part.
 //! So unless the whole model leaves nothing but a noise that was measured, the causes are the fewest effects that remove most of what it removes on rows left out. The model keeps the others, for
-//! they predict. Where the noise was measured and tests see nothing beside it, the equations hold, and each effect that was named is a cause.
+//! they predict. Where the noise was measured and tests see nothing beside effects of the library, their equations hold, and each effect that was named is a cause. That nothing is left beside a
+//! mechanism composed of words says nothing of equations: it was composed to follow whatever there is.
+//!
+//! Beside mechanisms that stand by what they foretell, and not by their odds, the causes among the names are those that they have without them: an equation with a name is worth more than a composed one.
 //!
 //! Effects are left out together as well as one by one: a late clock and a lag of the reading may undo one another, and then each looks needed beside the other.
 //!
@@ -18,24 +21,26 @@ use crate::{
     selection::{candidates::Search, posterior::Selection, verdict::Decision},
     validation::{
         cross_validation::HeldOutFit,
-        main_causes::{fewest, removed},
+        main_causes::{fewest, names_first, removed},
     },
 };
 
-/// The decision with the effects that are only carried; `named` are the predictions of rows left out by its model.
+/// The decision with the effects that are only carried; `named` are the predictions of rows left out by its model. Mechanisms stand `by_odds` against the library, or by what they foretell beside it.
 pub(crate) fn with_carried(
     prepared: &Prepared<'_>,
     search: &Search<'_>,
     selection: &Selection,
     (decision, named): (Decision, &HeldOutFit),
     by_base: &ByBase,
+    by_odds: bool,
 ) -> Decision {
     let chosen = &selection.models[decision.model];
     let parts = parts(&chosen.effects, prepared.testable.len());
     let foretells = chosen.effects.iter().all(|e| !search.library[*e].free_form());
     let derived = search.context.has_plates();
     let after = prepared.lack_of_fit.adequacy(&chosen.fit);
-    let holds = prepared.noise_is_known() && !after.fires();
+    let equations = chosen.effects.iter().all(|e| *e < prepared.testable.len());
+    let holds = prepared.noise_is_known() && !after.fires() && equations;
     if derived || holds || parts.len() < 2 || !foretells {
         return decision;
     }
@@ -48,7 +53,11 @@ pub(crate) fn with_carried(
         removed(&by_base.unseen, &unseen)
     };
     let Some(whole) = removed(&by_base.unseen, named) else { return decision };
-    let (causes, share) = fewest(parts.len(), whole, squares);
+    let composed = !by_odds && parts.last().is_some_and(|part| part.iter().all(|e| *e >= prepared.testable.len()));
+    let (causes, share) = match composed.then(|| names_first(parts.len() - 1, whole, squares)).flatten() {
+        Some(named) => named,
+        None => fewest(parts.len(), whole, squares),
+    };
     let carried = (0..parts.len()).filter(|part| !causes.contains(part)).flat_map(|part| parts[part].clone()).collect();
     decision.carrying((carried, share), &chosen.effects, &after)
 }

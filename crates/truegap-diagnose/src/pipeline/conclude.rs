@@ -19,6 +19,7 @@ use crate::{
         predicted::Predicted,
         prepare::Prepared,
         simple_laws::told_simply,
+        words_beside::words_beside,
     },
     selection::{
         candidates::{Search, Tried},
@@ -49,6 +50,7 @@ pub(crate) fn conclude(
 ) -> Result<Outcome, DiagnoseError> {
     let (bank, examined, composition) = sharpened(&prepared, examined, composition, told)?;
     let judged = in_the_end(&prepared, told, judged(&prepared, told, examined, composition)?);
+    let judged = words_beside(&prepared, told, judged);
     let judged = match by_a_mean(&prepared, told, &judged) {
         Some((verdict, says)) => judged.taken_back(verdict, says),
         None => judged,
@@ -59,14 +61,15 @@ pub(crate) fn conclude(
     let prepared = &prepared;
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
-    let Predicted { unseen, decision, after, vetoed, left_out } = predicted;
+    let Predicted { unseen, decision, after, vetoed, left_out, .. } = predicted;
     let mechanisms = composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
     let in_other_words = composition.as_ref().filter(|c| c.in_other_words);
     // other words for what is explained are no effect more that may act beside it
     let of_names = search;
     let search = &with_mechanisms(of_names, mechanisms);
     let (selection, all) = (&examined.selection, prepared.all_rows());
-    let decision = with_carried(prepared, search, selection, (decision, unseen.stood_behind()), &by_base);
+    let by_odds = composition.as_ref().is_some_and(|composition| composition.log_odds > 0.0);
+    let decision = with_carried(prepared, search, selection, (decision, unseen.stood_behind()), &by_base, by_odds);
     let base = by_base.alone.as_ref().map_or(selection.base(), |alone| &alone.tried);
     let mut told_of = vec![base];
     for tried in [&selection.models[decision.model]].into_iter().chain(composition.as_ref().map(|c| &c.tried)) {

@@ -21,6 +21,7 @@ mod prepare;
 pub(crate) mod recording;
 mod richer_laws;
 mod simple_laws;
+mod words_beside;
 
 pub use options::{Options, Restriction};
 

@@ -33,6 +33,23 @@ pub(crate) fn fewest(count: usize, whole: f64, removed: impl Fn(&[usize]) -> Opt
     (all, 1.0)
 }
 
+/// The same where the last part, behind `names` others, was composed of words: the fewest of the others that remove most of what those remove together, and the words where the others are less than [`MAIN_SHARE`] of
+/// the `whole`. `None` where names remove next to nothing, so that words are no less than they.
+pub(crate) fn names_first(names: usize, whole: f64, removed: impl Fn(&[usize]) -> Option<f64>) -> Option<(Vec<usize>, f64)> {
+    let all: Vec<usize> = (0..names).collect();
+    let by_names = if names == 0 { None } else { removed(&all) }?;
+    if by_names < (1.0 - MAIN_SHARE) * whole || whole <= 0.0 {
+        return None;
+    }
+    let (mut causes, share) = fewest(names, by_names, &removed);
+    if by_names >= MAIN_SHARE * whole {
+        return Some((causes, share * by_names / whole));
+    }
+    causes.push(names);
+    let with_words = if causes.len() == names + 1 { None } else { removed(&causes) };
+    Some((causes, with_words.map_or(1.0, |squares| squares / whole)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -61,6 +78,29 @@ mod tests {
             })
         };
         assert_eq!(fewest(3, 100.0, of).0, [0]);
+    }
+
+    /// Words that do all of it by themselves take nothing from the names that were there first, and are a cause where those leave a third.
+    #[test]
+    fn names_come_before_words() {
+        let of = |names: f64| {
+            move |kept: &[usize]| {
+                Some(match kept {
+                    [0, 1] => names,
+                    [0] => 0.95 * names,
+                    [0, 2] => 98.0,
+                    _ => 0.0,
+                })
+            }
+        };
+        let (causes, share) = names_first(2, 100.0, of(66.0)).unwrap();
+        assert_eq!(causes, [0, 2]);
+        approx::assert_relative_eq!(share, 0.98, max_relative = 1e-12);
+        let (causes, share) = names_first(2, 100.0, of(94.0)).unwrap();
+        assert_eq!(causes, [0]);
+        approx::assert_relative_eq!(share, 0.95 * 0.94, max_relative = 1e-12);
+        assert_eq!(names_first(2, 100.0, of(5.0)), None);
+        assert_eq!(names_first(0, 100.0, of(5.0)), None);
     }
 
     #[test]

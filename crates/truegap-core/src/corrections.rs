@@ -71,6 +71,12 @@ impl Corrections {
         1.0 + (self.warp.at(kelvin) - 1.0) * self.warp_left.at(load)
     }
 
+    /// [`Corrections::warp`] for many rows, to the last bit.
+    pub fn warps(&self) -> impl Fn(f64, f64) -> f64 + '_ {
+        let [warp, left] = [&self.warp, &self.warp_left].map(Curve::smooth);
+        move |kelvin, load| 1.0 + (warp.at(kelvin) - 1.0) * left.at(load)
+    }
+
     /// Growth of the height of held beads over that of free ones, 1/K: `strain -= held_growth x (temperature - reference)`.
     pub fn held_growth(&self) -> f64 {
         self.held_growth_per_kelvin

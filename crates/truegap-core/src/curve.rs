@@ -88,19 +88,12 @@ impl Curve {
     /// **Source:** Fritsch & Carlson, SIAM J. Numer. Anal. 17 (1980) 238 (the limit). **Accuracy:** third order in the distance of samples,
     /// `halving_the_distance_of_samples_takes_an_eighth_of_the_error`.
     pub fn at(&self, x: f64) -> f64 {
-        let points = &self.points;
-        let last = points.len() - 1;
-        if x <= points[0][0] {
-            return points[0][1] + self.slope(0) * (x - points[0][0]);
-        }
-        if x >= points[last][0] {
-            return points[last][1] + self.slope(last) * (x - points[last][0]);
-        }
-        let right = points.partition_point(|p| p[0] <= x).clamp(1, last);
-        let ([a, fa], [b, fb]) = (points[right - 1], points[right]);
-        let (h, t) = (b - a, (x - a) / (b - a));
-        let (u, s) = (1.0 - t, t * t * (3.0 - 2.0 * t));
-        fa + s * (fb - fa) + h * t * u * (u * self.slope(right - 1) - t * self.slope(right))
+        between(&self.points, x, |sample| self.slope(sample))
+    }
+
+    /// The same for many arguments: the slopes at the samples computed once.
+    pub fn smooth(&self) -> Smooth<'_> {
+        Smooth { points: &self.points, slopes: (0..self.points.len()).map(|sample| self.slope(sample)).collect() }
     }
 
     /// Slope between a sample and the next.
@@ -132,6 +125,37 @@ impl Curve {
         }
         parabola.signum() * parabola.abs().min(3.0 * left.abs().min(right.abs()))
     }
+}
+
+/// A curve with the slopes at its samples.
+#[derive(Clone, Debug)]
+pub struct Smooth<'a> {
+    points: &'a [[f64; 2]],
+    slopes: Vec<f64>,
+}
+
+impl Smooth<'_> {
+    /// As [`Curve::at`], to the last bit.
+    pub fn at(&self, x: f64) -> f64 {
+        between(self.points, x, |sample| self.slopes[sample])
+    }
+}
+
+/// The value at `x` between samples with these slopes.
+#[inline]
+fn between(points: &[[f64; 2]], x: f64, slope: impl Fn(usize) -> f64) -> f64 {
+    let last = points.len() - 1;
+    if x <= points[0][0] {
+        return points[0][1] + slope(0) * (x - points[0][0]);
+    }
+    if x >= points[last][0] {
+        return points[last][1] + slope(last) * (x - points[last][0]);
+    }
+    let right = points.partition_point(|p| p[0] <= x).clamp(1, last);
+    let ([a, fa], [b, fb]) = (points[right - 1], points[right]);
+    let (h, t) = (b - a, (x - a) / (b - a));
+    let (u, s) = (1.0 - t, t * t * (3.0 - 2.0 * t));
+    fa + s * (fb - fa) + h * t * u * (u * slope(right - 1) - t * slope(right))
 }
 
 #[cfg(test)]
@@ -172,6 +196,17 @@ mod tests {
         assert!(line.covers(1.0) && !line.covers(1.01) && !line.covers(-1e-9));
         let square = sampled(|x| x * x, 0.0, 1.0, 21);
         assert!((square.at(1.05) - 1.1).abs() < 1e-12, "{}", square.at(1.05));
+    }
+
+    #[test]
+    fn slopes_computed_once_change_no_bit() {
+        for count in [2, 3, 17] {
+            let curve = sampled(|x| (3.0 * x).sin() + x, 0.0, 1.0, count);
+            let smooth = curve.smooth();
+            for x in (-100..=1100).map(|i| f64::from(i) / 1000.0) {
+                assert_eq!(smooth.at(x).to_bits(), curve.at(x).to_bits(), "{count} samples at {x}");
+            }
+        }
     }
 
     #[test]

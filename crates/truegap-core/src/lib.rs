@@ -65,7 +65,7 @@ mod walk;
 pub use chain::{Dielectric, Drive, FieldView, Geometry, Readout, Stage, StageName};
 pub use column::{MEDIAN_NORMAL, ends, median, same_column, sd_of_differences};
 pub use corrections::Corrections;
-pub use curve::{Curve, CurveError};
+pub use curve::{Curve, CurveError, Smooth};
 pub use effect::EffectId;
 pub use inputs::{Driver, INPUT_ROLES, Inputs, Role};
 pub use instrument::Instrument;

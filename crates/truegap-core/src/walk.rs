@@ -2,6 +2,8 @@
 //!
 //! Limits: all rows through one place before any goes to the next, because stages have a memory.
 
+mod between;
+mod known;
 mod late;
 mod plates;
 

@@ -1,11 +1,12 @@
 //! The clock of the load against that of the response.
 //!
-//! Between two rows a column goes on as its own rows say: straight, or by a cubic.
+//! Between two rows a column goes on as its own rows say: straight, or by a cubic ([`super::between`]).
 //!
 //! Limits: a shifted column keeps its first and last value beyond the ends of a run, where nothing was recorded.
 
-use crate::{chain::Stage, column::sd_of_differences, inputs::Inputs};
-use std::{borrow::Cow, ops::Range};
+use super::known;
+use crate::{chain::Stage, inputs::Inputs};
+use std::borrow::Cow;
 
 /// The inputs on the response's clock.
 pub(super) fn on_one_clock<'a>(inputs: &'a Inputs, stages: &[&dyn Stage]) -> Cow<'a, Inputs> {
@@ -28,11 +29,7 @@ fn caught_up(inputs: &Inputs, clock: &[f64], late: &[f64]) -> Inputs {
     let drivers = shifted.drivers.iter_mut().map(|driver| &mut driver.values);
     let runs = inputs.runs();
     for column in columns.into_iter().flatten().chain(drivers) {
-        let between = Between::of(clock, column, &runs);
-        for run in runs.clone() {
-            let moved = interpolated(&clock[run.clone()], &column[run.clone()], &late[run.clone()], between);
-            column[run].copy_from_slice(&moved);
-        }
+        *column = known::shifted(clock, column, &runs, late);
     }
     shifted
 }
@@ -43,114 +40,6 @@ fn clock(inputs: &Inputs) -> Cow<'_, [f64]> {
         Some(time) => Cow::Borrowed(time),
         None => Cow::Owned((0..inputs.len()).map(|row| row as f64).collect()),
     }
-}
-
-/// How a column goes on between two rows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Between {
-    /// straight: what goes in steps, and what is mostly noise
-    Straight,
-    /// by a cubic with the slopes of the parabolas through each row and its neighbours (Bessel's interpolation: de Boor, A Practical Guide to Splines, ch. IV): what bends. A straight line takes the tops off it
-    Cubic,
-}
-
-impl Between {
-    /// What foretells the rows of a column better, each from its two neighbours on either side (leaving one out: Stone, J. R. Stat. Soc. B 36 (1974) 111), beyond what the noise of the row and of its neighbours
-    /// makes of both: it says nothing of how the column goes on. A straight line where neither does.
-    fn of(clock: &[f64], column: &[f64], runs: &[Range<usize>]) -> Self {
-        let inner = |run: &Range<usize>| run.start + 2..run.end.saturating_sub(2).max(run.start + 2);
-        let rows: usize = runs.iter().map(|run| inner(run).len()).sum();
-        let [straight, cubic] = runs.iter().flat_map(inner).fold([0.0; 2], |[straight, cubic], row| {
-            let rows = [row - 2, row - 1, row + 1, row + 2];
-            let left = both_ways(rows.map(|row| clock[row]), rows.map(|row| column[row]), clock[row])
-                .map(|read| (read - column[row]).powi(2));
-            [straight + left[0], cubic + left[1]]
-        });
-        // the cubic makes more of the noise of its four rows: squares of the weights -1, 9, 9, -1 over 16, and of 1, 1 over 2
-        let more = rows as f64 * noise_variance(column, runs) * (164.0 / 256.0 - 0.5);
-        if cubic - more < straight { Self::Cubic } else { Self::Straight }
-    }
-
-    /// Value between two rows: a `share` of the `width` behind the first, which is `from`; the second is higher by `rise`, and the slopes are those at both.
-    fn value(self, share: f64, width: f64, (from, rise): (f64, f64), slopes: [f64; 2]) -> f64 {
-        let straight = from + share * rise;
-        match self {
-            Self::Straight => straight,
-            Self::Cubic => {
-                // what the slopes at both ends have beyond the straight line
-                let [leaving, arriving] = slopes.map(|slope| slope * width - rise);
-                straight + share * (1.0 - share) * ((1.0 - share) * leaving - share * arriving)
-            }
-        }
-    }
-}
-
-/// Variance of what changes from row to row without a course.
-fn noise_variance(column: &[f64], runs: &[Range<usize>]) -> f64 {
-    let third = |w: &[f64]| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).abs();
-    let differences: Vec<f64> = runs.iter().flat_map(|run| column[run.clone()].windows(4).map(third)).collect();
-    sd_of_differences(&differences, 20.0).powi(2)
-}
-
-/// The value at `wanted`, between the second and the third of four rows: straight, and by a cubic.
-fn both_ways(time: [f64; 4], column: [f64; 4], wanted: f64) -> [f64; 2] {
-    let width = time[2] - time[1];
-    if width <= 0.0 {
-        return [column[1]; 2];
-    }
-    let slopes = [1, 2].map(|row| parabola([row - 1, row, row + 1].map(|row: usize| (time[row], column[row]))));
-    let at = |between: Between| between.value((wanted - time[1]) / width, width, (column[1], column[2] - column[1]), slopes);
-    [at(Between::Straight), at(Between::Cubic)]
-}
-
-/// A column at `time + late`, held beyond the ends; `time + late` must not run backwards.
-fn interpolated(time: &[f64], column: &[f64], late: &[f64], between: Between) -> Vec<f64> {
-    let last = time.len() - 1;
-    let slopes = slopes(time, column);
-    let mut after = 0;
-    let at = |row: usize| {
-        let wanted = time[row] + late[row];
-        while after < last && time[after] < wanted {
-            after += 1;
-        }
-        let before = after.saturating_sub(1);
-        let width = time[after] - time[before];
-        if wanted >= time[last] {
-            column[last]
-        } else if wanted <= time[0] || width <= 0.0 {
-            column[after]
-        } else {
-            let share = (wanted - time[before]) / width;
-            let rise = column[after] - column[before];
-            between.value(share, width, (column[before], rise), [slopes[before], slopes[after]])
-        }
-    };
-    (0..time.len()).map(at).collect()
-}
-
-/// Slope of a column at each row: of the parabola through the row and its neighbours, at an end of the straight line to its neighbour. Rows at one time have no slope between them.
-fn slopes(time: &[f64], column: &[f64]) -> Vec<f64> {
-    let last = time.len() - 1;
-    let point = |row: usize| (time[row], column[row]);
-    let at = |row: usize| match row {
-        _ if last == 0 => 0.0,
-        0 => slope(point(0), point(1)),
-        _ if row == last => slope(point(last - 1), point(last)),
-        _ => parabola([point(row - 1), point(row), point(row + 1)]),
-    };
-    (0..time.len()).map(at).collect()
-}
-
-/// Slope in the middle one of three rows, of the parabola through them.
-fn parabola([before, here, after]: [(f64, f64); 3]) -> f64 {
-    let (left, right) = (here.0 - before.0, after.0 - here.0);
-    let both = left + right;
-    if both > 0.0 { (right * slope(before, here) + left * slope(here, after)) / both } else { 0.0 }
-}
-
-fn slope(from: (f64, f64), to: (f64, f64)) -> f64 {
-    let width = to.0 - from.0;
-    if width > 0.0 { (to.1 - from.1) / width } else { 0.0 }
 }
 
 #[cfg(test)]
@@ -215,25 +104,6 @@ mod tests {
         for row in 0..40 {
             approx::assert_abs_diff_eq!(shifted[row], 0.7 * force[row] + 0.3 * force[row + 1], epsilon = 1e-12);
         }
-    }
-
-    /// A wave is read by a cubic, also under noise that a straight line makes less of; steps are read straight under the same noise.
-    #[test]
-    fn the_noise_of_rows_has_no_say() {
-        let time: Vec<f64> = (0..4000).map(f64::from).collect();
-        let noise = |t: &f64| 0.05 * ((t * t * 0.734).sin() + (t * t * 0.331).sin() + (t * t * 0.117).sin());
-        let wave: Vec<f64> = time.iter().map(|t| (0.4 * t).sin()).collect();
-        let noisy: Vec<f64> = time.iter().zip(&wave).map(|(t, w)| w + noise(t)).collect();
-        let steps: Vec<f64> = time.iter().map(|t| (t / 20.0).floor() % 3.0 + noise(t)).collect();
-        assert_eq!(Between::of(&time, &wave, &[0..1500, 1500..4000]), Between::Cubic);
-        assert_eq!(Between::of(&time, &noisy, &[0..4000]), Between::Cubic);
-        assert_eq!(Between::of(&time, &steps, &[0..4000]), Between::Straight);
-        // sines of squares have 1/2 of their square each
-        let alone: Vec<f64> = time.iter().map(noise).collect();
-        let sd = noise_variance(&alone, &[0..4000]).sqrt();
-        assert!((0.8..1.25).contains(&(sd / (0.05 * 1.5f64.sqrt()))), "{sd}");
-        // too few rows to tell
-        assert_eq!(Between::of(&time[..4], &wave[..4], &[0..4]), Between::Straight);
     }
 
     /// Rows at one time, as loggers of whole seconds write them, have finite values between them.

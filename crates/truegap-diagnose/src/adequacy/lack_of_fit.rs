@@ -4,7 +4,7 @@
 
 use crate::{
     adequacy::directions::Direction,
-    adequacy::tuning::{ALIKE, LACK_OF_FIT_LEVEL, MOST_UNCERTAIN, STRETCHES},
+    adequacy::tuning::{ALIKE, ASKED, LACK_OF_FIT_LEVEL, MOST_UNCERTAIN, STRETCHES},
     data::problem::Problem,
     fit::{
         optimum::{Fit, Linearised},
@@ -14,7 +14,10 @@ use crate::{
     whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
 use nalgebra::{DMatrix, DVector};
-use std::ops::Range;
+use std::{
+    ops::Range,
+    sync::{Arc, Mutex, PoisonError},
+};
 
 /// Whitened directions, ready for scoring any fit of the same noise model.
 pub struct LackOfFitTests {
@@ -27,6 +30,27 @@ pub struct LackOfFitTests {
     slack: f64,
     /// amplitude of a line, in noise of a row, that the steps of the reading make by themselves
     steps: f64,
+    /// fits asked last: how much evidence counts is asked of the same fit many times
+    asked: Mutex<Vec<Asked>>,
+}
+
+/// A fit, and what the two tests of what calibration leaves say of it.
+struct Asked {
+    z: Vec<f64>,
+    at_limit: Vec<bool>,
+    residual: Arc<Vec<f64>>,
+    jacobian: Arc<DMatrix<f64>>,
+    said: (JointTest, JointTest),
+}
+
+impl Asked {
+    /// Whether it is this fit or a copy of it.
+    fn is(&self, fit: &Fit) -> bool {
+        Arc::ptr_eq(&self.residual, &fit.residual)
+            && Arc::ptr_eq(&self.jacobian, &fit.jacobian)
+            && self.z == fit.z
+            && self.at_limit == fit.at_limit
+    }
 }
 
 /// Outcome of the three tests.
@@ -85,7 +109,7 @@ impl LackOfFitTests {
     pub fn new(directions: &[Direction], whitener: &Whitener, runs: Vec<Range<usize>>, uncertainty: f64) -> Self {
         let columns = whitener.matrix(directions.iter().map(|d| d.column.clone()).collect());
         let gram = columns.tr_mul(&columns);
-        Self { columns, gram, runs, slack: 1.0 + 2.0 * uncertainty.min(MOST_UNCERTAIN), steps: 0.0 }
+        Self { columns, gram, runs, slack: 1.0 + 2.0 * uncertainty.min(MOST_UNCERTAIN), steps: 0.0, asked: Mutex::default() }
     }
 
     /// The tests of the searched rows of a recording under their noise; `keep[row] = false` leaves a row out. What lasts is looked for inside of runs, and where the rows are in no order nowhere.
@@ -135,8 +159,21 @@ impl LackOfFitTests {
         Adequacy { smooth, stretches, line_p_value, line_at, left_over_noise }
     }
 
-    /// The two tests of what calibration leaves.
+    /// The two tests of what calibration leaves; of a fit that was asked lately, what they said then.
     fn smooth_and_stretches(&self, fit: &Fit) -> (JointTest, JointTest) {
+        let asked = || self.asked.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = asked().iter().find(|asked| asked.is(fit)).map(|asked| asked.said);
+        known.unwrap_or_else(|| {
+            let said = self.smooth_and_stretches_of(fit);
+            let Fit { z, at_limit, residual, jacobian, .. } = fit.clone();
+            let mut asked = asked();
+            asked.truncate(ASKED - 1);
+            asked.insert(0, Asked { z, at_limit, residual, jacobian, said });
+            said
+        })
+    }
+
+    fn smooth_and_stretches_of(&self, fit: &Fit) -> (JointTest, JointTest) {
         let linearised = fit.linearised();
         let smooth = if self.columns.ncols() == 0 { none() } else { self.scores_about(&linearised).joint() };
         (smooth.over(self.slack), stretches(&linearised, &self.runs).over(self.slack))

@@ -47,3 +47,6 @@ pub(crate) const BURST_LEVEL: f64 = 1e-6;
 
 /// Rows over which bursts are looked for.
 pub(crate) const BURST_WINDOWS: [usize; 2] = [8, 24];
+
+/// Fits whose lack-of-fit tests are remembered: the best one, asked again and again, beside those that come and go.
+pub(crate) const ASKED: usize = 4;

@@ -20,17 +20,12 @@ struct Bonded {
     computed: Arc<Corrections>,
 }
 
-impl Bonded {
-    /// Strain of beads by a load that would bring sliding ones to `free`, and by heat.
-    fn strain(&self, free: f64, kelvin: f64) -> f64 {
-        self.computed.bonded_strain(free) - self.computed.held_growth() * kelvin
-    }
-}
-
 impl Stage for Bonded {
     fn strain(&self, drive: &Drive<'_>, strain: &mut [f64]) {
+        // of beads by a load that would bring sliding ones to the strain as it is, and by heat
+        let (bonded, growth) = (self.computed.bonded_strain.smooth(), self.computed.held_growth());
         for (strain, celsius) in strain.iter_mut().zip(drive.temperature_c) {
-            *strain += self.share * (self.strain(*strain, celsius - drive.reference_c) - *strain);
+            *strain += self.share * (bonded.at(*strain) - growth * (celsius - drive.reference_c) - *strain);
         }
     }
     fn dielectric(&self, drive: &Drive<'_>, factors: &mut Dielectric) {
@@ -40,11 +35,11 @@ impl Stage for Bonded {
         }
     }
     fn field(&self, drive: &Drive<'_>, view: &FieldView<'_>, extra: &mut [f64]) {
-        let growth = self.share * self.computed.held_growth();
+        let (growth, mixing) = (self.share * self.computed.held_growth(), self.computed.mixing.smooth());
         for (row, extra) in extra.iter_mut().enumerate() {
             // by the load alone
             let strain = view.strain[row] + growth * (drive.temperature_c[row] - drive.reference_c);
-            *extra += self.share * view.plates[row] * (self.computed.mixing(strain) - 1.0);
+            *extra += self.share * view.plates[row] * (mixing.at(strain) - 1.0);
         }
     }
 }

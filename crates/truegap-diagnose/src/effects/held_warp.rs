@@ -36,7 +36,7 @@ impl Stage for Held {
         geometry.warp_factor -= self.share * self.free;
     }
     fn field(&self, drive: &Drive<'_>, view: &FieldView<'_>, extra: &mut [f64]) {
-        self.add(drive, view, extra, |kelvin, load| self.computed.warp(kelvin, load));
+        self.add(drive, view, extra, self.computed.warps());
     }
 }
 
@@ -48,7 +48,8 @@ impl Stage for Unpressed {
         self.0.geometry(drive, geometry);
     }
     fn field(&self, drive: &Drive<'_>, view: &FieldView<'_>, extra: &mut [f64]) {
-        self.0.add(drive, view, extra, |kelvin, _| self.0.computed.warp(kelvin, 0.0));
+        let warp = self.0.computed.warps();
+        self.0.add(drive, view, extra, |kelvin, _| warp(kelvin, 0.0));
     }
 }
 

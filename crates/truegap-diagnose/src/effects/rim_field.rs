@@ -30,7 +30,8 @@ impl Rims {
 
 impl Stage for Rims {
     fn field(&self, _: &Drive<'_>, view: &FieldView<'_>, extra: &mut [f64]) {
-        self.add(view, extra, |aspect| self.computed.fringing(aspect));
+        let fringing = self.computed.fringing.smooth();
+        self.add(view, extra, |aspect| fringing.at(aspect));
     }
 }
 

@@ -198,13 +198,14 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
 
     /// Replaces Laplace's evidence by a sampled one for the models with the most weight, and for the base model.
     pub fn check(&mut self) -> EvidenceCheck {
-        let weight = weight(self.temper(), self.search.library.len());
+        let temper = self.temper();
+        let weight = weight(temper, self.search.library.len());
         let mut order: Vec<(&EffectSet, f64)> = self.models.iter().map(|(key, m)| (key, weight(m))).collect();
         order.sort_by(|a, b| b.1.total_cmp(&a.1));
         let best = order.first().map_or(0.0, |o| o.1);
         let near = |(place, (key, w)): &(usize, (&EffectSet, f64))| key.is_empty() || (*place < SAMPLED.0 && *w > best - CLOSE);
         // what is weighed is the evidence over the temper, and so is its error; what may be named is drawn in full, since names go by small differences
-        let enough = |w: f64| if w > best - MAY_BE_NAMED { 0.0 } else { ENOUGH_KNOWN * self.temper() };
+        let enough = |w: f64| if w > best - MAY_BE_NAMED { 0.0 } else { ENOUGH_KNOWN * temper };
         let keys: Vec<(EffectSet, f64)> =
             order.into_iter().enumerate().filter(near).map(|(_, (key, w))| (key.clone(), enough(w))).collect();
         let found: Vec<(EffectSet, Sampled)> =

@@ -6,7 +6,9 @@ use crate::{
     adequacy::{
         directions::{self, Direction},
         lack_of_fit::{Adequacy, LackOfFitTests},
+        tuning::ASKED,
     },
+    fit::optimum::Fit,
     noise::{
         reml::{Block, estimate},
         rescale::{not_above, quieter_than},
@@ -155,4 +157,30 @@ fn levels_count_the_tests_that_were_tried() {
     let tests = |uncertainty: f64| LackOfFitTests::new(&[], &world.whitener(1.0), world.inputs.runs(), uncertainty);
     let known = |uncertainty| world.search(&y, |search, _| tests(uncertainty).adequacy(&search.base().unwrap().fit));
     approx::assert_relative_eq!(known(0.1).stretches.statistic * 1.2, known(0.0).stretches.statistic, max_relative = 1e-12);
+}
+
+/// Fits asked in turn, more than are remembered, and copies of them: each has the numbers that tests which remember nothing give it.
+#[test]
+fn a_fit_that_is_asked_again_has_its_own_numbers_to_the_last_bit() {
+    let world = World::new(1, 96, &[1.0]);
+    let random = &mut ChaCha8Rng::seed_from_u64(44);
+    let directions: Vec<Direction> =
+        (0..4).map(|k| Direction { driver: directions::Driver::Clock, column: super::effects::course(k + 1, 96) }).collect();
+    let tests = || LackOfFitTests::new(&directions, &world.whitener(1.0), world.inputs.runs(), 0.0);
+    let fits: Vec<Fit> = (0..ASKED + 2)
+        .map(|_| {
+            let y = world.drawn(&[0], &[0.5], random);
+            world.search(&y, |search, _| search.base().unwrap().fit)
+        })
+        .collect();
+    let numbers = |tests: &LackOfFitTests, fit: &Fit| {
+        let found = tests.adequacy(fit);
+        [found.smooth.statistic, found.stretches.statistic, tests.may_leave(fit)].map(f64::to_bits)
+    };
+    let asked = tests();
+    for fit in fits.iter().chain(&fits).chain(fits.iter().rev()) {
+        let expected = numbers(&tests(), fit);
+        assert_eq!([numbers(&asked, fit), numbers(&asked, &fit.clone())], [expected; 2]);
+    }
+    assert_ne!(numbers(&asked, &fits[0]), numbers(&asked, &fits[1]));
 }

@@ -173,6 +173,18 @@ fn a_curve_is_inverted_on_the_stretch_that_does_not_turn() {
     assert!(matches!(inverse, Inverse::Curve { turns: 4, .. }) && inverse.moves());
 }
 
+/// A model from 1 to 3 V (2 V wide) in one row and from 11 to 13 V in the other: a tenth of that is 0.2 V.
+#[test]
+fn a_reading_is_far_outside_from_a_part_of_the_range_on_in_its_row() {
+    let answer = |x: &[f64]| Ok(vec![1.0 + 2.0 * x[0], 11.0 + 2.0 * x[1]]);
+    let models = Models::<'_, Infallible> { base: &answer, augmented: &answer };
+    let Ok(inverse) = Inverse::curve(&models, 2, Span { zero: 0.0, width: 1.0, ends: true });
+    let [least, most] = inverse.gives().unwrap();
+    assert!((least - 1.0).abs() < 1e-9 && (most - 13.0).abs() < 1e-9, "{least} {most}");
+    let far = |readings: [f64; 2]| inverse.far_outside(&readings, 0.1);
+    assert_eq!([far([0.9, 13.1]), far([0.7, 13.1]), far([3.3, 10.7]), far([12.0, 2.0])], [0, 1, 2, 2]);
+}
+
 /// A model that has no answer beyond some input is asked no further.
 #[test]
 fn a_model_that_ends_is_inverted_up_to_its_end() {

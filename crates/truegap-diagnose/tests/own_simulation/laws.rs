@@ -16,6 +16,22 @@ fn a_drift_is_found_beside_a_simulation_without_a_free_number() {
     assert!(said.fit.in_sample.rmse_after < 0.012, "{}", said.fit.in_sample.rmse_after);
 }
 
+/// A zero that rises by 0.2 V an hour and goes back as fast in the end, or rises on: that its speed changes for good is held at nothing for the one that does not turn, and opened for the other.
+#[test]
+fn a_drift_turns_where_rows_left_out_bear_it_out() {
+    let inputs = simulated();
+    let truth = inputs.simulated.clone().unwrap();
+    for (per_square_hour, held) in [(0.0, true), (-0.8, false)] {
+        let zero = |hours: f64| 0.2 * hours + 0.5 * per_square_hour * hours * hours;
+        let read = noisy(17, |row| truth[row] + zero(row as f64 / 3600.0), truth.len());
+        let said = said_by("offset_drift", &Given::fixed(), &inputs, &read);
+        assert_eq!(said.findings.len(), 1, "{}", said.says);
+        let turning = said.findings[0].parameters.iter().find(|p| p.name == "turning").unwrap();
+        assert_eq!(turning.meaning.contains("held at 0"), held, "{}", turning.meaning);
+        assert!((turning.value - per_square_hour).abs() < 4.0 * turning.sd + 1e-12, "{}", said.says);
+    }
+}
+
 /// An instrument that settles soon after it was switched on. With a fading of one over the recording as usual, a time constant of an eighth of a recording lay eight standard deviations away, and
 /// something was said to be switched instead.
 #[test]

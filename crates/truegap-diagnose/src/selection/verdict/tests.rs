@@ -120,6 +120,17 @@ fn many_models_of_one_rival_stand_in_the_place_of_an_effect_together() {
     assert_eq!(decided(apart, 90.0, 0.0).verdict, Verdict::Undecided);
 }
 
+/// Two effects, of which the first is sure: what most of the few models without it hold is no rival of it, and the second is 0.7 likely, with another effect in most of what is without it.
+#[test]
+fn what_is_sure_has_no_rival_in_what_most_models_without_it_hold() {
+    let models: &[(&[usize], f64)] =
+        &[(&[0, 1], 0.7), (&[0, 2, 3], 0.033), (&[0, 2, 4], 0.033), (&[0, 2, 3, 4], 0.034), (&[0], 0.1)];
+    let few: &[(&[usize], f64)] = &[(&[3, 4, 1], 0.034), (&[3, 2, 1], 0.033), (&[3, 4, 2], 0.033), (&[], 0.0)];
+    let among = selection(3000.0, &[models, few].concat());
+    // 0.7 + 0.2 of the probability has the first; 0.133 of 0.233 without the second has effect 2
+    assert_eq!(crate::selection::rival_sets::sets_told(&among, 0), [vec![0], vec![1, 2]]);
+}
+
 /// The first effect has a rival in its place, the second is rather not there: it is not told beside the two.
 #[test]
 fn an_effect_that_is_rather_not_there_is_not_told_beside_rivals() {

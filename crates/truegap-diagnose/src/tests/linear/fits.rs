@@ -10,8 +10,10 @@ use crate::{
     calibration::{Fit, FitOptions, Noise, fit},
     fit::{
         importance::sampled,
+        maximum_a_posteriori::{fit_apart, fit_where_promising},
         score_test::scores,
         tuning::{SIZE_SCALES, WIDER_PRIOR, WRONG_PRIOR},
+        ways::Ways,
     },
 };
 use nalgebra::{DMatrix, DVector};
@@ -119,6 +121,79 @@ fn sampled_evidence_is_that_of_the_covariance_and_counts_the_mass_of_the_prior()
         assert!(found.effective_share > 0.2, "{found:?}");
         assert!((found.log_evidence - exact).abs() < 0.1, "{found:?} {exact}");
     }
+}
+
+/// A quarter of the draws has to do where the log evidence is known well enough after it: by the error of a mean of weights, of which a share is effective.
+#[test]
+fn a_quarter_of_the_draws_does_where_the_evidence_is_known_well_enough() {
+    let mut world = World::new(1, 40, &[0.3, 0.2, 30.0]);
+    world.terms[0].one_sided = true;
+    let y = world.drawn(&[0, 1, 2], &[1.0, 0.5, 0.2], &mut ChaCha8Rng::seed_from_u64(2));
+    world.search(&y, |search, _| {
+        let model = search.model(&[0, 1, 2]);
+        let best = fit(&model, search.whitener, &[0.1, 0.0, 0.0], &FitOptions::default()).unwrap();
+        let of = |draws: usize, enough: f64| sampled(&model, search.whitener, &best, draws, enough, 1).unwrap();
+        // draws are the same from the first on
+        let (all, quarter) = (of(4 * 200, 0.0), of(200, 0.0));
+        assert_ne!(all, quarter);
+        let error = ((1.0 / quarter.effective_share - 1.0) / 200.0).sqrt();
+        assert_eq!(of(4 * 200, 1.001 * error), quarter);
+        assert_eq!(of(4 * 200, 0.999 * error), all);
+    });
+}
+
+/// A straight step of a linear model leads to its optimum, and promises what is left there.
+#[test]
+fn a_search_begins_where_a_straight_step_promises_what_is_wanted() {
+    let (world, y) = coloured();
+    let left = world.exact(&[0, 1, 2], &y).objective();
+    world.search(&y, |search, _| {
+        let model = search.model(&[0, 1, 2]);
+        let of = |level: f64| {
+            let options = FitOptions::default();
+            fit_where_promising(&model, search.whitener, &[2.0; 3], &model.bounds(), &options, level).unwrap()
+        };
+        assert!(of(left - 1e-3).is_none());
+        approx::assert_relative_eq!(of(left + 1e-3).unwrap().objective(), left, max_relative = FITTED);
+    });
+}
+
+/// The first step of a linear model leads to its optimum from wherever it starts: the second search is given up there, and one from the start of the first at once.
+#[test]
+fn a_search_that_comes_where_another_has_been_is_given_up() {
+    let (world, y) = coloured();
+    world.search(&y, |search, _| {
+        let model = search.model(&[0, 1, 2]);
+        let from = |start: f64, been: &mut Ways| {
+            fit_apart(&model, search.whitener, &[start; 3], None, &FitOptions::default(), false, been).unwrap()
+        };
+        let mut been = Ways::default();
+        assert!(from(2.0, &mut been).is_some());
+        assert!(from(2.0, &mut been).is_none());
+        // one step to the optimum, where the first was after one step
+        assert!(from(-1.0, &mut been).is_none());
+        assert!(from(-1.0, &mut Ways::default()).is_some());
+    });
+}
+
+/// Derivatives by two of three numbers are known beforehand, a hundredth too large: good enough for a model that cannot win where its first step gains next to nothing, and computed again where it gains.
+#[test]
+fn derivatives_of_a_model_that_cannot_win_stay_as_known_where_nothing_is_gained() {
+    let (world, y) = coloured();
+    world.search(&y, |search, _| {
+        let model = search.model(&[0, 1, 2]);
+        let best = fit(&model, search.whitener, &[0.0; 3], &FitOptions::default()).unwrap();
+        let known = best.jacobian.columns(0, 2) * 1.01;
+        let first = |off: f64, hopeless: bool| {
+            let start: Vec<f64> = best.z.iter().map(|z| z + off).collect();
+            let (options, mut been) = (FitOptions::default(), Ways::default());
+            let found = fit_apart(&model, search.whitener, &start, Some(&known), &options, hopeless, &mut been).unwrap().unwrap();
+            found.jacobian.columns(0, 2).norm() / best.jacobian.columns(0, 2).norm()
+        };
+        approx::assert_relative_eq!(first(1e-3, true), 1.01, max_relative = FITTED);
+        approx::assert_relative_eq!(first(1e-3, false), 1.0, max_relative = FITTED);
+        approx::assert_relative_eq!(first(2.0, true), 1.0, max_relative = FITTED);
+    });
 }
 
 /// The exact evidence is a mean of two Gaussians', over the density of the prior at its centre.

@@ -39,7 +39,7 @@ pub(crate) fn discovered(found: &Found<'_>, before: &HeldOutFit, after: Option<&
             sentence: words.clone(),
             named: found.chosen().effects.contains(&index) && !found.carries(index),
             in_other_words: found.in_other_words,
-            log_odds: found.log_odds_of_mechanisms,
+            log_odds: Some(found.log_odds_of_mechanisms).filter(|odds| odds.is_finite()),
             probability: mechanism.words.clone(),
             file: MechanismFile::of(&mechanism.effect, &values, |name| number_unit(name, words, found.search.context)),
             clause: clause(words),

@@ -28,8 +28,8 @@ pub struct DiscoveredFacts {
     pub named: bool,
     /// whether the library has an answer, which this puts into words as if no effect had a name
     pub in_other_words: bool,
-    /// log odds of what was composed against all of the library and all unmodelled courses together; natural logarithm
-    pub log_odds: f64,
+    /// log odds of what was composed against all of the library and all unmodelled courses together; natural logarithm; absent where it stands beside as many effects as a model may have
+    pub log_odds: Option<f64>,
     /// probability of each value of each word
     pub probability: WordProbabilities,
     /// the words as a clause

@@ -44,6 +44,8 @@ pub struct Composition {
     pub library_strained: bool,
     /// whether they only put into words what the library has explained
     pub in_other_words: bool,
+    /// whether they stand by their odds; else by what they foretell beside names of the library
+    pub by_odds: bool,
 }
 
 /// Mechanisms where the library leaves something; `None` where it does not, or where freedom alone does as well. A library that rows left out have `refuted` is no rival.
@@ -99,7 +101,8 @@ pub fn compose_beside(
     from: &Tried,
     lack_of_fit: &LackOfFitTests,
 ) -> Option<Composition> {
-    beside(search, selection, from, lack_of_fit, false)
+    let found = beside(search, selection, from, lack_of_fit, false)?;
+    Some(Composition { by_odds: false, ..found })
 }
 
 /// Whether there is anything to compose for.
@@ -124,19 +127,32 @@ fn beside(
     let tried = first.tried.clone();
     let rival = |m: &Tried| !strained || m.effects.is_empty();
     let log_odds = selection.log_odds_beside(from, first.gain, lack_of_fit.slack(), rival);
-    let library_strained = strained;
     let second = if lack_of_fit.adequacy(&tried.fit).fires() { second(search, &first, scale) } else { None };
     let Some(second) = second else {
-        return Some(Composition { mechanisms: vec![first], tried, log_odds, library_strained, in_other_words: false });
+        return Some(Composition {
+            mechanisms: vec![first],
+            tried,
+            log_odds,
+            library_strained: strained,
+            in_other_words: false,
+            by_odds: true,
+        });
     };
     // what two gain together is known in the order in which they were found
-    let log_odds = log_odds + second.gain;
+    let beside_the_first = second.gain;
     let mechanisms = match the_other_first(search, from, &second, scale) {
         Some(others) if surer(&others, (&first, &second)) => others,
         _ => [first, second],
     };
-    let tried = mechanisms[1].tried.clone();
-    Some(Composition { mechanisms: mechanisms.into(), tried, log_odds, library_strained, in_other_words: false })
+    let (tried, log_odds) = (mechanisms[1].tried.clone(), log_odds + beside_the_first);
+    Some(Composition {
+        mechanisms: mechanisms.into(),
+        tried,
+        log_odds,
+        library_strained: strained,
+        in_other_words: false,
+        by_odds: true,
+    })
 }
 
 /// The mechanism beside `first` that explains most of what that leaves.

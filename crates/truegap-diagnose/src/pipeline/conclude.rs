@@ -68,7 +68,7 @@ pub(crate) fn conclude(
     let of_names = search;
     let search = &with_mechanisms(of_names, mechanisms);
     let (selection, all) = (&examined.selection, prepared.all_rows());
-    let by_odds = composition.as_ref().is_some_and(|composition| composition.log_odds > 0.0);
+    let by_odds = composition.as_ref().is_none_or(|composition| composition.by_odds);
     let decision = with_carried(prepared, search, selection, (decision, unseen.stood_behind()), &by_base, by_odds);
     let base = by_base.alone.as_ref().map_or(selection.base(), |alone| &alone.tried);
     let mut told_of = vec![base];

@@ -5,7 +5,8 @@
 //! they predict. Where the noise was measured and tests see nothing beside effects of the library, their equations hold, and each effect that was named is a cause. That nothing is left beside a
 //! mechanism composed of words says nothing of equations: it was composed to follow whatever there is.
 //!
-//! Beside mechanisms that stand by what they foretell, and not by their odds, the causes among the names are those that they have without them: an equation with a name is worth more than a composed one.
+//! Beside mechanisms that stand by what they foretell, and not by their odds, the causes among the names are those that they have without them, and the mechanisms are carried where they are the smaller part: they were found among thousands,
+//! and an equation with a name is worth more than a composed one.
 //!
 //! Effects are left out together as well as one by one: a late clock and a lag of the reading may undo one another, and then each looks needed beside the other.
 //!

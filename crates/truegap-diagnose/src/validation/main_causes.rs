@@ -33,8 +33,8 @@ pub(crate) fn fewest(count: usize, whole: f64, removed: impl Fn(&[usize]) -> Opt
     (all, 1.0)
 }
 
-/// The same where the last part, behind `names` others, was composed of words: the fewest of the others that remove most of what those remove together, and the words where the others are less than [`MAIN_SHARE`] of
-/// the `whole`. `None` where names remove next to nothing, so that words are no less than they.
+/// The same where the last part, behind `names` others, was composed of words: the fewest of the others that remove most of what those remove together, and the words where those are more than half of
+/// the `whole`. `None` where names remove next to nothing, so that words are all.
 pub(crate) fn names_first(names: usize, whole: f64, removed: impl Fn(&[usize]) -> Option<f64>) -> Option<(Vec<usize>, f64)> {
     let all: Vec<usize> = (0..names).collect();
     let by_names = if names == 0 { None } else { removed(&all) }?;
@@ -42,7 +42,7 @@ pub(crate) fn names_first(names: usize, whole: f64, removed: impl Fn(&[usize]) -
         return None;
     }
     let (mut causes, share) = fewest(names, by_names, &removed);
-    if by_names >= MAIN_SHARE * whole {
+    if 2.0 * by_names >= whole {
         return Some((causes, share * by_names / whole));
     }
     causes.push(names);
@@ -80,7 +80,7 @@ mod tests {
         assert_eq!(fewest(3, 100.0, of).0, [0]);
     }
 
-    /// Words that do all of it by themselves take nothing from the names that were there first, and are a cause where those leave a third.
+    /// Words that do all of it by themselves take nothing from the names that were there first, and are a cause where those leave more than half.
     #[test]
     fn names_come_before_words() {
         let of = |names: f64| {
@@ -93,7 +93,7 @@ mod tests {
                 })
             }
         };
-        let (causes, share) = names_first(2, 100.0, of(66.0)).unwrap();
+        let (causes, share) = names_first(2, 100.0, of(46.0)).unwrap();
         assert_eq!(causes, [0, 2]);
         approx::assert_relative_eq!(share, 0.98, max_relative = 1e-12);
         let (causes, share) = names_first(2, 100.0, of(94.0)).unwrap();

@@ -72,6 +72,15 @@ fn a_batch_takes_each_by_itself() {
     }
 }
 
+/// Its rows counted twice, and each part left out stood in the other copy.
+#[test]
+fn a_recording_that_is_given_twice_is_refused() {
+    let bench = Bench::new();
+    in_two_folders(&bench);
+    let typed = ["-q", "diagnose", "a/recording.toml", "b/recording.toml", "a/recording.toml", "-o", "out"];
+    bench.refuses(&typed, &["a/recording.toml and", "hold the same rows", "leave one of them out"]);
+}
+
 #[test]
 fn what_cannot_be_freed_is_refused() {
     let bench = Bench::new();

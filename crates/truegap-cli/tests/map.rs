@@ -46,6 +46,30 @@ fn what_is_mapped_to_what_is_not_there_is_told_with_what_is() {
     assert!(said.code == 2 && said.err.contains("ROLE=COLUMN:UNIT"), "{}", said.err);
 }
 
+/// Of two columns the last was taken, and a column could be followed by what it is.
+#[test]
+fn what_is_named_twice_is_refused() {
+    let bench = bench();
+    fn typed<'a>(map: &[&'a str]) -> Vec<&'a str> {
+        [&TYPED[..], map, &["-o", "out"]].concat()
+    }
+    let two = ["force=Elapsed:N", "--map", "force=Load cell: left:N"];
+    bench.refuses(
+        &typed(&two),
+        &["bench.csv", "--map", "two columns for force", "`Elapsed:N` and `Load cell: left:N`", "leave one"],
+    );
+    let two = ["driver.place=Elapsed:s", "--map", "driver.place=Load cell: left:N"];
+    bench.refuses(&typed(&two), &["--map", "two columns for driver.place", "leave one"]);
+    let both = ["response=C_measured:pF", "--map", "simulated=C_measured:pF"];
+    bench.refuses(&typed(&both), &["bench.csv: column `C_measured` is both simulated and response", "name another column"]);
+    let both = ["response=C_measured:pF", "--map", "driver.a=Elapsed:s", "--map", "driver.b=Elapsed:s"];
+    bench.refuses(&typed(&both), &["--map driver.b", "column `Elapsed` is the driver `a` already", "leave one"]);
+    let toml = "schema = \"truegap.recording/1\"\nfile = \"bench.csv\"\n[columns]\nforce = \"C_measured\"\nresponse = \"C_measured\"\n[units]\nforce = \"kN\"\nresponse = \"pF\"\n[base]\nmodel = \"linear\"\n";
+    bench.file("bench.toml", toml);
+    let toml = ["-q", "diagnose", "bench.toml", "-o", "out"];
+    bench.refuses(&toml, &["bench.toml, line 5: column `C_measured` is both force and response"]);
+}
+
 #[test]
 fn a_map_goes_before_the_toml() {
     let bench = bench();

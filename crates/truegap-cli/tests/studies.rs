@@ -76,6 +76,8 @@ fn spaces_and_specifications_that_mean_nothing_are_refused() {
     refuses(&["optimise", "--vary", "height=200:150 um"], &["height", "200", "unit"]);
     refuses(&["optimise", "--vary", "width=1 um:2 um"], &["`width`", "height", "conductor"]);
     refuses(&["optimise", "--vary", "height"], &["--vary height", "range"]);
+    let twice = ["optimise", "--vary", "height=150 um:200 um", "--vary", "height=160 um:210 um"];
+    refuses(&twice, &["--vary", "`height` twice", "leave one of them out"]);
     refuses(&["optimise", "--least-span", "0"], &["span", "above 0"]);
     let held = ["young", "height", "conductor", "plating", "insulator", "bead_diameter", "bead_count", "diameter"];
     let all: Vec<&str> = held.iter().flat_map(|name| ["--hold", *name]).collect();

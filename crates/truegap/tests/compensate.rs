@@ -286,6 +286,22 @@ fn numbers_that_cannot_be_are_refused_by_their_name() {
     assert!(says.contains("timeout_s = -1; write a finite number above 0"), "{says}");
 }
 
+/// The first of two was taken, and nothing said of the second.
+#[test]
+fn a_number_or_an_effect_that_is_given_twice_is_refused() {
+    let numbers = [("offset", 1.0), ("slope", 15.0)];
+    let named = |from: &str, to: &str| refused(LINE, &numbers, &format!("{TEMPERATURE}{LAG}"), from, to);
+    let number = |list: &str, value: f64| format!("[[{list}]]\nname = \"offset\"\nunit = \"mm\"\nvalue = {value}\nsd = 0.1\n");
+    let says = named("[[parameter]]", &format!("{}[[parameter]]", number("parameter", 2.5)));
+    assert!(says.contains("[[parameter]] gives `offset` twice, as 2.5 and as 1; leave one of them out"), "{says}");
+    let alone = format!("{}{}[[parameter]]", number("base_alone", 1.5), number("base_alone", 2.0));
+    assert!(named("[[parameter]]", &alone).contains("[[base_alone]] gives `offset` twice, as 1.5 and as 2"));
+    let tau = "{ name = \"tau\", unit = \"s\", value = 8.0, sd = 0.1 }";
+    assert!(named(tau, &format!("{tau}, {tau}")).contains("readout_lag gives `tau` twice, as 8 and as 8"));
+    let says = named(LAG, &format!("{LAG}{LAG}"));
+    assert!(says.contains("[[effect]] adds `readout_lag` twice; leave one of them out"), "{says}");
+}
+
 /// What is too large for its square is told as it is; what is too large itself is refused, by its row.
 #[test]
 fn no_answer_holds_a_number_that_is_none() {

@@ -46,6 +46,11 @@ pub(super) fn bind(
     for role in ROLES {
         found.extend(binder.find(role)?.map(|index| (role, index)));
     }
+    for (place, (role, index)) in found.iter().enumerate() {
+        if let Some((other, _)) = found[..place].iter().find(|(other, before)| before == index && both_are_read(*role, *other)) {
+            return Err(binder.two_roles(*other, *role, *index));
+        }
+    }
     let mut notes: Vec<Note> = binder.told_by_name(&found).into_iter().collect();
     let columns = found.into_iter().map(|(role, index)| binder.column(role, index, &mut notes));
     let mut columns = columns.collect::<Result<Vec<_>, _>>()?;
@@ -64,7 +69,23 @@ struct Binder<'a> {
     by_words: OnceCell<BTreeMap<Role, usize>>,
 }
 
+/// Whether both roles are read as numbers: what numbers the runs may be a clock or a sensor's name as well.
+fn both_are_read(one: Role, other: Role) -> bool {
+    [one, other].iter().all(|role| !matches!(role, Role::Run | Role::Sensor | Role::Time))
+}
+
 impl Binder<'_> {
+    /// Refuses a column that is named for two roles, by the line of the later one.
+    fn two_roles(&self, one: Role, other: Role, index: usize) -> RecordingError {
+        let line = |role| self.manifest.columns.get(&role).map_or(NO_LINE, |named| named.line);
+        let place = match line(one).max(line(other)) {
+            NO_LINE => String::new(),
+            line => format!(", line {line}"),
+        };
+        let (file, column) = (self.toml.to_owned(), self.header[index].name.clone());
+        RecordingError::TwoRoles { file, place, column, first: one.key().to_owned(), second: other.key().to_owned() }
+    }
+
     /// Whether the TOML names a column of this name for a role.
     fn has_role(&self, name: &str) -> bool {
         self.manifest.columns.values().any(|named| named.text == name)

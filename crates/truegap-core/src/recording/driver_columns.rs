@@ -71,5 +71,12 @@ pub(super) fn bind_drivers(
         })?;
         Ok(DriverColumn { index, driver: wanted.name.clone(), name: wanted.column.clone(), unit })
     };
-    manifest.drivers.iter().map(bound).collect()
+    let bound: Vec<DriverColumn> = manifest.drivers.iter().map(bound).collect::<Result<_, _>>()?;
+    for (place, wanted) in manifest.drivers.iter().enumerate() {
+        if let Some(before) = bound[..place].iter().find(|before| before.index == bound[place].index) {
+            let why = format!("column `{}` is the driver `{}` already; leave one of the two out", before.name, before.driver);
+            return Err(refused(wanted, why));
+        }
+    }
+    Ok(bound)
 }

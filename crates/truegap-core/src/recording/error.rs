@@ -78,6 +78,14 @@ pub enum RecordingError {
     /// Two columns would do.
     #[error("{file}: columns {found} could all be {role}; say which under [columns], e.g. {role} = \"{first}\"")]
     AmbiguousColumn { file: PathBuf, role: String, found: String, first: String },
+    /// A column that is named for two roles.
+    #[error(
+        "{file}{place}: column `{column}` is both {first} and {second}; name another column for one of them, or leave it out"
+    )]
+    TwoRoles { file: PathBuf, place: String, column: String, first: String, second: String },
+    /// What is told of one role or driver twice beside the files.
+    #[error("{file}: --map names two columns for {part}, `{first}` and `{second}`; leave one of them out")]
+    MappedTwice { file: PathBuf, part: String, first: String, second: String },
     /// A column that is named as a driver beside the files and cannot be taken.
     #[error("{file}: --map driver.{driver}: {why}")]
     MappedDriver { file: PathBuf, driver: String, why: String },

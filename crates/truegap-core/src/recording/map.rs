@@ -3,6 +3,7 @@
 //! Limits: one column a line.
 
 use super::{
+    error::RecordingError,
     heading::Heading,
     keys::ROLES_CALLED,
     manifest::{Manifest, Named, NamedDriver},
@@ -10,7 +11,7 @@ use super::{
 };
 use crate::inputs::Role;
 use crate::nearest::instead;
-use std::str::FromStr;
+use std::{path::Path, str::FromStr};
 
 /// Line of what stands in no file.
 pub(super) const NO_LINE: usize = 0;
@@ -92,6 +93,21 @@ impl Mapped {
             None => (&self.column, None),
         }
     }
+}
+
+/// Refuses a role or a driver that is told twice; `file` is for the message.
+pub(super) fn each_once(map: &[Mapped], file: &Path) -> Result<(), RecordingError> {
+    for (place, mapped) in map.iter().enumerate() {
+        if let Some(before) = map[..place].iter().find(|before| before.part == mapped.part) {
+            let part = match &mapped.part {
+                Part::Role(role) => role.key().to_owned(),
+                Part::Driver(name) => format!("{DRIVER}{name}"),
+            };
+            let (first, second) = (before.column.clone(), mapped.column.clone());
+            return Err(RecordingError::MappedTwice { file: file.to_owned(), part, first, second });
+        }
+    }
+    Ok(())
 }
 
 impl Manifest {

@@ -12,6 +12,7 @@ use super::{
     driver_columns::bind_drivers,
     error::RecordingError,
     manifest::{BaseSpec, Manifest, Named},
+    map::each_once,
     note::Note,
     number::number,
     packed::{open_csv, unread},
@@ -104,12 +105,14 @@ impl Recording {
         let path = PathBuf::from(format!("{name}.toml"));
         let manifest = Manifest::parse(&path, toml)?;
         let csv_path = PathBuf::from(&manifest.file);
+        each_once(&told.map, &csv_path)?;
         read(Cursor::new(csv.as_bytes()), &Origin { csv: &csv_path, toml: Some(&path), told }, manifest)
     }
 }
 
 /// The recording in a table, whatever kind of file that is.
 fn opened(origin: &Origin<'_>, manifest: Manifest) -> Result<Recording, RecordingError> {
+    each_once(&origin.told.map, origin.csv)?;
     match columnar::read(origin.csv)? {
         None => read(open_csv(origin.csv)?, origin, manifest),
         Some(mut frame) => {

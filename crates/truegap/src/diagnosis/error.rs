@@ -72,6 +72,9 @@ pub enum DiagnosisError {
     /// One recording has nothing to be compared with.
     #[error("--free gives each of several recordings a gain or offset against the first; name at least two, or leave --free out")]
     NothingToFree,
+    /// A recording that is given twice, which would count each of its rows twice.
+    #[error("{first} and {second} hold the same rows, which would count twice; leave one of them out")]
+    SameRecording { first: String, second: String },
     /// A column to be concealed that is not there.
     #[error("{recording}: there is no input column `{column}` to conceal; there are {names}")]
     NothingToConceal { recording: String, column: String, names: String },

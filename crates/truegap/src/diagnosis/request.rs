@@ -88,11 +88,23 @@ pub fn open_with(recordings: Vec<Recording>, request: &Request, programs: Progra
         hidden.push(conceal(&mut parts, column)?);
     }
     parts.iter_mut().for_each(|part| replace_base(part, request));
+    each_once(&parts)?;
     if parts.len() == 1 {
         let recording = parts.remove(0);
         return Ok(Opened { recording, parts, free, hidden, programs });
     }
     Ok(Opened { recording: together(&parts)?, parts, free, hidden, programs })
+}
+
+/// Refuses recordings of which two hold the same rows.
+fn each_once(parts: &[Recording]) -> Result<(), DiagnosisError> {
+    for (place, part) in parts.iter().enumerate() {
+        let same = |before: &&Recording| before.response == part.response && before.inputs == part.inputs;
+        if let Some(before) = parts[..place].iter().find(same) {
+            return Err(DiagnosisError::SameRecording { first: named(before), second: named(part) });
+        }
+    }
+    Ok(())
 }
 
 fn free(request: &Request, recordings: usize) -> Result<Free, DiagnosisError> {

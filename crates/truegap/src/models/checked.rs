@@ -3,22 +3,26 @@
 //! Limits: a number that is possible and wrong is not found; standard deviations play no part in an answer and are not looked at.
 
 use super::model_file::{ModelFile, ModelFileError, RunningModel, within_its_runs};
+use std::collections::BTreeMap;
 use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales};
 use truegap_diagnose::mechanism::Numbers;
 use truegap_diagnose::{Context, Effect, Library};
 
 impl ModelFile {
-    /// Whether every number can be.
+    /// Whether every number can be, and is given once.
     ///
     /// # Errors
-    /// [`ModelFileError::Number`] or [`ModelFileError::Base`] with the first that cannot.
+    /// [`ModelFileError::Number`] or [`ModelFileError::Base`] with the first that cannot; [`ModelFileError::Twice`] or [`ModelFileError::EffectTwice`] with what is given twice.
     pub(super) fn check_numbers(&self) -> Result<(), ModelFileError> {
         self.base.check()?;
         self.scales_are_possible()?;
-        self.parameters.iter().try_for_each(|value| finite("[[parameter]]", value))?;
-        self.base_alone.iter().try_for_each(|value| finite("[[base_alone]]", value))?;
-        self.effects.iter().try_for_each(|effect| {
-            effect.parameters.iter().try_for_each(|value| finite(&effect.id, value))?;
+        sound("[[parameter]]", &self.parameters)?;
+        sound("[[base_alone]]", &self.base_alone)?;
+        self.effects.iter().enumerate().try_for_each(|(place, effect)| {
+            sound(&effect.id, &effect.parameters)?;
+            if self.effects[..place].iter().any(|before| is_same(before, effect)) {
+                return Err(ModelFileError::EffectTwice { id: effect.id.clone() });
+            }
             effect.mechanism.as_ref().map_or(Ok(()), |mechanism| held(&effect.id, &mechanism.numbers))
         })
     }
@@ -80,6 +84,24 @@ fn has_its_numbers(effect: &dyn Effect, added: &AddedEffect, context: &Context<'
     below.map_or(Ok(()), |(NamedValue { name, value, .. }, _)| {
         Err(ModelFileError::Number { what: format!("`{name}` of {}", added.id), value: *value, wanted: "a number from 0 on" })
     })
+}
+
+/// Whether two are one effect: discovered ones of one name may differ in their words.
+fn is_same(one: &AddedEffect, other: &AddedEffect) -> bool {
+    let words = |added: &AddedEffect| added.mechanism.as_ref().map(|mechanism| mechanism.sentence.clone());
+    one.id == other.id && words(one) == words(other)
+}
+
+/// Every number is one, and each name stands once.
+fn sound(of: &str, values: &[NamedValue]) -> Result<(), ModelFileError> {
+    values.iter().try_for_each(|value| finite(of, value))?;
+    let mut seen = BTreeMap::new();
+    for NamedValue { name, value, .. } in values {
+        if let Some(first) = seen.insert(name.as_str(), *value) {
+            return Err(ModelFileError::Twice { of: of.to_owned(), name: name.clone(), first, second: *value });
+        }
+    }
+    Ok(())
 }
 
 fn finite(of: &str, NamedValue { name, value, .. }: &NamedValue) -> Result<(), ModelFileError> {

@@ -83,6 +83,12 @@ pub enum ModelFileError {
     /// An effect with more or fewer numbers than its equations have.
     #[error("the effect `{id}` has {expected} parameters, the model file gives {found}; list each with name, unit, value, sd")]
     ParameterCount { id: String, expected: usize, found: usize },
+    /// A name that is given twice.
+    #[error("the model file: {of} gives `{name}` twice, as {first} and as {second}; leave one of them out")]
+    Twice { of: String, name: String, first: f64, second: f64 },
+    /// An effect that is added twice.
+    #[error("the model file: [[effect]] adds `{id}` twice; leave one of them out")]
+    EffectTwice { id: String },
     /// A number that cannot be.
     #[error("the model file: {what} is {value}; write {wanted}")]
     Number { what: String, value: f64, wanted: &'static str },

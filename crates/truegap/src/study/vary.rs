@@ -19,6 +19,9 @@ pub enum VaryError {
     /// Neither a range nor a list.
     #[error("--vary {text}: write \"height=150 um:210 um\" for a range or \"conductor=10 um,17 um\" for what can be bought")]
     Form { text: String },
+    /// A quantity that is given twice.
+    #[error("--vary gives `{name}` twice; leave one of them out")]
+    Twice { name: String },
     /// A value without its unit, or in another.
     #[error("--vary {quantity}: {source}")]
     Value { quantity: Quantity, source: UnitError },
@@ -38,8 +41,13 @@ pub fn axes(sensor: &SensorText, hold: &[String], vary: &[String]) -> Result<Vec
         let quantity = quantity(name)?;
         axes.retain(|axis| axis.quantity != quantity);
     }
+    let mut varied: Vec<Axis> = Vec::new();
     for text in vary {
         let axis = axis(text)?;
+        if varied.iter().any(|before| before.quantity == axis.quantity) {
+            return Err(VaryError::Twice { name: axis.quantity.name().to_owned() });
+        }
+        varied.push(axis.clone());
         match axes.iter_mut().find(|a| a.quantity == axis.quantity) {
             Some(place) => *place = axis,
             None => axes.push(axis),

@@ -176,7 +176,7 @@ fn words_that_are_likelier_than_a_name_are_the_answer() {
     let diagnosis = told(&inputs, &response, &library());
     let found = diagnosis.discovered.first().expect(&diagnosis.says);
     assert_eq!((found.driver.as_str(), found.kinetics.as_str()), ("supply", "static"), "{}", found.says);
-    assert!(found.named && !found.in_other_words && found.log_odds > 0.0, "{}", diagnosis.says);
+    assert!(found.named && !found.in_other_words && found.log_odds > Some(0.0), "{}", diagnosis.says);
 }
 
 /// With an effect of the library that follows the supply along a straight line, a knee is no matter of form: the line leaves a good part of it.

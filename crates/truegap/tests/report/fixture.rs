@@ -292,7 +292,7 @@ pub fn mechanism() -> DiscoveredFacts {
         sentence: file.sentence.clone(),
         named: true,
         in_other_words: false,
-        log_odds: 10.0,
+        log_odds: Some(10.0),
         probability: Default::default(),
         clause: word(),
         says: word(),

@@ -356,3 +356,16 @@ fn each_mechanism_is_told_with_its_own_file() {
         );
     }
 }
+
+/// A mechanism that the model carries beside a name is no second answer that "comes nearest".
+#[test]
+fn a_mechanism_that_is_carried_is_told_as_such() {
+    let mut fixture = fixture::thermal_lag();
+    let clause = "the reading follows the rate".to_owned();
+    fixture.diagnosis.discovered =
+        vec![truegap_diagnose::answer::DiscoveredFacts { named: false, carried: true, clause, ..fixture::mechanism() }];
+    let text = terminal::summary(&fixture.diagnosis);
+    assert!(text.contains("Of what it carries: the reading follows the rate") && !text.contains("nearest is"), "{text}");
+    let page = html(&fixture.subject());
+    assert!(page.contains("beside what is named") && page.contains("The model carries it."), "the page does not say so");
+}

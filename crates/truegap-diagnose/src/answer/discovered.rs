@@ -22,7 +22,8 @@ pub(crate) fn discovered(found: &Found<'_>, before: &HeldOutFit, after: Option<&
     let first = found.search.library.len() - found.mechanisms.len();
     let facts = |(k, mechanism): (usize, &Discovery)| {
         let index = first + k;
-        let tried = found.selection.models.iter().find(|m| m.effects.contains(&index))?;
+        // with the numbers that the answer predicts by
+        let tried = found.told(found.selection.models.iter().find(|m| m.effects.contains(&index))?);
         let model = found.search.model(&tried.effects);
         let own = model.range_of(tried.effects.iter().position(|e| *e == index)?);
         let both = after.and_then(|after| compared(before, after));
@@ -38,6 +39,7 @@ pub(crate) fn discovered(found: &Found<'_>, before: &HeldOutFit, after: Option<&
             action: words.action.word().into(),
             sentence: words.clone(),
             named: found.chosen().effects.contains(&index) && !found.carries(index),
+            carried: found.chosen().effects.contains(&index) && found.carries(index),
             in_other_words: found.in_other_words,
             log_odds: Some(found.log_odds_of_mechanisms).filter(|odds| odds.is_finite()),
             probability: mechanism.words.clone(),

@@ -26,6 +26,8 @@ pub struct DiscoveredFacts {
     pub sentence: Sentence,
     /// whether the verdict stands behind it
     pub named: bool,
+    /// whether the model stood behind holds it without a claim: it predicts rows left out, beside what is named
+    pub carried: bool,
     /// whether the library has an answer, which this puts into words as if no effect had a name
     pub in_other_words: bool,
     /// log odds of what was composed against all of the library and all unmodelled courses together; natural logarithm; absent where it stands beside as many effects as a model may have

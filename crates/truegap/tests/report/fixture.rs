@@ -291,6 +291,7 @@ pub fn mechanism() -> DiscoveredFacts {
         action: word(),
         sentence: file.sentence.clone(),
         named: true,
+        carried: false,
         in_other_words: false,
         log_odds: Some(10.0),
         probability: Default::default(),

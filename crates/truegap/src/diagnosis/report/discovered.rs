@@ -22,6 +22,10 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
         return page;
     }
     let (heading, why) = match all.iter().any(|m| m.in_other_words) {
+        _ if all.iter().any(|m| m.carried) => (
+            "Composed of words, beside what is named",
+            "Rows left out are predicted better with it, and what is named removes more: it is carried, and not claimed as a cause.",
+        ),
         true => (
             "Composed of words, as if no effect had a name",
             "The library has an answer. It may lack the effect that acts, and then its nearest one explains as much: words do not depend on what it holds.",
@@ -38,6 +42,7 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
 fn one(page: Page, subject: &Subject<'_>, m: &DiscoveredFacts, file: &str) -> Page {
     let heading = format!("{} follows {}", spoken(&m.place), spoken(&m.driver));
     let stands = match (m.named, m.in_other_words) {
+        _ if m.carried => "The model carries it. ",
         (true, _) => "",
         (false, true) => "The verdict does not rest on it. ",
         (false, false) => "The verdict does not stand behind it; it is what comes nearest. ",

@@ -33,6 +33,8 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
     for mechanism in diagnosis.discovered.iter().filter(|mechanism| !(sure && mechanism.in_other_words)) {
         if mechanism.in_other_words {
             lines.push(format!("  In words, as if no effect had a name: {}", mechanism.says));
+        } else if mechanism.carried {
+            lines.push(format!("  Of what it carries: {}", mechanism.clause));
         } else if !mechanism.named {
             lines.push(format!("  Of mechanisms composed of words, nearest is: {}", mechanism.says));
         }

@@ -1,14 +1,14 @@
 //! Every assumption of the analytic model, one file each: is it true, by how much is it wrong, and what does that do to the coefficients?
 //!
-//! A sensor becomes a [`Study`]; each [`Assumption`] compares one equation of the model with finite elements and says what the difference does by
-//! running the analytic chain with that one piece replaced ([`Swap`]). Limits: axisymmetric bodies, steady state; recordings are not known here.
+//! A sensor becomes a `Study`; each `Assumption` compares one equation of the model with finite elements and says what the difference does by
+//! running the analytic chain with that one piece replaced (`Swap`). Limits: axisymmetric bodies, steady state; recordings are not known here.
 //!
 //! | question | where |
 //! |---|---|
-//! | Which assumptions hold for a sensor? | [`register`], [`run`] |
-//! | What does the analytic chain say with a piece replaced? | [`Study::effect`] |
+//! | Which assumptions hold for a sensor? | `register`, `run` |
+//! | What does the analytic chain say with a piece replaced? | `Study::effect` |
 //! | What corrects the chain at analytic speed? | [`corrections`] |
-//! | What do finite elements say of the sensor? | [`reference`](mod@reference) by bead cells, [`disc`] for warp and contact, [`cell`] for one bead |
+//! | What do finite elements say of the sensor? | `reference` by bead cells, [`disc`] for warp and contact, [`cell`] for one bead |
 //!
 //! # Example
 //!

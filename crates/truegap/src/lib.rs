@@ -7,14 +7,14 @@
 //! | question | module | crate behind it |
 //! |---|---|---|
 //! | what does the analytic model say? | [`predict`] | [`model`] |
-//! | do its assumptions hold? | [`verify`] | [`audit`], [`fem`], [`scene`] |
+//! | do its assumptions hold? | `verify` | [`audit`], `fem`, [`scene`] |
 //! | what does it leave out of a recording? | [`diagnosis`], with its [`report`](diagnosis::report); is that borne out elsewhere? [`confirm`](diagnosis::confirm); what would be read without it? [`compensate`](diagnosis::compensate) | [`diagnose`] |
 //! | what is compared, and what comes out, as files and programs | [`models`] | [`model`], [`diagnose`] |
 //! | which design drifts less? | [`study`] | [`design`], [`sweep`] |
 //! | how often is a diagnosis right? | [`prove`] | a generator that shares nothing with it |
 //! | folders and formats of files | [`OutputFolder`], [`schema`] | - |
 //!
-//! What solves finite elements ([`fem`], [`verify`], [`study::audit`]) stands behind the feature `fem`, which is on by default.
+//! What solves finite elements (`fem`, `verify`, `study::audit`) stands behind the feature `fem`, which is on by default.
 //! A diagnosis with a simulator of your own needs [`diagnose`] and [`core`] only.
 //!
 //! # A prediction

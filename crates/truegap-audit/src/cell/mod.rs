@@ -1,6 +1,6 @@
 //! The unit cell of a bead: a cylinder of silicone between two plates, in the cylinder of air that is its share of the electrode.
 //!
-//! [`press`] squeezes the bead at finite strain, [`cell_capacitance`] solves the field around a bead of any profile. Limits: the cell is a cylinder of equal
+//! `press` squeezes the bead at finite strain, `cell_capacitance` solves the field around a bead of any profile. Limits: the cell is a cylinder of equal
 //! area, so the directions towards the nearest neighbours are all alike; its side wall is a mirror for the field.
 
 #[cfg(feature = "fem")]

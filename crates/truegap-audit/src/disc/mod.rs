@@ -1,6 +1,6 @@
 //! The whole disc: a stack of layers on beads, heated and pressed, as finite elements and as the closed forms it is checked against.
 //!
-//! Axisymmetric: beads become rings of equal area fraction. What has no axis (a cylinder after buckling) is in [`buckled()`], by energy.
+//! Axisymmetric: beads become rings of equal area fraction. What has no axis (a cylinder after buckling) is in `buckled`, by energy.
 
 mod banded;
 #[cfg(feature = "fem")]

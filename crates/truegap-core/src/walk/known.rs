@@ -87,6 +87,7 @@ fn same_bits(a: &[f64], b: &[f64]) -> bool {
 }
 
 #[cfg(test)]
+#[allow(clippy::single_range_in_vec_init)] // one run
 mod tests {
     use super::*;
 

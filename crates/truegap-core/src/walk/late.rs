@@ -43,6 +43,7 @@ fn clock(inputs: &Inputs) -> Cow<'_, [f64]> {
 }
 
 #[cfg(test)]
+#[allow(clippy::single_range_in_vec_init)] // one run
 mod tests {
     use super::*;
 

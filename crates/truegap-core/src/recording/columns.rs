@@ -13,6 +13,7 @@ use super::{
     roles::ROLES,
     words::told,
 };
+use crate::given_again;
 use crate::inputs::Role;
 use crate::nearest::nearest;
 use crate::units::{Dimension, UnitError};
@@ -46,10 +47,9 @@ pub(super) fn bind(
     for role in ROLES {
         found.extend(binder.find(role)?.map(|index| (role, index)));
     }
-    for (place, (role, index)) in found.iter().enumerate() {
-        if let Some((other, _)) = found[..place].iter().find(|(other, before)| before == index && both_are_read(*role, *other)) {
-            return Err(binder.two_roles(*other, *role, *index));
-        }
+    let same = |(one, before): &(Role, usize), (other, index): &(Role, usize)| before == index && both_are_read(*one, *other);
+    if let Some(((one, _), (other, index))) = given_again(&found, same) {
+        return Err(binder.two_roles(*one, *other, *index));
     }
     let mut notes: Vec<Note> = binder.told_by_name(&found).into_iter().collect();
     let columns = found.into_iter().map(|(role, index)| binder.column(role, index, &mut notes));

@@ -10,6 +10,7 @@ use super::{
     map::NO_LINE,
     roles::ROLES,
 };
+use crate::given_again;
 use std::path::Path;
 
 /// A column that is none of the roles, and that physics may follow all the same.
@@ -72,11 +73,10 @@ pub(super) fn bind_drivers(
         Ok(DriverColumn { index, driver: wanted.name.clone(), name: wanted.column.clone(), unit })
     };
     let bound: Vec<DriverColumn> = manifest.drivers.iter().map(bound).collect::<Result<_, _>>()?;
-    for (place, wanted) in manifest.drivers.iter().enumerate() {
-        if let Some(before) = bound[..place].iter().find(|before| before.index == bound[place].index) {
-            let why = format!("column `{}` is the driver `{}` already; leave one of the two out", before.name, before.driver);
-            return Err(refused(wanted, why));
-        }
+    let each: Vec<_> = manifest.drivers.iter().zip(&bound).collect();
+    if let Some(((_, before), (wanted, _))) = given_again(&each, |(_, one), (_, other)| one.index == other.index) {
+        let why = format!("column `{}` is the driver `{}` already; leave one of the two out", before.name, before.driver);
+        return Err(refused(wanted, why));
     }
     Ok(bound)
 }

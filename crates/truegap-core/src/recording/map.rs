@@ -10,7 +10,7 @@ use super::{
     roles::ROLES,
 };
 use crate::inputs::Role;
-use crate::nearest::instead;
+use crate::{given_again, nearest::instead};
 use std::{path::Path, str::FromStr};
 
 /// Line of what stands in no file.
@@ -97,17 +97,13 @@ impl Mapped {
 
 /// Refuses a role or a driver that is told twice; `file` is for the message.
 pub(super) fn each_once(map: &[Mapped], file: &Path) -> Result<(), RecordingError> {
-    for (place, mapped) in map.iter().enumerate() {
-        if let Some(before) = map[..place].iter().find(|before| before.part == mapped.part) {
-            let part = match &mapped.part {
-                Part::Role(role) => role.key().to_owned(),
-                Part::Driver(name) => format!("{DRIVER}{name}"),
-            };
-            let (first, second) = (before.column.clone(), mapped.column.clone());
-            return Err(RecordingError::MappedTwice { file: file.to_owned(), part, first, second });
-        }
-    }
-    Ok(())
+    let Some((before, mapped)) = given_again(map, |one, other| one.part == other.part) else { return Ok(()) };
+    let part = match &mapped.part {
+        Part::Role(role) => role.key().to_owned(),
+        Part::Driver(name) => format!("{DRIVER}{name}"),
+    };
+    let (first, second) = (before.column.clone(), mapped.column.clone());
+    Err(RecordingError::MappedTwice { file: file.to_owned(), part, first, second })
 }
 
 impl Manifest {

@@ -7,7 +7,7 @@ use super::rows::rows_of_each;
 use crate::models::Programs;
 use std::path::PathBuf;
 use truegap_core::nearest::nearest;
-use truegap_core::{Note, Recording, Role};
+use truegap_core::{Note, Recording, Role, given_again};
 use truegap_diagnose::Library;
 use truegap_diagnose::answer::Hidden;
 use truegap_diagnose::joint::{Free, behind_one_another};
@@ -98,13 +98,10 @@ pub fn open_with(recordings: Vec<Recording>, request: &Request, programs: Progra
 
 /// Refuses recordings of which two hold the same rows.
 fn each_once(parts: &[Recording]) -> Result<(), DiagnosisError> {
-    for (place, part) in parts.iter().enumerate() {
-        let same = |before: &&Recording| before.response == part.response && before.inputs == part.inputs;
-        if let Some(before) = parts[..place].iter().find(same) {
-            return Err(DiagnosisError::SameRecording { first: named(before), second: named(part) });
-        }
+    match given_again(parts, |one, other| one.response == other.response && one.inputs == other.inputs) {
+        Some((first, second)) => Err(DiagnosisError::SameRecording { first: named(first), second: named(second) }),
+        None => Ok(()),
     }
-    Ok(())
 }
 
 fn free(request: &Request, recordings: usize) -> Result<Free, DiagnosisError> {

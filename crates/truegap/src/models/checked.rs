@@ -3,7 +3,7 @@
 //! Limits: a number that is possible and wrong is not found; standard deviations play no part in an answer and are not looked at.
 
 use super::model_file::{ModelFile, ModelFileError, RunningModel, within_its_runs};
-use std::collections::BTreeMap;
+use truegap_core::given_again;
 use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales};
 use truegap_diagnose::mechanism::Numbers;
 use truegap_diagnose::{Context, Effect, Library};
@@ -18,11 +18,11 @@ impl ModelFile {
         self.scales_are_possible()?;
         sound("[[parameter]]", &self.parameters)?;
         sound("[[base_alone]]", &self.base_alone)?;
-        self.effects.iter().enumerate().try_for_each(|(place, effect)| {
+        if let Some((effect, _)) = given_again(&self.effects, is_same) {
+            return Err(ModelFileError::EffectTwice { id: effect.id.clone() });
+        }
+        self.effects.iter().try_for_each(|effect| {
             sound(&effect.id, &effect.parameters)?;
-            if self.effects[..place].iter().any(|before| is_same(before, effect)) {
-                return Err(ModelFileError::EffectTwice { id: effect.id.clone() });
-            }
             effect.mechanism.as_ref().map_or(Ok(()), |mechanism| held(&effect.id, &mechanism.numbers))
         })
     }
@@ -95,13 +95,13 @@ fn is_same(one: &AddedEffect, other: &AddedEffect) -> bool {
 /// Every number is one, and each name stands once.
 fn sound(of: &str, values: &[NamedValue]) -> Result<(), ModelFileError> {
     values.iter().try_for_each(|value| finite(of, value))?;
-    let mut seen = BTreeMap::new();
-    for NamedValue { name, value, .. } in values {
-        if let Some(first) = seen.insert(name.as_str(), *value) {
-            return Err(ModelFileError::Twice { of: of.to_owned(), name: name.clone(), first, second: *value });
+    match given_again(values, |one, other| one.name == other.name) {
+        Some((first, second)) => {
+            let (name, of) = (first.name.clone(), of.to_owned());
+            Err(ModelFileError::Twice { of, name, first: first.value, second: second.value })
         }
+        None => Ok(()),
     }
-    Ok(())
 }
 
 fn finite(of: &str, NamedValue { name, value, .. }: &NamedValue) -> Result<(), ModelFileError> {

@@ -3,8 +3,8 @@
 //! Limits: whether a design can be so is for [`Space`].
 
 use super::{SensorText, StudyError};
-use truegap_core::UnitError;
 use truegap_core::units::{Dimension, parse};
+use truegap_core::{UnitError, given_again};
 use truegap_design::optimise::{Axis, Choice, Space};
 use truegap_design::{QUANTITIES, Quantity};
 
@@ -41,13 +41,11 @@ pub fn axes(sensor: &SensorText, hold: &[String], vary: &[String]) -> Result<Vec
         let quantity = quantity(name)?;
         axes.retain(|axis| axis.quantity != quantity);
     }
-    let mut varied: Vec<Axis> = Vec::new();
-    for text in vary {
-        let axis = axis(text)?;
-        if varied.iter().any(|before| before.quantity == axis.quantity) {
-            return Err(VaryError::Twice { name: axis.quantity.name().to_owned() });
-        }
-        varied.push(axis.clone());
+    let varied = vary.iter().map(|text| axis(text)).collect::<Result<Vec<Axis>, _>>()?;
+    if let Some((axis, _)) = given_again(&varied, |one, other| one.quantity == other.quantity) {
+        return Err(VaryError::Twice { name: axis.quantity.name().to_owned() });
+    }
+    for axis in varied {
         match axes.iter_mut().find(|a| a.quantity == axis.quantity) {
             Some(place) => *place = axis,
             None => axes.push(axis),

@@ -101,8 +101,7 @@ impl Judged {
         let (place, selection) = (self.predicted.decision.model, &self.examined.selection);
         let explained = tried.fit.explains_beyond(&selection.base().fit);
         let removed = removed_by(explained, &after);
-        let sets: Vec<Vec<usize>> =
-            tried.effects.iter().map(|e| set_of(&selection.models[place], &self.predicted.decision, *e)).collect();
+        let sets = self.predicted.decision.sets_of(&selection.models[place].effects, &tried.effects);
         let verdict = Decision::of_sets(sets.iter(), removed, &after);
         self.stands_behind(tried, held, unseen, after, |model, base| Decision {
             model,
@@ -111,10 +110,4 @@ impl Judged {
             ..Decision::nothing(verdict, base)
         })
     }
-}
-
-/// The set of rivals in which an effect stands already; itself alone where it is new.
-fn set_of(chosen: &Tried, decision: &Decision, effect: usize) -> Vec<usize> {
-    let place = chosen.effects.iter().position(|e| *e == effect);
-    place.and_then(|place| decision.sets.get(place)).cloned().unwrap_or_else(|| vec![effect])
 }

@@ -21,9 +21,8 @@ use crate::{
         candidates::{Search, Tried},
         posterior::is_whole,
         tuning::RIGHT_FAMILY,
-        verdict::{Decision, removed_by},
+        verdict::Decision,
     },
-    stats::share_removed,
     text::significant,
     validation::{
         cross_validation::{HeldOutFit, compared},
@@ -101,7 +100,7 @@ impl Choice<'_, '_> {
             simple(self.prepared, narrow, &self.judged.by_base, &narrow.polished(&found.tried)?, 1.0)?;
         let ([first, second], clearly) = judged(&unseen)?;
         let after = self.prepared.lack_of_fit.adequacy(&tried.fit);
-        let removed = self.removed(&tried, &unseen, &after);
+        let removed = self.judged.share_removed_by(self.prepared, &tried, &unseen, &after);
         if (after.fires() && removed < RIGHT_FAMILY) || runs_to_limit(narrow, &tried) {
             return None;
         }
@@ -200,15 +199,6 @@ impl Choice<'_, '_> {
             set
         };
         effects.iter().zip(sets).map(with).collect()
-    }
-
-    /// Share of the misfit that a model removes: under the noise or on rows left out, whichever is more.
-    fn removed(&self, tried: &Tried, unseen: &HeldOutFit, after: &Adequacy) -> f64 {
-        let base = self.judged.examined.selection.base();
-        let under_noise = removed_by(tried.fit.explains_beyond(&base.fit), after);
-        let [before, left] = compared(&self.judged.by_base.unseen, unseen).map_or([1.0, 1.0], |both| both.rmse);
-        let floor = self.prepared.noise.floor().min(left);
-        under_noise.max(share_removed(before, left, floor))
     }
 }
 

@@ -29,9 +29,13 @@ use crate::{
         candidates::{Progress, Search, Tried},
         examine::{Examined, examine, judge},
         posterior::Selection,
-        verdict::{Decision, Verdict, interrupted},
+        verdict::{Decision, Verdict, interrupted, removed_by},
     },
-    validation::{cross_validation::HeldOutFit, veto::Unseen},
+    stats::share_removed,
+    validation::{
+        cross_validation::{HeldOutFit, compared},
+        veto::Unseen,
+    },
 };
 use std::sync::atomic::AtomicBool;
 
@@ -182,6 +186,14 @@ impl Judged {
 
     pub(crate) fn stood_behind(&self) -> &Tried {
         &self.examined.selection.models[self.predicted.decision.model]
+    }
+
+    /// Share of the misfit that a model removes: under the noise or on rows left out, whichever is more.
+    pub(crate) fn share_removed_by(&self, prepared: &Prepared<'_>, tried: &Tried, unseen: &HeldOutFit, after: &Adequacy) -> f64 {
+        let base = self.examined.selection.base();
+        let under_noise = removed_by(tried.fit.explains_beyond(&base.fit), after);
+        let [before, left] = compared(&self.by_base.unseen, unseen).map_or([1.0, 1.0], |both| both.rmse);
+        under_noise.max(share_removed(before, left, prepared.noise.floor().min(left)))
     }
 
     /// Whether rows left out took back all that was named, and all of it was of the `library` effects.

@@ -19,9 +19,8 @@ use crate::{
     },
     selection::{
         candidates::{Search, Tried},
-        verdict::{Decision, Verdict, removed_by},
+        verdict::{Decision, Verdict},
     },
-    stats::share_removed,
     validation::{
         cross_validation::{HeldOutFit, compared},
         tuning::FELT,
@@ -46,10 +45,10 @@ pub(crate) fn words_beside(prepared: &Prepared<'_>, told: &Told<'_>, judged: Jud
 fn found(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<Beside> {
     let chosen = judged.stood_behind();
     let of_library = !chosen.effects.is_empty() && chosen.effects.iter().all(|e| *e < prepared.testable.len());
-    let weighed = prepared.context.has_plates();
+    let derived = prepared.context.has_plates();
     let open = may_compose(told.options) && judged.kept_back.is_none() && !told.stop.load(Ordering::Relaxed);
     let one_recording = prepared.problem.simulator.joined().is_none();
-    if weighed || !of_library || !open || !one_recording || !prepared.lack_of_fit.adequacy(&chosen.fit).fires() {
+    if derived || !of_library || !open || !one_recording || !prepared.lack_of_fit.adequacy(&chosen.fit).fires() {
         return None;
     }
     let searched = prepared.searched();
@@ -91,27 +90,19 @@ fn beside(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged, from: &
 
 impl Judged {
     fn with_words(mut self, prepared: &Prepared<'_>, beside: Beside) -> Self {
-        let Beside { composition, unseen, .. } = beside;
+        let Beside { composition, unseen } = beside;
         let tried = composition.tried.clone();
         let after = prepared.lack_of_fit.adequacy(&tried.fit);
-        let base = self.examined.selection.base();
-        let [before, left] = compared(&self.by_base.unseen, &unseen).map_or([1.0, 1.0], |both| both.rmse);
-        let floor = prepared.noise.floor().min(left);
-        let removed = removed_by(tried.fit.explains_beyond(&base.fit), &after).max(share_removed(before, left, floor));
-        let (chosen, sets) = (self.stood_behind().effects.clone(), self.predicted.decision.sets.clone());
-        let set = |effect: &usize| {
-            let place = chosen.iter().position(|e| e == effect);
-            place.and_then(|place| sets.get(place)).cloned().unwrap_or_else(|| vec![*effect])
-        };
-        let sets: Vec<Vec<usize>> = tried.effects.iter().map(set).collect();
-        let sure = composition.sure();
+        let removed = self.share_removed_by(prepared, &tried, &unseen, &after);
+        let chosen = self.stood_behind().key();
+        let sets = self.predicted.decision.sets_of(&self.stood_behind().effects, &tried.effects);
         let verdict = match Decision::of_sets(sets.iter(), removed, &after) {
-            Verdict::Explained if !sure => Verdict::Ambiguous,
+            Verdict::Explained if !composition.sure() => Verdict::Ambiguous,
             verdict => verdict,
         };
         let (held, mechanisms, library) = (self.held.clone(), composition.mechanisms.len(), prepared.testable.len());
         self.examined = self.examined.with(|selection| selection.of_the_library(library, mechanisms));
-        self.predicted.decision.model = self.examined.selection.place_of(chosen.as_slice().into());
+        self.predicted.decision.model = self.examined.selection.place_of(chosen);
         self.composition = Some(composition);
         self.stands_behind(tried, held, unseen, after, |model, base| Decision {
             model,

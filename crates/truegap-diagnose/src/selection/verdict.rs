@@ -113,6 +113,12 @@ impl Decision {
         }
     }
 
+    /// For each effect of another model the set of rivals in which it stands beside `own`, the effects that this was decided for; itself alone where it is new.
+    pub(crate) fn sets_of(&self, own: &[usize], effects: &[usize]) -> Vec<Vec<usize>> {
+        let known = |effect| own.iter().position(|e| e == effect).and_then(|place| self.sets.get(place));
+        effects.iter().map(|effect| known(effect).cloned().unwrap_or_else(|| vec![*effect])).collect()
+    }
+
     /// Whether what is left beside a model that removes this share of the misfit is no reason to doubt it.
     pub(crate) fn adequate(removed: f64, after: &Adequacy) -> bool {
         !after.fires() || (removed >= ADEQUATE && after.left_over_noise < LOUD_REST)
@@ -202,11 +208,7 @@ pub fn decide(selection: &Selection, before: &Adequacy, after: &Adequacy, free_f
 /// The decision for a smaller model than the one stood behind, some of whose effects are not claimed; `after` is the adequacy of the smaller one.
 pub(crate) fn stepped_back(selection: &Selection, decision: &Decision, model: usize, after: &Adequacy) -> Decision {
     let (fuller, smaller) = (&selection.models[decision.model], &selection.models[model]);
-    let set = |effect: &usize| {
-        let place = fuller.effects.iter().position(|e| e == effect);
-        place.and_then(|place| decision.sets.get(place)).cloned().unwrap_or_else(|| vec![*effect])
-    };
-    let sets: Vec<Vec<usize>> = smaller.effects.iter().map(set).collect();
+    let sets = decision.sets_of(&fuller.effects, &smaller.effects);
     let removed = removed_by(smaller.fit.explains_beyond(&selection.base().fit), after);
     let verdict = match after.fires() {
         true if removed < RIGHT_FAMILY => return Decision { removed, ..Decision::nothing(Verdict::Unexplained, selection.base) },

@@ -1,0 +1,46 @@
+use super::*;
+use crate::effects::composed::words::Action;
+
+/// Promises of 100, 60 and 20, of which the first was fitted and kept 40: the second promises no more than that, the third what it did.
+#[test]
+fn no_sentence_promises_more_than_the_best_that_was_fitted_has_kept() {
+    let sentence = Sentence {
+        quantity: Quantity::Reading,
+        driver: Driver::Time,
+        kinetics: Kinetics::Static,
+        form: Form::Linear,
+        action: Action::Adds,
+        even: false,
+        below: false,
+        passing: false,
+        sum: None,
+    };
+    let of = |deviance: f64, beyond: f64| Screened {
+        sentence: sentence.clone(),
+        numbers: Numbers::default(),
+        swing: 1.0,
+        deviance,
+        beyond,
+        log_prior: 0.0,
+        grid: vec![(deviance.sqrt(), 1.0)],
+    };
+    let sentences = vec![of(100.0, -60.0), of(60.0, 0.0), of(20.0, 0.0)];
+    let mut screen = Screen { sentences, control: Vec::new(), control_of_tones: Vec::new(), columns: 3 };
+    screen.promise_no_more_than(&[0]);
+    let promised: Vec<f64> = screen.sentences.iter().map(|s| s.deviance + s.beyond).collect();
+    assert_eq!(promised, [40.0, 40.0, 20.0]);
+}
+
+#[test]
+fn a_tone_is_the_same_turned_about_and_falls_apart_reversed() {
+    let tone = DVector::from_fn(960, |row, _| (row as f64 * std::f64::consts::TAU / 12.0).sin());
+    let other = DVector::from_fn(960, |row, _| (row as f64 * std::f64::consts::TAU / 12.0).cos());
+    // power of the tone over its own
+    let kept = |all: &DMatrix<f64>| {
+        all.column_iter().map(|c| (c.dot(&tone).powi(2) + c.dot(&other).powi(2)) / 480f64.powi(2)).sum::<f64>()
+            / PERMUTATIONS as f64
+    };
+    approx::assert_abs_diff_eq!(kept(&turned(&tone)), 1.0, epsilon = 1e-9);
+    // 16 stretches of random sign keep one part in 16 on average
+    assert!(kept(&reversed(&tone)) < 0.1, "{}", kept(&reversed(&tone)));
+}

@@ -1,4 +1,4 @@
-"""Formats of the fourteenth set, from bytes to columns (the others are in reading.py, instruments.py, rigs.py, loggers.py, stations.py and housekeeping.py)."""
+"""Formats of the fourteenth set, from bytes to columns, and the models that two of it share (the other formats are in reading.py, instruments.py, rigs.py, loggers.py, stations.py and housekeeping.py)."""
 
 import gzip
 import io
@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 import pandas as pd
+from fitting import lag, terms, usual
 from reading import csv
 from rigs import since
 
@@ -77,3 +78,17 @@ def cell_voltage(current, voltage, first, last):
     """A cell between two rows, 4000 a second: seconds, current in pA, voltage in mV."""
     part = slice(first, last)
     return {"time_s": np.arange(last - first) * 0.00025, "current_pa": ibw(current)[part], "voltage_mv": ibw(voltage)[part]}
+
+
+def cell_models(c, hand_built):
+    """Models of a cell whose skin is a capacitor, that which is told under its name `hand_built`."""
+    y, x, t = c["voltage_mv"], c["current_pa"], c["time_s"]
+    late = lambda p: lag(x, t, abs(p) * 0.01)
+    return y, {
+        **usual(y, x, t, 0.01),
+        "line and lag": terms(y, lambda p: [x, late(p[0])], [2.0]),
+        hand_built: terms(y, lambda p: [late(p[0]), late(p[1])], [2.0, 20.0]),
+        "lag, and drift": terms(y, lambda p: [late(p[0]), t], [2.0]),
+        "lag, and square": terms(y, lambda p: [late(p[0]), late(p[0]) ** 2], [2.0]),
+        "lag, drift, and its square": terms(y, lambda p: [late(p[0]), t, t**2], [2.0]),
+    }

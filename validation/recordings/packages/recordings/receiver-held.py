@@ -1,0 +1,14 @@
+"""Temperature of a radio receiver that a thermostat holds over that of its box in a desert, a row each five minutes, three days. It is held until the box is so warm that its cooler is at its end."""
+
+from receivers import bent_models, field_receiver
+
+HAND_BUILT = "knee"
+
+
+def rows(content):
+    frame = field_receiver(content)
+    return {"time_s": frame.time_s, "box_c": frame.box_c, "receiver_c": frame.receiver_c}
+
+
+def models(c):
+    return c["receiver_c"], bent_models(c["receiver_c"], c["box_c"], c["time_s"])

@@ -1,0 +1,14 @@
+"""Temperature of a circuit that stands for an antenna while a radio receiver is calibrated over that of the room, a row each half minute, four hours. It follows the room late."""
+
+from receivers import late_models, load_thermistors
+
+HAND_BUILT = "two lags"
+
+
+def rows(content):
+    frame = load_thermistors(content)
+    return {"time_s": frame.time_s, "room_c": frame.room_c, "load_c": frame.load_c}
+
+
+def models(c):
+    return c["load_c"], late_models(c["load_c"], c["room_c"], c["time_s"], 600)

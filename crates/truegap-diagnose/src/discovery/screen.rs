@@ -285,16 +285,18 @@ fn weighed(
     whitener: &Whitener,
     by_chance: &[&DMatrix<f64>],
 ) -> Option<(Screened, Vec<Vec<f64>>)> {
-    let (mut grid, mut swings) = (Vec::with_capacity(followed.len()), Vec::with_capacity(followed.len()));
+    let product = |u: &Vec<f64>| u.iter().zip(&lever.of_row).map(|(u, s)| u * s).collect::<Vec<f64>>();
+    let mut columns: Vec<Vec<f64>> = followed.iter().map(product).collect();
+    let swings: Vec<f64> = columns.iter().map(|b| deviation(b)).collect();
+    let finite: Vec<bool> = columns.iter().map(|b| b.iter().all(|b| b.is_finite())).collect();
+    whitener.apply_each(&mut columns);
+    let mut grid = Vec::with_capacity(followed.len());
     let (mut left, mut variances) = (Vec::new(), Vec::new());
-    for u in followed {
-        let mut b: Vec<f64> = u.iter().zip(&lever.of_row).map(|(u, s)| u * s).collect();
-        swings.push(deviation(&b));
-        if b.iter().any(|b| !b.is_finite()) {
+    for (b, finite) in columns.into_iter().zip(finite) {
+        if !finite {
             grid.push((0.0, 1.0));
             continue;
         }
-        whitener.apply(&mut b);
         let b = DVector::from_vec(b);
         let length = b.norm_squared();
         let taken = linearised.taken.tr_mul(&b);

@@ -4,7 +4,7 @@
 
 use crate::{
     data::context::Context,
-    effects::memory::{Lag, walk},
+    effects::memory::{Lag, walk_lags},
 };
 use truegap_core::Inputs;
 
@@ -32,12 +32,12 @@ impl Delay {
         let before = |row: usize| self.before * if row == 0 { 1.0 } else { steps_alike(given[0] - rest, given[row] - rest) };
         value.fill(0.0);
         for (tau_s, share) in self.parts.iter().filter(|(_, share)| *share > 0.0) {
-            let mut lag = Lag::new(*tau_s);
-            walk(inputs, |row, step| {
+            let mut lag = Lag::default();
+            walk_lags(inputs, &[*tau_s], |row, weights| {
                 let x = given[row];
-                let late = match step {
+                let late = match weights {
                     None => lag.start(x, x - tau_s * before(row)),
-                    Some(step) => lag.next(x, step),
+                    Some(weights) => lag.next(x, weights, 0),
                 };
                 value[row] += share * late;
             });

@@ -4,21 +4,21 @@
 //!
 //! **Source:** the step of a lag is `tau dy/dt + y = x` integrated over a straight line, derived here; plays as in Visintin, Differential Models of Hysteresis (1994), ch. III.
 
+mod clock;
 mod lags;
 
 use std::ops::Range;
 use truegap_core::Inputs;
 
-pub use lags::{Lag, LagSum};
+use lags::walk_lags_through;
+pub use lags::{Lag, LagSum, walk_lags};
 
 /// Calls `visit(row, step)` down the rows: seconds since the row before, `None` at the first row of a run.
 ///
 /// Rows count as seconds where no clock was recorded.
 pub fn walk(inputs: &Inputs, mut visit: impl FnMut(usize, Option<f64>)) {
-    let clock = inputs.time_s.as_deref();
     for row in 0..inputs.len() {
-        let inside = row > 0 && inputs.run[row] == inputs.run[row - 1];
-        visit(row, inside.then(|| clock.map_or(1.0, |time| time[row] - time[row - 1])));
+        visit(row, clock::Clock::step(inputs, false, row));
     }
 }
 
@@ -56,12 +56,12 @@ pub fn first_order_lag(inputs: &Inputs, tau_s: f64, x: &mut [f64], start: impl F
     if tau_s <= 0.0 {
         return;
     }
-    let mut lag = Lag::new(tau_s);
-    walk(inputs, |row, step| {
+    let mut lag = Lag::default();
+    walk_lags(inputs, &[tau_s], |row, weights| {
         let now = x[row];
-        x[row] = match step {
+        x[row] = match weights {
             None => lag.start(now, start(now)),
-            Some(step) => lag.next(now, step),
+            Some(weights) => lag.next(now, weights, 0),
         };
     });
 }
@@ -74,18 +74,18 @@ pub fn lag_through_runs(inputs: &Inputs, tau_s: f64, x: &mut [f64]) {
     if tau_s <= 0.0 {
         return;
     }
-    let mut lag = Lag::new(tau_s);
-    for (row, x) in x.iter_mut().enumerate() {
-        let now = *x;
-        if row == 0 {
+    let mut lag = Lag::default();
+    walk_lags_through(inputs, &[tau_s], |row, weights| {
+        let now = x[row];
+        let Some(weights) = weights else {
             lag.start(now, now);
-            continue;
-        }
+            return;
+        };
         if inputs.run[row] != inputs.run[row - 1] {
             lag.start(now, lag.state);
         }
-        *x = lag.next(now, elapsed_s(inputs, row) - elapsed_s(inputs, row - 1));
-    }
+        x[row] = lag.next(now, weights, 0);
+    });
 }
 
 /// One play operator of half width `width`: the output stays until the input pushes it.

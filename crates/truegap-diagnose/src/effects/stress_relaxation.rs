@@ -5,7 +5,7 @@ use crate::{
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
-        memory::{Lag, walk},
+        memory::{Lag, walk_lags},
     },
     text::{percent_with_sd, rounded, with_sd},
 };
@@ -34,14 +34,14 @@ impl Fading {
             return;
         }
         let weight = self.share / times.len() as f64;
-        let mut lags: Vec<Lag> = times.iter().map(|tau| Lag::new(*tau)).collect();
-        walk(drive.inputs, |row, step| {
-            let (now, first) = (value[row], step.is_none());
-            let faded: f64 = lags
-                .iter_mut()
-                .map(|lag| if first { lag.start(now, now) } else { lag.next(now, step.unwrap_or(0.0)) })
-                .map(|late| now - late)
-                .sum();
+        let mut lags = vec![Lag::default(); times.len()];
+        walk_lags(drive.inputs, times, |row, weights| {
+            let now = value[row];
+            let late = |(index, lag): (usize, &mut Lag)| match weights {
+                None => lag.start(now, now),
+                Some(weights) => lag.next(now, weights, index),
+            };
+            let faded: f64 = lags.iter_mut().enumerate().map(late).map(|late| now - late).sum();
             // what has not faded yet stands above the relaxed reading
             value[row] = now + weight * faded;
         });

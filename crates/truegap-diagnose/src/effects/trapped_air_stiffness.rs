@@ -5,7 +5,7 @@ use crate::{
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
-        memory::{Lag, walk},
+        memory::{Lag, walk_lags},
     },
     text::{percent_with_sd, with_sd},
 };
@@ -25,14 +25,15 @@ impl Stage for Air {
         if self.share == 0.0 {
             return;
         }
-        let mut leaks: Vec<(f64, Lag)> = self.leaks.iter().map(|(weight, tau)| (*weight, Lag::new(*tau))).collect();
-        walk(inputs, |row, step| {
+        let (mut leaks, taus): (Vec<(f64, Lag)>, Vec<f64>) =
+            self.leaks.iter().map(|(weight, tau)| ((*weight, Lag::default()), *tau)).unzip();
+        walk_lags(inputs, &taus, |row, weights| {
             let whole = load[row];
-            let leaked = |(weight, lag): &mut (f64, Lag)| match step {
+            let leaked = |(index, (weight, lag)): (usize, &mut (f64, Lag))| match weights {
                 None => *weight * lag.start(whole, 0.0),
-                Some(step) => *weight * lag.next(whole, step),
+                Some(weights) => *weight * lag.next(whole, weights, index),
             };
-            load[row] = whole - self.share * (whole - leaks.iter_mut().map(leaked).sum::<f64>());
+            load[row] = whole - self.share * (whole - leaks.iter_mut().enumerate().map(leaked).sum::<f64>());
         });
     }
 }

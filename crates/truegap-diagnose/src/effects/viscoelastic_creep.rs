@@ -5,7 +5,7 @@ use crate::{
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
-        memory::{LagSum, walk},
+        memory::{LagSum, walk_lags},
     },
     text::{percent_with_sd, significant, with_sd},
 };
@@ -43,13 +43,14 @@ impl Spectrum {
 
 impl Stage for Spectrum {
     fn strain(&self, drive: &Drive<'_>, strain: &mut [f64]) {
-        let mut delayed = LagSum::new(&self.weights);
-        walk(drive.inputs, |row, step| {
+        let (taus, sizes): (Vec<f64>, Vec<f64>) = self.weights.iter().copied().unzip();
+        let mut delayed = LagSum::new(&sizes);
+        walk_lags(drive.inputs, &taus, |row, weights| {
             let elastic = strain[row];
             strain[row] = elastic
-                + match step {
+                + match weights {
                     None => delayed.start(elastic),
-                    Some(step) => delayed.next(elastic, step),
+                    Some(weights) => delayed.next(elastic, weights),
                 };
         });
     }

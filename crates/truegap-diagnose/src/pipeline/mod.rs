@@ -45,6 +45,7 @@ use noise_choice::slower;
 use prepare::Prepared;
 use richer_laws::richer;
 use std::{
+    hint::black_box,
     sync::atomic::{AtomicBool, Ordering},
     time::Instant,
 };
@@ -61,9 +62,24 @@ pub fn diagnose(
     stop: &AtomicBool,
 ) -> Result<Outcome, DiagnoseError> {
     let known = known.into();
+    keep_room();
     // on a thread of the pool: what is split into parts there waits for no other thread to wake up
     rayon::scope(|_| searched(problem, known, options, progress, stop))
 }
+
+/// Lets the allocator keep what is freed: glibc's gives the derivatives of a step back to the system and gets them again for the next, page by page, until a piece as large as this was freed
+/// once. Elsewhere it does nothing.
+///
+/// **Source:** mallopt(3), on the dynamic `M_MMAP_THRESHOLD`.
+fn keep_room() {
+    let mut room: Vec<u8> = Vec::new();
+    // nothing is written to it, so that no page of it is ever taken
+    let _ = black_box(&mut room).try_reserve_exact(KEPT_ROOM);
+    drop(black_box(room));
+}
+
+/// Bytes, below the 32 MiB beyond which glibc learns nothing.
+const KEPT_ROOM: usize = 24 << 20;
 
 fn searched(
     problem: &Problem<'_>,

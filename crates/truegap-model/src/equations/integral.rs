@@ -55,14 +55,19 @@ impl BentPlates {
     }
 
     /// [`BentPlates::integral`] of many plates, to the last bit: all that is not a logarithm is computed side by side.
-    #[inline]
+    #[inline(always)]
     pub fn integrals<const N: usize>(plates: impl Fn(usize) -> Self) -> [f64; N] {
         let half_chord: [f64; N] = std::array::from_fn(|k| plates(k).half_chord());
         let sag: [f64; N] = std::array::from_fn(|k| plates(k).dome.curvature * half_chord[k]);
         let x: [f64; N] = std::array::from_fn(|k| sag[k] / plates(k).centre_gap);
         let (mut over_x, mut less_x) = ([0.0; N], [0.0; N]);
-        for k in 0..N {
-            (over_x[k], less_x[k]) = if x[k].abs() < SMALL { small_logs(x[k]) } else { plates(k).logs(sag[k], x[k]) };
+        // where all are small no row has a way of its own
+        if x.iter().fold(true, |all, x| all & (x.abs() < SMALL)) {
+            (0..N).for_each(|k| (over_x[k], less_x[k]) = small_logs(x[k]));
+        } else {
+            for k in 0..N {
+                (over_x[k], less_x[k]) = if x[k].abs() < SMALL { small_logs(x[k]) } else { plates(k).logs(sag[k], x[k]) };
+            }
         }
         std::array::from_fn(|k| {
             let g = plates(k).centre_gap;

@@ -3,6 +3,7 @@
 //! Limits: frictionless beads of one Poisson's ratio; compressive strain below 1, tension above the strain at which a bead would neck without end.
 
 use super::plates::Compression;
+use pulp::Arch;
 use rayon::prelude::*;
 
 /// How a bead carries load: bulging with its Poisson's ratio, stiffening with strain.
@@ -16,6 +17,7 @@ pub struct BeadLaw {
 
 impl BeadLaw {
     /// Load over E A at a strain, and its derivative.
+    #[inline(always)]
     fn reduced_load(self, strain: f64) -> (f64, f64) {
         let [a, b] = self.stiffening;
         let spread = 1.0 + self.poisson * strain;
@@ -113,7 +115,11 @@ pub fn compressive_strains(reduced_loads: &[f64], law: BeadLaw) -> Vec<f64> {
         let Ok(block) = <&[f64; ABREAST]>::try_from(loads) else {
             return loads.iter().zip(strains).for_each(|(q, strain)| *strain = alone(q));
         };
-        let (found, settled) = newton_abreast(block, law);
+        // wide registers where there are any: the same operations, so the same digits
+        let (found, settled) = Arch::new().dispatch(
+            #[inline(always)]
+            || newton_abreast(block, law),
+        );
         for (k, (q, strain)) in block.iter().zip(strains).enumerate() {
             *strain = if settled[k] > 0.0 && (plain || rises_to(found[k], law)) { found[k] } else { alone(q) };
         }
@@ -123,6 +129,7 @@ pub fn compressive_strains(reduced_loads: &[f64], law: BeadLaw) -> Vec<f64> {
 }
 
 /// Newton's iteration of [`newton`] for many loads: where each has come to, and 1 where it has settled on the branch through zero, else 0.
+#[inline(always)]
 fn newton_abreast(q: &[f64; ABREAST], law: BeadLaw) -> ([f64; ABREAST], [f64; ABREAST]) {
     let mut strain = q.map(|q| first_guess(q, law));
     let (mut done, mut rising) = ([0.0; ABREAST], [0.0; ABREAST]);

@@ -1,4 +1,4 @@
-//! The physics of the stack in blocks of rows: every equation down a block before the next, so that rows are computed two at a time.
+//! The physics of the stack in blocks of rows: every equation down a block before the next, so that rows are computed two or four at a time, as the processor has registers.
 //!
 //! Limits: neither wedge nor load sag, layers in series after the integral; [`Rows`] answers the others, row by row, and says which row has no answer. Equal to it to the
 //! last bit.
@@ -16,6 +16,7 @@ use crate::equations::{
     thermal::{Areas, expanded_area, expanded_length},
     warp::Dome,
 };
+use pulp::Arch;
 use rayon::prelude::*;
 use std::{borrow::Cow, f64::consts::PI};
 use truegap_core::{
@@ -101,31 +102,22 @@ pub(super) fn plain(
 fn in_blocks(device: &Device, drive: &Drive<'_>, geometry: &Geometry<'_>, factors: &Dielectric) -> Option<Readings> {
     let rows = drive.load.len();
     let [mut value, mut aspect, mut plates] = [(); 3].map(|()| vec![0.0; rows]);
-    let read = |start: usize, count: usize| {
-        // what is missing at the end is the last row once more
-        let of = |column: &[f64]| -> Rows32 { std::array::from_fn(|k| column[start + k.min(count - 1)]) };
-        let given = Given {
-            kelvin: of(drive.temperature_c).map(|t| t - device.reference_c),
-            force_n: of(drive.load).map(|load| load * drive.full_load),
-            strain: of(geometry.strain),
-            gap: of(&geometry.gap),
-            warp_kelvin: of(&geometry.warp_kelvin),
-            warp_factor: geometry.warp_factor,
-            beads: of(&factors.beads),
-            insulator: of(&factors.insulator),
-        };
-        block(device, &given)
-    };
     let shares = value.par_chunks_mut(SHARE).zip(aspect.par_chunks_mut(SHARE)).zip(plates.par_chunks_mut(SHARE)).enumerate();
     let fill = |(share, ((value, aspect), plates)): (usize, Share<'_>)| {
-        for start in (0..value.len()).step_by(BLOCK) {
-            let count = BLOCK.min(value.len() - start);
-            let read = read(share * SHARE + start, count)?;
-            value[start..start + count].copy_from_slice(&read.value[..count]);
-            aspect[start..start + count].copy_from_slice(&read.aspect[..count]);
-            plates[start..start + count].copy_from_slice(&read.plates[..count]);
-        }
-        Some(())
+        // wide registers where there are any: the same operations, so the same digits
+        Arch::new().dispatch(
+            #[inline(always)]
+            || {
+                for start in (0..value.len()).step_by(BLOCK) {
+                    let count = BLOCK.min(value.len() - start);
+                    let read = block(device, &Given::of(device, (drive, geometry, factors), share * SHARE + start, count))?;
+                    value[start..start + count].copy_from_slice(&read.value[..count]);
+                    aspect[start..start + count].copy_from_slice(&read.aspect[..count]);
+                    plates[start..start + count].copy_from_slice(&read.plates[..count]);
+                }
+                Some(())
+            },
+        )
     };
     shares.map(fill).collect::<Option<()>>()?;
     Some(Readings { value, gap: Some(GapReadings { aspect, plates }) })
@@ -143,6 +135,29 @@ struct Given {
     insulator: Rows32,
 }
 
+impl Given {
+    /// The rows from `start` on; what is missing at the end is the last of `count` rows once more.
+    #[inline(always)]
+    fn of(
+        device: &Device,
+        (drive, geometry, factors): (&Drive<'_>, &Geometry<'_>, &Dielectric),
+        start: usize,
+        count: usize,
+    ) -> Self {
+        let of = |column: &[f64]| -> Rows32 { std::array::from_fn(|k| column[start + k.min(count - 1)]) };
+        Self {
+            kelvin: of(drive.temperature_c).map(|t| t - device.reference_c),
+            force_n: of(drive.load).map(|load| load * drive.full_load),
+            strain: of(geometry.strain),
+            gap: of(&geometry.gap),
+            warp_kelvin: of(&geometry.warp_kelvin),
+            warp_factor: geometry.warp_factor,
+            beads: of(&factors.beads),
+            insulator: of(&factors.insulator),
+        }
+    }
+}
+
 /// What a block of rows reads.
 struct Read {
     value: Rows32,
@@ -151,6 +166,7 @@ struct Read {
 }
 
 /// A column of a block, row by row.
+#[inline(always)]
 fn column(of: impl Fn(usize) -> f64) -> Rows32 {
     let mut column = [0.0; BLOCK];
     column.iter_mut().enumerate().for_each(|(k, value)| *value = of(k));
@@ -158,6 +174,7 @@ fn column(of: impl Fn(usize) -> f64) -> Rows32 {
 }
 
 /// The readings of a block: the equations of [`Device::capacitances`] in their order; `None` where the plates touch in any row.
+#[inline(always)]
 fn block(device: &Device, given: &Given) -> Option<Read> {
     let Given { kelvin, force_n, strain, .. } = given;
     let radius = column(|k| expanded_length(device.radius, device.conductor.expansion, kelvin[k]));

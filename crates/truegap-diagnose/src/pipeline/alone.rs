@@ -69,17 +69,22 @@ pub(crate) fn alone(prepared: &Prepared<'_>, search: &Search<'_>, all: AllRows<'
 }
 
 /// A fuller model calibrated by least squares, for one that predicts rows left out better so. Its errors hold the difference between both calibrations: a number that depends on how rows are
-/// weighed is not known better than that. `None` where it has no such fit, or one that is no nearer to the recording.
-pub(crate) fn by_squares(prepared: &Prepared<'_>, search: &Search<'_>, all: AllRows<'_>, tried: &Tried) -> Option<Tried> {
+/// weighed is not known better than that. Beside it the errors that least squares alone would tell. `None` where it has no such fit, or one that is no nearer to the recording.
+pub(crate) fn by_squares(
+    prepared: &Prepared<'_>,
+    search: &Search<'_>,
+    all: AllRows<'_>,
+    tried: &Tried,
+) -> Option<(Tried, Vec<f64>)> {
     let model = search.model(&tried.effects);
     let every = Model::new(all.problem, search.context, model.effects.clone());
     let before = left_over(&every, &tried.fit.z)?;
     let runs = search.problem.runs();
-    let (mut size, mut z) = (before, tried.fit.z.clone());
+    let (mut size, mut z, mut own) = (before, tried.fit.z.clone(), Vec::new());
     for _ in 0..ROUNDS {
         let fit = from_start(&model, &white(&prepared.searched_noise, size).whitener(&runs, None), &z).ok()?;
         let found = left_over(&every, &fit.z)?;
-        z = fit.z;
+        (z, own) = (fit.z, fit.sd);
         if (found - size).abs() <= LOWER * size || found == 0.0 {
             break;
         }
@@ -87,7 +92,7 @@ pub(crate) fn by_squares(prepared: &Prepared<'_>, search: &Search<'_>, all: AllR
     }
     let nearer = left_over(&every, &z)? < before;
     let sd = tried.fit.sd.iter().zip(z.iter().zip(&tried.fit.z)).map(|(sd, (a, b))| sd.hypot(a - b)).collect();
-    nearer.then(|| Tried { effects: tried.effects.clone(), fit: Fit { z, sd, ..tried.fit.clone() } })
+    nearer.then(|| (Tried { effects: tried.effects.clone(), fit: Fit { z, sd, ..tried.fit.clone() } }, own))
 }
 
 /// Root mean square of what a model leaves over.

@@ -69,7 +69,13 @@ mod tests {
             Question { squares: true, ..first.clone() },
         ];
         let asked = Asked::default();
-        let answer = |says: &str| HeldOutFit { how: says.into(), least_squares: false, prediction: vec![1.0], parts: Vec::new() };
+        let answer = |says: &str| HeldOutFit {
+            how: says.into(),
+            least_squares: false,
+            prediction: vec![1.0],
+            parts: Vec::new(),
+            refits: Vec::new(),
+        };
         let found: Vec<String> =
             [first].into_iter().chain(others).enumerate().map(|(i, q)| asked.once(q, || answer(&i.to_string())).how).collect();
         assert_eq!(found, ["0", "0", "2", "3", "4", "5"]);

@@ -27,6 +27,7 @@ use crate::{
         weak_effects::widened,
     },
     validation::{
+        moved_numbers::{by_parts, by_parts_alone},
         recovery::{
             confusion::Bank,
             fill::{Whole, fill},
@@ -80,15 +81,29 @@ pub(crate) fn conclude(
     let chosen = &selection.models[decision.model];
     // of models with plates the numbers are those of the fit that weighed them
     let squares = unseen.stood_behind().least_squares && !chosen.effects.is_empty() && !search.context.has_plates();
-    let by_squares = squares.then(|| by_squares(prepared, search, all, chosen)).flatten();
+    let (by_squares, sd_by_squares) = squares.then(|| by_squares(prepared, search, all, chosen)).flatten().unzip();
     let moved = |tried: &Tried, i: usize| match &by_squares {
         Some(squares) if squares.effects == tried.effects => squares.fit.z[i] - tried.fit.z[i],
         _ => 0.0,
     };
     let beside_names = |tried: &Tried| in_other_words.is_some_and(|c| c.tried.effects != tried.effects);
     let searched_for = |tried: &Tried| if beside_names(tried) { of_names } else { search };
+    // a fit and its like without one part have to be calibrated in one way
+    let borne_out = |tried: &Tried| {
+        let Tried { fit, effects } = tried;
+        let predicted = if effects.is_empty() { unseen.without() } else { unseen.stood_behind() };
+        match (&by_squares, &sd_by_squares) {
+            _ if !effects.is_empty() && *effects != chosen.effects => fit.sd.clone(),
+            (Some(squares), Some(sd)) if *effects == chosen.effects => {
+                let told = by_parts((&squares.fit.z, sd), &predicted.refits);
+                told.into_iter().zip(&fit.sd).map(|(told, sd)| told.max(*sd)).collect()
+            }
+            _ if predicted.least_squares && !effects.is_empty() => by_parts_alone(&fit.sd, &predicted.refits),
+            _ => by_parts((&fit.z, &fit.sd), &predicted.refits),
+        }
+    };
     let told_sd = |tried: &Tried| {
-        let sd = widened(searched_for(tried), selection, tried);
+        let sd = widened(searched_for(tried), selection, tried, &borne_out(tried));
         sd.into_iter().enumerate().map(|(i, sd)| sd.hypot(moved(tried, i))).collect::<Vec<_>>()
     };
     let widened = told_of.into_iter().map(|tried| (tried, told_sd(tried))).collect();

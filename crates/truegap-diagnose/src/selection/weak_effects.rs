@@ -24,15 +24,17 @@ use nalgebra::{Cholesky, DMatrix};
 /// A size that is looked at, in prior standard deviations.
 const STEP: f64 = 0.02;
 
-/// Standard deviations of the coordinates of `tried`, with what is not named counted in.
-pub(crate) fn widened(search: &Search<'_>, selection: &Selection, tried: &Tried) -> Vec<f64> {
+/// Standard deviations of the coordinates of `tried`, with what is not named counted in beside those that are `known`.
+///
+/// Where the equations may be off, what speaks for an effect counts as much less as it does where effects are named: else everything that a model leaves would speak for each of them.
+pub(crate) fn widened(search: &Search<'_>, selection: &Selection, tried: &Tried, known: &[f64]) -> Vec<f64> {
     let model = search.model(&tried.effects);
     let left_out = (0..search.library.len()).filter(|e| !tried.effects.contains(e) && !search.library[*e].free_form());
     let columns: Vec<Column> = left_out
         .filter_map(|e| left_out_column(search, selection, tried, e))
         .chain(of_equations(search, &model, &tried.fit))
         .collect();
-    with_columns(&tried.fit, &columns)
+    with_columns(&tried.fit, known, &columns, selection.temper)
 }
 
 /// What the reading does for one unit of a size, whitened, and the largest size that is physical.
@@ -41,17 +43,20 @@ struct Column {
     most: f64,
 }
 
-/// The standard deviations of a fit, each widened by the shifts that these columns may have made.
-fn with_columns(fit: &Fit, columns: &[Column]) -> Vec<f64> {
+/// The standard deviations of a fit that are `known`, each widened by the shifts that these columns may have made; the log likelihood of a size counts `temper` times less.
+fn with_columns(fit: &Fit, known: &[f64], columns: &[Column], temper: f64) -> Vec<f64> {
     let free: Vec<usize> = (0..fit.z.len()).filter(|i| !fit.at_limit[*i]).collect();
     let hessian = fit.hessian.select_rows(&free).select_columns(&free);
-    let Some(factor) = Cholesky::new(hessian).filter(|_| !columns.is_empty() && !free.is_empty()) else { return fit.sd.clone() };
+    let Some(factor) = Cholesky::new(hessian).filter(|_| !columns.is_empty() && !free.is_empty()) else { return known.to_vec() };
     let changes = DMatrix::from_fn(fit.residual.len(), columns.len(), |row, k| columns[k].change[row]);
     let seen = scores(&fit.linearised(), &changes);
     let shifts = factor.solve(&fit.jacobian.select_columns(&free).tr_mul(&changes));
-    let squares: Vec<f64> =
-        columns.iter().enumerate().map(|(k, c)| mean_square(seen.scores[k], seen.covariance[(k, k)], c.most)).collect();
-    let mut sd = fit.sd.clone();
+    let squares: Vec<f64> = columns
+        .iter()
+        .enumerate()
+        .map(|(k, c)| mean_square(seen.scores[k] / temper, seen.covariance[(k, k)] / temper, c.most))
+        .collect();
+    let mut sd = known.to_vec();
     for (own, i) in free.iter().enumerate() {
         let moved: f64 = squares.iter().enumerate().map(|(k, square)| shifts[(own, k)].powi(2) * square).sum();
         sd[*i] = (sd[*i].powi(2) + moved).sqrt();

@@ -12,7 +12,10 @@ use crate::{
     },
     selection::candidates::{Search, Tried},
     stats::share_removed,
-    validation::tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, THERE},
+    validation::{
+        moved_numbers::Refit,
+        tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, THERE},
+    },
     whitening::noise_model::NoiseModel,
 };
 use rayon::prelude::*;
@@ -38,6 +41,8 @@ pub struct HeldOutFit {
     pub prediction: Vec<f64>,
     /// what became of each part, in the order of [`parts`]: the same parts for every model of one recording
     pub parts: Vec<PartError>,
+    /// the fits without each part, but for those that had none
+    pub refits: Vec<Refit>,
 }
 
 impl HeldOutFit {
@@ -210,27 +215,28 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
     // every part is fitted from one point, where the rows that it keeps differ and the model does not
     let around = searched.around(&inside(&tried.fit.z, &searched.bounds())).ok();
     let predict = |part: &Part| {
-        let z = without(search, noise, &searched, around.as_ref()?, part, all.first)?.z;
+        let Fit { z, sd, .. } = without(search, noise, &searched, around.as_ref()?, part, all.first)?;
         let mut errors = searched.misfit(&z).ok()?;
         whitener.apply(&mut errors);
         let left_out = kept(part, errors.len(), all.first).into_iter().map(|kept| !kept);
         let score = errors.iter().zip(left_out).filter(|(_, out)| *out).map(|(e, _)| e * e).sum::<f64>();
-        Some((model.respond(&z).ok()?, score))
+        Some((model.respond(&z).ok()?, score, Refit { z, sd }))
     };
-    let predicted: Vec<Option<(Vec<f64>, f64)>> = parts.par_iter().map(predict).collect();
+    let predicted: Vec<Option<(Vec<f64>, f64, Refit)>> = parts.par_iter().map(predict).collect();
     let response = all.problem.response;
     // NaN marks the rows that no part predicts; every error below is taken over the finite ones only, and there is none where there are none
     let mut prediction = vec![f64::NAN; response.len()];
     for (part, values) in parts.iter().zip(&predicted) {
-        let Some((values, _)) = values else { continue };
+        let Some((values, ..)) = values else { continue };
         part.rows.iter().for_each(|rows| prediction[rows.clone()].copy_from_slice(&values[rows.clone()]));
     }
-    let of_part = |(part, predicted): (&Part, &Option<(Vec<f64>, f64)>)| {
-        let error = part_error(part, predicted.as_ref().map(|(values, _)| values.as_slice()), response);
-        PartError { score: predicted.as_ref().map(|(_, score)| *score), ..error }
+    let of_part = |(part, predicted): (&Part, &Option<(Vec<f64>, f64, Refit)>)| {
+        let error = part_error(part, predicted.as_ref().map(|(values, ..)| values.as_slice()), response);
+        PartError { score: predicted.as_ref().map(|(_, score, _)| *score), ..error }
     };
     let parts = parts.iter().zip(&predicted).map(of_part).collect();
-    HeldOutFit { how, least_squares: false, prediction, parts }
+    let refits = predicted.into_iter().flatten().map(|(.., refit)| refit).collect();
+    HeldOutFit { how, least_squares: false, prediction, parts, refits }
 }
 
 /// The error of a part without its score, `values` the predictions of every row.
@@ -285,6 +291,7 @@ mod tests {
             least_squares: false,
             prediction: Vec::new(),
             parts: errors.iter().enumerate().map(part).collect(),
+            refits: Vec::new(),
         }
     }
 

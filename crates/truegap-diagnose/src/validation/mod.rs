@@ -7,6 +7,7 @@ pub mod confirmation;
 pub(crate) mod cross_validation;
 pub(crate) mod held_numbers;
 pub(crate) mod main_causes;
+pub(crate) mod moved_numbers;
 pub mod other_clock;
 pub(crate) mod permutation;
 pub mod recovery;

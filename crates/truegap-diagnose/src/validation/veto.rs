@@ -67,6 +67,11 @@ impl Unseen {
         Self { base: without.0, named: Some(with.0), believed }
     }
 
+    /// Predictions of the model without what is named.
+    pub fn without(&self) -> &HeldOutFit {
+        &self.base
+    }
+
     /// Predictions of the model stood behind.
     pub fn stood_behind(&self) -> &HeldOutFit {
         self.named.as_ref().unwrap_or(&self.base)
@@ -158,7 +163,13 @@ mod tests {
 
     fn predicted(errors: &[f64]) -> HeldOutFit {
         let part = |squares: &f64| PartError { name: "run 1".into(), squares: Some(*squares), rows: 4, score: None };
-        HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: errors.iter().map(part).collect() }
+        HeldOutFit {
+            how: String::new(),
+            least_squares: false,
+            prediction: Vec::new(),
+            parts: errors.iter().map(part).collect(),
+            refits: Vec::new(),
+        }
     }
 
     #[test]
@@ -199,7 +210,13 @@ mod tests {
             let fit = |gain: &dyn Fn(usize) -> f64| {
                 let part =
                     |k: usize| PartError { name: "run".into(), squares: Some(400.0), rows: 100, score: Some(100.0 - gain(k)) };
-                HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: (0..4).map(part).collect() }
+                HeldOutFit {
+                    how: String::new(),
+                    least_squares: false,
+                    prediction: Vec::new(),
+                    parts: (0..4).map(part).collect(),
+                    refits: Vec::new(),
+                }
             };
             Unseen { base: fit(&|_| 0.0), named: Some(fit(&|k| gains[k])), believed }.worse(true)
         };
@@ -232,7 +249,7 @@ mod tests {
             let part =
                 |score| PartError { name: "block".into(), squares: Some(100.0 * error * error), rows: 100, score: Some(score) };
             let parts = vec![part(100.0), part(100.0 + lost)];
-            HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts }
+            HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts, refits: Vec::new() }
         };
         let of = |error: f64| Unseen { base: fit(20.0, 0.0), named: Some(fit(error, 30.0)), believed: 0.0 };
         assert_eq!(of(18.0).worse(true), Some(Against::Score(30.0)));
@@ -261,7 +278,13 @@ mod tests {
         let fit = |gains: [f64; 4]| {
             let part =
                 |k: usize| PartError { name: "run".into(), squares: Some(400.0), rows: 100, score: Some(100.0 - gains[k]) };
-            HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: (0..4).map(part).collect() }
+            HeldOutFit {
+                how: String::new(),
+                least_squares: false,
+                prediction: Vec::new(),
+                parts: (0..4).map(part).collect(),
+                refits: Vec::new(),
+            }
         };
         let of = |gains, level| Unseen { base: fit([0.0; 4]), named: Some(fit(gains)), believed: 0.0 }.stands_out_of(level);
         assert!(of([20.0; 4], 1.0) && of([20.0; 4], 0.4));

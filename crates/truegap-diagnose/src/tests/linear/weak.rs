@@ -46,7 +46,7 @@ fn covered(by: f64) -> [f64; 2] {
             let selection = select(search, lack_of_fit, search.base().unwrap());
             let base = selection.base();
             let off = (base.fit.z[0] - 0.01 * own).abs();
-            [base.fit.sd[0], widened(search, &selection, base)[0]].map(|sd| off < 1.96 * sd)
+            [base.fit.sd[0], widened(search, &selection, base, &base.fit.sd)[0]].map(|sd| off < 1.96 * sd)
         });
         held = [held[0] + usize::from(within[0]), held[1] + usize::from(within[1])];
     }

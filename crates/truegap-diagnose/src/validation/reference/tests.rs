@@ -59,7 +59,13 @@ fn predicted(parts: usize) -> HeldOutFit {
         rows: ROWS / parts,
         score: None,
     };
-    HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: (0..parts).map(part).collect() }
+    HeldOutFit {
+        how: String::new(),
+        least_squares: false,
+        prediction: Vec::new(),
+        parts: (0..parts).map(part).collect(),
+        refits: Vec::new(),
+    }
 }
 
 /// `[line, curve]` of a response, as (in sample, held out).

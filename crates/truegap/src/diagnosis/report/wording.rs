@@ -47,7 +47,7 @@ pub fn headline(diagnosis: &Diagnosis) -> String {
     }
     match diagnosis.verdict {
         Verdict::Agrees if diagnosis.adequacy.before.is_some_and(|before| before.fires()) => {
-            "Recording and model agree: nothing that was tried predicts rows left out better by a twentieth.".into()
+            "Recording and model agree: no cause that was tried is borne out by rows left out.".into()
         }
         Verdict::Agrees => {
             format!(

@@ -23,23 +23,26 @@ const LEAST_SAY: f64 = 0.25;
 
 /// Standard deviations of the coordinates of a fit to all rows, with those that noise makes: each no less than that, and larger where the number moves more between the fits without one part.
 pub(crate) fn by_parts((z, sd): (&[f64], &[f64]), without: &[Refit]) -> Vec<f64> {
-    let wider = |i: usize| dispersion((z[i], sd[i]), without.iter().map(|part| (part.z[i], part.sd[i]))).sqrt().max(1.0);
-    (0..z.len()).map(|i| sd[i] * wider(i)).collect()
+    (0..z.len()).map(|i| sd[i] * wider((z[i], sd[i]), without, i)).collect()
 }
 
 /// The same for a fit that is calibrated in another way than those without one part: what all rows would tell in their way is made of them. Each part is left out of one and is in all others, so that the information of all
 /// is one less than their number of the whole (where numbers do not stand for each other).
 pub(crate) fn by_parts_alone(sd: &[f64], without: &[Refit]) -> Vec<f64> {
-    let wider = |i: usize| {
+    let all = |i: usize| {
         let told = without.iter().map(|part| (part.z[i], part.sd[i])).filter(|(_, sd)| *sd > 0.0 && sd.is_finite());
         let [information, weighted, parts] = told.fold([0.0; 3], |[all, weighted, parts], (z, sd)| {
             let own = sd.powi(-2);
             [all + own, weighted + own * z, parts + 1.0]
         });
-        let all = (weighted / information, ((parts - 1.0) / information).sqrt());
-        dispersion(all, without.iter().map(|part| (part.z[i], part.sd[i]))).sqrt().max(1.0)
+        (weighted / information, ((parts - 1.0) / information).sqrt())
     };
-    sd.iter().enumerate().map(|(i, sd)| sd * wider(i)).collect()
+    sd.iter().enumerate().map(|(i, sd)| sd * wider(all(i), without, i)).collect()
+}
+
+/// How much larger the deviation of a number is than the noise makes it.
+fn wider(all: (f64, f64), without: &[Refit], i: usize) -> f64 {
+    dispersion(all, without.iter().map(|part| (part.z[i], part.sd[i]))).sqrt().max(1.0)
 }
 
 /// Mean square of the differences to a number of all rows, each over its variance; numbers with their standard deviations. 1 where too few parts tell it.

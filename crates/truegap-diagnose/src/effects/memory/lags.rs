@@ -272,7 +272,8 @@ mod tests {
     /// More lags and clocks than are remembered, asked over and over: the weights are those of a walk without memory, to the last bit.
     #[test]
     fn what_is_remembered_is_what_is_learned_anew() {
-        let clocks = [uneven(130), uneven(70), Inputs { time_s: None, ..uneven(60) }];
+        let one_run = Inputs { run: vec![1; 130], ..uneven(130) };
+        let clocks = [uneven(130), one_run, uneven(70), Inputs { time_s: None, ..uneven(60) }];
         for _ in 0..2 {
             for (inputs, through) in clocks.iter().flat_map(|inputs| [(inputs, false), (inputs, true)]) {
                 for lags in 1..2 * TABLES {

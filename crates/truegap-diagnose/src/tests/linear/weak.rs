@@ -24,6 +24,19 @@ fn confused() -> World {
     world
 }
 
+/// The first term, so large that it stands `by` noise deviations out of what calibration of `still` leaves of it.
+fn standing_out(world: &World, still: &[f64], by: f64) -> Vec<f64> {
+    let unit = world.terms[0].of_one_deviation();
+    // at the wanted size: first find out how far one unit of it stands out
+    let size = world.search(still, |search, _| {
+        let base = search.base().unwrap();
+        let column =
+            DMatrix::from_column_slice(ROWS, 1, &search.whitener.matrix(vec![unit.clone()]).column(0).as_slice().to_vec());
+        by / scores(&base.fit.linearised(), &column).covariance[(0, 0)].sqrt()
+    });
+    unit.into_iter().map(|unit| size * unit).collect()
+}
+
 /// Shares of the draws in which the base model's number lies within 1.96 deviations: of the fit alone, and with weak effects counted in; the first term stands `by`
 /// noise deviations out of what calibration leaves of it.
 fn covered(by: f64) -> [f64; 2] {
@@ -33,15 +46,7 @@ fn covered(by: f64) -> [f64; 2] {
     for _ in 0..DRAWS {
         let [own] = normals(random);
         let still = world.drawn(&[], &[0.01 * own], random);
-        // the term at the wanted size: first find out how far one unit of it stands out
-        let unit = world.terms[0].of_one_deviation();
-        let size = world.search(&still, |search, _| {
-            let base = search.base().unwrap();
-            let column =
-                DMatrix::from_column_slice(ROWS, 1, &search.whitener.matrix(vec![unit.clone()]).column(0).as_slice().to_vec());
-            by / scores(&base.fit.linearised(), &column).covariance[(0, 0)].sqrt()
-        });
-        let y: Vec<f64> = still.iter().zip(&unit).map(|(y, u)| y + size * u).collect();
+        let y: Vec<f64> = still.iter().zip(standing_out(&world, &still, by)).map(|(y, term)| y + term).collect();
         let within = world.search(&y, |search, lack_of_fit| {
             let selection = select(search, lack_of_fit, search.base().unwrap());
             let base = selection.base();
@@ -67,4 +72,36 @@ fn a_number_that_a_weak_effect_has_moved_is_covered_as_far_as_the_effect_can_be_
     let [three, five] = [3.0, 5.0].map(covered);
     assert!(three[0] < 0.1 && five[0] < 0.1, "{three:?} {five:?}");
     assert!(three[1] > 0.35 && five[1] > 0.85, "{three:?} {five:?}");
+}
+
+/// Thirty noise deviations are known to be there, and move the number by as much as they can. Where evidence counts 900 times less they are one deviation, by which next to nothing is known.
+#[test]
+fn what_speaks_for_an_effect_counts_as_much_less_as_evidence_does() {
+    let world = confused();
+    let still = world.drawn(&[], &[0.0], &mut ChaCha8Rng::seed_from_u64(5));
+    let y: Vec<f64> = still.iter().zip(standing_out(&world, &still, 30.0)).map(|(y, term)| y + term).collect();
+    let added = world.search(&y, |search, lack_of_fit| {
+        let mut selection = select(search, lack_of_fit, search.base().unwrap());
+        let base = selection.base().clone();
+        [1.0, 900.0].map(|temper| {
+            selection.temper = temper;
+            let known = base.fit.sd[0];
+            (widened(search, &selection, &base, &base.fit.sd)[0].powi(2) - known.powi(2)).sqrt() / known
+        })
+    });
+    // of a size that one deviation knows, one in twenty acts: some tenths of what 30 deviations did
+    assert!(added[0] > 3.0 * added[1] && added[1] > 0.0, "{added:?}");
+}
+
+/// What is added is added to what is known otherwise.
+#[test]
+fn what_is_known_less_well_is_told_less_well() {
+    let world = confused();
+    let y = world.drawn(&[], &[0.0], &mut ChaCha8Rng::seed_from_u64(5));
+    let [once, thrice] = world.search(&y, |search, lack_of_fit| {
+        let selection = select(search, lack_of_fit, search.base().unwrap());
+        let base = selection.base();
+        [1.0, 3.0].map(|times| widened(search, &selection, base, &[times * base.fit.sd[0]])[0].powi(2) / base.fit.sd[0].powi(2))
+    });
+    approx::assert_relative_eq!(thrice - once, 8.0, max_relative = 1e-9);
 }

@@ -10,6 +10,7 @@ mod lags;
 use std::ops::Range;
 use truegap_core::Inputs;
 
+pub use clock::elapsed_s;
 use lags::walk_lags_through;
 pub use lags::{Lag, LagSum, walk_lags};
 
@@ -20,11 +21,6 @@ pub fn walk(inputs: &Inputs, mut visit: impl FnMut(usize, Option<f64>)) {
     for row in 0..inputs.len() {
         visit(row, clock::Clock::step(inputs, false, row));
     }
-}
-
-/// Seconds from the first row of the recording to `row`, on the clock that runs through all runs; rows where there is none.
-pub fn elapsed_s(inputs: &Inputs, row: usize) -> f64 {
-    inputs.time_s.as_deref().map_or(row as f64, |time| time[row] - time[0])
 }
 
 /// Value of `column` at `time`, straight between the rows of a run around it; held beyond its ends.

@@ -206,6 +206,9 @@ pub struct AllRows<'a> {
     pub first: Option<&'a [usize]>,
 }
 
+/// What a fit without a part foretells of every row, its score on the rows of the part, and the fit.
+type Foretold = (Vec<f64>, f64, Refit);
+
 /// Fits `tried` without each part in turn and predicts every row of it.
 pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> HeldOutFit {
     let (how, parts) = parts_of(all.problem);
@@ -222,7 +225,7 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
         let score = errors.iter().zip(left_out).filter(|(_, out)| *out).map(|(e, _)| e * e).sum::<f64>();
         Some((model.respond(&z).ok()?, score, Refit { z, sd }))
     };
-    let predicted: Vec<Option<(Vec<f64>, f64, Refit)>> = parts.par_iter().map(predict).collect();
+    let predicted: Vec<Option<Foretold>> = parts.par_iter().map(predict).collect();
     let response = all.problem.response;
     // NaN marks the rows that no part predicts; every error below is taken over the finite ones only, and there is none where there are none
     let mut prediction = vec![f64::NAN; response.len()];
@@ -230,7 +233,7 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
         let Some((values, ..)) = values else { continue };
         part.rows.iter().for_each(|rows| prediction[rows.clone()].copy_from_slice(&values[rows.clone()]));
     }
-    let of_part = |(part, predicted): (&Part, &Option<(Vec<f64>, f64, Refit)>)| {
+    let of_part = |(part, predicted): (&Part, &Option<Foretold>)| {
         let error = part_error(part, predicted.as_ref().map(|(values, ..)| values.as_slice()), response);
         PartError { score: predicted.as_ref().map(|(_, score, _)| *score), ..error }
     };

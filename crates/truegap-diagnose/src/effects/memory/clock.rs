@@ -14,6 +14,11 @@ pub(super) const KEPT: usize = 8;
 /// Clocks that a thread remembers: that of a recording, and those of its rows without the ones left out.
 const CLOCKS: usize = 8;
 
+/// Seconds from the first row of the recording to `row`, on the clock that runs through all runs; rows where there is none.
+pub fn elapsed_s(inputs: &Inputs, row: usize) -> f64 {
+    inputs.time_s.as_deref().map_or(row as f64, |time| time[row] - time[0])
+}
+
 /// What is made of steps, kept for steps that come again: an even clock and means of few rows have a handful.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Steps<W> {
@@ -95,7 +100,7 @@ impl Clock {
     /// Seconds to `row` from the row before; `None` at the first row of a run, or of the recording where the clock goes `through` all runs. Rows count as seconds where no clock was recorded.
     pub fn step(inputs: &Inputs, through: bool, row: usize) -> Option<f64> {
         if through {
-            return (row > 0).then(|| super::elapsed_s(inputs, row) - super::elapsed_s(inputs, row - 1));
+            return (row > 0).then(|| elapsed_s(inputs, row) - elapsed_s(inputs, row - 1));
         }
         let inside = row > 0 && inputs.run[row] == inputs.run[row - 1];
         inside.then(|| inputs.time_s.as_deref().map_or(1.0, |time| time[row] - time[row - 1]))

@@ -56,6 +56,8 @@ pub struct Found<'a> {
     pub reserved: Option<Reserved>,
     /// the slow course in place of a column that was hidden on purpose, and that column
     pub slow: Option<(&'a SlowInput, &'a Hidden)>,
+    /// the column whose quick motion the reading does not show, where a mean to both sides foretells as well as any cause
+    pub smoothed: Option<String>,
     /// mechanisms from outside the library, whether they are named or not
     pub mechanisms: &'a [Discovery],
     /// whether they only put into words what the library has explained

@@ -34,6 +34,13 @@ const WIDEN_IT: &str =
 /// What to do where the search was stopped: what this recording could show is not known.
 const LET_IT_END: &str = "diagnose the recording again and let the search end: what is missing was not looked for to the end";
 
+/// What to do where the reading does not show what is quick in the column that it follows.
+fn let_it_stand(followed: &str) -> String {
+    format!(
+        "let {followed} stand still for a while and then go up and down at once, and record both: what is quick in it while it stands is noise of its own, and after a step a lag comes late where a mean does not"
+    )
+}
+
 /// What to do where nothing of the library explains what is there.
 const VARY_IT: &str =
     "no cause of the library explains it; change one input at a time, slow and fast, and look which one the mismatch follows";
@@ -47,6 +54,9 @@ pub(crate) fn next(found: &Found<'_>) -> NextExperiment {
         None if found.is_about_interference() => return only(LISTEN),
         _ if found.interrupted => return only(LET_IT_END),
         _ => {}
+    }
+    if let Some(followed) = &found.smoothed {
+        return only(&let_it_stand(followed));
     }
     let models = &found.selection.models;
     let named = Some(found.decision.model).filter(|model| !models[*model].effects.is_empty());

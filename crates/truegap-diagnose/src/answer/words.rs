@@ -42,6 +42,13 @@ fn verdict_says(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) ->
     if let Some(says) = composed(found, (findings, order)) {
         return says;
     }
+    if let Some(followed) = &found.smoothed {
+        let what = match decision.verdict {
+            Verdict::Agrees => "no cause that rows left out bear out",
+            _ => "something real is missing that nothing in the library explains",
+        };
+        return format!("{what}; the reading does not show what is quick in {followed}, which may be noise of its own");
+    }
     let names = findings.iter().map(|f| f.effect.as_str()).collect::<Vec<_>>().join(" and ");
     match decision.verdict {
         Verdict::Agrees if found.before.fires() => {

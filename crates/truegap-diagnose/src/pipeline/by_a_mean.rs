@@ -3,6 +3,8 @@
 //! A lag, a friction or a shift beside a model that follows a noisy column smooths the noise, and errs less for that alone. A mean over some rows to both sides does the same and comes without
 //! a delay. What is named has to foretell rows left out clearly better than such a mean, or beside it, as it has to beside the base model alone; else nothing is named, and a reader is told of the mean.
 //!
+//! Where nothing is named and something is said to be missing, the mean is asked as well: where it leaves nothing that tests see, what was missing is noise of the column.
+//!
 //! Limits: base models without plates that follow a column on a clock; one window for the whole recording.
 
 use crate::{
@@ -31,10 +33,21 @@ use crate::{
 };
 use std::sync::atomic::Ordering;
 
-/// Why what is named is not claimed, and the verdict without it; `None` where it foretells clearly better than a mean, or where no mean means anything.
-pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<(Verdict, String)> {
+/// What is told in place of a name, where a mean foretells as well.
+pub(crate) struct ByAMean {
+    pub verdict: Verdict,
+    /// why what was named is not claimed
+    pub says: String,
+    /// the column whose quick motion the reading does not show
+    pub followed: String,
+}
+
+/// What is told in place of what is named; `None` where that foretells clearly better than a mean, or where no mean means anything.
+pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<ByAMean> {
     let context = &prepared.context;
-    let asked = judged.names_something() && judged.kept_back.is_none() && !told.stop.load(Ordering::Relaxed);
+    let named_something = judged.names_something();
+    let missing = named_something || judged.predicted.decision.verdict == Verdict::Unexplained;
+    let asked = missing && judged.kept_back.is_none() && !told.stop.load(Ordering::Relaxed);
     if !asked || context.has_plates() || MeanToBothSides.testable(context).is_err() {
         return None;
     }
@@ -50,21 +63,27 @@ pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judge
     let named = judged.predicted.unseen.stood_behind();
     let smooths = compared(&judged.by_base.unseen, &unseen)?.better_by(CLEARLY_WORSE);
     let both = compared(&unseen, named)?;
+    let fires = || prepared.lack_of_fit.adequacy(&tried.fit).fires();
+    let [with_mean, without] = both.rmse.map(|rmse| significant(rmse, 3));
+    let (mean_said, unit) = (said(half_width_s(search, &tried)), search.problem.simulator.unit());
+    let followed = followed.name(context).to_string();
+    if !named_something {
+        let says = format!(
+            "{mean_said}, which comes without a delay, predicts rows left out better ({with_mean} against {without} {unit}): what is quick in {followed} may be noise of its own, so nothing is missing for it",
+        );
+        return (smooths && !fires()).then(|| ByAMean { verdict: Verdict::Agrees, says: capitalised(&says), followed });
+    }
     if !smooths || both.better_by(CLEARLY_WORSE) || felt_beside(prepared, search, judged, mean, &unseen) {
         return None;
     }
     // what the named law leaves was little enough for its form to be right: the mean leaves as little
-    let adequate = judged.predicted.decision.verdict != Verdict::WrongForm || !prepared.lack_of_fit.adequacy(&tried.fit).fires();
+    let adequate = judged.predicted.decision.verdict != Verdict::WrongForm || !fires();
     let verdict = if adequate { Verdict::Agrees } else { Verdict::Unexplained };
-    let [with_mean, with_name] = both.rmse.map(|rmse| significant(rmse, 3));
     let says = format!(
-        "{} would fit, but {}, which comes without a delay, predicts rows left out as well ({with_mean} against {with_name} {}): what is quick in {} may be noise of its own, so it is not claimed",
+        "{} would fit, but {mean_said}, which comes without a delay, predicts rows left out as well ({with_mean} against {without} {unit}): what is quick in {followed} may be noise of its own, so it is not claimed",
         capitalised(&prepared.names(&judged.stood_behind().effects)),
-        said(half_width_s(search, &tried)),
-        search.problem.simulator.unit(),
-        followed.name(context),
     );
-    Some((verdict, says))
+    Some(ByAMean { verdict, says, followed })
 }
 
 /// Whether rows left out are predicted clearly better by what is named and the `mean` together than by the mean alone, which predicts `by_mean`: then it does something else than smooth.
@@ -83,7 +102,7 @@ fn half_width_s(search: &Search<'_>, tried: &Tried) -> f64 {
 
 impl Judged {
     /// The same with nothing named.
-    pub(crate) fn taken_back(mut self, verdict: Verdict, says: String) -> Self {
+    pub(crate) fn taken_back(mut self, ByAMean { verdict, says, followed }: ByAMean) -> Self {
         let decision = Decision::nothing(verdict, self.examined.selection.base);
         let left_out = [self.predicted.left_out, vec![says]].concat();
         self.predicted = Predicted {
@@ -95,6 +114,7 @@ impl Judged {
             refuted: Vec::new(),
         };
         self.held = Vec::new();
+        self.smoothed = Some(followed);
         self
     }
 }

@@ -53,11 +53,11 @@ pub(crate) fn conclude(
     let judged = in_the_end(&prepared, told, judged(&prepared, told, examined, composition)?);
     let judged = words_beside(&prepared, told, judged);
     let judged = match by_a_mean(&prepared, told, &judged) {
-        Some((verdict, says)) => judged.taken_back(verdict, says),
+        Some(mean) => judged.taken_back(mean),
         None => judged,
     };
     let judged = described(&prepared, told, judged)?;
-    let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held } = judged;
+    let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held, smoothed } = judged;
     prepared.context.held = held;
     let prepared = &prepared;
     let searched = prepared.searched();
@@ -133,6 +133,7 @@ pub(crate) fn conclude(
         directions: &prepared.directions,
         reserved: kept_back.or(vetoed),
         slow: slow.as_ref().zip(told.options.hidden.first()),
+        smoothed,
         mechanisms,
         by_squares,
         in_other_words: in_other_words.is_some(),

@@ -69,6 +69,8 @@ pub(crate) struct Judged {
     pub predicted: Predicted,
     /// numbers of effects that are held at nothing
     pub held: Vec<Number>,
+    /// the column whose quick motion the reading does not show, where a mean to both sides foretells as well as what was named
+    pub smoothed: Option<String>,
 }
 
 /// Fits, weighs and decides.
@@ -158,7 +160,7 @@ pub(crate) fn judged_once(
         predicted.decision.model = examined.selection.place_of(key);
     }
     let held = prepared.context.held.clone();
-    Ok(Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held })
+    Ok(Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held, smoothed: None })
 }
 
 impl Judged {

@@ -1,12 +1,12 @@
 //! What is not looked for, or not left out, where the recording cannot show it.
 
-use crate::given::{Given, said};
+use crate::given::{Given, noisy, said, simulated};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use truegap_core::{Driver, Inputs};
 use truegap_diagnose::quality::{Rows, repeated};
-use truegap_diagnose::{Context, Problem, library};
+use truegap_diagnose::{Context, Problem, Verdict, library};
 
 #[test]
 fn friction_is_not_looked_for_where_nothing_turns() {
@@ -139,4 +139,20 @@ fn noise_of_the_column_that_is_followed_is_no_lag() {
     let said = said(&Given::fixed(), &inputs, &response);
     assert!(said.findings.is_empty(), "{}", said.says);
     assert!(said.recording_issues.iter().any(|doubt| doubt.contains("without a delay")), "{:?}", said.recording_issues);
+}
+
+/// The column of a simulation holds noise of its own, 0.05 V, five times that of the reading. Any lag smooths it and errs less; a mean to both sides does so as well. Without that rival a lag is named.
+#[test]
+fn a_lag_that_a_mean_to_both_sides_does_without_is_not_named() {
+    let inputs = simulated();
+    let truth = inputs.simulated.clone().unwrap();
+    let read = noisy(31, |row| truth[row], truth.len());
+    let random = &mut ChaCha8Rng::seed_from_u64(32);
+    let with_noise = truth.iter().map(|value| value + 0.05 * Distribution::<f64>::sample(&StandardNormal, random)).collect();
+    let said = said(&Given::fixed(), &Inputs { simulated: Some(with_noise), ..inputs }, &read);
+    assert_eq!((said.verdict, said.findings.len()), (Verdict::Agrees, 0), "{}", said.says);
+    assert!(said.says.contains("does not show what is quick in the simulated value"), "{}", said.says);
+    let doubt = said.recording_issues.iter().find(|issue| issue.contains("to both sides"));
+    assert!(doubt.is_some_and(|doubt| doubt.contains("nothing is missing for it")), "{:?}", said.recording_issues);
+    assert!(said.next_experiment.says.contains("stand still"), "{}", said.next_experiment.says);
 }

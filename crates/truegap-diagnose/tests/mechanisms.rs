@@ -1,5 +1,7 @@
 //! Physics that no library lists: recordings made here, with code of their own, of what a supply voltage and a rate of the load do to a reading.
 
+#![allow(clippy::unwrap_used)]
+
 mod common;
 
 use common::Plate;

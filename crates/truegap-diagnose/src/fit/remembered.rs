@@ -166,11 +166,14 @@ mod tests {
         Drive { inputs, load, temperature_c: &[20.0, 21.0], reference_c: 20.0, full_load: 1.0 }
     }
 
+    /// What a stage makes of a column.
+    type Changes<'a> = dyn Fn(&mut [f64]) + 'a;
+
     /// What a stage makes of everything, asked in this order.
     fn everything(stage: &dyn Stage, load: &[f64]) -> Vec<f64> {
         let inputs = Inputs { run: vec![1; 2], ..Inputs::default() };
         let drive = drive(&inputs, load);
-        let columns: [&dyn Fn(&mut [f64]); 6] = [
+        let columns: [&Changes<'_>; 6] = [
             &|c| stage.load(&inputs, c),
             &|c| stage.feedback(&drive, &[1.0, 2.0], c),
             &|c| stage.thermal(&inputs, c),

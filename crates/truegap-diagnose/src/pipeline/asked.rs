@@ -69,13 +69,8 @@ mod tests {
             Question { squares: true, ..first.clone() },
         ];
         let asked = Asked::default();
-        let answer = |says: &str| HeldOutFit {
-            how: says.into(),
-            least_squares: false,
-            prediction: vec![1.0],
-            parts: Vec::new(),
-            refits: Vec::new(),
-        };
+        let answer =
+            |says: &str| HeldOutFit { how: says.into(), prediction: vec![1.0], parts: Vec::new(), ..HeldOutFit::default() };
         let found: Vec<String> =
             [first].into_iter().chain(others).enumerate().map(|(i, q)| asked.once(q, || answer(&i.to_string())).how).collect();
         assert_eq!(found, ["0", "0", "2", "3", "4", "5"]);

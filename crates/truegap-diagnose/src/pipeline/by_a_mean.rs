@@ -79,8 +79,10 @@ pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judge
     // what the named law leaves was little enough for its form to be right: the mean leaves as little
     let adequate = judged.predicted.decision.verdict != Verdict::WrongForm || !fires();
     let verdict = if adequate { Verdict::Agrees } else { Verdict::Unexplained };
+    // a name may predict better over all, and in a few parts only
+    let few = if both.rmse[1] * CLEARLY_WORSE < both.rmse[0] { " in half of the parts or more" } else { "" };
     let says = format!(
-        "{} would fit, but {mean_said}, which comes without a delay, predicts rows left out as well ({with_mean} against {without} {unit}): what is quick in {followed} may be noise of its own, so it is not claimed",
+        "{} would fit, but {mean_said}, which comes without a delay, predicts rows left out as well{few} ({with_mean} against {without} {unit}): what is quick in {followed} may be noise of its own, so it is not claimed",
         capitalised(&prepared.names(&judged.stood_behind().effects)),
     );
     Some(ByAMean { verdict, says, followed })

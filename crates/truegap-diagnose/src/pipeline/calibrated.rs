@@ -86,7 +86,7 @@ mod tests {
 
     fn predicted(squares: f64) -> HeldOutFit {
         let part = PartError { name: "run 1".into(), squares: Some(squares), rows: 4, score: None };
-        HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: vec![part], refits: Vec::new() }
+        HeldOutFit { parts: vec![part], ..HeldOutFit::default() }
     }
 
     /// Calibrated by least squares, the base model leaves 4. A model that leaves 9 under the noise and 2 by least squares is no worse.

@@ -93,7 +93,7 @@ mod tests {
 
     fn errors(squares: f64) -> HeldOutFit {
         let part = PartError { name: "run 1".into(), squares: Some(squares), rows: 4, score: None };
-        HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts: vec![part], refits: Vec::new() }
+        HeldOutFit { parts: vec![part], ..HeldOutFit::default() }
     }
 
     fn chosen(models: &[(&[usize], f64)], squares: impl Fn(&[usize]) -> f64) -> Option<(usize, Vec<Vec<usize>>)> {

@@ -31,7 +31,7 @@ pub struct Part {
 }
 
 /// Predictions of rows left out.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub struct HeldOutFit {
     /// how rows were left out
     pub how: String,
@@ -289,13 +289,7 @@ mod tests {
             rows: 10,
             score: None,
         };
-        HeldOutFit {
-            how: String::new(),
-            least_squares: false,
-            prediction: Vec::new(),
-            parts: errors.iter().enumerate().map(part).collect(),
-            refits: Vec::new(),
-        }
+        HeldOutFit { parts: errors.iter().enumerate().map(part).collect(), ..HeldOutFit::default() }
     }
 
     /// Run 1 failed before and run 3 after: only run 2 says how the two compare, and it is told by its own name. By position, run 2 before would stand beside run 1

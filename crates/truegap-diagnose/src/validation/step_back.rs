@@ -88,13 +88,7 @@ mod tests {
     /// Errors on two parts of a hundred rows each.
     fn errs(error: f64) -> HeldOutFit {
         let part = |_| PartError { name: "block".into(), squares: Some(100.0 * error * error), rows: 100, score: None };
-        HeldOutFit {
-            how: String::new(),
-            least_squares: false,
-            prediction: Vec::new(),
-            parts: (0..2).map(part).collect(),
-            refits: Vec::new(),
-        }
+        HeldOutFit { parts: (0..2).map(part).collect(), ..HeldOutFit::default() }
     }
 
     /// What is left out of effects 0, 1 and 2, which err by 1.00 together; by `others` without some of them, and by 4 without all.
@@ -149,13 +143,7 @@ mod tests {
         let scored = |error: f64, score: f64| {
             let part =
                 |_| PartError { name: "block".into(), squares: Some(100.0 * error * error), rows: 100, score: Some(score) };
-            HeldOutFit {
-                how: String::new(),
-                least_squares: false,
-                prediction: Vec::new(),
-                parts: (0..2).map(part).collect(),
-                refits: Vec::new(),
-            }
+            HeldOutFit { parts: (0..2).map(part).collect(), ..HeldOutFit::default() }
         };
         let all = Selection::of(&[(&[], 0.0), (&[0, 1], 0.0), (&[0], 0.0)]);
         let alone = |_: &Tried| scored(1.0, 100.0);

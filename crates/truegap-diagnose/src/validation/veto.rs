@@ -163,13 +163,7 @@ mod tests {
 
     fn predicted(errors: &[f64]) -> HeldOutFit {
         let part = |squares: &f64| PartError { name: "run 1".into(), squares: Some(*squares), rows: 4, score: None };
-        HeldOutFit {
-            how: String::new(),
-            least_squares: false,
-            prediction: Vec::new(),
-            parts: errors.iter().map(part).collect(),
-            refits: Vec::new(),
-        }
+        HeldOutFit { parts: errors.iter().map(part).collect(), ..HeldOutFit::default() }
     }
 
     #[test]
@@ -210,13 +204,7 @@ mod tests {
             let fit = |gain: &dyn Fn(usize) -> f64| {
                 let part =
                     |k: usize| PartError { name: "run".into(), squares: Some(400.0), rows: 100, score: Some(100.0 - gain(k)) };
-                HeldOutFit {
-                    how: String::new(),
-                    least_squares: false,
-                    prediction: Vec::new(),
-                    parts: (0..4).map(part).collect(),
-                    refits: Vec::new(),
-                }
+                HeldOutFit { parts: (0..4).map(part).collect(), ..HeldOutFit::default() }
             };
             Unseen { base: fit(&|_| 0.0), named: Some(fit(&|k| gains[k])), believed }.worse(true)
         };
@@ -249,7 +237,7 @@ mod tests {
             let part =
                 |score| PartError { name: "block".into(), squares: Some(100.0 * error * error), rows: 100, score: Some(score) };
             let parts = vec![part(100.0), part(100.0 + lost)];
-            HeldOutFit { how: String::new(), least_squares: false, prediction: Vec::new(), parts, refits: Vec::new() }
+            HeldOutFit { parts, ..HeldOutFit::default() }
         };
         let of = |error: f64| Unseen { base: fit(20.0, 0.0), named: Some(fit(error, 30.0)), believed: 0.0 };
         assert_eq!(of(18.0).worse(true), Some(Against::Score(30.0)));
@@ -278,13 +266,7 @@ mod tests {
         let fit = |gains: [f64; 4]| {
             let part =
                 |k: usize| PartError { name: "run".into(), squares: Some(400.0), rows: 100, score: Some(100.0 - gains[k]) };
-            HeldOutFit {
-                how: String::new(),
-                least_squares: false,
-                prediction: Vec::new(),
-                parts: (0..4).map(part).collect(),
-                refits: Vec::new(),
-            }
+            HeldOutFit { parts: (0..4).map(part).collect(), ..HeldOutFit::default() }
         };
         let of = |gains, level| Unseen { base: fit([0.0; 4]), named: Some(fit(gains)), believed: 0.0 }.stands_out_of(level);
         assert!(of([20.0; 4], 1.0) && of([20.0; 4], 0.4));

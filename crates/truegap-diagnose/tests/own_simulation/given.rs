@@ -51,7 +51,7 @@ impl Simulator for Given {
     }
     fn lacks(&self, stage: StageName) -> Option<&'static str> {
         let has = matches!(stage, StageName::ThermalPath | StageName::Readout);
-        (!has && !(self.follows_driver && stage == StageName::Inputs)).then_some("nothing is known of it")
+        (!(has || self.follows_driver && stage == StageName::Inputs)).then_some("nothing is known of it")
     }
     fn full_load(&self) -> Option<f64> {
         None

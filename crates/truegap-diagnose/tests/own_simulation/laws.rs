@@ -86,7 +86,7 @@ fn a_lag_of_which_nothing_is_seen_is_a_plain_influence() {
         drivers: vec![Driver {
             name: "temp".into(),
             unit: "degC".into(),
-            values: noisy(8, |row| warm(row), rows).iter().map(|t| (10.0 * t).round() / 10.0).collect(),
+            values: noisy(8, warm, rows).iter().map(|t| (10.0 * t).round() / 10.0).collect(),
         }],
         ..Inputs::default()
     };

@@ -215,6 +215,9 @@ mod tests {
     use super::*;
     use crate::effects::memory::clock::KEPT;
 
+    /// What is done at a row with the weights of its step.
+    type Visit<'a> = dyn FnMut(usize, Option<Weights<'_>>) + 'a;
+
     fn weights(ratio: f64) -> [f64; 3] {
         if takes_series(ratio) { by_series(ratio) } else { in_closed_form(ratio) }
     }
@@ -278,7 +281,7 @@ mod tests {
             for (inputs, through) in clocks.iter().flat_map(|inputs| [(inputs, false), (inputs, true)]) {
                 for lags in 1..2 * TABLES {
                     let taus: Vec<f64> = (0..lags).map(|k| 0.2 * 3f64.powi(k as i32)).collect();
-                    let all = |walk: &dyn Fn(&mut dyn FnMut(usize, Option<Weights<'_>>))| {
+                    let all = |walk: &dyn Fn(&mut Visit<'_>)| {
                         let mut all = Vec::new();
                         walk(&mut |row, given| match given {
                             None => all.push(row as u64),

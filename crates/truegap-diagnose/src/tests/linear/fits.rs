@@ -225,8 +225,8 @@ fn stated_deviations_cover_what_they_say() {
         let truth: [f64; 3] = normals(random);
         let y = world.drawn(&[0, 1, 2], &truth, random);
         fitted(&world, &[0, 1, 2], &y, |fit| {
-            for k in 0..3 {
-                let off = (fit.z[k] - truth[k]) / fit.sd[k];
+            for ((z, truth), sd) in fit.z.iter().zip(truth).zip(&fit.sd) {
+                let off = (z - truth) / sd;
                 squares += off * off;
                 inside += usize::from(off.abs() < 1.96);
             }

@@ -127,13 +127,7 @@ fn an_effect_without_which_the_rest_predicts_better_is_not_claimed() {
         let index = |effects: &[usize]| selection.models.iter().position(|m| m.key() == effects.into()).unwrap();
         let of_parts = |errors: [f64; 3]| {
             let part = |error: f64| PartError { name: "run".into(), squares: Some(30.0 * error * error), rows: 30, score: None };
-            HeldOutFit {
-                how: String::new(),
-                least_squares: false,
-                prediction: Vec::new(),
-                parts: errors.map(part).to_vec(),
-                refits: Vec::new(),
-            }
+            HeldOutFit { parts: errors.map(part).to_vec(), ..HeldOutFit::default() }
         };
         let of_all = |base: [f64; 3], one: [f64; 3], both: [f64; 3], free: bool| {
             let unseen = |tried: &Tried| of_parts(if tried.effects.contains(&1) { both } else { one });

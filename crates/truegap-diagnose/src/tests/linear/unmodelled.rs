@@ -33,9 +33,9 @@ fn odds_of_an_unmodelled_cause_are_those_of_its_covariance() {
     let random = &mut ChaCha8Rng::seed_from_u64(77);
     let mut y = world.drawn(&[], &[], random);
     let mut zero = 0.0;
-    for row in 0..ROWS {
+    for (row, y) in y.iter_mut().enumerate() {
         zero += if row % 2 == 0 { 0.12 * super::normals::<1>(random)[0] } else { 0.0 };
-        y[row] += zero;
+        *y += zero;
     }
     for slack in [1.0, 1.7] {
         let (odds, agrees) = world.search(&y, |search, tests| {

@@ -30,8 +30,7 @@ fn standing_out(world: &World, still: &[f64], by: f64) -> Vec<f64> {
     // at the wanted size: first find out how far one unit of it stands out
     let size = world.search(still, |search, _| {
         let base = search.base().unwrap();
-        let column =
-            DMatrix::from_column_slice(ROWS, 1, &search.whitener.matrix(vec![unit.clone()]).column(0).as_slice().to_vec());
+        let column = DMatrix::from_column_slice(ROWS, 1, search.whitener.matrix(vec![unit.clone()]).column(0).as_slice());
         by / scores(&base.fit.linearised(), &column).covariance[(0, 0)].sqrt()
     });
     unit.into_iter().map(|unit| size * unit).collect()

@@ -59,13 +59,7 @@ fn predicted(parts: usize) -> HeldOutFit {
         rows: ROWS / parts,
         score: None,
     };
-    HeldOutFit {
-        how: String::new(),
-        least_squares: false,
-        prediction: Vec::new(),
-        parts: (0..parts).map(part).collect(),
-        refits: Vec::new(),
-    }
+    HeldOutFit { parts: (0..parts).map(part).collect(), ..HeldOutFit::default() }
 }
 
 /// `[line, curve]` of a response, as (in sample, held out).

@@ -46,6 +46,7 @@
 //! [`Simulator`] and [`Joined`] stand in one file, because a joint model is a `Simulator` that hands out the `Simulator`s that it joins. No two files of this
 //! crate need one another.
 
+mod asked_last;
 mod chain;
 mod column;
 mod corrections;
@@ -63,6 +64,7 @@ pub mod simulator;
 pub mod units;
 mod walk;
 
+pub use asked_last::asked_last;
 pub use chain::{Dielectric, Drive, FieldView, Geometry, Readout, Stage, StageName};
 pub use column::{MEDIAN_NORMAL, ends, median, same_column, sd_of_differences};
 pub use corrections::Corrections;

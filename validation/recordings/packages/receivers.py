@@ -1,6 +1,5 @@
 """Formats of the fifteenth set, from bytes to columns, and the models that several of it share (the other formats are in reading.py, instruments.py, rigs.py, loggers.py, stations.py, housekeeping.py and benches.py)."""
 
-import io
 import re
 
 import numpy as np
@@ -8,6 +7,7 @@ import pandas as pd
 from fitting import lag, line, terms, usual
 from reading import csv
 from rigs import since
+from stations import toa5
 
 LOADS = "date time lna_v lna_ohm lna_c switch_v switch_ohm switch_c load_v load_ohm load_c room_c".split()
 BOX = {"100": "receiver_c", "101": "ambient_c", "102": "hot_c", "103": "box_c", "106": "drive_pct", "150": "battery_v", "152": "current_a"}
@@ -58,11 +58,6 @@ def thermostat(content):
 def clocked(text):
     """A time that is told as year, day of the year, hour, minute, second."""
     return pd.to_datetime(text, format="%Y:%j:%H:%M:%S")
-
-
-def toa5(content):
-    """A table of a logger, below its four lines of header."""
-    return pd.read_csv(io.BytesIO(content), skiprows=[0, 2, 3], na_values=["NAN"], low_memory=False)
 
 
 def two_stations(slow, sonic):

@@ -11,10 +11,14 @@ from reading import csv
 SECONDS = {"minutes": 60, "hours": 3600, "days": 86400}
 
 
+def toa5(content):
+    """A logger's table below its four lines of heading."""
+    return csv(content, skiprows=[0, 2, 3], na_values=["NAN"], low_memory=False)
+
+
 def logger(content, *names):
     """Columns of a logger's table with its four lines of heading, rows with a number in each, and seconds since the first."""
-    frame = csv(content, skiprows=[0, 2, 3], na_values=["NAN"], low_memory=False)
-    frame = frame[["TIMESTAMP", *names]].dropna().reset_index(drop=True)
+    frame = toa5(content)[["TIMESTAMP", *names]].dropna().reset_index(drop=True)
     return frame.assign(time_s=since(frame.TIMESTAMP))
 
 

@@ -119,6 +119,7 @@ fn slope(from: (f64, f64), to: (f64, f64)) -> f64 {
 }
 
 #[cfg(test)]
+#[allow(clippy::single_range_in_vec_init)] // one run
 mod tests {
     use super::*;
 

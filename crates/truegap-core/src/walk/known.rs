@@ -5,6 +5,7 @@
 //! Limits: the columns asked last, each with the clocks asked last; longer ones than [`LONGEST`] are read anew every time. Answers are those without memory to the last bit.
 
 use super::between::{Between, interpolated, slopes};
+use crate::asked_last;
 use std::{cell::RefCell, collections::VecDeque, ops::Range};
 
 /// Columns that a thread remembers: those of a recording, and of its rows without those left out.
@@ -39,7 +40,7 @@ pub(super) fn shifted(clock: &[f64], column: &[f64], runs: &[Range<usize>], late
     KNOWN.with_borrow_mut(|known| {
         let is_asked =
             |course: &Course| same_bits(&course.column, column) && same_bits(&course.clock, clock) && course.runs == runs;
-        first(known, COLUMNS, is_asked, || Course::of(clock, column, runs)).remembered(late)
+        asked_last(known, COLUMNS, is_asked, || Course::of(clock, column, runs)).remembered(late)
     })
 }
 
@@ -65,19 +66,11 @@ impl Course {
 
     fn remembered(&mut self, late: &[f64]) -> Vec<f64> {
         let mut read = std::mem::take(&mut self.read);
-        let [_, answer] = first(&mut read, CLOCKS, |[asked, _]| same_bits(asked, late), || [late.to_vec(), self.at(late)]);
+        let [_, answer] = asked_last(&mut read, CLOCKS, |[asked, _]| same_bits(asked, late), || [late.to_vec(), self.at(late)]);
         let answer = answer.clone();
         self.read = read;
         answer
     }
-}
-
-/// What `is_asked` of these, or else what is made anew, put first; the last of more than `most` is forgotten.
-fn first<T>(known: &mut VecDeque<T>, most: usize, is_asked: impl Fn(&T) -> bool, make: impl FnOnce() -> T) -> &mut T {
-    let found = known.iter().position(is_asked).and_then(|place| known.remove(place)).unwrap_or_else(make);
-    known.truncate(most - 1);
-    known.push_front(found);
-    &mut known[0]
 }
 
 /// Whether two columns are the same to the last bit, in blocks as [`crate::column::same_column`] looks at them: here zeros have a sign, and what is not a number is itself.
@@ -123,13 +116,5 @@ mod tests {
             }
         }
         KNOWN.with_borrow(|known| assert!(known.len() <= COLUMNS && known.iter().all(|course| course.read.len() <= CLOCKS)));
-    }
-
-    #[test]
-    fn a_column_that_is_asked_again_is_first_and_the_one_asked_least_lately_goes() {
-        let mut known = VecDeque::new();
-        let mut ask = |value: i32| *first(&mut known, 2, |other| *other == value, || value);
-        assert_eq!([1, 2, 1, 3].map(&mut ask), [1, 2, 1, 3]);
-        assert_eq!(known, [3, 1]);
     }
 }

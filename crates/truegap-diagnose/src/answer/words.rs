@@ -18,6 +18,9 @@ use crate::{
 pub(crate) const STOPPED: &str =
     "the search was stopped before its end: verdict and probabilities are among what had been tried by then";
 
+/// Said where something is missing that has no name.
+const UNEXPLAINED: &str = "something real is missing that nothing in the library explains";
+
 /// The verdict as a sentence with its reasons; with what the model carries beside the findings.
 pub(crate) fn says(found: &Found<'_>, (findings, order): (&[Finding], &[usize]), carried: &[Finding]) -> String {
     let mut verdict = verdict_says(found, (findings, order));
@@ -45,7 +48,7 @@ fn verdict_says(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) ->
     if let Some(followed) = &found.smoothed {
         let what = match decision.verdict {
             Verdict::Agrees => "no cause that rows left out bear out",
-            _ => "something real is missing that nothing in the library explains",
+            _ => UNEXPLAINED,
         };
         return format!("{what}; the reading does not show what is quick in {followed}, which may be noise of its own");
     }
@@ -102,17 +105,13 @@ fn unexplained(found: &Found<'_>, decision: &Decision) -> String {
         return format!("something is in the reading that is not in the library: {}", interference(found).unwrap_or_default());
     }
     if !found.before.fires() {
-        return "something real is missing that nothing in the library explains".into();
+        return UNEXPLAINED.into();
     }
     let removes = match found.left_out.is_empty() {
         true => format!("the likeliest effect removes {:.0} % of the misfit", 100.0 * decision.removed),
         false => "what would fit is not borne out by rows left out".into(),
     };
-    format!(
-        "something real is missing that nothing in the library explains ({removes}){}{}",
-        line(found),
-        nearest_unmodelled(found)
-    )
+    format!("{UNEXPLAINED} ({removes}){}{}", line(found), nearest_unmodelled(found))
 }
 
 /// The strongest line in the spectrum of what the likeliest model leaves, where it is clear.

@@ -61,19 +61,24 @@ pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judge
     let tried = search.add_each(judged.examined.selection.base(), &[mean], 1, "a mean").pop()?;
     let unseen = predicted_like_base(prepared, search, &judged.by_base, &tried);
     let named = judged.predicted.unseen.stood_behind();
-    let smooths = compared(&judged.by_base.unseen, &unseen)?.better_by(CLEARLY_WORSE);
+    if !compared(&judged.by_base.unseen, &unseen)?.better_by(CLEARLY_WORSE) {
+        return None;
+    }
     let both = compared(&unseen, named)?;
     let fires = || prepared.lack_of_fit.adequacy(&tried.fit).fires();
     let [with_mean, without] = both.rmse.map(|rmse| significant(rmse, 3));
     let (mean_said, unit) = (said(half_width_s(search, &tried)), search.problem.simulator.unit());
     let followed = followed.name(context).to_string();
     if !named_something {
+        if fires() {
+            return None;
+        }
         let says = format!(
             "{mean_said}, which comes without a delay, predicts rows left out better ({with_mean} against {without} {unit}): what is quick in {followed} may be noise of its own, so nothing is missing for it",
         );
-        return (smooths && !fires()).then(|| ByAMean { verdict: Verdict::Agrees, says: capitalised(&says), followed });
+        return Some(ByAMean { verdict: Verdict::Agrees, says: capitalised(&says), followed });
     }
-    if !smooths || both.better_by(CLEARLY_WORSE) || felt_beside(prepared, search, judged, mean, &unseen) {
+    if both.better_by(CLEARLY_WORSE) || felt_beside(prepared, search, judged, mean, &unseen) {
         return None;
     }
     // what the named law leaves was little enough for its form to be right: the mean leaves as little

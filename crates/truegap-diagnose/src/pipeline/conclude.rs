@@ -89,21 +89,26 @@ pub(crate) fn conclude(
     let beside_names = |tried: &Tried| in_other_words.is_some_and(|c| c.tried.effects != tried.effects);
     let searched_for = |tried: &Tried| if beside_names(tried) { of_names } else { search };
     // a fit and its like without one part have to be calibrated in one way
-    let borne_out = |tried: &Tried| {
+    let by_parts_of = |tried: &Tried| {
         let Tried { fit, effects } = tried;
-        let predicted = if effects.is_empty() { unseen.without() } else { unseen.stood_behind() };
+        if effects.is_empty() {
+            return by_parts((&fit.z, &fit.sd), &unseen.without().refits);
+        }
+        if *effects != chosen.effects {
+            return fit.sd.clone();
+        }
+        let predicted = unseen.stood_behind();
         match (&by_squares, &sd_by_squares) {
-            _ if !effects.is_empty() && *effects != chosen.effects => fit.sd.clone(),
-            (Some(squares), Some(sd)) if *effects == chosen.effects => {
+            (Some(squares), Some(sd)) => {
                 let told = by_parts((&squares.fit.z, sd), &predicted.refits);
                 told.into_iter().zip(&fit.sd).map(|(told, sd)| told.max(*sd)).collect()
             }
-            _ if predicted.least_squares && !effects.is_empty() => by_parts_alone(&fit.sd, &predicted.refits),
+            _ if predicted.least_squares => by_parts_alone(&fit.sd, &predicted.refits),
             _ => by_parts((&fit.z, &fit.sd), &predicted.refits),
         }
     };
     let told_sd = |tried: &Tried| {
-        let sd = widened(searched_for(tried), selection, tried, &borne_out(tried));
+        let sd = widened(searched_for(tried), selection, tried, &by_parts_of(tried));
         sd.into_iter().enumerate().map(|(i, sd)| sd.hypot(moved(tried, i))).collect::<Vec<_>>()
     };
     let widened = told_of.into_iter().map(|tried| (tried, told_sd(tried))).collect();

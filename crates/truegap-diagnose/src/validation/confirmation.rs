@@ -179,10 +179,10 @@ fn by_signs(terms: &[f64]) -> f64 {
 }
 
 #[cfg(test)]
+#[allow(clippy::single_range_in_vec_init)] // one run
 mod tests {
     use super::*;
     use rand_distr::{Distribution, StandardNormal};
-    use std::slice;
 
     fn noise(seed: u64, rows: usize) -> Vec<f64> {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
@@ -200,7 +200,7 @@ mod tests {
     #[test]
     fn what_is_planted_is_confirmed_and_the_other_way_round_refuted() {
         let (without, with, read) = planted(1.0);
-        let whole = slice::from_ref(&(0..600));
+        let whole = &[0..600];
         let found = compared(&without, &with, &read, whole);
         assert_eq!((found.judgement, found.blocks), (Judgement::Confirmed, 12));
         // E[(y - b)^2 - (y - a)^2] = mean of the planted course squared = 1/2; its sd over 600 rows is 2 sqrt(0.5 / 600) = 0.058
@@ -221,9 +221,7 @@ mod tests {
             // two models that are wrong by courses of the same law, so that neither is better: at most the stated share may be told apart
             let (a, b) = (noise(1000 + seed, 600), noise(5000 + seed, 600));
             let off = |by: &[f64]| without.iter().zip(by).map(|(v, n)| v + n).collect::<Vec<f64>>();
-            wrong += usize::from(
-                compared(&off(&a), &off(&b), &without, slice::from_ref(&(0..600))).judgement != Judgement::CannotTell,
-            );
+            wrong += usize::from(compared(&off(&a), &off(&b), &without, &[0..600]).judgement != Judgement::CannotTell);
         }
         // binomial: mean 10, sd 3.1
         assert!((1..=20).contains(&wrong), "{wrong} of 200, {level} expected");
@@ -245,7 +243,7 @@ mod tests {
         assert_eq!(blocks(&[0..24, 24..30]).len(), 7); // 6 parts of 4 rows, and one of 6 rows
         let many: Vec<Range<usize>> = (0..20).map(|k| 10 * k..10 * (k + 1)).collect();
         assert_eq!(blocks(&many), many);
-        let cut = blocks(slice::from_ref(&(5..105)));
+        let cut = blocks(&[5..105]);
         assert_eq!((cut.len(), cut[0].start, cut[11].end), (12, 5, 105));
         assert!(cut.windows(2).all(|w| w[0].end == w[1].start));
     }

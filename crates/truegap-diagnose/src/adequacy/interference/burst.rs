@@ -43,12 +43,12 @@ impl Burst {
 }
 
 #[cfg(test)]
+#[allow(clippy::single_range_in_vec_init)] // one run
 mod tests {
     use super::*;
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
     use rand_distr::{Distribution, StandardNormal};
-    use std::slice;
 
     fn noise(seed: u64) -> Vec<f64> {
         let random = &mut ChaCha8Rng::seed_from_u64(seed);
@@ -75,7 +75,7 @@ mod tests {
         let mut residual = noise(4);
         (200..224).for_each(|row| residual[row] = 60.0);
         (1208..1216).for_each(|row| residual[row] = 1000.0);
-        let found = Burst::loudest(&residual, slice::from_ref(&(0..2000)), 1.0);
+        let found = Burst::loudest(&residual, &[0..2000], 1.0);
         assert_eq!((found.row, found.rows, found.p_value), (1208, 8, 0.0));
     }
 

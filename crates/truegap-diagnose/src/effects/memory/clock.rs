@@ -3,7 +3,7 @@
 //! Limits: steps that differ by less than a billionth are one step.
 
 use std::{cell::RefCell, collections::VecDeque, rc::Rc};
-use truegap_core::{Inputs, same_column};
+use truegap_core::{Inputs, asked_last, same_column};
 
 /// Steps that differ by less than this share are one step: a clock in tenths of a second has steps that differ in their last digits.
 const SAME_STEP: f64 = 1e-9;
@@ -81,7 +81,7 @@ impl Clock {
             (a, b) => a.is_none() && b.is_none(),
         };
         let is_asked = |clock: &Rc<Self>| clock.through == through && clock.run == inputs.run && same_time(&clock.time_s);
-        KNOWN.with_borrow_mut(|known| first(known, CLOCKS, is_asked, || Rc::new(Self::of(inputs, through))).clone())
+        KNOWN.with_borrow_mut(|known| asked_last(known, CLOCKS, is_asked, || Rc::new(Self::of(inputs, through))).clone())
     }
 
     fn of(inputs: &Inputs, through: bool) -> Self {
@@ -105,12 +105,4 @@ impl Clock {
         let inside = row > 0 && inputs.run[row] == inputs.run[row - 1];
         inside.then(|| inputs.time_s.as_deref().map_or(1.0, |time| time[row] - time[row - 1]))
     }
-}
-
-/// What `is_asked` of these, or else what is made anew, put first; the last of more than `most` is forgotten.
-pub(super) fn first<T>(known: &mut VecDeque<T>, most: usize, is_asked: impl Fn(&T) -> bool, make: impl FnOnce() -> T) -> &mut T {
-    let found = known.iter().position(is_asked).and_then(|place| known.remove(place)).unwrap_or_else(make);
-    known.truncate(most - 1);
-    known.push_front(found);
-    &mut known[0]
 }

@@ -4,7 +4,7 @@
 
 use super::clock::{Clock, Steps};
 use std::{cell::RefCell, collections::VecDeque, rc::Rc};
-use truegap_core::Inputs;
+use truegap_core::{Inputs, asked_last};
 
 /// Below this ratio of step to time constant the weights of a lag come from their series.
 const SERIES_BELOW: f64 = 0.1;
@@ -71,7 +71,7 @@ thread_local! {
 fn remembered(clock: &Rc<Clock>, taus_s: &[f64]) -> Rc<Table> {
     let is_asked = |table: &Rc<Table>| Rc::ptr_eq(&table.clock, clock) && table.taus_s == taus_s;
     KNOWN.with_borrow_mut(|known| {
-        super::clock::first(known, TABLES, is_asked, || {
+        asked_last(known, TABLES, is_asked, || {
             let mut columns = Columns::default();
             columns.learn(&clock.steps_s, taus_s);
             Rc::new(Table { clock: Rc::clone(clock), taus_s: taus_s.to_vec(), columns })

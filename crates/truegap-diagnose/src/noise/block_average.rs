@@ -25,16 +25,40 @@ pub struct BlockAverages {
     pub weights: Vec<f64>,
     /// first row of each mean
     pub first: Vec<usize>,
+    /// means of the response as it was read
+    read: Vec<f64>,
+    /// whether inputs move within a mean
+    pub moved: bool,
 }
 
 impl BlockAverages {
+    /// The means of the response, less the difference between the mean of what a model responds and its response to the mean inputs; `responds` is the model, of these inputs.
+    ///
+    /// # Errors
+    /// Those of the model.
+    pub fn response_by(
+        &self,
+        every_row: &Inputs,
+        responds: impl Fn(&Inputs) -> Result<Vec<f64>, SimulationError>,
+    ) -> Result<Vec<f64>, SimulationError> {
+        if !self.moved {
+            return Ok(self.read.clone());
+        }
+        let of_means = responds(&self.inputs)?;
+        let of_rows = self.means(&responds(every_row)?);
+        Ok(self.read.iter().zip(of_means.iter().zip(&of_rows)).map(|(read, (m, rows))| read + m - rows).collect())
+    }
+
+    /// Means of a column of every row.
+    fn means(&self, column: &[f64]) -> Vec<f64> {
+        let end = |i: usize| self.first.get(i + 1).copied().unwrap_or(column.len());
+        let mean = |rows: &[f64]| rows.iter().sum::<f64>() / rows.len() as f64;
+        (0..self.first.len()).map(|i| mean(&column[self.first[i]..end(i)])).collect()
+    }
+
     /// The noise of the means.
     pub fn noise(&self, noise: &NoiseModel) -> NoiseModel {
-        let mean = |column: &[f64], i: usize| {
-            let rows = &column[self.first[i]..self.first.get(i + 1).copied().unwrap_or(column.len())];
-            rows.iter().sum::<f64>() / rows.len() as f64
-        };
-        let means = |column: &[f64]| (0..self.first.len()).map(|i| mean(column, i)).collect();
+        let means = |column: &[f64]| self.means(column);
         let moved = |row: usize| self.first.partition_point(|first| *first < row);
         let of = |r: &RecordingNoise| RecordingNoise { rows: moved(r.rows.start)..moved(r.rows.end), ..r.clone() };
         NoiseModel {
@@ -74,18 +98,18 @@ pub fn block_averages(
         |column: &[f64]| groups.iter().map(|g| column[g.clone()].iter().sum::<f64>() / g.len() as f64).collect::<Vec<f64>>();
     let from = problem.inputs;
     let inputs = from.columns_as(groups.iter().map(|g| from.run[g.start]).collect(), mean);
-    let mut response = mean(problem.response);
-    if moved {
-        let of_means = problem.simulator.respond(&problem.simulator.centre(), &inputs, &[])?;
-        let of_rows = mean(&problem.simulator.respond(&problem.simulator.centre(), from, &[])?);
-        response.iter_mut().zip(of_means.iter().zip(&of_rows)).for_each(|(r, (m, rows))| *r += m - rows);
-    }
-    Ok(Some(BlockAverages {
+    let read = mean(problem.response);
+    let mut averages = BlockAverages {
         inputs,
-        response,
+        response: Vec::new(),
         weights: groups.iter().map(|g| g.len() as f64).collect(),
         first: groups.iter().map(|g| g.start).collect(),
-    }))
+        read,
+        moved,
+    };
+    averages.response =
+        averages.response_by(from, |inputs| problem.simulator.respond(&problem.simulator.centre(), inputs, &[]))?;
+    Ok(Some(averages))
 }
 
 /// The finest grouping that is short enough, and whether inputs move within its groups.

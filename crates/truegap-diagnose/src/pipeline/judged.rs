@@ -73,8 +73,11 @@ pub(crate) struct Judged {
     pub smoothed: Option<String>,
 }
 
-/// Fits, weighs and decides.
-pub(crate) fn examined(prepared: &Prepared<'_>, told: &Told<'_>) -> Result<Examined, DiagnoseError> {
+/// Fits, weighs and decides, on the rows that are searched as they are.
+///
+/// # Errors
+/// Those of the simulator.
+pub(crate) fn examined_on_means(prepared: &Prepared<'_>, told: &Told<'_>) -> Result<Examined, DiagnoseError> {
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
     beside_a_tone(prepared, search, examine(search, &prepared.lack_of_fit)?)

@@ -14,6 +14,7 @@ mod described;
 mod interference;
 mod judged;
 mod noise_choice;
+mod on_means;
 mod options;
 mod permuted_searches;
 mod predicted;
@@ -97,7 +98,7 @@ fn searched(
     let told = Told { options, progress, asked: stop, stop: if options.withheld.is_some() { &halted } else { stop } };
 
     let mut prepared = Prepared::new(problem, noise, options)?;
-    let mut examined = judged::examined(&prepared, &told)?;
+    let mut examined = on_means::examined(&mut prepared, &told)?;
     // what the base model leaves may hide wild rows, which take the verdict and the noise with them; no noise is louder than what a model leaves; and rest in which the instrument is off says
     // nothing of its noise at work: everything is done once more with the noise as it is then
     for otherwise in [Prepared::with_wild_rows, Prepared::quieter, Prepared::at_work] {
@@ -105,7 +106,7 @@ fn searched(
             && let Some(noise) = otherwise(&prepared, &examined)?
         {
             prepared = Prepared::new(problem, noise, options)?;
-            examined = judged::examined(&prepared, &told)?;
+            examined = on_means::examined(&mut prepared, &told)?;
         }
     }
     if let Some(richer) = richer(&mut prepared, &examined, &told)? {
@@ -116,7 +117,7 @@ fn searched(
     if let Some(slower) = slower(&prepared, &examined, composition.as_ref(), &told)? {
         let held = std::mem::replace(&mut prepared, slower).context.held;
         prepared.context.held = held;
-        examined = judged::examined(&prepared, &told)?;
+        examined = on_means::examined(&mut prepared, &told)?;
         composition = composed(&prepared, &examined, &told);
     }
     // a mechanism was composed beside the richer law

@@ -11,10 +11,7 @@ use crate::{
     answer::PermutedSearches,
     data::{error::DiagnoseError, problem::Problem},
     fit::model::Model,
-    pipeline::{
-        judged::{Told, examined},
-        prepare::Prepared,
-    },
+    pipeline::{judged::Told, on_means::examined, prepare::Prepared},
     seeds::SEEDS,
     selection::{candidates::Progress, posterior::Selection, prior::log_prior},
     validation::permutation::permute,
@@ -48,8 +45,8 @@ pub(super) fn permuted_searches(
         let elsewhere = permute(&misfit, &runs, random);
         let response: Vec<f64> = predicted.iter().zip(elsewhere.iter()).map(|(value, misfit)| value + misfit).collect();
         let permuted = Problem { response: &response, ..*problem };
-        let again = Prepared::new(&permuted, prepared.noise.clone(), told.options)?;
-        let found = gain(&examined(&again, &unheard)?.selection, prepared.testable.len());
+        let mut again = Prepared::new(&permuted, prepared.noise.clone(), told.options)?;
+        let found = gain(&examined(&mut again, &unheard)?.selection, prepared.testable.len());
         // a search that was ended has not seen all that it could have found
         if !told.stop.load(Ordering::Relaxed) {
             gains.push(found);

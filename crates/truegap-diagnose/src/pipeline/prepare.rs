@@ -31,6 +31,7 @@ use crate::{
     whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
 use std::sync::atomic::AtomicBool;
+use truegap_core::Inputs;
 
 /// Rows that are searched; longer recordings are searched on means of their quiet rows (see [`crate::noise::block_average`]) and predicted row by row.
 const SEARCHED_ROWS: usize = 2500;
@@ -40,6 +41,9 @@ const MOST_SEARCHED_ROWS: usize = 8000;
 
 /// Rows of a recording for each row that is searched, between the two numbers above.
 const ROWS_FOR_ONE: usize = 50;
+
+/// Squares of the noise, over all means, by which they may differ from what a model makes of them: what a number of one standard deviation is.
+const FELT_BY_MEANS: f64 = 1.0;
 
 /// A recording made ready under one noise model.
 pub(crate) struct Prepared<'a> {
@@ -122,6 +126,35 @@ impl<'a> Prepared<'a> {
     /// Every row, and which of them each searched row begins with.
     pub fn all_rows(&self) -> AllRows<'_> {
         AllRows { problem: self.problem, first: self.averages.as_ref().map(|t| t.first.as_slice()) }
+    }
+
+    /// Whether rows that are searched are means within which inputs move.
+    pub fn inputs_move_within_means(&self) -> bool {
+        self.averages.as_ref().is_some_and(|averages| averages.moved)
+    }
+
+    /// Makes the means by what a model of the library responds to rows and to means, where that differs by more than [`FELT_BY_MEANS`] from what they were made by; whether it did.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub fn averaged_by(&mut self, model: &Tried) -> Result<bool, DiagnoseError> {
+        let Some(averages) = &mut self.averages else { return Ok(false) };
+        let effects: Vec<_> = model.effects.iter().map(|e| self.testable[*e]).collect();
+        let responds = |inputs: &Inputs| {
+            let problem = Problem { inputs, ..*self.problem };
+            Model::new(&problem, &self.context, effects.clone()).respond(&model.fit.z)
+        };
+        let response = averages.response_by(self.problem.inputs, responds)?;
+        let mut change: Vec<f64> = response.iter().zip(&averages.response).map(|(new, old)| new - old).collect();
+        self.whitener.apply(&mut change);
+        if change.iter().map(|v| v * v).sum::<f64>() <= FELT_BY_MEANS {
+            return Ok(false);
+        }
+        averages.response = response;
+        let searched = Problem { inputs: &averages.inputs, response: &averages.response, ..*self.problem };
+        self.lack_of_fit = LackOfFitTests::of(&searched, &self.searched_noise, &self.whitener, &self.directions, None);
+        self.asked = Asked::default();
+        Ok(true)
     }
 
     /// What a model foretells of rows left out, calibrated under the noise.

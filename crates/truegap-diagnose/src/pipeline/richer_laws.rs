@@ -31,7 +31,7 @@ pub(crate) fn richer(
     let Some(held) = borne_out(prepared, examined, told) else { return Ok(None) };
     let before = stood_behind(prepared, examined, told);
     let simple = std::mem::replace(&mut prepared.context.held, held);
-    let again = judged::examined(prepared, told)?;
+    let again = judged::examined_on_means(prepared, told)?;
     let worse = |[before, after]: [f64; 2]| after > CLEARLY_WORSE * before;
     if compared(&before, &stood_behind(prepared, &again, told)).is_none_or(|both| worse(both.rmse)) {
         prepared.context.held = simple;

@@ -1,0 +1,14 @@
+"""Temperature of one cylinder's head over that of another's, from shortly after an aircraft's engine was started, two minutes and a quarter. One warms later."""
+
+from recorders import engine, usual_and_lags
+
+HAND_BUILT = "lag, and square"
+
+
+def rows(content):
+    frame = engine(content, 90)
+    return {"time_s": frame.time_s, "fourth_f": frame.CHT4, "sixth_f": frame.CHT6}
+
+
+def models(c):
+    return c["sixth_f"], usual_and_lags(c["sixth_f"], c["fourth_f"], c["time_s"], 5)

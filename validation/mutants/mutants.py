@@ -3,9 +3,12 @@
 
     python3 validation/mutants/mutants.py              # all, and the table in README.md
     python3 validation/mutants/mutants.py NAME...      # some; of the others the outcomes on the page stay, each with the commit that it was run on
+    python3 validation/mutants/mutants.py --scratch DIR    # in another folder: one for each run at the same time
 
 Nothing is planted here: `target/mutants` holds a copy of the crates, in which every error stands beside the right text and is chosen by a number in the
-environment. So each crate is built once (about a minute for the diagnosis), and each error costs what its test takes. A mutant is killed where the named test
+environment. So each crate is built once (about a minute for the diagnosis, and the first time the libraries that it uses), and each error costs what its
+test takes. The copy is built in its own `target`, whatever CARGO_TARGET_DIR says: cargo knows a crate by its path inside the workspace and by the age of
+its files, so that two copies with one target folder take each other's programs for theirs. A mutant is killed where the named test
 fails or runs for more than a minute; without any error all of them must pass.
 """
 
@@ -85,7 +88,8 @@ def copy(scratch):
     """A workspace of its own with these crates and what their tests read; its target folder stays from run to run."""
     for folder in [f"crates/{c}" for c in CRATES + NEEDED] + ["docs", "meshes", "validation/stated"]:
         shutil.rmtree(scratch / folder, ignore_errors=True)
-        shutil.copytree(ROOT / folder, scratch / folder)
+        # files as young as the copy: cargo would take an older text for one that was built
+        shutil.copytree(ROOT / folder, scratch / folder, copy_function=shutil.copyfile)
     manifest = (ROOT / "Cargo.toml").read_text()
     members = ", ".join(f'"crates/{c}"' for c in CRATES + NEEDED)
     manifest = re.sub(r"^members = \[.*\]", f"members = [{members}]", manifest, count=1, flags=re.MULTILINE)
@@ -130,9 +134,7 @@ def build(scratch, chosen):
         wanted = sorted({m.get("target", "lib") for m in chosen if m["crate"] == crate})
         flags = [flag for t in wanted for flag in (["--lib"] if t == "lib" else ["--test", t])]
         command = ["cargo", "test", "-p", crate, *flags, "--no-run", "--message-format=json-render-diagnostics"]
-        # libraries that the workspace has built are not built again
-        environment = {"CARGO_TARGET_DIR": str(ROOT / "target"), **os.environ}
-        built = subprocess.run(command, cwd=scratch, env=environment, stdout=subprocess.PIPE, text=True)
+        built = subprocess.run(command, cwd=scratch, env=building(scratch), stdout=subprocess.PIPE, text=True)
         if built.returncode:
             sys.exit(f"{crate} does not build with its errors beside it")
         for line in built.stdout.splitlines():
@@ -141,6 +143,11 @@ def build(scratch, chosen):
                 kind = "lib" if "lib" in message["target"]["kind"] else message["target"]["name"]
                 programs[crate, kind] = message["executable"]
     return programs
+
+
+def building(scratch):
+    """The environment of a build: no other copy, and no other checkout, shares its target folder."""
+    return {**os.environ, "CARGO_TARGET_DIR": str(scratch.resolve() / "target")}
 
 
 def run(scratch, targets, crate, target, test, number):

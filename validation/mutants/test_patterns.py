@@ -1,18 +1,27 @@
 #!/usr/bin/env python3
-"""Both lists of planted errors against today's sources: every text that an error replaces stands exactly once in the file it names.
+"""Both lists of planted errors against today's sources: every text that an error replaces stands exactly once in the file it names; and a copy is not
+taken for another one.
 
     python3 validation/mutants/test_patterns.py
 
 Nothing is built. A pattern that no longer fits would end the run that plants it, and that run is not made with every change.
 """
 
+import importlib
+import os
 import re
+import sys
+import tempfile
+import time
 import tomllib
 import unittest
 from pathlib import Path
+from unittest import mock
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
+sys.path += [str(HERE), str(ROOT / "validation/verification")]
+TOOLS = [importlib.import_module(name) for name in ("mutants", "mutations")]
 PLACE = re.compile(r"(?s)(.*)«(.*)»(.*)")
 
 
@@ -52,6 +61,25 @@ class Patterns(unittest.TestCase):
         self.assertIn(f"{told.group(1)} planted errors are noticed", results)
         if told.group(3):
             self.assertIn(f"{told.group(3)} more wait for their run", results)
+
+
+class Copies(unittest.TestCase):
+    """A program that was built of another copy was run where both had one target folder: its tests did not know the errors of this copy."""
+
+    def test_every_copy_has_a_target_folder_of_its_own(self):
+        with tempfile.TemporaryDirectory() as shared, tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as other:
+            with mock.patch.dict(os.environ, {"CARGO_TARGET_DIR": shared}):
+                for tool in TOOLS:
+                    folders = [Path(tool.building(Path(scratch))["CARGO_TARGET_DIR"]) for scratch in (one, other)]
+                    self.assertEqual(folders, [Path(one).resolve() / "target", Path(other).resolve() / "target"])
+
+    def test_no_file_of_a_copy_is_older_than_the_copy(self):
+        for tool in TOOLS:
+            with tempfile.TemporaryDirectory() as scratch:
+                begin = time.time() - 1.0  # s; a file system may count whole seconds
+                tool.copy(Path(scratch))
+                old = [file for file in Path(scratch).rglob("*.rs") if file.stat().st_mtime < begin]
+                self.assertEqual(old, [])
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ its place, and the tests that should fail: a target, perhaps with a part of thei
 A mutation that does not compile, or whose text is not there, ends the run: then the list is out of date. Writes `mutations.md`; with
 names only those are tried again, and the outcomes of the others are those that stand there, each with the commit that it was run on. What has
 none there was not run yet, and is not counted. Exit code 1 where one survives.
+The copy is built in its own `target`, whatever CARGO_TARGET_DIR says.
 """
 
 import argparse
@@ -65,15 +66,14 @@ def copy(scratch):
     crate = scratch / "crates/truegap-fem"
     for folder in ["crates/truegap-fem", "crates/truegap-limits", "meshes", "validation/verification"]:
         shutil.rmtree(scratch / folder, ignore_errors=True)
-        shutil.copytree(ROOT / folder, scratch / folder)
+        # files as young as the copy: what an earlier run built there may be newer than the files copied
+        shutil.copytree(ROOT / folder, scratch / folder, copy_function=shutil.copyfile)
     manifest = (ROOT / "Cargo.toml").read_text()
     manifest = re.sub(r"members = \[.*\]", 'members = ["crates/truegap-fem"]', manifest, count=1)
     manifest = re.sub(r"default-members = \[.*\]\n", "", manifest, count=1)
     manifest = re.sub(r'^truegap(?!-limits)[a-z-]* = \{ path.*\n', "", manifest, flags=re.MULTILINE)
     (scratch / "Cargo.toml").write_text(manifest)
     shutil.copy(ROOT / "Cargo.lock", scratch / "Cargo.lock")
-    for source in crate.rglob("*.rs"):
-        source.touch()  # what an earlier run built there may be newer than the files copied
     return crate
 
 
@@ -96,14 +96,19 @@ def attempt(scratch, crate, mutation):
     return {"outcome": outcome, "seconds": seconds, "by": ", ".join(f"`{f}`" for f in failed[:2]), "count": len(failed)}
 
 
+def building(scratch):
+    """The environment of a build: a target folder of the copy's own, as two copies with one take each other's programs for theirs."""
+    return {**os.environ, "CARGO_TARGET_DIR": str(scratch.resolve() / "target")}
+
+
 def run(scratch, target):
     """Outcome of the tests of a target: what they print, and how long building and testing took."""
     command = ["cargo", "test", "--quiet", "-p", "truegap-fem", *target.split()]
     begin = time.monotonic()
-    built = subprocess.run([*command, "--no-run"], cwd=scratch, capture_output=True, text=True)
+    built = subprocess.run([*command, "--no-run"], cwd=scratch, env=building(scratch), capture_output=True, text=True)
     if built.returncode:
         return "killed", time.monotonic() - begin, built.stderr
-    tests = subprocess.Popen([*command, "--", "--format=pretty"], cwd=scratch, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
+    tests = subprocess.Popen([*command, "--", "--format=pretty"], cwd=scratch, env=building(scratch), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
     try:
         detail, failed = tests.communicate(timeout=LIMIT)[0], tests.returncode != 0
     except subprocess.TimeoutExpired:

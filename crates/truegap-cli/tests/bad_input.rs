@@ -19,7 +19,9 @@ fn refuse_csv(text: &str, parts: &[&str]) {
 
 #[test]
 fn a_missing_column_is_named_with_those_that_are_there() {
-    refuse_csv("time_s,force_n\n0,1\n", &["response", "`capacitance_pf`", "`time_s`, `force_n`", "[columns]"]);
+    let bench = Bench::new();
+    bench.file("r.csv", "time_s,force_n\n0,1\n");
+    bench.refuses(&["diagnose", "r.csv"], &["r.csv", "response", "`capacitance_pf`", "`time_s`, `force_n`", "[columns]"]);
 }
 
 #[test]

@@ -168,3 +168,19 @@ fn a_model_that_follows_a_recorded_column_asks_for_a_recording_at_once() {
     bench.file("cell.csv", "time_s,force_n,response_mv/v\n0,1,1\n1,2,2\n");
     asked(&["--drive", "cell.csv"], &["needs a column `simulated`"]);
 }
+
+/// Of a table with a planned load it was said that it had no `capacitance_pf`, which is what was asked for.
+#[test]
+fn a_history_to_follow_needs_no_response() {
+    let bench = Bench::new();
+    bench.file("plan.csv", "time_s,force_n,temperature_c\n0,1,20\n1,2,25\n2,1,30\n");
+    bench.file("measured.csv", "time_s,force_n,temperature_c,capacitance_pf\n0,1,20,74\n1,2,25,75\n2,1,30,74\n");
+    let along = |file: &str| bench.run(&["-q", "--json", "simulate", "--drive", file]);
+    let (planned, measured) = (along("plan.csv"), along("measured.csv"));
+    assert_eq!((planned.code, lines(&planned.out).len(), &planned.out), (0, 3, &measured.out), "{}", planned.err);
+    bench.file("late.toml", common::LATE_SIMULATION);
+    bench.file("simulated.csv", "time_s,simulated\n0,1\n1,2\n2,3\n");
+    let followed = bench.run(&["-q", "--json", "simulate", "--model", "late.toml", "--drive", "simulated.csv"]);
+    assert_eq!((followed.code, lines(&followed.out).len()), (0, 3), "{}", followed.err);
+    bench.refuses(&["diagnose", "plan.csv", "--base", "stack"], &["no column for response: `capacitance_pf`"]);
+}

@@ -106,6 +106,32 @@ mod read {
         std::fs::remove_dir_all(&folder).unwrap();
     }
 
+    /// As [`Told::inputs_alone`] says of a CSV.
+    #[test]
+    fn what_was_done_needs_no_response() {
+        use arrow_array::{ArrayRef, Float64Array, RecordBatch};
+        use std::sync::Arc;
+        let folder = folder("alone");
+        let file = folder.join("t.arrow");
+        let column = |values: [f64; 3]| -> ArrayRef { Arc::new(Float64Array::from(values.to_vec())) };
+        let (times, forces, others) = (column([0.0, 1.0, 2.0]), column([3.0, f64::NAN, 5.0]), column([7.0; 3]));
+        let batch = RecordBatch::try_from_iter([("time_s", times), ("force_n", forces), ("c_total_pf", others)]).unwrap();
+        let mut writer = arrow_ipc::writer::FileWriter::try_new(std::fs::File::create(&file).unwrap(), &batch.schema()).unwrap();
+        writer.write(&batch).unwrap();
+        writer.finish().unwrap();
+        assert!(Recording::open(&file).unwrap_err().to_string().contains("no column for response"));
+        let told = |map: &[&str]| Told {
+            map: map.iter().map(|text| text.parse().unwrap()).collect(),
+            inputs_alone: true,
+            ..Told::default()
+        };
+        let read = Recording::open_told(&file, &told(&[])).unwrap();
+        assert_eq!((read.len(), read.response.len(), read.inputs.force_n.as_deref()), (2, 0, Some(&[3.0, 5.0][..])));
+        let named = Recording::open_told(&file, &told(&["response=c_pf"])).unwrap_err().to_string();
+        assert!(named.contains("no column for response: `c_pf`"), "{named}");
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
     #[test]
     fn a_column_of_text_and_a_damaged_file_are_told() {
         let folder = folder("broken");

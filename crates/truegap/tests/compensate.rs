@@ -262,7 +262,11 @@ fn numbers_that_cannot_be_are_refused_by_their_name() {
         ("value = 15", "value = nan", "`slope` of [[parameter]] is NaN"),
         ("value = 8.0", "value = inf", "`tau` of readout_lag is inf; write a finite number"),
         ("value = 8.0", "value = -8.0", "`tau` of readout_lag is -8; write a number from 0 on"),
-        ("runs = 1", "runs = 9223372036854775807", "`offset_steps` has 9223372036854775807 parameters, the model file gives 1"),
+        (
+            "runs = 1",
+            "runs = 9223372036854775807",
+            "the effect `offset_steps` gives no value for `jump_2`; add { name = \"jump_2\", unit = \"sizes\"",
+        ),
     ] {
         let says = line(from, to);
         assert!(says.contains(part), "{to}: {says}");

@@ -129,8 +129,44 @@ fn what_does_not_fit_together_is_named() {
     let name = file().parameters[0].name.clone();
     assert!(changed(&|f| drop(f.parameters.remove(0))).contains(&name));
     assert!(changed(&|f| f.parameters.push(named("mass", "kg", 1.0))).contains("mass"));
+    let number = |of: usize, place: usize| file().effects[of].parameters[place].clone();
+    let (tau, first) = (number(0, 1), number(1, 0));
+    let lost = changed(&|f| drop(f.effects[0].parameters.remove(1)));
+    assert!(lost.contains("`thermal_lag` gives no value for `") && lost.contains(&format!("name = \"{}\"", tau.name)), "{lost}");
+    let renamed = changed(&|f| f.effects[0].parameters[1].name += "s");
+    let parts = [format!("`{}s`, which is {}", tau.name, tau.value), format!("did you mean `{}`", tau.name)];
+    assert!(renamed.contains("`thermal_lag` has no number") && parts.iter().all(|part| renamed.contains(part)), "{renamed}");
+    let twice = changed(&|f| f.effects[1].parameters[1].name.clone_from(&first.name));
+    assert!(twice.contains(&format!("viscoelastic_creep gives `{}` twice", first.name)), "{twice}");
+    let more = changed(&|f| f.effects[1].parameters.push(named("mass", "kg", 1.0)));
+    assert!(more.contains("no number `mass`, which is 1 there") && more.contains("known there: "), "{more}");
     assert!(changed(&|f| f.sensor = None).contains("sensor"));
     assert!(read("schema = 1").is_err() && read("").is_err());
+}
+
+/// Two numbers that stood in another order were taken one for the other, and the answer was wrong without a word.
+#[test]
+fn numbers_of_an_effect_are_known_by_their_names_in_whatever_order() {
+    let (written, inputs) = (file(), inputs(600));
+    let mut turned = written.clone();
+    turned.effects.iter_mut().for_each(|effect| effect.parameters.reverse());
+    assert!(turned.effects.iter().all(|effect| effect.parameters.len() > 1) && turned != written);
+    assert_eq!(turned.build().unwrap().respond(&inputs).unwrap(), written.build().unwrap().respond(&inputs).unwrap());
+}
+
+/// A mechanism took any unknown name for its size, and did nothing where it had none.
+#[test]
+fn numbers_of_a_mechanism_are_known_by_their_names() {
+    let words = "[[effect]]\nid = \"composed\"\nparameters = [{ name = \"tau\", unit = \"s\", value = 9.0, sd = 1.0 }, \
+         { name = \"size\", unit = \"ppm/K\", value = 0.5, sd = 0.1 }]\n[effect.mechanism]\nquantity = \"reading\"\naction = \"adds\"\n\
+         driver = \"temperature\"\nkinetics = \"first_order\"\nform = \"linear\"\n";
+    let text = head(CONSTANT, "ppm", "level").to_toml().unwrap();
+    let build = |from: &str, to: &str| read(&format!("{text}\n{}", words.replacen(from, to, 1))).unwrap().build();
+    let plain = read(&text).unwrap().build().unwrap().respond(&room(60)).unwrap();
+    assert_ne!(build("", "").unwrap().respond(&room(60)).unwrap(), plain);
+    let refused = |from: &str, to: &str| build(from, to).err().unwrap().to_string();
+    assert!(refused("\"tau\"", "\"tauu\"").contains("`composed` has no number `tauu`, which is 9 there"));
+    assert!(refused("{ name = \"size\", unit = \"ppm/K\", value = 0.5, sd = 0.1 }", "").contains("gives no value for `size`"));
 }
 
 /// Heads of model files whose base models are no sensor stack.

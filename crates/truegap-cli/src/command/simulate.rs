@@ -6,8 +6,9 @@ use crate::console::Console;
 use crate::table::{digits, table};
 use anyhow::bail;
 use std::path::{Path, PathBuf};
-use truegap::core::Dimension;
+use truegap::core::recording::Told;
 use truegap::core::units::twelve_digits;
+use truegap::core::{Dimension, Recording, RecordingError};
 use truegap::diagnosis::recorded;
 use truegap::model::{SeriesOrder, StackOptions, State};
 use truegap::models::{self, Answer, ModelFile};
@@ -34,7 +35,7 @@ pub struct Simulate {
     /// Model file, as the augmented.toml of a diagnosis: its calibration and added physics in place of --sensor
     #[arg(long, value_name = "FILE", conflicts_with_all = ["sensor", "no_warp", "series"])]
     model: Option<PathBuf>,
-    /// Follow the loads and temperatures of a recording
+    /// Follow the loads and temperatures of a recording, whether it has a response or not
     #[arg(long, value_name = "RECORDING")]
     drive: Option<PathBuf>,
     #[command(flatten)]
@@ -73,7 +74,7 @@ impl Run for Simulate {
         let sensor = find_sensor(&self.sensor, None)?;
         let options = StackOptions { warp: !self.no_warp, series: self.series.into() };
         if let Some(path) = &self.drive {
-            let recording = recorded(path, &self.tell.told())?;
+            let recording = self.driving(path)?;
             let rows = drive(&sensor, options, &recording)?;
             recording.notes.iter().for_each(|note| console.note(note));
             return if console.json { console.print_json_lines(&rows) } else { print_history(console, &rows) }
@@ -88,6 +89,11 @@ impl Run for Simulate {
 }
 
 impl Simulate {
+    /// The recording to follow, of which nobody asks what was read.
+    fn driving(&self, path: &Path) -> Result<Recording, RecordingError> {
+        recorded(path, &Told { inputs_alone: true, ..self.tell.told() })
+    }
+
     fn loads(&self, dimension: Dimension) -> anyhow::Result<Vec<f64>> {
         let Some(load) = &self.load else {
             bail!("give --load, as in --load \"4.5 N\", --drive RECORDING, or with --model a --profile")
@@ -108,7 +114,7 @@ impl Simulate {
         let answers = if let Some(name) = &self.profile {
             models::on_profile(&model, name)?
         } else if let Some(path) = &self.drive {
-            let recording = recorded(path, &self.tell.told())?;
+            let recording = self.driving(path)?;
             recording.notes.iter().for_each(|note| console.note(note));
             models::along(&model, &recording)?
         } else {

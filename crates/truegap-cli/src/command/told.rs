@@ -16,7 +16,7 @@ pub struct TellArgs {
 impl TellArgs {
     /// The same as the library takes it.
     pub fn told(&self) -> Told {
-        Told { map: self.map.clone(), dayfirst: self.dayfirst }
+        Told { map: self.map.clone(), dayfirst: self.dayfirst, ..Told::default() }
     }
 
     /// Whether nothing is told.

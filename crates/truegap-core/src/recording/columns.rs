@@ -105,6 +105,7 @@ impl Binder<'_> {
         let name = |index: usize| &self.header[index].name;
         match (found.as_slice(), named) {
             ([index], _) => Ok(Some(*index)),
+            (_, None) if role == Role::Response && self.manifest.inputs_alone => Ok(None),
             ([], None) if role != Role::Response => match self.almost(role) {
                 Some(refused) => Err(refused),
                 None => Ok(self.dates().filter(|_| role == Role::Time).or_else(|| self.by_a_word(role))),

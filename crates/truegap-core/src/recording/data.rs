@@ -12,9 +12,9 @@ use std::path::PathBuf;
 pub struct Recording {
     /// what was done, SI
     pub inputs: Inputs,
-    /// what was read, one value a row, in `response_unit`
+    /// what was read, one value a row, in `response_unit`; empty where the inputs alone were asked for and no column holds it
     pub response: Vec<f64>,
-    /// `pF` for every capacitance, else the unit as it was named
+    /// `pF` for every capacitance, else the unit as it was named; empty where there is no response
     pub response_unit: String,
     /// unit of the simulated column, where it is another than the response's: the gain, which is free there, holds the ratio
     pub simulated_unit: Option<String>,
@@ -44,12 +44,17 @@ pub struct Sensors {
 impl Recording {
     /// Number of rows.
     pub fn len(&self) -> usize {
-        self.response.len()
+        self.inputs.len()
     }
 
     /// Whether there is no row.
     pub fn is_empty(&self) -> bool {
-        self.response.is_empty()
+        self.inputs.is_empty()
+    }
+
+    /// What was read; `None` where the inputs alone were asked for and no column holds it.
+    pub(super) fn recorded_response(&self) -> Option<&[f64]> {
+        Some(self.response.as_slice()).filter(|response| self.is_empty() || !response.is_empty())
     }
 
     /// Rows `keep` in that order; names, base and notes stay.
@@ -58,7 +63,7 @@ impl Recording {
         let of_row = |sensors: &Sensors| keep.iter().map(|&row| sensors.of_row[row]).collect();
         Self {
             inputs: self.inputs.select(keep),
-            response: keep.iter().map(|&row| self.response[row]).collect(),
+            response: self.recorded_response().map_or_else(Vec::new, |all| keep.iter().map(|&row| all[row]).collect()),
             sensors: self.sensors.as_ref().map(|s| Sensors { of_row: of_row(s), names: s.names.clone() }),
             ..self.clone()
         }
@@ -76,7 +81,7 @@ impl Recording {
     pub fn quantities(&self) -> Vec<(Role, &[f64])> {
         let inputs = &self.inputs;
         let given = INPUT_ROLES.into_iter().filter_map(|role| Some((role, inputs.column(role)?)));
-        given.chain([(Role::Response, self.response.as_slice())]).collect()
+        given.chain(self.recorded_response().map(|read| (Role::Response, read))).collect()
     }
 
     /// Notes on columns that never change.

@@ -98,17 +98,17 @@ impl Recording {
         let mut gone = Gone::default();
         let kept = frame.whole_rows(&mut gone);
         let (inputs, response, found) = frame.columns(&kept, &mut gone)?;
-        gone.check(path.to_owned(), response.len())?;
+        gone.check(path.to_owned(), inputs.len())?;
         notes.extend(frame.dates());
         notes.extend(frame.spare(&header, left_out, toml.is_none()));
         notes.extend(gone.notes());
         notes.extend(found);
-        if response.is_empty() {
+        if inputs.is_empty() {
             return Err(RecordingError::NoRows { file: path.to_owned() });
         }
         let unit = bound.iter().find(|c| c.role == Role::Response).map(|c| c.unit.clone()).unwrap_or_default();
         let base = manifest.base.unwrap_or_else(|| assumed_base(&bound, &mut notes));
-        let mut recording = Self::new(inputs, response, &unit, base)?;
+        let mut recording = Self::made(inputs, response, &unit, base)?;
         recording.columns = bound.iter().map(|c| (c.role, c.name.clone())).collect::<BTreeMap<_, _>>();
         recording.notes = notes.into_iter().chain(recording.constants()).collect();
         recording.notes.extend(degrees::doubt(&recording, &bound));

@@ -3,7 +3,7 @@
 //! Limits: what the columns mean is for the caller to know; only their lengths are checked.
 
 use super::{data::Recording, error::RecordingError, manifest::BaseSpec, write};
-use crate::inputs::Inputs;
+use crate::inputs::{Inputs, Role};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -13,6 +13,15 @@ impl Recording {
     /// # Errors
     /// [`RecordingError::Lengths`] where a column has not one value a row, [`RecordingError::NotToml`] where `base` cannot be written.
     pub fn new(inputs: Inputs, response: Vec<f64>, response_unit: &str, base: BaseSpec) -> Result<Self, RecordingError> {
+        let (found, expected) = (response.len(), inputs.len());
+        if found != expected {
+            return Err(RecordingError::Lengths { column: Role::Response.key().to_owned(), found, expected });
+        }
+        Self::made(inputs, response, response_unit, base)
+    }
+
+    /// As [`Recording::new`], where no response may be given.
+    pub(super) fn made(inputs: Inputs, response: Vec<f64>, response_unit: &str, base: BaseSpec) -> Result<Self, RecordingError> {
         let mut recording = Self {
             inputs,
             response,

@@ -53,6 +53,8 @@ pub(super) struct Manifest {
     pub drivers: Vec<NamedDriver>,
     /// whether the day stands first in dates such as 01/03/2026
     pub dayfirst: Option<bool>,
+    /// whether the response may be absent; no TOML says so
+    pub inputs_alone: bool,
     pub base: Option<BaseSpec>,
 }
 
@@ -123,6 +125,6 @@ impl Manifest {
         };
         let drivers = raw.drivers.into_iter().map(driver).collect();
         let (columns, units) = (named(raw.columns), named(raw.units));
-        Ok(Self { file: raw.file, columns, units, drivers, dayfirst: raw.dayfirst, base: raw.base })
+        Ok(Self { file: raw.file, columns, units, drivers, dayfirst: raw.dayfirst, inputs_alone: false, base: raw.base })
     }
 }

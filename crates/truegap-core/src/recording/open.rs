@@ -212,7 +212,7 @@ fn assemble(
     let (of_row, names) = (std::mem::take(&mut rows.sensors), std::mem::take(&mut rows.names));
     let (inputs, response, found) = rows.finish();
     notes.extend(found);
-    if response.is_empty() {
+    if inputs.is_empty() {
         return Err(RecordingError::NoRows { file: origin.csv.to_owned() });
     }
     if renumbered {
@@ -220,7 +220,7 @@ fn assemble(
     }
     let unit = |role: Role| columns.iter().find(|c| c.role == role).map(|c| c.unit.clone());
     let response_unit = unit(Role::Response).unwrap_or_default();
-    let simulated_unit = unit(Role::Simulated).filter(|unit| *unit != response_unit);
+    let simulated_unit = unit(Role::Simulated).filter(|unit| !response.is_empty() && *unit != response_unit);
     let own = simulated_unit.clone().map(|unit| Note::SimulatedUnit { unit, response: response_unit.clone() });
     notes.extend(own);
     let base = base.unwrap_or_else(|| assumed_base(columns, &mut notes));

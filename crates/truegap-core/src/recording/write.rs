@@ -34,7 +34,9 @@ impl Recording {
 
     fn manifest_text(&self) -> Result<String, String> {
         let named = names(self).into_iter().map(|(role, name)| (role.key(), name)).collect();
-        let units = [(Role::Response, &self.response_unit)].into_iter().filter(|(_, unit)| *unit != "pF");
+        let units = [(Role::Response, &self.response_unit)]
+            .into_iter()
+            .filter(|(_, unit)| *unit != "pF" && self.recorded_response().is_some());
         let units = units.chain(self.simulated_unit.iter().map(|unit| (Role::Simulated, unit)));
         let units = units.map(|(role, unit)| (role.key(), unit.clone())).collect();
         let driver = |d: &Driver| (d.name.clone(), WrittenDriver { column: heading(d), unit: d.unit.clone() });

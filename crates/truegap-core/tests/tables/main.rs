@@ -3,5 +3,6 @@
 #![allow(clippy::unwrap_used)]
 
 mod bench;
+mod inputs_alone;
 mod names;
 mod written;

@@ -41,7 +41,7 @@ pub struct NamedValue {
 pub struct AddedEffect {
     /// id
     pub id: String,
-    /// parameters in the order of the library
+    /// parameters, each by its name
     pub parameters: Vec<NamedValue>,
     /// words and fixed numbers of a mechanism that no library holds
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -5,6 +5,7 @@
 mod given;
 mod laws;
 mod looked_for;
+mod loops;
 
 use given::{Given, noisy, said, simulated};
 use rand::SeedableRng;

@@ -2,7 +2,8 @@
 //!
 //! Limits: a number that is possible and wrong is not found; standard deviations play no part in an answer and are not looked at.
 
-use super::model_file::{ModelFile, ModelFileError, RunningModel, within_its_runs};
+use super::by_name::within_its_runs;
+use super::model_file::{ModelFile, ModelFileError, RunningModel};
 use truegap_core::given_again;
 use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales};
 use truegap_diagnose::mechanism::Numbers;
@@ -52,13 +53,13 @@ fn of_scales(name: &str, value: f64) -> ModelFileError {
 }
 
 impl RunningModel {
-    /// Every effect is known and has its numbers, none of them below 0 that cannot be.
+    /// Every effect is known, and none of its numbers is below 0 that cannot be.
     pub(super) fn check(&self) -> Result<(), ModelFileError> {
         let effects = Library::default();
         self.as_fitted(|context| {
             for added in &self.augmented.effects {
                 let Some(effect) = effects.find(&added.id) else { continue };
-                has_its_numbers(effect, added, context)?;
+                possible(effect, added, context)?;
             }
             // an id that the library does not have is told with all that it has; nothing is walked here
             let known = |added: &AddedEffect| effects.find(&added.id).is_some();
@@ -70,16 +71,9 @@ impl RunningModel {
     }
 }
 
-/// As many numbers as the effect has, none of them below 0 that cannot be.
-fn has_its_numbers(effect: &dyn Effect, added: &AddedEffect, context: &Context<'_>) -> Result<(), ModelFileError> {
-    let within = within_its_runs(added, context);
-    let (found, runs, parameters) = (added.parameters.len(), within.runs, effect.parameters(&within));
-    if parameters.len() != found {
-        let fewer = effect.parameters(&within.with_runs(runs.saturating_sub(1))).len();
-        let per_run = parameters.len().saturating_sub(fewer);
-        let expected = parameters.len().saturating_add(per_run.saturating_mul(context.runs - runs));
-        return Err(ModelFileError::ParameterCount { id: added.id.clone(), expected, found });
-    }
+/// None of the numbers, which stand in the order of the effect's, is below 0 that cannot be.
+fn possible(effect: &dyn Effect, added: &AddedEffect, context: &Context<'_>) -> Result<(), ModelFileError> {
+    let parameters = effect.parameters(&within_its_runs(added, context));
     let below = added.parameters.iter().zip(&parameters).find(|(given, known)| known.bounds.0 >= 0.0 && given.value < 0.0);
     below.map_or(Ok(()), |(NamedValue { name, value, .. }, _)| {
         Err(ModelFileError::Number { what: format!("`{name}` of {}", added.id), value: *value, wanted: "a number from 0 on" })

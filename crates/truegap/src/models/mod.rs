@@ -13,6 +13,7 @@
 
 mod answer;
 mod base;
+mod by_name;
 mod checked;
 mod deployed;
 mod mechanism_file;

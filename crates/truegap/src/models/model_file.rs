@@ -80,9 +80,16 @@ pub enum ModelFileError {
     /// A parameter that the base model does not have.
     #[error("the base model `{model}` has no parameter `{name}`; take the [[parameter]] out, or correct its name")]
     SurplusParameter { name: String, model: String },
-    /// An effect with more or fewer numbers than its equations have.
-    #[error("the effect `{id}` has {expected} parameters, the model file gives {found}; list each with name, unit, value, sd")]
-    ParameterCount { id: String, expected: usize, found: usize },
+    /// A number that an effect's equations need is not there.
+    #[error(
+        "the model file: the effect `{id}` gives no value for `{name}`; add {{ name = \"{name}\", unit = \"{unit}\", value = ..., sd = ... }} to its parameters"
+    )]
+    MissingNumber { id: String, name: String, unit: String },
+    /// A number that an effect's equations do not have.
+    #[error(
+        "the model file: the effect `{id}` has no number `{name}`, which is {value} there; correct its name, or take it out; {instead}"
+    )]
+    SurplusNumber { id: String, name: String, value: f64, instead: String },
     /// A name that is given twice.
     #[error("the model file: {of} gives `{name}` twice, as {first} and as {second}; leave one of them out")]
     Twice { of: String, name: String, first: f64, second: f64 },
@@ -197,9 +204,7 @@ impl ModelFile {
         let is_known = !self.base_alone.is_empty() || values.is_empty();
         let alone = is_known.then(|| self::values(&self.base_alone, simulator.as_ref())).transpose()?;
         let mut model = RunningModel { simulator, values, alone, augmented: self.augmented() };
-        let (library, mut effects) = (Library::default(), std::mem::take(&mut model.augmented.effects));
-        model.as_fitted(|context| effects.iter_mut().for_each(|added| complete(added, &library, context)));
-        model.augmented.effects = effects;
+        model.order_numbers()?;
         model.check()?;
         Ok(model)
     }
@@ -249,23 +254,6 @@ pub(super) fn driver_of(added: &AddedEffect, library: &Library, context: &Contex
 pub(super) fn begin_anew(added: &mut AddedEffect, library: &Library, context: &Context<'_>) {
     let of_start = library.find(&added.id).map_or(&[][..], |effect| effect.of_start(context));
     added.parameters.iter_mut().filter(|p| of_start.contains(&p.name.as_str())).for_each(|p| p.value = 0.0);
-}
-
-/// The context with no more runs than an effect with so many numbers can mean: a count of runs alone costs no memory.
-pub(super) fn within_its_runs<'a>(added: &AddedEffect, context: &Context<'a>) -> Context<'a> {
-    context.clone().with_runs(context.runs.min(added.parameters.len() + 2))
-}
-
-/// Gives an added effect the further numbers of a richer law, as 0, where the file is of before the law had them.
-fn complete(added: &mut AddedEffect, library: &Library, context: &Context<'_>) {
-    let Some(effect) = library.find(&added.id) else { return };
-    for (place, parameter) in effect.parameters(&within_its_runs(added, context)).into_iter().enumerate() {
-        let missing = added.parameters.iter().all(|p| p.name != parameter.name);
-        if missing && place <= added.parameters.len() && effect.may_be_more().contains(&parameter.name.as_str()) {
-            let nothing = NamedValue { name: parameter.name, unit: parameter.unit, value: 0.0, sd: 0.0 };
-            added.parameters.insert(place, nothing);
-        }
-    }
 }
 
 /// A model that simulates: base model, its calibrated values, added physics.

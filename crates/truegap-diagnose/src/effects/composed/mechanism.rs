@@ -119,6 +119,9 @@ impl Numbers {
         (self, size)
     }
 
+    /// Names of the numbers, as [`Numbers::by_name`] knows them.
+    pub const NAMES: [&'static str; 8] = ["tau", "width", "threshold", "exponent", "scale", "period", "phase", "turn"];
+
     /// The number of this name.
     pub fn by_name(&mut self, name: &str) -> Option<&mut f64> {
         Some(match name {

@@ -11,7 +11,9 @@
 use crate::{
     adequacy::lack_of_fit::Adequacy,
     data::context::Number,
+    fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, tuning::LOOSE},
     pipeline::{
+        alone::{left_over, white},
         calibrated::predicted_like_base,
         judged::{Judged, Told},
         prepare::Prepared,
@@ -20,8 +22,8 @@ use crate::{
     selection::{
         candidates::{Search, Tried},
         posterior::is_whole,
-        tuning::RIGHT_FAMILY,
-        verdict::Decision,
+        tuning::HALF,
+        verdict::{Decision, Verdict},
     },
     text::significant,
     validation::{
@@ -60,7 +62,10 @@ struct Asked {
 /// What a choice is made with.
 struct Choice<'s, 'a> {
     prepared: &'s Prepared<'a>,
+    /// under the noise
     search: &'s Search<'s>,
+    /// that by which effects are added: under the noise, or by least squares where nothing explains the recording under it
+    adding: &'s Search<'s>,
     judged: &'s Judged,
 }
 
@@ -70,19 +75,31 @@ pub(crate) fn by_rows_left_out(prepared: &Prepared<'_>, told: &Told<'_>, judged:
     let search = &prepared.search(&searched, told.progress, told.stop);
     let derived = search.context.has_plates();
     let free = told.options.withheld.is_none() && told.options.restricted.is_none() && judged.kept_back.is_none();
-    let names = judged.predicted.decision.model != judged.examined.selection.base;
-    if derived || !free || !names || told.stop.load(Ordering::Relaxed) {
+    let decision = &judged.predicted.decision;
+    let differs = decision.model != judged.examined.selection.base || decision.verdict == Verdict::Unexplained;
+    if derived || !free || !differs || told.stop.load(Ordering::Relaxed) {
         return None;
     }
-    Choice { prepared, search, judged }.made()
+    let is_named = decision.model != judged.examined.selection.base;
+    if is_named {
+        let base = judged.examined.selection.base().clone();
+        return Choice { prepared, search, adding: search, judged }.made(base);
+    }
+    // noise of an instrument at rest weighs a misfit at work by its quick parts: a shift by which most of it goes may be beyond a hill there
+    let size = left_over(&search.model_over(prepared.problem, &[]), &judged.examined.selection.base().fit.z)?;
+    let (noise, runs) = (white(&prepared.searched_noise, size), searched.runs());
+    let (whitener, loose) = (noise.whitener(&runs, None), noise.scaled(LOOSE).whitener(&runs, None));
+    let adding = &Search { whitener: &whitener, loose: &loose, scout: None, library: search.library.clone(), ..*search };
+    Choice { prepared, search, adding, judged }.made(adding.base().ok()?)
 }
 
 impl Choice<'_, '_> {
-    fn made(&self) -> Option<ByRowsLeftOut> {
+    /// From the base model as it is calibrated where effects are added.
+    fn made(&self, base: Tried) -> Option<ByRowsLeftOut> {
         let selection = &self.judged.examined.selection;
         let chosen = &selection.models[self.judged.predicted.decision.model];
         let told = self.judged.predicted.unseen.stood_behind();
-        let base = Asked { tried: selection.base().clone(), held: Vec::new(), unseen: self.judged.by_base.unseen.clone() };
+        let base = Asked { tried: base, held: Vec::new(), unseen: self.judged.by_base.unseen.clone() };
         let found = self.forward(base)?;
         // better, or as well with fewer effects
         let fewer = found.tried.effects.len() < chosen.effects.len();
@@ -97,17 +114,20 @@ impl Choice<'_, '_> {
         let context = self.search.context.holding(found.held.clone());
         let narrow = &self.search.within(&context);
         let Simple { tried, held, unseen } =
-            simple(self.prepared, narrow, &self.judged.by_base, &narrow.polished(&found.tried)?, 1.0)?;
+            simple(self.prepared, narrow, &self.judged.by_base, &self.under_the_noise(narrow, &found.tried)?, 1.0)?;
         let ([first, second], clearly) = judged(&unseen)?;
         let after = self.prepared.lack_of_fit.adequacy(&tried.fit);
         let removed = self.judged.share_removed_by(self.prepared, &tried, &unseen, &after);
-        if (after.fires() && removed < RIGHT_FAMILY) || runs_to_limit(narrow, &tried) {
+        if (after.fires() && removed < HALF) || runs_to_limit(narrow, &tried) {
             return None;
         }
         let unit = self.search.problem.simulator.unit();
+        let under_the_noise = match chosen.effects.as_slice() {
+            [] => "nothing explains it under the noise".to_owned(),
+            effects => format!("{} would fit better under the noise", self.prepared.names(effects)),
+        };
         let says = format!(
-            "{} would fit better under the noise, but {} predicts rows left out {} ({} against {} {unit}), so that is named",
-            self.prepared.names(&chosen.effects),
+            "{under_the_noise}, but {} predicts rows left out {} ({} against {} {unit}), so that is named",
             self.prepared.names(&tried.effects),
             if clearly { "better" } else { "as well" },
             significant(second, 3),
@@ -115,6 +135,16 @@ impl Choice<'_, '_> {
         );
         let sets = self.with_first_choice(&tried.effects, self.sets(&found));
         Some(ByRowsLeftOut { tried, held, unseen, sets, after, removed, says })
+    }
+
+    /// A model that was found, under the noise: its optimum, or, where it was found by least squares, the place that it has.
+    fn under_the_noise(&self, search: &Search<'_>, found: &Tried) -> Option<Tried> {
+        if std::ptr::eq(self.adding, self.search) {
+            return search.polished(found);
+        }
+        let there = FitOptions { iterations: 0, ..FitOptions::default() };
+        let fit = fit(&search.model(&found.effects), search.whitener, &found.fit.z, &there).ok()?;
+        Some(Tried { effects: found.effects.clone(), fit })
     }
 
     /// One effect after another, each the one that foretells rows left out best; `None` where none foretells them clearly better than the base model.
@@ -136,7 +166,7 @@ impl Choice<'_, '_> {
     /// Models with one effect more, the `most` that promise most, asked for rows left out; each with the law of its new effect as it is and with the simple law that it holds as a special case.
     fn added(&self, from: &Tried, held: &[Number], most: usize) -> Vec<Asked> {
         let context = self.search.context.holding(held.to_vec());
-        let search = &self.search.within(&context);
+        let search = &self.adding.within(&context);
         let of_equations: Vec<usize> = (0..search.library.len()).filter(|e| !search.library[*e].free_form()).collect();
         let added = search.add_each(from, &of_equations, most, "rows left out");
         added.into_iter().filter(|tried| is_whole(search, tried)).filter_map(|tried| self.asked(search, tried)).collect()
@@ -170,7 +200,7 @@ impl Choice<'_, '_> {
 
     /// For each effect of a model: itself, and those with which it predicts rows left out nearly as well.
     fn sets(&self, model: &Asked) -> Vec<Vec<usize>> {
-        let own = self.search.without_each(&model.tried);
+        let own = self.adding.without_each(&model.tried);
         // clearly worse is what the model is clearly better than
         let near = |asked: &Asked| compared(&asked.unseen, &model.unseen).is_some_and(|both| !both.better_by(CLEARLY_WORSE));
         let set = |effect: &usize| {

@@ -99,6 +99,9 @@ pub(crate) const MOSTLY_FORESEEN: f64 = 0.9;
 /// Share of the misfit that the right family removes even with the wrong equation.
 pub(crate) const RIGHT_FAMILY: f64 = 0.7;
 
+/// Share of the misfit on rows left out that makes a cause, where a base model only describes: what is left of an instrument is always more than its noise.
+pub(crate) const HALF: f64 = 0.5;
+
 // unmodelled.rs
 
 /// Prior probability that something outside the library acts, over that of something inside, shared evenly by the causes.

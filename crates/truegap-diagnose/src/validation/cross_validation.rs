@@ -14,7 +14,7 @@ use crate::{
     stats::share_removed,
     validation::{
         moved_numbers::Refit,
-        tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, THERE},
+        tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, TELLS, THERE},
     },
     whitening::noise_model::NoiseModel,
 };
@@ -83,8 +83,27 @@ pub struct Compared {
 impl Compared {
     /// Whether the second model predicts better, over all rows by more than `times`, and in more than half of the parts.
     pub fn better_by(&self, times: f64) -> bool {
-        let better = self.parts.iter().filter(|(_, first, second)| second < first).count();
-        self.rmse[0] > times * self.rmse[1] && 2 * better > self.parts.len()
+        self.rmse[0] > times * self.rmse[1] && self.mostly_better()
+    }
+
+    /// Whether the second model predicts better in more than half of the parts that tell.
+    pub fn mostly_better(&self) -> bool {
+        self.mostly(|first, second| second < first)
+    }
+
+    /// Whether the second model predicts worse in more than half of the parts that tell.
+    pub fn mostly_worse(&self) -> bool {
+        self.mostly(|first, second| second > first)
+    }
+
+    /// Whether this holds in more than half of the parts. A part in which next to nothing changes, beside that in which most does, does not tell the two models apart: an instrument at rest has as
+    /// many minutes as one at work. One part that alone tells is no majority.
+    fn mostly(&self, holds: impl Fn(f64, f64) -> bool) -> bool {
+        let change = |part: &&(String, f64, f64)| (part.2.powi(2) - part.1.powi(2)).abs();
+        let most = self.parts.iter().map(|part| change(&part)).fold(0.0, f64::max);
+        let telling: Vec<_> = self.parts.iter().filter(|part| change(part) >= TELLS * most).collect();
+        let counted = if telling.len() > 1 { telling } else { self.parts.iter().collect() };
+        2 * counted.iter().filter(|(_, first, second)| holds(*first, *second)).count() > counted.len()
     }
 }
 
@@ -290,6 +309,23 @@ mod tests {
             score: None,
         };
         HeldOutFit { parts: errors.iter().enumerate().map(part).collect(), ..HeldOutFit::default() }
+    }
+
+    /// Three blocks at rest, in which errors change by next to nothing, tell nothing: the two at work do. One block that alone tells is no majority.
+    #[test]
+    fn parts_in_which_nothing_changes_do_not_tell() {
+        let of = |parts: &[(f64, f64)]| Compared {
+            rmse: [2.0, 1.0],
+            parts: parts.iter().map(|(first, second)| ("block".to_owned(), *first, *second)).collect(),
+        };
+        let at_work = of(&[(26.0, 44.0), (43.0, 44.0), (139.0, 141.0), (4104.0, 1354.0), (2618.0, 941.0), (69.0, 73.0)]);
+        assert!(at_work.mostly_better() && at_work.better_by(1.5) && !at_work.mostly_worse());
+        let back = of(&at_work.parts.iter().map(|(_, first, second)| (*second, *first)).collect::<Vec<_>>());
+        assert!(back.mostly_worse() && !back.mostly_better());
+        let one_alone = of(&[(1.0, 1.1), (1.0, 1.1), (1000.0, 100.0)]);
+        assert!(!one_alone.mostly_better() && one_alone.mostly_worse());
+        let halves = of(&[(3.0, 1.0), (1.0, 3.0)]);
+        assert!(!halves.mostly_better() && !halves.mostly_worse());
     }
 
     /// Run 1 failed before and run 3 after: only run 2 says how the two compare, and it is told by its own name. By position, run 2 before would stand beside run 1

@@ -33,6 +33,9 @@ pub(crate) const PARTS_OF_ONE_RUN: usize = 6;
 /// Standard deviations of the noise's own square that a misfit must have for a share of it to mean something.
 pub(crate) const THERE: f64 = 4.0;
 
+/// Share of the change of mean squares in the part that changes most, from which on a part tells two models apart.
+pub(crate) const TELLS: f64 = 0.01;
+
 // held_numbers.rs
 
 /// Probability from which a model is fitted again with numbers held: less likely ones are neither told nor weighed any more.

@@ -82,8 +82,7 @@ impl Unseen {
     pub fn worse(&self, measured: bool) -> Option<Against> {
         let compared = self.compared()?;
         let [base, named] = compared.rmse;
-        let parts = compared.parts.iter().filter(|(_, base, named)| named > base).count();
-        let mostly = named > CLEARLY_WORSE * base && 2 * parts > compared.parts.len();
+        let mostly = named > CLEARLY_WORSE * base && compared.mostly_worse();
         if named > EXTRAPOLATED * base || mostly {
             return Some(Against::Errors([base, named]));
         }
@@ -126,8 +125,7 @@ impl Unseen {
 
     /// Whether the model predicts most parts better.
     pub fn in_most_parts(&self) -> bool {
-        let both = self.compared();
-        both.is_some_and(|both| 2 * both.parts.iter().filter(|(_, base, named)| named < base).count() > both.parts.len())
+        self.compared().is_some_and(|both| both.mostly_better())
     }
 
     /// Errors of the base model and of the model stood behind; `None` where that is the base model.

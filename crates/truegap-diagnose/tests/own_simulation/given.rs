@@ -86,9 +86,10 @@ pub fn said(model: &Given, inputs: &Inputs, response: &[f64]) -> Diagnosis {
     said_with(&Options::default(), model, inputs, response)
 }
 
-/// What is said where this effect alone may be named.
-pub fn said_by(effect: &str, model: &Given, inputs: &Inputs, response: &[f64]) -> Diagnosis {
-    let options = Options { effects: vec![effect.into()], compose: false, ..Options::default() };
+/// What is said where these effects alone may be named.
+pub fn said_by(effects: &[&str], model: &Given, inputs: &Inputs, response: &[f64]) -> Diagnosis {
+    let effects = effects.iter().map(|effect| (*effect).to_owned()).collect();
+    let options = Options { effects, compose: false, ..Options::default() };
     said_with(&options, model, inputs, response)
 }
 

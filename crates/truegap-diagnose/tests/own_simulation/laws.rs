@@ -24,7 +24,7 @@ fn a_drift_turns_where_rows_left_out_bear_it_out() {
     for (per_square_hour, held) in [(0.0, true), (-0.8, false)] {
         let zero = |hours: f64| 0.2 * hours + 0.5 * per_square_hour * hours * hours;
         let read = noisy(17, |row| truth[row] + zero(row as f64 / 3600.0), truth.len());
-        let said = said_by("offset_drift", &Given::fixed(), &inputs, &read);
+        let said = said_by(&["offset_drift"], &Given::fixed(), &inputs, &read);
         assert_eq!(said.findings.len(), 1, "{}", said.says);
         let turning = said.findings[0].parameters.iter().find(|p| p.name == "turning").unwrap();
         assert_eq!(turning.meaning.contains("held at 0"), held, "{}", turning.meaning);

@@ -92,7 +92,7 @@ fn a_curve_has_further_turns_where_rows_left_out_bear_them_out() {
     for (departure, seed, held) in [(&arch as &dyn Fn(f64) -> f64, 31, true), (&waves, 32, false)] {
         let inputs = driven("place", "mm", x.clone());
         let given = Given { follows_driver: true, ..Given::with_level() };
-        let said = said_by("nonlinearity", &given, &inputs, &noisy(seed, |row| 3.0 + x[row] + departure(x[row]), x.len()));
+        let said = said_by(&["nonlinearity"], &given, &inputs, &noisy(seed, |row| 3.0 + x[row] + departure(x[row]), x.len()));
         assert_eq!(said.findings.len(), 1, "{}", said.says);
         // five half waves are the same seen from both ends, so that of the two weights one is needed
         let ripple = said.findings[0].parameters.iter().find(|p| p.name == "ripple").unwrap();

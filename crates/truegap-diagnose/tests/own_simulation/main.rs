@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod at_work;
 mod given;
 mod laws;
 mod looked_for;

@@ -31,12 +31,12 @@ const MOST_SEARCHES: usize = 2;
 /// Those of the simulator.
 pub(crate) fn examined(prepared: &mut Prepared<'_>, told: &Told<'_>) -> Result<Examined, DiagnoseError> {
     if let Some(first) = first_effect(prepared, told)? {
-        converged(prepared, first, told)?;
+        converged(prepared, first, told);
     }
     let mut examined = examined_on_means(prepared, told)?;
     for _ in 1..MOST_SEARCHES {
         let Some(least) = examined.selection.least().cloned() else { break };
-        if !prepared.inputs_move_within_means() || !converged(prepared, least, told)? {
+        if !prepared.inputs_move_within_means() || !converged(prepared, least, told) {
             break;
         }
         examined = examined_on_means(prepared, told)?;
@@ -59,10 +59,10 @@ fn first_effect(prepared: &Prepared<'_>, told: &Told<'_>) -> Result<Option<Tried
 }
 
 /// Makes the means by a model, which is fitted to them again, until they are what it makes of them; whether they changed.
-fn converged(prepared: &mut Prepared<'_>, mut model: Tried, told: &Told<'_>) -> Result<bool, DiagnoseError> {
+fn converged(prepared: &mut Prepared<'_>, mut model: Tried, told: &Told<'_>) -> bool {
     let mut changed = false;
     for _ in 0..MOST_ROUNDS {
-        if told.stop.load(Ordering::Relaxed) || !prepared.averaged_by(&model)? {
+        if told.stop.load(Ordering::Relaxed) || !prepared.averaged_by(&model) {
             break;
         }
         changed = true;
@@ -72,7 +72,7 @@ fn converged(prepared: &mut Prepared<'_>, mut model: Tried, told: &Told<'_>) -> 
             None => break,
         }
     }
-    Ok(changed)
+    changed
 }
 
 #[cfg(test)]
@@ -145,10 +145,10 @@ mod tests {
         };
         let (before, model) = left(&prepared);
         assert!(before > 10.0, "{before}");
-        assert!(converged(&mut prepared, model, &told).unwrap());
+        assert!(converged(&mut prepared, model, &told));
         let (after, model) = left(&prepared);
         assert!(after.abs() < 3.0, "{after}");
         // nothing is left to change
-        assert!(!converged(&mut prepared, model, &told).unwrap());
+        assert!(!converged(&mut prepared, model, &told));
     }
 }

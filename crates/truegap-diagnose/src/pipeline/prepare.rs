@@ -133,28 +133,26 @@ impl<'a> Prepared<'a> {
         self.averages.as_ref().is_some_and(|averages| averages.moved)
     }
 
-    /// Makes the means by what a model of the library responds to rows and to means, where that differs by more than [`FELT_BY_MEANS`] from what they were made by; whether it did.
-    ///
-    /// # Errors
-    /// Those of the simulator.
-    pub fn averaged_by(&mut self, model: &Tried) -> Result<bool, DiagnoseError> {
-        let Some(averages) = &mut self.averages else { return Ok(false) };
+    /// Makes the means by what a model of the library responds to rows and to means, where that differs by more than [`FELT_BY_MEANS`] from what they were made by; whether it did. A model that has no
+    /// answer for a row, as where the load of one row closes the gap and that of no mean does, makes none.
+    pub fn averaged_by(&mut self, model: &Tried) -> bool {
+        let Some(averages) = &mut self.averages else { return false };
         let effects: Vec<_> = model.effects.iter().map(|e| self.testable[*e]).collect();
         let responds = |inputs: &Inputs| {
             let problem = Problem { inputs, ..*self.problem };
             Model::new(&problem, &self.context, effects.clone()).respond(&model.fit.z)
         };
-        let response = averages.response_by(self.problem.inputs, responds)?;
+        let Ok(response) = averages.response_by(self.problem.inputs, responds) else { return false };
         let mut change: Vec<f64> = response.iter().zip(&averages.response).map(|(new, old)| new - old).collect();
         self.whitener.apply(&mut change);
         if change.iter().map(|v| v * v).sum::<f64>() <= FELT_BY_MEANS {
-            return Ok(false);
+            return false;
         }
         averages.response = response;
         let searched = Problem { inputs: &averages.inputs, response: &averages.response, ..*self.problem };
         self.lack_of_fit = LackOfFitTests::of(&searched, &self.searched_noise, &self.whitener, &self.directions, None);
         self.asked = Asked::default();
-        Ok(true)
+        true
     }
 
     /// What a model foretells of rows left out, calibrated under the noise.

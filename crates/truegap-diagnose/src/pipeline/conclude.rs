@@ -50,7 +50,13 @@ pub(crate) fn conclude(
     started: Instant,
 ) -> Result<Outcome, DiagnoseError> {
     let (bank, examined, composition) = sharpened(&prepared, examined, composition, told)?;
-    let judged = in_the_end(&prepared, told, judged(&prepared, told, examined, composition)?);
+    let first = judged(&prepared, told, examined, composition)?;
+    // where nothing is named, a mean goes before what rows left out choose: it needs no cause
+    let mean = if first.names_something() { None } else { by_a_mean(&prepared, told, &first) };
+    let judged = match mean {
+        Some(mean) => first.taken_back(mean),
+        None => in_the_end(&prepared, told, first),
+    };
     let judged = words_beside(&prepared, told, judged);
     let judged = match by_a_mean(&prepared, told, &judged) {
         Some(mean) => judged.taken_back(mean),

@@ -50,13 +50,18 @@ def lag(u, t, tau):
     return out
 
 
+def moved(x, t, by):
+    """Values a while later, straight between rows."""
+    return np.interp(t - by, t, x)
+
+
 def usual(y, x, t, unit=60):
     """What is tried first beside a straight line: a bend, a drift, a clock that is off, a lag; the last two begin at half a unit, which is in s."""
     return {
         "line": line(y, x),
         "square": line(y, x, x**2),
         "drift": line(y, x, t),
-        "shift": terms(y, lambda p: [np.interp(t - p[0] * unit, t, x)], [0.5]),
+        "shift": terms(y, lambda p: [moved(x, t, p[0] * unit)], [0.5]),
         "lag": terms(y, lambda p: [lag(x, t, abs(p[0]) * unit)], [0.5]),
     }
 

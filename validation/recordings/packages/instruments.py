@@ -4,7 +4,7 @@ import struct
 
 import numpy as np
 import pandas as pd
-from fitting import lag, line, terms, usual
+from fitting import lag, line, moved, terms, usual
 from reading import csv, seconds
 
 
@@ -79,7 +79,7 @@ def gauges(first, second, column, rows=3500):
 
 def river_models(y, x, t, day=86400):
     """Models of a gauge `y` by that upstream, `x`, at times `t`; water comes later, and may come slowly."""
-    shifted = lambda p: np.interp(t - p * day, t, x)
+    shifted = lambda p: moved(x, t, p * day)
     return {
         **usual(y, x, t, day),
         "shift, and lag": terms(y, lambda p: [lag(shifted(p[0]), t, abs(p[1]) * day)], [0.5, 0.5]),

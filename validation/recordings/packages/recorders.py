@@ -6,7 +6,7 @@ import zipfile
 
 import numpy as np
 import pandas as pd
-from fitting import lag, line, terms, usual
+from fitting import lag, line, moved, terms, usual
 from reading import csv, netcdf
 from rigs import since
 
@@ -78,11 +78,6 @@ def resonance(hertz, passed):
 def scaled(x):
     """Values less their mean, over their scatter."""
     return (x - x.mean()) / x.std()
-
-
-def moved(x, t, by):
-    """Values a while later."""
-    return np.interp(t - by, t, x)
 
 
 def usual_and_lags(y, x, t, unit):

@@ -1,7 +1,7 @@
 """Acceleration of a body by a sensor on it, over the force of the platform from which it jumps, read by another hub, eight seconds. One hub is behind the other."""
 
-from fitting import lag, terms
-from recorders import clock, hubs, moved, usual_and_lags
+from fitting import lag, moved, terms
+from recorders import clock, hubs, usual_and_lags
 
 HAND_BUILT = "shift"
 

@@ -2,8 +2,8 @@
 
 from itertools import islice
 
-from fitting import terms
-from recorders import moved, traces, usual_and_bends
+from fitting import moved, terms
+from recorders import traces, usual_and_bends
 
 HAND_BUILT = "shift"
 

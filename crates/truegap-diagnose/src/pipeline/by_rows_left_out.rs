@@ -75,18 +75,16 @@ pub(crate) fn by_rows_left_out(prepared: &Prepared<'_>, told: &Told<'_>, judged:
     let search = &prepared.search(&searched, told.progress, told.stop);
     let derived = search.context.has_plates();
     let free = told.options.withheld.is_none() && told.options.restricted.is_none() && judged.kept_back.is_none();
-    let decision = &judged.predicted.decision;
-    let differs = decision.model != judged.examined.selection.base || decision.verdict == Verdict::Unexplained;
+    let differs = judged.names_something() || judged.predicted.decision.verdict == Verdict::Unexplained;
     if derived || !free || !differs || told.stop.load(Ordering::Relaxed) {
         return None;
     }
-    let is_named = decision.model != judged.examined.selection.base;
-    if is_named {
-        let base = judged.examined.selection.base().clone();
-        return Choice { prepared, search, adding: search, judged }.made(base);
+    let base = judged.examined.selection.base();
+    if judged.names_something() {
+        return Choice { prepared, search, adding: search, judged }.made(base.clone());
     }
     // noise of an instrument at rest weighs a misfit at work by its quick parts: a shift by which most of it goes may be beyond a hill there
-    let size = left_over(&search.model_over(prepared.problem, &[]), &judged.examined.selection.base().fit.z)?;
+    let size = left_over(&search.model_over(prepared.problem, &[]), &base.fit.z)?;
     let (noise, runs) = (white(&prepared.searched_noise, size), searched.runs());
     let (whitener, loose) = (noise.whitener(&runs, None), noise.scaled(LOOSE).whitener(&runs, None));
     let adding = &Search { whitener: &whitener, loose: &loose, scout: None, library: search.library.clone(), ..*search };
@@ -139,7 +137,7 @@ impl Choice<'_, '_> {
 
     /// A model that was found, under the noise: its optimum, or, where it was found by least squares, the place that it has.
     fn under_the_noise(&self, search: &Search<'_>, found: &Tried) -> Option<Tried> {
-        if std::ptr::eq(self.adding, self.search) {
+        if self.judged.names_something() {
             return search.polished(found);
         }
         let there = FitOptions { iterations: 0, ..FitOptions::default() };

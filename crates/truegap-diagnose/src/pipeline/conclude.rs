@@ -52,13 +52,15 @@ pub(crate) fn conclude(
     let (bank, examined, composition) = sharpened(&prepared, examined, composition, told)?;
     let first = judged(&prepared, told, examined, composition)?;
     // where nothing is named, a mean goes before what rows left out choose: it needs no cause
-    let mean = if first.names_something() { None } else { by_a_mean(&prepared, told, &first) };
+    let by_a_mean = |judged: &Judged| by_a_mean(&prepared, told, judged);
+    let mean = if first.names_something() { None } else { by_a_mean(&first) };
     let judged = match mean {
         Some(mean) => first.taken_back(mean),
         None => in_the_end(&prepared, told, first),
     };
     let judged = words_beside(&prepared, told, judged);
-    let judged = match by_a_mean(&prepared, told, &judged) {
+    let mean = if judged.names_something() { by_a_mean(&judged) } else { None };
+    let judged = match mean {
         Some(mean) => judged.taken_back(mean),
         None => judged,
     };

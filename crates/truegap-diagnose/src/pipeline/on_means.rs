@@ -22,9 +22,6 @@ use std::sync::atomic::Ordering;
 /// Times that means are made anew with one model, which is fitted again in between; each time leaves about a hundredth of the squares before.
 const MOST_ROUNDS: usize = 4;
 
-/// Searches at most: a second one where what leaves least is another model than that by which the means were made.
-const MOST_SEARCHES: usize = 2;
-
 /// Fits, weighs and decides; on means of rows that are what the model that leaves least makes of them.
 ///
 /// # Errors
@@ -33,15 +30,11 @@ pub(crate) fn examined(prepared: &mut Prepared<'_>, told: &Told<'_>) -> Result<E
     if let Some(first) = first_effect(prepared, told)? {
         converged(prepared, first, told);
     }
-    let mut examined = examined_on_means(prepared, told)?;
-    for _ in 1..MOST_SEARCHES {
-        let Some(least) = examined.selection.least().cloned() else { break };
-        if !prepared.inputs_move_within_means() || !converged(prepared, least, told) {
-            break;
-        }
-        examined = examined_on_means(prepared, told)?;
-    }
-    Ok(examined)
+    let examined = examined_on_means(prepared, told)?;
+    // what leaves least may be another model than that by which the means were made
+    let least = examined.selection.least().filter(|_| prepared.inputs_move_within_means()).cloned();
+    let changed = least.is_some_and(|least| converged(prepared, least, told));
+    if changed { examined_on_means(prepared, told) } else { Ok(examined) }
 }
 
 /// The base model with the effect that explains most of what it leaves; `None` where means need no model.

@@ -31,6 +31,9 @@ const RECORD_IT: &str =
 const WIDEN_IT: &str =
     "nothing is missing that this recording could show; widen the range of load, temperature and time to see more";
 
+/// What to do where tests see a difference that a noise does as well which nobody measured.
+const LET_IT_REST: &str = "record again and begin with a while in which nothing is moved: that shows how the reading wanders by itself, and what is seen here is noise or is not";
+
 /// What to do where the search was stopped: what this recording could show is not known.
 const LET_IT_END: &str = "diagnose the recording again and let the search end: what is missing was not looked for to the end";
 
@@ -64,7 +67,8 @@ pub(crate) fn next(found: &Found<'_>) -> NextExperiment {
         return only(VARY_IT);
     }
     let best = named.or(found.selection.likeliest_named()).filter(|_| found.decision.verdict != Verdict::Agrees);
-    let Some(best) = best else { return only(WIDEN_IT) };
+    let seen = found.before.fires() && !found.noise.measured;
+    let Some(best) = best else { return only(if seen { LET_IT_REST } else { WIDEN_IT }) };
     if let Some(another_place) = named.and_then(|named| of_words(found, &models[named])) {
         return another_place;
     }

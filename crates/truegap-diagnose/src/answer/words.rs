@@ -24,9 +24,10 @@ const UNEXPLAINED: &str = "something real is missing that nothing in the library
 /// The verdict as a sentence with its reasons; with what the model carries beside the findings.
 pub(crate) fn says(found: &Found<'_>, (findings, order): (&[Finding], &[usize]), carried: &[Finding]) -> String {
     let mut verdict = verdict_says(found, (findings, order));
-    let own = found.interference.tone.steady && found.reserved.is_none() && !findings.is_empty();
-    if let Some(tone) = tone(found).filter(|_| own) {
-        verdict.push_str(&format!("; beside it the reading holds {tone}"));
+    let own = found.interference.tone.steady && !findings.is_empty();
+    let faint = found.decision.verdict == Verdict::Agrees;
+    if let Some(tone) = tone(found).filter(|_| found.reserved.is_none() && (own || faint)) {
+        verdict.push_str(&format!("; {}the reading holds {tone}", if own { "beside it " } else { "" }));
     }
     if carried.is_empty() {
         return verdict;

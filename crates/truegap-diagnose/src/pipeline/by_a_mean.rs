@@ -42,8 +42,23 @@ pub(crate) struct ByAMean {
     pub followed: String,
 }
 
-/// What is told in place of what is named; `None` where that foretells clearly better than a mean, or where no mean means anything.
-pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<ByAMean> {
+/// What a mean says.
+pub(crate) enum Mean {
+    /// nothing: rows left out are predicted as well without one, or no mean means anything
+    Nothing,
+    /// it predicts them better than the base model alone, and what is told stands all the same
+    Better,
+    /// it is told in place of what is
+    Instead(ByAMean),
+}
+
+/// What is told in place of what is named, where that foretells no clearly better than a mean.
+pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Mean {
+    foretold(prepared, told, judged).unwrap_or(Mean::Nothing)
+}
+
+/// What a mean says, where it can be asked and predicts rows left out clearly better than the base model alone.
+fn foretold(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<Mean> {
     let context = &prepared.context;
     let named_something = judged.names_something();
     let missing = named_something || judged.predicted.decision.verdict == Verdict::Unexplained;
@@ -71,15 +86,15 @@ pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judge
     let followed = followed.name(context).to_string();
     if !named_something {
         if fires() {
-            return None;
+            return Some(Mean::Better);
         }
         let says = format!(
             "{mean_said}, which comes without a delay, predicts rows left out better ({with_mean} against {without} {unit}): what is quick in {followed} may be noise of its own, so nothing is missing for it",
         );
-        return Some(ByAMean { verdict: Verdict::Agrees, says: capitalised(&says), followed });
+        return Some(Mean::Instead(ByAMean { verdict: Verdict::Agrees, says: capitalised(&says), followed }));
     }
     if both.better_by(CLEARLY_WORSE) || felt_beside(prepared, search, judged, mean, &unseen) {
-        return None;
+        return Some(Mean::Better);
     }
     // what the named law leaves was little enough for its form to be right: the mean leaves as little
     let adequate = judged.predicted.decision.verdict != Verdict::WrongForm || !fires();
@@ -90,7 +105,7 @@ pub(crate) fn by_a_mean(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judge
         "{} would fit, but {mean_said}, which comes without a delay, predicts rows left out as well{few} ({with_mean} against {without} {unit}): what is quick in {followed} may be noise of its own, so it is not claimed",
         capitalised(&prepared.names(&judged.stood_behind().effects)),
     );
-    Some(ByAMean { verdict, says, followed })
+    Some(Mean::Instead(ByAMean { verdict, says, followed }))
 }
 
 /// Whether rows left out are predicted clearly better by what is named and the `mean` together than by the mean alone, which predicts `by_mean`: then it does something else than smooth.

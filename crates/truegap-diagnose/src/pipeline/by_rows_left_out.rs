@@ -52,6 +52,16 @@ pub(crate) struct ByRowsLeftOut {
     pub says: String,
 }
 
+/// What rows left out choose.
+pub(crate) enum Chosen {
+    /// a model that predicts them better than what is stood behind
+    Better(Box<ByRowsLeftOut>),
+    /// what is stood behind, or nothing that could be asked
+    AsItIs,
+    /// the base model: no effect predicts them clearly better
+    Nothing,
+}
+
 /// A model, the numbers of its laws that are held at nothing, and what it foretells.
 struct Asked {
     tried: Tried,
@@ -69,36 +79,43 @@ struct Choice<'s, 'a> {
     judged: &'s Judged,
 }
 
-/// The model that predicts rows left out clearly better than what `judged` stands behind, or as well with fewer effects; `None` where there is none.
-pub(crate) fn by_rows_left_out(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<ByRowsLeftOut> {
+/// The model that predicts rows left out clearly better than what `judged` stands behind, or as well with fewer effects.
+pub(crate) fn by_rows_left_out(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Chosen {
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
     let derived = search.context.has_plates();
     let free = told.options.withheld.is_none() && told.options.restricted.is_none() && judged.kept_back.is_none();
-    let differs = judged.names_something() || judged.predicted.decision.verdict == Verdict::Unexplained;
+    let differs = judged.names_something() || judged.predicted.decision.verdict != Verdict::Agrees;
     if derived || !free || !differs || told.stop.load(Ordering::Relaxed) {
-        return None;
+        return Chosen::AsItIs;
     }
     let base = judged.examined.selection.base();
     if judged.names_something() {
         return Choice { prepared, search, adding: search, judged }.made(base.clone());
     }
     // noise of an instrument at rest weighs a misfit at work by its quick parts: a shift by which most of it goes may be beyond a hill there
-    let size = left_over(&search.model_over(prepared.problem, &[]), &base.fit.z)?;
+    let Some(size) = left_over(&search.model_over(prepared.problem, &[]), &base.fit.z) else { return Chosen::AsItIs };
     let (noise, runs) = (white(&prepared.searched_noise, size), searched.runs());
     let (whitener, loose) = (noise.whitener(&runs, None), noise.scaled(LOOSE).whitener(&runs, None));
     let adding = &Search { whitener: &whitener, loose: &loose, scout: None, library: search.library.clone(), ..*search };
-    Choice { prepared, search, adding, judged }.made(adding.base().ok()?)
+    adding.base().map_or(Chosen::AsItIs, |base| Choice { prepared, search, adding, judged }.made(base))
 }
 
 impl Choice<'_, '_> {
     /// From the base model as it is calibrated where effects are added.
-    fn made(&self, base: Tried) -> Option<ByRowsLeftOut> {
+    fn made(&self, base: Tried) -> Chosen {
+        let base = Asked { tried: base, held: Vec::new(), unseen: self.judged.by_base.unseen.clone() };
+        match self.forward(base) {
+            None => Chosen::Nothing,
+            Some(found) => self.better(found).map_or(Chosen::AsItIs, |better| Chosen::Better(Box::new(better))),
+        }
+    }
+
+    /// A model that was `found`, where it is better than what is stood behind; `None` where it is not.
+    fn better(&self, found: Asked) -> Option<ByRowsLeftOut> {
         let selection = &self.judged.examined.selection;
         let chosen = &selection.models[self.judged.predicted.decision.model];
         let told = self.judged.predicted.unseen.stood_behind();
-        let base = Asked { tried: base, held: Vec::new(), unseen: self.judged.by_base.unseen.clone() };
-        let found = self.forward(base)?;
         // better, or as well with fewer effects
         let fewer = found.tried.effects.len() < chosen.effects.len();
         let judged = |unseen: &HeldOutFit| {

@@ -8,12 +8,13 @@ use crate::{
     discovery::{compose::Composition, discover::with_mechanisms},
     pipeline::{
         alone::by_squares,
-        by_a_mean::by_a_mean,
+        by_a_mean::{Mean, by_a_mean},
         by_name::by_name,
-        by_rows_left_out::by_rows_left_out,
+        by_rows_left_out::{Chosen, by_rows_left_out},
         carried::with_carried,
         described::described,
         judged::{Judged, Told, composed, judged, judged_again},
+        noise_that_lasts::noise_alone,
         options::Options,
         permuted_searches::permuted_searches,
         predicted::Predicted,
@@ -53,16 +54,17 @@ pub(crate) fn conclude(
     let first = judged(&prepared, told, examined, composition)?;
     // where nothing is named, a mean goes before what rows left out choose: it needs no cause
     let by_a_mean = |judged: &Judged| by_a_mean(&prepared, told, judged);
-    let mean = if first.names_something() { None } else { by_a_mean(&first) };
+    let mean = if first.names_something() { Mean::Nothing } else { by_a_mean(&first) };
     let judged = match mean {
-        Some(mean) => first.taken_back(mean),
-        None => in_the_end(&prepared, told, first),
+        Mean::Instead(mean) => first.taken_back(mean),
+        Mean::Nothing => in_the_end(&prepared, told, first, true),
+        Mean::Better => in_the_end(&prepared, told, first, false),
     };
     let judged = words_beside(&prepared, told, judged);
-    let mean = if judged.names_something() { by_a_mean(&judged) } else { None };
+    let mean = if judged.names_something() { by_a_mean(&judged) } else { Mean::Nothing };
     let judged = match mean {
-        Some(mean) => judged.taken_back(mean),
-        None => judged,
+        Mean::Instead(mean) => judged.taken_back(mean),
+        Mean::Nothing | Mean::Better => judged,
     };
     let judged = described(&prepared, told, judged)?;
     let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held, smoothed } = judged;
@@ -159,14 +161,19 @@ pub(crate) fn conclude(
     outcome(&found, known, prepared.not_testable.clone(), started)
 }
 
-/// What is stood behind in the end: by the name that a mechanism has in the library, or by what rows left out choose, and with simple laws where those foretell as well.
-fn in_the_end(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged) -> Judged {
+/// What is stood behind in the end: by the name that a mechanism has in the library, or by what rows left out choose, and with simple laws where those foretell as well. Where nothing foretells
+/// them, nor a mean (`no_mean`), it may be noise.
+fn in_the_end(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged, no_mean: bool) -> Judged {
     let judged = match by_name(prepared, told, &judged) {
         Some(name) => judged.told_by(name),
         None => match by_rows_left_out(prepared, told, &judged) {
             // its laws are the simple ones already
-            Some(better) => return judged.told_by_rows_left_out(better),
-            None => judged,
+            Chosen::Better(better) => return judged.told_by_rows_left_out(*better),
+            Chosen::Nothing if no_mean => match noise_alone(prepared, told, &judged) {
+                Some(interference) => return judged.told_as_noise(prepared, interference),
+                None => judged,
+            },
+            Chosen::Nothing | Chosen::AsItIs => judged,
         },
     };
     match told_simply(prepared, told, &judged) {

@@ -14,6 +14,7 @@ mod described;
 mod interference;
 mod judged;
 mod noise_choice;
+mod noise_that_lasts;
 mod on_means;
 mod options;
 mod permuted_searches;

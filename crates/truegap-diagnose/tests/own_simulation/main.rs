@@ -7,6 +7,7 @@ mod given;
 mod laws;
 mod looked_for;
 mod loops;
+mod noise_that_lasts;
 
 use given::{Given, noisy, said, simulated};
 use rand::SeedableRng;

@@ -50,6 +50,14 @@ pub(crate) fn references(problem: &Problem<'_>, parts: &[Part], predicted: [&Hel
     [of("straight_line", line), of("smooth_curve", curve)].into_iter().flatten().collect()
 }
 
+/// Error on the same rows left out of a straight line through the inputs that move and along the rows: a reading that drifts is nearer to it, with a clock or without. `None` where no row is left out.
+pub(crate) fn with_trend(problem: &Problem<'_>, parts: &[Part], predicted: [&HeldOutFit; 2]) -> Option<f64> {
+    let (inputs, rows) = (moving(problem), problem.response.len());
+    let along = (0..rows).map(|row| row as f64 / rows as f64 - 0.5).collect();
+    let columns = inputs.iter().map(|input| input.values.clone()).chain([along]).collect();
+    one("straight_line", &inputs, problem, columns, &judged_rows(parts, predicted))?.held_out
+}
+
 fn one(
     name: &'static str,
     inputs: &[Column],

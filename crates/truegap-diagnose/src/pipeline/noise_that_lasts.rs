@@ -1,0 +1,95 @@
+//! What is left where nothing foretells it is noise, if nobody measured the noise.
+//!
+//! A noise that was not measured is taken from short stretches, since slow misfit may be physics. So slow noise counts as misfit at first. Once no effect, no mechanism, no mean and no smooth curve
+//! through the inputs or along the rows predicts rows left out clearly better than the base model, nothing says that the rest is more than noise that lasts: the model agrees with the recording as far as that
+//! can tell, and a recording at rest would tell more.
+//!
+//! **Source:** Stone, Cross-validatory choice and assessment of statistical predictions, J. R. Stat. Soc. B 36 (1974) 111, for what foretells.
+//!
+//! Limits: not for a base model with plates; a tone that is felt beside the noise, and bursts, are more than noise.
+
+use crate::{
+    adequacy::interference::{every_row::Interference, tone::Tone},
+    discovery::discover::with_mechanisms,
+    pipeline::{
+        calibrated::predictions,
+        interference::with_interference,
+        judged::{Judged, Told},
+        prepare::Prepared,
+    },
+    selection::{
+        candidates::{Search, Tried},
+        examine::Examined,
+        unmodelled::{Cause, Unmodelled},
+        verdict::{Decision, Verdict, stated},
+    },
+    validation::{
+        cross_validation::{compared, parts_of},
+        reference::{references, with_trend},
+        tuning::{CLEARLY_WORSE, FELT},
+    },
+};
+
+/// What stands out beside the base model where all that `judged` finds and does not explain is noise, and no effect of the library and no mean foretells rows left out clearly better: at most a faint tone. `None` where it is more
+/// than noise.
+pub(crate) fn noise_alone(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<Interference> {
+    let decision = &judged.predicted.decision;
+    let wanders = |unmodelled: &Unmodelled| unmodelled.cause == Cause::WanderingZero;
+    let open =
+        matches!(decision.verdict, Verdict::Unexplained | Verdict::Undecided) && decision.unmodelled.as_ref().is_none_or(wanders);
+    if !open || prepared.noise.measured || judged.kept_back.is_some() {
+        return None;
+    }
+    let searched = prepared.searched();
+    let search = &prepared.search(&searched, told.progress, told.stop);
+    let nothing = Decision::nothing(Verdict::Agrees, judged.examined.selection.base);
+    let alone = Examined { decision: nothing, ..judged.examined.clone() };
+    let (interference, _) = with_interference(prepared, search, &alone).ok()?;
+    let more = !is_quiet(&interference) || is_a_curve(prepared, judged) || is_fitted(prepared, search, judged);
+    (!more).then_some(interference)
+}
+
+/// Whether neither bursts nor a tone stand out that is felt on rows left out.
+fn is_quiet(interference: &Interference) -> bool {
+    let Interference { tone, .. } = interference;
+    let quiet = |tone: &Tone| 1.0 + 0.5 * tone.amplitude.powi(2) < FELT.powi(2);
+    !interference.bursts() && (!tone.is_significant() || quiet(tone))
+}
+
+/// Whether a straight line or a smooth curve through the inputs, or a line that drifts along the rows beside them, predicts rows left out clearly better than the base model.
+fn is_a_curve(prepared: &Prepared<'_>, judged: &Judged) -> bool {
+    let (problem, base) = (prepared.problem, &judged.by_base.unseen);
+    let Some([error, _]) = compared(base, base).map(|both| both.rmse) else { return true };
+    let (_, parts) = parts_of(problem);
+    let curves = references(problem, &parts, [base, base]).into_iter().filter_map(|reference| reference.held_out);
+    curves.chain(with_trend(problem, &parts, [base, base])).any(|curve| CLEARLY_WORSE * curve < error)
+}
+
+/// Whether the likeliest model, or mechanisms composed of words, predict rows left out clearly better than the base model.
+fn is_fitted(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged) -> bool {
+    let mechanisms = judged.composition.as_ref().map_or(&[][..], |composition| composition.mechanisms.as_slice());
+    let search = &with_mechanisms(search, mechanisms);
+    let selection = &judged.examined.selection;
+    let likeliest = stated(selection).map(|model| &selection.models[model]);
+    let composed = judged.composition.as_ref().map(|composition| &composition.tried);
+    let better = |tried: &Tried| {
+        let unseen = predictions(prepared, search, &judged.by_base, tried);
+        // in however few parts
+        compared(&judged.by_base.unseen, &unseen).is_some_and(|both| both.rmse[0] > CLEARLY_WORSE * both.rmse[1])
+    };
+    likeliest.into_iter().chain(composed).any(better)
+}
+
+impl Judged {
+    /// The same where what is left is noise, with this `interference` at most: no words follow it.
+    pub(crate) fn told_as_noise(mut self, prepared: &Prepared<'_>, interference: Interference) -> Self {
+        if self.composition.take().is_some() {
+            let library = prepared.testable.len();
+            self.examined = self.examined.with(|selection| selection.of_the_library(library, 0));
+        }
+        self.predicted.decision = Decision::nothing(Verdict::Agrees, self.examined.selection.base);
+        self.predicted.vetoed = None;
+        self.interference = interference;
+        self
+    }
+}

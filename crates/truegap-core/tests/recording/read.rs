@@ -197,7 +197,7 @@ fn a_driver_that_cannot_be_taken_is_refused_with_its_line_and_what_to_do() {
     };
     let cases = [
         (refused("\"x_mm\"", "\"y_mm\"", csv), ["a.toml, line 8", "`y_mm` is not in the header", "`x_mm`"]),
-        (refused("position =", "gap =", csv), ["a.toml, line 8", "`gap` is a role", "under [columns]"]),
+        (refused("position =", "simulated =", csv), ["a.toml, line 8", "`simulated` is a role", "under [columns]"]),
         (refused("\"x_mm\"", "\"time_s\"", csv), ["a.toml, line 8", "is the time already", "leave it out of [drivers]"]),
         (refused(", unit = \"rpm\"", "", csv), ["a.toml, line 9", "`speed` has no unit in its name", "unit = \"1\""]),
         (refused("", "", "time_s,x_mm,speed,pull_n\n0,,300,7\n"), ["1 of 1 rows", "no value in `x_mm`", "fill the column"]),

@@ -2,6 +2,7 @@
 //!
 //! Limits: values and standard deviations, no correlations between them; an effect is known by its id, so a program must have it in its library.
 
+use super::written_units::of_base;
 use crate::models::base::{Programs, foreseen};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -99,6 +100,11 @@ pub enum ModelFileError {
     /// A number that cannot be.
     #[error("the model file: {what} is {value}; write {wanted}")]
     Number { what: String, value: f64, wanted: &'static str },
+    /// A number in a unit of another kind.
+    #[error(
+        "the model file: `{name}` of {of} is {value} in `{found}`, where its unit is `{wanted}`; give its value in that unit, and write unit = \"{wanted}\""
+    )]
+    NumberUnit { of: String, name: String, value: f64, found: String, wanted: String },
     /// A column that an effect follows and the inputs do not have.
     #[error(
         "`{effect}` follows `{column}`, which the inputs do not have; name it under [drivers] as in the recording that the model was fitted to"
@@ -199,11 +205,14 @@ impl ModelFile {
             let (found, model, unit) = (self.unit.clone(), simulator.name().to_owned(), simulator.unit().to_owned());
             return Err(ModelFileError::Unit { found, model, unit });
         }
-        let values = values(&self.parameters, simulator.as_ref())?;
+        let mut augmented = self.augmented();
+        augmented.parameters = of_base(&self.parameters, simulator.as_ref())?;
+        augmented.base_alone = of_base(&self.base_alone, simulator.as_ref())?;
+        let values = values(&augmented.parameters, simulator.as_ref())?;
         // a base without parameters is the same alone
         let is_known = !self.base_alone.is_empty() || values.is_empty();
-        let alone = is_known.then(|| self::values(&self.base_alone, simulator.as_ref())).transpose()?;
-        let mut model = RunningModel { simulator, values, alone, augmented: self.augmented() };
+        let alone = is_known.then(|| self::values(&augmented.base_alone, simulator.as_ref())).transpose()?;
+        let mut model = RunningModel { simulator, values, alone, augmented };
         model.order_numbers()?;
         model.check()?;
         Ok(model)

@@ -4,7 +4,7 @@
 
 use super::{
     columns::{Column, almost_called, names, twice},
-    driver_roles::role_of_driver,
+    default_names::role_of_driver,
     error::RecordingError,
     heading::Heading,
     manifest::{Manifest, NamedDriver},

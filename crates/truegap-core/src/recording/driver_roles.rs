@@ -3,22 +3,16 @@
 //! Limits: roles that measure something; a reading, a simulation, a run and a sensor are no drivers.
 
 use super::{
-    default_names::dimension,
+    default_names::{dimension, role_of_driver},
     driver_columns::refused,
     error::RecordingError,
     heading::Heading,
     manifest::{Manifest, Named, NamedDriver},
     map::NO_LINE,
-    roles::ROLES,
 };
 use crate::inputs::Role;
 use crate::units::Dimension;
 use std::path::Path;
-
-/// The role that a driver of this name plays.
-pub(super) fn role_of_driver(name: &str) -> Option<Role> {
-    ROLES.into_iter().find(|role| role.key() == name && dimension(*role).is_some())
-}
 
 impl Manifest {
     /// The same with each driver that is called after a role as the column of that role. A driver whose column is not in the header stays, and is told as one.

@@ -3,7 +3,7 @@
 //! Limits: one column a line.
 
 use super::{
-    driver_roles::role_of_driver,
+    default_names::role_of_driver,
     error::RecordingError,
     heading::Heading,
     keys::ROLES_CALLED,

@@ -38,7 +38,8 @@ fn in_order(added: &mut AddedEffect, library: &Library, context: &Context<'_>) -
     known(added, &parameters.iter().map(|p| p.name.as_str()).collect::<Vec<_>>())?;
     let ordered = parameters.into_iter().map(|parameter| number(added, effect, parameter));
     added.parameters = ordered.collect::<Result<_, _>>()?;
-    of_effect(added, effect, context)
+    let asked = within_its_runs(added, context);
+    of_effect(added, effect, &asked)
 }
 
 /// The context with no more runs than an effect with so many numbers can mean: a count of runs alone costs no memory.

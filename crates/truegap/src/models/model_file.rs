@@ -2,7 +2,6 @@
 //!
 //! Limits: values and standard deviations, no correlations between them; an effect is known by its id, so a program must have it in its library.
 
-use super::written_units::of_base;
 use crate::models::base::{Programs, foreseen};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -205,9 +204,7 @@ impl ModelFile {
             let (found, model, unit) = (self.unit.clone(), simulator.name().to_owned(), simulator.unit().to_owned());
             return Err(ModelFileError::Unit { found, model, unit });
         }
-        let mut augmented = self.augmented();
-        augmented.parameters = of_base(&self.parameters, simulator.as_ref())?;
-        augmented.base_alone = of_base(&self.base_alone, simulator.as_ref())?;
+        let augmented = self.augmented(simulator.as_ref())?;
         let values = values(&augmented.parameters, simulator.as_ref())?;
         // a base without parameters is the same alone
         let is_known = !self.base_alone.is_empty() || values.is_empty();
@@ -216,15 +213,6 @@ impl ModelFile {
         model.order_numbers()?;
         model.check()?;
         Ok(model)
-    }
-
-    fn augmented(&self) -> Augmented {
-        Augmented {
-            parameters: self.parameters.clone(),
-            base_alone: self.base_alone.clone(),
-            effects: self.effects.clone(),
-            scales: self.scales.clone(),
-        }
     }
 }
 

@@ -2,11 +2,10 @@
 //!
 //! Limits: a unit that depends on what was recorded, as that of a driver, is not known to the file and is not looked at.
 
-use super::by_name::within_its_runs;
-use super::model_file::ModelFileError;
+use super::model_file::{ModelFile, ModelFileError};
 use truegap_core::{Dimension, Driver, Inputs, Simulator};
 use truegap_diagnose::answer::{AddedEffect, NamedValue};
-use truegap_diagnose::{Context, Effect};
+use truegap_diagnose::{Augmented, Context, Effect};
 
 /// Kinds of units of which one is so many times another. `K` and `degC` are none: a difference is not a point of the scale.
 const CONVERTED: [Dimension; 9] = [
@@ -58,8 +57,23 @@ fn plain(unit: &str) -> String {
     if plain == "1" { String::new() } else { plain }
 }
 
+impl ModelFile {
+    /// What the file adds to a base model, with the numbers of that in its units.
+    ///
+    /// # Errors
+    /// [`ModelFileError::NumberUnit`] with the first that is in a unit of another kind.
+    pub(super) fn augmented(&self, simulator: &dyn Simulator) -> Result<Augmented, ModelFileError> {
+        Ok(Augmented {
+            parameters: of_base(&self.parameters, simulator)?,
+            base_alone: of_base(&self.base_alone, simulator)?,
+            effects: self.effects.clone(),
+            scales: self.scales.clone(),
+        })
+    }
+}
+
 /// The numbers of a base model that the file lists, in its units. A name that the model does not have stays as it is.
-pub(super) fn of_base(listed: &[NamedValue], simulator: &dyn Simulator) -> Result<Vec<NamedValue>, ModelFileError> {
+fn of_base(listed: &[NamedValue], simulator: &dyn Simulator) -> Result<Vec<NamedValue>, ModelFileError> {
     let needed = simulator.parameters();
     let converted = |given: &NamedValue| match needed.iter().find(|parameter| parameter.name == given.name) {
         Some(parameter) => in_unit(&format!("the base model `{}`", simulator.name()), given, &parameter.unit),
@@ -76,8 +90,7 @@ pub(super) fn of_effect(added: &mut AddedEffect, effect: &dyn Effect, context: &
     let column = || Some(vec![0.0, 1.0]);
     let clocked = Inputs { time_s: column(), temperature_c: column(), force_n: column(), ..clockless.clone() };
     let moving = |rows: &Inputs, temperature_k: f64, load: f64, others: bool, drivers: &[String]| {
-        let asked = Context::new(rows, context.simulator, 0.0, 0.0).with_runs(context.runs);
-        let mut other = within_its_runs(added, &asked);
+        let mut other = Context::new(rows, context.simulator, 0.0, 0.0).with_runs(context.runs);
         other.moved = Default::default();
         (other.moved.temperature_k, other.moved.load) = (temperature_k, load);
         (other.moved.gap, other.moved.simulated) = (others, others);

@@ -110,7 +110,33 @@ fn a_driver_is_named_in_the_same_line_as_a_role() {
     let reading = ["response=C_measured:pF", "--map"];
     let refuses = |map: &str, parts: &[&str]| bench.refuses(&[&TYPED[..], &reading, &[map, "-o", "out2"]].concat(), parts);
     refuses("driver.cell=Load cell: left", &["--map driver.cell", "no unit in its name", "driver.cell=\"Load cell: left:mm\""]);
-    refuses("driver.force=Elapsed:s", &["`force` is a role", "--map force=COLUMN"]);
+    refuses(
+        "driver.force=Elapsed:s",
+        &["--map driver.force", "`s`, the unit of column `Elapsed`", "driver.force_signal=\"Elapsed:s\""],
+    );
+    refuses("driver.response=Elapsed:s", &["`response` is a role", "--map response=COLUMN"]);
+}
+
+/// A driver that is called after a role was refused, also with a base that needs no such role.
+#[test]
+fn a_driver_called_after_a_role_is_that_role() {
+    let bench = bench();
+    let predicted = |name: &str, out: &str| {
+        let load = format!("{name}=Load cell: left:N");
+        let map = ["time=Elapsed:s", "--map", "response=C_measured:pF", "--map", &load, "-o", out];
+        let said = bench.run(&[&TYPED[..], &map].concat());
+        assert!(said.code < 2, "{}", said.err);
+        std::fs::read_to_string(bench.path(&format!("{out}/prediction.csv"))).unwrap()
+    };
+    assert_eq!(predicted("driver.force", "a"), predicted("force", "b"));
+    let toml = "schema = \"truegap.recording/1\"\nfile = \"bench.csv\"\n[columns]\ntime = \"Elapsed\"\nresponse = \"C_measured\"\n[units]\ntime = \"s\"\nresponse = \"pF\"\n\
+                [drivers]\nforce = { column = \"Load cell: left\", unit = \"N\" }\n[base]\nmodel = \"linear\"\ndriver = \"force\"\n";
+    bench.file("bench.toml", toml);
+    let said = bench.run(&["-q", "diagnose", "bench.toml", "-o", "c"]);
+    assert!(said.code < 2, "{}", said.err);
+    assert_eq!(std::fs::read_to_string(bench.path("c/prediction.csv")).unwrap(), predicted("force", "b"));
+    let twice = ["response=C_measured:pF", "--map", "force=Elapsed:N", "--map", "driver.force=Load cell: left:N", "-o", "d"];
+    bench.refuses(&[&TYPED[..], &twice].concat(), &["--map", "two columns for driver.force", "leave one"]);
 }
 
 #[test]

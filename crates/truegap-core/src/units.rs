@@ -154,6 +154,13 @@ impl Dimension {
     }
 }
 
+/// Whether two texts may stand for one unit of a reading: `pF` and `picofarad`, and `F` for `degF` as well as for the farad.
+pub(crate) fn is_same_unit(one: &str, other: &str) -> bool {
+    let both = |dimension: Dimension| Some((dimension.scale(one).ok()?, dimension.scale(other).ok()?));
+    let alike = |dimension| both(dimension).is_some_and(|(one, other)| one == other);
+    one == other || alike(Dimension::Capacitance) || alike(Dimension::Temperature)
+}
+
 /// Whether `text` is a unit of anything that is measured here, in one of its spellings.
 pub(crate) fn is_unit(text: &str) -> bool {
     const MEASURED: [Dimension; 8] = [

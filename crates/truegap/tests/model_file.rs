@@ -144,6 +144,30 @@ fn what_does_not_fit_together_is_named() {
     assert!(read("schema = 1").is_err() && read("").is_err());
 }
 
+/// A time constant of a minute was one of a second, and a mass was one as well.
+#[test]
+fn numbers_in_another_unit_are_converted_or_refused() {
+    let (written, inputs) = (file(), inputs(600));
+    let expected = written.build().unwrap().respond(&inputs).unwrap();
+    let (tau, share) = (&written.effects[0].parameters[0], &written.parameters[0]);
+    assert_eq!(tau.unit, "s");
+    let mut minutes = written.clone();
+    minutes.effects[0].parameters[0] =
+        NamedValue { unit: "min".into(), value: tau.value / 60.0, sd: tau.sd / 60.0, ..tau.clone() };
+    let by_file = minutes.build().unwrap().respond(&inputs).unwrap();
+    by_file.iter().zip(&expected).for_each(|(a, b)| approx::assert_relative_eq!(a, b, max_relative = 1e-12));
+    let refused = |change: &dyn Fn(&mut ModelFile)| {
+        let mut file = written.clone();
+        change(&mut file);
+        file.build().err().expect("must be refused").to_string()
+    };
+    let mass = refused(&|file| file.effects[0].parameters[0].unit = "kg".into());
+    let parts = ["`tau` of thermal_lag", &format!("{} in `kg`", tau.value), "its unit is `s`", "write unit = \"s\""];
+    assert!(parts.iter().all(|part| mass.contains(part)), "{mass}");
+    let base = refused(&|file| file.parameters[0].unit = "kg".into());
+    assert!(base.contains(&format!("`{}` of the base model", share.name)) && base.contains("in `kg`"), "{base}");
+}
+
 /// Two numbers that stood in another order were taken one for the other, and the answer was wrong without a word.
 #[test]
 fn numbers_of_an_effect_are_known_by_their_names_in_whatever_order() {

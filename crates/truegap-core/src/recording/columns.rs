@@ -16,7 +16,7 @@ use super::{
 use crate::given_again;
 use crate::inputs::Role;
 use crate::nearest::nearest;
-use crate::units::{Dimension, UnitError};
+use crate::units::{Dimension, UnitError, is_same_unit};
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -250,7 +250,7 @@ impl Binder<'_> {
         let in_name = heading.unit_of(farads);
         let unit = match (given, in_name) {
             (Some(given), named) => {
-                if let Some(named) = named.filter(|named| *named != given.text) {
+                if let Some(named) = named.filter(|named| !is_same_unit(named, &given.text)) {
                     notes.push(overrides(heading, given, named));
                 }
                 given.text.clone()

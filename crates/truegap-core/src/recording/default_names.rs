@@ -2,7 +2,7 @@
 //!
 //! Limits: names and units of headings; which column is taken is for [`super::columns`].
 
-use super::heading::Heading;
+use super::{heading::Heading, roles::ROLES};
 use crate::inputs::Role;
 use crate::units::{Dimension, is_unit};
 
@@ -17,6 +17,11 @@ pub(super) fn dimension(role: Role) -> Option<Dimension> {
         Role::Humidity => Some(Dimension::Humidity),
         Role::Response | Role::Simulated | Role::Run | Role::Sensor => None,
     }
+}
+
+/// The role that a driver of this name plays.
+pub(super) fn role_of_driver(name: &str) -> Option<Role> {
+    ROLES.into_iter().find(|role| role.key() == name && dimension(*role).is_some())
 }
 
 /// Name that the contract gives a role's column.

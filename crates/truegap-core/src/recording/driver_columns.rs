@@ -4,6 +4,7 @@
 
 use super::{
     columns::{Column, almost_called, names, twice},
+    default_names::role_of_driver,
     error::RecordingError,
     heading::Heading,
     manifest::{Manifest, NamedDriver},
@@ -11,6 +12,7 @@ use super::{
     roles::ROLES,
 };
 use crate::given_again;
+use crate::inputs::Role;
 use std::path::Path;
 
 /// A column that is none of the roles, and that physics may follow all the same.
@@ -25,6 +27,15 @@ pub(super) struct DriverColumn {
     pub unit: String,
 }
 
+/// Refuses a driver, by its line or as what was told beside the files.
+pub(super) fn refused(file: &Path, toml: Option<&Path>, wanted: &NamedDriver, why: String) -> RecordingError {
+    let driver = wanted.name.clone();
+    match wanted.line {
+        NO_LINE => RecordingError::MappedDriver { file: file.to_owned(), driver, why },
+        line => RecordingError::Driver { file: toml.unwrap_or(file).to_owned(), line, driver, why },
+    }
+}
+
 /// The columns that `[drivers]` names; `roles` are those that play a role already.
 pub(super) fn bind_drivers(
     file: &Path,
@@ -33,15 +44,10 @@ pub(super) fn bind_drivers(
     manifest: &Manifest,
     roles: &[Column],
 ) -> Result<Vec<DriverColumn>, RecordingError> {
-    let refused = |wanted: &NamedDriver, why: String| {
-        let driver = wanted.name.clone();
-        match wanted.line {
-            NO_LINE => RecordingError::MappedDriver { file: file.to_owned(), driver, why },
-            line => RecordingError::Driver { file: toml.unwrap_or(file).to_owned(), line, driver, why },
-        }
-    };
+    let refused = |wanted: &NamedDriver, why: String| refused(file, toml, wanted, why);
     let bound = |wanted: &NamedDriver| {
-        if let Some(role) = ROLES.into_iter().find(|role| role.key() == wanted.name) {
+        let is_role = |role: &Role| role.key() == wanted.name && role_of_driver(&wanted.name).is_none();
+        if let Some(role) = ROLES.into_iter().find(is_role) {
             return Err(refused(
                 wanted,
                 format!("`{0}` is a role; name its column under [columns], {0} = \"...\", or by --map {0}=COLUMN", role.key()),

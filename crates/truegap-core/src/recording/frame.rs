@@ -92,6 +92,7 @@ impl Recording {
     ) -> Result<Self, RecordingError> {
         let header: Vec<Heading> = table.iter().map(FrameColumn::heading).collect();
         same_length(table)?;
+        let manifest = manifest.with_roles_of_drivers(path, toml, &header)?;
         let (bound, mut notes) = columns::bind(path, toml, &header, &manifest)?;
         let drivers = bind_drivers(path, toml, &header, &manifest, &bound)?;
         let frame = Frame { path, table, bound: &bound, drivers: &drivers };

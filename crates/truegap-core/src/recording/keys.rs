@@ -12,7 +12,8 @@ use toml::de::{DeString, DeTable, DeValue};
 const TOP: [&str; 7] = ["schema", "file", "dayfirst", "columns", "units", "drivers", "base"];
 /// Keys of a driver.
 const DRIVER: [&str; 2] = ["column", "unit"];
-/// Keys that stand under `[base]` alone; `truegap init` writes that line as a comment, and who takes the next one out of its comment may leave it.
+/// Keys that stand under `[base]`; `truegap init` writes that line as a comment, and who takes the next one out of its comment may leave it. A `run` that is a text is the column that numbers the runs: a
+/// program is a list.
 const BASE: [&str; 2] = ["model", "run"];
 const UNDER_BASE: &str = "it belongs under [base]: write that line above it";
 /// Other words for a role.
@@ -54,7 +55,9 @@ pub(super) fn check(file: &Path, text: &str, line: impl Fn(usize) -> usize) -> R
             if name == "base" && !inner.contains_key("model") && meant(name_inside, &["model"]).is_some() {
                 return Err(refuse("[base]", key, &[], &["model", "sensor", "warp"]));
             }
-            if matches!(name, "columns" | "units") && BASE.contains(&name_inside) && !table.get_ref().contains_key("base") {
+            let is_column = roles.contains(&name_inside) && matches!(value.get_ref(), DeValue::String(_));
+            let of_base = BASE.contains(&name_inside) && !is_column && !table.get_ref().contains_key("base");
+            if matches!(name, "columns" | "units") && of_base {
                 let at = line(key.span().start);
                 let (file, key, instead) = (file.to_owned(), name_inside.to_owned(), UNDER_BASE.to_owned());
                 return Err(RecordingError::UnknownKey { file, line: at, table: format!("[{name}]"), key, instead });

@@ -3,6 +3,7 @@
 //! Limits: one column a line.
 
 use super::{
+    default_names::role_of_driver,
     error::RecordingError,
     heading::Heading,
     keys::ROLES_CALLED,
@@ -79,7 +80,23 @@ fn role_of(word: &str) -> Result<Role, MapError> {
         .ok_or_else(|| MapError::NoRole { role: word.to_owned(), instead: instead(word, &ROLES_CALLED, &ROLES.map(Role::key)) })
 }
 
+impl Part {
+    /// The role, of a driver that is called after one as well.
+    fn role(&self) -> Option<Role> {
+        match self {
+            Self::Role(role) => Some(*role),
+            Self::Driver(name) => role_of_driver(name),
+        }
+    }
+}
+
 impl Mapped {
+    /// The same, a driver that is called after a role as that role.
+    pub(super) fn as_role(&self) -> Self {
+        let part = self.part.role().map_or_else(|| self.part.clone(), Part::Role);
+        Self { part, column: self.column.clone() }
+    }
+
     /// What the column is.
     pub(super) fn part(&self) -> &Part {
         &self.part
@@ -97,7 +114,7 @@ impl Mapped {
 
 /// Refuses a role or a driver that is told twice; `file` is for the message.
 pub(super) fn each_once(map: &[Mapped], file: &Path) -> Result<(), RecordingError> {
-    let Some((before, mapped)) = given_again(map, |one, other| one.part == other.part) else { return Ok(()) };
+    let Some((before, mapped)) = given_again(map, |one, other| one.as_role().part == other.as_role().part) else { return Ok(()) };
     let part = match &mapped.part {
         Part::Role(role) => role.key().to_owned(),
         Part::Driver(name) => format!("{DRIVER}{name}"),
@@ -114,7 +131,7 @@ impl Manifest {
             match &mapped.part {
                 Part::Role(role) => self.map_role(*role, column, unit),
                 Part::Driver(name) => {
-                    self.drivers.retain(|driver| driver.name != *name);
+                    self.forget(name, mapped.part.role());
                     let (name, column, unit) = (name.clone(), column.to_owned(), unit.map(str::to_owned));
                     self.drivers.push(NamedDriver { name, column, unit, line: NO_LINE });
                 }
@@ -125,11 +142,17 @@ impl Manifest {
         self
     }
 
+    /// Leaves out what the TOML says of a driver, and of the role that it is called after: its unit there is that of another column.
+    fn forget(&mut self, driver: &str, role: Option<Role>) {
+        self.drivers.retain(|named| named.name != driver);
+        self.columns.retain(|named, _| Some(*named) != role);
+        self.units.retain(|named, _| Some(*named) != role);
+    }
+
     fn map_role(&mut self, role: Role, column: &str, unit: Option<&str>) {
         let named = |text: &str| Named { text: text.to_owned(), line: NO_LINE };
+        self.forget(role.key(), Some(role));
         self.columns.insert(role, named(column));
-        // the unit that the TOML gives is that of another column
-        self.units.remove(&role);
         self.units.extend(unit.map(|unit| (role, named(unit))));
     }
 }

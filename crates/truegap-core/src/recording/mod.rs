@@ -12,6 +12,7 @@ mod date_text;
 mod default_names;
 mod degrees;
 mod driver_columns;
+mod driver_roles;
 mod error;
 mod frame;
 mod guess;

@@ -129,7 +129,7 @@ fn opened(origin: &Origin<'_>, manifest: Manifest) -> Result<Recording, Recordin
 
 fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> Result<Recording, RecordingError> {
     let mut table = Table::open(origin.csv, source)?;
-    let manifest = manifest.told(origin.told, &table.header);
+    let manifest = manifest.told(origin.told, &table.header).with_roles_of_drivers(origin.csv, origin.toml, &table.header)?;
     let sensors = vendor_sensors(&table, &manifest);
     let several = sensors.len() > 1;
     let mut rows = Rows::default();

@@ -56,7 +56,8 @@ pub fn sketch(csv: &Path, told: &Told) -> Result<Sketch, RecordingError> {
         Some(frame) => Seen::of_frame(csv, frame, told)?,
         None => Seen::of_csv(csv, told)?,
     };
-    let manifest = Manifest::default().told(told, &seen.header);
+    let manifest = Manifest::default().told(told, &seen.header).with_roles_of_drivers(csv, None, &seen.header)?;
+    let told = &told.by_roles();
     manifest.columns.iter().try_for_each(|(role, named)| there(csv, &seen.header, *role, named))?;
     bind_drivers(csv, None, &seen.header, &manifest, &[])?;
     let nameless = is_standard_input(csv);

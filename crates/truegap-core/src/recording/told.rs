@@ -15,6 +15,13 @@ pub struct Told {
     pub inputs_alone: bool,
 }
 
+impl Told {
+    /// The same, with drivers that are called after a role as columns of that role.
+    pub(super) fn by_roles(&self) -> Self {
+        Self { map: self.map.iter().map(Mapped::as_role).collect(), ..self.clone() }
+    }
+}
+
 impl Manifest {
     /// The same with what is told in place of what the TOML says.
     pub fn told(mut self, told: &Told, header: &[Heading]) -> Self {

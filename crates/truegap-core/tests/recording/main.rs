@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod columns;
+mod driver_roles;
 mod read;
 mod told;
 

@@ -176,6 +176,21 @@ fn writing_and_reading_are_inverse() {
     }
 }
 
+/// `run` under [columns], which is written for every recording, was refused where no [base] stands.
+#[test]
+fn a_recording_without_a_base_is_written_and_read_back() {
+    let inputs =
+        Inputs { run: vec![1, 1, 2], force_n: Some(vec![0.0, 1.0, 2.0]), time_s: Some(vec![0.0, 1.0, 2.0]), ..Inputs::default() };
+    let made = Recording::new(inputs, vec![3.0, 4.0, 5.0], "mV", BaseSpec::default()).unwrap();
+    let folder = Folder::new();
+    made.write(&folder.0).unwrap();
+    let read = Recording::open(&folder.0).unwrap();
+    assert_eq!((&read.inputs, &read.response, &read.base), (&made.inputs, &made.response, &made.base));
+    // a program is a list, and stands under [base]
+    let program = message(with_toml("[columns]\nrun = [\"python3\", \"sim.py\"]\n", "time_s,capacitance_pf\n0,1\n"));
+    assert!(program.contains("line 4") && program.contains("it belongs under [base]"), "{program}");
+}
+
 const TWO_DRIVERS: &str = "schema = \"truegap.recording/1\"\nfile = \"a.csv\"\n[columns]\nresponse = \"pull_n\"\n[units]\nresponse = \"N\"\n\
     [drivers]\nposition = { column = \"x_mm\" }\npump = { column = \"speed\", unit = \"rpm\" }\n";
 
@@ -197,7 +212,7 @@ fn a_driver_that_cannot_be_taken_is_refused_with_its_line_and_what_to_do() {
     };
     let cases = [
         (refused("\"x_mm\"", "\"y_mm\"", csv), ["a.toml, line 8", "`y_mm` is not in the header", "`x_mm`"]),
-        (refused("position =", "gap =", csv), ["a.toml, line 8", "`gap` is a role", "under [columns]"]),
+        (refused("position =", "simulated =", csv), ["a.toml, line 8", "`simulated` is a role", "under [columns]"]),
         (refused("\"x_mm\"", "\"time_s\"", csv), ["a.toml, line 8", "is the time already", "leave it out of [drivers]"]),
         (refused(", unit = \"rpm\"", "", csv), ["a.toml, line 9", "`speed` has no unit in its name", "unit = \"1\""]),
         (refused("", "", "time_s,x_mm,speed,pull_n\n0,,300,7\n"), ["1 of 1 rows", "no value in `x_mm`", "fill the column"]),

@@ -94,6 +94,27 @@ fn a_unit_in_the_toml_outranks_the_name_and_is_said_aloud() {
     assert!(r.notes.iter().any(|n| matches!(n, Note::UnitOverridesName { .. })));
 }
 
+/// `sea_f` in degF was told to be in farads by its name, and `cap_pf` in picofarads not to be in pF.
+#[test]
+fn a_name_that_says_the_unit_in_another_way_is_no_doubt() {
+    for (name, unit) in
+        [("sea_f", "degF"), ("sea_temperature_f", "degF"), ("Sea [F]", "°F"), ("sea_f", "F"), ("cap_pf", "picofarad")]
+    {
+        for role in ["response", "simulated"] {
+            let other = if role == "response" { "simulated" } else { "response" };
+            let toml = format!(
+                "[columns]\n{role} = \"{name}\"\n{other} = \"other\"\n[units]\n{role} = \"{unit}\"\n{other} = \"{unit}\"\n"
+            );
+            let r = with_toml(&toml, &format!("time_s,{name},other\n0,50,51\n1,51,52\n")).unwrap();
+            let doubts: Vec<_> = r.notes.iter().filter(|n| matches!(n, Note::UnitOverridesName { .. })).collect();
+            assert!(doubts.is_empty(), "{name} {unit}: {doubts:?}");
+        }
+    }
+    let farads =
+        with_toml("[columns]\nresponse = \"cap_f\"\n[units]\nresponse = \"mV\"\n", "time_s,cap_f\n0,50\n1,51\n").unwrap();
+    assert!(farads.notes.iter().any(|n| matches!(n, Note::UnitOverridesName { .. })), "{:?}", farads.notes);
+}
+
 #[test]
 fn a_column_that_never_changes_is_noted() {
     let r = csv("time_s,force_n,capacitance_pf\n0,1,74\n1,1,75\n").unwrap();

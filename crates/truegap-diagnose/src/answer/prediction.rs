@@ -32,14 +32,14 @@ pub(crate) struct Flexible {
 /// The likeliest model as a flexible term, where something is missing that the library does not explain; `base` and `before` are the base model on every row and on
 /// rows left out.
 ///
-/// `None` where something is named, nothing of the library helps, or the term cannot predict rows that it did not see.
+/// `None` where something is named, nothing of the library helps, or the term predicts rows that it did not see no better than the base model.
 pub(crate) fn flexible(found: &Found<'_>, base: &[f64], before: &HeldOutFit) -> Option<Flexible> {
     if found.decision.verdict != Verdict::Unexplained || found.decision.removed <= 0.0 {
         return None;
     }
     let tried = &found.selection.models[stated(found.selection)?];
     let after = unseen(found, tried);
-    let [rmse_before, rmse_after] = compared(before, &after)?.rmse;
+    let [rmse_before, rmse_after] = smaller(before, &after)?;
     let prediction = respond(found, tried).ok()?;
     let in_sample = in_sample(found, base, &prediction)?;
     let unit = found.search.problem.simulator.unit();
@@ -63,6 +63,12 @@ pub(crate) fn flexible(found: &Found<'_>, base: &[f64], before: &HeldOutFit) -> 
     Some(Flexible { facts, prediction, held_out: after.prediction })
 }
 
+/// Errors of base model and term on rows left out, where that of the term is the smaller one: what predicts worse serves no prediction.
+fn smaller(before: &HeldOutFit, after: &HeldOutFit) -> Option<[f64; 2]> {
+    let [rmse_before, rmse_after] = compared(before, after)?.rmse;
+    (rmse_after < rmse_before).then_some([rmse_before, rmse_after])
+}
+
 /// Where recording and `tried` differ.
 pub(crate) fn located(found: &Found<'_>, tried: &Tried) -> Vec<Mismatch> {
     locate(found.search.problem, &tried.fit, found.lack_of_fit, found.directions)
@@ -84,4 +90,26 @@ fn terms(found: &Found<'_>, tried: &Tried) -> Vec<FlexibleTerm> {
         parameters: parameters(found, tried, model.range_of(index)),
     };
     tried.effects.iter().enumerate().map(term).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::validation::cross_validation::PartError;
+
+    /// Four rows left out with this error.
+    fn predicted(error: f64) -> HeldOutFit {
+        let part = PartError { name: "run 1".into(), squares: Some(4.0 * error * error), rows: 4, score: None };
+        HeldOutFit { parts: vec![part], ..HeldOutFit::default() }
+    }
+
+    /// "On rows left out from 2370 to 4470" was offered for prediction.
+    #[test]
+    fn a_term_that_predicts_rows_left_out_no_better_is_not_offered() {
+        let offered = |before: f64, after: f64| smaller(&predicted(before), &predicted(after));
+        assert_eq!(offered(4470.0, 2370.0), Some([4470.0, 2370.0]));
+        for after in [4470.0, 2370.0, f64::NAN] {
+            assert_eq!(offered(2370.0, after), None, "{after}");
+        }
+    }
 }

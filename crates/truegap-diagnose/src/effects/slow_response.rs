@@ -8,7 +8,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         memory::first_order_lag,
     },
-    text::{percent_of, with_sd},
+    text::{percent_of, percent_with_sd, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -69,31 +69,34 @@ pub(crate) fn late(values: &[f64]) -> Box<dyn Stage> {
 /// Number of a late reading that says how it stood before its first row.
 pub(crate) const BEFORE: &[&str] = &["before"];
 
-/// Share of the slow way below which it is not spoken of, in standard deviations.
-const SPOKEN_OF: f64 = 3.0;
+/// Standard deviations from which a share of the slow way is spoken of, however small it is.
+const STANDS_OUT: f64 = 3.0;
+/// Share of the slow way from which it is spoken of, however unsure it is: a reader who is told of the quick way alone waits too short.
+const MATTERS: f64 = 0.05;
+
+/// `75 % of a change`, which the quick way carries; `None` where the slow one is not spoken of.
+fn by_the_quick_way(share: &FittedParameter) -> Option<String> {
+    let (quick, sd) = (1.0 - share.value, share.sd);
+    let stands_out = share.value > STANDS_OUT * sd;
+    let told = || if stands_out { percent_of(quick) } else { percent_with_sd(quick, sd) };
+    (stands_out || share.value > MATTERS).then(|| told() + " of a change")
+}
 
 /// `a time constant of 4.20 min (sd 0.10)` of the quick way, with the slow one where there is one.
 pub(crate) fn quick_and_slow(fitted: &[FittedParameter]) -> String {
-    let [tau, share, slower] = [0, 1, 2].map(|i| fitted[i].value);
-    let apart = if share > SPOKEN_OF * fitted[1].sd {
-        format!(" for {} of a change, the rest with {}", percent_of(1.0 - share), crate::text::rounded(slower * tau, "s"))
-    } else {
-        String::new()
-    };
-    format!("a time constant of {}{apart}", with_sd(tau, fitted[0].sd, "s"))
+    let [tau, slower] = [0, 2].map(|i| fitted[i].value);
+    let slow = || crate::text::rounded(slower * tau, "s");
+    let apart = by_the_quick_way(&fitted[1]).map(|quick| format!(" for {quick}, the rest with {}", slow()));
+    format!("a time constant of {}{}", with_sd(tau, fitted[0].sd, "s"), apart.unwrap_or_default())
 }
 
 /// The same where the number is the mean of both time constants.
 pub(crate) fn time_constants(fitted: &[FittedParameter]) -> String {
     let [tau, share, slower] = [0, 1, 2].map(|i| fitted[i].value);
     let quick = tau / (1.0 - share + share * slower);
-    let apart = if share > SPOKEN_OF * fitted[1].sd {
-        let [fast, slow] = [quick, slower * quick].map(|s| crate::text::rounded(s, "s"));
-        format!(": {} of a change with {fast}, the rest with {slow}", percent_of(1.0 - share))
-    } else {
-        String::new()
-    };
-    format!("a time constant of {}{apart}", with_sd(tau, fitted[0].sd, "s"))
+    let [fast, slow] = [quick, slower * quick].map(|s| crate::text::rounded(s, "s"));
+    let apart = by_the_quick_way(&fitted[1]).map(|part| format!(": {part} with {fast}, the rest with {slow}"));
+    format!("a time constant of {}{}", with_sd(tau, fitted[0].sd, "s"), apart.unwrap_or_default())
 }
 
 impl Effect for SlowResponse {
@@ -153,5 +156,45 @@ impl Effect for SlowResponse {
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!("the reading follows late, with {}", quick_and_slow(fitted))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers of a fit, each with its error.
+    fn fitted(numbers: [(f64, f64); 3]) -> Vec<FittedParameter> {
+        let number = |(value, sd): (f64, f64)| FittedParameter {
+            parameter: Parameter::normal("number", "1", 0.0, 1.0, "number"),
+            value,
+            sd,
+            sd_of_fit: sd,
+            at_limit: false,
+        };
+        numbers.map(number).to_vec()
+    }
+
+    /// "120 ms" was told where a quarter of a change follows with 8.3 s: its share was unsure.
+    #[test]
+    fn a_slow_way_that_matters_is_told_however_unsure_its_share_is() {
+        for (share_sd, share) in [(0.02, "75 %"), (0.1, "75 % (sd 10)"), (f64::NAN, "75.0 %")] {
+            let fitted = fitted([(0.12, 0.01), (0.25, share_sd), (69.0, 5.0)]);
+            let says = format!("a time constant of 120 ms (sd 10) for {share} of a change, the rest with 8.28 s");
+            assert_eq!(quick_and_slow(&fitted), says);
+        }
+        // 10 s is the mean of 4 s and 28 s
+        let mean = fitted([(10.0, 1.0), (0.25, 0.1), (7.0, 5.0)]);
+        assert_eq!(
+            time_constants(&mean),
+            "a time constant of 10.0 s (sd 1.0): 75 % (sd 10) of a change with 4.00 s, the rest with 28.0 s"
+        );
+    }
+
+    #[test]
+    fn a_slow_way_of_next_to_nothing_is_told_where_it_is_sure_alone() {
+        let with = |sd: f64| quick_and_slow(&fitted([(0.12, 0.01), (0.02, sd), (69.0, 5.0)]));
+        assert_eq!(with(0.01), "a time constant of 120 ms (sd 10)");
+        assert_eq!(with(0.002), "a time constant of 120 ms (sd 10) for 98 % of a change, the rest with 8.28 s");
     }
 }

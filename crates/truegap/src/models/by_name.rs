@@ -1,8 +1,9 @@
 //! The numbers of an added effect in a model file, found by their names.
 //!
-//! Limits: names alone; a unit stands there for a reader and is not looked at.
+//! Limits: names; units are those of [`super::written_units`].
 
 use super::model_file::{ModelFileError, RunningModel};
+use super::written_units::{of_effect, of_mechanism};
 use truegap_core::Parameter;
 use truegap_core::nearest::instead;
 use truegap_diagnose::answer::{AddedEffect, NamedValue};
@@ -13,11 +14,12 @@ use truegap_diagnose::{Context, Effect, Library};
 const SIZE: &str = "size";
 
 impl RunningModel {
-    /// Puts the numbers of every added effect in the order of its equations, whatever order they stand in. Further numbers of a richer law are 0 where the file is of before the law had
+    /// Puts the numbers of every added effect in the order and the units of its equations, whatever order they stand in. Further numbers of a richer law are 0 where the file is of before the law had
     /// them. An effect that the library does not have stays as it is.
     ///
     /// # Errors
-    /// [`ModelFileError::SurplusNumber`] for a name that an effect does not have, [`ModelFileError::MissingNumber`] for one that is not there.
+    /// [`ModelFileError::SurplusNumber`] for a name that an effect does not have, [`ModelFileError::MissingNumber`] for one that is not there,
+    /// [`ModelFileError::NumberUnit`] for one in a unit of another kind.
     pub(super) fn order_numbers(&mut self) -> Result<(), ModelFileError> {
         let (library, mut effects) = (Library::default(), std::mem::take(&mut self.augmented.effects));
         self.as_fitted(|context| effects.iter_mut().try_for_each(|added| in_order(added, &library, context)))?;
@@ -36,7 +38,8 @@ fn in_order(added: &mut AddedEffect, library: &Library, context: &Context<'_>) -
     known(added, &parameters.iter().map(|p| p.name.as_str()).collect::<Vec<_>>())?;
     let ordered = parameters.into_iter().map(|parameter| number(added, effect, parameter));
     added.parameters = ordered.collect::<Result<_, _>>()?;
-    Ok(())
+    let asked = within_its_runs(added, context);
+    of_effect(added, effect, &asked)
 }
 
 /// The context with no more runs than an effect with so many numbers can mean: a count of runs alone costs no memory.
@@ -55,11 +58,11 @@ fn number(added: &AddedEffect, effect: &dyn Effect, parameter: Parameter) -> Res
 }
 
 /// A mechanism takes its numbers by their names, and those that are not listed from its words; without a size it would do nothing.
-fn of_a_mechanism(added: &AddedEffect) -> Result<(), ModelFileError> {
+fn of_a_mechanism(added: &mut AddedEffect) -> Result<(), ModelFileError> {
     let names: Vec<&str> = [SIZE].into_iter().chain(Numbers::NAMES).collect();
     known(added, &names)?;
     match added.parameters.iter().any(|given| given.name == SIZE) {
-        true => Ok(()),
+        true => of_mechanism(added),
         false => Err(ModelFileError::MissingNumber { id: added.id.clone(), name: SIZE.into(), unit: "...".into() }),
     }
 }

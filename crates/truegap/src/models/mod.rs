@@ -18,6 +18,7 @@ mod checked;
 mod deployed;
 mod mechanism_file;
 mod model_file;
+mod written_units;
 
 pub use answer::{Answer, AnswerError, along, at_points, load_dimension, on_profile};
 pub(crate) use answer::{of_recording, refused};

@@ -99,6 +99,11 @@ pub enum ModelFileError {
     /// A number that cannot be.
     #[error("the model file: {what} is {value}; write {wanted}")]
     Number { what: String, value: f64, wanted: &'static str },
+    /// A number in a unit of another kind.
+    #[error(
+        "the model file: `{name}` of {of} is {value} in `{found}`, where its unit is `{wanted}`; give its value in that unit, and write unit = \"{wanted}\""
+    )]
+    NumberUnit { of: String, name: String, value: f64, found: String, wanted: String },
     /// A column that an effect follows and the inputs do not have.
     #[error(
         "`{effect}` follows `{column}`, which the inputs do not have; name it under [drivers] as in the recording that the model was fitted to"
@@ -199,23 +204,15 @@ impl ModelFile {
             let (found, model, unit) = (self.unit.clone(), simulator.name().to_owned(), simulator.unit().to_owned());
             return Err(ModelFileError::Unit { found, model, unit });
         }
-        let values = values(&self.parameters, simulator.as_ref())?;
+        let augmented = self.augmented(simulator.as_ref())?;
+        let values = values(&augmented.parameters, simulator.as_ref())?;
         // a base without parameters is the same alone
         let is_known = !self.base_alone.is_empty() || values.is_empty();
-        let alone = is_known.then(|| self::values(&self.base_alone, simulator.as_ref())).transpose()?;
-        let mut model = RunningModel { simulator, values, alone, augmented: self.augmented() };
+        let alone = is_known.then(|| self::values(&augmented.base_alone, simulator.as_ref())).transpose()?;
+        let mut model = RunningModel { simulator, values, alone, augmented };
         model.order_numbers()?;
         model.check()?;
         Ok(model)
-    }
-
-    fn augmented(&self) -> Augmented {
-        Augmented {
-            parameters: self.parameters.clone(),
-            base_alone: self.base_alone.clone(),
-            effects: self.effects.clone(),
-            scales: self.scales.clone(),
-        }
     }
 }
 

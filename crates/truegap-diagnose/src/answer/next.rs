@@ -74,7 +74,7 @@ pub(crate) fn next(found: &Found<'_>) -> NextExperiment {
     }
     let rivals: Vec<&Tried> = rivals(&found.selection.probability, best).into_iter().map(|rival| &models[rival]).collect();
     match (rivals.as_slice(), named) {
-        ([], Some(_)) => narrowing(found.search, &models[best], least_sure(numbers(found, &models[best]))),
+        ([], Some(_)) => narrowing(found.search, &models[best], least_sure(numbers(found, found.told(&models[best])))),
         ([], None) => only(VARY_IT),
         (rivals, _) => next_experiment(found.search, &models[best], rivals),
     }

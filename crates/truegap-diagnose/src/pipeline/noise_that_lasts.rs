@@ -6,7 +6,7 @@
 //!
 //! **Source:** Stone, Cross-validatory choice and assessment of statistical predictions, J. R. Stat. Soc. B 36 (1974) 111, for what foretells.
 //!
-//! Limits: not for a base model with plates; a tone that is felt beside the noise, and bursts, are more than noise.
+//! Limits: not for a base model with plates; a tone that is felt beside the noise, and what is louder than slow noise makes it, are more than noise.
 
 use crate::{
     adequacy::interference::{every_row::Interference, tone::Tone},
@@ -26,7 +26,7 @@ use crate::{
     validation::{
         cross_validation::{compared, parts_of},
         reference::{references, with_trend},
-        tuning::{CLEARLY_WORSE, FELT},
+        tuning::{CLEARLY_WORSE, FELT, NO_LOUDER},
     },
 };
 
@@ -45,7 +45,8 @@ pub(crate) fn noise_alone(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Jud
     let nothing = Decision::nothing(Verdict::Agrees, judged.examined.selection.base);
     let alone = Examined { decision: nothing, ..judged.examined.clone() };
     let (interference, _) = with_interference(prepared, search, &alone).ok()?;
-    let more = !is_quiet(&interference) || is_a_curve(prepared, judged) || is_fitted(prepared, search, judged);
+    let loud = judged.examined.before.left_over_noise > NO_LOUDER;
+    let more = loud || !is_quiet(&interference) || is_a_curve(prepared, judged) || is_fitted(prepared, search, judged);
     (!more).then_some(interference)
 }
 

@@ -66,6 +66,12 @@ pub(crate) const MOST_PARTS_OF_A_MODEL: usize = 5;
 /// Permutations of a history; the control is their median.
 pub(crate) const PERMUTATIONS: usize = 19;
 
+// pipeline/noise_that_lasts.rs
+
+/// Times the noise of short stretches that what is left may be, root mean square of both whitened, and still be noise that lasts. Noise like 1/f makes 1.0 to 1.3 of it in simulated recordings, and
+/// up to 1.7 is left in real ones in which nothing is missing; of two conductivity cells of which one fails 100 times the noise is left.
+pub(crate) const NO_LOUDER: f64 = 2.0;
+
 // recovery/case.rs
 
 /// Log probability below which a model of a simulated recording is not kept.

@@ -103,3 +103,12 @@ fn a_faint_tone_is_told_and_a_loud_one_is_the_matter() {
     let loud = with_tone(2.0);
     assert_eq!(loud.verdict, Verdict::Unexplained, "{}", loud.says);
 }
+
+/// A cell that fails in a twelfth of the rows, by 0.3 V one way or the other: nothing foretells it, and it is no noise.
+#[test]
+fn what_is_louder_than_slow_noise_is_there() {
+    let fails = |row: usize, _: f64| if (700..825).contains(&row) { 0.3 * (row as f64).powi(2).sin().signum() } else { 0.0 };
+    let (inputs, response) = Read { rest: 0, white: 1.0, memories: &[8.0], seed: 1 }.inputs_and_response(fails);
+    let said = said(&model(), &inputs, &response);
+    assert_ne!(said.verdict, Verdict::Agrees, "{}", said.says);
+}

@@ -11,7 +11,7 @@ use crate::{
     },
     effects::memory::elapsed_s,
     selection::verdict::{Decision, Verdict},
-    text::{rounded, share_left},
+    text::share_left,
 };
 
 /// Said first among the doubts where the search was stopped.
@@ -124,9 +124,6 @@ fn line(found: &Found<'_>) -> String {
     format!("; run {} holds a line at {:.4} cycles a row", after.line_at.0 + 1, after.line_at.1)
 }
 
-/// Frequency below which a tone is told by its period, Hz.
-const SLOW_HZ: f64 = 0.01;
-
 /// The tone, or else the loudest burst, of what the model stood behind leaves, in words; `None` where there is neither.
 fn interference(found: &Found<'_>) -> Option<String> {
     let (burst, inputs) = (found.interference.burst, found.all.problem.inputs);
@@ -141,13 +138,7 @@ fn interference(found: &Found<'_>) -> Option<String> {
 /// The tone in what the model stood behind leaves.
 fn tone(found: &Found<'_>) -> Option<String> {
     let tone = found.interference.tone;
-    let at = match tone.frequency_hz {
-        None => format!("a tone at {:.4} cycles a row", tone.per_row),
-        Some(hz) if hz < SLOW_HZ => format!("a cycle of {}", rounded(hz.recip(), "s")),
-        Some(hz) => format!("a tone at {hz:.4} Hz"),
-    };
-    let told = || format!("{at} (as sampled; it may be a faster one), {:.2} times as large as the noise", tone.amplitude);
-    tone.is_significant().then(told)
+    tone.is_significant().then(|| tone.says())
 }
 
 /// The unmodelled cause that comes nearest, where the library explains too little and no such cause is likelier.

@@ -4,9 +4,13 @@
 
 use crate::adequacy::interference::steady::Rows;
 use crate::adequacy::tuning::{AROUND, EVEN, LOWEST_CYCLES, SHORTEST_RUN, TONE_LEVEL};
+use crate::text::rounded;
 use rustfft::{FftPlanner, num_complex::Complex};
 use statrs::distribution::{ContinuousCDF, Gamma};
 use std::ops::Range;
+
+/// Frequency below which a tone is told by its period, Hz.
+const SLOW_HZ: f64 = 0.01;
 
 /// The strongest tone.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -65,6 +69,16 @@ impl Tone {
         let (alike, step) = of_one_pace(time, runs);
         let rows = Rows { residual, time: time.map(|time| (time, step)), runs: &alike };
         rows.power(rows.nearest(self.per_row))
+    }
+
+    /// Where it is and how loud, as a part of a sentence.
+    pub fn says(&self) -> String {
+        let at = match self.frequency_hz {
+            None => format!("a tone at {:.4} cycles a row", self.per_row),
+            Some(hz) if hz < SLOW_HZ => format!("a cycle of {}", rounded(hz.recip(), "s")),
+            Some(hz) => format!("a tone at {hz:.4} Hz"),
+        };
+        format!("{at} (as sampled; it may be a faster one), {:.2} times as large as the noise", self.amplitude)
     }
 
     /// Whether it is there.

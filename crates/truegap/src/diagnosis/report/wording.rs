@@ -34,6 +34,12 @@ fn beyond_the_library(diagnosis: &Diagnosis) -> Option<String> {
     (!named.is_empty()).then(says)
 }
 
+/// A tone in the reading beside an answer that nothing is missing, as the end of a sentence; empty where there is none.
+fn faint_tone(diagnosis: &Diagnosis) -> String {
+    let tone = diagnosis.adequacy.tone.filter(|tone| tone.is_significant());
+    tone.map_or_else(String::new, |tone| format!("; the reading holds {}", tone.says()))
+}
+
 /// The verdict in one plain sentence.
 pub fn headline(diagnosis: &Diagnosis) -> String {
     let names = || spoken_list(diagnosis.findings.iter().map(|f| &f.effect), "and");
@@ -47,12 +53,18 @@ pub fn headline(diagnosis: &Diagnosis) -> String {
     }
     match diagnosis.verdict {
         Verdict::Agrees if diagnosis.adequacy.before.is_some_and(|before| before.fires()) => {
-            "Recording and model agree: no cause that was tried is borne out by rows left out.".into()
+            let noise = if diagnosis.noise.measured { "" } else { ", and the noise was not measured" };
+            format!(
+                "Recording and model agree: no cause that was tried is borne out by rows left out{noise}{}.",
+                faint_tone(diagnosis)
+            )
         }
         Verdict::Agrees => {
             format!(
-                "Recording and model agree: nothing stands out of the noise of {}.",
-                error(diagnosis, diagnosis.fit.noise_floor)
+                "Recording and model agree: nothing {}stands out of the noise of {}{}.",
+                if faint_tone(diagnosis).is_empty() { "" } else { "else " },
+                error(diagnosis, diagnosis.fit.noise_floor),
+                faint_tone(diagnosis)
             )
         }
         Verdict::Explained if no_finding => diagnosis.says.clone(),

@@ -23,12 +23,13 @@ const CONVERTED: [Dimension; 9] = [
 /// Unit of a driver of which nobody knows it.
 const UNKNOWN: &str = "...";
 
-/// A number of `of` in the unit `wanted`.
+/// A number of `of` in the unit `wanted`; one that has no unit beside it is in that.
 ///
 /// # Errors
 /// [`ModelFileError::NumberUnit`] where its own unit is of another kind.
 pub(super) fn in_unit(of: &str, given: &NamedValue, wanted: &str) -> Result<NamedValue, ModelFileError> {
-    let Some(factor) = factor(&given.unit, wanted) else {
+    let told = if given.unit.trim().is_empty() { wanted } else { &given.unit };
+    let Some(factor) = factor(told, wanted) else {
         let (name, found) = (given.name.clone(), given.unit.clone());
         return Err(ModelFileError::NumberUnit { of: of.to_owned(), name, value: given.value, found, wanted: wanted.to_owned() });
     };

@@ -40,6 +40,19 @@ pub(crate) fn with_interference(
     Ok((interference, decision))
 }
 
+/// Bursts and a tone in what a model leaves of every row.
+///
+/// # Errors
+/// Those of the simulator.
+pub(crate) fn interference_beside(
+    prepared: &Prepared<'_>,
+    search: &Search<'_>,
+    tried: &Tried,
+) -> Result<Interference, DiagnoseError> {
+    let rows = EveryRow { prepared, search };
+    Ok(rows.interference(&rows.left_by(tried)?))
+}
+
 /// The decision where a line in the spectrum of what the likeliest model leaves is the electronics' own tone, and no doubt of that model.
 pub(crate) fn beside_a_tone(prepared: &Prepared<'_>, search: &Search<'_>, examined: Examined) -> Result<Examined, DiagnoseError> {
     let Examined { selection, before, after, .. } = &examined;

@@ -13,18 +13,17 @@ use crate::{
     discovery::discover::with_mechanisms,
     pipeline::{
         calibrated::predictions,
-        interference::with_interference,
+        interference::interference_beside,
         judged::{Judged, Told},
         prepare::Prepared,
     },
     selection::{
         candidates::{Search, Tried},
-        examine::Examined,
         unmodelled::{Cause, Unmodelled},
         verdict::{Decision, Verdict, stated},
     },
     validation::{
-        cross_validation::{compared, parts_of},
+        cross_validation::{PartError, compared, parts_of},
         reference::{references, with_trend},
         tuning::{CLEARLY_WORSE, FELT, NO_LOUDER},
     },
@@ -37,30 +36,26 @@ pub(crate) fn noise_alone(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Jud
     let wanders = |unmodelled: &Unmodelled| unmodelled.cause == Cause::WanderingZero;
     let open =
         matches!(decision.verdict, Verdict::Unexplained | Verdict::Undecided) && decision.unmodelled.as_ref().is_none_or(wanders);
-    if !open || prepared.noise.measured || judged.kept_back.is_some() {
+    let loud = judged.examined.before.left_over_noise > NO_LOUDER;
+    if !open || loud || prepared.noise.measured || judged.kept_back.is_some() {
         return None;
     }
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
-    let nothing = Decision::nothing(Verdict::Agrees, judged.examined.selection.base);
-    let alone = Examined { decision: nothing, ..judged.examined.clone() };
-    let (interference, _) = with_interference(prepared, search, &alone).ok()?;
-    let loud = judged.examined.before.left_over_noise > NO_LOUDER;
-    let more = loud || !is_quiet(&interference) || is_a_curve(prepared, judged) || is_fitted(prepared, search, judged);
+    let interference = interference_beside(prepared, search, judged.examined.selection.base()).ok()?;
+    let more = !is_faint(&interference.tone) || is_a_curve(prepared, judged) || is_fitted(prepared, search, judged);
     (!more).then_some(interference)
 }
 
-/// Whether neither bursts nor a tone stand out that is felt on rows left out.
-fn is_quiet(interference: &Interference) -> bool {
-    let Interference { tone, .. } = interference;
-    let quiet = |tone: &Tone| 1.0 + 0.5 * tone.amplitude.powi(2) < FELT.powi(2);
-    !interference.bursts() && (!tone.is_significant() || quiet(tone))
+/// Whether a tone is none, or so faint that it would not be felt on rows left out. Bursts are asked of a noise that was measured alone.
+fn is_faint(tone: &Tone) -> bool {
+    !tone.is_significant() || 1.0 + 0.5 * tone.amplitude.powi(2) < FELT.powi(2)
 }
 
 /// Whether a straight line or a smooth curve through the inputs, or a line that drifts along the rows beside them, predicts rows left out clearly better than the base model.
 fn is_a_curve(prepared: &Prepared<'_>, judged: &Judged) -> bool {
     let (problem, base) = (prepared.problem, &judged.by_base.unseen);
-    let Some([error, _]) = compared(base, base).map(|both| both.rmse) else { return true };
+    let Some(error) = PartError::rmse_over(&base.parts) else { return true };
     let (_, parts) = parts_of(problem);
     let curves = references(problem, &parts, [base, base]).into_iter().filter_map(|reference| reference.held_out);
     curves.chain(with_trend(problem, &parts, [base, base])).any(|curve| CLEARLY_WORSE * curve < error)

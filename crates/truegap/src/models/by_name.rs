@@ -34,12 +34,12 @@ fn in_order(added: &mut AddedEffect, library: &Library, context: &Context<'_>) -
         return of_a_mechanism(added);
     }
     let Some(effect) = library.find(&added.id) else { return Ok(()) };
-    let parameters = effect.parameters(&within_its_runs(added, context));
+    let context = &within_its_runs(added, context);
+    let parameters = effect.parameters(context);
     known(added, &parameters.iter().map(|p| p.name.as_str()).collect::<Vec<_>>())?;
     let ordered = parameters.into_iter().map(|parameter| number(added, effect, parameter));
     added.parameters = ordered.collect::<Result<_, _>>()?;
-    let asked = within_its_runs(added, context);
-    of_effect(added, effect, &asked)
+    of_effect(added, effect, context)
 }
 
 /// The context with no more runs than an effect with so many numbers can mean: a count of runs alone costs no memory.

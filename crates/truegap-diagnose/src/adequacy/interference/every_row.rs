@@ -63,7 +63,7 @@ impl Interference {
     }
 
     /// Whether rows are louder than a noise that is known, and than steps of the reading make them.
-    pub fn bursts(&self) -> bool {
+    fn bursts(&self) -> bool {
         self.level.is_known && self.burst.is_significant() && self.burst.loudness > self.level.steps
     }
 }

@@ -60,12 +60,9 @@ pub fn headline(diagnosis: &Diagnosis) -> String {
             )
         }
         Verdict::Agrees => {
-            format!(
-                "Recording and model agree: nothing {}stands out of the noise of {}{}.",
-                if faint_tone(diagnosis).is_empty() { "" } else { "else " },
-                error(diagnosis, diagnosis.fit.noise_floor),
-                faint_tone(diagnosis)
-            )
+            let (tone, noise) = (faint_tone(diagnosis), error(diagnosis, diagnosis.fit.noise_floor));
+            let beside = if tone.is_empty() { "" } else { "else " };
+            format!("Recording and model agree: nothing {beside}stands out of the noise of {noise}{tone}.")
         }
         Verdict::Explained if no_finding => diagnosis.says.clone(),
         Verdict::Explained if sure => format!("Missing from the model: {}.", names()),

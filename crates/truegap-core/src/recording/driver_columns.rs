@@ -36,6 +36,12 @@ pub(super) fn refused(file: &Path, toml: Option<&Path>, wanted: &NamedDriver, wh
     }
 }
 
+/// Says that a column of a driver is not in the header, what is, and which of it is called almost so.
+pub(super) fn not_in(header: &[Heading], column: &str) -> String {
+    let (found, near) = (names(header), almost_called(column, header));
+    format!("`{column}` is not in the header; {near}found: {found}")
+}
+
 /// The columns that `[drivers]` names; `roles` are those that play a role already.
 pub(super) fn bind_drivers(
     file: &Path,
@@ -58,8 +64,7 @@ pub(super) fn bind_drivers(
         }
         let called: Vec<usize> = (0..header.len()).filter(|index| header[*index].name == wanted.column).collect();
         let Some(&index) = called.first() else {
-            let (found, near) = (names(header), almost_called(&wanted.column, header));
-            return Err(refused(wanted, format!("`{}` is not in the header; {near}found: {found}", wanted.column)));
+            return Err(refused(wanted, not_in(header, &wanted.column)));
         };
         if called.len() > 1 {
             return Err(twice(file, &wanted.column, &called));

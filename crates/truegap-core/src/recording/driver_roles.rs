@@ -4,7 +4,7 @@
 
 use super::{
     default_names::{dimension, role_of_driver},
-    driver_columns::refused,
+    driver_columns::{not_in, refused},
     error::RecordingError,
     heading::Heading,
     manifest::{Manifest, Named, NamedDriver},
@@ -15,10 +15,10 @@ use crate::units::Dimension;
 use std::path::Path;
 
 impl Manifest {
-    /// The same with each driver that is called after a role as the column of that role. A driver whose column is not in the header stays, and is told as one.
+    /// The same with each driver that is called after a role as the column of that role.
     ///
     /// # Errors
-    /// [`RecordingError`] where its unit is none of the role, or the role has a column already.
+    /// [`RecordingError`] where its column is not in the header, its unit is none of the role, or the role has a column already.
     pub(super) fn with_roles_of_drivers(
         mut self,
         file: &Path,
@@ -28,12 +28,14 @@ impl Manifest {
         for wanted in std::mem::take(&mut self.drivers) {
             let heading = header.iter().find(|heading| heading.name == wanted.column);
             let role = role_of_driver(&wanted.name).and_then(|role| Some((role, dimension(role)?)));
-            match (role, heading) {
-                (Some((role, dimension)), Some(heading)) => {
-                    self.place(&wanted, role, dimension, heading).map_err(|why| refused(file, toml, &wanted, why))?
-                }
-                _ => self.drivers.push(wanted),
-            }
+            let Some((role, dimension)) = role else {
+                self.drivers.push(wanted);
+                continue;
+            };
+            let heading = heading.ok_or_else(|| not_in(header, &wanted.column));
+            heading
+                .and_then(|heading| self.place(&wanted, role, dimension, heading))
+                .map_err(|why| refused(file, toml, &wanted, why))?;
         }
         Ok(self)
     }

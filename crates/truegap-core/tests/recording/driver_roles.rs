@@ -75,4 +75,10 @@ fn what_is_no_column_of_its_role_is_refused_with_what_to_do() {
     );
     let lost = message(read("", "", "pressure = { column = \"q\", unit = \"Pa\" }\n"));
     assert!(lost.contains("line 8") && lost.contains("`q` is not in the header"), "{lost}");
+    // before a column of the header that is called after the role is read in its place
+    let near = message(with_toml(
+        "[columns]\nresponse = \"x\"\n[units]\nresponse = \"N\"\n[drivers]\nforce = { column = \"forse\", unit = \"N\" }\n",
+        "force,x\n0,1\n1,2\n",
+    ));
+    assert!(near.contains("line 8") && near.contains("`forse` is not in the header") && near.contains("force"), "{near}");
 }

@@ -19,12 +19,14 @@ import names  # noqa: E402
 import table  # noqa: E402
 from problem import command  # noqa: E402
 
-HEADER = ["set", "recording", "effect", "among_models", "detectability", "names", "right"]
+HEADER = ["set", "recording", "effect", "among_models", "detectability", "place", "names", "right"]
 
 
 def claims(of, recording, diagnosis, right):
-    told = [finding for finding in diagnosis["findings"] if not finding["effect"].startswith("discovered")]
-    for finding in told:
+    told = diagnosis["findings"]
+    for place, finding in enumerate(told, 1):
+        if finding["effect"].startswith("discovered"):
+            continue
         among_models = finding.get("probability_among_models", finding["probability"])
         yield [
             of,
@@ -32,6 +34,7 @@ def claims(of, recording, diagnosis, right):
             finding["effect"],
             f"{among_models:.6g}",
             f"{finding['detectability'] or 0:.4g}",
+            place,
             len(told),
             int(any(name in right for name in [finding["effect"], *names.CAME_LATER.get(finding["effect"], [])])),
         ]

@@ -13,6 +13,7 @@ use crate::{
         fit_facts::{BeforeAfterUnit, FitFacts, PredictionOnly},
         parameter_facts::ParameterFacts,
         permuted_searches::PermutedSearches,
+        tuning::DOUBTFUL,
     },
     discovery::marginals::WordProbabilities,
     explain::{
@@ -20,7 +21,7 @@ use crate::{
     },
     quality::notice::Notice,
     seeds::Seeds,
-    selection::{model_space::EvidenceCheck, verdict::Verdict},
+    selection::{model_space::EvidenceCheck, tuning::DETECTED, verdict::Verdict},
     validation::reference::Reference,
 };
 use serde::Serialize;
@@ -229,7 +230,7 @@ pub struct RecordingNoiseFacts {
 pub struct Finding {
     /// stable id
     pub effect: String,
-    /// probability that the name is right: how often names were that stood as high among the models
+    /// probability that the name is right: how often names were that stood as high among the models, alone or beside others
     pub probability: f64,
     /// probability that it belongs to the model, were one of the models that were fitted the truth; verdicts follow this one
     pub probability_among_models: f64,
@@ -247,6 +248,20 @@ pub struct Finding {
     /// say it
     #[serde(skip_serializing_if = "WordProbabilities::is_empty")]
     pub words: WordProbabilities,
+}
+
+impl Diagnosis {
+    /// Whether it is open that anything is missing: undecided, and "nothing is missing" is not excluded.
+    pub fn is_open(&self) -> bool {
+        self.verdict == Verdict::Undecided && self.probability_agrees >= DETECTED
+    }
+}
+
+impl Finding {
+    /// Whether the name is hardly more often right than wrong, so that a sentence says "perhaps".
+    pub fn is_doubtful(&self) -> bool {
+        self.probability < DOUBTFUL
+    }
 }
 
 /// One effect tried alone.

@@ -10,7 +10,7 @@ use crate::{
         fit_facts::BeforeAfterUnit,
         found::Found,
         numbers::{fitted, parameters},
-        stated::stated,
+        stated::{Place, stated},
     },
     discovery::marginals::WordProbabilities,
     effects::sentence::{nothing_stands_out, sentence},
@@ -35,8 +35,17 @@ pub(crate) fn findings(found: &Found<'_>, before: &HeldOutFit, after: &HeldOutFi
     let mut all: Vec<(usize, Finding)> = (0..effects.len()).map(|index| (index, finding(found, index, before, after))).collect();
     all.sort_by(|a, b| lost_without(&b.1.held_out).total_cmp(&lost_without(&a.1.held_out)));
     let (claimed, carried): (Vec<_>, Vec<_>) = all.into_iter().partition(|(index, _)| !found.carries(effects[*index]));
-    let (order, findings) = claimed.into_iter().unzip();
-    Named { findings, order, carried: carried.into_iter().map(|(_, finding)| finding).collect() }
+    let (order, findings): (_, Vec<Finding>) = claimed.into_iter().unzip();
+    let carried = carried.into_iter().map(|(_, finding)| finding).collect::<Vec<_>>();
+    let (plates, count) = (found.search.context.has_plates(), findings.len());
+    let state = |(index, finding): (usize, Finding), count: usize| {
+        let probability = stated(&finding.effect, finding.probability_among_models, Place::of(index, count), plates);
+        Finding { probability, ..finding }
+    };
+    let findings = findings.into_iter().enumerate().map(|one| state(one, count)).collect();
+    // what is only carried comes after what is claimed
+    let carried = carried.into_iter().map(|one| state((count, one), count + 1)).collect();
+    Named { findings, order, carried }
 }
 
 /// How many times larger the error on rows left out is without a finding; 0 where it was not asked.
@@ -62,7 +71,7 @@ fn finding(found: &Found<'_>, index: usize, before: &HeldOutFit, after: &HeldOut
     let among_models = found.selection.effect_probability[effect];
     Finding {
         effect: found.id(effect),
-        probability: stated(among_models, found.search.context.has_plates()),
+        probability: among_models,
         probability_among_models: among_models,
         says: match detectability {
             Some(d) if d < NOTHING && among_models > SURE => nothing_stands_out(&found.id(effect)),

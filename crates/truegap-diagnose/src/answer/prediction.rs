@@ -99,7 +99,7 @@ mod tests {
 
     /// Four rows left out with this error.
     fn predicted(error: f64) -> HeldOutFit {
-        let part = PartError { name: "run 1".into(), squares: Some(4.0 * error * error), rows: 4, score: None };
+        let part = PartError { name: "run 1".into(), squares: Some(4.0 * error * error), rows: 4, score: None, warned: None };
         HeldOutFit { parts: vec![part], ..HeldOutFit::default() }
     }
 

@@ -10,8 +10,11 @@ use crate::{
         found::Found,
     },
     effects::memory::elapsed_s,
-    selection::verdict::{Decision, Verdict},
-    text::share_left,
+    selection::{
+        tuning::DETECTED,
+        verdict::{Decision, Verdict},
+    },
+    text::{percent, share_left},
 };
 
 /// Said first among the doubts where the search was stopped.
@@ -53,7 +56,7 @@ fn verdict_says(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) ->
         };
         return format!("{what}; the reading does not show what is quick in {followed}, which may be noise of its own");
     }
-    let names = findings.iter().map(|f| f.effect.as_str()).collect::<Vec<_>>().join(" and ");
+    let names = findings.iter().map(name_as_sure).collect::<Vec<_>>().join(" and ");
     match decision.verdict {
         Verdict::Agrees if found.before.fires() => {
             let why = found.noise.does_as_much();
@@ -76,8 +79,17 @@ fn verdict_says(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) ->
         ),
         Verdict::Unexplained => unexplained(found, decision),
         Verdict::Undecided if found.interrupted => "stopped before the search was finished: causes are not decided".into(),
+        Verdict::Undecided if found.selection.probability_none() >= DETECTED => format!(
+            "something may be missing (probability {}): this recording is not enough to decide it",
+            percent(1.0 - found.selection.probability_agrees())
+        ),
         Verdict::Undecided => "there is a mismatch, but its cause cannot be decided from this recording".into(),
     }
+}
+
+/// A name, with "perhaps" where what is stated of it is hardly above one half.
+fn name_as_sure(finding: &Finding) -> String {
+    if finding.is_doubtful() { format!("perhaps {}", finding.effect) } else { finding.effect.clone() }
 }
 
 /// What is said where mechanisms from outside the library are named: what they do, and how sure each word is.

@@ -244,10 +244,33 @@ pub(crate) fn by_worth(mut options: Vec<ExperimentOption>, brings: impl Fn(&Expe
 /// Ranks what would tell `best` from `rivals`, of which there is at least one.
 pub fn next_experiment(search: &Search<'_>, best: &Tried, rivals: &[&Tried]) -> NextExperiment {
     let options = options(search, best, rivals);
-    let name = |t: &Tried| t.effects.iter().map(|e| spoken(search.library[*e].id().0)).collect::<Vec<_>>().join(" with ");
-    let label = |t: &Tried| if t.effects.is_empty() { "nothing missing".to_owned() } else { name(t) };
-    let separates = std::iter::once(best).chain(rivals.iter().copied()).map(label).collect::<Vec<_>>();
-    NextExperiment { says: advice(search, options.first(), &listed(&separates, "and")), separates, options }
+    let models: Vec<Vec<String>> = std::iter::once(best)
+        .chain(rivals.iter().copied())
+        .map(|t| t.effects.iter().map(|e| spoken(search.library[*e].id().0)).collect())
+        .collect();
+    let separates = models.iter().map(|names| model(names, "nothing missing")).collect();
+    NextExperiment { says: advice(search, options.first(), &told_apart(&models)), separates, options }
+}
+
+/// A model in the names of its effects: `friction with creep and drift`; `none` where it has no effect.
+fn model(names: &[String], none: &str) -> String {
+    match names {
+        [] => none.to_owned(),
+        [one] => one.clone(),
+        [first, others @ ..] => format!("{first} with {}", listed(others, "and")),
+    }
+}
+
+/// Models that are to be told apart: each with what it has alone, and then what all of them have.
+fn told_apart(models: &[Vec<String>]) -> String {
+    let shared: Vec<String> =
+        models.first().into_iter().flatten().filter(|name| models.iter().all(|m| m.contains(name))).cloned().collect();
+    let none = if shared.is_empty() { "nothing missing" } else { "nothing else" };
+    let own =
+        models.iter().map(|names| model(&names.iter().filter(|name| !shared.contains(name)).cloned().collect::<Vec<_>>(), none));
+    let own: Vec<String> = own.collect();
+    let list = if own.iter().any(|one| one.contains(" and ")) { own.join("; ") } else { listed(&own, "and") };
+    if shared.is_empty() { list } else { format!("{list}, beside {}", listed(&shared, "and")) }
 }
 
 /// What would best settle a word of a mechanism: `values` are those of `best` and of its `rival`.
@@ -291,8 +314,8 @@ fn again(search: &Search<'_>, survivors: &str) -> String {
     let drivers = inputs.drivers.iter().map(|driver| driver.name.as_str());
     let recorded = [("load", search.context.load_span() > 0.0), ("temperature", inputs.temperature_c.is_some())];
     let moved: Vec<&str> = recorded.into_iter().filter_map(|(name, is)| is.then_some(name)).chain(drivers).collect();
-    let what = if moved.is_empty() { "all that can be moved" } else { &listed(&moved, "and") };
-    format!("record again with {what} moved at several speeds, with holds and with rests between, to tell apart {survivors}")
+    let what = if moved.is_empty() { "all that can be moved" } else { &format!("{} moved", listed(&moved, "and")) };
+    format!("record again with {what} at several speeds, with holds and with rests between, to tell apart {survivors}")
 }
 
 /// Instrument changes by which one of `effects` says that it is told from another of them, in the order of the library.
@@ -316,4 +339,22 @@ fn instrument(effects: &[&dyn Effect]) -> Vec<ExperimentOption> {
 fn ends(profile: &Profile) -> (f64, f64) {
     let points = (profile.points)(20.0);
     (points.first().map_or(0.0, |p| p.0), points.last().map_or(0.0, |p| p.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_all_models_have_is_told_once() {
+        let models =
+            |all: &[&[&str]]| all.iter().map(|m| m.iter().map(|n| (*n).to_owned()).collect()).collect::<Vec<Vec<String>>>();
+        let told = |all: &[&[&str]]| told_apart(&models(all));
+        assert_eq!(told(&[&["lag"], &["drift", "creep"], &[]]), "lag, drift with creep and nothing missing");
+        assert_eq!(
+            told(&[&["bend", "lag", "drift"], &["lag", "bend"], &["creep", "bend", "lag"]]),
+            "drift, nothing else and creep, beside bend and lag"
+        );
+        assert_eq!(told(&[&["lag", "drift", "creep"], &["bend"]]), "lag with drift and creep; bend");
+    }
 }

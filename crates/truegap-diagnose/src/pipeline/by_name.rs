@@ -68,7 +68,7 @@ pub(crate) fn by_name(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged)
     // beside the effect the mechanism has to prove itself, as any further effect
     let as_well = |own: &ByName| {
         let composed = (judged.predicted.unseen.stood_behind().clone(), &chosen.fit);
-        Unseen::of((own.unseen.clone(), &own.tried.fit), composed).against(false).is_some()
+        Unseen::of((own.unseen.clone(), &own.tried.fit), composed).against(false, || false).is_some()
     };
     // another law of the same place, driver and kinetics is a matter of form
     let base = &judged.by_base.unseen;

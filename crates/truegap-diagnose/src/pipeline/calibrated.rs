@@ -85,7 +85,7 @@ mod tests {
     use crate::validation::cross_validation::PartError;
 
     fn predicted(squares: f64) -> HeldOutFit {
-        let part = PartError { name: "run 1".into(), squares: Some(squares), rows: 4, score: None };
+        let part = PartError { name: "run 1".into(), squares: Some(squares), rows: 4, score: None, warned: None };
         HeldOutFit { parts: vec![part], ..HeldOutFit::default() }
     }
 

@@ -10,11 +10,18 @@
 //!
 //! Effects are left out together as well as one by one: a late clock and a lag of the reading may undo one another, and then each looks needed beside the other.
 //!
+//! Nor is a name after the first claimed that would be wrong three times of four, as names in other people's recordings were (`answer/stated.rs`): of clocks that run fast, and gains that change, beside another cause, none of
+//! nine was right.
+//!
 //! Not for a base model with plates: the equations of its effects are derived from sizes, and what tests see beside them is there. Other equations only describe.
 //!
 //! Limits: mechanisms that were composed together are one part; a number for whatever happens foretells nothing, and nothing is carried beside it.
 
 use crate::{
+    answer::{
+        stated::{Place, stated},
+        tuning::CLAIMED_FROM,
+    },
     pipeline::{
         calibrated::{ByBase, predictions},
         prepare::Prepared,
@@ -22,7 +29,7 @@ use crate::{
     selection::{candidates::Search, posterior::Selection, verdict::Decision},
     validation::{
         cross_validation::HeldOutFit,
-        main_causes::{fewest, names_first, removed},
+        main_causes::{fewest, names_first, removed, without_doubted},
     },
 };
 
@@ -59,8 +66,20 @@ pub(crate) fn with_carried(
         Some(named) => named,
         None => fewest(parts.len(), whole, squares),
     };
+    let doubted = |part: usize| is_doubted(search, selection, &decision, &parts[part]);
+    let (causes, share) = without_doubted((causes, share), |kept| squares(kept).map(|kept| kept / whole), doubted);
     let carried = (0..parts.len()).filter(|part| !causes.contains(part)).flat_map(|part| parts[part].clone()).collect();
     decision.carrying((carried, share), &chosen.effects, &after)
+}
+
+/// Whether the name of a part after the first would be wrong three times of four, and that of all that may stand in its place.
+fn is_doubted(search: &Search<'_>, selection: &Selection, decision: &Decision, part: &[usize]) -> bool {
+    let [effect] = part[..] else { return false };
+    let place = selection.models[decision.model].effects.iter().position(|e| *e == effect);
+    let rivals = place.and_then(|place| decision.sets.get(place)).filter(|set| !set.is_empty()).cloned();
+    let stated =
+        |effect: &usize| stated(search.library[*effect].id().0, selection.effect_probability[*effect], Place::Later, false);
+    rivals.unwrap_or_else(|| vec![effect]).iter().all(|effect| stated(effect) < CLAIMED_FROM)
 }
 
 /// Effects one by one, and all mechanisms from behind the `library` together.

@@ -173,7 +173,7 @@ impl Judged {
 
     /// Whether it names something that foretells rows left out as well as what `other` names; clearly better where its laws are `strained`, that is have run to their limits.
     pub(crate) fn stands_before(&self, other: &Self, strained: bool) -> bool {
-        let borne_out = |judged: &Self, beside: &Self| judged.beside(beside).against(false).is_none();
+        let borne_out = |judged: &Self, beside: &Self| judged.beside(beside).against(false, || false).is_none();
         let better = || if strained { borne_out(self, other) } else { !other.names_something() || !borne_out(other, self) };
         self.names_something() && better()
     }

@@ -90,7 +90,8 @@ impl RowsLeftOut<'_, '_> {
             _ => ((asked, first.unseen), decision),
         };
         let library = (self.prepared.testable.len(), |e: usize| self.search.library[e].free_form());
-        let enough = (self.prepared.noise_is_known(), |smaller: usize| self.could_be_named(smaller));
+        let stands_out = |model: usize, beside: &Unseen| self.stands_out(model, beside);
+        let enough = (self.prepared.noise_is_known(), |smaller: usize| self.could_be_named(smaller), stands_out);
         let fuller = start.0;
         let (model, named, left_out) = step_back(self.selection, start, &self.by_base.unseen, of, library, enough);
         let unseen =
@@ -142,9 +143,9 @@ impl RowsLeftOut<'_, '_> {
             let after = stepped.then(|| self.left_by(model));
             return self.nothing(decision, after, told);
         }
-        let little = |against: &Against| matches!(against, Against::Little(_));
-        let against = unseen.against(self.tells_small_from_chance(model)).filter(|_| self.foretells(model));
-        match against.filter(|against| !little(against) || !self.stands_out(model, &unseen)) {
+        let stands_out = || self.stands_out(model, &unseen);
+        let against = unseen.against(self.tells_small_from_chance(model), stands_out).filter(|_| self.foretells(model));
+        match against {
             Some(little @ Against::Little(_)) => {
                 let says = self.says_too_little(model, little);
                 return self.nothing(self.too_little(fuller, model), None, [told, vec![says]].concat());

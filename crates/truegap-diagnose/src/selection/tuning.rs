@@ -133,8 +133,9 @@ pub(crate) const OCTAVES: usize = 8;
 /// Probability of "nothing is missing" below which a mismatch is called present.
 pub(crate) const DETECTED: f64 = 0.05;
 
-/// Probability of "nothing is missing" above which recording and model agree.
-pub(crate) const AGREED: f64 = 0.3;
+/// Probability of "nothing is missing" above which recording and model agree. Of 480 generated recordings 28 have one of 0.05 to 0.6, and something is missing in 27 of them; 207 have more, and
+/// nothing is missing in 163 of these.
+pub(crate) const AGREED: f64 = 0.6;
 
 /// Probability that a named effect must have to be stated without rivals.
 pub(crate) const SURE: f64 = 0.9;

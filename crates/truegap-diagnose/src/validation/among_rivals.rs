@@ -92,7 +92,7 @@ mod tests {
     }
 
     fn errors(squares: f64) -> HeldOutFit {
-        let part = PartError { name: "run 1".into(), squares: Some(squares), rows: 4, score: None };
+        let part = PartError { name: "run 1".into(), squares: Some(squares), rows: 4, score: None, warned: None };
         HeldOutFit { parts: vec![part], ..HeldOutFit::default() }
     }
 

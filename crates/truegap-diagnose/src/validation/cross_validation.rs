@@ -18,6 +18,7 @@ use crate::{
     },
     whitening::noise_model::NoiseModel,
 };
+use nalgebra::{Cholesky, DMatrix, DVector};
 use rayon::prelude::*;
 use std::ops::Range;
 use truegap_core::{Inputs, Joined};
@@ -54,7 +55,8 @@ impl HeldOutFit {
     /// These predictions with the scores of others, which were made under the noise.
     #[must_use]
     pub fn scored_as(mut self, under_noise: &Self) -> Self {
-        self.parts.iter_mut().zip(&under_noise.parts).for_each(|(part, other)| part.score = other.score);
+        let parts = self.parts.iter_mut().zip(&under_noise.parts);
+        parts.for_each(|(part, other)| (part.score, part.warned) = (other.score, other.warned));
         self
     }
 }
@@ -70,6 +72,9 @@ pub struct PartError {
     pub rows: usize,
     /// squares of the whitened errors of its searched rows: the same errors, measured in the noise; `None` where it could not be predicted
     pub score: Option<f64>,
+    /// the same where what the numbers of the fit leave open without the part is counted, see [`surprise`]; `None` where that says nothing: beside a base model without plates, which only describes, so that its
+    /// numbers are less sure than the noise says, and of what is composed of words, which follows whatever there is and leaves room for it
+    pub warned: Option<f64>,
 }
 
 /// Errors of two models on rows left out, over the parts that both predict.
@@ -225,8 +230,14 @@ pub struct AllRows<'a> {
     pub first: Option<&'a [usize]>,
 }
 
-/// What a fit without a part foretells of every row, its score on the rows of the part, and the fit.
-type Foretold = (Vec<f64>, f64, Refit);
+/// What a fit without a part foretells of every row, its scores on the rows of the part, and the fit.
+type Foretold = (Vec<f64>, Scores, Refit);
+
+/// As [`PartError`] has them.
+struct Scores {
+    score: f64,
+    warned: Option<f64>,
+}
 
 /// Fits `tried` without each part in turn and predicts every row of it.
 pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> HeldOutFit {
@@ -236,13 +247,19 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
     let whitener = noise.whitener(&search.problem.runs(), None);
     // every part is fitted from one point, where the rows that it keeps differ and the model does not
     let around = searched.around(&inside(&tried.fit.z, &searched.bounds())).ok();
+    let of_library = tried.effects.iter().all(|e| search.library[*e].words().is_none());
+    let warns = search.context.has_plates() && of_library;
+    let slopes = around.as_ref().filter(|_| warns).map(|around| around.whitened(&whitener).1);
     let predict = |part: &Part| {
-        let Fit { z, sd, .. } = without(search, noise, &searched, around.as_ref()?, part, all.first)?;
+        let Fit { z, sd, hessian, .. } = without(search, noise, &searched, around.as_ref()?, part, all.first)?;
         let mut errors = searched.misfit(&z).ok()?;
         whitener.apply(&mut errors);
-        let left_out = kept(part, errors.len(), all.first).into_iter().map(|kept| !kept);
-        let score = errors.iter().zip(left_out).filter(|(_, out)| *out).map(|(e, _)| e * e).sum::<f64>();
-        Some((model.respond(&z).ok()?, score, Refit { z, sd }))
+        let kept = kept(part, errors.len(), all.first);
+        let out: Vec<usize> = (0..errors.len()).filter(|row| !kept[*row]).collect();
+        let errors = DVector::from_fn(out.len(), |i, _| errors[out[i]]);
+        let warned = slopes.as_ref().map(|slopes| surprise(&errors, &slopes.select_rows(&out), &hessian));
+        let scores = Scores { score: errors.norm_squared(), warned };
+        Some((model.respond(&z).ok()?, scores, Refit { z, sd }))
     };
     let predicted: Vec<Option<Foretold>> = parts.par_iter().map(predict).collect();
     let response = all.problem.response;
@@ -254,18 +271,32 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
     }
     let of_part = |(part, predicted): (&Part, &Option<Foretold>)| {
         let error = part_error(part, predicted.as_ref().map(|(values, ..)| values.as_slice()), response);
-        PartError { score: predicted.as_ref().map(|(_, score, _)| *score), ..error }
+        let scores = predicted.as_ref().map(|(_, scores, _)| scores);
+        PartError { score: scores.map(|scores| scores.score), warned: scores.and_then(|scores| scores.warned), ..error }
     };
     let parts = parts.iter().zip(&predicted).map(of_part).collect();
     let refits = predicted.into_iter().flatten().map(|(.., refit)| refit).collect();
     HeldOutFit { how, least_squares: false, prediction, parts, refits }
 }
 
+/// How little so many rows are foretold: twice the negative log of the density that the fit without them gives to their whitened `errors`, up to a constant of the rows. `slopes` are the whitened
+/// derivatives of these rows by the numbers of the model (rows x numbers), `known` the curvature of the fit: what other rows and the prior know of its numbers. An error that the numbers may still make, as
+/// little as they are known, is no surprise; a model that leaves much open pays for it.
+///
+/// With errors `e`, slopes `J` and curvature `H` the rows have the covariance `1 + J H^-1 J'`, so this is `e'e - (J'e)' (H + J'J)^-1 J'e + ln det (H + J'J) - ln det H`. The squares alone where `H` has no inverse.
+fn surprise(errors: &DVector<f64>, slopes: &DMatrix<f64>, known: &DMatrix<f64>) -> f64 {
+    let squares = errors.norm_squared();
+    let (before, after) = (Cholesky::new(known.clone()), Cholesky::new(known + slopes.tr_mul(slopes)));
+    let (Some(before), Some(after)) = (before, after) else { return squares };
+    let follows = slopes.tr_mul(errors);
+    squares - follows.dot(&after.solve(&follows)) + after.ln_determinant() - before.ln_determinant()
+}
+
 /// The error of a part without its score, `values` the predictions of every row.
 pub(crate) fn part_error(part: &Part, values: Option<&[f64]>, response: &[f64]) -> PartError {
     let rows = || part.rows.iter().cloned().flatten();
     let squares = |values: &[f64]| rows().map(|row| (values[row] - response[row]).powi(2)).sum();
-    PartError { name: part.name.clone(), squares: values.map(squares), rows: rows().count(), score: None }
+    PartError { name: part.name.clone(), squares: values.map(squares), rows: rows().count(), score: None, warned: None }
 }
 
 /// Which of the searched rows do not come from a part; `first` as in [`AllRows`].
@@ -307,6 +338,7 @@ mod tests {
             squares: error.map(|e| 10.0 * e * e),
             rows: 10,
             score: None,
+            warned: None,
         };
         HeldOutFit { parts: errors.iter().enumerate().map(part).collect(), ..HeldOutFit::default() }
     }
@@ -336,6 +368,23 @@ mod tests {
         let found = compared(&before, &after).unwrap();
         assert_eq!(found.parts, [("run 2".to_owned(), 2.0, 3.0)]);
         assert_eq!(found.rmse, [2.0, 3.0]);
+    }
+
+    /// The other route: the covariance of the rows, its inverse and its determinant.
+    #[test]
+    fn rows_surprise_as_their_joint_density_says() {
+        let errors = DVector::from_column_slice(&[3.0, -1.0, 0.5]);
+        let slopes = DMatrix::from_row_slice(3, 2, &[2.0, 0.0, 1.0, 0.3, -0.5, 1.0]);
+        let known = DMatrix::from_row_slice(2, 2, &[1.5, 0.2, 0.2, 4.0]);
+        let covariance = DMatrix::identity(3, 3) + &slopes * known.clone().try_inverse().unwrap() * slopes.transpose();
+        let exact = (covariance.clone().try_inverse().unwrap() * &errors).dot(&errors) + f64::ln(covariance.determinant());
+        approx::assert_relative_eq!(surprise(&errors, &slopes, &known), exact, max_relative = 1e-12);
+        // a number that is hardly known makes any error along its slope, and nothing else
+        let open = |known: f64| {
+            surprise(&DVector::from_element(1, 30.0), &DMatrix::from_element(1, 1, 1.0), &DMatrix::from_element(1, 1, known))
+        };
+        approx::assert_relative_eq!(open(1e12), 900.0, max_relative = 1e-9);
+        assert!(open(1e-3) < 10.0, "{}", open(1e-3));
     }
 
     #[test]

@@ -26,14 +26,15 @@ pub(crate) struct LeftOut {
 }
 
 /// The model to stand behind instead of `start`, its predictions of rows left out, and what was left out on the way. `enough` says whether a model leaves
-/// little enough to be named by itself: else what is hardly felt where the noise was not `measured`, or loses a little in its squares, explains the rest all the same. Behind the first `library` effects stand composed mechanisms.
+/// little enough to be named by itself: else what is hardly felt where the noise was not `measured`, or loses a little in its squares, explains the rest all the same. Nor is what is hardly felt left out of a
+/// model that `stands_out` of whatever noise lasts beside the one without it. Behind the first `library` effects stand composed mechanisms.
 pub(crate) fn step_back(
     selection: &Selection,
     start: (usize, HeldOutFit),
     base: &HeldOutFit,
     unseen: impl Fn(&Tried) -> HeldOutFit,
     (library, free_form): (usize, impl Fn(usize) -> bool),
-    (measured, enough): (bool, impl Fn(usize) -> bool),
+    (measured, enough, stands_out): (bool, impl Fn(usize) -> bool, impl Fn(usize, &Unseen) -> bool),
 ) -> (usize, HeldOutFit, Vec<LeftOut>) {
     let ((mut model, mut named), mut left_out) = (start, Vec::new());
     // small gains are counted together: each is little beside the rest, and all of them may not be
@@ -60,7 +61,7 @@ pub(crate) fn step_back(
                 let beside = Unseen::of((base.clone(), &selection.base().fit), (both.base.clone(), &without.fit));
                 beside.worse(measured).is_none() && !measured && enough(place)
             };
-            let little = || little(&both.base, &nearest).filter(|_| stands());
+            let little = || little(&both.base, &nearest).filter(|_| stands() && !stands_out(model, &both));
             let doubted = || if doubtful { better().map(Against::Errors) } else { None };
             // what the noise alone tells of rows left out is no reason to name nothing
             let bearable = |against: &Against| doubtful || !matches!(against, Against::Score(_)) || enough(place);
@@ -87,12 +88,18 @@ mod tests {
 
     /// Errors on two parts of a hundred rows each.
     fn errs(error: f64) -> HeldOutFit {
-        let part = |_| PartError { name: "block".into(), squares: Some(100.0 * error * error), rows: 100, score: None };
+        let part =
+            |_| PartError { name: "block".into(), squares: Some(100.0 * error * error), rows: 100, score: None, warned: None };
         HeldOutFit { parts: (0..2).map(part).collect(), ..HeldOutFit::default() }
     }
 
     /// What is left out of effects 0, 1 and 2, which err by 1.00 together; by `others` without some of them, and by 4 without all.
     fn left_out(others: &[(&[usize], f64)], measured: bool, enough: bool) -> Vec<usize> {
+        left_out_of(others, (measured, enough, false))
+    }
+
+    /// The same where effects stand out of whatever noise lasts, or do not.
+    fn left_out_of(others: &[(&[usize], f64)], (measured, enough, stands_out): (bool, bool, bool)) -> Vec<usize> {
         let whole: &[usize] = &[0, 1, 2];
         let models = [&[][..], whole].into_iter().chain(others.iter().map(|(effects, _)| *effects));
         let selection = Selection::of(&models.map(|effects| (effects, 0.0)).collect::<Vec<_>>());
@@ -100,7 +107,14 @@ mod tests {
             let known = others.iter().find(|(effects, _)| *effects == tried.effects.as_slice());
             errs(known.map_or(1.0, |(_, error)| *error))
         };
-        let (_, _, left) = step_back(&selection, (1, errs(1.0)), &errs(4.0), error, (2 + 1, |_| false), (measured, |_| enough));
+        let (_, _, left) = step_back(
+            &selection,
+            (1, errs(1.0)),
+            &errs(4.0),
+            error,
+            (2 + 1, |_| false),
+            (measured, |_| enough, |_, _| stands_out),
+        );
         left.into_iter().flat_map(|left| left.effects).collect()
     }
 
@@ -110,6 +124,8 @@ mod tests {
     #[test]
     fn what_is_hardly_felt_is_left_out_where_the_noise_was_not_measured() {
         assert_eq!(left_out(HARDLY_FELT, false, true), [2]);
+        // what stands out of whatever noise lasts is no course of it
+        assert!(left_out_of(HARDLY_FELT, (false, true, true)).is_empty());
         // a noise that was measured tells such effects
         assert!(left_out(HARDLY_FELT, true, true).is_empty());
     }
@@ -133,7 +149,8 @@ mod tests {
     fn mechanisms_go_together() {
         let all = Selection::of(&[(&[], 0.0), (&[0, 3, 4], 0.0), (&[0], 0.0)]);
         let error = |tried: &Tried| errs(if tried.effects == [0] { 1.03 } else { 1.0 });
-        let (model, _, left) = step_back(&all, (1, errs(1.0)), &errs(4.0), error, (3, |_| false), (false, |_| true));
+        let (model, _, left) =
+            step_back(&all, (1, errs(1.0)), &errs(4.0), error, (3, |_| false), (false, |_| true, |_, _| false));
         assert_eq!((model, left[0].effects.as_slice()), (2, &[3, 4][..]));
     }
 
@@ -141,15 +158,20 @@ mod tests {
     #[test]
     fn a_few_squares_of_the_noise_are_no_reason_to_name_nothing() {
         let scored = |error: f64, score: f64| {
-            let part =
-                |_| PartError { name: "block".into(), squares: Some(100.0 * error * error), rows: 100, score: Some(score) };
+            let part = |_| PartError {
+                name: "block".into(),
+                squares: Some(100.0 * error * error),
+                rows: 100,
+                score: Some(score),
+                warned: None,
+            };
             HeldOutFit { parts: (0..2).map(part).collect(), ..HeldOutFit::default() }
         };
         let all = Selection::of(&[(&[], 0.0), (&[0, 1], 0.0), (&[0], 0.0)]);
         let alone = |_: &Tried| scored(1.0, 100.0);
         let left = |enough: bool| {
             let start = (1, scored(1.0, 102.5));
-            step_back(&all, start, &scored(4.0, 900.0), alone, (2, |_| false), (true, |_| enough)).2
+            step_back(&all, start, &scored(4.0, 900.0), alone, (2, |_| false), (true, |_| enough, |_, _| false)).2
         };
         assert!(left(false).is_empty());
         assert_eq!(left(true)[0].effects, [1]);

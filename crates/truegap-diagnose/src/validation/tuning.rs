@@ -135,8 +135,8 @@ pub(crate) const FORETOLD: f64 = 2.0;
 /// recordings the least that a claimed effect gains is 23; one beside a time offset of weather fronts gains 3.7.
 pub(crate) const PROOF: f64 = 10.0;
 
-/// Times the level of what is left of slow noise, in squares, that rows left out must gain where the noise was not measured and the error is hardly smaller: that of five [`PROOF`]s.
-pub(crate) const FAR_OUT: f64 = 5.0 * PROOF;
+/// Times the level of what is left of slow noise, in squares, that rows left out must gain where the noise was not measured and the error is hardly smaller: that of three [`PROOF`]s.
+pub(crate) const FAR_OUT: f64 = 3.0 * PROOF;
 
 // recovery/confusion.rs
 

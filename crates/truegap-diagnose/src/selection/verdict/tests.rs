@@ -76,7 +76,9 @@ fn decided(models: &[(&[usize], f64)], before: f64, after: f64) -> Decision {
 
 #[test]
 fn what_is_not_detected_is_not_named() {
-    assert_eq!(decided(&[(&[], 0.5), (&[0], 0.5)], 0.0, 0.0).verdict, Verdict::Agrees);
+    assert_eq!(decided(&[(&[], 0.7), (&[0], 0.3)], 0.0, 0.0).verdict, Verdict::Agrees);
+    // as likely as not
+    assert_eq!(decided(&[(&[], 0.5), (&[0], 0.5)], 0.0, 0.0).verdict, Verdict::Undecided);
     assert_eq!(decided(&[(&[0], 0.8), (&[], 0.2)], 0.0, 0.0).verdict, Verdict::Undecided);
     assert_eq!(decided(&[(&[0], 0.8), (&[], 0.2)], 90.0, 0.0).verdict, Verdict::Unexplained);
     assert_eq!(decided(&[(&[0], 0.97), (&[], 0.03)], 0.0, 0.0).verdict, Verdict::Explained);

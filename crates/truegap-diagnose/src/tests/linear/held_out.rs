@@ -126,14 +126,20 @@ fn an_effect_without_which_the_rest_predicts_better_is_not_claimed() {
         let selection = examine(search, lack_of_fit).unwrap().selection;
         let index = |effects: &[usize]| selection.models.iter().position(|m| m.key() == effects.into()).unwrap();
         let of_parts = |errors: [f64; 3]| {
-            let part = |error: f64| PartError { name: "run".into(), squares: Some(30.0 * error * error), rows: 30, score: None };
+            let part = |error: f64| PartError {
+                name: "run".into(),
+                squares: Some(30.0 * error * error),
+                rows: 30,
+                score: None,
+                warned: None,
+            };
             HeldOutFit { parts: errors.map(part).to_vec(), ..HeldOutFit::default() }
         };
         let of_all = |base: [f64; 3], one: [f64; 3], both: [f64; 3], free: bool| {
             let unseen = |tried: &Tried| of_parts(if tried.effects.contains(&1) { both } else { one });
             let start = (index(&[0, 1]), unseen(&selection.models[index(&[0, 1])]));
             let (model, named, left_out) =
-                step_back(&selection, start, &of_parts(base), unseen, (usize::MAX, |_| free), (true, |_| true));
+                step_back(&selection, start, &of_parts(base), unseen, (usize::MAX, |_| free), (true, |_| true, |_, _| false));
             (model, named.parts[0].rmse(), left_out)
         };
         let told = |second: f64, free: bool| of_all([2.0; 3], [1.0; 3], [second; 3], free);

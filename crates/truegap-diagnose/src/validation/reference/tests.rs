@@ -58,6 +58,7 @@ fn predicted(parts: usize) -> HeldOutFit {
         squares: (k != 2).then_some(1.0),
         rows: ROWS / parts,
         score: None,
+        warned: None,
     };
     HeldOutFit { parts: (0..parts).map(part).collect(), ..HeldOutFit::default() }
 }

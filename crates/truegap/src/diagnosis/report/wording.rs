@@ -42,7 +42,7 @@ fn faint_tone(diagnosis: &Diagnosis) -> String {
 
 /// The verdict in one plain sentence.
 pub fn headline(diagnosis: &Diagnosis) -> String {
-    let names = || spoken_list(diagnosis.findings.iter().map(|f| &f.effect), "and");
+    let names = || all_of(diagnosis.findings.iter());
     let sure = diagnosis.findings.iter().all(|f| f.detectability.is_some_and(|d| d >= SURE));
     let no_finding = diagnosis.findings.is_empty();
     if diagnosis.notices.iter().any(|n| n.withholds) {
@@ -78,6 +78,9 @@ pub fn headline(diagnosis: &Diagnosis) -> String {
             "Something is in the reading that neither the model nor anything in the library makes.".into()
         }
         Verdict::Unexplained => "Something real is missing from the model that nothing in the library explains.".into(),
+        Verdict::Undecided if diagnosis.is_open() => {
+            "Something may be missing from the model; this recording is not enough to decide it.".into()
+        }
         Verdict::Undecided => "Recording and model differ; the cause is not decided.".into(),
     }
 }
@@ -91,10 +94,16 @@ pub(super) fn adds(diagnosis: &Diagnosis) -> bool {
     }
 }
 
+/// Findings in a sentence, doubtful ones with "perhaps".
+fn all_of<'a>(findings: impl Iterator<Item = &'a Finding>) -> String {
+    let name = |f: &Finding| if f.is_doubtful() { format!("perhaps {}", spoken(&f.effect)) } else { spoken(&f.effect) };
+    listed(&findings.map(name).collect::<Vec<_>>(), "and")
+}
+
 /// What is certain, then what it may be beside.
 fn ambiguous(diagnosis: &Diagnosis) -> String {
     let open = |f: &&Finding| diagnosis.ambiguity.iter().any(|set| set.contains(&f.effect));
-    let certain = spoken_list(diagnosis.findings.iter().filter(|f| !open(f)).map(|f| &f.effect), "and");
+    let certain = all_of(diagnosis.findings.iter().filter(|f| !open(f)));
     let sets: Vec<String> = diagnosis.ambiguity.iter().map(|set| one_of(set)).collect();
     let choice = if sets.is_empty() {
         spoken_list(diagnosis.findings.iter().map(|f| &f.effect), "or")
@@ -153,7 +162,7 @@ pub fn how_sure(finding: &Finding) -> String {
     let [stated, among_models] = [finding.probability, finding.probability_among_models].map(percent);
     let beside = match stated == among_models {
         true => String::new(),
-        false => format!(", as often as names that stood so high were right ({among_models} among the models)"),
+        false => format!(", as often as such names were right ({among_models} among the models)"),
     };
     let probability = format!("probability {stated}{beside}");
     let Some(d) = finding.detectability else { return probability };
@@ -230,14 +239,17 @@ mod tests {
     }
 
     #[test]
+    fn a_doubtful_name_is_told_with_perhaps() {
+        let doubtful = Finding { effect: "regime_change".into(), probability: 0.52, ..finding(None) };
+        assert_eq!(all_of([finding(None), doubtful].iter()), "thermal lag and perhaps regime change");
+    }
+
+    #[test]
     fn how_sure_a_finding_is_follows_its_detectability() {
         assert!(how_sure(&finding(Some(31.0))).contains("far out of the noise"));
         assert!(how_sure(&finding(Some(7.0))).contains("not beyond doubt"));
         assert!(how_sure(&finding(Some(3.0))).contains("barely"));
-        assert_eq!(
-            how_sure(&finding(None)),
-            "probability 91 %, as often as names that stood so high were right (97 % among the models)"
-        );
+        assert_eq!(how_sure(&finding(None)), "probability 91 %, as often as such names were right (97 % among the models)");
         assert!(how_sure(&finding(Some(1_159_754.8))).contains("d = over 1000"));
     }
 }

@@ -258,7 +258,7 @@ impl Diagnosis {
 }
 
 impl Finding {
-    /// Whether the name is hardly more often right than wrong, so that a sentence says "perhaps".
+    /// Whether the name is more often wrong than right, so that a sentence says "perhaps".
     pub fn is_doubtful(&self) -> bool {
         self.probability < DOUBTFUL
     }

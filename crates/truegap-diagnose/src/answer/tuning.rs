@@ -51,8 +51,8 @@ pub(crate) const LATER: f64 = -0.628;
 /// Log odds beyond which a name does not count as surer: 0.99 and 0.01. Beyond them names are right no more often.
 pub(crate) const LARGEST_LOG_ODDS: f64 = 4.6;
 
-/// Stated probability below which a name is told with "perhaps". Beside a base model without plates few names after the first reach it (`validation/stated`).
-pub(crate) const DOUBTFUL: f64 = 0.6;
+/// Stated probability below which a name is told with "perhaps": it is more often wrong than right.
+pub(crate) const DOUBTFUL: f64 = 0.5;
 
 /// Stated probability from which a name after the first is claimed beside a base model without plates: of names below, three of four are wrong.
 pub(crate) const CLAIMED_FROM: f64 = 0.25;

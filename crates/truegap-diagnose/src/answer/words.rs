@@ -79,15 +79,23 @@ fn verdict_says(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) ->
         ),
         Verdict::Unexplained => unexplained(found, decision),
         Verdict::Undecided if found.interrupted => "stopped before the search was finished: causes are not decided".into(),
-        Verdict::Undecided if found.selection.probability_none() >= DETECTED => format!(
-            "something may be missing (probability {}): this recording is not enough to decide it",
-            percent(1.0 - found.selection.probability_agrees())
-        ),
+        Verdict::Undecided if found.selection.probability_none() >= DETECTED => open(found),
         Verdict::Undecided => "there is a mismatch, but its cause cannot be decided from this recording".into(),
     }
 }
 
-/// A name, with "perhaps" where what is stated of it is hardly above one half.
+/// What is said where it is open whether anything is missing: how likely that is, and what it would be first of all.
+fn open(found: &Found<'_>) -> String {
+    let likeliest = found.selection.likeliest_named().map(|model| &found.selection.models[model].effects);
+    let names = likeliest.map(|effects| effects.iter().map(|e| found.id(*e)).collect::<Vec<_>>().join(" with "));
+    format!(
+        "something may be missing (probability {}): this recording is not enough to decide it{}",
+        percent(1.0 - found.selection.probability_agrees()),
+        names.map_or_else(String::new, |names| format!("; likeliest would be {names}"))
+    )
+}
+
+/// A name, with "perhaps" where what is stated of it is below one half.
 fn name_as_sure(finding: &Finding) -> String {
     if finding.is_doubtful() { format!("perhaps {}", finding.effect) } else { finding.effect.clone() }
 }

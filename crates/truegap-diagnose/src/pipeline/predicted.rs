@@ -20,7 +20,7 @@ use crate::{
     validation::{
         among_rivals::{Named, best_foreteller, exchanged},
         cross_validation::{HeldOutFit, compared},
-        step_back::{LeftOut, step_back},
+        step_back::{Known, LeftOut, step_back},
         tuning::{CLEARLY_WORSE, MOST_RIVALS, NEXT_TO_NOTHING},
         veto::{Against, Unseen},
     },
@@ -91,11 +91,14 @@ impl RowsLeftOut<'_, '_> {
         };
         let library = (self.prepared.testable.len(), |e: usize| self.search.library[e].free_form());
         let stands_out = |model: usize, beside: &Unseen| self.stands_out(model, beside);
-        let enough = (self.prepared.noise_is_known(), |smaller: usize| self.could_be_named(smaller), stands_out);
+        let (enough, holds) = (|smaller: usize| self.could_be_named(smaller), |model: usize| self.holds(model));
+        let measured = self.prepared.noise_is_known();
+        let known = Known { measured, enough: &enough, holds: &holds, stands_out: &stands_out };
         let fuller = start.0;
-        let (model, named, left_out) = step_back(self.selection, start, &self.by_base.unseen, of, library, enough);
+        let (model, named, left_out) = step_back(self.selection, start, &self.by_base.unseen, of, library, known);
         let unseen =
-            Unseen::of((self.by_base.unseen.clone(), &self.selection.base().fit), (named, &self.selection.models[model].fit));
+            Unseen::of((self.by_base.unseen.clone(), &self.selection.base().fit), (named, &self.selection.models[model].fit))
+                .where_it_holds(self.holds(model));
         let stepped = !left_out.is_empty() && named_before;
         let decision = if stepped { stepped_back(self.selection, &decision, model, &self.left_by(model)) } else { decision };
         let rivals = if stepped && decision.model == model { self.as_near(model, unseen.stood_behind()) } else { Vec::new() };
@@ -215,6 +218,11 @@ impl RowsLeftOut<'_, '_> {
     /// Whether none of its effects was composed of words.
     fn is_of_the_library(&self, model: usize) -> bool {
         self.effects(model).iter().all(|e| *e < self.prepared.testable.len())
+    }
+
+    /// Whether tests see nothing in what a model leaves.
+    fn holds(&self, model: usize) -> bool {
+        !self.left_by(model).fires()
     }
 
     /// Whether a model leaves little enough to be named by itself.

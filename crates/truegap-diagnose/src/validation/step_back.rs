@@ -25,6 +25,19 @@ pub(crate) struct LeftOut {
     pub against: Against,
 }
 
+/// What else is known of models.
+#[derive(Clone, Copy)]
+pub(crate) struct Known<'k> {
+    /// whether the noise was measured
+    pub measured: bool,
+    /// whether a model leaves little enough to be named by itself
+    pub enough: &'k dyn Fn(usize) -> bool,
+    /// whether tests see nothing in what a model leaves
+    pub holds: &'k dyn Fn(usize) -> bool,
+    /// whether a model stands out of whatever noise lasts beside another one
+    pub stands_out: &'k dyn Fn(usize, &Unseen) -> bool,
+}
+
 /// The model to stand behind instead of `start`, its predictions of rows left out, and what was left out on the way. `enough` says whether a model leaves
 /// little enough to be named by itself: else what is hardly felt where the noise was not `measured`, or loses a little in its squares, explains the rest all the same. Nor is what is hardly felt left out of a
 /// model that `stands_out` of whatever noise lasts beside the one without it. Behind the first `library` effects stand composed mechanisms.
@@ -34,7 +47,7 @@ pub(crate) fn step_back(
     base: &HeldOutFit,
     unseen: impl Fn(&Tried) -> HeldOutFit,
     (library, free_form): (usize, impl Fn(usize) -> bool),
-    (measured, enough, stands_out): (bool, impl Fn(usize) -> bool, impl Fn(usize, &Unseen) -> bool),
+    Known { measured, enough, holds, stands_out }: Known<'_>,
 ) -> (usize, HeldOutFit, Vec<LeftOut>) {
     let ((mut model, mut named), mut left_out) = (start, Vec::new());
     // small gains are counted together: each is little beside the rest, and all of them may not be
@@ -42,7 +55,7 @@ pub(crate) fn step_back(
     loop {
         let effects = &selection.models[model].effects;
         let with = || (named.clone(), &selection.models[model].fit);
-        let all = Unseen::of((base.clone(), &selection.base().fit), with());
+        let all = Unseen::of((base.clone(), &selection.base().fit), with()).where_it_holds(holds(model));
         let doubtful = all.worse(measured).is_some() || all.larger();
         let smaller = |gone: Vec<usize>| {
             let others: Vec<usize> = effects.iter().copied().filter(|e| !gone.contains(e)).collect();
@@ -54,11 +67,12 @@ pub(crate) fn step_back(
         let groups = effects.iter().map(|e| vec![*e]).chain([composed]);
         let judged = groups.filter_map(smaller).filter_map(|(effects, place)| {
             let without = &selection.models[place];
-            let both = Unseen::of((unseen(without), &without.fit), with());
+            let both = Unseen::of((unseen(without), &without.fit), with()).where_it_holds(holds(model));
             let better =
                 || compared(&both.base, both.named.as_ref()?).map(|both| both.rmse).filter(|[without, with]| without < with);
             let stands = || {
-                let beside = Unseen::of((base.clone(), &selection.base().fit), (both.base.clone(), &without.fit));
+                let beside = Unseen::of((base.clone(), &selection.base().fit), (both.base.clone(), &without.fit))
+                    .where_it_holds(holds(place));
                 beside.worse(measured).is_none() && !measured && enough(place)
             };
             let little = || little(&both.base, &nearest).filter(|_| stands() && !stands_out(model, &both));
@@ -113,7 +127,7 @@ mod tests {
             &errs(4.0),
             error,
             (2 + 1, |_| false),
-            (measured, |_| enough, |_, _| stands_out),
+            Known { measured, enough: &|_| enough, holds: &|_| true, stands_out: &|_, _| stands_out },
         );
         left.into_iter().flat_map(|left| left.effects).collect()
     }
@@ -149,8 +163,14 @@ mod tests {
     fn mechanisms_go_together() {
         let all = Selection::of(&[(&[], 0.0), (&[0, 3, 4], 0.0), (&[0], 0.0)]);
         let error = |tried: &Tried| errs(if tried.effects == [0] { 1.03 } else { 1.0 });
-        let (model, _, left) =
-            step_back(&all, (1, errs(1.0)), &errs(4.0), error, (3, |_| false), (false, |_| true, |_, _| false));
+        let (model, _, left) = step_back(
+            &all,
+            (1, errs(1.0)),
+            &errs(4.0),
+            error,
+            (3, |_| false),
+            Known { measured: false, enough: &|_| true, holds: &|_| true, stands_out: &|_, _| false },
+        );
         assert_eq!((model, left[0].effects.as_slice()), (2, &[3, 4][..]));
     }
 
@@ -171,7 +191,15 @@ mod tests {
         let alone = |_: &Tried| scored(1.0, 100.0);
         let left = |enough: bool| {
             let start = (1, scored(1.0, 102.5));
-            step_back(&all, start, &scored(4.0, 900.0), alone, (2, |_| false), (true, |_| enough, |_, _| false)).2
+            step_back(
+                &all,
+                start,
+                &scored(4.0, 900.0),
+                alone,
+                (2, |_| false),
+                Known { measured: true, enough: &|_| enough, holds: &|_| true, stands_out: &|_, _| false },
+            )
+            .2
         };
         assert!(left(false).is_empty());
         assert_eq!(left(true)[0].effects, [1]);

@@ -22,6 +22,8 @@ pub(crate) struct Unseen {
     pub named: Option<HeldOutFit>,
     /// squares by which the numbers of the model stood behind are more believable than those of the base model
     pub believed: f64,
+    /// whether tests see nothing in what the model stood behind leaves: then its equations hold, and what its numbers leave open is as the noise says
+    pub holds: bool,
 }
 
 /// How rows left out speak against a model.
@@ -58,13 +60,19 @@ impl Against {
 impl Unseen {
     /// The base model alone.
     pub fn nothing(base: HeldOutFit) -> Self {
-        Self { base, named: None, believed: 0.0 }
+        Self { base, named: None, believed: 0.0, holds: false }
     }
 
-    /// Predictions `without` an effect and `with` it, and by how much more believable the numbers of its fit are.
+    /// Predictions `without` an effect and `with` it, and by how much more believable the numbers of its fit are; what its numbers leave open does not count.
     pub fn of(without: (HeldOutFit, &Fit), with: (HeldOutFit, &Fit)) -> Self {
         let believed = (without.1.disbelief() - with.1.disbelief()).max(0.0);
-        Self { base: without.0, named: Some(with.0), believed }
+        Self { base: without.0, named: Some(with.0), believed, holds: false }
+    }
+
+    /// The same where what numbers leave open counts if the model with the effect `holds`.
+    #[must_use]
+    pub fn where_it_holds(self, holds: bool) -> Self {
+        Self { holds, ..self }
     }
 
     /// Predictions of the model without what is named.
@@ -116,7 +124,7 @@ impl Unseen {
 
     /// Whether the model foretells rows left out better where what its numbers leave open without them is counted: an error that it warned of is no mistake.
     fn foreseen(&self) -> bool {
-        self.each_gained(|part| part.warned).is_some_and(|gains| gains.iter().sum::<f64>() > PROOF)
+        self.each_gained(|part| part.warned).is_some_and(|gains| self.holds && gains.iter().sum::<f64>() > PROOF)
     }
 
     /// Whether the error over all rows left out is clearly larger than that of the base model, in however few parts.
@@ -146,9 +154,10 @@ impl Unseen {
         compared(&self.base, self.named.as_ref()?)
     }
 
-    /// Squares of the noise that the model gains on rows left out, and whether most parts are foretold better; what the numbers of both models leave open is counted where both tell it.
+    /// Squares of the noise that the model gains on rows left out, and whether most parts are foretold better; what the numbers of both models leave open is counted where both tell it and the model holds.
     fn gained(&self) -> Option<(f64, bool)> {
-        let gains = self.each_gained(|part| part.warned).or_else(|| self.each_gained(|part| part.score))?;
+        let warned = if self.holds { self.each_gained(|part| part.warned) } else { None };
+        let gains = warned.or_else(|| self.each_gained(|part| part.score))?;
         let foretold = gains.iter().filter(|gain| **gain > FORETOLD).count();
         Some((gains.iter().sum(), 2 * foretold > gains.len()))
     }
@@ -185,12 +194,15 @@ mod tests {
 
     #[test]
     fn a_model_that_predicts_worse_is_told_from_one_that_predicts_better() {
-        let worse = Unseen { base: predicted(&[4.0, 4.0]), named: Some(predicted(&[2.0, 70.0])), believed: 0.0 };
+        let worse = Unseen { base: predicted(&[4.0, 4.0]), named: Some(predicted(&[2.0, 70.0])), believed: 0.0, holds: true };
         assert_eq!(worse.worse(true), Some(Against::Errors([1.0, 3.0])));
-        assert_eq!(Unseen { base: predicted(&[4.0]), named: Some(predicted(&[1.0])), believed: 0.0 }.worse(true), None);
+        assert_eq!(
+            Unseen { base: predicted(&[4.0]), named: Some(predicted(&[1.0])), believed: 0.0, holds: true }.worse(true),
+            None
+        );
         // an error that extrapolation makes in one part is no proof against it, one in most parts is
         let of = |named: &[f64]| {
-            Unseen { base: predicted(&[4.0, 4.0, 4.0]), named: Some(predicted(named)), believed: 0.0 }.worse(true)
+            Unseen { base: predicted(&[4.0, 4.0, 4.0]), named: Some(predicted(named)), believed: 0.0, holds: true }.worse(true)
         };
         assert_eq!(of(&[2.0, 3.0, 16.0]), None);
         assert!(of(&[7.0, 5.0, 3.0]).is_some());
@@ -201,14 +213,19 @@ mod tests {
 
     #[test]
     fn what_is_removed_on_rows_left_out_is_counted_above_the_noise_and_by_parts() {
-        let of = |named: &[f64]| Unseen { base: predicted(&[64.0, 64.0, 64.0]), named: Some(predicted(named)), believed: 0.0 };
+        let of = |named: &[f64]| Unseen {
+            base: predicted(&[64.0, 64.0, 64.0]),
+            named: Some(predicted(named)),
+            believed: 0.0,
+            holds: true,
+        };
         // errors of 4 and 2, and a noise of 1: 1 - (4 - 1) / (16 - 1)
         approx::assert_relative_eq!(of(&[16.0, 16.0, 16.0]).removed(1.0, 500).unwrap(), 0.8, max_relative = 1e-12);
         assert!(of(&[16.0, 16.0, 16.0]).in_most_parts());
         // one part for all
         assert!(!of(&[0.1, 66.0, 66.0]).in_most_parts());
         // nothing above the noise to remove
-        let within = Unseen { base: predicted(&[4.0]), named: Some(predicted(&[3.0])), believed: 0.0 };
+        let within = Unseen { base: predicted(&[4.0]), named: Some(predicted(&[3.0])), believed: 0.0, holds: true };
         assert_eq!(within.removed(1.0, 500), None);
         assert!(!Unseen::nothing(predicted(&[4.0])).in_most_parts());
     }
@@ -228,7 +245,7 @@ mod tests {
                 };
                 HeldOutFit { parts: (0..4).map(part).collect(), ..HeldOutFit::default() }
             };
-            Unseen { base: fit(&|_| 0.0), named: Some(fit(&|k| gains[k])), believed }.worse(true)
+            Unseen { base: fit(&|_| 0.0), named: Some(fit(&|k| gains[k])), believed, holds: true }.worse(true)
         };
         let of = |gains| believed(gains, 0.0);
         // halves, so that sums are exact
@@ -246,7 +263,9 @@ mod tests {
     /// Errors of 10 and 11 in 100 rows with a noise of 5 are 84 squares apart: a base model whose numbers are further off by 90 squares has followed the rows with numbers that nobody believes.
     #[test]
     fn larger_errors_count_beyond_what_nobody_believes() {
-        let of = |believed: f64, errors| Unseen { base: predicted(&[4.0]), named: None, believed }.farther(errors, 100, 5.0);
+        let of = |believed: f64, errors| {
+            Unseen { base: predicted(&[4.0]), named: None, believed, holds: true }.farther(errors, 100, 5.0)
+        };
         assert!(of(0.0, [10.0, 11.0]) && of(80.0, [10.0, 11.0]));
         assert!(!of(90.0, [10.0, 11.0]));
         assert!(!of(0.0, [11.0, 10.0]) && !of(0.0, [10.0, 10.0]));
@@ -266,7 +285,7 @@ mod tests {
             let parts = vec![part(100.0), part(100.0 + lost)];
             HeldOutFit { parts, ..HeldOutFit::default() }
         };
-        let of = |error: f64| Unseen { base: fit(20.0, 0.0), named: Some(fit(error, 30.0)), believed: 0.0 };
+        let of = |error: f64| Unseen { base: fit(20.0, 0.0), named: Some(fit(error, 30.0)), believed: 0.0, holds: true };
         assert_eq!(of(18.0).worse(true), Some(Against::Score(30.0)));
         assert_eq!(of(18.0).worse(false), None);
         assert_eq!(of(19.5).worse(false), Some(Against::Score(30.0)));
@@ -287,11 +306,13 @@ mod tests {
                 };
                 HeldOutFit { parts: (0..2).map(part).collect(), ..HeldOutFit::default() }
             };
-            Unseen { base: fit(1.0, 500.0), named: Some(fit(2.5, 500.0 - gain)), believed: 0.0 }
+            Unseen { base: fit(1.0, 500.0), named: Some(fit(2.5, 500.0 - gain)), believed: 0.0, holds: true }
         };
         assert_eq!(of(100.0, false).worse(true), Some(Against::Errors([1.0, 2.5])));
         assert_eq!(of(100.0, true).worse(true), None);
         assert_eq!(of(4.0, true).worse(true), Some(Against::Errors([1.0, 2.5])));
+        // where tests see something in what the model leaves, its numbers are less sure than the noise says
+        assert_eq!(of(100.0, true).where_it_holds(false).worse(true), Some(Against::Errors([1.0, 2.5])));
         // where the noise was not measured, it has to stand out of one that lasts as well
         assert_eq!(of(100.0, true).against(false, || true), None);
         assert_eq!(of(100.0, true).against(false, || false), Some(Against::Errors([1.0, 2.5])));
@@ -301,7 +322,7 @@ mod tests {
     #[test]
     fn what_hides_in_numbers_that_nobody_believes_stands_out_of_a_slow_noise() {
         let same = || predicted(&[4.0, 4.0]);
-        let of = |believed: f64| Unseen { base: same(), named: Some(same()), believed };
+        let of = |believed: f64| Unseen { base: same(), named: Some(same()), believed, holds: true };
         assert!(of(40.0).stands_out_of(1.0) && of(40.0).stands_out_of(3.0));
         assert!(!of(40.0).stands_out_of(5.0) && !of(8.0).stands_out_of(0.2));
     }
@@ -309,8 +330,12 @@ mod tests {
     /// An error that is 4 % larger without an effect is nothing to a noise that was not measured; one that is 6 % larger is.
     #[test]
     fn a_small_gain_counts_where_the_noise_was_measured() {
-        let of =
-            |without: f64| Unseen { base: predicted(&[without, without]), named: Some(predicted(&[4.0, 4.0])), believed: 0.0 };
+        let of = |without: f64| Unseen {
+            base: predicted(&[without, without]),
+            named: Some(predicted(&[4.0, 4.0])),
+            believed: 0.0,
+            holds: true,
+        };
         let small = of(4.0 * 1.04f64.powi(2));
         assert!(matches!(small.against(false, || false), Some(Against::Little(_))));
         assert_eq!(small.against(true, || false), None);
@@ -334,7 +359,9 @@ mod tests {
             };
             HeldOutFit { parts: (0..4).map(part).collect(), ..HeldOutFit::default() }
         };
-        let of = |gains, level| Unseen { base: fit([0.0; 4]), named: Some(fit(gains)), believed: 0.0 }.stands_out_of(level);
+        let of = |gains, level| {
+            Unseen { base: fit([0.0; 4]), named: Some(fit(gains)), believed: 0.0, holds: true }.stands_out_of(level)
+        };
         assert!(of([20.0; 4], 1.0) && of([20.0; 4], 0.4));
         assert!(!of([20.0; 4], 3.0));
         assert!(!of([80.0, 1.0, 1.0, 1.0], 1.0));
@@ -346,7 +373,7 @@ mod tests {
     fn an_error_that_is_a_tenth_smaller_is_felt() {
         let of = |without: f64| {
             let base = predicted(&[400.0 * without.powi(2), 400.0 * without.powi(2)]);
-            Unseen { base, named: Some(predicted(&[400.0 * 100.0, 400.0 * 100.0])), believed: 0.0 }.is_felt()
+            Unseen { base, named: Some(predicted(&[400.0 * 100.0, 400.0 * 100.0])), believed: 0.0, holds: true }.is_felt()
         };
         assert!(of(11.01) && !of(10.5));
         assert!(!Unseen::nothing(predicted(&[4.0])).is_felt());

@@ -6,7 +6,7 @@ use crate::{
     validation::{
         cross_validation::{AllRows, HeldOutFit, PartError, compared, held_out, misfit_removed},
         selected_again::selected_again,
-        step_back::step_back,
+        step_back::{Known, step_back},
         veto::Against,
     },
 };
@@ -138,8 +138,14 @@ fn an_effect_without_which_the_rest_predicts_better_is_not_claimed() {
         let of_all = |base: [f64; 3], one: [f64; 3], both: [f64; 3], free: bool| {
             let unseen = |tried: &Tried| of_parts(if tried.effects.contains(&1) { both } else { one });
             let start = (index(&[0, 1]), unseen(&selection.models[index(&[0, 1])]));
-            let (model, named, left_out) =
-                step_back(&selection, start, &of_parts(base), unseen, (usize::MAX, |_| free), (true, |_| true, |_, _| false));
+            let (model, named, left_out) = step_back(
+                &selection,
+                start,
+                &of_parts(base),
+                unseen,
+                (usize::MAX, |_| free),
+                Known { measured: true, enough: &|_| true, holds: &|_| true, stands_out: &|_, _| false },
+            );
             (model, named.parts[0].rmse(), left_out)
         };
         let told = |second: f64, free: bool| of_all([2.0; 3], [1.0; 3], [second; 3], free);

@@ -240,7 +240,7 @@ mod tests {
 
     #[test]
     fn a_doubtful_name_is_told_with_perhaps() {
-        let doubtful = Finding { effect: "regime_change".into(), probability: 0.52, ..finding(None) };
+        let doubtful = Finding { effect: "regime_change".into(), probability: 0.42, ..finding(None) };
         assert_eq!(all_of([finding(None), doubtful].iter()), "thermal lag and perhaps regime change");
     }
 

@@ -3,7 +3,7 @@
     TRUEGAP_TURN="selection.SURE=0.95"    another value, or as many as it has, with commas
     TRUEGAP_READS=FILE                    each constant that is read adds a line with its id
 
-Limits: text is replaced, so a constant in an array's length or a pattern does not build; none of the list stands in one.
+Limits: text is replaced, so a constant in an array's length or a pattern does not build; none of the list stands in one. A constant that is made of a listed one keeps its value where that is turned.
 """
 
 import re
@@ -87,6 +87,7 @@ def turn(sources):
             anonymous.append(statement(entry, kind, entry["value"], entry["id"].replace(".", "_").upper()))
         else:
             named[(module(sources, path), entry["name"])] = entry
+    values = {name: entry["value"] for (_, name), entry in named.items()}
     for path, text in texts.items():
         own = module(sources, path)
         known = {name: name for (where, name) in named if where == own}
@@ -94,7 +95,7 @@ def turn(sources):
             if (full[:-1], full[-1]) in named:
                 known[alias] = full[-1]
         if known:
-            text = used(text, known)
+            text = of_values(used(text, known), {alias: values[name] for alias, name in known.items()})
         for (where, name), entry in named.items():
             if where == own:
                 declaration = rf"\bconst {name}: ([^=]+?) =\s*([^;]+);"
@@ -103,6 +104,12 @@ def turn(sources):
     (sources / "turned.rs").write_text(MODULE + "".join(f"pub(crate) {line}\n" for line in anonymous))
     library = sources / "lib.rs"
     library.write_text(library.read_text() + "\nmod turned;\n")
+
+
+def of_values(text, values):
+    """The text with the values of listed constants in what other constants are made of."""
+    made = re.compile(r"\bconst \w+: [^=;]+ =\s*[^;]*\(\*\w+\)[^;]*;")
+    return made.sub(lambda found: re.sub(r"\(\*(\w+)\)", lambda name: values.get(name[1], name[0]), found[0]), text)
 
 
 def statement(entry, kind, value, name):

@@ -148,7 +148,11 @@ impl RowsLeftOut<'_, '_> {
         }
         let stands_out = || self.stands_out(model, &unseen);
         let against = unseen.against(self.tells_small_from_chance(model), stands_out).filter(|_| self.foretells(model));
+        let (rows, floor) = (self.prepared.problem.response.len(), self.prepared.noise.floor());
+        let farther = self.errors(model).filter(|errors| unseen.farther(*errors, rows, floor));
         match against {
+            // what is farther even from the rows that it was fitted to is no mismatch of which the cause is open
+            Some(Against::Score(_)) if farther.is_some() => {}
             Some(little @ Against::Little(_)) => {
                 let says = self.says_too_little(model, little);
                 return self.nothing(self.too_little(fuller, model), None, [told, vec![says]].concat());
@@ -159,8 +163,7 @@ impl RowsLeftOut<'_, '_> {
             }
             None => {}
         }
-        let (rows, floor) = (self.prepared.problem.response.len(), self.prepared.noise.floor());
-        if let Some([without, with]) = self.errors(model).filter(|errors| unseen.farther(*errors, rows, floor)) {
+        if let Some([without, with]) = farther {
             let verdict = if self.left_by(self.selection.base).fires() { Verdict::Unexplained } else { Verdict::Agrees };
             let says = self.says_farther(model, [without, with]);
             return self.nothing(Decision::nothing(verdict, self.selection.base), None, [told, vec![says]].concat());

@@ -23,6 +23,7 @@ import table  # noqa: E402
 from problem import Problem, command  # noqa: E402
 
 LARGEST = 4.6
+HIGH = 0.85
 STEPS = 50
 HEADER = ["set", "names", "right"] + [f"{of} {by}" for of in ("stated", "log loss", "ECE") for by in ("before", "log odds alone", "with place", "now")]
 RECORD = ["effect", "log_odds", "names", "right"]
@@ -95,6 +96,9 @@ def main(arguments=None):
     line = fitted(terms(claims, everything, effects), np.array([claim["right"] for claim in claims]))
     print(", ".join(f"{name} {value:.3f}" for name, value in zip(TERMS, line)), f"from {len(claims)} names", file=sys.stderr)
     unseen = [judged_unseen(claims, known, effects) for known in (2, len(TERMS), everything)]
+    high = [(q, claim["right"]) for q, claim in zip(unseen[-1], claims) if q >= HIGH]
+    mean, right = (sum(values) / len(high) for values in zip(*high))
+    print(f"stated at {HIGH} and more on sets that it was not fitted to: {len(high)} names, {mean:.2f} on average, {right:.2f} right", file=sys.stderr)
     lines = []
     for one in [*dict.fromkeys(claim["set"] for claim in claims), "all"]:
         own = [(claim["p"], *q, claim["right"]) for claim, *q in zip(claims, *unseen) if one in (claim["set"], "all")]

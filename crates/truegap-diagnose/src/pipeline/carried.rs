@@ -74,12 +74,11 @@ pub(crate) fn with_carried(
 
 /// Whether the name of a part after the first would be wrong three times of four, and that of all that may stand in its place.
 fn is_doubted(search: &Search<'_>, selection: &Selection, decision: &Decision, part: &[usize]) -> bool {
-    let [effect] = part[..] else { return false };
-    let place = selection.models[decision.model].effects.iter().position(|e| *e == effect);
-    let rivals = place.and_then(|place| decision.sets.get(place)).filter(|set| !set.is_empty()).cloned();
+    let [_] = part else { return false };
     let stated =
         |effect: &usize| stated(search.library[*effect].id().0, selection.effect_probability[*effect], Place::Later, false);
-    rivals.unwrap_or_else(|| vec![effect]).iter().all(|effect| stated(effect) < CLAIMED_FROM)
+    let rivals = decision.sets_of(&selection.models[decision.model].effects, part);
+    part.iter().chain(rivals.iter().flatten()).all(|effect| stated(effect) < CLAIMED_FROM)
 }
 
 /// Effects one by one, and all mechanisms from behind the `library` together.

@@ -25,6 +25,7 @@ use crate::{
         veto::{Against, Unseen},
     },
 };
+use std::cell::LazyCell;
 
 /// The decision with predictions of rows left out counted.
 pub(crate) struct Predicted {
@@ -149,7 +150,7 @@ impl RowsLeftOut<'_, '_> {
         let stands_out = || self.stands_out(model, &unseen);
         let against = unseen.against(self.tells_small_from_chance(model), stands_out).filter(|_| self.foretells(model));
         let (rows, floor) = (self.prepared.problem.response.len(), self.prepared.noise.floor());
-        let farther = self.errors(model).filter(|errors| unseen.farther(*errors, rows, floor));
+        let farther = LazyCell::new(|| self.errors(model).filter(|errors| unseen.farther(*errors, rows, floor)));
         match against {
             // what is farther even from the rows that it was fitted to is no mismatch of which the cause is open
             Some(Against::Score(_)) if farther.is_some() => {}
@@ -163,7 +164,7 @@ impl RowsLeftOut<'_, '_> {
             }
             None => {}
         }
-        if let Some([without, with]) = farther {
+        if let Some([without, with]) = *farther {
             let verdict = if self.left_by(self.selection.base).fires() { Verdict::Unexplained } else { Verdict::Agrees };
             let says = self.says_farther(model, [without, with]);
             return self.nothing(Decision::nothing(verdict, self.selection.base), None, [told, vec![says]].concat());

@@ -124,7 +124,7 @@ impl Unseen {
 
     /// Whether the model foretells rows left out better where what its numbers leave open without them is counted: an error that it warned of is no mistake.
     fn foreseen(&self) -> bool {
-        self.each_gained(|part| part.warned).is_some_and(|gains| self.holds && gains.iter().sum::<f64>() > PROOF)
+        self.gained_beside_open_numbers().is_some_and(|gains| gains.iter().sum::<f64>() > PROOF)
     }
 
     /// Whether the error over all rows left out is clearly larger than that of the base model, in however few parts.
@@ -156,10 +156,14 @@ impl Unseen {
 
     /// Squares of the noise that the model gains on rows left out, and whether most parts are foretold better; what the numbers of both models leave open is counted where both tell it and the model holds.
     fn gained(&self) -> Option<(f64, bool)> {
-        let warned = if self.holds { self.each_gained(|part| part.warned) } else { None };
-        let gains = warned.or_else(|| self.each_gained(|part| part.score))?;
+        let gains = self.gained_beside_open_numbers().or_else(|| self.each_gained(|part| part.score))?;
         let foretold = gains.iter().filter(|gain| **gain > FORETOLD).count();
         Some((gains.iter().sum(), 2 * foretold > gains.len()))
+    }
+
+    /// What the model gains in each part where what numbers leave open is counted; `None` where it is not told, or the model does not hold.
+    fn gained_beside_open_numbers(&self) -> Option<Vec<f64>> {
+        if self.holds { self.each_gained(|part| part.warned) } else { None }
     }
 
     /// What the model gains in each part that both models score; `None` where there is no such part.

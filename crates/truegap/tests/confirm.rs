@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{OnceLock, atomic::AtomicBool};
 use truegap::core::{Inputs, Recording};
-use truegap::diagnose::answer::{AddedEffect, NamedValue};
+use truegap::diagnose::answer::{AddedEffect, NamedValue, RivalModel};
 use truegap::diagnose::confirmation::Judgement;
 use truegap::diagnose::{Context, library};
 use truegap::diagnosis::confirm::{ConfirmError, Confirmation, Free, SCHEMA, confirm};
@@ -149,6 +149,47 @@ fn a_clock_of_the_other_recording_is_fitted_where_it_is_free() {
     let folder = tempfile::tempdir().unwrap();
     let refused = confirm(&written(folder.path(), found()), timeless, None, Free { clock: true, ..BOTH }).err().unwrap();
     assert!(refused.to_string().contains("no time"), "{refused}");
+}
+
+/// The first recording could not tell a drift from the lag that acts, and named the drift. The second tells them apart: the lag leaves no more than noise, and the drift is excluded. A rival that is a
+/// clock of the first recording, and one that the library does not have, are not judged; and a file without rivals says nothing of them.
+#[test]
+fn another_recording_tells_rivals_apart() {
+    let number = |name: &str, unit: &str, value: f64| NamedValue { name: name.into(), unit: unit.into(), value, sd: 1e-3 };
+    let effect = |id: &str, numbers: &[NamedValue]| AddedEffect { id: id.into(), parameters: numbers.to_vec(), mechanism: None };
+    let drift = effect("offset_drift", &[number("rate", &format!("{}/h", found().unit), 0.01), number("fading", "1/h", 0.0)]);
+    let clock = effect("time_offset", &[number("late", "s", 25.0)]);
+    let rival = |added: AddedEffect| RivalModel {
+        instead_of: drift.id.clone(),
+        id: added.id.clone(),
+        parameters: found().parameters.clone(),
+        effects: vec![added],
+    };
+    let rivals = vec![rival(found().effects[0].clone()), rival(clock), rival(effect("phlogiston", &[]))];
+    let file = ModelFile { effects: vec![drift.clone()], rivals, ..found().clone() };
+    let folder = tempfile::tempdir().unwrap();
+    let answer = confirm(&written(folder.path(), &file), other(true, 1.0, 0.0), None, FIXED).unwrap().document;
+    let lag = judged(other(true, 1.0, 0.0), FIXED);
+    assert!(lag.rivals.is_none());
+    let among = answer.rivals.unwrap();
+    assert_eq!((among.judged.len(), among.refused.len(), among.level), (1, 2, 0.05));
+    assert_eq!((among.judged[0].id.as_str(), among.judged[0].errors.rmse), ("thermal_lag", lag.augmented.rmse));
+    assert!(among.judged[0].behind_the_best.is_none());
+    assert_eq!(among.augmented_behind_the_best.unwrap().judgement, Judgement::Confirmed);
+    let told = "could not tell apart, the smallest error here is that of thermal lag in the place of offset drift (";
+    assert!(among.says.contains(told) && among.says.contains("excluded: offset drift as named"), "{}", among.says);
+    assert!(
+        among.refused[0].contains("belongs to what recorded") && among.refused[1].contains("phlogiston"),
+        "{:?}",
+        among.refused
+    );
+    // the right one was named: it stays, and the other way round the drift is what is excluded
+    let rivals = vec![rival(drift.clone())];
+    let right = ModelFile { effects: found().effects.clone(), rivals, ..found().clone() };
+    let among = confirm(&written(folder.path(), &right), other(true, 1.0, 0.0), None, FIXED).unwrap().document.rivals.unwrap();
+    assert!(among.augmented_behind_the_best.is_none());
+    assert_eq!(among.judged[0].behind_the_best.as_ref().unwrap().judgement, Judgement::Confirmed);
+    assert!(among.says.contains("the smallest error here is that of thermal lag as named ("), "{}", among.says);
 }
 
 #[test]

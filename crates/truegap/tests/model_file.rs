@@ -76,6 +76,7 @@ fn file() -> ModelFile {
         parameters: base.parameters().iter().zip(values()).map(|(p, v)| named(&p.name, &p.unit, v)).collect(),
         base_alone: Vec::new(),
         effects: EFFECTS.iter().map(added).collect(),
+        rivals: Vec::new(),
     }
 }
 

@@ -244,6 +244,7 @@ fn confirmation() -> Confirmation {
         test: Compared { blocks: 20, better_in: 19, difference: 0.1, p_value: 1e-6, judgement: Judgement::Confirmed },
         verdict_if_gain_and_offset_are_free: Judgement::Confirmed,
         says: facts("better in 19 of 20 blocks"),
+        rivals: None,
         notes: Vec::new(),
     }
 }

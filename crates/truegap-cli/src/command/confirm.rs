@@ -9,6 +9,7 @@ use crate::table::{digits, table};
 use std::path::PathBuf;
 use truegap::OutputFolder;
 use truegap::diagnose::confirmation::Judgement;
+use truegap::diagnose::text::spoken;
 use truegap::diagnosis::confirm::{Confirmation, FILES, Free, confirm, words};
 use truegap::diagnosis::recorded;
 
@@ -65,16 +66,22 @@ fn print(console: &Console, document: &Confirmation) -> anyhow::Result<()> {
     let clocks = ["load late at first row\ns".to_owned(), "falls behind\nms/s".to_owned()];
     let header: Vec<String> = columns.into_iter().chain(clocks.into_iter().filter(|_| clock)).collect();
     let cell = |word: &str, value: f64| if is_free(word) { digits(value, 4) } else { "-".to_owned() };
-    let models = [("base model alone", &document.base), ("augmented model", &document.augmented)];
-    let rows = models.map(|(name, model)| {
+    let models = [("base model alone".to_owned(), &document.base), ("augmented model".to_owned(), &document.augmented)];
+    let rivals = document.rivals.iter().flat_map(|rivals| &rivals.judged);
+    let rivals = rivals.map(|rival| (format!("{} for {}", spoken(&rival.id), spoken(&rival.instead_of)), &rival.errors));
+    let rows = models.into_iter().chain(rivals).map(|(name, model)| {
         let (gain, offset) = (cell("gain", model.reading.gain), cell("offset", model.reading.offset));
         let clock = model.clock.map(|clock| [digits(clock.late_s, 3), digits(1e3 * clock.rate, 3)]);
-        [name.to_owned(), digits(model.rmse, 4), gain, offset].into_iter().chain(clock.into_iter().flatten()).collect()
+        [name, digits(model.rmse, 4), gain, offset].into_iter().chain(clock.into_iter().flatten()).collect()
     });
     let nothing = std::iter::repeat_n("-".to_owned(), header.len() - 2);
     let noise: Vec<String> = ["noise".to_owned(), digits(document.noise.rmse, 4)].into_iter().chain(nothing).collect();
     console.print(format!("Verdict: {}. {}\n", words(document.verdict), document.says))?;
-    console.print(table(&header, rows.into_iter().chain([noise])))?;
+    console.print(table(&header, rows.chain([noise])))?;
+    if let Some(rivals) = &document.rivals {
+        console.print(&rivals.says)?;
+        rivals.refused.iter().for_each(|refused| console.note(format!("not judged here: {refused}")));
+    }
     console.print(format!("Noise: {}.", document.noise.says))?;
     document.notes.iter().for_each(|note| console.note(note));
     Ok(())

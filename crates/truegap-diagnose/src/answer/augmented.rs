@@ -21,6 +21,23 @@ pub struct Augmented {
     pub effects: Vec<AddedEffect>,
     /// facts that the effects scale by
     pub scales: Scales,
+    /// the same model with a rival in the place of an effect, for each that the recording cannot tell from it
+    #[serde(default)]
+    pub rivals: Vec<RivalModel>,
+}
+
+/// The augmented model with another effect in the place of one that is named: what the recording cannot tell from it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RivalModel {
+    /// id of the named effect
+    pub instead_of: String,
+    /// id of the rival
+    pub id: String,
+    /// base parameters beside it
+    pub parameters: Vec<NamedValue>,
+    /// added effects, the rival among them
+    pub effects: Vec<AddedEffect>,
 }
 
 /// A number with its name, unit and standard deviation.

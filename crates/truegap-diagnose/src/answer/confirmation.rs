@@ -49,6 +49,37 @@ pub struct Errors {
     pub clock: Option<OtherClock>,
 }
 
+/// A rival on the other recording: what the first recording could not tell from a named effect.
+#[derive(Clone, Debug, Serialize)]
+pub struct RivalErrors {
+    /// id of the named effect
+    pub instead_of: String,
+    /// id of the rival
+    pub id: String,
+    /// errors of the model that holds it
+    #[serde(flatten)]
+    pub errors: Errors,
+    /// the best of all models against this one: `confirmed` where the best predicts better; absent of the best itself
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub behind_the_best: Option<Compared>,
+}
+
+/// What the other recording says of the rivals.
+#[derive(Clone, Debug, Serialize)]
+pub struct AmongRivals {
+    /// rivals that could be judged
+    pub judged: Vec<RivalErrors>,
+    /// rivals that could not be, each with the reason
+    pub refused: Vec<String>,
+    /// the best of all models against the augmented one; absent where that is the best
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub augmented_behind_the_best: Option<Compared>,
+    /// level of each comparison: that of the verdict, shared by all of them
+    pub level: f64,
+    /// the answer in a sentence
+    pub says: String,
+}
+
 /// The answer, as `confirmation.json` holds it.
 #[derive(Clone, Debug, Serialize)]
 pub struct Confirmation {
@@ -80,6 +111,9 @@ pub struct Confirmation {
     pub verdict_if_gain_and_offset_are_free: Judgement,
     /// the answer in a sentence
     pub says: String,
+    /// what this recording says of what the first one could not tell apart; absent where the model file has no rivals
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rivals: Option<AmongRivals>,
     /// what a reader should know beside it
     pub notes: Vec<String>,
 }

@@ -70,10 +70,22 @@ pub struct Found<'a> {
     pub(crate) permuted_searches: Option<PermutedSearches>,
     /// the model stood behind calibrated by least squares, where it predicts rows left out better so
     pub(crate) by_squares: Option<Tried>,
+    /// models with a rival in the place of an effect that is named, calibrated as that one is
+    pub(crate) rivals: Vec<Rival>,
     /// standard deviations of the coordinates of the models that numbers are told of, with what is not named counted in
     pub(crate) widened: Vec<(&'a Tried, Vec<f64>)>,
     /// whether the search was stopped before its end
     pub interrupted: bool,
+}
+
+/// A model with a rival in the place of a named effect.
+pub(crate) struct Rival {
+    /// the named effect
+    pub instead_of: usize,
+    /// the effect in its place
+    pub effect: usize,
+    /// the model that holds it
+    pub tried: Tried,
 }
 
 /// Why no physics is named whatever the models say.

@@ -47,14 +47,14 @@ pub use crate::{
     validation::reference::Reference,
 };
 pub(crate) use assemble::outcome;
-pub use augmented::{AddedEffect, Augmented, NamedValue, Scales, UnknownEffect};
-pub use confirmation::{Confirmation, Confirmed, Errors, ModelFacts, OtherFacts};
+pub use augmented::{AddedEffect, Augmented, NamedValue, RivalModel, Scales, UnknownEffect};
+pub use confirmation::{AmongRivals, Confirmation, Confirmed, Errors, ModelFacts, OtherFacts, RivalErrors};
 pub use diagnosis::*;
 pub use discovered_facts::DiscoveredFacts;
 pub use fit_facts::{
     BeforeAfter, BeforeAfterUnit, FitFacts, FlexibleTerm, HeldOut, PredictionOnly, RecordingError, SelectedAgain, SelectedWithout,
 };
-pub(crate) use found::{Found, Reserved};
+pub(crate) use found::{Found, Reserved, Rival};
 pub use known::Known;
 pub use outcome::Outcome;
 pub use parameter_facts::ParameterFacts;

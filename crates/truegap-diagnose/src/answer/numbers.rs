@@ -4,9 +4,9 @@
 
 use crate::{
     answer::{
-        augmented::{AddedEffect, Augmented, NamedValue, Scales},
+        augmented::{AddedEffect, Augmented, NamedValue, RivalModel, Scales},
         diagnosis::{NoiseFacts, RecordingNoiseFacts},
-        found::Found,
+        found::{Found, Rival},
         parameter_facts::ParameterFacts,
     },
     effects::effect::FittedParameter,
@@ -55,32 +55,45 @@ pub(crate) fn parameters(found: &Found<'_>, tried: &Tried, range: Range<usize>) 
     fitted(found, tried, range).into_iter().map(facts).collect()
 }
 
-/// The model that the diagnosis ends with.
-pub(crate) fn augmented(found: &Found<'_>) -> Augmented {
-    let chosen = found.chosen();
-    let named = |f: FittedParameter| NamedValue { name: f.parameter.name, unit: f.parameter.unit, value: f.value, sd: f.sd };
-    let model = found.search.model(&chosen.effects);
-    let context = found.search.context;
-    let effect = |(index, effect): (usize, &usize)| {
-        let numbers = found.search.library[*effect].of_first(fitted(found, found.told(chosen), model.range_of(index)), context);
-        AddedEffect {
-            id: found.id(*effect),
-            parameters: numbers.into_iter().map(named).collect(),
-            mechanism: found.search.library[*effect].words(),
-        }
-    };
-    let count = model.base_count();
-    // of several recordings, the model of the first one's sensor
+/// A number for the model file.
+fn named(f: FittedParameter) -> NamedValue {
+    NamedValue { name: f.parameter.name, unit: f.parameter.unit, value: f.value, sd: f.sd }
+}
+
+/// The numbers of the base model in `tried`; of several recordings those of the first one's sensor.
+fn of_base(found: &Found<'_>, tried: &Tried) -> Vec<NamedValue> {
+    let count = found.search.model(&[]).base_count();
     let joined = found.search.problem.simulator.joined();
     let own: Vec<usize> = joined.map_or_else(|| (0..count).collect(), |joined| joined.places(0).to_vec());
-    let base_of = |tried: &Tried| {
-        let all = fitted(found, tried, 0..count);
-        own.iter().map(|i| named(all[*i].clone())).collect()
+    let all = fitted(found, tried, 0..count);
+    own.iter().map(|i| named(all[*i].clone())).collect()
+}
+
+/// The effects of `tried` with their numbers.
+fn added(found: &Found<'_>, tried: &Tried) -> Vec<AddedEffect> {
+    let model = found.search.model(&tried.effects);
+    let effect = |(index, effect): (usize, &usize)| {
+        let law = found.search.library[*effect];
+        let numbers = law.of_first(fitted(found, tried, model.range_of(index)), found.search.context);
+        AddedEffect { id: found.id(*effect), parameters: numbers.into_iter().map(named).collect(), mechanism: law.words() }
+    };
+    tried.effects.iter().enumerate().map(effect).collect()
+}
+
+/// The model that the diagnosis ends with.
+pub(crate) fn augmented(found: &Found<'_>) -> Augmented {
+    let told = found.told(found.chosen());
+    let context = found.search.context;
+    let rival = |Rival { instead_of, effect, tried }: &Rival| RivalModel {
+        instead_of: found.id(*instead_of),
+        id: found.id(*effect),
+        parameters: of_base(found, tried),
+        effects: added(found, tried),
     };
     Augmented {
-        parameters: base_of(found.told(chosen)),
-        base_alone: base_of(found.base_alone),
-        effects: chosen.effects.iter().enumerate().map(effect).collect(),
+        parameters: of_base(found, told),
+        base_alone: of_base(found, found.base_alone),
+        effects: added(found, told),
         scales: Scales {
             longest_run_s: context.longest_run_s,
             shortest_step_s: context.shortest_step_s.unwrap_or(0.0),
@@ -90,6 +103,7 @@ pub(crate) fn augmented(found: &Found<'_>) -> Augmented {
             runs: Some(context.runs),
             moved: Some(context.moved.clone()),
         },
+        rivals: found.rivals.iter().map(rival).collect(),
     }
 }
 

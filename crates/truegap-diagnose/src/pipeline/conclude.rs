@@ -3,7 +3,7 @@
 //! Limits: the last stage of the pipeline; nothing is changed after it.
 
 use crate::{
-    answer::{Found, Known, Outcome, outcome},
+    answer::{Found, Known, Outcome, Rival, outcome},
     data::error::DiagnoseError,
     discovery::{compose::Composition, discover::with_mechanisms},
     pipeline::{
@@ -25,6 +25,7 @@ use crate::{
     selection::{
         candidates::{Search, Tried},
         examine::Examined,
+        rival_sets::in_place_of,
         weak_effects::widened,
     },
     validation::{
@@ -91,7 +92,13 @@ pub(crate) fn conclude(
     let chosen = &selection.models[decision.model];
     // of models with plates the numbers are those of the fit that weighed them
     let squares = unseen.stood_behind().least_squares && !chosen.effects.is_empty() && !search.context.has_plates();
-    let (by_squares, sd_by_squares) = squares.then(|| by_squares(prepared, search, all, chosen)).flatten().unzip();
+    let nearest = |tried: &Tried| squares.then(|| by_squares(prepared, search, all, tried)).flatten();
+    let rival = |(instead_of, effect): (usize, usize)| {
+        let tried = in_place_of(selection, decision.model, instead_of, effect)?;
+        Some(Rival { instead_of, effect, tried: nearest(tried).map_or_else(|| tried.clone(), |(tried, _)| tried) })
+    };
+    let rivals: Vec<Rival> = decision.rivals().filter_map(rival).collect();
+    let (by_squares, sd_by_squares) = nearest(chosen).unzip();
     let moved = |tried: &Tried, i: usize| match &by_squares {
         Some(squares) if squares.effects == tried.effects => squares.fit.z[i] - tried.fit.z[i],
         _ => 0.0,
@@ -151,6 +158,7 @@ pub(crate) fn conclude(
         smoothed,
         mechanisms,
         by_squares,
+        rivals,
         in_other_words: in_other_words.is_some(),
         log_odds_of_mechanisms: composition.as_ref().map_or(f64::NEG_INFINITY, |c| c.log_odds),
         widened,

@@ -6,7 +6,7 @@ use crate::{
     data::{context::Context, problem::Problem},
     effects::{effect::Effect, sentence::at_once},
     fit::{
-        levenberg_marquardt::FitOptions,
+        levenberg_marquardt::{FitOptions, objective},
         maximum_a_posteriori::{approach, fit, fit_apart, fit_onwards, fit_where_promising},
         model::Model,
         optimum::{Fit, Linearised},
@@ -20,7 +20,10 @@ use crate::{
 };
 use nalgebra::DMatrix;
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::{
+    collections::BTreeMap,
+    sync::atomic::{AtomicBool, Ordering},
+};
 use truegap_core::SimulationError;
 
 /// A model that was fitted: the base with some effects of the library.
@@ -61,6 +64,9 @@ pub struct Progress {
     /// share done, 0 to 1
     pub done: f64,
 }
+
+/// Numbers of effects, each as some fits of smaller models have found them.
+pub(crate) type Found = BTreeMap<usize, Vec<Vec<f64>>>;
 
 /// Everything a search needs.
 pub struct Search<'a> {
@@ -112,12 +118,24 @@ impl<'a> Search<'a> {
 
     /// Adds each of `candidates` to `from`, in parallel; only the `most` that promise most are fitted.
     pub fn add_each(&self, from: &Tried, candidates: &[usize], most: usize, step: &'static str) -> Vec<Tried> {
+        self.add_each_as_found(from, candidates, most, step, &Found::default())
+    }
+
+    /// The same, which also starts where an effect's numbers were found by an earlier fit.
+    pub(crate) fn add_each_as_found(
+        &self,
+        from: &Tried,
+        candidates: &[usize],
+        most: usize,
+        step: &'static str,
+        found: &Found,
+    ) -> Vec<Tried> {
         let open = |c: &&usize| !from.effects.contains(c) && !self.stop.load(Ordering::Relaxed);
         let linearised = from.fit.linearised();
         let loosened = self.loosened(from).map(|l| (l.fit.linearised(), l));
         let mut launches = vec![Launch { from, linearised: &linearised, noise: LaunchNoise::Measured }];
         launches.extend(loosened.as_ref().map(|(linearised, from)| Launch { from, linearised, noise: LaunchNoise::Loose }));
-        let starts = |candidate: usize| launches.iter().map(|l| self.promising(*l, candidate)).collect::<Vec<_>>();
+        let starts = |candidate: usize| launches.iter().map(|l| self.promising(*l, candidate, found)).collect::<Vec<_>>();
         let mut promising: Vec<(usize, Vec<Vec<Start>>)> = candidates.par_iter().filter(open).map(|c| (*c, starts(*c))).collect();
         let gain =
             |starts: &[Vec<Start>]| starts.iter().filter_map(|s| s.first()).map(|s| s.gain).fold(f64::NEG_INFINITY, f64::max);
@@ -258,7 +276,7 @@ impl<'a> Search<'a> {
     }
 
     /// Starting points of one more effect, most promising first, judged by one straight step from `from`.
-    fn promising(&self, launch: Launch<'_>, candidate: usize) -> Vec<Start> {
+    fn promising(&self, launch: Launch<'_>, candidate: usize, found: &Found) -> Vec<Start> {
         let mut effects = launch.from.effects.clone();
         effects.push(candidate);
         let model = &self.model(&effects);
@@ -283,8 +301,36 @@ impl<'a> Search<'a> {
             let shape = shapes.first().map_or(&[][..], Vec::as_slice);
             starts.extend(far.filter(|z| (bounds.0..=bounds.1).contains(z)).filter_map(|z| self.far(launch, model, z, shape)));
         }
+        let found = found.get(&candidate).map_or(&[][..], Vec::as_slice);
+        starts.extend(found.iter().filter_map(|numbers| self.as_found(launch, model, numbers)));
         starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         starts
+    }
+
+    /// `from` with one more effect, from where an earlier fit found its numbers; `None` where that leaves more than `objective` before all is fitted.
+    pub(crate) fn otherwise(&self, from: &Tried, candidate: usize, numbers: &[f64], objective: f64) -> Option<Tried> {
+        let linearised = from.fit.linearised();
+        let launch = Launch { from, linearised: &linearised, noise: LaunchNoise::Measured };
+        let effects: Vec<usize> = from.effects.iter().copied().chain([candidate]).collect();
+        let model = self.model(&effects);
+        let start = self.as_found(launch, &model, numbers).filter(|start| from.fit.objective() - start.gain < objective)?;
+        let fit = self.refine(&model, &start, launch, &mut Been::default())?;
+        Some(Tried { effects, fit })
+    }
+
+    /// A start with the new effect's numbers as an earlier fit found them, the others moved to where they are best beside these; `None` where that gains nothing.
+    fn as_found(&self, launch: Launch<'_>, model: &Model<'_>, numbers: &[f64]) -> Option<Start> {
+        let from = &launch.from.fit;
+        let z: Vec<f64> = from.z.iter().chain(numbers).copied().collect();
+        let mut bounds = model.bounds();
+        for (bound, z) in bounds.iter_mut().zip(&z).skip(from.z.len()) {
+            *bound = (*z, *z);
+        }
+        let options = FitOptions { iterations: 2, tolerance: 1.0 };
+        let whitener = self.whitener_of(launch);
+        let z = approach(model, whitener, &z, &bounds, &from.jacobian, &options, &mut Ways::default()).ok()??;
+        let gain = from.objective() - objective(model, &model.residual(&z, whitener).ok()?, &z);
+        (gain > 0.0).then_some(Start { z, gain })
     }
 
     /// Size that a straight line through size 0 and one `trial` from there promises, and its gain in log likelihood.

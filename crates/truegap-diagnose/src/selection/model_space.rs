@@ -10,7 +10,7 @@ use crate::{
         ABREAST, BETTER_PART, CLEAR_GAIN, CLOSE, ENOUGH_DRAWS, ENOUGH_KNOWN, MAY_BE_NAMED, PARTNERS, REFITTED_MODELS, SAMPLED,
     },
     selection::{
-        candidates::{Progress, Search, Tried},
+        candidates::{Found, Progress, Search, Tried},
         effect_set::EffectSet,
         prior::weight,
         tempering::temper_of,
@@ -75,6 +75,28 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
         }
     }
 
+    /// Numbers of each effect as the fit of it alone and the likeliest pair that holds it have found them.
+    fn found(&self) -> Found {
+        let mut found = Found::new();
+        for size in [1, 2] {
+            let mut likeliest: BTreeMap<usize, &Tried> = BTreeMap::new();
+            for tried in self.models.values().filter(|tried| tried.effects.len() == size) {
+                for effect in &tried.effects {
+                    let best = likeliest.entry(*effect).or_insert(tried);
+                    if tried.fit.log_evidence > best.fit.log_evidence {
+                        *best = tried;
+                    }
+                }
+            }
+            for (effect, tried) in likeliest {
+                let model = self.search.model(&tried.effects);
+                let numbers = |index: usize| tried.fit.z[model.range_of(index)].to_vec();
+                found.entry(effect).or_default().extend(tried.effects.iter().position(|e| *e == effect).map(numbers));
+            }
+        }
+        found
+    }
+
     /// Each of `from` with each other effect, those that promise most fitted, side by side; nothing where that was done from the same fit.
     fn beside_all(&mut self, from: &[Tried], all: &[usize], step: &'static str) -> Vec<Tried> {
         let mut fresh: Vec<&Tried> = Vec::with_capacity(from.len());
@@ -84,7 +106,9 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
                 fresh.push(tried);
             }
         }
-        fresh.par_iter().flat_map_iter(|tried| self.search.add_each(tried, all, PARTNERS, step)).collect()
+        let found = self.found();
+        let add = |tried: &&Tried| self.search.add_each_as_found(tried, all, PARTNERS, step, &found);
+        fresh.par_iter().flat_map_iter(add).collect()
     }
 
     /// Each of the best singles with every other effect, then the best partner with every other (a swap), then all pairs of the best; no more than the first where the
@@ -103,13 +127,31 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
         let others: Vec<Tried> = best.iter().skip(1).take(ABREAST - 1).copied().chain(partner).cloned().collect();
         let found = self.beside_all(&others, all, "two effects");
         self.keep(found);
+        let alone = self.found();
         let of = |(index, one): (usize, &&Tried)| {
             let others = best[index + 1..].iter().map(|o| o.effects[0]);
             let open = |o: &usize| !self.models.contains_key(&EffectSet::from(&[one.effects[0], *o][..]));
-            self.search.add_each(one, &others.filter(open).collect::<Vec<_>>(), PARTNERS, "pairs of the best")
+            let others: Vec<usize> = others.filter(open).collect();
+            self.search.add_each_as_found(one, &others, PARTNERS, "pairs of the best", &alone)
         };
         let found: Vec<Vec<Tried>> = best.par_iter().enumerate().skip(1).map(of).collect();
         self.keep(found.into_iter().flatten());
+        self.the_other_way(best);
+    }
+
+    /// Pairs of the best singles once more, from the other one of the two: each has calibrated the base model its own way, and where both effects move the same numbers a fit that begins with the one
+    /// may end far above that which begins with the other.
+    fn the_other_way(&mut self, best: &[&Tried]) {
+        let ways: Vec<(&Tried, &Tried)> = best.iter().flat_map(|from| best.iter().map(|other| (*from, *other))).collect();
+        let base = self.search.model(&[]).base_count();
+        let again = |(from, other): &(&Tried, &Tried)| {
+            let (first, second) = (from.effects[0], other.effects[0]);
+            let pair = self.models.get(&EffectSet::from(&[first, second][..]))?;
+            let began_with_other = first != second && pair.effects.first() == Some(&second);
+            began_with_other.then(|| self.search.otherwise(from, second, &other.fit.z[base..], pair.fit.objective())).flatten()
+        };
+        let found: Vec<Tried> = ways.par_iter().filter_map(again).collect();
+        self.keep(found);
     }
 
     /// The best pairs with every other effect, where the best is worth it; where the triple is, too, each of its other pairs with every other effect (a swap).
@@ -247,4 +289,35 @@ pub struct EvidenceCheck {
     pub largest_change: f64,
     /// effective share of the draws: smallest and greatest over the models sampled
     pub effective_share: [f64; 2],
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit},
+        tests::search::{ACTING, FORESEEN, ROWS, as_foreseen, searched, second_as_found},
+    };
+
+    /// The pair that begins with the first wave is caught where the second is foreseen. The second alone has found its numbers, and the first beside it leaves nothing but noise.
+    #[test]
+    fn a_pair_that_is_caught_from_one_effect_is_found_from_the_other() {
+        searched(&ACTING, &FORESEEN, |search, lack_of_fit| {
+            let [one, both] = as_foreseen(search);
+            let model = search.model(&[1]);
+            let start: Vec<f64> = vec![0.0; model.base_count()].into_iter().chain(second_as_found(search)).collect();
+            let fit = fit(&model, search.whitener, &start, &FitOptions::default()).unwrap();
+            let other = Tried { effects: vec![1], fit };
+            let mut space = ModelSpace { search, lack_of_fit, models: BTreeMap::new(), extended: Vec::new() };
+            space.keep([one.clone(), other.clone(), both]);
+            let left = |space: &ModelSpace<'_, '_>| space.models[&EffectSet::from(&[0, 1][..])].fit.chi2 / ROWS as f64;
+            assert!(left(&space) > 4.0, "{}", left(&space));
+            space.the_other_way(&[&one, &other]);
+            assert!(left(&space) < 1.2, "{}", left(&space));
+            // numbers as the fit of each alone and the likeliest pair have them
+            let found = space.found();
+            assert_eq!([found[&0].len(), found[&1].len()], [2, 2]);
+            assert_eq!(found[&1][0], other.fit.z[model.base_count()..]);
+        });
+    }
 }

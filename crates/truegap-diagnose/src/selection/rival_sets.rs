@@ -3,6 +3,7 @@
 //! Limits: models that the search has fitted; in one place at most two effects.
 
 use crate::selection::{
+    candidates::Tried,
     posterior::Selection,
     tuning::{LIKELIER_THAN_NOT, RIVAL, SURE},
 };
@@ -37,6 +38,18 @@ pub(crate) fn rival_sets(selection: &Selection, best: usize, places: Places) -> 
         set
     };
     model.effects.iter().map(place).collect()
+}
+
+/// The likeliest model that holds `rival` and all that model `best` holds but `effect`, or else that holds `rival` without it; `None` where there is none.
+pub(crate) fn in_place_of(selection: &Selection, best: usize, effect: usize, rival: usize) -> Option<&Tried> {
+    let others = || selection.models[best].effects.iter().filter(|e| **e != effect);
+    let holds = |tried: &Tried| tried.effects.contains(&rival) && !tried.effects.contains(&effect);
+    let likeliest = |holds: &dyn Fn(&Tried) -> bool| {
+        let those = selection.models.iter().zip(&selection.probability).filter(|(tried, _)| holds(tried));
+        those.max_by(|a, b| a.1.total_cmp(b.1)).map(|(tried, _)| tried)
+    };
+    let all_others = |tried: &Tried| holds(tried) && others().all(|other| tried.effects.contains(other));
+    likeliest(&all_others).or_else(|| likeliest(&holds))
 }
 
 /// Probability of each effect of model `best`, or of one of those that could stand in its place.

@@ -78,6 +78,12 @@ impl Decision {
         }
     }
 
+    /// Each named effect with each of its rivals, where the recording leaves these open.
+    pub(crate) fn rivals(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let open = self.verdict == Verdict::Ambiguous;
+        self.sets.iter().filter(move |_| open).flat_map(|set| set.iter().skip(1).map(|rival| (set[0], *rival)))
+    }
+
     /// The same with `new` in the set of the effect `own`: which of the two it is, is not told.
     #[must_use]
     pub(crate) fn with_rival(mut self, (own, new): (usize, usize)) -> Self {

@@ -6,3 +6,4 @@ mod around;
 mod evidence;
 mod linear;
 mod noise;
+pub(crate) mod search;

@@ -134,11 +134,16 @@ pub fn noise_floor(problem: &Problem<'_>, left: &[f64]) -> Result<NoiseFloor, Di
 ///
 /// **Source:** Good, Permutation, Parametric and Bootstrap Tests of Hypotheses, 3rd ed., section 3.2 (one-sample test by signs).
 pub fn compared(base: &[f64], augmented: &[f64], response: &[f64], runs: &[Range<usize>]) -> Compared {
+    compared_at(LEVEL, [base, augmented], response, runs)
+}
+
+/// The same at another level, as where several comparisons share one.
+pub fn compared_at(level: f64, [base, augmented]: [&[f64]; 2], response: &[f64], runs: &[Range<usize>]) -> Compared {
     let gained = |row: usize| (response[row] - base[row]).powi(2) - (response[row] - augmented[row]).powi(2);
     let sums: Vec<f64> = blocks(runs).into_iter().map(|block| block.map(gained).sum()).collect();
     let difference = sums.iter().sum::<f64>() / response.len().max(1) as f64;
     let p_value = by_signs(&sums);
-    let judgement = match p_value < LEVEL {
+    let judgement = match p_value < level {
         true if difference > 0.0 => Judgement::Confirmed,
         true => Judgement::Refuted,
         false => Judgement::CannotTell,

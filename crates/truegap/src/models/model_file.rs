@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use truegap_core::sensor::{SensorError, builtin_sensors};
 use truegap_core::{Inputs, Sensor, SimulationError, Simulator, Stage};
-use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales, UnknownEffect};
+use truegap_diagnose::answer::{AddedEffect, NamedValue, RivalModel, Scales, UnknownEffect};
 use truegap_diagnose::other_clock::OtherClock;
 use truegap_diagnose::{Augmented, Context, Effect, Library, Outcome, mechanism::Driver};
 use truegap_model::{BaseError, BaseModel};
@@ -47,6 +47,9 @@ pub struct ModelFile {
     /// added physics
     #[serde(rename = "effect", default, skip_serializing_if = "Vec::is_empty")]
     pub effects: Vec<AddedEffect>,
+    /// the same model with a rival in the place of an effect, for each that the recording could not tell from it
+    #[serde(rename = "rival", default, skip_serializing_if = "Vec::is_empty")]
+    pub rivals: Vec<RivalModel>,
 }
 
 /// Why a model file cannot be written, read or run.
@@ -143,7 +146,15 @@ impl ModelFile {
             parameters: augmented.parameters.clone(),
             base_alone: augmented.base_alone.clone(),
             effects: augmented.effects.clone(),
+            rivals: augmented.rivals.clone(),
         })
+    }
+
+    /// The file with a rival in the place of the effect that is named.
+    #[must_use]
+    pub fn with_rival(&self, rival: &RivalModel) -> Self {
+        let (parameters, effects) = (rival.parameters.clone(), rival.effects.clone());
+        Self { parameters, effects, rivals: Vec::new(), ..self.clone() }
     }
 
     /// The file's text.

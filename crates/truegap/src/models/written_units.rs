@@ -69,6 +69,7 @@ impl ModelFile {
             base_alone: of_base(&self.base_alone, simulator)?,
             effects: self.effects.clone(),
             scales: self.scales.clone(),
+            rivals: Vec::new(),
         })
     }
 }

@@ -41,11 +41,12 @@ pub(super) fn says(test: &Compared, errors: [&Errors; 2], noise: &NoiseFloor, un
         100.0 * LEVEL
     );
     let errors = format!("error {before} {unit} without and {after} {unit} with it, noise {floor} {unit}");
+    let predict = if effects.len() > 1 { "predict" } else { "predicts" };
     match test.judgement {
-        Judgement::Confirmed => format!("{} predicts this recording better ({errors}; {test_says}).", capitalised(&added)),
-        Judgement::Refuted => format!("{} predicts this recording worse ({errors}; {test_says}).", capitalised(&added)),
+        Judgement::Confirmed => format!("{} {predict} this recording better ({errors}; {test_says}).", capitalised(&added)),
+        Judgement::Refuted => format!("{} {predict} this recording worse ({errors}; {test_says}).", capitalised(&added)),
         Judgement::CannotTell => {
-            format!("Whether {added} predicts this recording better cannot be told ({errors}; {test_says}).")
+            format!("Whether {added} {predict} this recording better cannot be told ({errors}; {test_says}).")
         }
     }
 }

@@ -4,16 +4,18 @@
 
 mod document;
 mod error;
+mod rivals;
 
 pub use document::{Confirmed, FILES, SCHEMA, words};
 pub use error::ConfirmError;
-pub use truegap_diagnose::answer::{Confirmation, Errors, ModelFacts, OtherFacts};
+pub use truegap_diagnose::answer::{AmongRivals, Confirmation, Errors, ModelFacts, OtherFacts, RivalErrors};
 
 use super::beside_model::{model_facts, opened, recording_facts};
 use super::request::named;
 use crate::diagnosis::Diagnosed;
 use crate::models::{ModelFile, ModelFileError, Programs, RunningModel, of_recording, refused};
 use document::says;
+use rivals::among_rivals;
 use std::path::Path;
 use truegap_core::{Recording, ends};
 use truegap_diagnose::answer;
@@ -149,9 +151,14 @@ fn judge(
     }
     let recorded = recording_facts(&recording, &name);
     let facts = model_facts(&model, written, file);
+    let rivals = among_rivals((written, &model.effects()), &judged, &recording, free, programs);
     let [base, augmented] = judged.columns.clone();
-    let document =
-        Confirmation { free: free.words(), notes, ..judged.document(facts, recorded, noise, written.unit.clone(), freed) };
+    let document = Confirmation {
+        free: free.words(),
+        rivals,
+        notes,
+        ..judged.document(facts, recorded, noise, written.unit.clone(), freed)
+    };
     Ok(Confirmed { document, recording, base, augmented })
 }
 
@@ -215,21 +222,28 @@ struct Judged {
     test: Compared,
 }
 
+/// What a model predicts of a recording with what is free fitted, and its errors; `predict` answers with a clock.
+fn judged_model(
+    recording: &Recording,
+    free: Free,
+    predict: &dyn Fn(&OtherClock) -> Result<Vec<f64>, ModelFileError>,
+) -> Result<(Vec<f64>, Errors), ModelFileError> {
+    let (inputs, response) = (&recording.inputs, &recording.response);
+    let (clock, predicted) = match free.clock {
+        true => with_clock(inputs, response, free.reading(), predict)?,
+        false => (OtherClock::default(), predict(&OtherClock::default())?),
+    };
+    let reading = Reading::fitted(&predicted, response, free.reading());
+    let column = reading.of(&predicted);
+    let rmse = rms(column.iter().zip(response).map(|(p, r)| p - r));
+    Ok((column, Errors { rmse, reading, clock: free.clock.then_some(clock) }))
+}
+
 impl Judged {
     fn new(model: &RunningModel, recording: &Recording, free: Free) -> Result<Self, ModelFileError> {
         let (inputs, response) = (&recording.inputs, &recording.response);
-        let judged = |predict: &dyn Fn(&OtherClock) -> Result<Vec<f64>, ModelFileError>| {
-            let (clock, predicted) = match free.clock {
-                true => with_clock(inputs, response, free.reading(), predict)?,
-                false => (OtherClock::default(), predict(&OtherClock::default())?),
-            };
-            let reading = Reading::fitted(&predicted, response, free.reading());
-            let column = reading.of(&predicted);
-            let rmse = rms(column.iter().zip(response).map(|(p, r)| p - r));
-            Ok::<_, ModelFileError>((column, Errors { rmse, reading, clock: free.clock.then_some(clock) }))
-        };
-        let (base, of_base) = judged(&|clock| model.respond_alone_by(clock, inputs))?;
-        let (augmented, of_augmented) = judged(&|clock| model.respond_by(clock, inputs))?;
+        let (base, of_base) = judged_model(recording, free, &|clock| model.respond_alone_by(clock, inputs))?;
+        let (augmented, of_augmented) = judged_model(recording, free, &|clock| model.respond_by(clock, inputs))?;
         let test = compared(&base, &augmented, response, &inputs.runs());
         Ok(Self { columns: [base, augmented], errors: [of_base, of_augmented], test })
     }
@@ -258,6 +272,7 @@ impl Judged {
             verdict: self.test.judgement,
             test: self.test,
             verdict_if_gain_and_offset_are_free: freed,
+            rivals: None,
             notes: Vec::new(),
         }
     }

@@ -4,9 +4,9 @@
 
 use super::subject::Subject;
 use super::text::significant;
-use truegap_diagnose::answer::{Confirmation, Confirmed, Errors};
+use truegap_diagnose::answer::{Confirmation, Confirmed, Errors, RivalErrors};
 use truegap_diagnose::confirmation::Judgement;
-use truegap_diagnose::text::listed;
+use truegap_diagnose::text::{listed, spoken};
 use truegap_scene::page::{Page, Table, Tone};
 
 /// Verdict, sentence, errors, what a reader should know beside them.
@@ -42,6 +42,10 @@ fn judged(page: Page, confirmation: &Confirmation) -> Page {
         .text(&confirmation.says)
         .table(&table(confirmation))
         .text(&format!("Noise: {}.", confirmation.noise.says));
+    let page = match &confirmation.rivals {
+        Some(rivals) => page.text(&rivals.says),
+        None => page,
+    };
     if confirmation.notes.is_empty() { page } else { page.list(&confirmation.notes) }
 }
 
@@ -81,16 +85,21 @@ fn table(confirmation: &Confirmation) -> Table {
     let nothing = std::iter::repeat_n("–".to_owned(), header.len() - 2);
     let noise: Vec<String> =
         ["noise of one reading".to_owned(), significant(confirmation.noise.rmse, 3)].into_iter().chain(nothing).collect();
-    Table::new(&header)
+    let table = Table::new(&header)
         .row(&row("calibrated model", &confirmation.base))
-        .row(&row("with what was missing", &confirmation.augmented))
-        .row(&noise)
+        .row(&row("with what was missing", &confirmation.augmented));
+    let rivals = confirmation.rivals.iter().flat_map(|rivals| &rivals.judged);
+    let with = |rival: &RivalErrors| format!("with {} for {}", spoken(&rival.id), spoken(&rival.instead_of));
+    rivals.fold(table, |table, rival| table.row(&row(&with(rival), &rival.errors))).row(&noise)
 }
 
 /// The same in a line of the terminal.
 pub(super) fn line(confirmed: &Confirmed) -> String {
     match confirmed {
-        Confirmed::Judged(c) => format!("On {}, which took no part: {}. {}", c.recording.source, c.verdict.words(), c.says),
+        Confirmed::Judged(c) => {
+            let rivals = c.rivals.as_ref().map_or_else(String::new, |rivals| format!(" {}", rivals.says));
+            format!("On {}, which took no part: {}. {}{rivals}", c.recording.source, c.verdict.words(), c.says)
+        }
         Confirmed::Refused { source, refused } => format!("On {source}, which took no part: not judged: {refused}"),
     }
 }

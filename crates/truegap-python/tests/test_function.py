@@ -181,6 +181,10 @@ def test_what_was_added_is_confirmed_from_the_object_and_from_its_file(tmp_path,
     assert any(abs(value - 3.0) < 0.02 for value in seconds), d.says
     confirmation = d.confirm(late(2))
     assert confirmation.verdict == "confirmed" and confirmation.rmse_augmented < 1.5 * 5e-3 < confirmation.rmse_base, confirmation.says
+    # each rival that the diagnosis left open is judged beside what is named
+    open_ones = {(rival, named) for named, *rivals in d.document["ambiguity"] for rival in rivals}
+    assert set(confirmation.rivals) == open_ones and bool(confirmation.rivals_say) == bool(open_ones), confirmation.document
+    assert all(rmse > 0.9 * 5e-3 for rmse in confirmation.rivals.values()), confirmation.rivals
     # the function may have a memory, so its recorded input is used; what the lag did is gone
     corrected = d.compensate(late(2))
     truth = 1 + late(2)["force_n"] / 2

@@ -31,10 +31,22 @@ class Confirmation(Answer):
         """Noise of the recording, in ``unit``."""
         return float(self.document["noise"]["rmse"])
 
+    @property
+    def rivals(self) -> dict[tuple[str, str], float]:
+        """Errors, in ``unit``, of the models with a rival in the place of a named effect, by ``(rival, named effect)``; empty where the diagnosis left none open."""
+        judged = self.document.get("rivals", {}).get("judged", [])
+        return {(rival["id"], rival["instead_of"]): float(rival["rmse"]) for rival in judged}
+
+    @property
+    def rivals_say(self) -> str:
+        """What this recording says of what the diagnosis could not tell apart; an empty text where it left nothing open."""
+        return str(self.document.get("rivals", {}).get("says", ""))
+
     def __repr__(self) -> str:
-        return f"<truegap.Confirmation: {self.verdict}. {self.says}>"
+        return f"<truegap.Confirmation: {' '.join(filter(None, [f'{self.verdict}. {self.says}', self.rivals_say]))}>"
 
     def _repr_html_(self) -> str:
-        rows = [("base model alone", self.rmse_base), ("augmented model", self.rmse_augmented), ("noise", self.noise)]
+        rivals = [(f"{rival} for {named}".replace("_", " "), rmse) for (rival, named), rmse in self.rivals.items()]
+        rows = [("base model alone", self.rmse_base), ("augmented model", self.rmse_augmented), *rivals, ("noise", self.noise)]
         cells = "".join(f"<tr><td>{name}</td><td>{value:.4g} {escape(self.unit)}</td></tr>" for name, value in rows)
-        return f"<p><b>{escape(self.verdict)}</b>. {escape(self.says)}</p><table>{cells}</table>"
+        return f"<p><b>{escape(self.verdict)}</b>. {escape(self.says)}</p><table>{cells}</table><p>{escape(self.rivals_say)}</p>"

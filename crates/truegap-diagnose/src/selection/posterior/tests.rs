@@ -121,3 +121,21 @@ fn what_is_refuted_leaves_the_base_model_alone() {
     assert_eq!(alone.effect_probability, [0.0]);
     assert_eq!(alone.probability_unmodelled(), 0.0);
 }
+
+/// Of the models that hold a rival without the effect, the likeliest that holds all else that is named stands for it, also where another is likelier; and that one where none does.
+#[test]
+fn a_rival_is_judged_beside_what_else_is_named() {
+    let models = vec![tried(&[]), tried(&[0, 1]), tried(&[2]), tried(&[0, 2]), tried(&[0, 2, 3]), tried(&[1, 2, 0]), tried(&[4])];
+    let all = Selection {
+        models,
+        probability: vec![0.0, 0.4, 0.2, 0.1, 0.15, 0.05, 0.1],
+        effect_probability: vec![0.0; 5],
+        unmodelled: Vec::new(),
+        ..selection(0.0)
+    };
+    let found =
+        |effect, rival| crate::selection::rival_sets::in_place_of(&all, 1, effect, rival).map(|tried| tried.effects.clone());
+    assert_eq!(found(1, 2), Some(vec![0, 2, 3]));
+    assert_eq!(found(1, 4), Some(vec![4]));
+    assert_eq!(found(0, 3), None);
+}

@@ -28,6 +28,14 @@ fn what_is_carried_leaves_nothing_open() {
 }
 
 #[test]
+fn rivals_are_told_each_with_the_effect_in_whose_place_it_stands() {
+    let three = Decision { verdict: Verdict::Ambiguous, sets: vec![vec![7], vec![1, 2, 5]], ..explained() };
+    assert_eq!(three.rivals().collect::<Vec<_>>(), [(1, 2), (1, 5)]);
+    // what is told under another verdict leaves none open
+    assert_eq!(Decision { verdict: Verdict::WrongForm, ..three }.rivals().count(), 0);
+}
+
+#[test]
 fn a_rival_joins_the_set_of_its_effect() {
     let two = explained().with_rival((7, 2));
     assert_eq!((two.verdict, &two.sets), (Verdict::Ambiguous, &vec![vec![7, 2]]));

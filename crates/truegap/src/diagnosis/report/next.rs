@@ -4,6 +4,7 @@
 
 use super::subject::Subject;
 use super::text::{capitalised, significant, spoken_list};
+use truegap_diagnose::Diagnosis;
 use truegap_scene::page::{Page, Table};
 
 /// Sentence, ranked options, command that plays the profile.
@@ -13,6 +14,9 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
         return page;
     }
     let mut page = page.section("What to measure next").text(&format!("{}.", capitalised(next.says.trim_end_matches('.'))));
+    if let Some(says) = another_recording(subject.diagnosis) {
+        page = page.text(&format!("{}.", capitalised(&says)));
+    }
     if !next.separates.is_empty() {
         page = page.text(&format!(
             "To be told apart: {}. What this recording leaves less than a twentieth of the likeliest model's probability is excluded and not among them.",
@@ -37,4 +41,16 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
             .code(&format!("truegap simulate --model augmented.toml --profile {profile}")),
         None => page,
     }
+}
+
+/// What stands in a set for a cause that the library does not have.
+const UNEXPLAINED: &str = "unexplained";
+
+/// What a recording that is there already may do for names that this one leaves open; `None` where it leaves none.
+pub(super) fn another_recording(diagnosis: &Diagnosis) -> Option<String> {
+    let open = diagnosis.ambiguity.iter().any(|set| set.iter().filter(|name| *name != UNEXPLAINED).count() > 1);
+    open.then(|| {
+        "another recording, if there is one, may tell apart what this one cannot: `truegap confirm augmented.toml OTHER.toml` judges each of the rivals on it"
+            .into()
+    })
 }

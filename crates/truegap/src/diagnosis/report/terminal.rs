@@ -3,7 +3,7 @@
 //! Limits: no colour, no table; at most a line a finding.
 
 use super::text::{capitalised, listed, spoken};
-use super::{confirmation, not_tested, reference, wording};
+use super::{confirmation, next, not_tested, reference, wording};
 use truegap_diagnose::Verdict;
 use truegap_diagnose::answer::{Conflict, Diagnosis, Reference};
 
@@ -65,6 +65,7 @@ pub fn summary(diagnosis: &Diagnosis) -> String {
     if !diagnosis.next_experiment.says.is_empty() {
         lines.push(format!("Next: {}", diagnosis.next_experiment.says));
     }
+    lines.extend(next::another_recording(diagnosis).map(|says| format!("Or: {says}")));
     lines.join("\n")
 }
 

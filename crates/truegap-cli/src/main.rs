@@ -12,7 +12,7 @@ use console::Console;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
-/// Predict, verify and explain a capacitive tactile sensor.
+/// Predict, verify and explain what a sensor reads, capacitive tactile ones first.
 #[derive(Debug, Parser)]
 #[command(name = "truegap", version, propagate_version = true, arg_required_else_help = true)]
 #[command(

@@ -65,6 +65,12 @@ fn a_batch_takes_each_by_itself() {
         "out",
     ]);
     assert_eq!(said.out.lines().count(), 2, "{}{}", said.out, said.err);
+    let again =
+        bench.run(&["--json", "-q", "diagnose", "--batch", "a/recording.toml", "--effects", "thermal_lag", "-o", "again"]);
+    let printed: Value = serde_json::from_str(&again.out).unwrap();
+    // the word of the table is that of the document
+    let word = printed["verdict"].as_str().unwrap();
+    assert_eq!(said.out.lines().next().unwrap().split_whitespace().nth(1), Some(word), "{}", said.out);
     for name in ["a", "b"] {
         let text = std::fs::read_to_string(bench.path("out").join(name).join("diagnosis.json")).unwrap();
         let diagnosis: Value = serde_json::from_str(&text).unwrap();

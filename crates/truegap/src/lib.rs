@@ -1,4 +1,4 @@
-//! Predict, verify and explain a capacitive tactile sensor: the crates of the workspace under one name, and the glue between them.
+//! Predict, verify and explain what a sensor reads, capacitive tactile ones first: the crates of the workspace under one name, and the glue between them.
 //!
 //! Limits: nothing here computes physics; text goes in and typed answers come out, printing is left to the caller.
 //!

@@ -159,7 +159,10 @@ impl Diagnose {
             match done {
                 Ok(diagnosed) => {
                     found |= outcome(&diagnosed) == Outcome::LookAt;
-                    console.print(line(&name, &diagnosed))?;
+                    match console.json {
+                        true => console.print_json(&diagnosed.outcome.diagnosis)?,
+                        false => console.print(line(&name, &diagnosed))?,
+                    }
                 }
                 Err(error) => {
                     failed += 1;
@@ -212,7 +215,7 @@ fn line(name: &str, diagnosed: &Diagnosed) -> String {
     let told = |f: &Finding| format!("{} {:.3}{}", f.effect, f.probability, seen(f.detectability));
     let found: Vec<String> = diagnosis.findings.iter().map(told).collect();
     let sets: Vec<String> = diagnosis.ambiguity.iter().map(|set| set.join("|")).collect();
-    let verdict = format!("{:?}", diagnosis.verdict).to_lowercase();
+    let verdict = diagnosis.verdict.word();
     format!("{name}  {verdict:11}  {}  {}  {:.1} s", found.join(" + "), sets.join("; "), diagnosis.seconds)
 }
 

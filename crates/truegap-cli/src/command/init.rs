@@ -21,6 +21,13 @@ pub struct Init {
     tell: TellArgs,
 }
 
+/// What was written, and what is left to the user: with `--json`.
+#[derive(serde::Serialize)]
+struct Written<'a> {
+    written: &'a std::path::Path,
+    left_to_you: &'a [String],
+}
+
 impl Run for Init {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
         let sketch = sketch(&self.csv, &self.tell.told())?;
@@ -38,6 +45,10 @@ impl Run for Init {
             }
             error => error.into(),
         })?;
+        if console.json {
+            console.print_json(&Written { written: &file, left_to_you: &sketch.open })?;
+            return Ok(Outcome::Fine);
+        }
         console.print(format!("Written: {name}"))?;
         sketch.open.iter().try_for_each(|open| console.print(format!("Left to you: {open}")))?;
         Ok(Outcome::Fine)

@@ -9,11 +9,7 @@ use crate::{
         found::Found,
     },
     explain::conflicts::Conflict,
-    selection::{
-        candidates::{Tried, zero_size},
-        effect_set::EffectSet,
-        verdict::Verdict,
-    },
+    selection::{candidates::Tried, effect_set::EffectSet, start::zero_size, verdict::Verdict},
     stats::{rmse, rmse_of_both},
     validation::{
         cross_validation::{HeldOutFit, PartError, compared, held_out, misfit_removed, part_error},

@@ -53,6 +53,3 @@ pub(crate) const LARGEST_LOG_ODDS: f64 = 4.6;
 
 /// Stated probability below which a name is told with "perhaps": it is more often wrong than right.
 pub(crate) const DOUBTFUL: f64 = 0.5;
-
-/// Stated probability from which a name after the first is claimed beside a base model without plates: of names below, three of four are wrong.
-pub(crate) const CLAIMED_FROM: f64 = 0.25;

@@ -18,10 +18,7 @@
 //! Limits: mechanisms that were composed together are one part; a number for whatever happens foretells nothing, and nothing is carried beside it.
 
 use crate::{
-    answer::{
-        stated::{Place, stated},
-        tuning::CLAIMED_FROM,
-    },
+    answer::stated::{Place, stated},
     pipeline::{
         calibrated::{ByBase, predictions},
         prepare::Prepared,
@@ -30,6 +27,7 @@ use crate::{
     validation::{
         cross_validation::HeldOutFit,
         main_causes::{fewest, names_first, removed, without_doubted},
+        tuning::CLAIMED_FROM,
     },
 };
 

@@ -15,6 +15,7 @@ use crate::{
     },
     noise::scout::{Scout, scouted},
     selection::effect_set::EffectSet,
+    selection::start::{Start, keep_best, with_one_more, zero_size},
     selection::tuning::{DRIVEN_FAR, FAR_PROMISE, FAR_SHARE, HOPELESS, LOOSE_FITS, PROMISING_START, STARTS},
     whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
@@ -371,17 +372,6 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Leaves the starts from launch `launch` to the `count` candidates that promise most from there.
-fn keep_best(promising: &mut [(usize, Vec<Vec<Start>>)], launch: usize, count: usize) {
-    let gain = |starts: &[Vec<Start>]| starts.get(launch).and_then(|s| s.first()).map_or(f64::NEG_INFINITY, |s| s.gain);
-    let mut gains: Vec<f64> = promising.iter().map(|(_, starts)| gain(starts)).collect();
-    gains.sort_by(|a, b| b.total_cmp(a));
-    let Some(least) = gains.get(count).copied() else { return };
-    promising.iter_mut().filter(|(_, starts)| gain(starts) <= least).for_each(|(_, starts)| {
-        starts.get_mut(launch).map(Vec::clear);
-    });
-}
-
 /// Under which noise a model to start from was fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum LaunchNoise {
@@ -405,40 +395,4 @@ struct Been {
     held: Ways,
     loose: Ways,
     measured: Ways,
-}
-
-/// A starting point and what a straight step promises of it.
-struct Start {
-    z: Vec<f64>,
-    gain: f64,
-}
-
-/// The coordinates of `from` with the last effect of `model` behind them, in this size and shape, and the change of the whitened response for one unit of the size;
-/// `None` where the model has no answer.
-pub fn with_one_more(
-    model: &Model<'_>,
-    from: &Fit,
-    size: f64,
-    shape: &[f64],
-    whitener: &Whitener,
-) -> Option<(Vec<f64>, Vec<f64>)> {
-    let zero = zero_size(model, model.effects.len() - 1);
-    let mut z = from.z.clone();
-    z.push(size);
-    z.extend_from_slice(shape);
-    let there = model.residual(&z, whitener).ok()?;
-    let column = from.residual.iter().zip(&there).map(|(a, b)| (a - b) / (size - zero)).collect();
-    Some((z, column))
-}
-
-/// A size `step` from none, on the side that the bounds of the last effect of `model` leave open.
-pub fn small_size(model: &Model<'_>, step: f64) -> f64 {
-    let last = model.effects.len() - 1;
-    let zero = zero_size(model, last);
-    if zero + step <= model.bounds()[model.first_of(last)].1 { zero + step } else { zero - step }
-}
-
-/// Coordinate at which the size of effect `index` is 0.
-pub fn zero_size(model: &Model<'_>, index: usize) -> f64 {
-    model.parameters[model.first_of(index)].prior.z(0.0)
 }

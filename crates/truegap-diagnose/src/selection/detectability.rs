@@ -4,7 +4,10 @@
 
 use crate::{
     fit::optimum::Fit,
-    selection::candidates::{Search, Tried, small_size, with_one_more, zero_size},
+    selection::{
+        candidates::{Search, Tried},
+        start::{small_size, with_one_more, zero_size},
+    },
 };
 use nalgebra::{Cholesky, DMatrix, DVector};
 

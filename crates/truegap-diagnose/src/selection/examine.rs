@@ -1,6 +1,6 @@
-//! The part of the pipeline that decides: fits, probabilities, adequacy, verdict. Recordings and simulated ones ([`crate::validation::recovery`]) go through the same.
+//! The part of the pipeline that decides from evidence: fits, probabilities, adequacy, verdict. Recordings and simulated ones ([`crate::validation::recovery`]) go through the same.
 //!
-//! Limits: noise, block averages and directions are given.
+//! Limits: noise, block averages and directions are given; what rows left out change of the decision comes after it, and for recordings alone.
 
 use crate::{
     adequacy::lack_of_fit::{Adequacy, LackOfFitTests},

@@ -10,6 +10,7 @@ pub(crate) mod model_space;
 pub(crate) mod posterior;
 pub(crate) mod prior;
 pub(crate) mod rival_sets;
+pub(crate) mod start;
 pub(crate) mod tempering;
 pub(crate) mod tuning;
 pub(crate) mod unmodelled;

@@ -13,8 +13,9 @@
 use crate::{
     fit::{model::Model, optimum::Fit, score_test::scores},
     selection::{
-        candidates::{Search, Tried, small_size, with_one_more, zero_size},
+        candidates::{Search, Tried},
         posterior::Selection,
+        start::{small_size, with_one_more, zero_size},
         tuning::{VISIBLE_BY, WEAK},
     },
     stats::log_sum_exp,

@@ -66,6 +66,11 @@ pub(crate) const MOST_PARTS_OF_A_MODEL: usize = 5;
 /// Permutations of a history; the control is their median.
 pub(crate) const PERMUTATIONS: usize = 19;
 
+// pipeline/carried.rs
+
+/// Stated probability from which a name after the first is claimed beside a base model without plates: of names below, three of four are wrong.
+pub(crate) const CLAIMED_FROM: f64 = 0.25;
+
 // pipeline/noise_that_lasts.rs
 
 /// Times the noise of short stretches that what is left may be, root mean square of both whitened, and still be noise that lasts. Noise like 1/f makes 1.0 to 1.3 of it in simulated recordings, and

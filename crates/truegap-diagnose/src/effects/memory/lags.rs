@@ -251,7 +251,9 @@ mod tests {
         let inputs = uneven(130);
         let mut sum = LagSum::new(&sizes);
         let (mut each, mut by_step) = ([Lag::default(); 3], [Lag::default(); 3]);
+        let mut rows = 0;
         walk_lags(&inputs, &taus, |row, given| {
+            rows += 1;
             let x = drawn(row);
             let Some(given) = given else {
                 sum.start(x);
@@ -270,6 +272,7 @@ mod tests {
                 approx::assert_relative_eq!(lag.state, each[k].state, max_relative = 1e-7, epsilon = 1e-9);
             }
         });
+        assert_eq!(rows, 130);
     }
 
     /// More lags and clocks than are remembered, asked over and over: the weights are those of a walk without memory, to the last bit.

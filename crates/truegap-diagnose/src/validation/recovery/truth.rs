@@ -7,10 +7,7 @@ use crate::{
     effects::effect::Effect,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model, optimum::Fit},
     seeds::SEEDS,
-    selection::{
-        candidates::{Search, zero_size},
-        detectability::left_over,
-    },
+    selection::{candidates::Search, detectability::left_over, start::zero_size},
     validation::recovery::case::Truth,
     validation::tuning::{BELIEVABLE, CONCEALED_DETECTABILITY, MOST_DRAWS, SIZE_FOUND, STILL_SEEN},
     whitening::whitener::Whitener,

@@ -4,62 +4,30 @@
 
 mod document;
 mod error;
+mod judged;
 mod rivals;
 
 pub use document::{Confirmed, FILES, SCHEMA, words};
 pub use error::ConfirmError;
+pub use judged::Free;
 pub use truegap_diagnose::answer::{AmongRivals, Confirmation, Errors, ModelFacts, OtherFacts, RivalErrors};
 
 use super::beside_model::{model_facts, opened, recording_facts};
 use super::request::named;
 use crate::diagnosis::Diagnosed;
-use crate::models::{ModelFile, ModelFileError, Programs, RunningModel, of_recording, refused};
+use crate::models::{ModelFile, Programs, RunningModel, of_recording, refused};
 use document::says;
+use judged::Judged;
 use rivals::among_rivals;
 use std::path::Path;
 use truegap_core::{Recording, ends};
 use truegap_diagnose::answer;
-use truegap_diagnose::confirmation::{Compared, Judgement, LEVEL, NoiseFloor, Reading, compared, noise_floor};
-use truegap_diagnose::other_clock::{OtherClock, with_clock};
+use truegap_diagnose::confirmation::{Judgement, LEVEL, NoiseFloor, noise_floor};
 use truegap_diagnose::text::{listed, spoken, spoken_list};
-use truegap_diagnose::{Library, Problem, joint, rms};
+use truegap_diagnose::{Library, Problem};
 
 /// Stands for the file of a model that was found in the same run.
 const OF_THIS_RUN: &str = "augmented.toml of this run";
-
-/// What is fitted to the other recording: the same for base and augmented model, each by itself.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Free {
-    /// gain of the reading
-    pub gain: bool,
-    /// offset of the reading
-    pub offset: bool,
-    /// clock of the load against that of the reading
-    pub clock: bool,
-}
-
-impl Free {
-    /// From words of the command line.
-    ///
-    /// # Errors
-    /// [`ConfirmError::Free`] for any word but `gain`, `offset` and `clock`.
-    pub fn of(words: &[String]) -> Result<Self, ConfirmError> {
-        if let Some(word) = words.iter().find(|word| !matches!(word.as_str(), "gain" | "offset" | "clock")) {
-            return Err(ConfirmError::Free { word: word.clone() });
-        }
-        let has = |word: &str| words.iter().any(|w| w == word);
-        Ok(Self { gain: has("gain"), offset: has("offset"), clock: has("clock") })
-    }
-
-    fn words(self) -> Vec<&'static str> {
-        let words = [("gain", self.gain), ("offset", self.offset), ("clock", self.clock)];
-        words.into_iter().filter_map(|(word, is)| is.then_some(word)).collect()
-    }
-
-    fn reading(self) -> joint::Free {
-        joint::Free { gain: self.gain, offset: self.offset }
-    }
-}
 
 /// Judges the model file `file` on `recording`; `channel` is its sensor column where it holds several.
 ///
@@ -157,7 +125,7 @@ fn judge(
         free: free.words(),
         rivals,
         notes,
-        ..judged.document(facts, recorded, noise, written.unit.clone(), freed)
+        ..document(judged, facts, recorded, noise, written.unit.clone(), freed)
     };
     Ok(Confirmed { document, recording, base, augmented })
 }
@@ -215,65 +183,32 @@ fn belong_together(
     Ok(notes)
 }
 
-/// Base and augmented model, in this order, with what is free fitted, and their comparison.
-struct Judged {
-    columns: [Vec<f64>; 2],
-    errors: [Errors; 2],
-    test: Compared,
-}
-
-/// What a model predicts of a recording with what is free fitted, and its errors; `predict` answers with a clock.
-fn judged_model(
-    recording: &Recording,
-    free: Free,
-    predict: &dyn Fn(&OtherClock) -> Result<Vec<f64>, ModelFileError>,
-) -> Result<(Vec<f64>, Errors), ModelFileError> {
-    let (inputs, response) = (&recording.inputs, &recording.response);
-    let (clock, predicted) = match free.clock {
-        true => with_clock(inputs, response, free.reading(), predict)?,
-        false => (OtherClock::default(), predict(&OtherClock::default())?),
-    };
-    let reading = Reading::fitted(&predicted, response, free.reading());
-    let column = reading.of(&predicted);
-    let rmse = rms(column.iter().zip(response).map(|(p, r)| p - r));
-    Ok((column, Errors { rmse, reading, clock: free.clock.then_some(clock) }))
-}
-
-impl Judged {
-    fn new(model: &RunningModel, recording: &Recording, free: Free) -> Result<Self, ModelFileError> {
-        let (inputs, response) = (&recording.inputs, &recording.response);
-        let (base, of_base) = judged_model(recording, free, &|clock| model.respond_alone_by(clock, inputs))?;
-        let (augmented, of_augmented) = judged_model(recording, free, &|clock| model.respond_by(clock, inputs))?;
-        let test = compared(&base, &augmented, response, &inputs.runs());
-        Ok(Self { columns: [base, augmented], errors: [of_base, of_augmented], test })
-    }
-
-    fn document(
-        self,
-        model: ModelFacts,
-        recording: OtherFacts,
-        noise: NoiseFloor,
-        unit: String,
-        freed: Judgement,
-    ) -> Confirmation {
-        let [base, augmented] = self.errors;
-        Confirmation {
-            schema: SCHEMA,
-            made_by: format!("truegap {}", env!("CARGO_PKG_VERSION")),
-            says: says(&self.test, [&base, &augmented], &noise, &unit, &model.effects),
-            model,
-            recording,
-            unit,
-            free: Vec::new(),
-            base,
-            augmented,
-            noise,
-            level: LEVEL,
-            verdict: self.test.judgement,
-            test: self.test,
-            verdict_if_gain_and_offset_are_free: freed,
-            rivals: None,
-            notes: Vec::new(),
-        }
+/// The answer for base and augmented model, without what is said beside it.
+fn document(
+    judged: Judged,
+    model: ModelFacts,
+    recording: OtherFacts,
+    noise: NoiseFloor,
+    unit: String,
+    freed: Judgement,
+) -> Confirmation {
+    let [base, augmented] = judged.errors;
+    Confirmation {
+        schema: SCHEMA,
+        made_by: format!("truegap {}", env!("CARGO_PKG_VERSION")),
+        says: says(&judged.test, [&base, &augmented], &noise, &unit, &model.effects),
+        model,
+        recording,
+        unit,
+        free: Vec::new(),
+        base,
+        augmented,
+        noise,
+        level: LEVEL,
+        verdict: judged.test.judgement,
+        test: judged.test,
+        verdict_if_gain_and_offset_are_free: freed,
+        rivals: None,
+        notes: Vec::new(),
     }
 }

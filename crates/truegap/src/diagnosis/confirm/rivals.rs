@@ -4,7 +4,7 @@
 //!
 //! Limits: the rivals with the numbers that the first recording gave them; that the best of several leaves least is by chance in part, which the shared level counts and the errors do not.
 
-use super::{Free, Judged, judged_model};
+use super::judged::{Free, Judged, judged_model};
 use crate::models::{ModelFile, ModelFileError, Programs};
 use truegap_core::Recording;
 use truegap_diagnose::Library;
@@ -49,24 +49,22 @@ pub(super) fn among_rivals(
             Err(why) => refused.push(format!("{}: {why}", spoken(&rival.id))),
         }
     }
-    let augmented = Predicted { column: judged.columns[1].clone(), errors: judged.errors[1].clone() };
-    let all = || std::iter::once(&augmented).chain(known.iter().map(|(_, predicted)| predicted));
-    let best = all().min_by(|a, b| a.errors.rmse.total_cmp(&b.errors.rmse))?;
+    // the augmented model is the first of all
+    let augmented = (&judged.columns[1], &judged.errors[1]);
+    let all: Vec<_> = std::iter::once(augmented).chain(known.iter().map(|(_, one)| (&one.column, &one.errors))).collect();
+    let best = (0..all.len()).min_by(|a, b| all[*a].1.rmse.total_cmp(&all[*b].1.rmse))?;
     let level = LEVEL / known.len().max(1) as f64;
     let runs = recording.inputs.runs();
-    let behind = |one: &Predicted| {
-        let is_best = std::ptr::eq(one, best);
-        (!is_best).then(|| compared_at(level, [&one.column, &best.column], &recording.response, &runs))
-    };
-    let rival = |(rival, predicted): &(&RivalModel, Predicted)| RivalErrors {
+    let behind = |one: usize| (one != best).then(|| compared_at(level, [all[one].0, all[best].0], &recording.response, &runs));
+    let rival = |(index, (rival, predicted)): (usize, &(&RivalModel, Predicted))| RivalErrors {
         instead_of: rival.instead_of.clone(),
         id: rival.id.clone(),
         errors: predicted.errors.clone(),
-        behind_the_best: behind(predicted),
+        behind_the_best: behind(index + 1),
     };
-    let judged: Vec<RivalErrors> = known.iter().map(rival).collect();
-    let augmented_behind_the_best = behind(&augmented);
-    let says = says(named, &augmented.errors, augmented_behind_the_best.as_ref(), &judged, &written.unit);
+    let judged: Vec<RivalErrors> = known.iter().enumerate().map(rival).collect();
+    let augmented_behind_the_best = behind(0);
+    let says = says(named, augmented.1, augmented_behind_the_best.as_ref(), &judged, &written.unit);
     Some(AmongRivals { judged, refused, augmented_behind_the_best, level, says })
 }
 

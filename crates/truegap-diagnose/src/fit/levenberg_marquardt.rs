@@ -3,7 +3,7 @@
 //! Limits: one mode; what an optimum is worth is for [`crate::fit::optimum`] to say.
 
 use crate::{
-    fit::tuning::{CHORDS, FAILED_STEPS, PINNED, REACH, STEPS_BACK, STRAIGHT},
+    fit::tuning::{CHORDS, FAILED_STEPS, PINNED, REACH, STEPS_BACK},
     fit::{
         model::Model,
         optimum::{Fit, finish, gram},
@@ -48,8 +48,6 @@ pub(crate) struct Descent<'a, 'm> {
     stale: bool,
     /// first columns that may stay as they were computed elsewhere where the search ends at its first step, since its fit needs no more
     rough: usize,
-    /// whether a step that went as straight as was foreseen ends the search without derivatives where it leads
-    straight_ends: bool,
     iterations: usize,
     converged: bool,
     /// where earlier searches from other starts have been
@@ -90,7 +88,6 @@ impl<'a, 'm> Descent<'a, 'm> {
             damping: 1e-6,
             stale: false,
             rough: 0,
-            straight_ends: false,
             iterations: 0,
             converged: false,
             others: None,
@@ -106,11 +103,6 @@ impl<'a, 'm> Descent<'a, 'm> {
     /// The same search for a model that cannot win: where its first step gains nothing, the first `columns` derivatives are good enough as they were known.
     pub(crate) fn content_with(self, columns: usize) -> Self {
         Self { rough: columns, ..self }
-    }
-
-    /// The same search, which ends after a step that [`went_straight`]: for a fit near one that is known, of which the point matters and not the curvature.
-    pub(crate) fn ending_where_straight(self) -> Self {
-        Self { straight_ends: true, ..self }
     }
 
     /// Notes where it is; whether an earlier search has been there, after as many steps or fewer: then it would only go the same way.
@@ -166,10 +158,6 @@ impl<'a, 'm> Descent<'a, 'm> {
                 (reach, failed) = (0.2 * reach, failed + 1);
             }
             match gain {
-                Some(gain) if self.straight_ends && !was_stale && went_straight(promise, gain, options.tolerance) => {
-                    self.converged = true;
-                    return Ok(true);
-                }
                 None if was_stale => {
                     self.refresh(0)?;
                     self.damping = 1e-6;
@@ -300,14 +288,6 @@ impl<'a, 'm> Descent<'a, 'm> {
         }
         None
     }
-}
-
-/// Whether a step gained what straight derivatives promised, so nearly that new derivatives would gain less than `tolerance` more.
-///
-/// Where derivatives change along a step of gain `g` by the share `d`, the residual `r` that is left makes the gain differ from the promise by `d |r| sqrt(2 g)` and hides `d^2 r^2 / 2`: the square of the
-/// difference over four times the gain. [`STRAIGHT`] of the tolerance is asked for, since the first such step is the last.
-fn went_straight(promise: f64, gain: f64, tolerance: f64) -> bool {
-    (gain - promise).powi(2) < STRAIGHT * tolerance * promise.max(tolerance)
 }
 
 /// The point inside the bounds.

@@ -71,7 +71,7 @@ pub(crate) fn fit_around(
     options: &FitOptions,
 ) -> Result<Fit, SimulationError> {
     let bounds = model.bounds();
-    let mut search = Descent::with(model, whitener, &bounds, start.z.clone(), start.whitened(whitener)).ending_where_straight();
+    let mut search = Descent::with(model, whitener, &bounds, start.z.clone(), start.whitened(whitener));
     search.run(options)?;
     Ok(search.finish())
 }

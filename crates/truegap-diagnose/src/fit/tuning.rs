@@ -42,9 +42,6 @@ pub(crate) const PINNED: f64 = 100.0;
 /// Most corrections of a step with one Jacobian.
 pub(crate) const CHORDS: usize = 5;
 
-/// Square of a gain's distance from its promise, in promises times the tolerance, below which no new derivatives are asked for. At 1 the answer on one of three recordings of an insole changed.
-pub(crate) const STRAIGHT: f64 = 0.1;
-
 // model.rs
 
 /// Step of the difference quotients, in prior standard deviations.

@@ -128,7 +128,7 @@ pub(crate) fn fit_apart(
 }
 
 /// A few steps inside narrower bounds (equal bounds hold a parameter still), from where the derivatives by the first parameters are known and not
-/// computed again: a better starting point, not a fit. `None` where it comes upon the way of one of the `others`.
+/// computed again: a better starting point, not a fit. `None` where it comes upon the way of one of the `others`, or where a straight step from the start does not promise to leave less than `level`.
 ///
 /// # Errors
 /// As [`fit`].
@@ -138,15 +138,18 @@ pub(crate) fn approach(
     start: &[f64],
     bounds: &[(f64, f64)],
     known: &DMatrix<f64>,
-    options: &FitOptions,
+    (options, level): (&FitOptions, f64),
     others: &mut Ways,
 ) -> Result<Option<Vec<f64>>, SimulationError> {
     let mut search = Descent::at(model, whitener, start, bounds)?.apart_from(others);
-    for _ in 0..options.iterations {
+    for step in 0..options.iterations {
         if search.comes_upon_another() {
             return Ok(None);
         }
         search.know(known)?;
+        if step == 0 && !search.promises_less_than(level) {
+            return Ok(None);
+        }
         if search.step().is_none_or(|gain| gain < options.tolerance) {
             break;
         }

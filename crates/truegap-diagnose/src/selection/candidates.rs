@@ -263,7 +263,7 @@ impl<'a> Search<'a> {
         let mut z = start.z.clone();
         if z.len() > before + 1 {
             let known = &launch.from.fit.jacobian;
-            z = approach(model, self.whitener_of(launch), &z, &bounds, known, &held, &mut been.held).ok()??;
+            z = approach(model, self.whitener_of(launch), &z, &bounds, known, (&held, f64::INFINITY), &mut been.held).ok()??;
         }
         let hopeless = start.gain <= HOPELESS;
         let options = FitOptions { iterations: if hopeless { 3 } else { 6 }, tolerance: 0.5 };
@@ -303,7 +303,9 @@ impl<'a> Search<'a> {
             starts.extend(far.filter(|z| (bounds.0..=bounds.1).contains(z)).filter_map(|z| self.far(launch, model, z, shape)));
         }
         let found = found.get(&candidate).map_or(&[][..], Vec::as_slice);
-        starts.extend(found.iter().filter_map(|numbers| self.as_found(launch, model, numbers)));
+        // less than a start has to promise beside the best one is not followed
+        let least = PROMISING_START * starts.iter().map(|start| start.gain).fold(0.0, f64::max);
+        starts.extend(found.iter().filter_map(|numbers| self.as_found(launch, model, numbers, least)));
         starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         starts
     }
@@ -314,13 +316,14 @@ impl<'a> Search<'a> {
         let launch = Launch { from, linearised: &linearised, noise: LaunchNoise::Measured };
         let effects: Vec<usize> = from.effects.iter().copied().chain([candidate]).collect();
         let model = self.model(&effects);
-        let start = self.as_found(launch, &model, numbers).filter(|start| from.fit.objective() - start.gain < objective)?;
+        let least = from.fit.objective() - objective;
+        let start = self.as_found(launch, &model, numbers, least)?;
         let fit = self.refine(&model, &start, launch, &mut Been::default())?;
         Some(Tried { effects, fit })
     }
 
-    /// A start with the new effect's numbers as an earlier fit found them, the others moved to where they are best beside these; `None` where that gains nothing.
-    fn as_found(&self, launch: Launch<'_>, model: &Model<'_>, numbers: &[f64]) -> Option<Start> {
+    /// A start with the new effect's numbers as an earlier fit found them, the others moved to where they are best beside these; `None` where that does not gain more than `least`, or nothing.
+    fn as_found(&self, launch: Launch<'_>, model: &Model<'_>, numbers: &[f64], least: f64) -> Option<Start> {
         let from = &launch.from.fit;
         let z: Vec<f64> = from.z.iter().chain(numbers).copied().collect();
         let mut bounds = model.bounds();
@@ -329,9 +332,10 @@ impl<'a> Search<'a> {
         }
         let options = FitOptions { iterations: 2, tolerance: 1.0 };
         let whitener = self.whitener_of(launch);
-        let z = approach(model, whitener, &z, &bounds, &from.jacobian, &options, &mut Ways::default()).ok()??;
+        let level = from.objective() - least.max(0.0);
+        let z = approach(model, whitener, &z, &bounds, &from.jacobian, (&options, level), &mut Ways::default()).ok()??;
         let gain = from.objective() - objective(model, &model.residual(&z, whitener).ok()?, &z);
-        (gain > 0.0).then_some(Start { z, gain })
+        (gain > least.max(0.0)).then_some(Start { z, gain })
     }
 
     /// Size that a straight line through size 0 and one `trial` from there promises, and its gain in log likelihood.

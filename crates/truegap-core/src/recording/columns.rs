@@ -256,7 +256,9 @@ impl Binder<'_> {
                 given.text.clone()
             }
             (None, Some(named)) => named.to_owned(),
-            (None, None) if role == Role::Simulated => heading.below.clone().unwrap_or_default(),
+            (None, None) if role == Role::Simulated => {
+                heading.below.clone().or(heading.proper_unit().map(str::to_owned)).unwrap_or_default()
+            }
             (None, None) => heading.proper_unit().unwrap_or(&heading.name).to_owned(),
         };
         if let Some(given) = given {

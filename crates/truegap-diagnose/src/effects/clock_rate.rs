@@ -18,14 +18,14 @@ pub struct ClockRate;
 
 #[derive(Clone, Copy)]
 struct Clocks {
-    /// seconds that the load's clock falls behind in a second
+    /// seconds that the load's rows fall behind in a second, as where its clock runs fast
     rate: f64,
     /// seconds after the first row at which both clocks agree
     agree_s: f64,
 }
 
 impl Clocks {
-    /// Seconds by which the load's clock is late, `elapsed_s` after the first row.
+    /// Seconds by which the load stands late in the rows, `elapsed_s` after the first row.
     fn late_s(self, elapsed_s: f64) -> f64 {
         self.rate * (elapsed_s - self.agree_s)
     }
@@ -93,8 +93,14 @@ impl Effect for ClockRate {
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let length = context.duration_s.max(1.0);
         vec![
-            Parameter::normal("rate", "s/s", 0.0, USUAL, "time that the load's clock falls behind in a second")
-                .within(-MOST, MOST),
+            Parameter::normal(
+                "rate",
+                "s/s",
+                0.0,
+                USUAL,
+                "time by which the load's rows fall behind in a second, as where its clock runs fast",
+            )
+            .within(-MOST, MOST),
             // clocks that agree long before or after are off by about a constant: that is another effect
             Parameter::normal("agree", "s", 0.5 * length, 0.5 * length, "time after the first row at which both clocks agree")
                 .within(0.0, length),
@@ -124,9 +130,10 @@ impl Effect for ClockRate {
 
 fn said(whose: &str, fitted: &[FittedParameter]) -> String {
     let (rate, agree) = (fitted[0].value, fitted[1].value);
-    let way = if rate < 0.0 { "gains" } else { "loses" };
+    // an event at time t that a fast clock stamps t + r t stands in a later row
+    let (way, clock) = if rate < 0.0 { ("ahead", "slow") } else { ("behind", "fast") };
     format!(
-        "the clock of {whose} {way} {} a second on that of the response; they agree {} after the first row",
+        "in the rows {whose} falls {way} of the response by {} a second, as where its clock runs {clock}; they agree {} after the first row",
         with_sd(rate.abs(), fitted[0].sd, "s"),
         rounded(agree, "s")
     )

@@ -128,5 +128,5 @@ fn alike_within_s(context: &Context<'_>) -> Option<f64> {
 fn said(whose: &str, fitted: &[FittedParameter]) -> String {
     let late = fitted[0].value;
     let way = if late < 0.0 { "early" } else { "late" };
-    format!("the clock of {whose} is {} {way}", with_sd(late.abs(), fitted[0].sd, "s"))
+    format!("{whose} stands {} too {way} in the rows", with_sd(late.abs(), fitted[0].sd, "s"))
 }

@@ -23,7 +23,7 @@ use truegap_core::{Inputs, Stage};
 pub struct OtherClock {
     /// seconds by which the load is late at the first row
     pub late_s: f64,
-    /// seconds by which it falls behind in a second
+    /// seconds by which its rows fall behind in a second, as where its clock runs fast
     pub rate: f64,
 }
 

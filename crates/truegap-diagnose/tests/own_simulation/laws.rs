@@ -206,7 +206,7 @@ fn the_clock_of_a_driver_is_found_and_named_by_its_driver() {
     let said = said(&model, &inputs, &noisy(9, |row| 3.0 + at(row as f64 + 2.5), rows as usize));
     let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
     assert_eq!(named, ["time_offset"], "{}", said.says);
-    assert!(said.findings[0].says.starts_with("the clock of power is "), "{}", said.findings[0].says);
+    assert!(said.findings[0].says.starts_with("power stands "), "{}", said.findings[0].says);
     let late = &said.findings[0].parameters[0];
     assert!((late.value - 2.5).abs() < 3.0 * late.sd && late.sd < 0.1, "{} (sd {})", late.value, late.sd);
 }

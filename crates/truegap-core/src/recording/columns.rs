@@ -16,7 +16,7 @@ use super::{
 use crate::given_again;
 use crate::inputs::Role;
 use crate::nearest::nearest;
-use crate::units::{Dimension, UnitError, is_same_unit};
+use crate::units::{Dimension, UnitError, is_same_unit, is_unit};
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -256,9 +256,11 @@ impl Binder<'_> {
                 given.text.clone()
             }
             (None, Some(named)) => named.to_owned(),
-            (None, None) if role == Role::Simulated => {
-                heading.below.clone().or(heading.proper_unit().map(str::to_owned)).unwrap_or_default()
-            }
+            (None, None) if role == Role::Simulated => heading
+                .below
+                .clone()
+                .or(heading.proper_unit().filter(|unit| is_unit(unit)).map(str::to_owned))
+                .unwrap_or_default(),
             (None, None) => heading.proper_unit().unwrap_or(&heading.name).to_owned(),
         };
         if let Some(given) = given {

@@ -55,6 +55,12 @@ fn a_simulated_column_without_a_unit_shares_the_responses() {
     assert_eq!(r.base.model, "external");
     let differ = with_toml("[units]\nsimulated = \"V\"\n", "time_s,capacitance_ff,simulated\n0,1,2\n");
     assert!(matches!(differ, Err(RecordingError::UnitsDiffer { .. })), "{differ:?}");
+    // a unit in the header counts; the last word of a name that is no unit does not
+    let named = |column: &str| {
+        with_toml(&format!("[columns]\nsimulated = \"{column}\"\n"), &format!("time_s,capacitance_ff,{column}\n0,1,2\n"))
+    };
+    assert!(matches!(named("Force model [N]"), Err(RecordingError::UnitsDiffer { .. })), "{:?}", named("Force model [N]"));
+    assert_eq!(named("sensor_simulated").unwrap().inputs.simulated, named("comsol").unwrap().inputs.simulated);
 }
 
 #[test]

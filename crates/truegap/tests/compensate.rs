@@ -198,6 +198,13 @@ fn what_does_not_belong_together_is_refused() {
     let base = "model = \"linear\"\norder = 1\ndriver = { role = \"force\", zero = 0.0, width = 10.0 }";
     let flat = model(base, &[("offset", 1.0), ("slope", 0.0)], MOVED, TEMPERATURE);
     assert!(matches!(corrected(&flat, in_use(&true_reading()), false).err(), Some(CompensateError::StandsStill { .. })));
+    // a slope that what was added has taken away: the input that the line needs is thousands of newtons
+    let nearly = model(base, &[("offset", 1.0), ("slope", 1e-3)], MOVED, TEMPERATURE);
+    let refused = corrected(&nearly, in_use(&true_reading()), false).err().unwrap();
+    assert!(
+        matches!(refused, CompensateError::HardlyMoves { .. }) && refused.to_string().contains("hardly moves with force"),
+        "{refused}"
+    );
 }
 
 /// Reads `1 + 1.5 F - 0.04 F^2`, F up to 10 N: with a tenth below and a fifth above, -0.54 to 13.24 mm.

@@ -53,6 +53,12 @@ pub enum CompensateError {
         "{model}: its base model `{base}` does not move with {column}, so {column} cannot be estimated from the reading; diagnose with another base"
     )]
     StandsStill { model: String, base: String, column: String },
+    /// A base model that hardly moves.
+    #[error(
+        "{model}: its base model `{base}` hardly moves with {column}: in {far} of {rows} rows the {column} that it needs for the reading is far beyond any that it was fitted to ({estimated}, where it was \
+         {fitted}), since what was added follows the reading in its place; diagnose with --library-only, or with another base"
+    )]
+    HardlyMoves { model: String, base: String, column: String, far: usize, rows: usize, estimated: String, fitted: String },
     /// Most rows are far beyond what the model gives.
     #[error(
         "{recording}: in {outside} of {rows} rows no {input} of the base model of {model} gives the corrected reading: these go from {read}, and the base model gives \

@@ -26,6 +26,8 @@ use truegap_diagnose::{Library, rms};
 const OUTSIDE: f64 = 0.5;
 /// Part of the range of the base model's readings from which on a row is far beyond it: noise and a zero that has moved put a sensor at rest a little below its least reading.
 const FAR: f64 = 0.1;
+/// Ranges of the input, where the model was fitted, from whose middle on an estimated input is far beyond them: what was added has taken the slope of the base model then.
+const FAR_INPUT: f64 = 10.0;
 
 /// Corrects the readings of `recording` by the model file `file`; `channel` is its sensor column where it holds several, `all` says that it began as the recording
 /// of the diagnosis did, so that what follows the clock holds as well.
@@ -158,6 +160,19 @@ impl Task<'_> {
     /// Refuses readings that are for the most part no readings of this model.
     fn is_within(&self, way: &Way, inverse: &Inverse, found: &compensation::Compensated) -> Result<(), CompensateError> {
         let rows = self.recording.len();
+        if let Way::Estimated(Sought { column, span, straight: true }) = way {
+            let is_far = |input: &&f64| ((**input - span.zero) / span.width - 0.5).abs() > FAR_INPUT;
+            let far = found.input.iter().filter(is_far).count();
+            if far as f64 > OUTSIDE * rows as f64 {
+                let (model, base) = (self.file.to_owned(), self.model.simulator().name().to_owned());
+                let told = |[a, b]: [f64; 2]| {
+                    format!("{} to {} {}", significant(a, 3), significant(b, 3), column.unit(self.model.simulator()))
+                };
+                let [estimated, fitted] = [ends(found.input.iter().copied()).into(), [span.zero, span.zero + span.width]]
+                    .map(|range| told(range).trim_end().to_owned());
+                return Err(CompensateError::HardlyMoves { model, base, column: column.name(), far, rows, estimated, fitted });
+            }
+        }
         let (Way::Estimated(Sought { column, .. }), Some(gives)) = (way, inverse.gives()) else { return Ok(()) };
         let outside = inverse.far_outside(&found.corrected, FAR);
         if outside as f64 <= OUTSIDE * rows as f64 {

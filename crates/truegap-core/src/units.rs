@@ -134,11 +134,16 @@ impl Dimension {
     }
 
     /// The unit that `text` names, in one of its spellings and without regard to case, as the end of a column's name does: `pf` is `pF`, `kpa` is `kPa`,
-    /// `sec` is `s`. `mPa` is none: what is written in both cases means them, and a thousandth is no million.
+    /// `sec` is `s`. `mPa` is none: what is written in both cases means them, and a thousandth is no million; nor is `MN`.
     pub(crate) fn unit_like(self, text: &str) -> Option<&'static str> {
         let wanted = canonical(text);
         let both = wanted.contains(|c: char| c.is_ascii_lowercase()) && wanted.contains(|c: char| c.is_ascii_uppercase());
-        let meant = |name: &str| !both || !wanted.starts_with(['m', 'M']) || wanted.as_bytes().first() == name.as_bytes().first();
+        // `MN` is a million newtons or, in capitals alone, a thousandth of one: nobody can tell
+        let million = |name: &str| {
+            wanted.starts_with('M') && name.strip_prefix('m').is_some_and(|rest| rest.starts_with(char::is_uppercase))
+        };
+        let first_alike = |name: &str| wanted.as_bytes().first() == name.as_bytes().first();
+        let meant = |name: &str| !million(name) && (!both || !wanted.starts_with(['m', 'M']) || first_alike(name));
         let names = || self.units().iter().map(|unit| unit.0).filter(|name| !name.is_empty());
         names().find(|name| *name == wanted).or_else(|| names().find(|name| name.eq_ignore_ascii_case(&wanted) && meant(name)))
     }

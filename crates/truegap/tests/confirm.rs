@@ -4,11 +4,11 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::{OnceLock, atomic::AtomicBool};
-use truegap::core::{Inputs, Recording};
+use truegap::core::{Driver, Inputs, Recording};
 use truegap::diagnose::answer::{AddedEffect, NamedValue, RivalModel};
 use truegap::diagnose::confirmation::Judgement;
 use truegap::diagnose::{Context, library};
-use truegap::diagnosis::confirm::{ConfirmError, Confirmation, Free, SCHEMA, confirm};
+use truegap::diagnosis::confirm::{self, ConfirmError, Confirmation, Free, SCHEMA, confirm};
 use truegap::diagnosis::{Request, diagnose, example_recording, open};
 use truegap::models::ModelFile;
 
@@ -190,6 +190,36 @@ fn another_recording_tells_rivals_apart() {
     assert!(among.augmented_behind_the_best.is_none());
     assert_eq!(among.judged[0].behind_the_best.as_ref().unwrap().judgement, Judgement::Confirmed);
     assert!(among.says.contains("the smallest error here is that of thermal lag as named ("), "{}", among.says);
+}
+
+/// The rows of the recording that was fitted, saved again with other bytes, took part all the same.
+#[test]
+fn a_recording_that_was_saved_again_took_part() {
+    let fitted = other(true, 1.0, 0.0);
+    let again = Recording { sha256: "another".into(), ..fitted.clone() };
+    let parts = [fitted];
+    assert!(matches!(confirm::other(again.clone(), None, &parts), Err(ConfirmError::TookPart { .. })));
+    let mut new = again;
+    new.response[7] += 1e-6;
+    assert!(confirm::other(new, None, &parts).is_ok());
+}
+
+/// A number in the place of a driver that was not recorded, or was in another unit, would be taken for physics.
+#[test]
+fn recordings_with_different_drivers_are_not_diagnosed_together() {
+    let with = |drivers: Vec<Driver>| {
+        let mut recording = other(true, 1.0, drivers.len() as f64);
+        recording.inputs.drivers = drivers;
+        recording
+    };
+    let supply = |unit: &str| vec![Driver { name: "supply".into(), unit: unit.into(), values: vec![5.0; 1200] }];
+    let refused =
+        |second: Recording| open(vec![with(supply("V")), second], &Request::default()).err().map(|error| error.to_string());
+    assert!(refused(with(Vec::new())).unwrap().contains("has no driver `supply`"));
+    assert!(refused(with(supply("mV"))).unwrap().contains("is in `mV`, and in `V` in"));
+    let mut alike = with(supply("V"));
+    alike.response[0] += 1e-6;
+    assert_eq!(refused(alike), None);
 }
 
 #[test]

@@ -60,7 +60,7 @@ pub(super) fn stamp(cell: &[u8], first: First) -> Option<Stamp> {
     };
     let [year, month, day] = year_first('-').or_else(|| year_first('/')).or_else(day_first).or_else(short).or_else(told)?;
     let (of_day, fraction) = time_of_day(rest.get(1..).unwrap_or_default())?;
-    let possible = (1..=12).contains(&month) && (1..=31).contains(&day);
+    let possible = (1..=12).contains(&month) && (1..=length_of(year, month)).contains(&day);
     possible.then_some(Stamp { seconds: 86_400 * days(year, month, day) + of_day, fraction })
 }
 
@@ -84,7 +84,8 @@ fn time_of_day(text: &str) -> Option<(i64, f64)> {
         Some(_) if !(1..=12).contains(&hour) => return None,
         Some(half) => hour % 12 + half,
     };
-    let possible = hour < 25 && minute < 60 && second < 61;
+    // 24:00 is the end of a day, and no minute of it is later
+    let possible = (hour < 24 || (hour, minute, second) == (24, 0, 0)) && minute < 60 && second < 61;
     possible.then_some((3600 * hour + 60 * minute + second - offset(zone.trim())?, fraction))
 }
 
@@ -121,6 +122,12 @@ fn offset(zone: &str) -> Option<i64> {
         .or_else(|| numbers(digits, ':', [4..=4]).map(|[both]| [both / 100, both % 100]))
         .or_else(|| numbers(digits, ':', [2..=2]).map(|[hours]| [hours, 0]))?;
     Some(sign * (3600 * hours + 60 * minutes))
+}
+
+/// Days of a month.
+fn length_of(year: i64, month: i64) -> i64 {
+    let next = if month == 12 { days(year + 1, 1, 1) } else { days(year, month + 1, 1) };
+    next - days(year, month, 1)
 }
 
 /// Days from 1970-01-01 to a date of the Gregorian calendar: years begin in March, so that a leap day is a year's last.
@@ -184,6 +191,9 @@ mod tests {
             "13/13/2026 12:00",
             "01/03/2026 13:00 PM",
             "31.13.2026 12:00",
+            "2026-02-29 12:00",
+            "31.04.2026 12:00",
+            "2026-03-01 24:00:01",
             "2026-13-01T00:00",
             "2026-03-01T12:00:00x",
             "2026-3-1 12:00",

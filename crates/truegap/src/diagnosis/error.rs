@@ -75,6 +75,16 @@ pub enum DiagnosisError {
     /// A recording that is given twice, which would count each of its rows twice.
     #[error("{first} and {second} hold the same rows, which would count twice; leave one of them out")]
     SameRecording { first: String, second: String },
+    /// A driver that one of several recordings lacks: a number in its place would be taken for physics.
+    #[error(
+        "{without}: has no driver `{name}`, which {with} has; name its column under [drivers], or take the driver out of {with}"
+    )]
+    DriverMissing { without: String, with: String, name: String },
+    /// A driver that two recordings have in different units.
+    #[error(
+        "{second}: the driver `{name}` is in `{second_has}`, and in `{first_has}` in {first}; convert one of the columns, or correct its unit"
+    )]
+    DriverUnit { first: String, second: String, name: String, first_has: String, second_has: String },
     /// A column to be concealed that is not there.
     #[error("{recording}: there is no input column `{column}` to conceal; there are {names}")]
     NothingToConceal { recording: String, column: String, names: String },

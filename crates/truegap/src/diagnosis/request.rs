@@ -95,7 +95,33 @@ pub fn open_with(recordings: Vec<Recording>, request: &Request, programs: Progra
         let recording = parts.remove(0);
         return Ok(Opened { recording, parts, free, hidden, programs });
     }
+    same_drivers(&parts)?;
     Ok(Opened { recording: together(&parts)?, parts, free, hidden, programs })
+}
+
+/// Refuses recordings of which one has a driver that another lacks, or has in another unit.
+fn same_drivers(parts: &[Recording]) -> Result<(), DiagnosisError> {
+    let pairs = parts.iter().flat_map(|one| parts.iter().map(move |other| (one, other)));
+    for (one, other) in pairs {
+        for driver in &one.inputs.drivers {
+            let name = driver.name.clone();
+            match other.inputs.drivers.iter().find(|own| own.name == name) {
+                None => return Err(DiagnosisError::DriverMissing { without: named(other), with: named(one), name }),
+                Some(own) if own.unit != driver.unit => {
+                    let (first_has, second_has) = (driver.unit.clone(), own.unit.clone());
+                    return Err(DiagnosisError::DriverUnit {
+                        first: named(one),
+                        second: named(other),
+                        name,
+                        first_has,
+                        second_has,
+                    });
+                }
+                Some(_) => {}
+            }
+        }
+    }
+    Ok(())
 }
 
 /// What a diagnosis of so many rows may take, bytes.

@@ -7,7 +7,7 @@ use crate::models::LeftOut;
 use serde::Serialize;
 use std::fmt::Write;
 use std::fs::File;
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use truegap_diagnose::answer::{ModelFacts, OtherFacts};
 use truegap_diagnose::compensation::Stopped;
@@ -17,6 +17,8 @@ use truegap_diagnose::text::{significant, spoken_list};
 pub const SCHEMA: &str = "truegap.compensation/1";
 /// Columns by which an earlier result is known.
 const COLUMNS: &str = "reading,corrected";
+/// Bytes of a first line that are looked at.
+const LONGEST_HEADER: u64 = 4096;
 
 /// The input that was estimated.
 #[derive(Clone, Debug, Serialize)]
@@ -171,7 +173,38 @@ pub fn check(file: &Path) -> Result<(), CompensateError> {
     if !file.exists() {
         return Ok(());
     }
+    // a pipe or a device is never looked at: it may wait for ever, or never end
+    if !file.metadata().is_ok_and(|of| of.is_file()) {
+        return Err(would_be_lost());
+    }
     let mut first = String::new();
-    let read = File::open(file).and_then(|file| BufReader::new(file).read_line(&mut first));
-    if read.is_ok() && first.contains(COLUMNS) { Ok(()) } else { Err(would_be_lost()) }
+    let read = File::open(file).and_then(|file| BufReader::new(file.take(LONGEST_HEADER)).read_line(&mut first));
+    if read.is_ok() && is_header(first.trim_end()) { Ok(()) } else { Err(would_be_lost()) }
+}
+
+/// Whether this is the first line of a result: run, time where there is one, both readings, the estimated input where there is one.
+fn is_header(line: &str) -> bool {
+    let Some(rest) = line.strip_prefix("run,").map(|rest| rest.strip_prefix("time_s,").unwrap_or(rest)) else { return false };
+    let Some(rest) = rest.strip_prefix(COLUMNS) else { return false };
+    rest.is_empty() || rest.strip_prefix(",estimated_").is_some_and(|input| !input.contains(','))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_header_is_that_of_a_result_and_of_nothing_else() {
+        for header in ["run,reading,corrected", "run,time_s,reading,corrected,estimated_force_n"] {
+            assert!(is_header(header), "{header}");
+        }
+        for header in [
+            "time_s,temperature_c,reading,corrected,operator_note",
+            "reading,corrected notes of Friday",
+            "run,time_s,force_n,reading,corrected",
+            "",
+        ] {
+            assert!(!is_header(header), "{header}");
+        }
+    }
 }

@@ -9,7 +9,6 @@ use crate::table::{digits, table};
 use std::path::PathBuf;
 use truegap::OutputFolder;
 use truegap::diagnose::confirmation::Judgement;
-use truegap::diagnose::text::spoken;
 use truegap::diagnosis::confirm::{Confirmation, FILES, Free, confirm, words};
 use truegap::diagnosis::recorded;
 
@@ -68,7 +67,7 @@ fn print(console: &Console, document: &Confirmation) -> anyhow::Result<()> {
     let cell = |word: &str, value: f64| if is_free(word) { digits(value, 4) } else { "-".to_owned() };
     let models = [("base model alone".to_owned(), &document.base), ("augmented model".to_owned(), &document.augmented)];
     let rivals = document.rivals.iter().flat_map(|rivals| &rivals.judged);
-    let rivals = rivals.map(|rival| (format!("{} for {}", spoken(&rival.id), spoken(&rival.instead_of)), &rival.errors));
+    let rivals = rivals.map(|rival| (rival.row(), &rival.errors));
     let rows = models.into_iter().chain(rivals).map(|(name, model)| {
         let (gain, offset) = (cell("gain", model.reading.gain), cell("offset", model.reading.offset));
         let clock = model.clock.map(|clock| [digits(clock.late_s, 3), digits(1e3 * clock.rate, 3)]);

@@ -34,9 +34,10 @@ fn the_end_of_a_name_is_a_unit_in_any_case_that_can_be_meant() {
         ];
         assert!(found.into_iter().any(|d| d.unit_like(text) == Some(unit)), "{text}");
     }
-    // read as MPa before: a thousandth of a pascal is no million
+    // capitals alone say nothing of which was meant
     assert_eq!([Dimension::Force.unit_like("MN"), Dimension::Voltage.unit_like("MV")], [None, None]);
     assert_eq!([Dimension::Force.unit_like("mn"), Dimension::Length.unit_like("MM")], [Some("mN"), Some("mm")]);
+    // read as MPa before: a thousandth of a pascal is no million
     assert_eq!((Dimension::Pressure.unit_like("mPa"), Dimension::Pressure.unit_like("MPa")), (None, Some("MPa")));
     assert!(is_unit("min") && is_unit("% RH") && !is_unit("counts") && !is_unit(""));
 }

@@ -2,6 +2,7 @@
 //!
 //! Limits: plain data.
 
+use crate::text::spoken;
 use crate::validation::confirmation::{Compared, Judgement, NoiseFloor, Reading};
 use crate::validation::other_clock::OtherClock;
 use serde::Serialize;
@@ -62,6 +63,13 @@ pub struct RivalErrors {
     /// the best of all models against this one: `confirmed` where the best predicts better; absent of the best itself
     #[serde(skip_serializing_if = "Option::is_none")]
     pub behind_the_best: Option<Compared>,
+}
+
+impl RivalErrors {
+    /// Its model in a row of a table: `viscoelastic creep for readout lag`.
+    pub fn row(&self) -> String {
+        format!("{} for {}", spoken(&self.id), spoken(&self.instead_of))
+    }
 }
 
 /// What the other recording says of the rivals.

@@ -15,7 +15,7 @@ use crate::{
     },
     noise::scout::{Scout, scouted},
     selection::effect_set::EffectSet,
-    selection::start::{Start, keep_best, with_one_more, zero_size},
+    selection::start::{Start, held_from, keep_best, with_one_more, zero_size},
     selection::tuning::{DRIVEN_FAR, FAR_PROMISE, FAR_SHARE, HOPELESS, LOOSE_FITS, PROMISING_START, STARTS},
     whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
@@ -255,10 +255,7 @@ impl<'a> Search<'a> {
     /// Refits with everything free, after a first fit that holds the shape of the new effect; `None` where it would go a way on which an earlier start has `been`.
     fn refine(&self, model: &Model<'_>, start: &Start, launch: Launch<'_>, been: &mut Been) -> Option<Fit> {
         let before = launch.from.fit.z.len();
-        let mut bounds = model.bounds();
-        for (bound, z) in bounds.iter_mut().zip(&start.z).skip(before + 1) {
-            *bound = (*z, *z);
-        }
+        let bounds = held_from(model, &start.z, before + 1);
         let held = FitOptions { iterations: 3, tolerance: 1.0 };
         let mut z = start.z.clone();
         if z.len() > before + 1 {
@@ -326,10 +323,7 @@ impl<'a> Search<'a> {
     fn as_found(&self, launch: Launch<'_>, model: &Model<'_>, numbers: &[f64], least: f64) -> Option<Start> {
         let from = &launch.from.fit;
         let z: Vec<f64> = from.z.iter().chain(numbers).copied().collect();
-        let mut bounds = model.bounds();
-        for (bound, z) in bounds.iter_mut().zip(&z).skip(from.z.len()) {
-            *bound = (*z, *z);
-        }
+        let bounds = held_from(model, &z, from.z.len());
         let options = FitOptions { iterations: 2, tolerance: 1.0 };
         let whitener = self.whitener_of(launch);
         let level = from.objective() - least.max(0.0);
@@ -363,10 +357,7 @@ impl<'a> Search<'a> {
     fn far(&self, launch: Launch<'_>, model: &Model<'_>, size: f64, shape: &[f64]) -> Option<Start> {
         let from = &launch.from.fit;
         let z: Vec<f64> = from.z.iter().copied().chain([size]).chain(shape.iter().copied()).collect();
-        let mut bounds = model.bounds();
-        for (bound, z) in bounds.iter_mut().zip(&z).skip(from.z.len()) {
-            *bound = (*z, *z);
-        }
+        let bounds = held_from(model, &z, from.z.len());
         let (whitener, options) = (self.whitener_of(launch), FitOptions { iterations: 1, tolerance: 0.5 });
         let worth_it = FAR_PROMISE * (1.0 - FAR_SHARE) * from.objective();
         let found = fit_where_promising(model, whitener, &z, &bounds, &options, worth_it).ok()??;

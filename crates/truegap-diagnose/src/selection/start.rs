@@ -26,6 +26,13 @@ pub(crate) fn keep_best(promising: &mut [(usize, Vec<Vec<Start>>)], launch: usiz
     });
 }
 
+/// The bounds of a model with its coordinates from `first` on held where they are in `z`.
+pub(crate) fn held_from(model: &Model<'_>, z: &[f64], first: usize) -> Vec<(f64, f64)> {
+    let mut bounds = model.bounds();
+    bounds.iter_mut().zip(z).skip(first).for_each(|(bound, z)| *bound = (*z, *z));
+    bounds
+}
+
 /// The coordinates of `from` with the last effect of `model` behind them, in this size and shape, and the change of the whitened response for one unit of the size;
 /// `None` where the model has no answer.
 pub fn with_one_more(

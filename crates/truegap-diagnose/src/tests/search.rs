@@ -1,7 +1,7 @@
 //! Where the search for a model begins: with an effect's numbers as they are foreseen, and as a smaller model has found them.
 
 use crate::{
-    About, Context, Effect, Family, FittedParameter, Problem,
+    Context, Effect, FittedParameter, Problem,
     adequacy::lack_of_fit::LackOfFitTests,
     calibration::{InputError, Noise, Whitener},
     common::Plate,
@@ -11,7 +11,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use std::{f64::consts::TAU, sync::atomic::AtomicBool};
-use truegap_core::{Drive, EffectId, Inputs, Parameter, Readout, Simulator, Stage, StageName};
+use truegap_core::{Drive, EffectId, Inputs, Parameter, Readout, Simulator, Stage};
 
 pub(crate) const ROWS: usize = 300;
 
@@ -35,27 +35,13 @@ impl Stage for Waving {
 }
 
 impl Effect for Wave {
-    fn id(&self) -> EffectId {
-        self.id
-    }
-    fn stage(&self) -> StageName {
-        StageName::Readout
-    }
-    fn family(&self) -> Family {
-        Family::Readout
-    }
-    fn about(&self) -> About {
-        About { physics: "", equation: "", excitation: "", impostors: &[], separates: "", source: "" }
-    }
+    crate::tests::of_the_reading!();
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         let period = Parameter::normal("period", "rows", self.foreseen, 20.0, "its period").within(10.0, 200.0);
         vec![Parameter::normal("size", "pF", 0.0, 3.0, "size of the wave"), period]
     }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
         vec![vec![self.foreseen]]
-    }
-    fn testable(&self, _: &Context<'_>) -> Result<(), String> {
-        Ok(())
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
         Box::new(Waving(values[0], values[1]))

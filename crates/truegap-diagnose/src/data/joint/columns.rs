@@ -34,7 +34,7 @@ pub fn behind_one_another(members: &[(&Inputs, f64)]) -> (Inputs, Vec<u32>) {
     (all, first_runs)
 }
 
-/// The drivers of all recordings, by name and unit; a recording that lacks one has its zero there.
+/// The drivers of all recordings, by name and unit. Recordings of which one lacks a driver are refused before they are joined; one that comes here all the same has zeros there.
 fn drivers(members: &[(&Inputs, f64)]) -> Vec<Driver> {
     let mut all: Vec<Driver> = Vec::new();
     for driver in members.iter().flat_map(|(inputs, _)| &inputs.drivers) {

@@ -1,6 +1,6 @@
 //! Base model and effects that are linear in their numbers.
 
-use crate::{About, Context, Effect, Family, FittedParameter};
+use crate::{Context, Effect, FittedParameter};
 use std::sync::Arc;
 use truegap_core::{
     Drive, EffectId, Inputs, Parameter, Readout, Role, SimulationError, Simulator, Stage, StageName, walk_without_plates,
@@ -98,27 +98,13 @@ impl Stage for Added {
 }
 
 impl Effect for Term {
-    fn id(&self) -> EffectId {
-        self.id
-    }
-    fn stage(&self) -> StageName {
-        StageName::Readout
-    }
-    fn family(&self) -> Family {
-        Family::Readout
-    }
-    fn about(&self) -> About {
-        About { physics: "", equation: "", excitation: "", impostors: &[], separates: "", source: "" }
-    }
+    crate::tests::of_the_reading!();
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         let size = Parameter::normal("size", "V", 0.0, self.sd, "size of the term");
         vec![if self.one_sided { size.within(0.0, f64::INFINITY) } else { size }]
     }
     fn foreseen(&self) -> bool {
         self.foreseen
-    }
-    fn testable(&self, _: &Context<'_>) -> Result<(), String> {
-        Ok(())
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
         self.stage_of(values[0])

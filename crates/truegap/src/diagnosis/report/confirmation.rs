@@ -4,9 +4,9 @@
 
 use super::subject::Subject;
 use super::text::significant;
-use truegap_diagnose::answer::{Confirmation, Confirmed, Errors, RivalErrors};
+use truegap_diagnose::answer::{Confirmation, Confirmed, Errors};
 use truegap_diagnose::confirmation::Judgement;
-use truegap_diagnose::text::{listed, spoken};
+use truegap_diagnose::text::listed;
 use truegap_scene::page::{Page, Table, Tone};
 
 /// Verdict, sentence, errors, what a reader should know beside them.
@@ -89,8 +89,7 @@ fn table(confirmation: &Confirmation) -> Table {
         .row(&row("calibrated model", &confirmation.base))
         .row(&row("with what was missing", &confirmation.augmented));
     let rivals = confirmation.rivals.iter().flat_map(|rivals| &rivals.judged);
-    let with = |rival: &RivalErrors| format!("with {} for {}", spoken(&rival.id), spoken(&rival.instead_of));
-    rivals.fold(table, |table, rival| table.row(&row(&with(rival), &rival.errors))).row(&noise)
+    rivals.fold(table, |table, rival| table.row(&row(&format!("with {}", rival.row()), &rival.errors))).row(&noise)
 }
 
 /// The same in a line of the terminal.

@@ -4,7 +4,7 @@
 
 use super::subject::Subject;
 use super::text::{capitalised, significant, spoken_list};
-use truegap_diagnose::Diagnosis;
+use truegap_diagnose::{Diagnosis, Verdict};
 use truegap_scene::page::{Page, Table};
 
 /// Sentence, ranked options, command that plays the profile.
@@ -43,13 +43,10 @@ pub(super) fn add(page: Page, subject: &Subject<'_>) -> Page {
     }
 }
 
-/// What stands in a set for a cause that the library does not have.
-const UNEXPLAINED: &str = "unexplained";
-
 /// What a recording that is there already may do for names that this one leaves open; `None` where it leaves none.
 pub(super) fn another_recording(diagnosis: &Diagnosis) -> Option<String> {
-    let open = diagnosis.ambiguity.iter().any(|set| set.iter().filter(|name| *name != UNEXPLAINED).count() > 1);
-    open.then(|| {
+    let open = diagnosis.findings.iter().any(|finding| !finding.rivals.is_empty());
+    (open && diagnosis.verdict == Verdict::Ambiguous).then(|| {
         "another recording, if there is one, may tell apart what this one cannot: `truegap confirm augmented.toml OTHER.toml` judges each of the rivals on it"
             .into()
     })

@@ -80,7 +80,8 @@ pub use simulation_error::{Refusal, SimulationError, check_finite};
 pub use simulator::{Beside, Joined, Simulator, named_values};
 pub use units::{Dimension, Measure, UnitError};
 pub use walk::{
-    GapReading, GapReadings, PlateColumns, PlateReading, Plates, Readings, RefusedRow, Stiffness, walk, walk_without_plates,
+    GapReading, GapReadings, PlateColumns, PlateReading, Plates, Readings, RefusedRow, Stiffness, beyond_the_ends, walk,
+    walk_without_plates,
 };
 
 /// Permittivity of vacuum as the paper's Table 1 gives it, F/m (CODATA 2018 is 8.8541878128e-12).

@@ -15,6 +15,7 @@ use crate::{
 };
 use std::borrow::Cow;
 
+pub use late::beyond_the_ends;
 pub use plates::{GapReading, GapReadings, PlateColumns, PlateReading, Plates, Readings, RefusedRow, Stiffness};
 
 /// Response of a model with plates: inputs, load path and thermal path, beads, geometry, dielectric, field, readout.

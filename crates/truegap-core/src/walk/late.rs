@@ -6,7 +6,7 @@
 
 use super::known;
 use crate::{chain::Stage, inputs::Inputs};
-use std::borrow::Cow;
+use std::{borrow::Cow, ops::Range};
 
 /// The inputs on the response's clock.
 pub(super) fn on_one_clock<'a>(inputs: &'a Inputs, stages: &[&dyn Stage]) -> Cow<'a, Inputs> {
@@ -20,6 +20,19 @@ pub(super) fn on_one_clock<'a>(inputs: &'a Inputs, stages: &[&dyn Stage]) -> Cow
     let late = |time: &f64| stages.iter().map(|stage| stage.late_s(time - first)).sum();
     let late: Vec<f64> = clock.iter().map(late).collect();
     if late.iter().all(|late| *late == 0.0) { Cow::Borrowed(inputs) } else { Cow::Owned(caught_up(inputs, &clock, &late)) }
+}
+
+/// Rows that a shifted load is read for from beyond an end of their run, or from between the last two rows before it: nothing was recorded there, so that what a model makes of them is made up.
+pub fn beyond_the_ends(inputs: &Inputs, stages: &[&dyn Stage]) -> Vec<usize> {
+    let clock = clock(inputs);
+    let Some(first) = clock.first() else { return Vec::new() };
+    let late = |row: usize| stages.iter().map(|stage| stage.late_s(clock[row] - first)).sum::<f64>();
+    let beyond = |run: &Range<usize>, row: usize| {
+        let (late, last) = (late(row), run.end - 1);
+        let (start, end) = (clock[(run.start + 1).min(last)], clock[last.saturating_sub(1).max(run.start)]);
+        (late > 0.0 && clock[row] + late > end) || (late < 0.0 && clock[row] + late < start)
+    };
+    inputs.runs().iter().flat_map(|run| run.clone().filter(|row| beyond(run, *row)).collect::<Vec<_>>()).collect()
 }
 
 /// The inputs with the columns of the load (force, pressure, gap, simulation) and the drivers read `late[row]` seconds further on: what stands there happened now.
@@ -123,6 +136,17 @@ mod tests {
     fn a_slow_clock_is_later_and_later_through_all_runs() {
         // a quarter of a second a second from half a second early; slope 2 N/s
         assert_eq!(shifted_by(Late(-0.5, 0.25)), [0.0, 1.5, 6.0, 11.0, 13.5, 16.0]);
+    }
+
+    /// Three rows a run, at 0, 1 and 3 s and at 4, 5 and 7 s.
+    #[test]
+    fn rows_that_are_read_from_beyond_the_ends_are_known() {
+        let rows = |late: f64, rate: f64| beyond_the_ends(&ramp(), &[&Late(late, rate)]);
+        assert_eq!(rows(0.0, 0.0), [0_usize; 0]);
+        assert_eq!(rows(0.5, 0.0), [1, 2, 4, 5]);
+        assert_eq!(rows(-0.5, 0.0), [0, 1, 3, 4]);
+        // early at first, late in the end
+        assert_eq!(rows(-0.5, 0.25), [0, 1, 2, 4, 5]);
     }
 
     #[test]

@@ -40,8 +40,8 @@ pub(crate) fn permutation_control(found: &Found<'_>, tried: &Tried) -> Option<f6
 
 /// Root-mean-square errors of two predictions of every row.
 pub(crate) fn in_sample(found: &Found<'_>, before: &[f64], after: &[f64]) -> Option<BeforeAfter> {
-    let response = found.all.problem.response;
-    let error = |prediction: &[f64]| rmse(prediction, response, 0..response.len());
+    let response = found.all.told();
+    let error = |prediction: &[f64]| rmse(prediction, &response, 0..response.len());
     Some(BeforeAfter { rmse_before: error(before)?, rmse_after: error(after)? })
 }
 
@@ -72,7 +72,8 @@ pub(crate) fn fit_facts(found: &Found<'_>, in_sample: BeforeAfter, before: &Held
 fn selected_again(found: &Found<'_>, chosen: &[ChosenWithout]) -> SelectedAgain {
     let stood_behind = found.chosen().key();
     let same = chosen.iter().filter(|c| EffectSet::from(c.effects.as_slice()) == stood_behind).count();
-    let error = |c: &ChosenWithout| part_error(&c.part, c.prediction.as_deref(), found.all.problem.response);
+    let response = found.all.told();
+    let error = |c: &ChosenWithout| part_error(&c.part, c.prediction.as_deref(), &response);
     let errors: Vec<PartError> = chosen.iter().map(error).collect();
     let part = |(c, error): (&ChosenWithout, &PartError)| SelectedWithout {
         part: error.name.clone(),

@@ -11,7 +11,7 @@ use crate::{
     },
     effects::effect::FittedParameter,
     selection::candidates::Tried,
-    whitening::noise_model::RecordingNoise,
+    whitening::noise_model::{NoiseModel, RecordingNoise},
 };
 use std::ops::Range;
 
@@ -107,6 +107,16 @@ pub(crate) fn augmented(found: &Found<'_>) -> Augmented {
     }
 }
 
+/// What is said of rows at the ends of runs that were left out.
+fn rows_beyond(noise: &NoiseModel) -> String {
+    match noise.untold.iter().map(ExactSizeIterator::len).sum::<usize>() {
+        0 => String::new(),
+        rows => format!(
+            "; {rows} rows at the ends, for which nothing was recorded on the clock of the response, are left out of all errors"
+        ),
+    }
+}
+
 /// The noise, for the record.
 pub(crate) fn noise(found: &Found<'_>) -> NoiseFacts {
     let n = found.noise;
@@ -118,7 +128,7 @@ pub(crate) fn noise(found: &Found<'_>) -> NoiseFacts {
         ar_correlation: r.response.ar_correlation,
     };
     NoiseFacts {
-        says: n.says.clone(),
+        says: n.says.clone() + &rows_beyond(n),
         white_sd: n.response.white_sd,
         ar_sd: n.response.ar_sd,
         ar_correlation: n.response.ar_correlation,

@@ -38,3 +38,14 @@ pub fn beside_louder_rows(problem: &Problem<'_>, noise: &NoiseModel, found: Loud
     // where noise is taken from what a model leaves over, wild rows were taken for noise as well
     if noise.measured { louder } else { not_above(problem, &clean, louder) }
 }
+
+/// The same where the noise of the others is no louder than it was taken: without the rows that are louder a noise is no louder, and what a model leaves of the others may be its form. A noise that lasts stays as it is.
+pub fn not_louder_beside(problem: &Problem<'_>, noise: &NoiseModel, found: Louder) -> NoiseModel {
+    let size = |noise: &NoiseModel| noise.response.white_sd.hypot(noise.response.ar_sd);
+    let quieter = beside_louder_rows(problem, noise, found);
+    if size(&quieter) <= size(noise) && !noise.lasts() {
+        quieter
+    } else {
+        NoiseModel { response: noise.response, uncertainty: noise.uncertainty, ..quieter }
+    }
+}

@@ -4,6 +4,7 @@
 
 pub(crate) mod apart;
 pub(crate) mod beside_louder;
+pub(crate) mod beyond_the_ends;
 pub(crate) mod block_average;
 pub(crate) mod clock;
 pub(crate) mod crossings;

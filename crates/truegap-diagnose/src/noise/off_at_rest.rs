@@ -97,6 +97,7 @@ mod tests {
             step: 0.0,
             uncertainty: 0.1,
             weights: None,
+            untold: Vec::new(),
             measured: true,
             rows: 400,
             says: "at night".into(),

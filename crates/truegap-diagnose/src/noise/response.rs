@@ -17,7 +17,7 @@ use crate::{
     },
     stats::resolution,
     whitening::{
-        noise_model::{InputNoise, NoiseModel},
+        noise_model::{InputNoise, NoiseModel, tells},
         whitener::{InputError, Lasting, Noise},
     },
 };
@@ -53,7 +53,19 @@ pub fn noise_model(
         }
         None => (response, input_error, says),
     };
-    Ok(NoiseModel { response, inputs, recordings, input_error, step, uncertainty, weights: None, measured, rows, says })
+    Ok(NoiseModel {
+        response,
+        inputs,
+        recordings,
+        input_error,
+        step,
+        uncertainty,
+        weights: None,
+        untold: Vec::new(),
+        measured,
+        rows,
+        says,
+    })
 }
 
 /// Noise of a recording that never rests, from what a calibrated model leaves over inside short stretches: there a slow misfit is taken out with the cubic,
@@ -65,7 +77,9 @@ pub fn from_misfit(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) ->
     let rows = short.iter().map(|b| b.rows.len()).sum();
     let (response, uncertainty) = estimate(misfit, &short);
     let response = no_finer_than_read(response, problem);
-    let louder = if noise.input_error.louder.is_empty() { "" } else { "; louder rows weigh less" };
+    let weighs_less = |(row, variance): (usize, &f64)| *variance > 0.0 && tells(&noise.untold, row);
+    let any_louder = noise.input_error.louder.iter().enumerate().any(weighs_less);
+    let louder = if any_louder { "; louder rows weigh less" } else { "" };
     let says = format!(
         "no rest record: from what the calibrated model leaves over in {rows} rows of short stretches; slow noise would go unseen{louder}"
     );

@@ -6,7 +6,7 @@ use crate::{
     data::{context::load_column, error::DiagnoseError, problem::Problem},
     fit::model::Model,
     noise::{
-        beside_louder::beside_louder_rows,
+        beside_louder::{beside_louder_rows, not_louder_beside},
         denoised_inputs::{DenoisedInputs, denoised_inputs},
         grows::Beside,
         input_error::Left,
@@ -186,16 +186,7 @@ pub fn with_wild_rows(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel)
     let found = louder_rows(problem, misfit)?;
     let known = |row: &usize| noise.input_error.louder.get(*row).copied().unwrap_or(0.0);
     let new = found.wild.iter().any(|row| known(row) < KNOWN_TO_BE_WILD * found.variance[*row]);
-    let size = |noise: &NoiseModel| noise.response.white_sd.hypot(noise.response.ar_sd);
-    new.then(|| {
-        let quieter = beside_louder_rows(problem, noise, found.wild_only());
-        // without its wild rows a noise is no louder: what this model leaves of the others may be its form
-        if size(&quieter) <= size(noise) {
-            quieter
-        } else {
-            NoiseModel { response: noise.response, uncertainty: noise.uncertainty, ..quieter }
-        }
-    })
+    new.then(|| not_louder_beside(problem, noise, found.wild_only()))
 }
 
 /// A row is told from its neighbours in time: without a clock, rows that follow one another are no neighbours.

@@ -8,6 +8,9 @@
 //! Beside mechanisms that stand by what they foretell, and not by their odds, the causes among the names are those that they have without them, and the mechanisms are carried where they are the smaller part: they were found among thousands,
 //! and an equation with a name is worth more than a composed one.
 //!
+//! Small beside the largest cause may still be far out of the noise: a lag that takes what a fast clock leaves from fifty times the noise down to it. So where tests see nothing in what equations of the library leave, a further
+//! part that removes most of what the causes leave is a cause as well, doubted or not.
+//!
 //! Effects are left out together as well as one by one: a late clock and a lag of the reading may undo one another, and then each looks needed beside the other.
 //!
 //! Nor is a name after the first claimed that would be wrong three times of four, as names in other people's recordings were (`answer/stated.rs`): of clocks that run fast, and gains that change, beside another cause, none of
@@ -25,9 +28,9 @@ use crate::{
     },
     selection::{candidates::Search, posterior::Selection, verdict::Decision},
     validation::{
-        cross_validation::HeldOutFit,
-        main_causes::{fewest, names_first, removed, without_doubted},
-        tuning::CLAIMED_FROM,
+        cross_validation::{HeldOutFit, compared},
+        main_causes::{enough, fewest, names_first, removed, without_doubted},
+        tuning::{CLAIMED_FROM, MAIN_SHARE},
     },
 };
 
@@ -59,13 +62,16 @@ pub(crate) fn with_carried(
         removed(&by_base.unseen, &unseen)
     };
     let Some(whole) = removed(&by_base.unseen, named) else { return decision };
+    let before = compared(&by_base.unseen, named).map_or(whole, |both| both.rmse[0].powi(2));
+    let enough = enough(before, whole, equations && !after.fires());
     let composed = !by_odds && parts.last().is_some_and(|part| part.iter().all(|e| *e >= prepared.testable.len()));
     let (causes, share) = match composed.then(|| names_first(parts.len() - 1, whole, squares)).flatten() {
         Some(named) => named,
-        None => fewest(parts.len(), whole, squares),
+        None => fewest(parts.len(), (whole, enough), squares),
     };
     let doubted = |part: usize| is_doubted(search, selection, &decision, &parts[part]);
-    let (causes, share) = without_doubted((causes, share), |kept| squares(kept).map(|kept| kept / whole), doubted);
+    let least = if enough > MAIN_SHARE * whole { enough / whole } else { 0.0 };
+    let (causes, share) = without_doubted((causes, share), least, |kept| squares(kept).map(|kept| kept / whole), doubted);
     let carried = (0..parts.len()).filter(|part| !causes.contains(part)).flat_map(|part| parts[part].clone()).collect();
     decision.carrying((carried, share), &chosen.effects, &after)
 }

@@ -23,6 +23,7 @@ mod prepare;
 pub(crate) mod recording;
 mod richer_laws;
 mod simple_laws;
+mod within_the_ends;
 mod words_beside;
 
 pub use options::{Options, Restriction};
@@ -100,9 +101,9 @@ fn searched(
 
     let mut prepared = Prepared::new(problem, noise, options)?;
     let mut examined = on_means::examined(&mut prepared, &told)?;
-    // what the base model leaves may hide wild rows, which take the verdict and the noise with them; no noise is louder than what a model leaves; and rest in which the instrument is off says
-    // nothing of its noise at work: everything is done once more with the noise as it is then
-    for otherwise in [Prepared::with_wild_rows, Prepared::quieter, Prepared::at_work] {
+    // rows for which nothing was recorded on the response's clock tell nothing; what the base model leaves may hide wild rows, which take the verdict and the noise with them; no noise is louder than what a
+    // model leaves; and rest in which the instrument is off says nothing of its noise at work: everything is done once more with the noise as it is then
+    for otherwise in [Prepared::within_the_ends, Prepared::with_wild_rows, Prepared::quieter, Prepared::at_work] {
         if !told.stop.load(Ordering::Relaxed)
             && let Some(noise) = otherwise(&prepared, &examined)?
         {

@@ -11,7 +11,7 @@ use crate::{
     },
     effects::effect::Effect,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model},
-    noise::{slow_rivals::slow_rivals, tuning::CLEARLY_COLOURED},
+    noise::{beyond_the_ends::mirrored, slow_rivals::slow_rivals, tuning::CLEARLY_COLOURED},
     pipeline::{judged::Told, prepare::Prepared},
     selection::{
         candidates::Tried,
@@ -51,7 +51,8 @@ pub(crate) fn slower<'a>(
         let filter = filter(noise);
         misfits.iter().map(|m| deviance(&filter, m)).fold(f64::INFINITY, f64::min)
     };
-    let rivals = slow_rivals(prepared.problem, least, &prepared.noise).into_iter().map(|noise| (lowest(&noise), noise));
+    let clean = mirrored(least, &prepared.problem.runs(), &prepared.noise.untold);
+    let rivals = slow_rivals(prepared.problem, &clean, &prepared.noise).into_iter().map(|noise| (lowest(&noise), noise));
     let Some((_, rival)) = rivals.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Ok(None) };
 
     let every_row = filter(&prepared.noise);

@@ -279,7 +279,7 @@ impl RowsLeftOut<'_, '_> {
             let tried = &self.selection.models[place];
             self.search.model_over(problem, &tried.effects).respond(&tried.fit.z).ok()
         };
-        rmse_of_both([&of(self.selection.base)?, &of(model)?], problem.response, 0..problem.response.len())
+        rmse_of_both([&of(self.selection.base)?, &of(model)?], &self.prepared.all_rows().told(), 0..problem.response.len())
     }
 
     fn says_farther(&self, model: usize, [without, with]: [f64; 2]) -> String {

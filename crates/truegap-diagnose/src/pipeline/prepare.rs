@@ -125,7 +125,7 @@ impl<'a> Prepared<'a> {
 
     /// Every row, and which of them each searched row begins with.
     pub fn all_rows(&self) -> AllRows<'_> {
-        AllRows { problem: self.problem, first: self.averages.as_ref().map(|t| t.first.as_slice()) }
+        AllRows { problem: self.problem, first: self.averages.as_ref().map(|t| t.first.as_slice()), untold: &self.noise.untold }
     }
 
     /// Whether rows that are searched are means within which inputs move.
@@ -231,8 +231,17 @@ impl<'a> Prepared<'a> {
 
     /// What a model of the library leaves of every row.
     fn misfit(&self, tried: &Tried) -> Result<Vec<f64>, DiagnoseError> {
-        let model = Model::new(self.problem, &self.context, tried.effects.iter().map(|e| self.testable[*e]).collect());
-        Ok(model.misfit(&tried.fit.z)?)
+        Ok(self.model(tried).misfit(&tried.fit.z)?)
+    }
+
+    /// A model of the library over every row.
+    pub fn model(&self, tried: &Tried) -> Model<'_> {
+        self.model_of(self.problem, tried)
+    }
+
+    /// A model of the library over the rows of `problem`.
+    pub fn model_of<'m>(&'m self, problem: &'m Problem<'m>, tried: &Tried) -> Model<'m> {
+        Model::new(problem, &self.context, tried.effects.iter().map(|e| self.testable[*e]).collect())
     }
 }
 

@@ -16,7 +16,7 @@ use crate::{
         moved_numbers::Refit,
         tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, TELLS, THERE},
     },
-    whitening::noise_model::NoiseModel,
+    whitening::noise_model::{NoiseModel, tells},
 };
 use nalgebra::{Cholesky, DMatrix, DVector};
 use rayon::prelude::*;
@@ -228,6 +228,16 @@ pub struct AllRows<'a> {
     pub problem: &'a Problem<'a>,
     /// first row that each fitted row is a mean of; absent where every row is fitted
     pub first: Option<&'a [usize]>,
+    /// rows over which no error is taken, see [`NoiseModel::untold`]
+    pub untold: &'a [Range<usize>],
+}
+
+impl AllRows<'_> {
+    /// The responses over which errors are taken; NaN elsewhere.
+    pub(crate) fn told(&self) -> Vec<f64> {
+        let told = |(row, value): (usize, &f64)| if tells(self.untold, row) { *value } else { f64::NAN };
+        self.problem.response.iter().enumerate().map(told).collect()
+    }
 }
 
 /// What a fit without a part foretells of every row, its scores on the rows of the part, and the fit.
@@ -262,7 +272,7 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
         Some((model.respond(&z).ok()?, scores, Refit { z, sd }))
     };
     let predicted: Vec<Option<Foretold>> = parts.par_iter().map(predict).collect();
-    let response = all.problem.response;
+    let response = &all.told();
     // NaN marks the rows that no part predicts; every error below is taken over the finite ones only, and there is none where there are none
     let mut prediction = vec![f64::NAN; response.len()];
     for (part, values) in parts.iter().zip(&predicted) {
@@ -292,9 +302,9 @@ fn surprise(errors: &DVector<f64>, slopes: &DMatrix<f64>, known: &DMatrix<f64>) 
     squares - follows.dot(&after.solve(&follows)) + after.ln_determinant() - before.ln_determinant()
 }
 
-/// The error of a part without its score, `values` the predictions of every row.
+/// The error of a part without its score, `values` the predictions of every row, over the rows that have a response.
 pub(crate) fn part_error(part: &Part, values: Option<&[f64]>, response: &[f64]) -> PartError {
-    let rows = || part.rows.iter().cloned().flatten();
+    let rows = || part.rows.iter().cloned().flatten().filter(|row| !response[*row].is_nan());
     let squares = |values: &[f64]| rows().map(|row| (values[row] - response[row]).powi(2)).sum();
     PartError { name: part.name.clone(), squares: values.map(squares), rows: rows().count(), score: None, warned: None }
 }

@@ -27,6 +27,11 @@ pub struct RecordingNoise {
     pub says: String,
 }
 
+/// Whether a row tells something of a model: it is in none of these ranges.
+pub(crate) fn tells(untold: &[Range<usize>], row: usize) -> bool {
+    !untold.iter().any(|rows| rows.contains(&row))
+}
+
 /// The noise of a problem: of the response, and of the inputs carried through the model.
 #[derive(Clone, Debug)]
 pub struct NoiseModel {
@@ -44,6 +49,8 @@ pub struct NoiseModel {
     pub uncertainty: f64,
     /// rows of the recording that each row is the mean of; absent where each is one
     pub weights: Option<Vec<f64>>,
+    /// rows that tell nothing of a model, see [`crate::noise::beyond_the_ends`]: no error is taken over them
+    pub untold: Vec<Range<usize>>,
     /// measured apart from the mismatch
     pub measured: bool,
     /// rows that it rests on
@@ -158,15 +165,16 @@ impl NoiseModel {
         noise.white_sd.powi(2) + noise.ar_sd.powi(2) + self.input_error.row_variance(row)
     }
 
-    /// Standard deviation of one row.
+    /// Standard deviation of one row; of one that tells nothing, that of the reading.
     pub fn row_sd(&self, row: usize) -> f64 {
-        self.row_variance(row).sqrt()
+        let noise = self.response_at(row);
+        if tells(&self.untold, row) { self.row_variance(row).sqrt() } else { noise.white_sd.hypot(noise.ar_sd) }
     }
 
-    /// Root mean square of one row's noise over some rows.
+    /// Root mean square of one row's noise over some rows, those that tell something.
     pub fn floor_of(&self, rows: Range<usize>) -> f64 {
-        let n = rows.len().max(1) as f64;
-        (rows.map(|row| self.row_variance(row)).sum::<f64>() / n).sqrt()
+        let told: Vec<f64> = rows.filter(|row| tells(&self.untold, *row)).map(|row| self.row_variance(row)).collect();
+        (told.iter().sum::<f64>() / told.len().max(1) as f64).sqrt()
     }
 
     /// Root mean square of one row's noise over all rows.

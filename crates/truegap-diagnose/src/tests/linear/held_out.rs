@@ -34,7 +34,7 @@ fn rows_left_out_are_predicted_from_the_others_alone() {
     let y = world.drawn(&[0, 1], &[1.0, -0.8], &mut ChaCha8Rng::seed_from_u64(31));
     let noise = noise(&world, &y);
     world.search(&y, |search, _| {
-        let all = AllRows { problem: search.problem, first: None };
+        let all = AllRows { problem: search.problem, first: None, untold: &[] };
         let base = search.base().unwrap();
         let one = search.add_each(&base, &[0], 1, "test").pop().unwrap();
         let both = search.polished(&search.add_each(&one, &[1], 1, "test").pop().unwrap()).unwrap();
@@ -71,7 +71,7 @@ fn the_error_on_rows_left_out_is_noise_and_what_the_others_do_not_know() {
             let base = search.base().unwrap();
             let one = search.add_each(&base, &[0], 1, "test").pop().unwrap();
             let both = search.add_each(&one, &[1], 1, "test").pop().unwrap();
-            let all = AllRows { problem: search.problem, first: None };
+            let all = AllRows { problem: search.problem, first: None, untold: &[] };
             let found = held_out(search, &noise, &both, all);
             found.parts.iter().map(|p| p.squares.unwrap()).sum::<f64>() / 20.0
         });
@@ -103,7 +103,7 @@ fn a_choice_made_without_a_part_does_not_see_it() {
     let noise = noise(&world, &y);
     let chosen = |y: &[f64]| {
         world.search(y, |search, _| {
-            let all = AllRows { problem: search.problem, first: None };
+            let all = AllRows { problem: search.problem, first: None, untold: &[] };
             selected_again(search, &noise, &[], all).swap_remove(2)
         })
     };

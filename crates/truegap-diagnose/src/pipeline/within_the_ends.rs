@@ -1,0 +1,62 @@
+//! The noise without the rows that a model reads from beyond the ends of a run ([`crate::noise::beyond_the_ends`]).
+//!
+//! With such rows in it a fit of two clocks is pulled away from them: it finds too short a shift, so that some of them are overlooked, and what it leaves elsewhere is no noise. So the model is fitted once more
+//! without them, until no further one is found, before the noise is taken from what it leaves.
+//!
+//! Limits: one recording; the clocks are those of the model stood behind, or else of the likeliest.
+
+use crate::{
+    data::error::DiagnoseError,
+    fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit},
+    noise::beyond_the_ends::{rows_felt, weightless, with_noise_of_others},
+    pipeline::prepare::Prepared,
+    selection::{candidates::Tried, examine::Examined},
+    whitening::{noise_model::NoiseModel, whitener::Whitener},
+};
+use truegap_core::{Stage, beyond_the_ends};
+
+/// Most fits of the model; each finds the shift anew, and the second seldom finds another row.
+const MOST_FITS: usize = 5;
+
+impl Prepared<'_> {
+    /// The noise without these rows; `None` where there are none, or nothing of them is felt.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub(crate) fn within_the_ends(&self, examined: &Examined) -> Result<Option<NoiseModel>, DiagnoseError> {
+        let selection = &examined.selection;
+        let stood_behind = Some(examined.decision.model).filter(|model| !selection.models[*model].effects.is_empty());
+        let Some(model) = stood_behind.or_else(|| selection.likeliest_named()) else { return Ok(None) };
+        let tried = &selection.models[model];
+        let mut rows = self.read_beyond(tried, &tried.fit.z);
+        if self.problem.simulator.joined().is_some() || !rows_felt(&rows, &self.model(tried).misfit(&tried.fit.z)?, &self.noise) {
+            return Ok(None);
+        }
+        let searched = self.searched();
+        let (mut noise, mut z) = (weightless(self.problem, &rows, &self.noise), tried.fit.z.clone());
+        for _ in 0..MOST_FITS {
+            z = fit(&self.model_of(&searched, tried), &self.filter_of(&noise), &z, &FitOptions::default())?.z;
+            let more: Vec<usize> = self.read_beyond(tried, &z).into_iter().filter(|row| !rows.contains(row)).collect();
+            if more.is_empty() {
+                break;
+            }
+            rows.extend(more);
+            rows.sort_unstable();
+            noise = weightless(self.problem, &rows, &self.noise);
+        }
+        let misfit = self.model(tried).misfit(&z)?;
+        Ok(Some(with_noise_of_others(self.problem, &misfit, &noise)))
+    }
+
+    /// Rows that a model of the library reads from beyond the ends.
+    fn read_beyond(&self, tried: &Tried, z: &[f64]) -> Vec<usize> {
+        let stages = self.model(tried).stages(z);
+        beyond_the_ends(self.problem.inputs, &stages.iter().map(AsRef::as_ref).collect::<Vec<&dyn Stage>>())
+    }
+
+    /// The filter of the rows that are searched, under this noise of every row.
+    fn filter_of(&self, noise: &NoiseModel) -> Whitener {
+        let of_means = self.averages.as_ref().map(|averages| averages.noise(noise));
+        of_means.as_ref().unwrap_or(noise).whitener(&self.searched().runs(), None)
+    }
+}

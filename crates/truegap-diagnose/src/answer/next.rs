@@ -8,13 +8,21 @@ use crate::{
         numbers::fitted,
         tuning::{MOST_RIVALS, NOT_EXCLUDED},
     },
+    data::context::Context,
     discovery::discover::widened,
+    effects::effect::{Effect, FittedParameter},
     explain::{
         narrowing::{LeastSure, least_sure, narrowing},
         next_experiment::{NextExperiment, next_experiment, settling},
     },
     selection::{candidates::Tried, verdict::Verdict},
 };
+
+/// Standard deviations from which a part of a law is seen.
+const SEEN: f64 = 2.0;
+
+/// Standard deviation of a number, in that of its prior, from which on the recording has told nothing of it.
+const AS_BEFORE: f64 = 0.9;
 
 /// What to do where a tone or bursts are in the reading.
 const LISTEN: &str = "record again at another sampling rate, with leads shielded and what switches nearby turned off: \
@@ -104,17 +112,30 @@ fn rivals(probability: &[f64], best: usize) -> Vec<usize> {
     list
 }
 
-/// The numbers of the effects of a model; one that is held at nothing is none to be narrowed.
+/// The numbers of the effects of a model that another recording could narrow.
 fn numbers<'a>(found: &'a Found<'_>, best: &'a Tried) -> impl Iterator<Item = LeastSure> {
     let model = found.search.model(&best.effects);
     let of = move |(place, effect): (usize, &'a usize)| {
         let range = model.range_of(place);
         let named = move |(index, number)| LeastSure { index, number, effect: found.id(*effect) };
-        let id = found.search.library[*effect].id();
-        let free = move |least: &LeastSure| !found.search.context.holds(id, &least.number.parameter.name);
-        range.clone().zip(fitted(found, best, range)).map(named).filter(free)
+        let (law, context) = (found.search.library[*effect], found.search.context);
+        let open = move |least: &LeastSure| {
+            let name = &least.number.parameter.name;
+            let sd = best.fit.sd.get(least.index).copied().unwrap_or(1.0);
+            !context.holds(law.id(), name) && can_be_narrowed(law, context, &least.number, sd)
+        };
+        range.clone().zip(fitted(found, best, range)).map(named).filter(open)
     };
     best.effects.iter().enumerate().flat_map(of)
+}
+
+/// Whether another recording could narrow a number of an effect; `sd` is its standard deviation in that of its prior. Those of a clock, or of how a recording began, belong to the one recording; of a part of the
+/// law that is not seen, and of what this part would be like, there is nothing to narrow.
+fn can_be_narrowed(law: &dyn Effect, context: &Context<'_>, number: &FittedParameter, sd: f64) -> bool {
+    let among = |names: &[&str]| names.contains(&number.parameter.name.as_str());
+    let seen = number.value.abs() > SEEN * number.sd;
+    let of_one_recording = law.of_recorder() || among(law.of_start(context));
+    !of_one_recording && (seen || !among(law.may_be_nothing())) && sd < AS_BEFORE
 }
 
 #[cfg(test)]

@@ -139,6 +139,21 @@ impl<'a> Context<'a> {
         self.shortest_step_s.filter(|step| step.is_finite()).unwrap_or(1.0)
     }
 
+    /// Longest run, s; 1 where none lasts. No time that physics takes is compared with a second: an oscilloscope's recording is over in microseconds.
+    pub fn run_s(&self) -> f64 {
+        if self.longest_run_s > 0.0 { self.longest_run_s } else { 1.0 }
+    }
+
+    /// From first to last row, s; 1 where no time passes.
+    pub fn length_s(&self) -> f64 {
+        if self.duration_s > 0.0 { self.duration_s } else { 1.0 }
+    }
+
+    /// The usual size of a time that belongs to a device, s: as long as such `devices` usually take, a step where that is longer, and never more than a tenth of a run.
+    pub fn of_device_s(&self, devices: f64) -> f64 {
+        self.step_s().max(devices.min(0.1 * self.run_s()))
+    }
+
     /// Range of the load over the full load; 0 where load plays no part.
     pub fn load_span(&self) -> f64 {
         self.load_range.1 - self.load_range.0

@@ -75,8 +75,8 @@ impl Effect for Ageing {
         }
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let hours = (context.duration_s / HOUR).max(1e-6);
-        let knee = (0.5 * context.duration_s).max(1.0);
+        let hours = context.length_s() / HOUR;
+        let knee = 0.5 * context.length_s();
         let course = |t: f64| (t / knee).ln_1p();
         let sd = 0.03 * course(HOUR) / course(hours * HOUR);
         vec![

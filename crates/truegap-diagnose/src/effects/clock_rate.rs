@@ -91,7 +91,7 @@ impl Effect for ClockRate {
         }
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let length = context.duration_s.max(1.0);
+        let length = context.length_s();
         vec![
             Parameter::normal(
                 "rate",

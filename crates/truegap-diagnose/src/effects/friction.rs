@@ -137,7 +137,7 @@ impl Effect for Friction {
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let course = self.course(context);
         let (span, unit) = (course.span(context), course.unit(context));
-        let speed = course.usual_speed(context).max(span / context.longest_run_s.max(1.0));
+        let speed = course.usual_speed(context).max(span / context.run_s());
         let mut list = vec![
             Parameter::normal(
                 "force",

@@ -85,7 +85,7 @@ impl Effect for HumidityUptake {
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let sd = scale::prior_sd(context, 2e-3, |size| self.with(&[size, 0.0], context));
-        let delay = (0.05 * context.duration_s).max(1.0);
+        let delay = 0.05 * context.length_s();
         vec![
             Parameter::normal(
                 "per_pct",

@@ -47,7 +47,7 @@ impl LateDriver {
 /// Somewhere between a step and a run, s, in the logarithm.
 fn middle_s(context: &Context<'_>) -> f64 {
     let step = context.step_s();
-    (step * context.longest_run_s.max(1.0)).sqrt()
+    (step * context.run_s()).sqrt()
 }
 
 impl Effect for LateDriver {
@@ -79,7 +79,7 @@ impl Effect for LateDriver {
         vec![
             course.influence(context, "change of the reading per unit of the driver, in the end"),
             Parameter::log_normal("tau", "s", middle_s(context), 1.5, "time constant with which it arrives")
-                .within(0.0, context.longest_run_s.max(1.0)),
+                .within(0.0, context.run_s()),
         ]
     }
     fn comes_down_to(&self) -> Option<EffectId> {

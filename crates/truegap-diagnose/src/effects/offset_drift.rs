@@ -105,7 +105,7 @@ impl Effect for OffsetDrift {
         ZeroCourse::InsideRuns
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let hours = (context.duration_s / HOUR).max(1e-6);
+        let hours = context.length_s() / HOUR;
         // a value that should not move has no span of its own: what moved may all be drift
         let usual = if context.simulator.moves() { 0.03 } else { 1.0 };
         let rate = usual * context.response_span.abs() / hours;
@@ -127,7 +127,7 @@ impl Effect for OffsetDrift {
         parameters
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        let hours = (context.duration_s / HOUR).max(1e-6);
+        let hours = context.length_s() / HOUR;
         let fadings = [0.0, 4.0 / hours, 40.0 / hours];
         let plates = context.has_plates();
         fadings.map(|fading| if plates { vec![fading] } else { vec![fading, 0.0] }).to_vec()

@@ -62,7 +62,7 @@ impl Effect for ReadoutLag {
         &[Separation { rival: "viscoelastic_creep", says: "put a switched reference capacitor on the same electronics" }]
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let scale = context.shortest_step_s.unwrap_or(1.0).max(0.1);
+        let scale = context.of_device_s(0.1);
         vec![
             Parameter::normal("tau", "s", 0.0, scale, "time constant of the electronics")
                 .within(0.0, (0.5 * context.longest_run_s).max(scale)),

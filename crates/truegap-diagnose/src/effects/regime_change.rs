@@ -143,7 +143,7 @@ impl Stage for Settling {
 
 /// Length over which a change can be looked for: seconds, or rows without a clock.
 fn length(context: &Context<'_>) -> f64 {
-    if context.shortest_step_s.is_some() { context.duration_s } else { context.inputs.len() as f64 }
+    if context.shortest_step_s.is_some() { context.length_s() } else { context.inputs.len() as f64 }
 }
 
 fn switch(values: &[f64], of: Of) -> Switch {
@@ -159,7 +159,7 @@ const CROSSED: f64 = 0.35;
 /// A change at the edge of what moved would be another name for one coefficient throughout.
 fn told_apart(context: &Context<'_>, of: Of) -> Option<(f64, f64)> {
     let inputs = context.inputs;
-    let length = length(context).max(1.0);
+    let length = length(context);
     let column = match of {
         Of::Temperature => inputs.temperature_c.as_deref(),
         Of::Driver(Course::Driver(index)) => inputs.drivers.get(index).map(|driver| driver.values.as_slice()),
@@ -233,7 +233,7 @@ impl Effect for RegimeChange {
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let of = self.of(context);
-        let (span, length) = (of.span(context).max(f64::MIN_POSITIVE), length(context).max(1.0));
+        let (span, length) = (of.span(context).max(f64::MIN_POSITIVE), length(context));
         let size = if of == Of::Nothing { context.response_span.abs() } else { context.response_span.abs() / span };
         let step = context.step_s().min(0.01 * length);
         let (earliest, latest) = told_apart(context, of).unwrap_or((0.01 * length, 0.99 * length));
@@ -253,7 +253,7 @@ impl Effect for RegimeChange {
         list
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        let (of, length) = (self.of(context), length(context).max(1.0));
+        let (of, length) = (self.of(context), length(context));
         let (earliest, latest) = told_apart(context, of).unwrap_or((0.0, length));
         let times = (0..LOOKED_AT).map(|k| earliest + (latest - earliest) * (k as f64 + 0.5) / LOOKED_AT as f64);
         let takes = ((latest - earliest) / LOOKED_AT as f64).min(LONGEST * length);

@@ -76,7 +76,7 @@ impl Effect for Settling {
         ZeroCourse::InsideRuns
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let duration = context.duration_s.max(1e-6);
+        let duration = context.length_s();
         vec![
             Parameter::normal(
                 "per_decade",
@@ -91,7 +91,7 @@ impl Effect for Settling {
         ]
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        let duration = context.duration_s.max(1e-6);
+        let duration = context.length_s();
         [5e-4, 5e-3, 0.05].map(|knee| vec![(knee * duration).max(1.5 * earliest_s(context, duration))]).to_vec()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {

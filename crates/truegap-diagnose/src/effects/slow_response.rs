@@ -36,7 +36,7 @@ impl Stage for OneAfterTheOther {
 
 /// Parameters of a lag of the reading: `tau`, `slow_share`, `slower`, `before`.
 pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
-    let run = context.longest_run_s.max(1.0);
+    let run = context.run_s();
     // somewhere between a step and a run, in the logarithm
     let middle = 0.3 * (context.step_s() * run).sqrt();
     let rate = usual_rate(context.response_span.abs(), context);
@@ -54,7 +54,7 @@ pub(crate) const AT_ONCE: f64 = 1e4;
 
 /// Usual change before the first row, a second: five spans in a run.
 pub(crate) fn usual_rate(span: f64, context: &Context<'_>) -> f64 {
-    5.0 * span / context.longest_run_s.max(1.0)
+    5.0 * span / context.run_s()
 }
 
 /// In equilibrium at first, or on its way up or down by `rate`: what was switched on or poured in just before the first row.

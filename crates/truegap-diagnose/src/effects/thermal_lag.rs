@@ -98,7 +98,7 @@ impl Effect for ThermalLag {
         if reads_temperature(context) {
             return slow_response::parameters(context);
         }
-        let scale = (0.2 * context.longest_run_s).max(1.0);
+        let scale = 0.2 * context.run_s();
         let mut list = vec![
             Parameter::normal("tau", "s", 0.0, scale, "time constant of the thermal path, mean of both parts")
                 .within(0.0, 2.0 * context.longest_run_s),

@@ -73,7 +73,7 @@ impl Effect for TimeOffset {
         ]
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let scale = context.shortest_step_s.unwrap_or(1.0).max(0.05);
+        let scale = context.of_device_s(0.05);
         let most = (LARGEST_SHARE * context.longest_run_s).max(scale);
         vec![Parameter::normal("late", "s", 0.0, scale, "time by which the load's clock is late").within(-most, most)]
     }

@@ -34,7 +34,9 @@ pub(crate) fn narrowing(search: &Search<'_>, best: &Tried, least_sure: Option<Le
     let told_apart = format!("nothing is left that {names} would have to be told from");
     let only = |says: String| NextExperiment { says, ..NextExperiment::default() };
     let Some(least) = least_sure.filter(|l| relative(&l.number) > SURE_ENOUGH) else {
-        return only(format!("{told_apart}, and its numbers are sure to a tenth or better: no further run is needed"));
+        return only(format!(
+            "{told_apart}, and its numbers, as far as another run could narrow them, are sure to a tenth or better: no further run is needed"
+        ));
     };
     let number = &least.number;
     let says = format!(

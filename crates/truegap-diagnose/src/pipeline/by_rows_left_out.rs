@@ -17,6 +17,7 @@ use crate::{
         calibrated::predicted_like_base,
         judged::{Judged, Told},
         prepare::Prepared,
+        richer_laws::opened_ways,
         simple_laws::{Simple, simple},
     },
     selection::{
@@ -28,11 +29,11 @@ use crate::{
     text::significant,
     validation::{
         cross_validation::{HeldOutFit, compared},
-        held_numbers::refitted,
+        held_numbers::fitted_from_nothing,
         tuning::{CLEARLY_WORSE, FELT, MOST_ADDED, MOST_ASKED, MOST_RIVALS},
     },
 };
-use std::sync::atomic::Ordering;
+use std::{cell::Cell, sync::atomic::Ordering};
 
 /// A model that predicts rows left out better.
 pub(crate) struct ByRowsLeftOut {
@@ -69,6 +70,14 @@ struct Asked {
     unseen: HeldOutFit,
 }
 
+/// What becomes of laws that have run to a limit of their numbers while effects are added. None is told of in the end.
+#[derive(Clone, Copy, PartialEq)]
+enum OnLimits {
+    Refused,
+    /// taken, since beside the next effect it may not lie there
+    OnTheWay,
+}
+
 /// What a choice is made with.
 struct Choice<'s, 'a> {
     prepared: &'s Prepared<'a>,
@@ -77,6 +86,8 @@ struct Choice<'s, 'a> {
     /// that by which effects are added: under the noise, or by least squares where nothing explains the recording under it
     adding: &'s Search<'s>,
     judged: &'s Judged,
+    /// whether a law was refused for a limit that it had run to
+    refused: Cell<bool>,
 }
 
 /// The model that predicts rows left out clearly better than what `judged` stands behind, or as well with fewer effects.
@@ -91,23 +102,29 @@ pub(crate) fn by_rows_left_out(prepared: &Prepared<'_>, told: &Told<'_>, judged:
     }
     let base = judged.examined.selection.base();
     if judged.names_something() {
-        return Choice { prepared, search, adding: search, judged }.made(base.clone());
+        return Choice { prepared, search, adding: search, judged, refused: Cell::new(false) }.made(base.clone());
     }
     // noise of an instrument at rest weighs a misfit at work by its quick parts: a shift by which most of it goes may be beyond a hill there
     let Some(size) = left_over(&search.model_over(prepared.problem, &[]), &base.fit.z) else { return Chosen::AsItIs };
     let (noise, runs) = (white(&prepared.searched_noise, size), searched.runs());
     let (whitener, loose) = (noise.whitener(&runs, None), noise.scaled(LOOSE).whitener(&runs, None));
     let adding = &Search { whitener: &whitener, loose: &loose, scout: None, library: search.library.clone(), ..*search };
-    adding.base().map_or(Chosen::AsItIs, |base| Choice { prepared, search, adding, judged }.made(base))
+    adding.base().map_or(Chosen::AsItIs, |base| Choice { prepared, search, adding, judged, refused: Cell::new(false) }.made(base))
 }
 
 impl Choice<'_, '_> {
     /// From the base model as it is calibrated where effects are added.
     fn made(&self, base: Tried) -> Chosen {
-        let base = Asked { tried: base, held: Vec::new(), unseen: self.judged.by_base.unseen.clone() };
-        match self.forward(base) {
-            None => Chosen::Nothing,
-            Some(found) => self.better(found).map_or(Chosen::AsItIs, |better| Chosen::Better(Box::new(better))),
+        let base = || Asked { tried: base.clone(), held: Vec::new(), unseen: self.judged.by_base.unseen.clone() };
+        let found = self.forward(base(), OnLimits::Refused);
+        let nothing = found.is_none();
+        // a law that has run to a limit alone may hold beside another: a logarithm beside a drift that fades
+        let on_the_way = if self.refused.get() { self.forward(base(), OnLimits::OnTheWay) } else { None };
+        let better = [found, on_the_way].into_iter().flatten().filter_map(|found| self.better(found));
+        match better.reduce(|a, b| if compared(&a.unseen, &b.unseen).is_some_and(|both| both.better_by(FELT)) { b } else { a }) {
+            Some(better) => Chosen::Better(Box::new(better)),
+            None if nothing => Chosen::Nothing,
+            None => Chosen::AsItIs,
         }
     }
 
@@ -123,9 +140,8 @@ impl Choice<'_, '_> {
             let clearly = both.better_by(FELT);
             (clearly || (fewer && both.rmse[1] <= both.rmse[0])).then_some((both.rmse, clearly))
         };
-        if found.tried.key() == chosen.key() || judged(&found.unseen).is_none() {
-            return None;
-        }
+        // the same effects by other laws are another model
+        judged(&found.unseen)?;
         let context = self.search.context.holding(found.held.clone());
         let narrow = &self.search.within(&context);
         let Simple { tried, held, unseen } =
@@ -139,6 +155,7 @@ impl Choice<'_, '_> {
         let unit = self.search.problem.simulator.unit();
         let under_the_noise = match chosen.effects.as_slice() {
             [] => "nothing explains it under the noise".to_owned(),
+            _ if found.tried.key() == chosen.key() => "other laws by this name would fit better under the noise".to_owned(),
             effects => format!("{} would fit better under the noise", self.prepared.names(effects)),
         };
         let says = format!(
@@ -163,10 +180,10 @@ impl Choice<'_, '_> {
     }
 
     /// One effect after another, each the one that foretells rows left out best; `None` where none foretells them clearly better than the base model.
-    fn forward(&self, base: Asked) -> Option<Asked> {
+    fn forward(&self, base: Asked, on_limits: OnLimits) -> Option<Asked> {
         let mut best = base;
         for _ in 0..MOST_ADDED {
-            let added = self.added(&best.tried, &best.held, MOST_ASKED);
+            let added = self.added(&best.tried, &best.held, (MOST_ASKED, on_limits));
             let least = if best.tried.effects.is_empty() { CLEARLY_WORSE } else { FELT };
             let better = added.into_iter().filter_map(|asked| {
                 let both = compared(&best.unseen, &asked.unseen)?;
@@ -179,38 +196,49 @@ impl Choice<'_, '_> {
     }
 
     /// Models with one effect more, the `most` that promise most, asked for rows left out; each with the law of its new effect as it is and with the simple law that it holds as a special case.
-    fn added(&self, from: &Tried, held: &[Number], most: usize) -> Vec<Asked> {
+    fn added(&self, from: &Tried, held: &[Number], (most, on_limits): (usize, OnLimits)) -> Vec<Asked> {
         let context = self.search.context.holding(held.to_vec());
         let search = &self.adding.within(&context);
         let of_equations: Vec<usize> = (0..search.library.len()).filter(|e| !search.library[*e].free_form()).collect();
         let added = search.add_each(from, &of_equations, most, "rows left out");
-        added.into_iter().filter(|tried| is_whole(search, tried)).filter_map(|tried| self.asked(search, tried)).collect()
+        added
+            .into_iter()
+            .filter(|tried| is_whole(search, tried))
+            .filter_map(|tried| self.asked(search, tried, on_limits))
+            .collect()
     }
 
-    /// A model asked for rows left out, with the better of both laws of its last effect; `None` where a law has run to a limit of its numbers: there it does not hold.
-    fn asked(&self, search: &Search<'_>, tried: Tried) -> Option<Asked> {
+    /// A model asked for rows left out, with the best of the laws of its last effect; `None` where a law has run to a limit of its numbers, which is refused: there it does not hold.
+    fn asked(&self, search: &Search<'_>, tried: Tried, on_limits: OnLimits) -> Option<Asked> {
         let effect = search.library[*tried.effects.last()?];
         let ask = |search: &Search<'_>, tried: Tried| {
-            if runs_to_limit(search, &tried) {
+            if on_limits == OnLimits::Refused && runs_to_limit(search, &tried) {
+                self.refused.set(true);
                 return None;
             }
             let unseen = predicted_like_base(self.prepared, search, &self.judged.by_base, &tried);
             Some(Asked { tried, held: search.context.held.clone(), unseen })
         };
         let open = effect.may_be_nothing().iter().filter(|name| !search.context.holds(effect.id(), name));
-        let numbers: Vec<_> = open.map(|name| (effect.id(), *name)).collect();
-        let plain = (!numbers.is_empty()).then(|| {
-            let context = search.context.holding([search.context.held.as_slice(), &numbers].concat());
-            let search = &self.search.within(&context);
-            ask(search, refitted(search, &tried)?)
-        });
-        match (ask(search, tried), plain.flatten()) {
-            (Some(rich), Some(plain)) => {
-                let [rich_error, plain_error] = compared(&rich.unseen, &plain.unseen)?.rmse;
-                Some(if rich_error < plain_error { rich } else { plain })
-            }
-            (rich, plain) => rich.or(plain),
-        }
+        let numbers: Vec<Number> = open.map(|name| (effect.id(), *name)).collect();
+        let with = |held: Vec<Number>, opened: &[Number]| {
+            let context = search.context.holding(held);
+            let search = &search.within(&context);
+            ask(search, fitted_from_nothing(search, &tried, &[&search.context.held, opened].concat())?)
+        };
+        let plain = (!numbers.is_empty()).then(|| with([search.context.held.as_slice(), &numbers].concat(), &[]));
+        let more = effect.may_be_more().iter().filter(|name| search.context.holds(effect.id(), name));
+        let opened: Vec<Number> = more.map(|name| (effect.id(), *name)).collect();
+        let ways = if opened.is_empty() { Vec::new() } else { opened_ways(search, &tried, &opened) };
+        let richer: Vec<Asked> = ways.into_iter().filter_map(|held| with(held, &opened)).collect();
+        let as_it_is = [plain.flatten(), ask(search, tried.clone())].into_iter().flatten().reduce(|a, b| better_of(a, b, 1.0));
+        // a richer law has to be felt
+        richer.into_iter().fold(as_it_is, |best, richer| {
+            Some(match best {
+                Some(best) => better_of(best, richer, FELT),
+                None => richer,
+            })
+        })
     }
 
     /// For each effect of a model: itself, and those with which it predicts rows left out nearly as well.
@@ -221,7 +249,8 @@ impl Choice<'_, '_> {
         let set = |effect: &usize| {
             let without =
                 own.iter().find(|tried| !tried.effects.contains(effect) && tried.effects.len() + 1 == model.tried.effects.len());
-            let exchanged = without.map_or_else(Vec::new, |without| self.added(without, &model.held, MOST_RIVALS));
+            let exchanged =
+                without.map_or_else(Vec::new, |without| self.added(without, &model.held, (MOST_RIVALS, OnLimits::Refused)));
             let new = exchanged.iter().filter(|asked| near(asked)).filter_map(|asked| asked.tried.effects.last().copied());
             std::iter::once(*effect).chain(new.filter(|new| !model.tried.effects.contains(new))).collect()
         };
@@ -245,6 +274,12 @@ impl Choice<'_, '_> {
         };
         effects.iter().zip(sets).map(with).collect()
     }
+}
+
+/// The second of two models where it predicts rows left out `least` times better or more, else the first.
+fn better_of(first: Asked, second: Asked, least: f64) -> Asked {
+    let better = compared(&first.unseen, &second.unseen).is_some_and(|both| both.rmse[0] > least * both.rmse[1]);
+    if better { second } else { first }
 }
 
 /// Whether the law of an effect of a model has run to a limit.

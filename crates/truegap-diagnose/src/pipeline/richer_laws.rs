@@ -10,7 +10,10 @@ use crate::{
         judged::{self, Told},
         prepare::Prepared,
     },
-    selection::{candidates::Tried, examine::Examined},
+    selection::{
+        candidates::{Search, Tried},
+        examine::Examined,
+    },
     validation::{
         cross_validation::{HeldOutFit, compared},
         held_numbers::fitted_from_nothing,
@@ -40,7 +43,7 @@ pub(crate) fn richer(
     Ok(Some(again))
 }
 
-/// The numbers that are still held where the others are opened; `None` where rows left out are not foretold clearly better for it.
+/// The numbers that are held where richer laws are opened, with what bends the simple law or without: of two laws that bend, one may do; `None` where rows left out are not predicted clearly better for it.
 fn borne_out(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> Option<Vec<Number>> {
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
@@ -56,12 +59,26 @@ fn borne_out(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> O
         return None;
     }
     let opened = numbers(tried);
+    let simple = prepared.foretold(search, tried);
+    let errors = |held: &[Number]| {
+        let context = search.context.holding(held.to_vec());
+        let wider = &search.within(&context);
+        let richer = fitted_from_nothing(wider, tried, &[&opened, held].concat())?;
+        let both = compared(&simple, &prepared.foretold(wider, &richer))?;
+        both.better_by(FELT).then_some(both.rmse[1])
+    };
+    let borne_out = opened_ways(search, tried, &opened).into_iter().filter_map(|held| Some((errors(&held)?, held)));
+    borne_out.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, held)| held)
+}
+
+/// What is held where these numbers of richer laws are opened: what was held besides, and that with the numbers of the same effects that may be nothing.
+pub(crate) fn opened_ways(search: &Search<'_>, tried: &Tried, opened: &[Number]) -> Vec<Vec<Number>> {
     let kept: Vec<Number> = search.context.held.iter().filter(|number| !opened.contains(number)).copied().collect();
-    let context = search.context.holding(kept.clone());
-    let wider = &search.within(&context);
-    let richer = fitted_from_nothing(wider, tried, &opened)?;
-    let both = compared(&prepared.foretold(search, tried), &prepared.foretold(wider, &richer))?;
-    both.better_by(FELT).then_some(kept)
+    let effects = tried.effects.iter().map(|e| search.library[*e]).filter(|e| opened.iter().any(|(id, _)| *id == e.id()));
+    let bends = effects.flat_map(|effect| effect.may_be_nothing().iter().map(move |name| (effect.id(), *name)));
+    let bends: Vec<Number> = bends.filter(|number| !kept.contains(number)).collect();
+    let both = [kept.as_slice(), &bends].concat();
+    if bends.is_empty() { vec![kept] } else { vec![kept, both] }
 }
 
 /// What the model that is stood behind foretells of rows left out.

@@ -171,7 +171,7 @@ mod tests {
 
     #[test]
     fn where_nothing_is_removed_or_fitted_all_stay() {
-        assert_eq!(fewest(2, 0.0, |_| Some(0.0)).0, [0, 1]);
-        assert_eq!(fewest(2, 1.0, |_| None).0, [0, 1]);
+        assert_eq!(fewest(2, (0.0, 0.0), |_| Some(0.0)).0, [0, 1]);
+        assert_eq!(fewest(2, (1.0, 0.9), |_| None).0, [0, 1]);
     }
 }

@@ -121,6 +121,12 @@ pub enum RecordingError {
          free = [\"gain\", \"offset\"] under [base]"
     )]
     UnitsDiffer { file: PathBuf, column: String, unit: String, response: String },
+    /// A quote that opens and holds the rows behind it.
+    #[error(
+        "{file}, line {line}: a quote opens in column {column} and does not close there: the rows behind it would be text in one cell; close it, or take it away \
+         (an inch is written as in)"
+    )]
+    OpenQuote { file: PathBuf, line: usize, column: String },
     /// A row with more or fewer cells than the header.
     #[error(
         "{file}, line {line}: {found} cells where the header has {expected}; close the row, or write decimal points instead of commas"

@@ -26,6 +26,8 @@ pub enum Note {
     AboveHeader { lines: usize, header_line: usize },
     /// Lines of text below the rows were left out.
     BelowTable { lines: usize, first_line: usize },
+    /// Lines that begin as remarks do and look like rows.
+    MarkedRows { lines: usize, first_line: usize, taken: bool },
     /// The header is no UTF-8.
     Windows1252 { text: String },
     /// The clock is a date.
@@ -87,6 +89,17 @@ impl fmt::Display for Note {
             Self::BelowTable { lines, first_line } => {
                 let lines = if *lines == 1 { "1 line of text was".to_owned() } else { format!("{lines} lines of text were") };
                 write!(f, "{lines} left out below the rows, from line {first_line} on")
+            }
+            Self::MarkedRows { lines, first_line, taken } => {
+                let one = *lines == 1;
+                let (begin, first) = if one { ("line begins", "on") } else { ("lines begin", "the first on") };
+                let (look, were) = if one { ("looks", "was") } else { ("look", "were") };
+                let what = if *taken {
+                    "read as such, since the first column holds words; delete them if they are remarks"
+                } else {
+                    "left out; take the sign away if they are rows"
+                };
+                write!(f, "{lines} {begin} as a remark does and {look} like a row ({first} line {first_line}), and {were} {what}")
             }
             Self::Windows1252 { text } => {
                 write!(

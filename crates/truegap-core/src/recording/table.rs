@@ -5,9 +5,11 @@
 use super::{
     error::RecordingError,
     heading::{Heading, units},
+    marked::Marked,
     note::Note,
     source::Source,
     stamp::{is_date, is_day, is_time_of_day, unordered},
+    swallowed::swallowing,
     text::text,
 };
 use sha2::{Digest, Sha256};
@@ -29,6 +31,8 @@ pub(super) struct Table<R> {
     pub decimal_comma: bool,
     /// whether the vendor's tool wrote it
     pub singletact: bool,
+    /// rows behind a sign of remarks
+    marked: Marked,
     /// what its reader had to make of it
     pub notes: Vec<Note>,
 }
@@ -55,6 +59,7 @@ impl<R: Read + Seek> Table<R> {
             header: Vec::new(),
             decimal_comma: layout.decimal_comma,
             singletact: layout.singletact,
+            marked: Marked::default(),
             notes: (layout.above > 0).then_some(above).into_iter().collect(),
         };
         if table.singletact {
@@ -114,13 +119,43 @@ impl<R: Read + Seek> Table<R> {
         if std::mem::take(&mut self.ahead) {
             return Ok(true);
         }
+        while self.read_row()? {
+            let (width, words, byte) = (self.header.len(), self.reader.get_ref().layout().words, self.byte());
+            if width == 0 || self.singletact || !self.marked.is_remark(&self.record, width, words, byte) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// The next row as it stands, whatever it is.
+    fn read_row(&mut self) -> Result<bool, RecordingError> {
         let read = self.reader.read_byte_record(&mut self.record);
         if self.blanks && self.record.iter().any(<[u8]>::is_empty) {
             let place = self.record.position().cloned();
             self.record = self.record.iter().filter(|cell| !cell.is_empty()).collect();
             self.record.set_position(place);
         }
+        if let Some(at) = swallowing(&self.record, self.reader.get_ref().layout().separator) {
+            let column = self.header.get(at).map_or_else(|| (at + 1).to_string(), |heading| format!("`{}`", heading.name));
+            let line = self.line(self.byte())?;
+            return Err(RecordingError::OpenQuote { file: self.file.clone(), line, column });
+        }
         read.map_err(|error| RecordingError::Read { file: self.file.clone(), source: io::Error::other(error) })
+    }
+
+    /// Tells of rows behind a sign of remarks, once all are read.
+    pub fn tell_marked(&mut self) -> Result<(), RecordingError> {
+        let (words, plain) = (self.reader.get_ref().layout().words, self.reader.get_ref().layout().plain);
+        let mut line = Ok(0);
+        let marked = std::mem::take(&mut self.marked);
+        let note = marked.note(words, |byte| {
+            line = self.line(byte);
+            *line.as_ref().unwrap_or(&0)
+        });
+        line?;
+        self.notes.extend(note.filter(|_| plain));
+        Ok(())
     }
 
     /// Cells of the row.

@@ -2,7 +2,7 @@
 //!
 //! Limits: a line that holds no number, or fewer cells than the header, is a remark and nothing is told of it.
 
-use super::{layout::MARKERS, note::Note, number::number};
+use super::{error::RecordingError, layout::MARKERS, note::Note, number::number};
 
 /// Whether a cell begins a remark.
 pub(super) fn is_marked(cell: &[u8]) -> bool {
@@ -30,10 +30,17 @@ impl Marked {
         !words
     }
 
-    /// What is told of them, where the byte of the first is its line; `words` as above.
-    pub fn note(&self, words: bool, line_of: impl FnOnce(u64) -> usize) -> Option<Note> {
-        let (lines, byte) = self.seen?;
-        Some(Note::MarkedRows { lines, first_line: line_of(byte), taken: words })
+    /// What is told of them, where `line_of` finds the line of a byte; `words` as above.
+    ///
+    /// # Errors
+    /// Those of `line_of`.
+    pub fn note(
+        &self,
+        words: bool,
+        line_of: impl FnOnce(u64) -> Result<usize, RecordingError>,
+    ) -> Result<Option<Note>, RecordingError> {
+        let told = |(lines, byte)| Ok(Note::MarkedRows { lines, first_line: line_of(byte)?, taken: words });
+        self.seen.map(told).transpose()
     }
 }
 

@@ -39,6 +39,7 @@ mod small_letters;
 mod source;
 mod spare;
 mod stamp;
+mod summaries;
 mod swallowed;
 mod table;
 mod text;

@@ -28,6 +28,8 @@ pub enum Note {
     BelowTable { lines: usize, first_line: usize },
     /// Lines that begin as remarks do and look like rows.
     MarkedRows { lines: usize, first_line: usize, taken: bool },
+    /// Rows that sum up others were left out.
+    Summaries { rows: usize, words: String, lines: Vec<usize> },
     /// The header is no UTF-8.
     Windows1252 { text: String },
     /// The clock is a date.
@@ -100,6 +102,14 @@ impl fmt::Display for Note {
                     "left out; take the sign away if they are rows"
                 };
                 write!(f, "{lines} {begin} as a remark does and {look} like a row ({first} line {first_line}), and {were} {what}")
+            }
+            Self::Summaries { rows, words, lines } => {
+                let were =
+                    if *rows == 1 { "1 row that sums up others was" } else { &format!("{rows} rows that sum up others were") };
+                let lines: Vec<String> = lines.iter().map(ToString::to_string).collect();
+                let more = if *rows > lines.len() { " and further on" } else { "" };
+                let line = if *rows == 1 { "line" } else { "lines" };
+                write!(f, "{were} left out ({words}), on {line} {}{more}", lines.join(", "))
             }
             Self::Windows1252 { text } => {
                 write!(

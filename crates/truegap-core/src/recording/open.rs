@@ -147,7 +147,7 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
         let numeric = numbers_ahead(&table);
         rows.take(&mut table, &columns, &drivers, sensor.filter(|_| several).map(String::as_str))?;
         if pass == 0 {
-            table.tell_marked()?;
+            table.tell_left_out()?;
             notes = std::mem::take(&mut table.notes);
             notes.extend(assumed);
             notes.extend(rows.first_date.take());

@@ -5,10 +5,12 @@
 use super::{
     error::RecordingError,
     heading::{Heading, units},
+    layout::Layout,
     marked::Marked,
     note::Note,
     source::Source,
     stamp::{is_date, is_day, is_time_of_day, unordered},
+    summaries::Summaries,
     swallowed::swallowing,
     text::text,
 };
@@ -33,6 +35,8 @@ pub(super) struct Table<R> {
     pub singletact: bool,
     /// rows behind a sign of remarks
     marked: Marked,
+    /// rows that sum up others
+    summaries: Summaries,
     /// what its reader had to make of it
     pub notes: Vec<Note>,
 }
@@ -60,6 +64,7 @@ impl<R: Read + Seek> Table<R> {
             decimal_comma: layout.decimal_comma,
             singletact: layout.singletact,
             marked: Marked::default(),
+            summaries: Summaries::default(),
             notes: (layout.above > 0).then_some(above).into_iter().collect(),
         };
         if table.singletact {
@@ -102,6 +107,8 @@ impl<R: Read + Seek> Table<R> {
                 heading.unordered = unordered(cell(at)).is_some();
                 heading.of_day = is_time_of_day(cell(at));
             }
+            let dated = self.header.iter().map(|heading| heading.dated || heading.of_day);
+            self.summaries.begin(record, dated);
         }
         self.notes.extend(strange.map(|text| Note::Windows1252 { text }));
         Ok(())
@@ -119,6 +126,24 @@ impl<R: Read + Seek> Table<R> {
         if std::mem::take(&mut self.ahead) {
             return Ok(true);
         }
+        if let Some(row) = self.summaries.waiting.pop_front() {
+            self.record = row;
+            return Ok(true);
+        }
+        while self.next_row()? {
+            let Some(column) = self.summaries.column_of(&self.record) else { return Ok(true) };
+            let (mut summaries, row) = (std::mem::take(&mut self.summaries), self.record.clone());
+            let left_out = summaries.leaves_out(column, &row, || Ok(self.next_row()?.then(|| self.record.clone())))?;
+            (self.summaries, self.record) = (summaries, row);
+            if !left_out {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// The next row that is no remark.
+    fn next_row(&mut self) -> Result<bool, RecordingError> {
         while self.read_row()? {
             let (width, words, byte) = (self.header.len(), self.reader.get_ref().layout().words, self.byte());
             if width == 0 || self.singletact || !self.marked.is_remark(&self.record, width, words, byte) {
@@ -144,17 +169,13 @@ impl<R: Read + Seek> Table<R> {
         read.map_err(|error| RecordingError::Read { file: self.file.clone(), source: io::Error::other(error) })
     }
 
-    /// Tells of rows behind a sign of remarks, once all are read.
-    pub fn tell_marked(&mut self) -> Result<(), RecordingError> {
-        let (words, plain) = (self.reader.get_ref().layout().words, self.reader.get_ref().layout().plain);
-        let mut line = Ok(0);
-        let marked = std::mem::take(&mut self.marked);
-        let note = marked.note(words, |byte| {
-            line = self.line(byte);
-            *line.as_ref().unwrap_or(&0)
-        });
-        line?;
-        self.notes.extend(note.filter(|_| plain));
+    /// Tells of rows that were left out, or read for want of a better word, once all are read.
+    pub fn tell_left_out(&mut self) -> Result<(), RecordingError> {
+        let (marked, mut summaries) = (std::mem::take(&mut self.marked), std::mem::take(&mut self.summaries));
+        let Layout { words, plain, .. } = *self.reader.get_ref().layout();
+        let marked = marked.note(words, |byte| self.line(byte))?.filter(|_| plain);
+        let sums = summaries.note(|byte| self.line(byte))?;
+        self.notes.extend(marked.into_iter().chain(sums));
         Ok(())
     }
 

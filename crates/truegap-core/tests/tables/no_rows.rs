@@ -69,3 +69,36 @@ fn a_quote_in_a_remark_holds_no_rows() {
     let text = format!("time_s,force_n,capacitance_pf\n{}# see,\"the drawing\n{}", rows(0, 9, ""), rows(10, 19, ""));
     assert_eq!(read(&text).unwrap().len(), 20);
 }
+
+/// Rows of a mean, a deviation and a sum were data.
+#[test]
+fn rows_that_sum_up_others_are_left_out_and_told() {
+    let table = |label: &dyn Fn(usize) -> String, end: &str| {
+        let rows: String = (0..40).map(|k| format!("{},{},{}\n", label(k), k % 7, 74 + k % 7)).collect();
+        read(&format!("sample,force_n,capacitance_pf\n{rows}{end}"))
+    };
+    let (end, one) = ("Mean,2.9,76.9\nStd. Dev.,2.0,2.0\nSum,116,3076\n", "Max,6,80\n");
+    let told = |lines: &[usize]| {
+        let words = if lines.len() == 1 { "`Max`" } else { "`Mean`, `Std. Dev.`, `Sum`" };
+        Note::Summaries { rows: lines.len(), words: words.into(), lines: lines.to_vec() }
+    };
+    let (numbers, nothing): (&dyn Fn(usize) -> String, &dyn Fn(usize) -> String) = (&|k| k.to_string(), &|_| String::new());
+    let words: &dyn Fn(usize) -> String = &|k| if k % 9 == 3 { "Max".into() } else { "hold".into() };
+    let hold: &dyn Fn(usize) -> String = &|_| "hold".into();
+    for (label, end, rows, lines) in [
+        (numbers, end, 40, &[42, 43, 44][..]),
+        (numbers, one, 40, &[42]),
+        (nothing, end, 40, &[42, 43, 44]),
+        (nothing, one, 40, &[42]),
+        (hold, end, 40, &[42, 43, 44]),
+        (hold, one, 41, &[]),
+        (words, one, 41, &[]),
+    ] {
+        let read = table(label, end).unwrap();
+        let found: Vec<&Note> = read.notes.iter().filter(|note| matches!(note, Note::Summaries { .. })).collect();
+        let wanted = told(lines);
+        assert_eq!((read.len(), found), (rows, if lines.is_empty() { vec![] } else { vec![&wanted] }));
+    }
+    let of_a_clock = format!("time_s,force_n,capacitance_pf\n{}Mean,3,76\n{}", rows(0, 9, ""), rows(10, 19, ""));
+    assert_eq!(read(&of_a_clock).unwrap().len(), 20);
+}

@@ -127,9 +127,9 @@ fn what_is_wrong_with_a_column_is_told_once_for_all_rows() {
 /// The last line was the measure of the table, so that nothing of it was seen.
 #[test]
 fn what_stands_below_a_table_is_told_with_its_line() {
-    let bench = Bench::new("footer", b"time_s,force_n,capacitance_pf\n0,1,74\n1,2,75\nTotal,,\nEnd of file\n");
+    let bench = Bench::new("footer", b"time_s,force_n,capacitance_pf\n0,1,74\n1,2,75\nStopped,,\nEnd of file\n");
     let told = bench.read().unwrap_err().to_string();
-    assert!(told.contains("line 4: `Total` in column `time_s`"), "{told}");
+    assert!(told.contains("line 4: `Stopped` in column `time_s`"), "{told}");
     let sketch = sketch(&bench.0.join("t.csv"), &Told::default()).unwrap();
     assert!(sketch.toml.contains("force = \"force_n\""), "{}", sketch.toml);
 }

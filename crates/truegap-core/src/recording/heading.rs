@@ -19,7 +19,7 @@ pub(super) struct Heading {
     pub dated: bool,
     /// whether that has no time of day
     pub days: bool,
-    /// whether that may have day or month in front
+    /// whether that may have day or month, or day or year, in front
     pub unordered: bool,
     /// whether a time of day without a date stands there
     pub of_day: bool,
@@ -55,6 +55,12 @@ impl Heading {
             None => split_of(&self.name, dimension),
         };
         found.and_then(|(measured, unit)| meant(measured, unit, dimension))
+    }
+
+    /// The unit of `dimension` in the name, where a line of units stands below it.
+    pub fn unit_above(&self, dimension: Dimension) -> Option<&'static str> {
+        let (measured, unit) = split_of(&self.name, dimension).filter(|_| self.below.is_some())?;
+        meant(measured, unit, dimension)
     }
 
     /// The same where the name alone, or the line of units, shows that it is a unit.

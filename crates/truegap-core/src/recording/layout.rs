@@ -4,7 +4,7 @@
 
 use super::{
     number::number,
-    separators::may_be_grouped,
+    separators::{has_thousands, may_be_grouped},
     singletact,
     stamp::{is_date, is_time_of_day},
 };
@@ -80,10 +80,11 @@ impl Line<'_> {
 
 impl Layout {
     /// The layout of a table that starts so; `None` where there is no line. `whole` where nothing follows.
-    pub fn of(start: &[u8], whole: bool) -> Option<Self> {
+    pub fn of<'a>(start: &'a [u8], whole: bool) -> Option<Self> {
         let lines = lines(start, whole);
         let first = lines.first()?;
-        let singletact = std::str::from_utf8(&first.text[..first.text.len().min(10)]).is_ok_and(singletact::wrote);
+        let cut = |line: &Line<'a>| cells(line.text, most(first.text));
+        let singletact = lines.get(1).is_some_and(|header| singletact::wrote(&cut(first), &cut(header)));
         let plain = without_footer(lines.iter().filter(|line| singletact || line.marker().is_none()).collect());
         if singletact {
             let separator = most(first.text);
@@ -211,7 +212,7 @@ pub(super) fn cells(line: &[u8], separator: u8) -> Vec<&[u8]> {
 
 /// Whether a cell is a number: with a comma it is one with decimals or one in thousands, as commas that part cells are cut away.
 fn is_number(cell: &[u8]) -> bool {
-    number(cell, true).is_ok()
+    number(cell, true).is_ok() || has_thousands(cell)
 }
 
 /// Whether commas in quotes are decimal points in a table whose cells commas part: one can be nothing else, and no number has a point.

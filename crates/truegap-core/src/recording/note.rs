@@ -44,6 +44,8 @@ pub enum Note {
     OtherDegrees { column: String, unit: String, low: f64, high: f64, other: String },
     /// Commas were read as decimal points.
     DecimalCommas,
+    /// Signs between thousands were left out.
+    Thousands { columns: String },
     /// Runs were numbered afresh, because there are several sensors.
     RunsRenumbered { runs: u32 },
     /// The unit under `[units]` is not the one in the column's name.
@@ -139,6 +141,7 @@ impl fmt::Display for Note {
                  under [units]"
             ),
             Self::DecimalCommas => f.write_str("commas were read as decimal points"),
+            Self::Thousands { columns } => write!(f, "signs between thousands were left out in {columns}, as in 1,234.5"),
             Self::RunsRenumbered { runs } => write!(f, "runs were numbered afresh, 1 to {runs}, one for each sensor and run"),
             Self::UnitOverridesName { column, unit, named } => {
                 write!(f, "column `{column}` was read in {unit}, as [units] says, although its name says {named}")

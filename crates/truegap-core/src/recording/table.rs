@@ -9,7 +9,7 @@ use super::{
     marked::Marked,
     note::Note,
     source::Source,
-    stamp::{is_date, is_day, is_time_of_day, unordered},
+    stamp::{is_date, is_day, is_time_of_day, short, unordered},
     summaries::Summaries,
     swallowed::swallowing,
     text::text,
@@ -104,7 +104,7 @@ impl<R: Read + Seek> Table<R> {
             for (at, heading) in self.header.iter_mut().enumerate() {
                 heading.dated = is_date(cell(at));
                 heading.days = is_day(cell(at));
-                heading.unordered = unordered(cell(at)).is_some();
+                heading.unordered = unordered(cell(at)).is_some() || short(cell(at)).is_some();
                 heading.of_day = is_time_of_day(cell(at));
             }
             let dated = self.header.iter().map(|heading| heading.dated || heading.of_day);

@@ -143,3 +143,13 @@ fn dates_and_durations_of_a_frame_are_a_clock() {
     assert_eq!(durations.inputs.time_s, dates.inputs.time_s);
     assert!(durations.notes.iter().all(|note| !matches!(note, Note::Dates { .. })));
 }
+
+/// A column of pressures was a force without a word.
+#[test]
+fn a_unit_that_overrules_one_of_something_else_is_told() {
+    let read =
+        with_toml("[columns]\nforce = \"pressure_kpa\"\n[units]\nforce = \"N\"\n", "pressure_kpa,capacitance_pf\n1,74\n2,75\n")
+            .unwrap();
+    let told = Note::UnitOverridesName { column: "pressure_kpa".into(), unit: "N".into(), named: "kpa".into() };
+    assert!(read.notes.contains(&told), "{:?}", read.notes);
+}

@@ -7,7 +7,7 @@ use super::{
     default_names::{called_after, default_name, dimension, is_default},
     error::RecordingError,
     guess::by_name,
-    heading::Heading,
+    heading::{FAHRENHEIT, FARAD, Heading},
     manifest::{BaseSpec, Manifest, Named},
     map::NO_LINE,
     note::Note,
@@ -277,7 +277,9 @@ impl Binder<'_> {
                 if let Some(named) = named.filter(|named| !is_same_unit(named, &given.text)) {
                     notes.push(overrides(heading, given, named));
                 }
-                given.text.clone()
+                // the same letter as in a header
+                let is_fahrenheit = given.text.trim() == FARAD && told(Role::Temperature, &heading.name);
+                if is_fahrenheit { FAHRENHEIT.to_owned() } else { given.text.clone() }
             }
             (None, Some(named)) => named.to_owned(),
             (None, None) if role == Role::Simulated => heading

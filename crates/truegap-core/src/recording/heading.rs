@@ -76,8 +76,8 @@ impl Heading {
 }
 
 /// The sign that stands for two units.
-const FARAD: &str = "F";
-const FAHRENHEIT: &str = "degF";
+pub(super) const FARAD: &str = "F";
+pub(super) const FAHRENHEIT: &str = "degF";
 
 /// The unit as one of `dimension`: `F` is Fahrenheit where a word says that a temperature is measured, and farad elsewhere.
 fn meant(measured: &str, unit: &'static str, dimension: Dimension) -> Option<&'static str> {

@@ -98,10 +98,11 @@ impl fmt::Display for Note {
                 let one = *lines == 1;
                 let (begin, first) = if one { ("line begins", "on") } else { ("lines begin", "the first on") };
                 let (look, were) = if one { ("looks", "was") } else { ("look", "were") };
-                let what = if *taken {
-                    "read as such, since the first column holds words; delete them if they are remarks"
-                } else {
-                    "left out; take the sign away if they are rows"
+                let what = match (taken, one) {
+                    (true, false) => "read as such, since the first column holds words; delete them if they are remarks",
+                    (true, true) => "read as such, since the first column holds words; delete it if it is a remark",
+                    (false, false) => "left out; take the sign away if they are rows",
+                    (false, true) => "left out; take the sign away if it is one",
                 };
                 write!(f, "{lines} {begin} as a remark does and {look} like a row ({first} line {first_line}), and {were} {what}")
             }

@@ -12,7 +12,7 @@ pub use error::ConfirmError;
 pub use judged::Free;
 pub use truegap_diagnose::answer::{AmongRivals, Confirmation, Errors, ModelFacts, OtherFacts, RivalErrors};
 
-use super::beside_model::{model_facts, opened, recording_facts};
+use super::beside_model::{model_facts, opened, recording_facts, says_the_same, took_part};
 use super::request::named;
 use crate::diagnosis::Diagnosed;
 use crate::models::{ModelFile, Programs, RunningModel, of_recording, refused};
@@ -60,7 +60,7 @@ pub fn confirm_with(
 pub fn other(recording: Recording, channel: Option<&str>, took_part: &[Recording]) -> Result<Recording, ConfirmError> {
     let (recording, name) = opened(recording, channel)?;
     // saved again, by another program, the same rows have other bytes
-    let same = |part: &Recording| part.response == recording.response && part.inputs == recording.inputs;
+    let same = |part: &Recording| part.response == recording.response;
     if took_part.iter().any(|part| !part.sha256.is_empty() && part.sha256 == recording.sha256 || same(part)) {
         return Err(ConfirmError::TookPart { recording: name });
     }
@@ -158,12 +158,13 @@ fn belong_together(
     if effects.is_empty() {
         return Err(ConfirmError::NothingAdded { model: file });
     }
-    if !recording.sha256.is_empty() && written.sha256.split_whitespace().any(|hash| hash == recording.sha256) {
+    if took_part(written, recording) {
         return Err(ConfirmError::TookPart { recording: name });
     }
     if recording.response_unit != written.unit {
         return Err(ConfirmError::Unit { recording: name, found: recording.response_unit.clone(), wanted: written.unit.clone() });
     }
+    says_the_same(written, recording, &name)?;
     let bound = model.bound_to_runs(&library);
     if !bound.is_empty() {
         return Err(ConfirmError::BoundToRuns { model: file, effects: bound.join(", ") });

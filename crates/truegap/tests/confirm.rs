@@ -234,6 +234,12 @@ fn a_recording_that_says_something_else_of_itself_is_refused() {
     let told =
         refused(&|r| r.inputs.drivers = vec![Driver { name: "supply".into(), unit: "mV".into(), values: vec![5.0; 1200] }]);
     assert!(told.contains("the unit of the driver `supply` is `mV`, and `V` in the model file"), "{told}");
+    // before a diagnosis is made, beside the recording that it is made of
+    let (part, mut foam) = (other(true, 1.0, 0.0), other(true, 1.0, 1.0));
+    assert!(confirm::other(foam.clone(), None, std::slice::from_ref(&part)).is_ok());
+    foam.base.sensor = Some("foam-s15".into());
+    let told = confirm::other(foam, None, &[part]).err().unwrap().to_string();
+    assert!(told.contains("and `singletact-s15-4.5n` in the recording that is diagnosed"), "{told}");
 }
 
 /// A number in the place of a driver that was not recorded, or was in another unit, would be taken for physics.

@@ -14,7 +14,7 @@ use truegap_model::{BaseModel, Followed};
 /// What a recording says of itself and its model otherwise.
 #[derive(Debug, thiserror::Error)]
 #[error(
-    "{recording}: {what} is {found}, and {wanted} in the model file; correct it there (under [base], [drivers] or [units]), or give the model of such a recording"
+    "{recording}: {what} is {found}, and {wanted} in {of}; correct it there (under [base], [drivers] or [units]), or give the model of such a recording"
 )]
 #[allow(missing_docs)] // the fields are named by the message
 pub struct SaysOtherwise {
@@ -22,45 +22,85 @@ pub struct SaysOtherwise {
     pub what: String,
     pub found: String,
     pub wanted: String,
+    pub of: &'static str,
 }
 
 /// Refuses a recording whose base model, sensor or unit of a driver is stated and is not that of the model.
 pub(super) fn says_the_same(written: &ModelFile, recording: &Recording, name: &str) -> Result<(), SaysOtherwise> {
-    let refused = |what: &str, found: &str, wanted: &str| {
-        let (found, wanted) = (format!("`{found}`"), format!("`{wanted}`"));
-        Err(SaysOtherwise { recording: name.to_owned(), what: what.to_owned(), found, wanted })
+    let own = written.drivers.iter().map(|(name, unit)| (name.as_str(), unit.as_str()));
+    let pairs = Pairs { recording, name, of: "the model file" };
+    pairs.units(own)?;
+    let text = written.sensor.as_ref().and_then(|text| Sensor::from_toml(text, "sensor of the model file").ok());
+    let follows = match &written.base {
+        BaseModel::Linear { driver: Followed::Column(driver), .. } => Some(driver.role.key()),
+        BaseModel::Linear { driver: Followed::Named(driver), .. } => Some(driver.name.as_str()),
+        _ => None,
     };
-    for driver in &recording.inputs.drivers {
-        if let Some(wanted) = written.drivers.get(&driver.name).filter(|wanted| **wanted != driver.unit) {
-            return refused(&format!("the unit of the driver `{}`", driver.name), &driver.unit, wanted);
+    let sensor = written.base.sensor().map(|own| text.map_or_else(|| own.to_owned(), |sensor| sensor.name));
+    pairs.base(word(&written.base), sensor, follows)
+}
+
+/// The same beside a recording that is to be diagnosed, before that is done; what the command says of both goes before what their files say.
+pub(super) fn says_the_same_as(part: &Recording, recording: &Recording, name: &str) -> Result<(), SaysOtherwise> {
+    let own = part.inputs.drivers.iter().map(|driver| (driver.name.as_str(), driver.unit.as_str()));
+    let pairs = Pairs { recording, name, of: "the recording that is diagnosed" };
+    pairs.units(own)?;
+    match states_a_base(part) {
+        true => pairs.base(&part.base.model, sensor_of(part), follows(part)),
+        false => Ok(()),
+    }
+}
+
+fn states_a_base(recording: &Recording) -> bool {
+    recording.base.is_stated() && !recording.notes.iter().any(|note| matches!(note, Note::BaseAssumed { .. }))
+}
+
+/// The name of the stated sensor of a `stack`: another base model takes any word for a specimen.
+fn sensor_of(recording: &Recording) -> Option<String> {
+    let stated = recording.base.sensor.as_ref().filter(|_| recording.base.model == "stack")?;
+    let found = find_sensor(stated, recording.path.parent());
+    Some(found.map_or_else(|_| stated.clone(), |sensor| sensor.name))
+}
+
+fn follows(recording: &Recording) -> Option<&str> {
+    recording.base.further.get("driver").and_then(toml::Value::as_str)
+}
+
+/// What a recording states beside what is stated elsewhere, in `of`.
+struct Pairs<'a> {
+    recording: &'a Recording,
+    name: &'a str,
+    of: &'static str,
+}
+
+impl Pairs<'_> {
+    fn alike(&self, what: &str, found: &str, wanted: &str) -> Result<(), SaysOtherwise> {
+        if found == wanted {
+            return Ok(());
         }
+        let (recording, what, of) = (self.name.to_owned(), what.to_owned(), self.of);
+        Err(SaysOtherwise { recording, what, found: format!("`{found}`"), wanted: format!("`{wanted}`"), of })
     }
-    let assumed = recording.notes.iter().any(|note| matches!(note, Note::BaseAssumed { .. }));
-    if assumed || !recording.base.is_stated() {
-        return Ok(());
+
+    fn units<'u>(&self, mut own: impl Iterator<Item = (&'u str, &'u str)>) -> Result<(), SaysOtherwise> {
+        own.try_for_each(|(name, wanted)| {
+            let driver = self.recording.inputs.drivers.iter().find(|driver| driver.name == name);
+            driver.map_or(Ok(()), |driver| self.alike(&format!("the unit of the driver `{name}`"), &driver.unit, wanted))
+        })
     }
-    let (stated, base) = (&recording.base, &written.base);
-    if stated.model != word(base) {
-        return refused("its base model", &stated.model, word(base));
-    }
-    if let (Some(found), Some(own)) = (&stated.sensor, base.sensor()) {
-        let called = |sensor: Sensor| sensor.name;
-        let found = find_sensor(found, recording.path.parent()).map_or_else(|_| found.clone(), called);
-        let text = written.sensor.as_ref().and_then(|text| Sensor::from_toml(text, "sensor of the model file").ok());
-        let wanted = text.map_or_else(|| own.to_owned(), called);
-        if found != wanted {
-            return refused("its sensor", &found, &wanted);
+
+    fn base(&self, model: &str, sensor: Option<String>, followed: Option<&str>) -> Result<(), SaysOtherwise> {
+        if !states_a_base(self.recording) {
+            return Ok(());
         }
-    }
-    match (stated.further.get("driver").and_then(toml::Value::as_str), base) {
-        (Some(found), BaseModel::Linear { driver, .. }) => {
-            let wanted = match driver {
-                Followed::Column(driver) => driver.role.key(),
-                Followed::Named(driver) => &driver.name,
-            };
-            if found == wanted { Ok(()) } else { refused("what its base model follows", found, wanted) }
+        self.alike("its base model", &self.recording.base.model, model)?;
+        if let (Some(found), Some(wanted)) = (sensor_of(self.recording), sensor) {
+            self.alike("its sensor", &found, &wanted)?;
         }
-        _ => Ok(()),
+        match (follows(self.recording), followed) {
+            (Some(found), Some(wanted)) => self.alike("what its base model follows", found, wanted),
+            _ => Ok(()),
+        }
     }
 }
 

@@ -254,8 +254,7 @@ fn sensor_text(name: &str, folder: Option<&Path>) -> Result<String, ModelFileErr
     if let Some(built_in) = builtin_sensors().iter().find(|s| s.name == name) {
         return Ok(built_in.toml.to_owned());
     }
-    let beside = folder.map(|f| f.join(name)).filter(|path| path.is_file());
-    let file = beside.unwrap_or_else(|| PathBuf::from(name));
+    let file = folder.map(|f| f.join(name)).filter(|path| path.is_file()).unwrap_or_else(|| PathBuf::from(name));
     truegap_limits::read_text(&file).map_err(|source| ModelFileError::SensorFile { file, source })
 }
 

@@ -153,7 +153,7 @@ def clocks() -> list[Table]:
         of("month-shows", "a day above 12 behind the month", lambda row: (at(row) + datetime.timedelta(days=20)).strftime("%m/%d/%Y %H:%M:%S.%f")),
         Table("date-and-time", "the date in one column, the time of day in another", text(
             HEADER.replace("Time (s)", "Date,Time"), *joined(of=lambda row: ["2026-03-01", clock(row), *cells(row)[1:]])),
-            columns=("time=Time", *COLUMNS[1:]), refused=("join",)),
+            columns=("time=Time", *COLUMNS[1:]), note="`Date` and `Time`"),
         of("time-of-day", "a time of day alone", clock, refused=("times of day", "hold no number")),
         of("milliseconds", "whole milliseconds since 1970", lambda row: str(int(1_772_366_350_000 + 1000 * row.time)), columns=("time=Timestamp:ms", *COLUMNS[1:]),
            told=("--map", "time=Timestamp:ms")),

@@ -33,6 +33,12 @@ fn exit_codes_follow_the_verdict_and_refusals_leave_nothing_behind() {
         assert!(table.out.contains(part), "`{part}` is missing in: {}", table.out);
     }
     bench.refuses(&["-q", "confirm", "out/augmented.toml", "a", "-o", "no"], &["took no part"]);
+    // the table of an earlier answer is a recording like any other
+    std::fs::copy(bench.path("b/recording.csv"), bench.path("judged/confirmation.csv")).unwrap();
+    bench.file("judged.toml", "schema = \"truegap.recording/1\"\nfile = \"judged/confirmation.csv\"\n");
+    for other in ["judged/confirmation.csv", "judged.toml"] {
+        bench.refuses(&["-q", "confirm", "out/augmented.toml", other, "-o", "judged"], &["confirmation.csv: is read here"]);
+    }
     bench.refuses(&["-q", "confirm", "a/recording.toml", "b"], &["a/recording.toml", "truegap.model/1"]);
     bench.refuses(&["-q", "confirm", "out/augmented.toml", "b", "--free", "slope"], &["slope", "gain"]);
 }

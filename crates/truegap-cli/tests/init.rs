@@ -17,7 +17,9 @@ fn a_header_becomes_a_toml_that_is_diagnosed_once_its_base_is_named() {
     let said = bench.run(&["init", "bench.csv"]);
     assert_eq!((said.code, bench.names()), (0, vec!["bench.csv".to_owned(), "bench.toml".to_owned()]), "{}", said.err);
     assert!(
-        said.out.contains("Written: bench.toml") && said.out.contains("Left to you: what the recording is compared with"),
+        said.out.contains("Written: bench.toml")
+            && said.out.contains("Found: time = `Elapsed (s)`, force = `Load cell [N]`, response = `reading [mV]`")
+            && said.out.contains("Left to you: what the recording is compared with"),
         "{}",
         said.out
     );

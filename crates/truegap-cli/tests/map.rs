@@ -199,3 +199,19 @@ fn a_parquet_file_is_answered_with_the_build_that_reads_it() {
     bench.refuses(&["diagnose", "x.parquet"], &["x.parquet: it is a Parquet file", "--features columnar", "CSV"]);
     bench.refuses(&["init", "x.parquet"], &["--features columnar"]);
 }
+
+/// The first column that moved was taken without a word.
+#[test]
+fn a_straight_line_says_what_it_follows_where_it_could_follow_something_else() {
+    let bench = Bench::new();
+    let row = |i: usize| format!("{i},{},{},{}\n", i % 7, 20 + i % 5, 3 * (i % 7) + i % 2);
+    bench.file("bench.csv", &format!("time_s,force_n,temperature_c,response_mv\n{}", (0..60).map(row).collect::<String>()));
+    let typed = ["-q", "diagnose", "bench.csv", "--base", "linear", "--library-only", "-o", "out"];
+    let says = "the straight line follows force; to have it follow temperature, write driver = \"temperature\" under [base]";
+    let said = bench.run(&typed);
+    assert!(said.code < 2 && said.out.contains(says), "{}{}", said.out, said.err);
+    let named = "schema = \"truegap.recording/1\"\nfile = \"bench.csv\"\n[base]\nmodel = \"linear\"\ndriver = \"force\"\n";
+    bench.file("named.toml", named);
+    let said = bench.run(&["-q", "diagnose", "named.toml", "--library-only", "-o", "out"]);
+    assert!(said.code < 2 && !said.out.contains("the straight line follows"), "{}{}", said.out, said.err);
+}

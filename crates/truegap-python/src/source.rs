@@ -126,6 +126,10 @@ pub(crate) fn read_dates<'py>(py: Python<'py>, column: &str, cells: Vec<Option<S
             "the frame, row {line}: `{text}` in column `{column}` may begin with the day or with the month; say which: \
              frame[\"{column}\"] = pandas.to_datetime(frame[\"{column}\"], dayfirst=True)"
         )),
+        RecordingError::DayOrYear { line, column, text, .. } => failed(format!(
+            "the frame, row {line}: `{text}` in column `{column}` may begin with the day or with the year; say which: \
+             frame[\"{column}\"] = pandas.to_datetime(frame[\"{column}\"], format=\"%d.%m.%y ...\")"
+        )),
         other => failed(other),
     })?;
     Ok(read.map(|column| {

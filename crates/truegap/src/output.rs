@@ -30,6 +30,9 @@ pub enum OutputError {
          folder; give -o a folder that is new or holds an earlier result, or move `{entry}`"
     )]
     NotAResult { folder: PathBuf, entry: String },
+    /// A file that is read stands where one is to be written.
+    #[error("{file}: is read here, and a result would take its place; give -o another folder")]
+    OverInput { file: PathBuf },
     /// The disk says no.
     #[error("{path}: cannot be written: {source}; check that its parent is there and may be written to")]
     Write { path: PathBuf, source: io::Error },
@@ -91,6 +94,18 @@ impl OutputFolder {
         }
         let trial = beside(&parent.join("out"), "trial.part");
         fs::create_dir(&trial).and_then(|()| fs::remove_dir(&trial)).map_err(|source| failed(target, source))
+    }
+
+    /// Whether none of `read`, files that are read, stands in `target` under one of the names `files`, also by way of a link.
+    ///
+    /// # Errors
+    /// [`OutputError::OverInput`] names the first that would be lost.
+    pub fn check_spares(target: &Path, files: &[&str], read: &[PathBuf]) -> Result<(), OutputError> {
+        let written: Vec<PathBuf> = files.iter().filter_map(|file| target.join(file).canonicalize().ok()).collect();
+        match read.iter().find(|file| file.canonicalize().is_ok_and(|file| written.contains(&file))) {
+            Some(file) => Err(OutputError::OverInput { file: file.clone() }),
+            None => Ok(()),
+        }
     }
 
     /// Whether files of these names, and figures, may be put into `folder` beside whatever else stands there: none stands there already, or a document says

@@ -204,6 +204,44 @@ fn a_recording_that_was_saved_again_took_part() {
     assert!(confirm::other(new, None, &parts).is_ok());
 }
 
+/// By the file of the model the same: it knew the bytes of the table alone, and a table that was saved again confirmed itself.
+#[test]
+fn a_model_file_knows_the_readings_that_it_was_fitted_to() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut example = example_recording().unwrap();
+    example.sha256 = "another".into();
+    let error = confirm(&written(folder.path(), found()), example.clone(), None, FIXED).err().unwrap();
+    assert!(matches!(error, ConfirmError::TookPart { .. }), "{error}");
+    example.response[7] += 1e-6;
+    assert!(confirm(&written(folder.path(), found()), example, None, FIXED).is_ok());
+}
+
+/// Another sensor, base model or unit of a driver was judged as if it were the model's.
+#[test]
+fn a_recording_that_says_something_else_of_itself_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = ModelFile { drivers: [("supply".into(), "V".into())].into(), ..found().clone() };
+    let file = written(folder.path(), &model);
+    let refused = |change: &dyn Fn(&mut Recording)| {
+        let mut recording = other(true, 1.0, 0.0);
+        change(&mut recording);
+        confirm(&file, recording, None, FIXED).err().unwrap().to_string()
+    };
+    let told = refused(&|r| r.base.sensor = Some("foam-s15".into()));
+    assert!(told.contains("its sensor is `foam-s15`, and `singletact-s15-4.5n` in the model file"), "{told}");
+    let told = refused(&|r| r.base.model = "linear".into());
+    assert!(told.contains("its base model is `linear`, and `stack` in the model file"), "{told}");
+    let told =
+        refused(&|r| r.inputs.drivers = vec![Driver { name: "supply".into(), unit: "mV".into(), values: vec![5.0; 1200] }]);
+    assert!(told.contains("the unit of the driver `supply` is `mV`, and `V` in the model file"), "{told}");
+    // before a diagnosis is made, beside the recording that it is made of
+    let (part, mut foam) = (other(true, 1.0, 0.0), other(true, 1.0, 1.0));
+    assert!(confirm::other(foam.clone(), None, std::slice::from_ref(&part)).is_ok());
+    foam.base.sensor = Some("foam-s15".into());
+    let told = confirm::other(foam, None, &[part]).err().unwrap().to_string();
+    assert!(told.contains("and `singletact-s15-4.5n` in the recording that is diagnosed"), "{told}");
+}
+
 /// A number in the place of a driver that was not recorded, or was in another unit, would be taken for physics.
 #[test]
 fn recordings_with_different_drivers_are_not_diagnosed_together() {

@@ -60,9 +60,11 @@ fn file() -> ModelFile {
         made_by: "truegap".into(),
         recording: "a.csv".into(),
         sha256: "ab".repeat(32),
+        readings_sha256: None,
         verdict: "explained".into(),
         unit: base.unit().into(),
         sensor: Some(builtin_sensors()[0].toml.into()),
+        drivers: [("supply".into(), "mV".into())].into(),
         base: BaseModel::Stack { sensor: builtin_sensors()[0].name.into(), warp: true, series: SeriesOrder::default() },
         scales: Scales {
             runs: None,

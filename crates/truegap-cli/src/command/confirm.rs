@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use truegap::OutputFolder;
 use truegap::diagnose::confirmation::Judgement;
 use truegap::diagnosis::confirm::{Confirmation, FILES, Free, confirm, words};
-use truegap::diagnosis::recorded;
+use truegap::diagnosis::{files_read, recorded};
 
 /// Judge the augmented model of a diagnosis on a recording that took no part in it
 #[derive(Debug, clap::Args)]
@@ -39,6 +39,8 @@ impl Run for Confirm {
     fn run(&self, console: &Console) -> anyhow::Result<Outcome> {
         let free = Free::of(&self.free)?;
         if let Some(folder) = &self.output {
+            let read = files_read(&self.recording);
+            OutputFolder::check_spares(folder, &FILES, &read)?;
             OutputFolder::check(folder, &FILES)?;
         }
         let recording = recorded(&self.recording, &self.tell.told())?;

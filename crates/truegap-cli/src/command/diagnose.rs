@@ -13,7 +13,7 @@ use truegap::diagnose::answer::Finding;
 use truegap::diagnose::{Library, Progress, Verdict};
 use truegap::diagnosis::confirm::{Free, confirm_within, other};
 use truegap::diagnosis::report::terminal;
-use truegap::diagnosis::{Diagnosed, FILES, Pace, Request, cache_folder, diagnose, open, pace, recorded};
+use truegap::diagnosis::{Diagnosed, FILES, Pace, Request, cache_folder, diagnose, files_read, open, pace, recorded};
 use truegap::models::with_effects;
 use truegap::{OutputFolder, Recording};
 
@@ -84,6 +84,8 @@ impl Run for Diagnose {
         if self.batch {
             return self.each(console);
         }
+        let read: Vec<PathBuf> = self.recordings.iter().chain(&self.confirm).flat_map(|path| files_read(path)).collect();
+        OutputFolder::check_spares(&self.output, &FILES, &read)?;
         OutputFolder::check(&self.output, &FILES)?;
         let diagnosed = self.all(&Line::begin(console, "reading"), console)?;
         let folder = diagnosed.write(&self.output)?;

@@ -25,6 +25,8 @@ pub struct Init {
 #[derive(serde::Serialize)]
 struct Written<'a> {
     written: &'a std::path::Path,
+    /// the column of each role
+    found: std::collections::BTreeMap<&'a str, &'a str>,
     left_to_you: &'a [String],
 }
 
@@ -46,10 +48,14 @@ impl Run for Init {
             error => error.into(),
         })?;
         if console.json {
-            console.print_json(&Written { written: &file, left_to_you: &sketch.open })?;
+            let found = sketch.found.iter().map(|(role, column)| (role.as_str(), column.as_str())).collect();
+            console.print_json(&Written { written: &file, found, left_to_you: &sketch.open })?;
             return Ok(Outcome::Fine);
         }
         console.print(format!("Written: {name}"))?;
+        let found: Vec<String> = sketch.found.iter().map(|(role, column)| format!("{role} = `{column}`")).collect();
+        console
+            .print(format!("Found: {}", if found.is_empty() { "no column of a role".to_owned() } else { found.join(", ") }))?;
         sketch.open.iter().try_for_each(|open| console.print(format!("Left to you: {open}")))?;
         Ok(Outcome::Fine)
     }

@@ -3,10 +3,11 @@
 //! Limits: a unit is the end of a column's name ([`super::notation`]), stands in a line of units under the header, or under `[units]`.
 
 use super::{
+    date_and_time::date_and_time,
     default_names::{called_after, default_name, dimension, is_default},
     error::RecordingError,
     guess::by_name,
-    heading::Heading,
+    heading::{FAHRENHEIT, FARAD, Heading},
     manifest::{BaseSpec, Manifest, Named},
     map::NO_LINE,
     note::Note,
@@ -33,6 +34,8 @@ pub(super) struct Column {
     pub scale: (f64, f64),
     /// whether its cells are dates
     pub dated: bool,
+    /// the column of their times of day, where that is another one
+    pub of_day: Option<usize>,
 }
 
 /// The columns of a header, and what was assumed about them.
@@ -131,7 +134,10 @@ impl Binder<'_> {
         let only = |found: Vec<usize>| if let [index] = found[..] { Some(index) } else { None };
         let of =
             |fits: &dyn Fn(&Heading) -> bool| only(dated.iter().copied().filter(|index| fits(&self.header[*index])).collect());
-        of(&|heading| told(Role::Time, &heading.name)).or_else(|| of(&|heading| !heading.days))
+        of(&|heading| told(Role::Time, &heading.name)).or_else(|| of(&|heading| !heading.days)).or_else(|| {
+            let days = dated.iter().copied().filter(|index| date_and_time(self.header, *index).is_some());
+            only(days.collect())
+        })
     }
 
     /// The column of a table without a TOML that a word of its name and its unit tell, as they tell it to `truegap init`.
@@ -188,6 +194,16 @@ impl Binder<'_> {
         }
     }
 
+    fn two_units(&self, role: Role, heading: &Heading, named: &str, below: &str) -> RecordingError {
+        RecordingError::TwoUnits {
+            file: self.file.to_owned(),
+            column: heading.name.clone(),
+            role: role.key().to_owned(),
+            named: named.to_owned(),
+            below: below.to_owned(),
+        }
+    }
+
     fn missing(&self, role: Role, named: Option<&Named>) -> RecordingError {
         RecordingError::MissingColumn {
             file: self.file.to_owned(),
@@ -199,6 +215,8 @@ impl Binder<'_> {
     }
 
     fn column(&self, role: Role, index: usize, notes: &mut Vec<Note>) -> Result<Column, RecordingError> {
+        let pair = date_and_time(self.header, index).filter(|_| role == Role::Time);
+        let (index, of_day) = pair.map_or((index, None), |(date, time)| (date, Some(time)));
         let (given, heading) = (self.manifest.units.get(&role), &self.header[index]);
         let dated = role == Role::Time && heading.dated;
         let (unit, scale) = match (role, dimension(role)) {
@@ -210,7 +228,7 @@ impl Binder<'_> {
             (_, Some(dimension)) if dated => (dimension.si_unit().to_owned(), (1.0, 0.0)),
             (_, Some(dimension)) => self.quantity(role, dimension, heading, given, notes)?,
         };
-        Ok(Column { role, index, name: heading.name.clone(), unit, scale, dated })
+        Ok(Column { role, index, name: heading.name.clone(), unit, scale, dated, of_day })
     }
 
     /// SI unit and scale of a quantity.
@@ -223,13 +241,19 @@ impl Binder<'_> {
         notes: &mut Vec<Note>,
     ) -> Result<(String, (f64, f64)), RecordingError> {
         let in_name = heading.unit_of(dimension);
+        let other = heading.unit_above(dimension);
         let scale = match (given, in_name) {
             (Some(given), _) => {
                 let scale = dimension.scale(&given.text).map_err(|source| self.wrong_unit(role, given.line, source))?;
-                if let Some(named) = in_name.filter(|named| dimension.scale(named) != Ok(scale)) {
+                // `pressure_kpa` read as a force in N is told as well
+                let shown = in_name.or_else(|| heading.unit().filter(|unit| is_unit(unit)));
+                if let Some(named) = shown.filter(|named| dimension.scale(named) != Ok(scale)) {
                     notes.push(overrides(heading, given, named));
                 }
                 scale
+            }
+            (None, Some(unit)) if other.is_some_and(|other| dimension.scale(other) != dimension.scale(unit)) => {
+                return Err(self.two_units(role, heading, other.unwrap_or_default(), unit));
             }
             (None, Some(unit)) => dimension.scale(unit).map_err(|source| self.wrong_unit(role, 1, source))?,
             (None, None) if heading.below.is_some() => return Err(self.not_its_unit(role, dimension, heading)),
@@ -253,7 +277,9 @@ impl Binder<'_> {
                 if let Some(named) = named.filter(|named| !is_same_unit(named, &given.text)) {
                     notes.push(overrides(heading, given, named));
                 }
-                given.text.clone()
+                // the same letter as in a header
+                let is_fahrenheit = given.text.trim() == FARAD && told(Role::Temperature, &heading.name);
+                if is_fahrenheit { FAHRENHEIT.to_owned() } else { given.text.clone() }
             }
             (None, Some(named)) => named.to_owned(),
             (None, None) if role == Role::Simulated => heading
@@ -263,6 +289,14 @@ impl Binder<'_> {
                 .unwrap_or_default(),
             (None, None) => heading.proper_unit().unwrap_or(&heading.name).to_owned(),
         };
+        let other = |below: &&str| {
+            let (_, named) = heading.unit_in_name()?;
+            (is_unit(named) && is_unit(below) && !is_same_unit(named, below)).then_some(named)
+        };
+        let below = heading.below.as_deref().filter(|_| given.is_none());
+        if let Some((below, named)) = below.and_then(|below| Some((below, other(&below)?))) {
+            return Err(self.two_units(role, heading, named, below));
+        }
         if let Some(given) = given {
             self.not_another_case(role, given)?;
         }
@@ -351,35 +385,4 @@ pub(super) fn names(header: &[Heading]) -> String {
 pub(super) fn quoted<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
     names.join(", ")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_column_called_after_a_role_has_one_word_behind_it() {
-        assert!(called_after(Role::Force, &Heading::of("force_pa")) && called_after(Role::Force, &Heading::of("Force [xyz]")));
-        assert!(
-            !called_after(Role::Force, &Heading::of("force_setpoint_n"))
-                && !called_after(Role::Force, &Heading::of("force"))
-                && !called_after(Role::Time, &Heading::of("timer_s"))
-        );
-    }
-
-    #[test]
-    fn a_default_name_is_the_word_and_a_unit() {
-        assert!(
-            is_default(Role::Force, &Heading::of("force_n"))
-                && is_default(Role::Force, &Heading::of("Force [mN]"))
-                && is_default(Role::Pressure, &Heading::of("pressure_bar"))
-        );
-        assert!(!is_default(Role::Force, &Heading::of("force_setpoint_n")) && !is_default(Role::Force, &Heading::of("force_pf")));
-        assert!(
-            is_default(Role::Response, &Heading::of("capacitance_ff"))
-                && is_default(Role::Response, &Heading::of("response_counts"))
-        );
-        assert!(!is_default(Role::Response, &Heading::of("capacitance_spare_pf")));
-        assert!(is_default(Role::Run, &Heading::of("run")) && !is_default(Role::Run, &Heading::of("running_hours")));
-    }
 }

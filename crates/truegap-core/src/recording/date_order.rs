@@ -1,9 +1,10 @@
-//! Which of day and month stands first in a column of dates such as `01/03/2026`: a number above 12 shows it, or somebody has to say it.
+//! Which of day and month stands first in a column of dates such as `01/03/2026`: a number above 12 shows it, or somebody has to say it. Which of day and year does in `26.03.01`.
 //!
 //! Limits: one column; a table whose dates are all one and the same day needs no order, as time is counted from the first row.
 
 use super::{
     error::RecordingError,
+    short_years::ShortYears,
     stamp::{First, unordered},
     table::Table,
     text::text,
@@ -21,12 +22,14 @@ struct Seen {
     /// a date with a number above 12 in front, and one with it behind
     day_first: Option<(String, u64)>,
     month_first: Option<(String, u64)>,
+    /// dates with two digits of a year
+    short: ShortYears,
 }
 
 /// The order of the dates in the column of that index, which `told` says or the table shows; reads the table to its end.
 ///
 /// # Errors
-/// [`RecordingError::DayOrMonth`] where neither does, [`RecordingError::BothOrders`] where rows contradict one another or what was told.
+/// [`RecordingError::DayOrMonth`] and [`RecordingError::DayOrYear`] where neither does, [`RecordingError::BothOrders`] where rows contradict one another or what was told.
 pub(super) fn order<R: Read + Seek>(table: &mut Table<R>, column: usize, told: Option<bool>) -> Result<First, RecordingError> {
     let mut seen = Seen::default();
     while table.advance()? {
@@ -57,6 +60,7 @@ pub(super) fn order_of(file: &Path, column: &str, cells: &[Option<&str>], told: 
 /// Why the order of dates is not known; the line is still to be found.
 enum Doubt {
     Unordered { text: String },
+    Short { text: String },
     Both { text: String, other: String },
 }
 
@@ -64,6 +68,7 @@ impl Doubt {
     fn at(self, file: PathBuf, line: usize, column: String) -> RecordingError {
         match self {
             Self::Unordered { text } => RecordingError::DayOrMonth { file, line, column, text },
+            Self::Short { text } => RecordingError::DayOrYear { file, line, column, text },
             Self::Both { text, other } => RecordingError::BothOrders { file, line, column, text, other },
         }
     }
@@ -82,6 +87,9 @@ impl Seen {
         if let Some(((text, place), other)) = contradiction {
             return Err((Doubt::Both { text, other }, place));
         }
+        if let Some(order) = self.short.order(told) {
+            return order.map_err(|(text, place)| (Doubt::Short { text }, place));
+        }
         match (told, &self.day_first, &self.month_first, self.first) {
             (Some(true), ..) | (None, Some(_), ..) => Ok(First::Day),
             (Some(false), ..) | (None, _, Some(_), _) => Ok(First::Month),
@@ -91,6 +99,7 @@ impl Seen {
     }
 
     fn see(&mut self, cell: &[u8], place: u64) {
+        self.short.see(cell, place);
         let Some(date @ [one, other, _]) = unordered(cell) else { return };
         let shown = || (text(cell).0.into_owned(), place);
         match &self.first {

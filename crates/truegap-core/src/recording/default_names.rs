@@ -69,3 +69,34 @@ pub(super) fn shown_unit(role: Role, heading: &Heading) -> Option<String> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_column_called_after_a_role_has_one_word_behind_it() {
+        assert!(called_after(Role::Force, &Heading::of("force_pa")) && called_after(Role::Force, &Heading::of("Force [xyz]")));
+        assert!(
+            !called_after(Role::Force, &Heading::of("force_setpoint_n"))
+                && !called_after(Role::Force, &Heading::of("force"))
+                && !called_after(Role::Time, &Heading::of("timer_s"))
+        );
+    }
+
+    #[test]
+    fn a_default_name_is_the_word_and_a_unit() {
+        assert!(
+            is_default(Role::Force, &Heading::of("force_n"))
+                && is_default(Role::Force, &Heading::of("Force [mN]"))
+                && is_default(Role::Pressure, &Heading::of("pressure_bar"))
+        );
+        assert!(!is_default(Role::Force, &Heading::of("force_setpoint_n")) && !is_default(Role::Force, &Heading::of("force_pf")));
+        assert!(
+            is_default(Role::Response, &Heading::of("capacitance_ff"))
+                && is_default(Role::Response, &Heading::of("response_counts"))
+        );
+        assert!(!is_default(Role::Response, &Heading::of("capacitance_spare_pf")));
+        assert!(is_default(Role::Run, &Heading::of("run")) && !is_default(Role::Run, &Heading::of("running_hours")));
+    }
+}

@@ -104,6 +104,12 @@ pub enum RecordingError {
          [columns] of the TOML beside it: {role} = \"...\""
     )]
     NotItsUnit { file: PathBuf, column: String, role: String, unit: String, known: String },
+    /// A unit in the name of a column and another in the line below it.
+    #[error(
+        "{file}: column `{column}` has the unit {named} in its name and {below} in the line of units below it; correct one of them, or say which it is: {role} = \
+         \"{below}\" under [units], or --map {role}=\"{column}:{below}\""
+    )]
+    TwoUnits { file: PathBuf, column: String, role: String, named: String, below: String },
     /// A unit of something else.
     #[error("{file}, line {line}: unit of {role}: {source}")]
     WrongUnit { file: PathBuf, line: usize, role: String, source: UnitError },
@@ -121,6 +127,12 @@ pub enum RecordingError {
          free = [\"gain\", \"offset\"] under [base]"
     )]
     UnitsDiffer { file: PathBuf, column: String, unit: String, response: String },
+    /// A quote that opens and holds the rows behind it.
+    #[error(
+        "{file}, line {line}: a quote opens in column {column} and does not close there: the rows behind it would be text in one cell; close it, or take it away \
+         (an inch is written as in)"
+    )]
+    OpenQuote { file: PathBuf, line: usize, column: String },
     /// A row with more or fewer cells than the header.
     #[error(
         "{file}, line {line}: {found} cells where the header has {expected}; close the row, or write decimal points instead of commas"
@@ -140,6 +152,17 @@ pub enum RecordingError {
          say which: dayfirst = true or false in the TOML, or --dayfirst or --dayfirst=false"
     )]
     DayOrMonth { file: PathBuf, line: usize, column: String, text: String },
+    /// Dates that may begin with the day or with the year.
+    #[error(
+        "{file}, line {line}: `{text}` in column `{column}` may begin with the day or with the year, and time runs on in the column either way; say which: \
+         dayfirst = true (day.month.year) or false (year.month.day) in the TOML, or --dayfirst or --dayfirst=false; or write years with four digits"
+    )]
+    DayOrYear { file: PathBuf, line: usize, column: String, text: String },
+    /// Dates with a zone and dates without.
+    #[error(
+        "{file}, line {line}: `{text}` in column `{column}` {says}, other than the first date, `{first}`; write the zone in all rows, or in none"
+    )]
+    MixedZones { file: PathBuf, line: usize, column: String, text: String, says: &'static str, first: String },
     /// Dates in two orders.
     #[error(
         "{file}, line {line}: `{text}` in column `{column}` has another order of day and month than {other}; write all dates as 2026-03-01"
@@ -151,10 +174,10 @@ pub enum RecordingError {
          is not read as {role}"
     )]
     NoNumbers { file: PathBuf, column: String, role: String, rows: usize, text: String },
-    /// A point that may stand between thousands.
+    /// A comma or a point that may stand between thousands or before decimals.
     #[error(
-        "{file}, line {line}: `{text}` in column `{column}` may be a number with three decimals or one in thousands: commas are decimal points elsewhere in \
-         this table; write all numbers with the same decimal sign, and none between thousands"
+        "{file}, line {line}: `{text}` in column `{column}` may be a number with three decimals or one in thousands, and the table does not say which; write all \
+         numbers with the same decimal sign, as in 1234.5, and none between thousands"
     )]
     PointOrThousands { file: PathBuf, line: usize, column: String, text: String },
     /// So many rows without a value that what is left is another recording.
@@ -199,6 +222,11 @@ pub enum RecordingError {
     /// A number that no clock shows.
     #[error("{file}, line {line}: {time:e} s is no time of a clock; look at the column and its unit, or leave the row out")]
     NoClock { file: PathBuf, line: usize, time: f64 },
+    /// Numbers that cannot be reckoned with.
+    #[error(
+        "{file}: the numbers of column `{column}` go from {low:e} to {high:e} {unit}: {says}; check the column and its unit, and write numbers of usual size"
+    )]
+    Span { file: PathBuf, column: String, low: f64, high: f64, unit: String, says: &'static str },
     /// A recording made in the program has columns of different length.
     #[error("column {column} has {found} rows, the runs have {expected}; give every column one value a row")]
     Lengths { column: String, found: usize, expected: usize },

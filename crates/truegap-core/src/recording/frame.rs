@@ -15,6 +15,7 @@ use super::{
     manifest::Manifest,
     note::Note,
     rows::{Impossible, impossible},
+    spans,
     spare::Spare,
     whole::{Gone, Instant, is_angle},
 };
@@ -110,6 +111,7 @@ impl Recording {
         let unit = bound.iter().find(|c| c.role == Role::Response).map(|c| c.unit.clone()).unwrap_or_default();
         let base = manifest.base.unwrap_or_else(|| assumed_base(&bound, &mut notes));
         let mut recording = Self::made(inputs, response, &unit, base)?;
+        spans::check(path, &recording, &bound)?;
         recording.columns = bound.iter().map(|c| (c.role, c.name.clone())).collect::<BTreeMap<_, _>>();
         recording.notes = notes.into_iter().chain(recording.constants()).collect();
         recording.notes.extend(degrees::doubt(&recording, &bound));

@@ -19,7 +19,7 @@ pub(super) struct Heading {
     pub dated: bool,
     /// whether that has no time of day
     pub days: bool,
-    /// whether that may have day or month in front
+    /// whether that may have day or month, or day or year, in front
     pub unordered: bool,
     /// whether a time of day without a date stands there
     pub of_day: bool,
@@ -57,6 +57,12 @@ impl Heading {
         found.and_then(|(measured, unit)| meant(measured, unit, dimension))
     }
 
+    /// The unit of `dimension` in the name, where a line of units stands below it.
+    pub fn unit_above(&self, dimension: Dimension) -> Option<&'static str> {
+        let (measured, unit) = split_of(&self.name, dimension).filter(|_| self.below.is_some())?;
+        meant(measured, unit, dimension)
+    }
+
     /// The same where the name alone, or the line of units, shows that it is a unit.
     pub fn shown_unit_of(&self, dimension: Dimension) -> Option<&'static str> {
         let measured = self.unit_in_name().filter(|_| self.below.is_none()).map_or(self.name.as_str(), |(measured, _)| measured);
@@ -70,8 +76,8 @@ impl Heading {
 }
 
 /// The sign that stands for two units.
-const FARAD: &str = "F";
-const FAHRENHEIT: &str = "degF";
+pub(super) const FARAD: &str = "F";
+pub(super) const FAHRENHEIT: &str = "degF";
 
 /// The unit as one of `dimension`: `F` is Fahrenheit where a word says that a temperature is measured, and farad elsewhere.
 fn meant(measured: &str, unit: &'static str, dimension: Dimension) -> Option<&'static str> {

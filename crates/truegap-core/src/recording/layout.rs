@@ -2,10 +2,15 @@
 //!
 //! Limits: the first 64 kB; a table begins there.
 
-use super::{number::number, separators::may_be_grouped, singletact};
+use super::{
+    number::number,
+    separators::{has_thousands, may_be_grouped},
+    singletact,
+    stamp::{is_date, is_time_of_day},
+};
 
 /// Signs that begin a remark.
-const MARKERS: [&str; 3] = ["#", "%", "//"];
+pub(super) const MARKERS: [&str; 3] = ["#", "%", "//"];
 /// Separators, the one to be taken last where nothing tells them apart first. Blanks are looked at where none of them stands.
 const SEPARATORS: [u8; 3] = [b'\t', b';', b','];
 /// Lines that are looked at.
@@ -41,8 +46,10 @@ pub(super) struct Layout {
     pub separator: u8,
     /// whether commas are decimal points: where they part no cells, or where cells in quotes show it
     pub decimal_comma: bool,
-    /// whether lines that begin with these are remarks, as [`MARKERS`]
-    pub remarks: [bool; 3],
+    /// whether the first column holds words, one of which may begin as a remark does
+    pub words: bool,
+    /// whether rows stand among them that begin with no sign of remarks
+    pub plain: bool,
     /// lines above the header that are neither remarks nor blank
     pub above: usize,
     /// whether there are numbers where the header should be
@@ -73,34 +80,30 @@ impl Line<'_> {
 
 impl Layout {
     /// The layout of a table that starts so; `None` where there is no line. `whole` where nothing follows.
-    pub fn of(start: &[u8], whole: bool) -> Option<Self> {
+    pub fn of<'a>(start: &'a [u8], whole: bool) -> Option<Self> {
         let lines = lines(start, whole);
         let first = lines.first()?;
-        let singletact = std::str::from_utf8(&first.text[..first.text.len().min(10)]).is_ok_and(singletact::wrote);
+        let cut = |line: &Line<'a>| cells(line.text, most(first.text));
+        let singletact = lines.get(1).is_some_and(|header| singletact::wrote(&cut(first), &cut(header)));
         let plain = without_footer(lines.iter().filter(|line| singletact || line.marker().is_none()).collect());
         if singletact {
             let separator = most(first.text);
             let (header_at, header_line, decimal_comma) = (first.at as u64, first.number, separator != b',');
-            let (remarks, above, headless) = ([false; 3], 0, false);
-            return Some(Self { header_at, header_line, separator, decimal_comma, remarks, above, headless, singletact });
+            let (words, plain, above, headless) = (true, true, 0, false);
+            return Some(Self { header_at, header_line, separator, decimal_comma, words, plain, above, headless, singletact });
         }
         let separator = separator(&plain).unwrap_or_else(|| most(plain.first().unwrap_or(&first).text));
         let (header, marked) = header(&lines, &plain, separator);
-        let width = cells(header.text, separator).len();
-        let row_like = |line: &Line<'_>| cells(line.text, separator).len() == width && has_number(line, separator);
-        // a first column of names may begin with `#`, and nobody knows of a row that is left out as a remark
-        let remark = |marker: usize| {
-            let mut of = lines.iter().filter(|line| line.at > header.at && line.marker() == Some(marker)).peekable();
-            (marker < 2 || lines.iter().any(|line| line.marker() == Some(marker)))
-                && (of.peek().is_none() || of.all(|line| !row_like(line)))
-        };
+        let rows = plain.iter().filter(|line| line.at > header.at && has_number(line, separator));
+        let firsts: Vec<&[u8]> = rows.filter_map(|line| cells(line.text, separator).first().copied()).collect();
         let skip = if marked { header.behind_marker() } else { 0 };
         Some(Self {
             header_at: (header.at + skip) as u64,
             header_line: header.number,
             separator,
             decimal_comma: separator != b',' || quoted_decimals(&plain),
-            remarks: [remark(0), remark(1), remark(2)],
+            words: firsts.iter().all(|cell| is_word(cell)),
+            plain: !firsts.is_empty(),
             above: plain.iter().filter(|line| line.at < header.at).count(),
             headless: !marked && all_numbers(header, separator),
             singletact,
@@ -190,8 +193,13 @@ fn most(line: &[u8]) -> u8 {
     SEPARATORS.into_iter().max_by_key(|s| count(*s)).unwrap_or(b',')
 }
 
+/// Whether a cell is neither a number nor a time.
+fn is_word(cell: &[u8]) -> bool {
+    !is_number(cell) && !is_date(cell) && !is_time_of_day(cell)
+}
+
 /// Cells of a line, trimmed; what stands in quotes is not cut.
-fn cells(line: &[u8], separator: u8) -> Vec<&[u8]> {
+pub(super) fn cells(line: &[u8], separator: u8) -> Vec<&[u8]> {
     let mut quoted = false;
     let cut = |b: &u8| {
         quoted ^= *b == b'"';
@@ -204,7 +212,7 @@ fn cells(line: &[u8], separator: u8) -> Vec<&[u8]> {
 
 /// Whether a cell is a number: with a comma it is one with decimals or one in thousands, as commas that part cells are cut away.
 fn is_number(cell: &[u8]) -> bool {
-    number(cell, true).is_ok()
+    number(cell, true).is_ok() || has_thousands(cell)
 }
 
 /// Whether commas in quotes are decimal points in a table whose cells commas part: one can be nothing else, and no number has a point.

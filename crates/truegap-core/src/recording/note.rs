@@ -26,6 +26,10 @@ pub enum Note {
     AboveHeader { lines: usize, header_line: usize },
     /// Lines of text below the rows were left out.
     BelowTable { lines: usize, first_line: usize },
+    /// Lines that begin as remarks do and look like rows.
+    MarkedRows { lines: usize, first_line: usize, taken: bool },
+    /// Rows that sum up others were left out.
+    Summaries { rows: usize, words: String, lines: Vec<usize> },
     /// The header is no UTF-8.
     Windows1252 { text: String },
     /// The clock is a date.
@@ -40,6 +44,8 @@ pub enum Note {
     OtherDegrees { column: String, unit: String, low: f64, high: f64, other: String },
     /// Commas were read as decimal points.
     DecimalCommas,
+    /// Signs between thousands were left out.
+    Thousands { columns: String },
     /// Runs were numbered afresh, because there are several sensors.
     RunsRenumbered { runs: u32 },
     /// The unit under `[units]` is not the one in the column's name.
@@ -88,6 +94,26 @@ impl fmt::Display for Note {
                 let lines = if *lines == 1 { "1 line of text was".to_owned() } else { format!("{lines} lines of text were") };
                 write!(f, "{lines} left out below the rows, from line {first_line} on")
             }
+            Self::MarkedRows { lines, first_line, taken } => {
+                let one = *lines == 1;
+                let (begin, first) = if one { ("line begins", "on") } else { ("lines begin", "the first on") };
+                let (look, were) = if one { ("looks", "was") } else { ("look", "were") };
+                let what = match (taken, one) {
+                    (true, false) => "read as such, since the first column holds words; delete them if they are remarks",
+                    (true, true) => "read as such, since the first column holds words; delete it if it is a remark",
+                    (false, false) => "left out; take the sign away if they are rows",
+                    (false, true) => "left out; take the sign away if it is one",
+                };
+                write!(f, "{lines} {begin} as a remark does and {look} like a row ({first} line {first_line}), and {were} {what}")
+            }
+            Self::Summaries { rows, words, lines } => {
+                let were =
+                    if *rows == 1 { "1 row that sums up others was" } else { &format!("{rows} rows that sum up others were") };
+                let lines: Vec<String> = lines.iter().map(ToString::to_string).collect();
+                let more = if *rows > lines.len() { " and further on" } else { "" };
+                let line = if *rows == 1 { "line" } else { "lines" };
+                write!(f, "{were} left out ({words}), on {line} {}{more}", lines.join(", "))
+            }
             Self::Windows1252 { text } => {
                 write!(
                     f,
@@ -116,6 +142,7 @@ impl fmt::Display for Note {
                  under [units]"
             ),
             Self::DecimalCommas => f.write_str("commas were read as decimal points"),
+            Self::Thousands { columns } => write!(f, "signs between thousands were left out in {columns}, as in 1,234.5"),
             Self::RunsRenumbered { runs } => write!(f, "runs were numbered afresh, 1 to {runs}, one for each sensor and run"),
             Self::UnitOverridesName { column, unit, named } => {
                 write!(f, "column `{column}` was read in {unit}, as [units] says, although its name says {named}")

@@ -17,7 +17,7 @@ use super::{
     number::number,
     packed::{open_csv, unread},
     rows::Rows,
-    singletact,
+    singletact, spans,
     spare::Spare,
     table::Table,
     told::Told,
@@ -144,13 +144,20 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
             rows.order = order(&mut table, clock.index, manifest.dayfirst)?;
             table = Table::open(origin.csv, table.finish().1)?;
         }
+        let mut grouped = None;
+        if table.decimal_comma {
+            grouped = rows.find_thousands(&mut table, &columns, &drivers)?;
+            table = Table::open(origin.csv, table.finish().1)?;
+        }
         let numeric = numbers_ahead(&table);
         rows.take(&mut table, &columns, &drivers, sensor.filter(|_| several).map(String::as_str))?;
         if pass == 0 {
+            table.tell_left_out()?;
             notes = std::mem::take(&mut table.notes);
             notes.extend(assumed);
             notes.extend(rows.first_date.take());
             notes.extend(rows.commas.then_some(Note::DecimalCommas));
+            notes.extend(grouped);
             if !table.singletact {
                 let (header, bare) = (table.header.as_slice(), origin.toml.is_none());
                 let spare = Spare { header, columns: &columns, drivers: &drivers, numeric: &numeric, left_out: &[], bare };
@@ -229,6 +236,7 @@ fn assemble(
     let names: BTreeMap<Role, String> = columns.iter().map(|c| (c.role, c.name.clone())).collect();
     let mut recording =
         Recording { inputs, response, response_unit, simulated_unit, base, sensors, columns: names, sha256, path, notes };
+    spans::check(origin.csv, &recording, columns)?;
     recording.notes.extend(recording.constants());
     recording.notes.extend(degrees::doubt(&recording, columns));
     Ok(recording)

@@ -5,17 +5,19 @@
 use super::{
     clock::{Clock, Tick},
     columns::Column,
+    date_and_time::joined,
     driver_columns::DriverColumn,
     error::RecordingError,
     note::Note,
     number::{Fault, number},
     refuse::refuse,
-    separators::Separators,
+    signs::{Signs, Thousands},
     singletact,
     stamp::{First, stamp},
     table::Table,
     text::text,
     whole::{Gone, Instant, is_angle},
+    zones::Zones,
 };
 use crate::inputs::{Driver, Inputs, Role};
 use crate::units::ABSOLUTE_ZERO_C;
@@ -54,12 +56,14 @@ pub(super) struct Rows {
     instant: Instant,
     /// whether a comma was read as a decimal point
     pub commas: bool,
-    /// points that may stand between thousands, a column each
-    points: Vec<Separators>,
+    /// signs between thousands, a column each
+    pub thousands: Vec<Thousands>,
     /// what is told of a clock that is a date
     pub first_date: Option<Note>,
     /// which of day and month stands first in dates
     pub order: First,
+    /// whether dates have a zone
+    zones: Zones,
     /// whole seconds of the first date
     epoch: i64,
 }
@@ -76,7 +80,6 @@ impl Rows {
         if self.values.is_empty() {
             self.begin(columns, drivers);
         }
-        self.points = vec![Separators::default(); table.header.len()];
         let (first_note, mut row) = (self.clock.notes.len(), Vec::with_capacity(columns.len()));
         let (first_row, before) = (self.runs.len(), std::mem::take(&mut self.gone));
         while table.advance()? {
@@ -87,7 +90,6 @@ impl Rows {
                 self.push(table, columns, sensor, &row)?;
             }
         }
-        self.points_or_thousands(table)?;
         self.gone.find_lines(|byte| table.line(byte as u64))?;
         self.gone.check(table.file(), self.runs.len() - first_row)?;
         self.gone = before.and(std::mem::take(&mut self.gone));
@@ -102,17 +104,22 @@ impl Rows {
         self.drivers = drivers.iter().map(driver).collect();
     }
 
-    /// Points that may stand between thousands where commas are decimal points.
-    fn points_or_thousands<R: Read + Seek>(&self, table: &mut Table<R>) -> Result<(), RecordingError> {
-        let doubtful =
-            |(index, points): (usize, &Separators)| points.doubtful().map(|(byte, text)| (index, byte, text.to_owned()));
-        match self.points.iter().enumerate().filter(|_| self.commas).find_map(doubtful) {
-            None => Ok(()),
-            Some((index, byte, text)) => {
-                let (file, column) = (table.file(), table.header[index].name.clone());
-                Err(RecordingError::PointOrThousands { file, line: table.line(byte)?, column, text })
-            }
-        }
+    /// Finds the signs between thousands of the columns that are used; reads the table to its end.
+    pub fn find_thousands<R: Read + Seek>(
+        &mut self,
+        table: &mut Table<R>,
+        columns: &[Column],
+        drivers: &[DriverColumn],
+    ) -> Result<Option<Note>, RecordingError> {
+        let numbers = columns.iter().filter(|c| !c.dated && !matches!(c.role, Role::Run | Role::Sensor));
+        let used: Vec<usize> = numbers.map(|c| c.index).chain(drivers.iter().map(|d| d.index)).collect();
+        self.thousands = Signs::of(table)?.thousands(table, used.iter().copied())?;
+        let grouped: Vec<String> = used
+            .into_iter()
+            .filter(|index| self.thousands[*index] != Thousands::None)
+            .map(|index| format!("`{}`", table.header[index].name))
+            .collect();
+        Ok((!grouped.is_empty()).then(|| Note::Thousands { columns: grouped.join(", ") }))
     }
 
     /// Number of a cell, as it stands; `None` where it is empty, NaN or infinite.
@@ -124,12 +131,12 @@ impl Rows {
         role: &str,
     ) -> Result<Option<f64>, RecordingError> {
         let cell = table.row().get(index).unwrap_or_default();
+        let thousands = self.thousands.get(index).copied().unwrap_or_default();
+        let without = thousands.taken_out(cell);
+        let cell = without.as_deref().unwrap_or(cell);
         match number(cell, table.decimal_comma) {
             Ok(value) => {
-                if table.decimal_comma {
-                    self.commas |= cell.contains(&b',');
-                    self.points[index].see(cell, table.byte());
-                }
+                self.commas |= table.decimal_comma && cell.contains(&b',');
                 Ok(Some(value))
             }
             Err(Fault::NoValue) => Ok(None),
@@ -139,14 +146,21 @@ impl Rows {
 
     /// Seconds of a cell that is a date, since the first.
     fn seconds<R: Read + Seek>(&mut self, table: &mut Table<R>, column: &Column) -> Result<f64, RecordingError> {
-        let cell = table.row().get(column.index).unwrap_or_default();
+        let cell = &date(table.row(), column);
         let Some(stamp) = stamp(cell, self.order) else {
             let (text, file, name, byte) = (text(cell).0.into_owned(), table.file(), column.name.clone(), table.byte());
             return Err(RecordingError::NotADate { file, line: table.line(byte)?, column: name, text });
         };
+        if let Some(first) = self.zones.see(stamp, cell) {
+            let says = if stamp.zoned { "has a zone" } else { "has no zone" };
+            let (text, file, name, byte) = (text(cell).0.into_owned(), table.file(), column.name.clone(), table.byte());
+            return Err(RecordingError::MixedZones { file, line: table.line(byte)?, column: name, text, says, first });
+        }
         if self.runs.is_empty() {
             self.epoch = stamp.seconds;
-            self.first_date = Some(Note::Dates { column: column.name.clone(), first: text(cell).0.into_owned() });
+            let name = &column.name;
+            let name = column.of_day.map_or_else(|| name.clone(), |time| joined(name, &table.header[time].name));
+            self.first_date = Some(Note::Dates { column: name, first: text(cell).0.into_owned() });
         }
         Ok((stamp.seconds - self.epoch) as f64 + stamp.fraction)
     }
@@ -203,7 +217,9 @@ impl Rows {
     fn value<R: Read + Seek>(&mut self, table: &mut Table<R>, column: &Column) -> Result<Option<f64>, RecordingError> {
         let cell = table.row().get(column.index).unwrap_or_default();
         let is_null = table.singletact && singletact::is_null(cell);
-        let is_empty = (column.dated || column.role == Role::Run) && number(cell, false) == Err(Fault::NoValue);
+        let empty = |cell: &[u8]| number(cell, false) == Err(Fault::NoValue);
+        let no_time = column.of_day.is_some_and(|index| empty(table.row().get(index).unwrap_or_default()));
+        let is_empty = no_time || ((column.dated || column.role == Role::Run) && empty(cell));
         if is_null || is_empty {
             return Ok(None);
         }
@@ -350,6 +366,13 @@ impl Rows {
             .collect();
         (inputs, response, notes)
     }
+}
+
+/// The date of a row, with its time of day where that stands in a column of its own.
+fn date(row: &csv::ByteRecord, column: &Column) -> Vec<u8> {
+    let cell = |index: usize| row.get(index).unwrap_or_default();
+    let of_day = column.of_day.map(cell).into_iter().flat_map(|cell| [b" ".as_slice(), cell]);
+    [cell(column.index)].into_iter().chain(of_day).collect::<Vec<_>>().concat()
 }
 
 fn run<R: Read + Seek>(table: &mut Table<R>, column: &Column) -> Result<u32, RecordingError> {

@@ -1,34 +1,6 @@
-//! Points in a column whose decimal sign is a comma: decimal points as well, or signs between thousands?
+//! Whether a comma or a point may stand between thousands.
 //!
-//! Limits: `12.500` alone may be both; `0.500` and `12.5` are decimals.
-
-/// What the points of one column may be.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Separators {
-    /// a point that can be nothing but a decimal one
-    decimal: bool,
-    /// the first cell whose points may stand between thousands, and its place
-    grouped: Option<(u64, String)>,
-}
-
-impl Separators {
-    /// Looks at a cell that is a number.
-    pub fn see(&mut self, cell: &[u8], byte: u64) {
-        if self.decimal || !cell.contains(&b'.') {
-            return;
-        }
-        if !may_be_grouped(cell, b'.') {
-            self.decimal = true;
-        } else if self.grouped.is_none() {
-            self.grouped = Some((byte, String::from_utf8_lossy(cell).trim().to_owned()));
-        }
-    }
-
-    /// The first cell that may be either, where no other cell tells.
-    pub fn doubtful(&self) -> Option<(u64, &str)> {
-        self.grouped.as_ref().filter(|_| !self.decimal).map(|(byte, text)| (*byte, text.as_str()))
-    }
-}
+//! Limits: one cell; `12.500` alone may be both, `0.500` and `12.5` are decimals.
 
 /// One to three digits, the first no zero, and groups of three behind `sign`.
 pub(super) fn may_be_grouped(cell: &[u8], sign: u8) -> bool {
@@ -41,6 +13,14 @@ pub(super) fn may_be_grouped(cell: &[u8], sign: u8) -> bool {
         && is_digits(first)
         && first[0] != b'0'
         && groups.all(|group| group.len() == 3 && is_digits(group))
+}
+
+/// Whether a cell is a number with both signs, one of them between thousands.
+pub(super) fn has_thousands(cell: &[u8]) -> bool {
+    let last = cell.iter().rposition(|b| matches!(b, b',' | b'.')).unwrap_or_default();
+    let (whole, decimals) = cell.split_at(last);
+    let other = if decimals.first() == Some(&b',') { b'.' } else { b',' };
+    whole.contains(&other) && may_be_grouped(whole, other) && decimals.iter().skip(1).all(u8::is_ascii_digit)
 }
 
 #[cfg(test)]
@@ -57,12 +37,11 @@ mod tests {
     }
 
     #[test]
-    fn one_cell_that_tells_settles_the_column() {
-        let mut column = Separators::default();
-        column.see(b"12,5", 0);
-        column.see(b"1.234", 7);
-        assert_eq!(column.doubtful(), Some((7, "1.234")));
-        column.see(b"1.5", 14);
-        assert_eq!(column.doubtful(), None);
+    fn both_signs_are_those_of_decimals_and_of_thousands() {
+        for (cell, has) in
+            [("1,234.5", true), ("-1.234.567,5", true), ("1.23,5", false), ("1,234", false), ("1.5", false), ("", false)]
+        {
+            assert_eq!(has_thousands(cell.as_bytes()), has, "{cell}");
+        }
     }
 }

@@ -5,19 +5,17 @@
 use super::{
     columnar,
     columns::{quoted, there},
-    date_order::order,
+    date_and_time::{date_and_time, joined},
     default_names::{dimension, is_default, shown_unit},
     driver_columns::bind_drivers,
     error::RecordingError,
-    frame::FrameColumn,
     guess::{Guess, guess},
     heading::Heading,
     manifest::{Manifest, SCHEMA},
     map::{Mapped, Part},
-    number::number,
-    packed::{is_standard_input, open_csv},
+    packed::is_standard_input,
     roles::ROLES,
-    table::Table,
+    seen::Seen,
     told::Told,
     toml_names::{free, plain, toml_key, toml_text},
     words::{is_called_simulation, told},
@@ -35,14 +33,13 @@ const BASES: &str = r#"# [base]
 # model = "command"
 # run = ["python3", "sim.py"]                        # your own simulator (docs/command-base.md)"#;
 
-/// Rows that are looked at for numbers.
-const LOOKED_AT: usize = 20;
-
 /// A TOML, and what somebody has to add to it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sketch {
     /// text of the TOML
     pub toml: String,
+    /// which column is what, by the names of the roles
+    pub found: Vec<(String, String)>,
     /// what the header does not tell, a sentence each
     pub open: Vec<String>,
 }
@@ -71,62 +68,6 @@ pub fn sketch(csv: &Path, told: &Told) -> Result<Sketch, RecordingError> {
 fn nameless_file(nameless: bool) -> Vec<String> {
     let says = "what the table is called: put its name in place of `-`, which is standard input, under `file`";
     nameless.then(|| says.to_owned()).into_iter().collect()
-}
-
-/// What stands in a table.
-struct Seen {
-    header: Vec<Heading>,
-    /// whether there are numbers under a heading
-    numeric: Vec<bool>,
-    /// a date of which nobody knows whether it begins with the day or the month
-    days: Option<String>,
-    notes: Vec<String>,
-}
-
-impl Seen {
-    fn of_frame(file: &Path, mut frame: columnar::Frame, told: &Told) -> Result<Self, RecordingError> {
-        let mut manifest = Manifest::default().told(told, &frame.header());
-        let days = unordered(frame.read_dates(file, &manifest))?;
-        if days.is_some() {
-            // any order will do where values are not looked at
-            manifest.dayfirst = Some(true);
-            frame.read_dates(file, &manifest)?;
-        }
-        let header: Vec<Heading> = frame.columns.iter().map(FrameColumn::heading).collect();
-        Ok(Self { numeric: vec![true; header.len()], header, days, notes: Vec::new() })
-    }
-
-    fn of_csv(csv: &Path, told: &Told) -> Result<Self, RecordingError> {
-        let mut table = Table::open(csv, open_csv(csv)?)?;
-        let header = table.header.clone();
-        let mut numeric = vec![false; header.len()];
-        for _ in 0..LOOKED_AT {
-            if !table.advance()? {
-                break;
-            }
-            let comma = table.decimal_comma;
-            let is_number = |index: usize| table.row().get(index).is_some_and(|cell| number(cell, comma).is_ok());
-            numeric.iter_mut().enumerate().for_each(|(index, numeric)| *numeric |= is_number(index));
-        }
-        let notes = table.notes.iter().map(ToString::to_string).collect();
-        let days = match header.iter().position(|heading| heading.unordered) {
-            Some(index) => {
-                let mut again = Table::open(csv, table.finish().1)?;
-                unordered(order(&mut again, index, told.dayfirst).map(|_| ()))?
-            }
-            None => None,
-        };
-        Ok(Self { header, numeric, days, notes })
-    }
-}
-
-/// The date that may begin with the day or the month, where that is what is wrong.
-fn unordered(read: Result<(), RecordingError>) -> Result<Option<String>, RecordingError> {
-    match read {
-        Ok(()) => Ok(None),
-        Err(RecordingError::DayOrMonth { text, .. }) => Ok(Some(text)),
-        Err(other) => Err(other),
-    }
 }
 
 struct Writer<'a> {
@@ -173,7 +114,14 @@ impl Writer<'_> {
         self.without_numbers(&guess, &unusable);
         self.unusable(unusable);
         self.base(&guess);
-        Sketch { toml: self.toml, open: self.open }
+        let found = guess.found.iter().map(|(role, index)| (role.key().to_owned(), self.called(*role, *index))).collect();
+        Sketch { toml: self.toml, found, open: self.open }
+    }
+
+    /// The name of a role's column, and of the one that it is joined with.
+    fn called(&self, role: Role, index: usize) -> String {
+        let other = date_and_time(self.header, index).filter(|_| role == Role::Time).map(|(_, time)| self.name(time));
+        other.map_or_else(|| self.name(index).to_owned(), |time| joined(self.name(index), time))
     }
 
     /// Columns that are told of, with what they are and their units.
@@ -280,7 +228,10 @@ impl Writer<'_> {
                 continue;
             }
             if *role == Role::Time && heading.dated {
-                self.line("# time: the column holds dates, and is read in seconds from the first");
+                let with = date_and_time(self.header, *index)
+                    .map(|(_, time)| format!(" with the times of day in `{}`", self.name(time)));
+                let with = with.unwrap_or_default();
+                self.line(&format!("# time: the column holds dates{with}, and is read in seconds from the first"));
                 continue;
             }
             match shown_unit(*role, heading) {

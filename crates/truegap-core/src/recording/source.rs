@@ -1,4 +1,4 @@
-//! The bytes of a table as its reader gets them: UTF-8 in place of UTF-16, nothing above the header, no remarks; and their SHA-256.
+//! The bytes of a table as its reader gets them: UTF-8 in place of UTF-16, nothing above the header, no quotes in remarks; and their SHA-256.
 //!
 //! Limits: what is left out becomes carriage returns, so that places and lines stay what they were; the hash is that of the file.
 
@@ -140,7 +140,7 @@ impl<R: Read> Read for Decoded<R> {
     }
 }
 
-/// Takes away what stands above the header, and remarks.
+/// Takes away what stands above the header, and the quotes of remarks.
 struct Filter {
     layout: Layout,
     /// bytes that have passed
@@ -163,20 +163,17 @@ impl Filter {
         let mut rest = &mut passed[above..];
         while let Some(first) = rest.first() {
             if self.begins {
-                self.remark = self.begins_remark(*first);
+                self.remark = !self.layout.words && matches!(first, b'#' | b'%' | b'/');
             }
             let end = rest.iter().position(|b| is_end(*b));
             let length = end.unwrap_or(rest.len());
             if self.remark {
-                rest[..length].fill(b'\r');
+                // a quote that a remark opens would hold the rows behind it
+                rest[..length].iter_mut().filter(|b| **b == b'"').for_each(|b| *b = b'\'');
             }
             self.begins = end.is_some();
             rest = &mut rest[length + usize::from(self.begins)..];
         }
-    }
-
-    fn begins_remark(&self, first: u8) -> bool {
-        [b'#', b'%', b'/'].into_iter().zip(self.layout.remarks).any(|(marker, is_remark)| is_remark && marker == first)
     }
 }
 

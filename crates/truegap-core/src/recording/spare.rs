@@ -42,7 +42,9 @@ impl Spare<'_> {
 
     /// Names of the columns that were not read and for which `which` holds.
     fn names(&self, which: impl Fn(usize) -> bool) -> Vec<&str> {
-        let used: Vec<usize> = self.columns.iter().map(|c| c.index).chain(self.drivers.iter().map(|d| d.index)).collect();
+        let of_day = self.columns.iter().filter_map(|c| c.of_day);
+        let used: Vec<usize> =
+            self.columns.iter().map(|c| c.index).chain(of_day).chain(self.drivers.iter().map(|d| d.index)).collect();
         let spare = self.header.iter().enumerate().filter(|(index, _)| !used.contains(index) && which(*index));
         spare.map(|(_, heading)| heading.name.as_str()).filter(|name| !name.is_empty()).collect()
     }

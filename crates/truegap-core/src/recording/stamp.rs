@@ -9,19 +9,22 @@ use std::ops::RangeInclusive;
 pub(super) struct Stamp {
     pub seconds: i64,
     pub fraction: f64,
+    /// whether a zone is written
+    pub zoned: bool,
 }
 
-/// Which of day and month stands first in `01/03/2026`.
+/// Which of day and month stands first in `01/03/2026`, and whether the year does in `26.03.01`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum First {
     #[default]
     Day,
     Month,
+    Year,
 }
 
 /// Whether a cell is a date, whichever of day and month stands first.
 pub(super) fn is_date(cell: &[u8]) -> bool {
-    stamp(cell, First::Day).or_else(|| stamp(cell, First::Month)).is_some()
+    [First::Day, First::Month, First::Year].into_iter().any(|first| stamp(cell, first).is_some())
 }
 
 /// Whether a cell is a date without a time of day.
@@ -41,6 +44,12 @@ pub(super) fn unordered(cell: &[u8]) -> Option<[i64; 3]> {
     ['/', '-'].into_iter().find_map(|sign| numbers(date, sign, [1..=2, 1..=2, 4..=4]))
 }
 
+/// The numbers of a date with two digits of a year between dots, `[26, 3, 1]` of `26.03.01 12:00`; `None` for anything else.
+pub(super) fn short(cell: &[u8]) -> Option<[i64; 3]> {
+    let text = std::str::from_utf8(cell).ok()?.trim();
+    numbers(text.split(['T', 't', ' ']).next()?, '.', [2..=2, 2..=2, 2..=2])
+}
+
 /// `2026-03-01T12:00:00.250+01:00`, `2026/03/01 12:00`, `01.03.2026 12:00`, `3/1/2026 9:05 PM`; `None` for anything else.
 pub(super) fn stamp(cell: &[u8], first: First) -> Option<Stamp> {
     let text = std::str::from_utf8(cell).ok()?.trim();
@@ -49,25 +58,26 @@ pub(super) fn stamp(cell: &[u8], first: First) -> Option<Stamp> {
     let day_first = || numbers(date, '.', [2..=2, 2..=2, 4..=4]).map(|[day, month, year]| [year, month, day]);
     // two digits of a year between dots, 1970 to 2069; between other signs such a date could stand in any order
     let short = || {
-        numbers(date, '.', [2..=2, 2..=2, 2..=2])
-            .map(|[day, month, year]| [year + if year < 70 { 2000 } else { 1900 }, month, day])
+        let [one, month, other] = short(cell)?;
+        let (year, day) = if first == First::Year { (one, other) } else { (other, one) };
+        Some([year + if year < 70 { 2000 } else { 1900 }, month, day])
     };
     let told = || {
         unordered(cell).map(|[one, other, year]| match first {
-            First::Day => [year, other, one],
+            First::Day | First::Year => [year, other, one],
             First::Month => [year, one, other],
         })
     };
     let [year, month, day] = year_first('-').or_else(|| year_first('/')).or_else(day_first).or_else(short).or_else(told)?;
-    let (of_day, fraction) = time_of_day(rest.get(1..).unwrap_or_default())?;
+    let (of_day, fraction, zoned) = time_of_day(rest.get(1..).unwrap_or_default())?;
     let possible = (1..=12).contains(&month) && (1..=length_of(year, month)).contains(&day);
-    possible.then_some(Stamp { seconds: 86_400 * days(year, month, day) + of_day, fraction })
+    possible.then_some(Stamp { seconds: 86_400 * days(year, month, day) + of_day, fraction, zoned })
 }
 
-/// Seconds of a time of day, whole and the rest, less those of its zone; midnight where there is none.
-fn time_of_day(text: &str) -> Option<(i64, f64)> {
+/// Seconds of a time of day, whole and the rest, less those of its zone, and whether that is written; midnight where there is none.
+fn time_of_day(text: &str) -> Option<(i64, f64, bool)> {
     if text.is_empty() {
-        return Some((0, 0.0));
+        return Some((0, 0.0, false));
     }
     let (text, half) = halved(text);
     let zone_at = text.find(['Z', 'z', '+', '-', ' ']).unwrap_or(text.len());
@@ -86,7 +96,7 @@ fn time_of_day(text: &str) -> Option<(i64, f64)> {
     };
     // 24:00 is the end of a day, and no minute of it is later
     let possible = (hour < 24 || (hour, minute, second) == (24, 0, 0)) && minute < 60 && second < 61;
-    possible.then_some((3600 * hour + 60 * minute + second - offset(zone.trim())?, fraction))
+    possible.then_some((3600 * hour + 60 * minute + second - offset(zone.trim())?, fraction, !zone.trim().is_empty()))
 }
 
 /// A time without `AM` or `PM`, and the hours that these add.
@@ -176,7 +186,8 @@ mod tests {
             ("01-03-2026", 1_772_323_200, 0.0),
         ];
         for (text, seconds, fraction) in cases {
-            assert_eq!(stamp(text.as_bytes(), First::Day), Some(Stamp { seconds, fraction }), "{text}");
+            let found = stamp(text.as_bytes(), First::Day).map(|stamp| (stamp.seconds, stamp.fraction));
+            assert_eq!(found, Some((seconds, fraction)), "{text}");
         }
     }
 

@@ -5,9 +5,13 @@
 use super::{
     error::RecordingError,
     heading::{Heading, units},
+    layout::Layout,
+    marked::Marked,
     note::Note,
     source::Source,
-    stamp::{is_date, is_day, is_time_of_day, unordered},
+    stamp::{is_date, is_day, is_time_of_day, short, unordered},
+    summaries::Summaries,
+    swallowed::swallowing,
     text::text,
 };
 use sha2::{Digest, Sha256};
@@ -29,6 +33,10 @@ pub(super) struct Table<R> {
     pub decimal_comma: bool,
     /// whether the vendor's tool wrote it
     pub singletact: bool,
+    /// rows behind a sign of remarks
+    marked: Marked,
+    /// rows that sum up others
+    summaries: Summaries,
     /// what its reader had to make of it
     pub notes: Vec<Note>,
 }
@@ -55,6 +63,8 @@ impl<R: Read + Seek> Table<R> {
             header: Vec::new(),
             decimal_comma: layout.decimal_comma,
             singletact: layout.singletact,
+            marked: Marked::default(),
+            summaries: Summaries::default(),
             notes: (layout.above > 0).then_some(above).into_iter().collect(),
         };
         if table.singletact {
@@ -94,9 +104,11 @@ impl<R: Read + Seek> Table<R> {
             for (at, heading) in self.header.iter_mut().enumerate() {
                 heading.dated = is_date(cell(at));
                 heading.days = is_day(cell(at));
-                heading.unordered = unordered(cell(at)).is_some();
+                heading.unordered = unordered(cell(at)).is_some() || short(cell(at)).is_some();
                 heading.of_day = is_time_of_day(cell(at));
             }
+            let dated = self.header.iter().map(|heading| heading.dated || heading.of_day);
+            self.summaries.begin(record, dated);
         }
         self.notes.extend(strange.map(|text| Note::Windows1252 { text }));
         Ok(())
@@ -114,13 +126,57 @@ impl<R: Read + Seek> Table<R> {
         if std::mem::take(&mut self.ahead) {
             return Ok(true);
         }
+        if let Some(row) = self.summaries.waiting.pop_front() {
+            self.record = row;
+            return Ok(true);
+        }
+        while self.next_row()? {
+            let Some(column) = self.summaries.column_of(&self.record) else { return Ok(true) };
+            let (mut summaries, row) = (std::mem::take(&mut self.summaries), self.record.clone());
+            let left_out = summaries.leaves_out(column, &row, || Ok(self.next_row()?.then(|| self.record.clone())))?;
+            (self.summaries, self.record) = (summaries, row);
+            if !left_out {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// The next row that is no remark.
+    fn next_row(&mut self) -> Result<bool, RecordingError> {
+        while self.read_row()? {
+            let (width, words, byte) = (self.header.len(), self.reader.get_ref().layout().words, self.byte());
+            if width == 0 || self.singletact || !self.marked.is_remark(&self.record, width, words, byte) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// The next row as it stands, whatever it is.
+    fn read_row(&mut self) -> Result<bool, RecordingError> {
         let read = self.reader.read_byte_record(&mut self.record);
         if self.blanks && self.record.iter().any(<[u8]>::is_empty) {
             let place = self.record.position().cloned();
             self.record = self.record.iter().filter(|cell| !cell.is_empty()).collect();
             self.record.set_position(place);
         }
+        if let Some(at) = swallowing(&self.record, self.reader.get_ref().layout().separator) {
+            let column = self.header.get(at).map_or_else(|| (at + 1).to_string(), |heading| format!("`{}`", heading.name));
+            let line = self.line(self.byte())?;
+            return Err(RecordingError::OpenQuote { file: self.file.clone(), line, column });
+        }
         read.map_err(|error| RecordingError::Read { file: self.file.clone(), source: io::Error::other(error) })
+    }
+
+    /// Tells of rows that were left out, or read for want of a better word, once all are read.
+    pub fn tell_left_out(&mut self) -> Result<(), RecordingError> {
+        let (marked, mut summaries) = (std::mem::take(&mut self.marked), std::mem::take(&mut self.summaries));
+        let Layout { words, plain, .. } = *self.reader.get_ref().layout();
+        let marked = marked.note(words, |byte| self.line(byte))?.filter(|_| plain);
+        let sums = summaries.note(|byte| self.line(byte))?;
+        self.notes.extend(marked.into_iter().chain(sums));
+        Ok(())
     }
 
     /// Cells of the row.

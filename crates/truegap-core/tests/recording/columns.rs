@@ -143,3 +143,23 @@ fn dates_and_durations_of_a_frame_are_a_clock() {
     assert_eq!(durations.inputs.time_s, dates.inputs.time_s);
     assert!(durations.notes.iter().all(|note| !matches!(note, Note::Dates { .. })));
 }
+
+/// A column of pressures was a force without a word.
+#[test]
+fn a_unit_that_overrules_one_of_something_else_is_told() {
+    let read =
+        with_toml("[columns]\nforce = \"pressure_kpa\"\n[units]\nforce = \"N\"\n", "pressure_kpa,capacitance_pf\n1,74\n2,75\n")
+            .unwrap();
+    let told = Note::UnitOverridesName { column: "pressure_kpa".into(), unit: "N".into(), named: "kpa".into() };
+    assert!(read.notes.contains(&told), "{:?}", read.notes);
+}
+
+/// `F` behind a column of a temperature was a farad where somebody gave it beside the header.
+#[test]
+fn f_is_fahrenheit_for_a_reading_that_is_a_temperature() {
+    for (column, unit) in [("Sea temperature [F]", "degF"), ("Sea temperature", "degF"), ("C1", "pF")] {
+        let toml = format!("[columns]\nresponse = \"{column}\"\n[units]\nresponse = \"F\"\n");
+        let read = with_toml(&toml, &format!("time_s,force_n,{column}\n0,1,60\n1,2,61\n")).unwrap();
+        assert_eq!(read.response_unit, unit, "{column}");
+    }
+}

@@ -120,6 +120,18 @@ fn the_singletact_tool_speaks_in_commas_and_points_as_well() {
     assert_eq!((points.response, points.inputs), (commas.response, commas.inputs));
 }
 
+/// Any table whose first words were these was read as an export of the tool: its loads were a second sensor, and a clock that ran back was a tare.
+#[test]
+fn a_start_time_alone_makes_no_export_of_the_tool() {
+    let rows = "0,1,74\n1,2,75\n2,3,76\n";
+    for head in ["Start time [s],force_n,capacitance_pf\n", "Start Time: 2026-03-01 12:00:00\ntime_s,force_n,capacitance_pf\n"] {
+        let r = csv(format!("{head}{rows}")).unwrap();
+        assert_eq!((r.inputs.force_n.as_deref(), r.response.as_slice()), (Some(&[1.0, 2.0, 3.0][..]), &[74.0, 75.0, 76.0][..]));
+    }
+    let back = csv("Start Time,2026-03-01\ntime_s,force_n,capacitance_pf\n0,1,74\n1,2,75\n0,3,76\n");
+    assert!(matches!(back, Err(RecordingError::TimeRunsBack { .. })), "{back:?}");
+}
+
 #[test]
 fn several_sensors_of_the_tool_become_runs_of_their_own() {
     let text =

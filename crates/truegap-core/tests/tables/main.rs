@@ -5,4 +5,5 @@
 mod bench;
 mod inputs_alone;
 mod names;
+mod no_rows;
 mod written;

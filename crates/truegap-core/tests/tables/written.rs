@@ -95,7 +95,7 @@ fn a_clock_may_be_a_date() {
 
 #[test]
 fn what_is_wrong_with_a_column_is_told_once_for_all_rows() {
-    let cases: [(&str, &[&str]); 12] = [
+    let cases: [(&str, &[&str]); 15] = [
         ("time_s,force_n,force_n,capacitance_pf\n0,1,1,74\n", &["columns 2 and 3", "both called `force_n`"]),
         (
             "time_s,temperature_c,capacitance_pf\n0,nan,74\n1,nan,75\n",
@@ -103,7 +103,16 @@ fn what_is_wrong_with_a_column_is_told_once_for_all_rows() {
         ),
         ("time_s,temperature_c,capacitance_pf\n0,warm,74\n1,cold,75\n", &["`temperature_c`", "no number in any", "`warm`"]),
         ("time_s,temperature_c,capacitance_pf\n0,warm,74\n1,20,75\n", &["line 2", "`warm`", "correct it"]),
-        ("time_s;capacitance_pf\n0;1.236,5\n1;1.237,5\n", &["line 2", "`1.236,5`", "no sign between thousands"]),
+        ("time_s;capacitance_pf\n0;1.23,5\n1;1.237,5\n", &["line 2", "`1.23,5`", "no sign between thousands"]),
+        ("time_s;capacitance_pf\n0.5;1,236\n1.5;1,237\n", &["line 2", "`1,236`", "three decimals or one in thousands"]),
+        (
+            "time\tcapacitance_pf\n2026-03-01 12:00Z\t74\n2026-03-01 12:01\t75\n",
+            &["line 3", "`2026-03-01 12:01`", "has no zone", "12:00Z`"],
+        ),
+        (
+            "time,capacitance_pf\n01.01.02,74\n01.02.02,75\n",
+            &["line 2", "`01.01.02`", "with the day or with the year", "--dayfirst=false"],
+        ),
         ("time_s;capacitance_pf\n0,5;1.236\n1,5;1.237\n", &["line 2", "`1.236`", "three decimals or one in thousands"]),
         ("time_s,capacitance_pf\n0,\"1,236.5\"\n", &["line 2", "no comma between thousands"]),
         ("time_s,capacitance_pf\n\"0,5\",\"74.5\"\n", &["line 2", "decimal points", "semicolons"]),
@@ -127,9 +136,9 @@ fn what_is_wrong_with_a_column_is_told_once_for_all_rows() {
 /// The last line was the measure of the table, so that nothing of it was seen.
 #[test]
 fn what_stands_below_a_table_is_told_with_its_line() {
-    let bench = Bench::new("footer", b"time_s,force_n,capacitance_pf\n0,1,74\n1,2,75\nTotal,,\nEnd of file\n");
+    let bench = Bench::new("footer", b"time_s,force_n,capacitance_pf\n0,1,74\n1,2,75\nStopped,,\nEnd of file\n");
     let told = bench.read().unwrap_err().to_string();
-    assert!(told.contains("line 4: `Total` in column `time_s`"), "{told}");
+    assert!(told.contains("line 4: `Stopped` in column `time_s`"), "{told}");
     let sketch = sketch(&bench.0.join("t.csv"), &Told::default()).unwrap();
     assert!(sketch.toml.contains("force = \"force_n\""), "{}", sketch.toml);
 }
@@ -153,9 +162,10 @@ fn a_header_that_comes_again_and_times_of_day_are_told_as_what_they_are() {
     let told = |name: &str, table: &[u8]| Bench::new(name, table).read().unwrap_err().to_string();
     let again = told("again", b"time_s,force_n,capacitance_pf\n0,1,74\ntime_s,force_n,capacitance_pf\n1,2,75\n");
     assert!(again.contains("line 3") && again.contains("it is the header once more"), "{again}");
-    for header in ["time", "Date,Time"] {
-        let date = if header == "time" { "" } else { "2026-03-01," };
-        let table = format!("{header},force_n,capacitance_pf\n{date}12:00:00,1,74\n{date}12:00:01,2,75\n");
+    for header in ["time", "Date,time,Since"] {
+        // two columns of times of day, of which nobody knows which belongs to the date
+        let (date, since) = if header == "time" { ("", "") } else { ("2026-03-01,", ",11:00:00") };
+        let table = format!("{header},force_n,capacitance_pf\n{date}12:00:00{since},1,74\n{date}12:00:01{since},2,75\n");
         let day = told("day", table.as_bytes());
         assert!(day.contains("holds times of day without their dates") && day.contains("2026-03-01 12:00:00"), "{day}");
     }
@@ -210,4 +220,78 @@ fn the_toml_says_the_order_of_dates_and_is_sketched_with_it() {
     assert_eq!(read.inputs.time_s.as_deref(), Some(&[0.0, 86_400.0, 172_800.0][..]));
     let told = sketch(&bench.0.join("t.csv"), &Told { dayfirst: Some(false), ..Told::default() }).unwrap();
     assert!(told.toml.contains("\ndayfirst = false\n") && told.open.len() + 1 == open.open.len(), "{}", told.toml);
+}
+
+/// `1,112` in a table of tabs was 1.112, and `1.236,5` refused.
+#[test]
+fn signs_between_thousands_are_left_out_where_the_column_shows_them() {
+    for (rows, wanted) in [
+        ("0.0\t800\n0.5\t1,112\n", [800.0, 1112.0]),
+        ("0\t1,234.5\n1\t12.5\n", [1234.5, 12.5]),
+        ("0\t1.234,5\n1\t12,5\n", [1234.5, 12.5]),
+        ("0\t-1.234.567\n1\t12,5\n", [-1_234_567.0, 12.5]),
+    ] {
+        let read = Bench::new("thousands", format!("time_s\tcapacitance_pf\n{rows}").as_bytes()).read().unwrap();
+        assert_eq!(read.response, wanted, "{rows}");
+        assert!(read.notes.contains(&Note::Thousands { columns: "`capacitance_pf`".into() }), "{:?}", read.notes);
+    }
+}
+
+/// Half an hour was a year: the day was taken to be first wherever dots stand.
+#[test]
+fn two_digits_of_a_year_may_stand_first() {
+    let read = |rows: &str| Bench::new("years", format!("time,capacitance_pf\n{rows}").as_bytes()).read().unwrap().inputs.time_s;
+    assert_eq!(read("26.03.01 23:30:00,74\n26.03.02 00:00:00,75\n").as_deref(), Some(&[0.0, 1800.0][..]));
+    assert_eq!(read("01.03.26 23:30:00,74\n02.03.26 00:00:00,75\n").as_deref(), Some(&[0.0, 1800.0][..]));
+}
+
+/// The line of units was taken, whatever the name said.
+#[test]
+fn units_that_contradict_one_another_are_refused() {
+    let read = |header: &str, units: &str| Bench::new("units", format!("{header}\n{units}\n0,1,74\n1,2,75\n").as_bytes()).read();
+    let told = |header: &str, units: &str| read(header, units).unwrap_err().to_string();
+    let text = told("Time [s],Force [N],Capacitance [pF]", "s,mN,pF");
+    assert!(text.contains("`Force [N]`") && text.contains("unit N in its name and mN in the line"), "{text}");
+    let text = told("Time [s],Force [N],Capacitance [pF]", "s,N,fF");
+    assert!(text.contains("`Capacitance [pF]`") && text.contains("unit pF in its name and fF"), "{text}");
+    assert_eq!(read("Time [s],Force [N],Capacitance [pF]", "s,Newton,pF").unwrap().response, [74.0, 75.0]);
+}
+
+/// Days and times of day in two columns were left out both, and the order of rows was the clock.
+#[test]
+fn a_day_and_a_time_of_day_in_two_columns_are_one_clock() {
+    let rows = "31.03.2026;23:59:59;1;74\n01.04.2026;00:00:01,5;2;75\n01.04.2026;;2;75\n01.04.2026;00:00:03;3;76\n";
+    for header in ["Datum;Uhrzeit;force_n;capacitance_pf", "date;time;force_n;capacitance_pf"] {
+        let bench = Bench::new("joined", format!("{header}\n{rows}").as_bytes());
+        for read in [bench.read().unwrap(), bench.sketched()] {
+            assert_eq!(read.inputs.time_s.as_deref(), Some(&[0.0, 2.5, 4.0][..]), "{header}");
+            let told = read.notes.iter().any(|note| matches!(note, Note::Dates { first, .. } if first == "31.03.2026 23:59:59"));
+            assert!(told && !read.notes.iter().any(|note| matches!(note, Note::NotRead { .. })), "{:?}", read.notes);
+        }
+    }
+}
+
+/// The first ended in a panic of the fit, the others in a verdict or in something that was not the matter.
+#[test]
+fn numbers_whose_squares_are_none_are_refused() {
+    let table = |time: &str, reading: &dyn Fn(usize) -> String| {
+        let rows: String = (0..30).map(|k| format!("{k}{time},{},{}\n", k % 7, reading(k))).collect();
+        Bench::new("spans", format!("time_s,force_n,capacitance_pf\n{rows}").as_bytes()).read()
+    };
+    let usual: &dyn Fn(usize) -> String = &|k| (74 + k % 7).to_string();
+    for (time, reading, parts) in [
+        ("e-300", usual, ["`time_s`", "within 1e-15 s"]),
+        ("", &|k| format!("{}e-200", 74 + k % 7), ["`capacitance_pf`", "less than 1e-100"]),
+        ("", &|k| format!("{}e160", 74 + k % 7), ["`capacitance_pf`", "more than 1e100"]),
+        ("", &|k| format!("74.00000000000{}", k % 2), ["`capacitance_pf`", ""]),
+    ] as [(&str, &dyn Fn(usize) -> String, [&str; 2]); 4]
+    {
+        match table(time, reading) {
+            Err(told) => parts.iter().for_each(|part| assert!(told.to_string().contains(part), "{told}")),
+            Ok(_) => assert_eq!(parts[1], "", "{parts:?}"),
+        }
+    }
+    let last = table("", &|k| if k % 2 == 0 { "74".into() } else { "74.00000000000001421".into() }).unwrap_err().to_string();
+    assert!(last.contains("last digits"), "{last}");
+    assert_eq!(table("e-9", usual).unwrap().len(), 30);
 }

@@ -2,6 +2,7 @@
 //!
 //! Limits: what is there is replaced as a whole or left as it was.
 
+use super::beside_model::hash_of_readings;
 use super::{DiagnosisError, prediction};
 use crate::diagnosis::report::{self, DISCOVERED, Provenance, Subject};
 use crate::models::{Base, ModelFile, ModelFileError, Programs};
@@ -77,6 +78,10 @@ impl Diagnosed {
     /// # Errors
     /// [`ModelFileError::SensorFile`] where the sensor's own file has gone.
     pub fn model_file(&self) -> Result<ModelFile, ModelFileError> {
-        ModelFile::of(&self.outcome, &self.base.spec, self.recording.path.parent())
+        let parts = if self.parts.is_empty() { std::slice::from_ref(&self.recording) } else { &self.parts };
+        let readings: Vec<String> = parts.iter().map(hash_of_readings).collect();
+        let drivers = self.recording.inputs.drivers.iter().map(|driver| (driver.name.clone(), driver.unit.clone())).collect();
+        let file = ModelFile::of(&self.outcome, &self.base.spec, self.recording.path.parent())?;
+        Ok(ModelFile { readings_sha256: Some(readings.join(" ")), drivers, ..file })
     }
 }

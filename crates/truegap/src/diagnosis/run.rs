@@ -10,7 +10,7 @@ use super::diagnosed::Diagnosed;
 use super::request::{Opened, Request, named};
 use super::rows::rows_of_each;
 use super::screen::{Screened, reserve, screen};
-use super::{DiagnosisError, bank_store};
+use super::{DiagnosisError, bank_store, followed};
 use crate::diagnosis::report::Provenance;
 use crate::models::Base;
 use std::sync::atomic::AtomicBool;
@@ -122,7 +122,7 @@ impl Run<'_> {
             recording,
             sensor: base.sensor.as_ref().map(|s| s.name.clone()),
             notices: self.notices.to_vec(),
-            remarks: notes.chain(hidden).collect(),
+            remarks: notes.chain(hidden).chain(followed::says(base, &opened.recording)).collect(),
         }
     }
 }

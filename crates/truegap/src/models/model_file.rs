@@ -4,6 +4,7 @@
 
 use crate::models::base::{Programs, foreseen};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use truegap_core::sensor::{SensorError, builtin_sensors};
 use truegap_core::{Inputs, Sensor, SimulationError, Simulator, Stage};
@@ -27,6 +28,9 @@ pub struct ModelFile {
     pub recording: String,
     /// SHA-256 of that recording
     pub sha256: String,
+    /// SHA-256 of its readings as numbers, by which it is known where it was saved again; absent in files of earlier versions
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub readings_sha256: Option<String>,
     /// verdict of the diagnosis
     pub verdict: String,
     /// unit of the response
@@ -34,6 +38,9 @@ pub struct ModelFile {
     /// text of the sensor's file, where the base model has a sensor
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sensor: Option<String>,
+    /// units of the recording's drivers; absent in files of earlier versions
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub drivers: BTreeMap<String, String>,
     /// the base model and how it is built
     pub base: BaseModel,
     /// what the effects' equations take from the recording
@@ -138,9 +145,11 @@ impl ModelFile {
             made_by: format!("truegap {}", diagnosis.version),
             recording: diagnosis.recording.source.clone(),
             sha256: diagnosis.recording.sha256.clone(),
+            readings_sha256: None,
             verdict: diagnosis.verdict.word().into(),
             unit: diagnosis.fit.unit.clone(),
             sensor: base.sensor().map(|name| sensor_text(name, folder)).transpose()?,
+            drivers: BTreeMap::new(),
             base: base.clone(),
             scales: augmented.scales.clone(),
             parameters: augmented.parameters.clone(),
@@ -245,8 +254,7 @@ fn sensor_text(name: &str, folder: Option<&Path>) -> Result<String, ModelFileErr
     if let Some(built_in) = builtin_sensors().iter().find(|s| s.name == name) {
         return Ok(built_in.toml.to_owned());
     }
-    let beside = folder.map(|f| f.join(name)).filter(|path| path.is_file());
-    let file = beside.unwrap_or_else(|| PathBuf::from(name));
+    let file = folder.map(|f| f.join(name)).filter(|path| path.is_file()).unwrap_or_else(|| PathBuf::from(name));
     truegap_limits::read_text(&file).map_err(|source| ModelFileError::SensorFile { file, source })
 }
 

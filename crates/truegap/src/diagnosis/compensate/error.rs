@@ -1,6 +1,6 @@
 //! Why readings are not corrected.
 
-use crate::diagnosis::DiagnosisError;
+use crate::diagnosis::{DiagnosisError, SaysOtherwise};
 use crate::models::{AnswerError, ModelFileError};
 use std::path::PathBuf;
 use truegap_sweep::SweepError;
@@ -16,6 +16,9 @@ pub enum CompensateError {
     /// The recording cannot be taken as it is.
     #[error(transparent)]
     Recording(#[from] DiagnosisError),
+    /// The recording says something else of itself than the model.
+    #[error(transparent)]
+    Otherwise(#[from] SaysOtherwise),
     /// Nothing to correct for.
     #[error(
         "{model}: no physics is added to its base model, so there is nothing to correct for; give the augmented.toml of a diagnosis that found a cause"

@@ -11,7 +11,7 @@ mod needed;
 pub use document::{Compensated, Compensation, Estimated, Gained, SCHEMA, check};
 pub use error::CompensateError;
 
-use super::beside_model::{model_facts, opened, recording_facts};
+use super::beside_model::{model_facts, opened, recording_facts, says_the_same, took_part};
 use crate::models::{ModelFile, ModelFileError, Parted, Programs, RunningModel, of_recording, refused};
 use input::{Sought, Way};
 use std::path::Path;
@@ -52,10 +52,11 @@ pub fn compensate_with(
 ) -> Result<Compensated, CompensateError> {
     let (recording, name) = opened(recording, channel)?;
     let model = written.build_with(programs)?;
-    let (file, same) = (file.display().to_string(), !recording.sha256.is_empty() && written.sha256 == recording.sha256);
+    let (file, same) = (file.display().to_string(), took_part(written, &recording) && !written.sha256.trim().contains(' '));
     if recording.response_unit != written.unit {
         return Err(CompensateError::Unit { recording: name, found: recording.response_unit, wanted: written.unit.clone() });
     }
+    says_the_same(written, &recording, &name)?;
     let (low, high) = ends(recording.response.iter().copied());
     if !(high - low).is_finite() {
         return Err(CompensateError::Range { recording: name, low, high, unit: recording.response_unit });

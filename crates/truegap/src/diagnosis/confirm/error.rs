@@ -1,6 +1,6 @@
 //! Why nothing can be judged.
 
-use crate::diagnosis::DiagnosisError;
+use crate::diagnosis::{DiagnosisError, SaysOtherwise};
 use crate::models::{AnswerError, ModelFileError};
 use crate::output::OutputError;
 use truegap_diagnose::DiagnoseError;
@@ -16,6 +16,9 @@ pub enum ConfirmError {
     /// The recording cannot be taken as it is.
     #[error(transparent)]
     Recording(#[from] DiagnosisError),
+    /// The recording says something else of itself than the model.
+    #[error(transparent)]
+    Otherwise(#[from] SaysOtherwise),
     /// Nothing to be judged.
     #[error(
         "{model}: no physics is added to its base model, so there is nothing to confirm; give the augmented.toml of a diagnosis that found a cause"

@@ -12,7 +12,7 @@ pub use error::ConfirmError;
 pub use judged::Free;
 pub use truegap_diagnose::answer::{AmongRivals, Confirmation, Errors, ModelFacts, OtherFacts, RivalErrors};
 
-use super::beside_model::{model_facts, opened, recording_facts};
+use super::beside_model::{model_facts, opened, recording_facts, says_the_same, says_the_same_as, took_part};
 use super::request::named;
 use crate::diagnosis::Diagnosed;
 use crate::models::{ModelFile, Programs, RunningModel, of_recording, refused};
@@ -20,6 +20,7 @@ use document::says;
 use judged::Judged;
 use rivals::among_rivals;
 use std::path::Path;
+use truegap_core::recording::BaseSpec;
 use truegap_core::{Recording, ends};
 use truegap_diagnose::answer;
 use truegap_diagnose::confirmation::{Judgement, LEVEL, NoiseFloor, noise_floor};
@@ -60,10 +61,11 @@ pub fn confirm_with(
 pub fn other(recording: Recording, channel: Option<&str>, took_part: &[Recording]) -> Result<Recording, ConfirmError> {
     let (recording, name) = opened(recording, channel)?;
     // saved again, by another program, the same rows have other bytes
-    let same = |part: &Recording| part.response == recording.response && part.inputs == recording.inputs;
+    let same = |part: &Recording| part.response == recording.response;
     if took_part.iter().any(|part| !part.sha256.is_empty() && part.sha256 == recording.sha256 || same(part)) {
         return Err(ConfirmError::TookPart { recording: name });
     }
+    took_part.iter().try_for_each(|part| says_the_same_as(part, &recording, &name))?;
     match took_part.first().filter(|part| part.response_unit != recording.response_unit) {
         None => Ok(recording),
         Some(part) => {
@@ -74,8 +76,10 @@ pub fn other(recording: Recording, channel: Option<&str>, took_part: &[Recording
 }
 
 /// Judges what `diagnosed` ended with on `recording`, which took no part, and puts the answer, or why there is none, into the diagnosis.
-pub fn confirm_within(diagnosed: &mut Diagnosed, recording: Recording, free: Free) {
+pub fn confirm_within(diagnosed: &mut Diagnosed, mut recording: Recording, free: Free) {
     let name = named(&recording);
+    // it says of itself what the first one did, and the command may have said otherwise of both
+    recording.base = BaseSpec::default();
     let judged = match diagnosed.model_file() {
         Ok(written) => judge(&written, OF_THIS_RUN, recording, name.clone(), free, &diagnosed.programs),
         Err(error) => Err(error.into()),
@@ -158,12 +162,13 @@ fn belong_together(
     if effects.is_empty() {
         return Err(ConfirmError::NothingAdded { model: file });
     }
-    if !recording.sha256.is_empty() && written.sha256.split_whitespace().any(|hash| hash == recording.sha256) {
+    if took_part(written, recording) {
         return Err(ConfirmError::TookPart { recording: name });
     }
     if recording.response_unit != written.unit {
         return Err(ConfirmError::Unit { recording: name, found: recording.response_unit.clone(), wanted: written.unit.clone() });
     }
+    says_the_same(written, recording, &name)?;
     let bound = model.bound_to_runs(&library);
     if !bound.is_empty() {
         return Err(ConfirmError::BoundToRuns { model: file, effects: bound.join(", ") });

@@ -112,6 +112,8 @@ struct Doubt {
 /// The signs of all columns.
 pub(super) struct Signs {
     columns: Vec<Column>,
+    /// whether semicolons part the cells: who writes them keeps the comma for decimals
+    semicolons: bool,
 }
 
 impl Signs {
@@ -125,7 +127,7 @@ impl Signs {
             let byte = table.byte();
             columns.iter_mut().zip(table.row()).for_each(|(column, cell)| column.see(cell, byte));
         }
-        Ok(Self { columns })
+        Ok(Self { columns, semicolons: table.semicolons })
     }
 
     /// The sign between thousands in each of the columns that are `used`, none in the others.
@@ -170,6 +172,7 @@ impl Signs {
             (false, false) if comma.first.is_some() && !comma.decimal => match (commas, points) {
                 (true, false) => Ok(Thousands::None),
                 (false, true) if point.decimal && !column.long[0] || in_groups(0) => Ok(Thousands::Commas),
+                (false, false) if self.semicolons && !column.short[0] => Ok(Thousands::None),
                 _ => doubt(comma),
             },
             (false, false) if point.first.is_some() && !point.decimal && (commas || comma.first.is_some()) => doubt(point),
@@ -183,13 +186,13 @@ mod tests {
     use super::*;
 
     /// Columns of cells, parted by blanks.
-    fn found(columns: &[&str]) -> Option<Vec<Thousands>> {
+    fn found(columns: &[&str], semicolons: bool) -> Option<Vec<Thousands>> {
         let seen = |cells: &&str| {
             let mut column = Column::default();
             cells.split(' ').for_each(|cell| column.see(cell.as_bytes(), 0));
             column
         };
-        let signs = Signs { columns: columns.iter().map(seen).collect() };
+        let signs = Signs { columns: columns.iter().map(seen).collect(), semicolons };
         (0..columns.len()).map(|index| signs.of_column(index).ok()).collect()
     }
 
@@ -215,7 +218,17 @@ mod tests {
             (&["0,5 1.0", "800 1,112"], None),
         ];
         for (columns, wanted) in cases {
-            assert_eq!(found(columns).as_deref(), wanted, "{columns:?}");
+            assert_eq!(found(columns, false).as_deref(), wanted, "{columns:?}");
         }
+    }
+
+    /// Whole seconds and three decimals throughout, as a German logger writes them between semicolons.
+    #[test]
+    fn between_semicolons_a_comma_in_every_number_stands_before_decimals() {
+        let columns = ["1 2 3", "2,111 74,115 115,250"];
+        assert_eq!(found(&columns, true).as_deref(), Some(&[Thousands::None; 2][..]));
+        assert_eq!(found(&columns, false), None);
+        // a number below a thousand without one speaks against it
+        assert_eq!(found(&["1 2 3", "800 1,112 1,252"], true), None);
     }
 }

@@ -31,6 +31,8 @@ pub(super) struct Table<R> {
     pub header: Vec<Heading>,
     /// whether commas are decimal points
     pub decimal_comma: bool,
+    /// whether cells are parted by semicolons
+    pub semicolons: bool,
     /// whether the vendor's tool wrote it
     pub singletact: bool,
     /// rows behind a sign of remarks
@@ -62,6 +64,7 @@ impl<R: Read + Seek> Table<R> {
             blanks: layout.separator == b' ',
             header: Vec::new(),
             decimal_comma: layout.decimal_comma,
+            semicolons: layout.separator == b';',
             singletact: layout.singletact,
             marked: Marked::default(),
             summaries: Summaries::default(),

@@ -140,7 +140,33 @@ fn can_be_narrowed(law: &dyn Effect, context: &Context<'_>, number: &FittedParam
 
 #[cfg(test)]
 mod tests {
-    use super::rivals;
+    use super::{can_be_narrowed, rivals};
+    use crate::{
+        Context, FittedParameter,
+        common::{Plate, recording},
+        library,
+    };
+    use truegap_core::{EffectId, Parameter};
+
+    #[test]
+    fn what_another_recording_could_not_narrow_is_not_suggested() {
+        let (plate, inputs) = (Plate::new(Some(true)), recording());
+        let context = Context::new(&inputs, &plate, 2.0, 60.0);
+        // value and error, and the error in that of the prior
+        let library = library();
+        let can = |law: &'static str, name: &str, (value, sd, of_prior): (f64, f64, f64)| {
+            let law = library.iter().find(|effect| effect.id() == EffectId(law)).unwrap().as_ref();
+            let parameter = Parameter::normal(name, "1", 0.0, 1.0, "");
+            can_be_narrowed(law, &context, &FittedParameter { parameter, value, sd, sd_of_fit: sd, at_limit: false }, of_prior)
+        };
+        assert!(can("slow_response", "tau", (1.0, 0.5, 0.5)));
+        // how this recording began; a share that is not seen, and one that is; a ratio of which nothing was learned
+        assert!(!can("slow_response", "before", (1.0, 0.5, 0.5)));
+        assert!(!can("slow_response", "slow_share", (0.001, 0.002, 0.1)) && can("slow_response", "slow_share", (0.2, 0.05, 0.1)));
+        assert!(!can("slow_response", "slower", (10.0, 7.0, 0.99)));
+        // the clocks of another recording are others
+        assert!(!can("clock_rate", "rate", (0.02, 0.01, 0.1)));
+    }
 
     #[test]
     fn what_the_posterior_has_excluded_is_no_rival() {

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod at_work;
+mod clocks;
 mod given;
 mod laws;
 mod looked_for;

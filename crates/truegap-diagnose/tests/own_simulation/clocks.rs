@@ -1,0 +1,101 @@
+//! Two clocks: rows for which nothing was recorded on the clock of the response, and a clock beside a lag.
+
+use crate::given::{Given, noisy, said};
+use truegap_core::{Driver, Inputs};
+use truegap_diagnose::{Context, Diagnosis, Effect, Verdict, library};
+
+/// Seconds between two rows.
+const STEP: f64 = 0.1;
+const ROWS: usize = 2000;
+
+/// What moves, V: three periods, the quickest of nine seconds.
+fn moved(t: f64) -> f64 {
+    let wave = |size: f64, period: f64| size * (std::f64::consts::TAU * t / period).sin();
+    wave(1.5, 37.3) + wave(0.75, 9.1) + wave(1.0, 101.0)
+}
+
+fn recorded() -> Inputs {
+    let time: Vec<f64> = (0..ROWS).map(|row| STEP * row as f64).collect();
+    let values = time.iter().copied().map(moved).collect();
+    let drivers = vec![Driver { name: "bench".into(), unit: "V".into(), values }];
+    Inputs { time_s: Some(time), run: vec![1; ROWS], drivers, ..Inputs::default() }
+}
+
+/// What is said of readings that follow what moves, and the names.
+fn of(read: impl Fn(usize) -> f64) -> (Diagnosis, Vec<String>) {
+    let model = Given { follows_driver: true, ..Given::with_level() };
+    let said = said(&model, &recorded(), &noisy(41, |row| 3.0 + read(row), ROWS));
+    let names = said.findings.iter().map(|f| f.effect.clone()).collect();
+    (said, names)
+}
+
+/// A shift of three seconds, of which the first or the last 30 rows know nothing: what was made up for them was taken for a wrong equation, and for noise.
+#[test]
+fn rows_that_a_shift_reads_from_beyond_the_ends_tell_nothing() {
+    for late_s in [3.0, -3.0] {
+        let (said, names) = of(|row| moved(STEP * row as f64 + late_s));
+        assert_eq!((said.verdict, names), (Verdict::Explained, vec!["time_offset".to_owned()]), "{}", said.says);
+        // the noise of a row is 10 mV, and that of 2000 rows is known to a fiftieth
+        let errors = [said.fit.in_sample.rmse_after, said.fit.held_out.rmse_after.unwrap(), said.fit.noise_floor];
+        assert!(errors.iter().all(|error| (error / 0.01 - 1.0).abs() < 0.1), "{errors:?}");
+        let shift = &said.findings[0].parameters[0];
+        assert!((shift.value - late_s).abs() < 4.0 * shift.sd && shift.sd < 0.5 * STEP, "{} (sd {})", shift.value, shift.sd);
+        assert!(said.noise.says.contains("rows at the ends"), "{}", said.noise.says);
+    }
+}
+
+/// A clock that is a fiftieth off leaves fifty times the noise without the lag beside it. Its share of all that is missing is small, and it is a cause all the same.
+#[test]
+fn a_lag_that_takes_what_a_clock_leaves_down_to_noise_is_a_cause() {
+    // a first-order lag of a wave, in closed form, long after it was switched on
+    let (tau, rate) = (1.5, 0.02);
+    let late = |t: f64| {
+        let wave = |size: f64, period: f64| {
+            let omega = std::f64::consts::TAU / period * (1.0 - rate);
+            let of = (1.0 + (omega * tau).powi(2)).sqrt();
+            size / of * (omega * t - (omega * tau).atan()).sin()
+        };
+        wave(1.5, 37.3) + wave(0.75, 9.1) + wave(1.0, 101.0)
+    };
+    let (said, mut names) = of(|row| late(STEP * row as f64));
+    names.sort();
+    assert!(["readout_lag", "slow_response"].contains(&names[1].as_str()) && names[0] == "clock_rate", "{}", said.says);
+    assert!(matches!(said.verdict, Verdict::Explained | Verdict::Ambiguous), "{}", said.says);
+    assert!(said.carried.is_empty() && said.fit.in_sample.rmse_after < 0.011, "{}", said.says);
+}
+
+/// What an oscilloscope records in microseconds is what a logger records in milliseconds: numbers in seconds, and their limits, go with the recording.
+#[test]
+fn times_of_effects_are_those_of_the_recording() {
+    let faster = |times: f64| {
+        let mut inputs = recorded();
+        inputs.time_s.iter_mut().flatten().for_each(|t| *t /= times);
+        inputs.temperature_c = Some((0..ROWS).map(|row| 20.0 + 5.0 * (row as f64 / 200.0).sin()).collect());
+        inputs
+    };
+    let (slow, fast) = (faster(1e3), faster(1e6));
+    let model = Given { follows_driver: true, ..Given::with_level() };
+    let [in_slow, in_fast] = [&slow, &fast].map(|inputs| Context::new(inputs, &model, 1.0, 0.01));
+    let library = library();
+    let testable: Vec<&Box<dyn Effect>> = library.iter().filter(|effect| effect.testable(&in_slow).is_ok()).collect();
+    assert!(testable.len() > 10, "{}", testable.len());
+    for effect in testable {
+        assert!(effect.testable(&in_fast).is_ok());
+        for (slow, fast) in effect.parameters(&in_slow).iter().zip(&effect.parameters(&in_fast)) {
+            let power = match slow.unit.as_str() {
+                // a rate of clocks is a number
+                "s/s" => 0,
+                unit if unit == "s" || unit.starts_with("s/") => -1,
+                unit if unit.ends_with("/s") || unit.ends_with("/h") => 1,
+                unit if unit.ends_with("/h^2") => 2,
+                _ => 0,
+            };
+            let name = format!("{} {} ({})", effect.id(), slow.name, slow.unit);
+            let expected = |value: f64| value * 1e3_f64.powi(power);
+            for (slow, fast) in [(slow.bounds.0, fast.bounds.0), (slow.bounds.1, fast.bounds.1), (slow.sd(), fast.sd())] {
+                let same = slow == fast && !slow.is_finite();
+                assert!(same || (expected(slow) - fast).abs() <= 1e-9 * fast.abs(), "{name}: {} is {fast}", expected(slow));
+            }
+        }
+    }
+}

@@ -22,7 +22,7 @@ def scores(recording, folder, answers):
     y, models = recording.module().models(columns)
     found = held_out.answer(Path(answers) / recording.name)
     rows, runs = held_out.used_rows(y, Path(answers) / recording.name)
-    left_out = held_out.parts(found, runs)
+    left_out = held_out.parts(found, runs, held_out.judged_rows(Path(answers) / recording.name))
     return {name: held_out.errors(y, model, rows, left_out) for name, model in models.items()}
 
 

@@ -39,12 +39,19 @@ def used_rows(response, folder):
     return rows, columns["run"].astype(int)
 
 
-def parts(found, runs):
-    """Positions among the used rows of each part that truegap predicted, by the names that it gave them."""
+def judged_rows(folder):
+    """Whether truegap takes an error over each row of prediction.csv: rows for which nothing was recorded on the response's clock have no prediction."""
+    columns = table.read(Path(folder) / "prediction.csv")
+    return np.isfinite(next(values for name, values in columns.items() if name.startswith("base_held_out")))
+
+
+def parts(found, runs, judged=None):
+    """Positions among the used rows of each part that truegap predicted, by the names that it gave them; those over which it takes an error, where that is given."""
     held = found["fit"].get("held_out")
     if not held:
         raise Problem("the answer has no rows left out")
-    return [part(name, held["how"], runs) for name, *_ in held["parts"]]
+    named = [part(name, held["how"], runs) for name, *_ in held["parts"]]
+    return named if judged is None else [positions[judged[positions]] for positions in named]
 
 
 def part(name, how, runs):

@@ -2,7 +2,7 @@
 //!
 //! Between two rows a column goes on as its own rows say: straight, or by a cubic ([`super::between`]).
 //!
-//! Limits: a shifted column keeps its first and last value beyond the ends of a run, where nothing was recorded.
+//! Limits: a shifted column keeps its first and last value beyond the ends of a run, where nothing was recorded; [`beyond_the_ends`] says which rows these are.
 
 use super::known;
 use crate::{chain::Stage, inputs::Inputs};

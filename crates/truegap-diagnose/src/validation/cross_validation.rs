@@ -273,12 +273,13 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
     };
     let predicted: Vec<Option<Foretold>> = parts.par_iter().map(predict).collect();
     let response = &all.told();
-    // NaN marks the rows that no part predicts; every error below is taken over the finite ones only, and there is none where there are none
+    // NaN marks the rows that no part predicts, and those that tell nothing; every error below is taken over the finite ones only, and there is none where there are none
     let mut prediction = vec![f64::NAN; response.len()];
     for (part, values) in parts.iter().zip(&predicted) {
         let Some((values, ..)) = values else { continue };
         part.rows.iter().for_each(|rows| prediction[rows.clone()].copy_from_slice(&values[rows.clone()]));
     }
+    all.untold.iter().for_each(|rows| prediction[rows.clone()].fill(f64::NAN));
     let of_part = |(part, predicted): (&Part, &Option<Foretold>)| {
         let error = part_error(part, predicted.as_ref().map(|(values, ..)| values.as_slice()), response);
         let scores = predicted.as_ref().map(|(_, scores, _)| scores);

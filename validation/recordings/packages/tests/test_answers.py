@@ -53,6 +53,13 @@ class Rows(unittest.TestCase):
         rows, runs = self.used([1.0, 5.0, 2.0, 2.0, 3.0], "run,recorded_v\n1,1\n1,2\n2,2\n2,3\n")
         self.assertEqual((rows.tolist(), runs.tolist()), ([0, 2, 3, 4], [1, 1, 2, 2]))
 
+    def test_rows_over_which_the_tool_takes_no_error_are_in_no_part(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "prediction.csv").write_text("run,base_held_out_v\n1,1\n1,2\n1,3\n1,\n")
+            judged = held_out.judged_rows(folder)
+        blocks = held_out.parts(found("2 blocks of the one run", ["block 1", "block 2"]), np.ones(4, int), judged)
+        self.assertEqual([b.tolist() for b in blocks], [[0, 1], [2]])
+
     def test_an_answer_to_another_recording_is_refused(self):
         with self.assertRaisesRegex(Problem, "no row for its row 2, 9"):
             self.used([1.0, 2.0], "run,recorded_v\n1,1\n1,9\n")

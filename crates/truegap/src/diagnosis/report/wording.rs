@@ -71,6 +71,12 @@ pub fn headline(diagnosis: &Diagnosis) -> String {
         Verdict::WrongForm if no_finding => {
             "The kind of physics is clear, the equation tried for it is not adequate: misfit remains.".into()
         }
+        Verdict::WrongForm if !diagnosis.carried.is_empty() && diagnosis.adequacy.after.is_some_and(|after| !after.fires()) => {
+            format!(
+                "Missing from the model is something like {}, but its equation alone is not adequate: other terms, which are not claimed as causes, follow what it leaves.",
+                names()
+            )
+        }
         Verdict::WrongForm => {
             format!("Missing from the model is something like {}, but its equation is not adequate: misfit remains.", names())
         }

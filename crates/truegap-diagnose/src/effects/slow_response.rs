@@ -69,9 +69,6 @@ pub(crate) fn late(values: &[f64]) -> Box<dyn Stage> {
 /// Number of a late reading that says how it stood before its first row.
 pub(crate) const BEFORE: &[&str] = &["before"];
 
-/// Number of a late reading at whose lower limit both ways are as good as one: a single time constant, which is a law as good as any.
-pub(crate) const ONE_WAY: &[&str] = &["slower"];
-
 /// Standard deviations from which a share of the slow way is spoken of, however small it is.
 const STANDS_OUT: f64 = 3.0;
 /// Share of the slow way from which it is spoken of, however unsure it is: a reader who is told of the quick way alone waits too short.
@@ -137,9 +134,6 @@ impl Effect for SlowResponse {
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["slow_share"]
     }
-    fn at_once(&self) -> &'static [&'static str] {
-        ONE_WAY
-    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         context.needs_clock()?;
@@ -195,14 +189,6 @@ mod tests {
             time_constants(&mean),
             "a time constant of 10.0 s (sd 1.0): 75 % (sd 10) of a change with 4.00 s, the rest with 28.0 s"
         );
-    }
-
-    /// A law at its limit sets the library aside; the second of two ways that are as good as one is none.
-    #[test]
-    fn two_ways_with_one_time_constant_are_no_law_at_its_limit() {
-        let slower = Parameter::log_normal("slower", "1", 10.0, 0.7, "ratio").within(2.0, AT_ONCE);
-        assert!(crate::effects::sentence::at_once(&SlowResponse, &slower, 2.0));
-        assert!(!crate::effects::sentence::at_once(&SlowResponse, &slower, AT_ONCE));
     }
 
     #[test]

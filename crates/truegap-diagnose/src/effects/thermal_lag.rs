@@ -128,9 +128,6 @@ impl Effect for ThermalLag {
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["slow_share", "before"]
     }
-    fn at_once(&self) -> &'static [&'static str] {
-        slow_response::ONE_WAY
-    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.needs_clock()?;
         if reads_temperature(context) {

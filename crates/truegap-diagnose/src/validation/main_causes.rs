@@ -4,7 +4,7 @@
 
 use crate::validation::{
     cross_validation::{HeldOutFit, compared},
-    tuning::{MAIN_SHARE, MOST_PARTS_OF_A_MODEL},
+    tuning::{FAR_ABOVE, MAIN_SHARE, MOST_PARTS_OF_A_MODEL},
 };
 
 /// Squares by which a model predicts rows left out better than the base model, a row; `None` where no part was predicted by both.
@@ -14,11 +14,11 @@ pub(crate) fn removed(base: &HeldOutFit, model: &HeldOutFit) -> Option<f64> {
 }
 
 /// Squares a row that the causes of a model have to remove where it removes the `whole` of what the base model leaves, which is `before`: [`MAIN_SHARE`]; and where tests see nothing in what the whole model
-/// leaves, its equations hold, so that what causes leave has to be small beside noise and not beside the largest cause: a further part that removes [`MAIN_SHARE`] of that is a cause, too.
+/// leaves, its equations hold, and what the causes leave may be no more than [`FAR_ABOVE`] times the error of the whole: a further part that is needed for that is a cause, too.
 pub(crate) fn enough(before: f64, whole: f64, holds: bool) -> f64 {
     let left = before - whole;
     let most = MAIN_SHARE * whole;
-    if holds { most.max(before - left / (1.0 - MAIN_SHARE)) } else { most }
+    if holds { most.max(before - FAR_ABOVE * FAR_ABOVE * left) } else { most }
 }
 
 /// The fewest of `count` parts that remove `enough`, of as many the ones that remove most, and their share of the `whole`; all of them where no fewer do. `removed` gives the squares that a choice of parts

@@ -58,7 +58,7 @@ pub(crate) const FELT: f64 = 1.1;
 /// follows that. In answers to 92 real recordings whose names had been written down, 21 effects stood for less than a tenth; 16 of them were not among those names (docs/real-recordings.md).
 pub(crate) const MAIN_SHARE: f64 = 0.9;
 
-/// Times the error of a whole model whose equations hold that its causes may leave without a further part. A lag of three stages told by one of two ways leaves ten times; a clock without the lag beside it fifty.
+/// Times the error of a whole model whose equations hold that its causes may leave without a further part. Chosen between a lag of three stages told by one of two ways, which leaves less, and a clock without the lag beside it, which leaves fifty times.
 pub(crate) const FAR_ABOVE: f64 = 30.0;
 
 /// Most parts of a model whose every choice is asked for: 30 choices.

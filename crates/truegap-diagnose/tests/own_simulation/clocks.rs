@@ -1,4 +1,4 @@
-//! Two clocks: rows for which nothing was recorded on the clock of the response, and a clock beside a lag.
+//! Two clocks: rows for which nothing was recorded on the clock of the response, and times that go with the recording.
 
 use crate::given::{Given, noisy, said};
 use truegap_core::{Driver, Inputs};
@@ -42,26 +42,6 @@ fn rows_that_a_shift_reads_from_beyond_the_ends_tell_nothing() {
         assert!((shift.value - late_s).abs() < 4.0 * shift.sd && shift.sd < 0.5 * STEP, "{} (sd {})", shift.value, shift.sd);
         assert!(said.noise.says.contains("rows at the ends"), "{}", said.noise.says);
     }
-}
-
-/// A clock that is a fiftieth off leaves fifty times the noise without the lag beside it. Its share of all that is missing is small, and it is a cause all the same.
-#[test]
-fn a_lag_that_takes_what_a_clock_leaves_down_to_noise_is_a_cause() {
-    // a first-order lag of a wave, in closed form, long after it was switched on
-    let (tau, rate) = (1.5, 0.02);
-    let late = |t: f64| {
-        let wave = |size: f64, period: f64| {
-            let omega = std::f64::consts::TAU / period * (1.0 - rate);
-            let of = (1.0 + (omega * tau).powi(2)).sqrt();
-            size / of * (omega * t - (omega * tau).atan()).sin()
-        };
-        wave(1.5, 37.3) + wave(0.75, 9.1) + wave(1.0, 101.0)
-    };
-    let (said, mut names) = of(|row| late(STEP * row as f64));
-    names.sort();
-    assert!(["readout_lag", "slow_response"].contains(&names[1].as_str()) && names[0] == "clock_rate", "{}", said.says);
-    assert!(matches!(said.verdict, Verdict::Explained | Verdict::Ambiguous), "{}", said.says);
-    assert!(said.carried.is_empty() && said.fit.in_sample.rmse_after < 0.011, "{}", said.says);
 }
 
 /// What an oscilloscope records in microseconds is what a logger records in milliseconds: numbers in seconds, and their limits, go with the recording.

@@ -37,11 +37,16 @@ def warm_glider(content, first, last, deeper, *names):
     return frame.assign(time_s=since(frame.time).round(3))
 
 
-def timing(content, detector, begin=0):
-    """Seconds since the first of the days on which the time of a detector against the second of its station was found, from one of them on, and that time in ns."""
+def detector(content, begin=0):
+    """Rows of the days on which the time of the first detector of a station against the second was found, from one of them on: seconds since then, and that time in ns."""
     table = np.loadtxt(io.BytesIO(content))
-    table = table[np.isfinite(table[:, detector])][begin:]
-    return since(table[:, 0]), table[:, detector]
+    table = table[np.isfinite(table[:, 1])][begin:]
+    return {"time_s": since(table[:, 0]), "late_ns": table[:, 1]}
+
+
+def detector_models(c):
+    """Its reading, and what is tried for it."""
+    return c["late_ns"], drifts(c["late_ns"], c["time_s"])
 
 
 def car(content):

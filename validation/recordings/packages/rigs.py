@@ -14,6 +14,11 @@ def since(values):
     return values - values[0]
 
 
+def charged(amp, seconds):
+    """Ah that a current has brought by each row, straight between rows."""
+    return np.append(0, np.cumsum(np.diff(seconds) * (amp[1:] + amp[:-1]) / 2)) / 3600
+
+
 def multivu(content):
     """The data of a file of a magnetometer or of a cryostat, below its header."""
     return csv(content[content.index(b"[Data]") + 7 :], encoding="latin1")

@@ -16,7 +16,7 @@ use crate::{
         posterior::Selection,
         verdict::{Decision, Verdict},
     },
-    validation::{cross_validation::AllRows, recovery::confusion::Bank, selected_again::ChosenWithout, veto::Unseen},
+    validation::{all_rows::AllRows, recovery::confusion::Bank, selected_again::ChosenWithout, veto::Unseen},
     whitening::noise_model::NoiseModel,
 };
 

@@ -19,7 +19,7 @@ use crate::{
 };
 
 /// Standard deviations from which a part of a law is seen.
-const SEEN: f64 = 2.0;
+const PART_SEEN: f64 = 2.0;
 
 /// Standard deviation of a number, in that of its prior, from which on the recording has told nothing of it.
 const AS_BEFORE: f64 = 0.9;
@@ -74,7 +74,7 @@ pub(crate) fn next(found: &Found<'_>) -> NextExperiment {
     if found.decision.verdict == Verdict::Unexplained {
         return only(VARY_IT);
     }
-    let best = named.or(found.selection.likeliest_named()).filter(|_| found.decision.verdict != Verdict::Agrees);
+    let best = found.selection.named_or_likeliest(found.decision.model).filter(|_| found.decision.verdict != Verdict::Agrees);
     let seen = found.before.fires() && !found.noise.measured;
     let Some(best) = best else { return only(if seen { LET_IT_REST } else { WIDEN_IT }) };
     if let Some(another_place) = named.and_then(|named| of_words(found, &models[named])) {
@@ -133,7 +133,7 @@ fn numbers<'a>(found: &'a Found<'_>, best: &'a Tried) -> impl Iterator<Item = Le
 /// law that is not seen, and of what this part would be like, there is nothing to narrow.
 fn can_be_narrowed(law: &dyn Effect, context: &Context<'_>, number: &FittedParameter, sd: f64) -> bool {
     let among = |names: &[&str]| names.contains(&number.parameter.name.as_str());
-    let seen = number.value.abs() > SEEN * number.sd;
+    let seen = number.value.abs() > PART_SEEN * number.sd;
     let of_one_recording = law.of_recorder() || among(law.of_start(context));
     !of_one_recording && (seen || !among(law.may_be_nothing())) && sd < AS_BEFORE
 }

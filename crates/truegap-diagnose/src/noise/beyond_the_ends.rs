@@ -14,13 +14,13 @@ use crate::{
 use std::ops::Range;
 
 /// Root mean square of what a model leaves of such rows, in noise of a row, from which on they are left out: one that predicts them all the same tells nothing wrong of itself.
-const FELT: f64 = 2.0;
+const STANDS_OUT: f64 = 2.0;
 
 /// Whether what a model leaves of `rows`, which it reads from beyond the ends, is felt: `misfit` is what it leaves of every row. No row is where all are known already.
 pub fn rows_felt(rows: &[usize], misfit: &[f64], noise: &NoiseModel) -> bool {
     let squares: f64 = rows.iter().map(|row| (misfit[*row] / noise.row_sd(*row)).powi(2)).sum();
     let new = rows.iter().any(|row| tells(&noise.untold, *row));
-    new && squares >= FELT.powi(2) * rows.len() as f64
+    new && squares >= STANDS_OUT.powi(2) * rows.len() as f64
 }
 
 /// The noise under which these rows weigh next to nothing.

@@ -12,7 +12,7 @@ use crate::{
     pipeline::prepare::Prepared,
     selection::candidates::{Search, Tried},
     stats::rms,
-    validation::cross_validation::AllRows,
+    validation::all_rows::AllRows,
     whitening::{
         noise_model::{NoiseModel, RecordingNoise},
         whitener::{InputError, Noise},

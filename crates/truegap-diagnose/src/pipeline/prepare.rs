@@ -27,7 +27,10 @@ use crate::{
         verdict::Verdict,
     },
     text::spoken,
-    validation::cross_validation::{AllRows, HeldOutFit, held_out},
+    validation::{
+        all_rows::AllRows,
+        cross_validation::{HeldOutFit, held_out},
+    },
     whitening::{noise_model::NoiseModel, whitener::Whitener},
 };
 use std::sync::atomic::AtomicBool;

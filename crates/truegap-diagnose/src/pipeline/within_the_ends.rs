@@ -25,8 +25,7 @@ impl Prepared<'_> {
     /// Those of the simulator.
     pub(crate) fn within_the_ends(&self, examined: &Examined) -> Result<Option<NoiseModel>, DiagnoseError> {
         let selection = &examined.selection;
-        let stood_behind = Some(examined.decision.model).filter(|model| !selection.models[*model].effects.is_empty());
-        let Some(model) = stood_behind.or_else(|| selection.likeliest_named()) else { return Ok(None) };
+        let Some(model) = selection.named_or_likeliest(examined.decision.model) else { return Ok(None) };
         let tried = &selection.models[model];
         let mut rows = self.read_beyond(tried, &tried.fit.z);
         if self.problem.simulator.joined().is_some() || !rows_felt(&rows, &self.model(tried).misfit(&tried.fit.z)?, &self.noise) {

@@ -62,6 +62,11 @@ impl Selection {
         self.models.iter().position(|m| !m.effects.is_empty())
     }
 
+    /// The `model` that is stood behind where it names something, else the likeliest that does.
+    pub fn named_or_likeliest(&self, model: usize) -> Option<usize> {
+        if self.models[model].effects.is_empty() { self.likeliest_named() } else { Some(model) }
+    }
+
     /// Probability that nothing is missing, among the models of the library; a verdict weighs it against odds of causes outside it.
     pub fn probability_none(&self) -> f64 {
         self.probability[self.base]

@@ -13,10 +13,11 @@ use crate::{
     selection::candidates::{Search, Tried},
     stats::share_removed,
     validation::{
+        all_rows::AllRows,
         moved_numbers::Refit,
         tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, TELLS, THERE},
     },
-    whitening::noise_model::{NoiseModel, tells},
+    whitening::noise_model::NoiseModel,
 };
 use nalgebra::{Cholesky, DMatrix, DVector};
 use rayon::prelude::*;
@@ -219,25 +220,6 @@ pub(crate) fn parts_of(problem: &Problem<'_>) -> (String, Vec<Part>) {
 pub(crate) fn judged_rows<'a>(parts: &'a [Part], [first, second]: [&HeldOutFit; 2]) -> Vec<&'a Part> {
     let both = first.parts.iter().zip(&second.parts).map(|(a, b)| a.squares.is_some() && b.squares.is_some());
     parts.iter().zip(both).filter_map(|(part, both)| both.then_some(part)).collect()
-}
-
-/// All rows of a recording, and where the rows that are fitted come from.
-#[derive(Clone, Copy)]
-pub struct AllRows<'a> {
-    /// every row
-    pub problem: &'a Problem<'a>,
-    /// first row that each fitted row is a mean of; absent where every row is fitted
-    pub first: Option<&'a [usize]>,
-    /// rows over which no error is taken, see [`NoiseModel::untold`]
-    pub untold: &'a [Range<usize>],
-}
-
-impl AllRows<'_> {
-    /// The responses over which errors are taken; NaN elsewhere.
-    pub(crate) fn told(&self) -> Vec<f64> {
-        let told = |(row, value): (usize, &f64)| if tells(self.untold, row) { *value } else { f64::NAN };
-        self.problem.response.iter().enumerate().map(told).collect()
-    }
 }
 
 /// What a fit without a part foretells of every row, its scores on the rows of the part, and the fit.

@@ -2,6 +2,7 @@
 //!
 //! Limits: takes back what rows left out contradict, and chooses among rivals; names nothing that the selection has not tried.
 
+pub(crate) mod all_rows;
 pub(crate) mod among_rivals;
 pub mod confirmation;
 pub(crate) mod cross_validation;

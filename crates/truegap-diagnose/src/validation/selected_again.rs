@@ -14,7 +14,10 @@ use crate::{
         examine::examine,
         verdict::Verdict,
     },
-    validation::cross_validation::{AllRows, Part, kept, parts_of},
+    validation::{
+        all_rows::AllRows,
+        cross_validation::{Part, kept, parts_of},
+    },
     whitening::noise_model::NoiseModel,
 };
 use std::sync::atomic::Ordering;

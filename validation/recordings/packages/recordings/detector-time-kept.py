@@ -1,14 +1,6 @@
 """Time of a detector of cosmic rays against its neighbour, a day each, four years. Nothing is missing."""
 
-from probes import drifts, timing
+from probes import detector as rows
+from probes import detector_models as models
 
 HAND_BUILT = "drift, and its square"
-
-
-def rows(content):
-    time, late = timing(content, 1)
-    return {"time_s": time, "late_ns": late}
-
-
-def models(c):
-    return c["late_ns"], drifts(c["late_ns"], c["time_s"])

@@ -1,9 +1,9 @@
 """Voltage of the battery of a hybrid car over the current that goes into it, half an hour on rollers. It has more voltage the fuller it is, and a part of it comes late. The charge is the current summed up from the start."""
 
-import numpy as np
 from fitting import lag, line, terms
 from probes import car
 from recorders import usual_and_lags
+from rigs import charged
 
 HAND_BUILT = "charge, bent, and late current"
 
@@ -11,7 +11,7 @@ HAND_BUILT = "charge, bent, and late current"
 def rows(content):
     frame = car(content)
     amp, time = frame.drive_battery_currents.to_numpy(), frame.times.to_numpy()
-    charge = np.append(0, np.cumsum(np.diff(time) * (amp[1:] + amp[:-1]) / 2)) / 3600
+    charge = charged(amp, time)
     return {"time_s": time, "current_a": amp, "charge_ah": charge, "voltage_v": frame.drive_battery_voltages}
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 from fitting import lag, line, terms, usual
 from reading import cycler
+from rigs import charged
 
 HAND_BUILT = "charge, cubic, and late current"
 
@@ -10,7 +11,7 @@ HAND_BUILT = "charge, cubic, and late current"
 def rows(content):
     frame = cycler(content)
     amp, t = frame.ampere.to_numpy(), frame.time_s.to_numpy()
-    charge = np.append(0, np.cumsum(np.diff(t) * (amp[1:] + amp[:-1]) / 2)) / 3600
+    charge = charged(amp, t)
     kept = [int(np.argmax(t > 15400))]
     for k in range(kept[0] + 1, len(t)):
         if t[k] - t[kept[-1]] >= 8 or abs(amp[k] - amp[kept[-1]]) > 1:

@@ -4,7 +4,8 @@ use super::{World, noise, normals};
 use crate::{
     selection::{candidates::Tried, examine::examine},
     validation::{
-        cross_validation::{AllRows, HeldOutFit, PartError, compared, held_out, misfit_removed},
+        all_rows::AllRows,
+        cross_validation::{HeldOutFit, PartError, compared, held_out, misfit_removed},
         selected_again::selected_again,
         step_back::{Known, step_back},
         veto::Against,

@@ -6,6 +6,7 @@ use crate::{
     effects::{
         course::Course,
         effect::{About, Effect, Family, FittedParameter},
+        temperature_coefficient::{MOST_BENT, USUAL_BEND, bends},
     },
     text::with_sd,
 };
@@ -81,12 +82,12 @@ impl Effect for DriverCoefficient {
         let (bend, unit) = (course.span(context).recip(), course.unit(context));
         vec![
             course.influence(context, "change of the reading per unit of the driver"),
-            Parameter::normal("bend", &format!("1/{unit}"), 0.0, bend, "relative change of that per unit")
-                .within(-4.0 * bend, 4.0 * bend),
+            Parameter::normal("bend", &format!("1/{unit}"), 0.0, USUAL_BEND * bend, "relative change of that per unit")
+                .within(-MOST_BENT * bend, MOST_BENT * bend),
         ]
     }
-    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
-        vec![vec![0.0]]
+    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
+        bends(Course::or_load(context, self.0).span(context))
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["bend"]

@@ -8,17 +8,20 @@ use crate::{
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
-/// Gain about the zero of the readout, in proportion to the thermometer's reading.
+/// Gain about the zero of the readout, in proportion to a temperature.
 pub struct GainDrift;
 
 struct Gain {
     per_k: f64,
+    /// whether it follows the thermometer, as the electronics of a sensor do, or what is behind the thermal path
+    of_thermometer: bool,
 }
 
 impl Gain {
-    /// Applies `gain(kelvin above the reference)` to what stands above the zero; the electronics follow the thermometer, not the sensor.
-    fn apply(drive: &Drive<'_>, readout: &Readout, value: &mut [f64], gain: impl Fn(f64) -> f64) {
-        let Some(temperature) = &drive.inputs.temperature_c else { return };
+    /// Applies `gain(kelvin above the reference)` to what stands above the zero.
+    fn apply(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64], gain: impl Fn(f64) -> f64) {
+        let Some(recorded) = drive.inputs.temperature_c.as_deref() else { return };
+        let temperature = if self.of_thermometer { recorded } else { drive.temperature_c };
         for (value, t) in value.iter_mut().zip(temperature) {
             *value += (*value - readout.zero) * gain(t - drive.reference_c);
         }
@@ -27,7 +30,7 @@ impl Gain {
 
 impl Stage for Gain {
     fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
-        Self::apply(drive, readout, value, |kelvin| self.per_k * kelvin);
+        self.apply(drive, readout, value, |kelvin| self.per_k * kelvin);
     }
 }
 
@@ -41,7 +44,7 @@ struct Divider(Gain);
 
 impl Stage for Divider {
     fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
-        Gain::apply(drive, readout, value, |kelvin| 1.0 / (1.0 - self.0.per_k * kelvin) - 1.0);
+        self.0.apply(drive, readout, value, |kelvin| 1.0 / (1.0 - self.0.per_k * kelvin) - 1.0);
     }
 }
 
@@ -61,7 +64,7 @@ impl Effect for GainDrift {
     fn about(&self) -> About {
         About {
             physics: "the gain of the electronics moves with the temperature of the room",
-            equation: "value = zero + (true - zero) (1 + k (T - T0)), zero the reading without load at T0, T the thermometer",
+            equation: "value = zero + (true - zero) (1 + k (T - T0)), zero the reading without load at T0; T the thermometer beside plates, else the temperature behind the thermal path",
             excitation: "load cycles at two or more temperatures",
             impostors: &["permittivity_temperature", "electrode_warp", "ageing"],
             separates: "no change without load, in proportion to the signal with it, without delay; calibration can hide it in the temperature coefficient of the modulus",
@@ -91,11 +94,11 @@ impl Effect for GainDrift {
         }
         context.needs_movement()
     }
-    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(Gain { per_k: values[0] })
+    fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(Gain { per_k: values[0], of_thermometer: is_of_a_sensor(context) })
     }
-    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Divider(Gain { per_k: values[0] })))
+    fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Divider(Gain { per_k: values[0], of_thermometer: is_of_a_sensor(context) })))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         format!("the gain moves by {}", with_sd(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%/K"))

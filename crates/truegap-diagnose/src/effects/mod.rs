@@ -42,6 +42,7 @@ mod permanent_set;
 mod permittivity_temperature;
 mod plate_bending;
 mod rate_independent_hysteresis;
+mod rate_limit;
 mod readout_lag;
 mod regime_change;
 mod rim_field;
@@ -101,6 +102,7 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(late_driver::LateDriver(1)),
         Box::new(stress_relaxation::StressRelaxation),
         Box::new(slow_response::SlowResponse),
+        Box::new(rate_limit::RateLimit),
         Box::new(regime_change::RegimeChange::OfWhatMoves),
         Box::new(regime_change::RegimeChange::OfTheGain),
         Box::new(saturation::Saturation),

@@ -1,4 +1,4 @@
-//! The reading follows what it measures with a time constant, or two.
+//! The reading follows what it measures with a time constant, or two, side by side or one behind the other.
 
 use crate::{
     data::context::Context,
@@ -34,7 +34,7 @@ impl Stage for OneAfterTheOther {
     }
 }
 
-/// Parameters of a lag of the reading: `tau`, `slow_share`, `slower`, `before`.
+/// Parameters of a lag of the reading: `tau`, `slow_share`, `slower`, `before`, `first_stage`, `recovery`.
 pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
     let run = context.run_s();
     // somewhere between a step and a run, in the logarithm
@@ -46,8 +46,31 @@ pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
         Parameter::normal("slow_share", "1", 0.0, 0.4, "part that follows by the slower way").within(0.0, 0.95),
         Parameter::log_normal("slower", "1", 10.0, 0.7, "its time constant over that of the quick way").within(2.0, AT_ONCE),
         Parameter::normal("before", &format!("{}/s", context.simulator.unit()), 0.0, rate, "change before the first row"),
+        first_stage(),
+        Parameter::normal("recovery", "1", 0.0, 0.7, "log of the time constant of a falling reading over that of a rising one")
+            .within(-MOST_APART, MOST_APART),
     ]
 }
+
+/// Log of the greatest ratio of the time constants of a rising and of a falling reading: 20 times.
+const MOST_APART: f64 = 3.0;
+
+/// Time constant of a stage that comes before the others: a wall before a core, an amplifier behind a probe.
+pub(crate) fn first_stage() -> Parameter {
+    let meaning = "time constant of a first stage, over that of the stage behind it";
+    Parameter::normal(FIRST_STAGE, "1", 0.0, 0.5, meaning).within(0.0, MOST_OF_FIRST)
+}
+
+const FIRST_STAGE: &str = "first_stage";
+
+/// Numbers of richer laws of a lag: two stages, one behind the other; a reading that falls more slowly than it rises, or faster.
+pub(crate) const RICHER: &[&[&str]] = &[&[FIRST_STAGE], &["recovery"]];
+
+/// Number of a lag whose lower limit is a law as good as any.
+pub(crate) const AT_ONCE_AS_WELL: &[&str] = &[FIRST_STAGE];
+
+/// Most times that the first stage is slower than the one behind it: which of the two comes first is not seen, so that beyond 1 they change places.
+const MOST_OF_FIRST: f64 = 4.0;
 
 /// Most times that the slow way is slower: the quick one then comes at once, beside any clock. (200 was a limit to which the fit of two thermometers ran, one of which follows at once for the most part.)
 pub(crate) const AT_ONCE: f64 = 1e4;
@@ -59,11 +82,14 @@ pub(crate) fn usual_rate(span: f64, context: &Context<'_>) -> f64 {
 
 /// In equilibrium at first, or on its way up or down by `rate`: what was switched on or poured in just before the first row.
 pub(crate) fn starts(rate: f64) -> Vec<Vec<f64>> {
-    vec![vec![0.02, 10.0, 0.0], vec![0.5, 15.0, 0.0], vec![0.02, 10.0, rate], vec![0.02, 10.0, -rate]]
+    [[0.02, 10.0, 0.0], [0.5, 15.0, 0.0], [0.02, 10.0, rate], [0.02, 10.0, -rate]]
+        .map(|[share, slower, before]| vec![share, slower, before, 0.0, 0.0])
+        .to_vec()
 }
 
 pub(crate) fn late(values: &[f64]) -> Box<dyn Stage> {
-    Box::new(Late(Delay::of_two(values[0], values[1], values[2], values[3])))
+    let [tau, share, slower, before, first, recovery] = std::array::from_fn(|i| values[i]);
+    Box::new(Late(Delay { first_s: first * tau, recovery, ..Delay::of_two(tau, share, slower, before) }))
 }
 
 /// Number of a late reading that says how it stood before its first row.
@@ -87,8 +113,23 @@ pub(crate) fn quick_and_slow(fitted: &[FittedParameter]) -> String {
     let [tau, slower] = [0, 2].map(|i| fitted[i].value);
     let slow = || crate::text::rounded(slower * tau, "s");
     let apart = by_the_quick_way(&fitted[1]).map(|quick| format!(" for {quick}, the rest with {}", slow()));
-    format!("a time constant of {}{}", with_sd(tau, fitted[0].sd, "s"), apart.unwrap_or_default())
+    format!("a time constant of {}{}{}", with_sd(tau, fitted[0].sd, "s"), apart.unwrap_or_default(), richer(fitted))
 }
+
+/// ` (8.0 s where the reading rises, 25.0 s where it falls), behind a first stage of 12.0 s`, as far as the law has these.
+fn richer(fitted: &[FittedParameter]) -> String {
+    let number = |name: &str| fitted.iter().find(|p| p.parameter.name == name).map_or(0.0, |p| p.value);
+    let seconds = |factor: f64| crate::text::rounded(factor * fitted[0].value, "s");
+    let (first, recovery) = (number(FIRST_STAGE), number("recovery"));
+    let apart =
+        |half: f64| format!(" ({} where the reading rises, {} where it falls)", seconds((-half).exp()), seconds(half.exp()));
+    let ways = if recovery.abs() > NO_STAGE { apart(0.5 * recovery) } else { String::new() };
+    let stage = if first > NO_STAGE { format!(", behind a first stage of {}", seconds(first)) } else { String::new() };
+    ways + &stage
+}
+
+/// Share of the time constant, or log of a ratio, below which a number of a richer law is not spoken of.
+const NO_STAGE: f64 = 1e-3;
 
 /// The same where the number is the mean of both time constants.
 pub(crate) fn time_constants(fitted: &[FittedParameter]) -> String {
@@ -96,7 +137,7 @@ pub(crate) fn time_constants(fitted: &[FittedParameter]) -> String {
     let quick = tau / (1.0 - share + share * slower);
     let [fast, slow] = [quick, slower * quick].map(|s| crate::text::rounded(s, "s"));
     let apart = by_the_quick_way(&fitted[1]).map(|part| format!(": {part} with {fast}, the rest with {slow}"));
-    format!("a time constant of {}{}", with_sd(tau, fitted[0].sd, "s"), apart.unwrap_or_default())
+    format!("a time constant of {}{}{}", with_sd(tau, fitted[0].sd, "s"), apart.unwrap_or_default(), richer(fitted))
 }
 
 impl Effect for SlowResponse {
@@ -115,7 +156,7 @@ impl Effect for SlowResponse {
     fn about(&self) -> About {
         About {
             physics: "the reading follows what it measures with a time constant, by a quick way (a vent, a surface) and a slow one (a housing, a core)",
-            equation: "value = (1 - s) lag(true; tau) + s lag(true; r tau), s the slow share, r how much slower; `before` is the rate of the true value before the first row, and before each run in proportion to where it begins",
+            equation: "value = (1 - s) lag(x; tau) + s lag(x; r tau), s the slow share, r how much slower; x is the true value, or lag(true; q tau) where a first stage comes before; tau is sqrt(e^c) times as long while the reading falls and as short while it rises, c the recovery; `before` is the rate of the true value before the first row, and before each run in proportion to where it begins",
             excitation: "a simulated value or gap that changes faster than the reading can follow, with a clock",
             impostors: &["readout_lag", "time_offset", "offset_drift", "friction", "stress_relaxation"],
             separates: "behind on the way up and on the way down, by more the faster it goes, and there in the end",
@@ -133,6 +174,12 @@ impl Effect for SlowResponse {
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["slow_share"]
+    }
+    fn may_be_more(&self) -> &'static [&'static [&'static str]] {
+        RICHER
+    }
+    fn at_once(&self) -> &'static [&'static str] {
+        AT_ONCE_AS_WELL
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;

@@ -40,6 +40,16 @@ impl Stage for Exponential {
     }
 }
 
+/// Usual bend, over the span of what it follows: the coefficient at one end is three times that at the other.
+pub(crate) const USUAL_BEND: f64 = 2.0;
+/// Most: the coefficient is 0 a hundredth of the span beside the reference. A crystal is cut so that this point lies in the middle of its range; 4 was a limit that hid a parabola about the reference.
+pub(crate) const MOST_BENT: f64 = 100.0;
+
+/// Bends from which a search starts: a straight line, and parabolas whose turn lies to either side of the reference.
+pub(crate) fn bends(span: f64) -> Vec<Vec<f64>> {
+    [0.0, 20.0, -20.0].map(|bend| vec![bend / span]).to_vec()
+}
+
 /// Bend below which it is not spoken of, in standard deviations.
 const SPOKEN_OF: f64 = 3.0;
 
@@ -72,11 +82,12 @@ impl Effect for TemperatureCoefficient {
         let bend = context.temperature_span().max(1.0).recip();
         vec![
             Parameter::normal("per_kelvin", &unit, 0.0, scale, "change of the reading per kelvin at the reference temperature"),
-            Parameter::normal("bend", "1/K", 0.0, bend, "relative change of that per kelvin").within(-4.0 * bend, 4.0 * bend),
+            Parameter::normal("bend", "1/K", 0.0, USUAL_BEND * bend, "relative change of that per kelvin")
+                .within(-MOST_BENT * bend, MOST_BENT * bend),
         ]
     }
-    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
-        vec![vec![0.0]]
+    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
+        bends(context.temperature_span().max(1.0))
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["bend"]

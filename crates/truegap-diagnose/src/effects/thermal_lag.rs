@@ -20,6 +20,8 @@ pub struct ThermalLag;
 struct Lag {
     /// time constant in s, and share of the sensor that follows with it
     parts: Vec<(f64, f64)>,
+    /// time constant in s of a first stage, which all of them are behind; 0 where there is none
+    first_s: f64,
     /// change of the temperature before the first row of the recording, K/s; later runs begin in equilibrium
     before: f64,
 }
@@ -28,7 +30,18 @@ impl Lag {
     /// A quick part and a part, `share` of the whole, that follows `slower` times more slowly; `tau_s` is the mean of both time constants.
     fn of_two(tau_s: f64, share: f64, slower: f64) -> Self {
         let quick = tau_s / (1.0 - share + share * slower);
-        Self { parts: vec![(quick, 1.0 - share), (quick * slower, share)], before: 0.0 }
+        Self { parts: vec![(quick, 1.0 - share), (quick * slower, share)], first_s: 0.0, before: 0.0 }
+    }
+
+    /// One stage on the way of a temperature, in place; the first run may be on its way.
+    fn stage(&self, inputs: &Inputs, tau_s: f64, temperature_c: &mut [f64]) {
+        let begun = Cell::new(false);
+        first_order_lag(
+            inputs,
+            tau_s,
+            temperature_c,
+            |first| if begun.replace(true) { first } else { first - tau_s * self.before },
+        );
     }
 }
 
@@ -37,17 +50,12 @@ impl Stage for Lag {
         if self.parts.iter().all(|(tau, _)| *tau <= 0.0) {
             return;
         }
+        self.stage(inputs, self.first_s, temperature_c);
         let given = temperature_c.to_vec();
         temperature_c.fill(0.0);
         for (tau_s, share) in self.parts.iter().filter(|(_, share)| *share > 0.0) {
             let mut part = given.clone();
-            let begun = Cell::new(false);
-            first_order_lag(
-                inputs,
-                *tau_s,
-                &mut part,
-                |first| if begun.replace(true) { first } else { first - tau_s * self.before },
-            );
+            self.stage(inputs, *tau_s, &mut part);
             temperature_c.iter_mut().zip(&part).for_each(|(sum, part)| *sum += share * part);
         }
     }
@@ -57,7 +65,7 @@ impl Stage for Lag {
 fn slab(tau_s: f64) -> Lag {
     const MODES: [f64; 4] = [1.0, 3.0, 5.0, 7.0];
     let all: f64 = MODES.iter().map(|n| (n * n).recip()).sum();
-    Lag { parts: MODES.iter().map(|n| (1.1 * tau_s / (n * n), (n * n * all).recip())).collect(), before: 0.0 }
+    Lag { parts: MODES.iter().map(|n| (1.1 * tau_s / (n * n), (n * n * all).recip())).collect(), first_s: 0.0, before: 0.0 }
 }
 
 /// Whether how the recording began is open. A stack of plates, whose every number its priors know, begins its runs in equilibrium; a rig begins when somebody presses the button.
@@ -87,7 +95,7 @@ impl Effect for ThermalLag {
     fn about(&self) -> About {
         About {
             physics: "heat takes time to arrive, so what is read is behind the temperature beside it",
-            equation: "T_s = (1 - s) lag(T; q) + s lag(T; r q), lag first-order, tau = (1 - s) q + s r q; s = 0 is a single time constant; without plates, `before` is the rate of T before the first row",
+            equation: "T_s = (1 - s) lag(T; q) + s lag(T; r q), lag first-order, tau = (1 - s) q + s r q; s = 0 is a single time constant; without plates, `before` is the rate of T before the first row, and T is lag(T; p tau) where a first stage comes before",
             excitation: "temperature that changes faster than the sensor can follow, with a clock",
             impostors: &["thermal_hysteresis", "offset_drift", "readout_lag"],
             separates: "the loop over temperature grows with the rate of heating and closes in a hold",
@@ -113,6 +121,7 @@ impl Effect for ThermalLag {
                 usual_rate(context),
                 "change of the temperature before the first row",
             ));
+            list.push(slow_response::first_stage());
         }
         list
     }
@@ -121,12 +130,20 @@ impl Effect for ThermalLag {
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         if reads_temperature(context) || begins_anyhow(context) {
-            return slow_response::starts(usual_rate(context));
+            let numbers = self.parameters(context).len() - 1;
+            let starts = slow_response::starts(usual_rate(context)).into_iter();
+            return starts.map(|start| start[..numbers].to_vec()).collect();
         }
         vec![vec![0.02, 10.0], vec![0.5, 15.0]]
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["slow_share", "before"]
+    }
+    fn may_be_more(&self) -> &'static [&'static [&'static str]] {
+        slow_response::RICHER
+    }
+    fn at_once(&self) -> &'static [&'static str] {
+        slow_response::AT_ONCE_AS_WELL
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.needs_clock()?;
@@ -140,8 +157,8 @@ impl Effect for ThermalLag {
         if reads_temperature(context) {
             return slow_response::late(values);
         }
-        let before = values.get(3).copied().unwrap_or(0.0);
-        Box::new(Lag { before, ..Lag::of_two(values[0], values[1], values[2]) })
+        let [before, first] = [3, 4].map(|i| values.get(i).copied().unwrap_or(0.0));
+        Box::new(Lag { before, first_s: first * values[0], ..Lag::of_two(values[0], values[1], values[2]) })
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
         if reads_temperature(context) {

@@ -17,7 +17,7 @@ use crate::{
         calibrated::predicted_like_base,
         judged::{Judged, Told},
         prepare::Prepared,
-        richer_laws::opened_ways,
+        richer_laws::{opened_ways, richer_laws_of},
         simple_laws::{Simple, simple},
     },
     selection::{
@@ -227,10 +227,10 @@ impl Choice<'_, '_> {
             ask(search, fitted_from_nothing(search, &tried, &[&search.context.held, opened].concat())?)
         };
         let plain = (!numbers.is_empty()).then(|| with([search.context.held.as_slice(), &numbers].concat(), &[]));
-        let more = effect.may_be_more().iter().filter(|name| search.context.holds(effect.id(), name));
-        let opened: Vec<Number> = more.map(|name| (effect.id(), *name)).collect();
-        let ways = if opened.is_empty() { Vec::new() } else { opened_ways(search, &tried, &opened) };
-        let richer: Vec<Asked> = ways.into_iter().filter_map(|held| with(held, &opened)).collect();
+        let laws = richer_laws_of(search, effect).into_iter();
+        let ways =
+            laws.flat_map(|opened| opened_ways(search, &tried, &opened).into_iter().map(move |held| (opened.clone(), held)));
+        let richer: Vec<Asked> = ways.filter_map(|(opened, held)| with(held, &opened)).collect();
         let as_it_is = [plain.flatten(), ask(search, tried.clone())].into_iter().flatten().reduce(|a, b| better_of(a, b, 1.0));
         // a richer law has to be felt
         richer.into_iter().fold(as_it_is, |best, richer| {

@@ -88,7 +88,9 @@ impl<'a> Prepared<'a> {
         let (testable, not_testable) = part(&context, options);
         // richer laws wait for rows left out that bear them out
         let has = |effect: &dyn Effect, name: &str| effect.parameters(&context).iter().any(|number| number.name == name);
-        let more = testable.iter().flat_map(|effect| effect.may_be_more().iter().map(|name| (*effect, *name)));
+        let more = testable
+            .iter()
+            .flat_map(|effect| effect.may_be_more().iter().flat_map(|law| law.iter()).map(|name| (*effect, *name)));
         let held = more.filter(|(effect, name)| has(*effect, name)).map(|(effect, name)| (effect.id(), name)).collect();
         context.held = held;
         let averages = block_averages(problem, &noise, searched_rows(problem.response.len()))?;

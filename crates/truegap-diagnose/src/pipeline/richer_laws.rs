@@ -6,6 +6,7 @@
 
 use crate::{
     data::{context::Number, error::DiagnoseError},
+    effects::effect::Effect,
     pipeline::{
         judged::{self, Told},
         prepare::Prepared,
@@ -47,28 +48,41 @@ pub(crate) fn richer(
 fn borne_out(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> Option<Vec<Number>> {
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
-    let numbers = |tried: &Tried| {
-        let effects = tried.effects.iter().map(|e| search.library[*e]);
-        let all = effects.flat_map(|effect| effect.may_be_more().iter().map(move |name| (effect.id(), *name)));
-        all.filter(|(id, name)| search.context.holds(*id, name)).collect::<Vec<Number>>()
-    };
     let selection = &examined.selection;
     let chosen = std::iter::once(&selection.models[examined.decision.model]);
-    let tried = chosen.chain(&selection.models).find(|tried| !numbers(tried).is_empty())?;
+    let tried = chosen.chain(&selection.models).find(|tried| !laws_opened(search, tried).is_empty())?;
     if told.stop.load(Ordering::Relaxed) {
         return None;
     }
-    let opened = numbers(tried);
     let simple = prepared.foretold(search, tried);
-    let errors = |held: &[Number]| {
+    let errors = |opened: &[Number], held: &[Number]| {
         let context = search.context.holding(held.to_vec());
         let wider = &search.within(&context);
-        let richer = fitted_from_nothing(wider, tried, &[&opened, held].concat())?;
+        let richer = fitted_from_nothing(wider, tried, &[opened, held].concat())?;
         let both = compared(&simple, &prepared.foretold(wider, &richer))?;
         both.better_by(FELT).then_some(both.rmse[1])
     };
-    let borne_out = opened_ways(search, tried, &opened).into_iter().filter_map(|held| Some((errors(&held)?, held)));
+    let laws = laws_opened(search, tried).into_iter();
+    let ways = laws.flat_map(|opened| opened_ways(search, tried, &opened).into_iter().map(move |held| (opened.clone(), held)));
+    let borne_out = ways.filter_map(|(opened, held)| Some((errors(&opened, &held)?, held)));
     borne_out.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, held)| held)
+}
+
+/// Numbers of the richer laws of the effects of a model that are still held: one law at a time, and where several effects have one, the first of each together.
+fn laws_opened(search: &Search<'_>, tried: &Tried) -> Vec<Vec<Number>> {
+    let of_each = tried.effects.iter().map(|e| richer_laws_of(search, search.library[*e])).filter(|laws| !laws.is_empty());
+    let of_each: Vec<Vec<Vec<Number>>> = of_each.collect();
+    let together = (of_each.len() > 1).then(|| of_each.iter().flat_map(|laws| laws[0].clone()).collect());
+    of_each.into_iter().flatten().chain(together).collect()
+}
+
+/// Numbers of the richer laws of one effect, as far as they are still held, a list for each law.
+pub(crate) fn richer_laws_of(search: &Search<'_>, effect: &dyn Effect) -> Vec<Vec<Number>> {
+    let held = |law: &&[&'static str]| {
+        let numbers = law.iter().map(|name| (effect.id(), *name));
+        numbers.filter(|(id, name)| search.context.holds(*id, name)).collect::<Vec<Number>>()
+    };
+    effect.may_be_more().iter().map(held).filter(|numbers| !numbers.is_empty()).collect()
 }
 
 /// What is held where these numbers of richer laws are opened: what was held besides, and that with the numbers of the same effects that may be nothing.

@@ -68,7 +68,7 @@ fn says(found: &[Range<usize>], count: usize, too_many: bool, response: &[f64], 
 }
 
 /// Whether all rows of `group` lie on one side of the two rows before and after, by more than `least` and several times their range.
-fn stands_out(column: &[f64], group: &Range<usize>, least: f64) -> bool {
+pub(super) fn stands_out(column: &[f64], group: &Range<usize>, least: f64) -> bool {
     let beside = [group.start - 2, group.start - 1, group.end, group.end + 1];
     if beside[3] >= column.len() {
         return false;
@@ -80,7 +80,7 @@ fn stands_out(column: &[f64], group: &Range<usize>, least: f64) -> bool {
 }
 
 /// White noise from second differences, deaf to corners and spikes.
-fn white_sd(column: &[f64], runs: &[Range<usize>]) -> f64 {
+pub(super) fn white_sd(column: &[f64], runs: &[Range<usize>]) -> f64 {
     let second: Vec<f64> =
         runs.iter().flat_map(|run| column[run.clone()].windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).abs())).collect();
     sd_of_differences(&second, 6.0)

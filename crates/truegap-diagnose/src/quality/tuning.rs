@@ -57,6 +57,16 @@ pub(crate) const OUTLIER_FAR: f64 = 12.0;
 /// Ranges of its neighbours beyond them at which it is one.
 pub(crate) const OUTLIER_BEYOND: f64 = 5.0;
 
+/// Median distances from its median by which a value of an input stands outside its neighbours, at least, to be an outlier: a smaller one costs a row's noise.
+pub(crate) const HALVES_BEYOND: f64 = 1.0;
+
+/// Steps of an input that stands still from row to row count, at least so high beside an outlier, so many of them, and so large a share followed by the reading at once, by so many standard
+/// deviations: then an outlier that it does not follow is none of them.
+pub(crate) const AS_HIGH: f64 = 0.2;
+pub(crate) const FEWEST_STEPS: usize = 3;
+pub(crate) const FOLLOWED: f64 = 0.7;
+pub(crate) const JUMPS: f64 = 5.0;
+
 /// Most rows together that are outliers.
 pub(crate) const OUTLIERS_TOGETHER: usize = 3;
 

@@ -9,7 +9,7 @@ use super::rows::rows_of_each;
 use truegap_core::{Recording, Simulator};
 use truegap_diagnose::quality::FEWEST_ROWS;
 use truegap_diagnose::quality::{Notice, NoticeKind};
-use truegap_diagnose::quality::{Rows, clipped_rows, outliers, repeated, troubles};
+use truegap_diagnose::quality::{Rows, clipped_rows, outliers, outliers_of_inputs, repeated, troubles};
 use truegap_diagnose::{Options, Problem, Restriction};
 
 /// Recordings without their outliers, with their base models and what is wrong with them.
@@ -27,7 +27,7 @@ pub(super) fn screen(mut opened: Opened) -> Result<Screened, DiagnosisError> {
     let mut kept: Vec<Vec<usize>> = Vec::new();
     for (index, part) in parts(&opened).iter().enumerate() {
         let mut keep: Vec<usize> = (0..part.len()).collect();
-        for look in [clipped_rows, repeated, outliers] {
+        for look in [clipped_rows, repeated, outliers, outliers_of_inputs] {
             if let Some((notice, out)) = with(part, first.simulator(index), None, look).flatten() {
                 keep.retain(|row| out.binary_search(row).is_err());
                 notices.push(of(notice, index, several));

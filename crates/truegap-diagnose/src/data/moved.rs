@@ -8,7 +8,10 @@ use crate::{
 };
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use truegap_core::{Driver, Inputs, Simulator, ends};
+use truegap_core::{Driver, Inputs, Simulator, StageName, ends};
+
+/// Name of the recorded humidity among the drivers that move.
+pub const HUMIDITY: &str = "humidity";
 
 /// Columns that moved.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -21,7 +24,7 @@ pub struct Moved {
     pub gap: bool,
     /// whether somebody's simulation was given that moves
     pub simulated: bool,
-    /// names of the recorded drivers that move up and down, in the order of the recording
+    /// names of the recorded drivers that move up and down, in the order of the recording, and [`HUMIDITY`] where that moves beside a base model without plates
     pub drivers: Vec<String>,
     /// names of those that are angles and begin anew after each turn: to rise and to fall means nothing there
     #[serde(default)]
@@ -38,14 +41,23 @@ impl Moved {
         let moves = |column: &Option<Vec<f64>>| column.as_deref().is_some_and(|column| range(column) > 0.0);
         let moving = inputs.drivers.iter().filter(|driver| range(&driver.values) > 0.0);
         let (round, straight): (Vec<&Driver>, Vec<&Driver>) = moving.partition(|driver| begins_anew(driver));
-        let ranges = straight.iter().map(|driver| (driver.name.clone(), ends(driver.values.iter().copied()).into())).collect();
-        let names = |drivers: Vec<&Driver>| drivers.into_iter().map(|driver| driver.name.clone()).collect();
+        let range_of = |values: &[f64]| ends(values.iter().copied()).into();
+        let mut ranges: BTreeMap<String, [f64; 2]> =
+            straight.iter().map(|driver| (driver.name.clone(), range_of(&driver.values))).collect();
+        let names = |drivers: Vec<&Driver>| drivers.into_iter().map(|driver| driver.name.clone()).collect::<Vec<String>>();
+        let mut drivers = names(straight);
+        let taken = inputs.drivers.iter().any(|driver| driver.name == HUMIDITY);
+        let of_plates = simulator.lacks(StageName::Geometry).is_none();
+        if let Some(humidity) = inputs.humidity_pct.as_deref().filter(|column| range(column) > 0.0 && !taken && !of_plates) {
+            drivers.push(HUMIDITY.into());
+            ranges.insert(HUMIDITY.into(), range_of(humidity));
+        }
         Self {
             temperature_k: inputs.temperature_c.as_deref().map_or(0.0, range),
             load: load_column(inputs, simulator).as_deref().map_or(0.0, range),
             gap: moves(&inputs.gap_m),
             simulated: moves(&inputs.simulated),
-            drivers: names(straight),
+            drivers,
             round: names(round),
             ranges,
         }

@@ -3,7 +3,10 @@
 //! Limits: one column; a second driver is followed by a second effect of the kind.
 
 use crate::{
-    data::context::{Context, load_column},
+    data::{
+        context::{Context, load_column},
+        moved::HUMIDITY,
+    },
     effects::{composed::words::Driver, memory::walk},
     stats::{median, spread},
 };
@@ -71,6 +74,8 @@ fn comes_again(column: &[f64], runs: &[std::ops::Range<usize>]) -> bool {
 pub enum Course {
     /// the recorded driver of this number
     Driver(usize),
+    /// recorded humidity, beside a base model without plates
+    Humidity,
     /// load on the dielectric, in full loads
     Load,
     /// plate separation
@@ -86,7 +91,9 @@ impl Course {
     pub fn of(context: &Context<'_>, number: usize) -> Option<Self> {
         let moved = &context.moved;
         if let Some(name) = moved.drivers.get(number) {
-            return context.inputs.drivers.iter().position(|driver| driver.name == *name).map(Self::Driver);
+            let recorded = context.inputs.drivers.iter().position(|driver| driver.name == *name).map(Self::Driver);
+            let humidity = || (name == HUMIDITY && context.inputs.humidity_pct.is_some()).then_some(Self::Humidity);
+            return recorded.or_else(humidity);
         }
         if number > 0 || !moved.drivers.is_empty() {
             return None;
@@ -111,7 +118,7 @@ impl Course {
     pub fn beside_the_base(context: &Context<'_>, number: usize, followed: &str) -> Result<(), String> {
         match Self::of(context, number) {
             Some(course) if course.is_followed(context) => Err(format!("the base model follows this driver by itself{followed}")),
-            Some(Self::Driver(_)) => Ok(()),
+            Some(Self::Driver(_) | Self::Humidity) => Ok(()),
             _ => Err(Self::missing(number)),
         }
     }
@@ -130,15 +137,23 @@ impl Course {
 
     /// Whether the base model follows this recorded driver by itself.
     pub fn is_followed(self, context: &Context<'_>) -> bool {
-        let Self::Driver(index) = self else { return false };
-        *context.followed[index].get_or_init(|| self.moves_the_base(index, context))
+        match self {
+            Self::Driver(index) => *context.followed[index].get_or_init(|| self.moves_the_base(context)),
+            Self::Humidity => self.moves_the_base(context),
+            Self::Load | Self::Gap | Self::Simulated => false,
+        }
     }
 
-    /// Whether the response of the base model changes where the recorded driver of this index is moved: two simulations.
-    fn moves_the_base(self, index: usize, context: &Context<'_>) -> bool {
+    /// Whether the response of the base model changes where the recorded column is moved: two simulations.
+    fn moves_the_base(self, context: &Context<'_>) -> bool {
         let mut moved = context.inputs.clone();
         let step = 0.1 * self.span(context);
-        moved.drivers[index].values.iter_mut().for_each(|value| *value += step);
+        let column = match self {
+            Self::Driver(index) => moved.drivers.get_mut(index).map(|driver| &mut driver.values),
+            Self::Humidity => moved.humidity_pct.as_mut(),
+            Self::Load | Self::Gap | Self::Simulated => None,
+        };
+        column.into_iter().flatten().for_each(|value| *value += step);
         // off the centre of the priors, where a slope may be 0
         let values: Vec<f64> = context.simulator.parameters().iter().map(|p| p.prior.at(1.0)).collect();
         let respond = |inputs| context.simulator.respond(&values, inputs, &[]);
@@ -167,6 +182,7 @@ impl Course {
             Self::Driver(index) => {
                 Driver::Recorded(context.inputs.drivers.get(index).map(|d| d.name.clone()).unwrap_or_default())
             }
+            Self::Humidity => Driver::Recorded(HUMIDITY.into()),
             Self::Load => Driver::Load,
             Self::Gap => Driver::Recorded("gap".into()),
             Self::Simulated => Driver::Reading,
@@ -178,6 +194,7 @@ impl Course {
         let inputs = drive.inputs;
         match self {
             Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice()),
+            Self::Humidity => inputs.humidity_pct.as_deref(),
             Self::Load => Some(drive.load),
             Self::Gap => inputs.gap_m.as_deref(),
             Self::Simulated => inputs.simulated.as_deref(),
@@ -186,14 +203,17 @@ impl Course {
 
     /// Least and greatest value of a recorded driver, in the recording in which the effect was found; 0 and 1 of anything else.
     pub fn ends(self, context: &Context<'_>) -> [f64; 2] {
-        let Self::Driver(index) = self else { return [0.0, 1.0] };
-        let name = context.inputs.drivers.get(index).map(|driver| driver.name.as_str());
+        let name = match self {
+            Self::Driver(index) => context.inputs.drivers.get(index).map(|driver| driver.name.as_str()),
+            Self::Humidity => Some(HUMIDITY),
+            Self::Load | Self::Gap | Self::Simulated => None,
+        };
         name.and_then(|name| context.moved.ranges.get(name)).copied().unwrap_or([0.0, 1.0])
     }
 
     /// Middle between the ends of the column, in its unit: of a recorded driver, in the recording in which the effect was found.
     pub fn middle(self, context: &Context<'_>) -> f64 {
-        if let Self::Driver(_) = self {
+        if let Self::Driver(_) | Self::Humidity = self {
             let [least, greatest] = self.ends(context);
             return 0.5 * (least + greatest);
         }
@@ -206,6 +226,7 @@ impl Course {
         let inputs = context.inputs;
         let range = match self {
             Self::Driver(index) => inputs.drivers.get(index).map(|driver| spread(&driver.values)),
+            Self::Humidity => inputs.humidity_pct.as_deref().map(spread),
             Self::Load => Some(context.load_span()),
             Self::Gap => inputs.gap_m.as_deref().map(spread),
             Self::Simulated => inputs.simulated.as_deref().map(spread),
@@ -218,6 +239,7 @@ impl Course {
         let inputs = context.inputs;
         match self {
             Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice().into()),
+            Self::Humidity => inputs.humidity_pct.as_deref().map(Cow::Borrowed),
             Self::Load => load_column(inputs, context.simulator).map(Cow::Owned),
             Self::Gap => inputs.gap_m.as_deref().map(Cow::Borrowed),
             Self::Simulated => inputs.simulated.as_deref().map(Cow::Borrowed),
@@ -260,6 +282,7 @@ impl Course {
         let inputs = context.inputs;
         let column = match self {
             Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice()),
+            Self::Humidity => inputs.humidity_pct.as_deref(),
             Self::Load => None,
             Self::Gap => inputs.gap_m.as_deref(),
             Self::Simulated => inputs.simulated.as_deref(),
@@ -279,6 +302,7 @@ impl Course {
     pub fn unit(self, context: &Context<'_>) -> String {
         match self {
             Self::Driver(index) => context.inputs.drivers.get(index).map_or_else(|| "1".into(), |driver| driver.unit.clone()),
+            Self::Humidity => "%".into(),
             Self::Load => "full loads".into(),
             Self::Gap => "m".into(),
             Self::Simulated => context.simulator.simulated_unit().into(),
@@ -289,6 +313,7 @@ impl Course {
     pub fn name<'a>(self, context: &Context<'a>) -> &'a str {
         match self {
             Self::Driver(index) => context.inputs.drivers.get(index).map_or("the driver", |driver| driver.name.as_str()),
+            Self::Humidity => HUMIDITY,
             Self::Load => "the load",
             Self::Gap => "the gap",
             Self::Simulated => "the simulated value",

@@ -107,7 +107,7 @@ impl Effect for DriverGain {
             Some(course) if course.is_followed(context) => {
                 return Err("the base model follows this driver by itself; a bent law of it is a nonlinearity".into());
             }
-            Some(Course::Driver(_)) => {}
+            Some(Course::Driver(_) | Course::Humidity) => {}
             _ => return Err(Course::missing(self.0)),
         }
         if !context.simulator.moves() {

@@ -27,6 +27,7 @@ mod foreseen;
 mod friction;
 mod fringing_field;
 mod gain_drift;
+mod gain_error;
 mod held_warp;
 mod humidity_uptake;
 mod inner_stiffening;
@@ -88,6 +89,7 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(rim_field::RimField),
         Box::new(parasitic_capacitance::ParasiticCapacitance),
         Box::new(gain_drift::GainDrift),
+        Box::new(gain_error::GainError),
         Box::new(driver_gain::DriverGain(0)),
         Box::new(driver_gain::DriverGain(1)),
         Box::new(friction::Friction(0)),

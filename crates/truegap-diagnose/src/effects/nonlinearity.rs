@@ -164,6 +164,9 @@ impl Effect for Nonlinearity {
         let steep = |middle: f64| vec![middle, 0.08, 0.0, 0.0, 0.0, 0.0, 0.0];
         vec![plain(1.0, 0.0), steep(0.0), steep(1.0), steep(0.5), plain(0.0, 1.0)]
     }
+    fn comes_down_to(&self) -> Option<EffectId> {
+        Some(EffectId("gain_error"))
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         if context.has_plates() {

@@ -81,7 +81,7 @@ fn presses(course: Course, context: &Context<'_>) -> bool {
             let unit = course.unit(context);
             [Dimension::Force, Dimension::Pressure, Dimension::Length].iter().any(|dimension| dimension.scale(&unit).is_ok())
         }
-        Course::Gap | Course::Simulated => false,
+        Course::Humidity | Course::Gap | Course::Simulated => false,
     }
 }
 

@@ -263,6 +263,9 @@ impl Effect for RegimeChange {
         let jumps = [0.0, 0.5 * JUMPS * of.span(context)].map(|jump| jump - of.middle(context));
         times.flat_map(|t| jumps.map(|jump| vec![t, takes, jump])).collect()
     }
+    fn comes_down_to(&self) -> Option<EffectId> {
+        Some(EffectId("gain_error"))
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         // it is said when something was switched, which rows without a clock cannot say

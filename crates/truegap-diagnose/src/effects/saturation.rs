@@ -99,6 +99,9 @@ impl Effect for Saturation {
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
         [0.5, 0.7, 0.85, 0.95, 1.15, 1.35].map(|knee| vec![knee]).to_vec()
     }
+    fn comes_down_to(&self) -> Option<EffectId> {
+        Some(EffectId("gain_error"))
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         if !context.simulator.moves() {

@@ -107,6 +107,9 @@ impl Effect for StressRelaxation {
         let tau = |k: i32| shortest * 10f64.powf(decades * f64::from(k) / 4.0);
         (1..=3).flat_map(|k| [vec![tau(k), 0.1], vec![tau(k), 2.0]]).collect()
     }
+    fn comes_down_to(&self) -> Option<EffectId> {
+        Some(EffectId("gain_error"))
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         context.needs_clock()?;

@@ -1,0 +1,93 @@
+//! The scale of a simulation that is given is off by a factor.
+
+use crate::{
+    data::context::Context,
+    effects::composed::words::{Driver, InWords, Kinetics, Place},
+    effects::effect::{About, Effect, Family, FittedParameter},
+    text::percent_with_sd,
+};
+use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
+
+/// Factor between the reading and a simulation whose gain is not calibrated.
+pub struct GainError;
+
+struct Factor {
+    /// the factor less 1
+    error: f64,
+    /// whether what is read at the least of the simulation stays, in the place of a reading of 0
+    about_least: bool,
+}
+
+impl Stage for Factor {
+    fn readout(&self, _: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
+        let still = if self.about_least { readout.zero } else { 0.0 };
+        value.iter_mut().for_each(|value| *value += self.error * (*value - still));
+    }
+}
+
+impl Effect for GainError {
+    fn id(&self) -> EffectId {
+        EffectId("gain_error")
+    }
+    fn stage(&self) -> StageName {
+        StageName::Readout
+    }
+    fn family(&self) -> Family {
+        Family::Readout
+    }
+    fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
+        Some(InWords { place: Place::Readout, driver: Driver::Reading, kinetics: Kinetics::Static })
+    }
+    fn about(&self) -> About {
+        About {
+            physics: "the scale is off by a factor: a calibration, a reference, a constant of the material in the simulation",
+            equation: "value = (1 + g) true",
+            excitation: "a simulation that moves, and whose gain is not free under [base]",
+            impostors: &["nonlinearity", "saturation", "gain_drift", "gain_change"],
+            separates: "in proportion to the reading, the same all the time; a straight line through reading over simulation",
+            source: "gain error, IEC 60359; Pallas-Areny & Webster, Sensors and Signal Conditioning, sec. 1.3",
+        }
+    }
+    fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
+        vec![Parameter::normal("error", "1", 0.0, 0.1, "reading over simulation, less 1").within(-0.99, 10.0)]
+    }
+    fn testable(&self, context: &Context<'_>) -> Result<(), String> {
+        context.has(StageName::Readout)?;
+        if !context.moved.simulated || context.has_plates() {
+            return Err("no simulation that moves is given; the gain of other base models is calibrated".into());
+        }
+        if context.simulator.parameters().iter().any(|number| number.name == "gain") {
+            return Err("the gain of the simulation is free under [base], so that calibration takes it up".into());
+        }
+        Ok(())
+    }
+    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(Factor { error: values[0], about_least: false })
+    }
+    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(Factor { error: values[0], about_least: true }))
+    }
+    fn says(&self, fitted: &[FittedParameter]) -> String {
+        let error = &fitted[0];
+        let way = if error.value < 0.0 { "smaller" } else { "larger" };
+        let size = percent_with_sd(error.value.abs(), error.sd);
+        format!(
+            "the scale is off: the reading is {size} {way} than the simulation, in proportion (free = [\"gain\", \"offset\"] under [base] calibrates it)"
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use truegap_core::Inputs;
+
+    #[test]
+    fn the_reading_is_a_multiple_of_the_simulation() {
+        let inputs = Inputs { run: vec![1; 3], ..Inputs::default() };
+        let drive = Drive { inputs: &inputs, load: &[], temperature_c: &[], reference_c: 25.0, full_load: 1.0 };
+        let mut value = vec![-1.0, 0.0, 4.0];
+        Factor { error: 0.25, about_least: false }.readout(&drive, &Readout { zero: -1.0, span: 5.0 }, &mut value);
+        assert_eq!(value, [-1.25, 0.0, 5.0]);
+    }
+}

@@ -19,11 +19,12 @@ use crate::{
     },
     selection::{
         candidates::{Search, Tried},
+        tuning::VISIBLE,
         verdict::{Decision, Verdict},
     },
     validation::{
         cross_validation::{HeldOutFit, compared},
-        tuning::FELT,
+        tuning::{CLEARLY_WORSE, FELT},
     },
 };
 use std::sync::atomic::Ordering;
@@ -65,7 +66,26 @@ fn found(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<Be
         !says_a_name && compared(told, &alone.unseen).is_some_and(|both| both.better_by(FELT))
     };
     let alone = clearest(search, judged, chosen).and_then(|from| beside(&from)).filter(better);
-    alone.or(whole)
+    Some(without_unseen(prepared, search, judged, alone.or(whole)?))
+}
+
+/// The same without names of which nothing is seen beside the mechanisms: they had followed what a mechanism does. A name that a mechanism says in other words stays.
+fn without_unseen(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged, mut beside: Beside) -> Beside {
+    let with = with_mechanisms(search, &beside.composition.mechanisms);
+    let names: Vec<usize> = beside.composition.tried.effects.iter().copied().filter(|e| *e < prepared.testable.len()).collect();
+    for name in names {
+        let said = beside.composition.mechanisms.iter().any(|mechanism| says_one_of(search, &[name], mechanism));
+        let others: Vec<usize> = beside.composition.tried.effects.iter().copied().filter(|e| *e != name).collect();
+        let Some(tried) = with.part_of(&beside.composition.tried, &others).filter(|_| !said) else { continue };
+        let risen = tried.fit.objective() - beside.composition.tried.fit.objective();
+        let unseen = predictions(prepared, &with, &judged.by_base, &tried);
+        let as_well = compared(&unseen, &beside.unseen).is_some_and(|both| both.rmse[0] <= CLEARLY_WORSE * both.rmse[1]);
+        if as_well && 2.0 * risen < VISIBLE * VISIBLE {
+            beside.composition.tried = tried;
+            beside.unseen = unseen;
+        }
+    }
+    beside
 }
 
 /// The part of a model that holds the one effect that explains most; `None` where that is all of it.

@@ -26,6 +26,8 @@ pub struct Model<'a> {
     pub context: &'a Context<'a>,
     counts: Vec<usize>,
     base: usize,
+    /// whether a parameter is held at 0, where its derivative is never asked for: what is known of it is all
+    held: Vec<bool>,
 }
 
 impl<'a> Model<'a> {
@@ -33,14 +35,15 @@ impl<'a> Model<'a> {
     pub fn new(problem: &'a Problem<'a>, context: &'a Context<'a>, effects: Vec<&'a dyn Effect>) -> Self {
         let mut parameters = problem.simulator.parameters().to_vec();
         let base = parameters.len();
-        let mut counts = Vec::new();
+        let (mut counts, mut held) = (Vec::new(), vec![false; base]);
         for effect in &effects {
             let own = effect.parameters(context);
+            held.extend(own.iter().map(|p| context.holds(effect.id(), &p.name)));
             let own: Vec<Parameter> = own.into_iter().map(|p| context.known(effect.id(), p)).collect();
             counts.push(own.len());
             parameters.extend(own);
         }
-        Self { problem, effects, parameters, context, counts, base }
+        Self { problem, effects, parameters, context, counts, base, held }
     }
 
     /// Number of base parameters.
@@ -176,7 +179,7 @@ impl<'a> Model<'a> {
 
     /// Which of these columns are free, and the model near `z`.
     fn near<'m>(&'m self, columns: std::ops::Range<usize>, z: &'m [f64], bounds: &[(f64, f64)]) -> (Vec<usize>, Near<'m, 'a>) {
-        let free: Vec<usize> = columns.filter(|i| bounds[*i].0 < bounds[*i].1).collect();
+        let free: Vec<usize> = columns.filter(|i| bounds[*i].0 < bounds[*i].1 && !self.held[*i]).collect();
         let near = Near::of(self, z, free.len() >= WORTH_SLOPES);
         (free, near)
     }

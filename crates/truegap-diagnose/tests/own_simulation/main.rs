@@ -4,6 +4,7 @@
 
 mod at_work;
 mod clocks;
+mod follows_late;
 mod given;
 mod laws;
 mod looked_for;

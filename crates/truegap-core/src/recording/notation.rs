@@ -2,6 +2,7 @@
 //!
 //! Limits: the name alone; where a unit stands in a line of its own under the header, see [`super::heading`].
 
+use super::small_letters::is_newton_metres;
 use crate::units::{Dimension, is_unit};
 
 /// How far what stands where a unit may stand is to be trusted to be one.
@@ -77,7 +78,7 @@ fn cut(name: &str, holds: impl Fn(Trust, &str) -> bool) -> Option<(&str, &str)> 
 
 /// What is measured, and the unit, where the name itself shows that it is one: known, or in brackets or behind an underscore.
 pub(super) fn split(name: &str) -> Option<(&str, &str)> {
-    cut(name, |trust, unit| trust == Trust::Any || (trust == Trust::Known && is_unit(unit)))
+    cut(name, |trust, unit| trust == Trust::Any || (trust == Trust::Known && (is_unit(unit) || is_newton_metres(unit))))
 }
 
 /// What is measured, and its unit among those of `dimension`, in any notation.

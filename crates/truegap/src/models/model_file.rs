@@ -73,6 +73,15 @@ pub enum ModelFileError {
     /// Another kind of file.
     #[error("{file}: schema is `{found}`; a model's is `{SCHEMA}`")]
     Schema { file: PathBuf, found: String },
+    /// What is wrong, and where.
+    #[error("{file}: {}", without_place(.source))]
+    In { file: PathBuf, source: Box<ModelFileError> },
+    /// A key that means nothing.
+    #[error("the model file: {table} has no key `{key}`; {instead}")]
+    UnknownKey { table: String, key: String, instead: String },
+    /// A verdict that no diagnosis comes to.
+    #[error("the model file: verdict = \"{found}\" is none; use one of {known}")]
+    Verdict { found: String, known: String },
     /// The sensor's file cannot be read.
     #[error("the sensor file {file} cannot be read: {source}; it must stay where it was while the model is written")]
     SensorFile { file: PathBuf, source: std::io::Error },
@@ -131,6 +140,23 @@ pub enum ModelFileError {
     /// The model cannot be written as TOML.
     #[error("the model cannot be written as TOML: {0}")]
     Write(#[from] toml::ser::Error),
+}
+
+/// The words of an error that is told with its file.
+fn without_place(error: &ModelFileError) -> String {
+    let says = error.to_string();
+    says.strip_prefix("the model file: ").map_or(says.clone(), str::to_owned)
+}
+
+impl ModelFileError {
+    /// The same, told with its file.
+    #[must_use]
+    pub fn of(self, file: &Path) -> Self {
+        match self {
+            Self::In { .. } | Self::Read { .. } | Self::Parse { .. } | Self::Schema { .. } => self,
+            other => Self::In { file: file.to_owned(), source: Box::new(other) },
+        }
+    }
 }
 
 impl ModelFile {
@@ -201,7 +227,10 @@ impl ModelFile {
         if head.schema != SCHEMA {
             return Err(ModelFileError::Schema { file: file.to_owned(), found: head.schema });
         }
-        toml::from_str(text).map_err(failed)
+        let read: Self = toml::from_str(text).map_err(failed)?;
+        let given: toml::Table = toml::from_str(text).map_err(failed)?;
+        read.check_words(&given).map_err(|error| error.of(file))?;
+        Ok(read)
     }
 
     /// The model, ready to simulate.
@@ -210,6 +239,14 @@ impl ModelFile {
     /// [`ModelFileError`] where base model, parameters and effects do not fit together.
     pub fn build(&self) -> Result<RunningModel, ModelFileError> {
         self.build_with(&Programs::default())
+    }
+
+    /// As [`ModelFile::build_with`], errors told with the name of the file.
+    ///
+    /// # Errors
+    /// As [`ModelFile::build`].
+    pub fn build_of(&self, file: &Path, programs: &Programs) -> Result<RunningModel, ModelFileError> {
+        self.build_with(programs).map_err(|error| error.of(file))
     }
 
     /// As [`ModelFile::build`], asking `programs` where the base model is a program or a function.

@@ -75,6 +75,16 @@ impl RunningModel {
         })
     }
 
+    /// An added effect that follows the temperature: without a thermometer it would be taken to add nothing.
+    pub(super) fn follows_temperature(&self, library: &Library) -> Option<String> {
+        self.as_fitted(|context| {
+            let follows = |added: &&AddedEffect| {
+                matches!(driver_of(added, library, context), Some(Driver::Temperature | Driver::TemperatureRate))
+            };
+            self.augmented.effects.iter().find(follows).map(|added| added.id.clone())
+        })
+    }
+
     /// Response of each row with these effects alone, at the calibration of the augmented model.
     ///
     /// # Errors

@@ -57,20 +57,21 @@ impl Likely<'_> {
         // a column beside them may be the reading, and both may be what was done
         let alone = |twins: &Twins| {
             let taken = self.with_twins(Some(*twins)).found;
-            sure.is_empty() && free.iter().all(|index| self.header[*index].dated || taken.values().any(|used| used == index))
+            let spare = |index: &usize| !self.header[*index].dated && taken.values().all(|used| used != index);
+            sure.is_empty() && free.iter().all(|index| *index == twins.beside || !spare(index))
         };
         let of_reference = || twins::of_reference(self.header, &free).filter(alone);
         of_simulation.filter(|_| self.told_to_be(Role::Simulated).is_none()).or_else(of_reference)
     }
 
     fn with_twins(&self, twins: Option<Twins>) -> Guess {
-        let Some(Twins { reading, simulated }) = twins else { return guess(self.header, &self.guessed()) };
+        let Some(Twins { reading, beside, is_simulated }) = twins else { return guess(self.header, &self.guessed()) };
         let mut others = self.guessed();
-        others.retain(|index| *index != reading && simulated != Some(*index));
+        others.retain(|index| *index != reading && !(is_simulated && *index == beside));
         let mut guess = guess(self.header, &others);
         guess.several.remove(&Role::Response);
         guess.found.insert(Role::Response, reading);
-        guess.found.extend(simulated.map(|index| (Role::Simulated, index)));
+        guess.found.extend(is_simulated.then_some((Role::Simulated, beside)));
         guess
     }
 

@@ -332,10 +332,10 @@ impl Writer<'_> {
         }
         self.line(BASES);
         self.open.push("what the recording is compared with: complete [base]".to_owned());
-        if let Some(Twins { reading, simulated: None }) = twins {
-            let reading = self.name(reading);
+        if let Some(Twins { reading, beside, is_simulated: false }) = twins {
+            let [reading, beside] = [reading, beside].map(|index| self.name(index));
             self.open.push(format!(
-                "whether `{reading}` is the reading, as its name says; what it is held against may be its simulation: then `simulated` under [columns], and model = \"external\" under [base]"
+                "whether `{reading}` is the reading, as its name says; `{beside}` may be its simulation, what it would read if nothing were missing: then `simulated` under [columns], and model = \"external\" under [base]"
             ));
         }
     }

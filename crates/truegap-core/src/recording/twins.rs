@@ -12,8 +12,9 @@ use crate::units::Dimension;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Twins {
     pub reading: usize,
-    /// the simulation of it; `None` where the other column is what it is held against
-    pub simulated: Option<usize>,
+    pub beside: usize,
+    /// whether that is the simulation of it, and not what it is held against
+    pub is_simulated: bool,
 }
 
 const DIMENSIONS: [Dimension; 8] = [
@@ -45,6 +46,12 @@ pub(super) fn alike(one: &Heading, other: &Heading) -> bool {
     }
 }
 
+/// Whether two names end in the same unit, known or not: `sim_lpm` and `flow_lpm`.
+fn same_tail(one: &Heading, other: &Heading) -> bool {
+    let tail = |heading: &Heading| heading.unit().filter(|unit| !subject(unit).is_empty()).map(str::to_owned);
+    quantity(one) == quantity(other) && tail(one).is_some() && tail(one) == tail(other)
+}
+
 /// The one of `free` for which `holds`, where there is exactly one.
 fn only(free: &[usize], holds: impl Fn(usize) -> bool) -> Option<usize> {
     let mut found = free.iter().copied().filter(|index| holds(*index));
@@ -55,19 +62,20 @@ fn only(free: &[usize], holds: impl Fn(usize) -> bool) -> Option<usize> {
 pub(super) fn of_simulation(header: &[Heading], free: &[usize]) -> Option<Twins> {
     let is_computed = |index: usize| is_called_simulation(&header[index].name);
     let simulated = only(free, is_computed)?;
-    let beside = |index: usize| !is_computed(index) && !header[index].dated && alike(&header[simulated], &header[index]);
+    let is_alike = |other: &Heading| alike(&header[simulated], other) || same_tail(&header[simulated], other);
+    let beside = |index: usize| !is_computed(index) && !header[index].dated && is_alike(&header[index]);
     let called_so = |index: usize| subject(measured(&header[index])) == subject(measured(&header[simulated]));
     let reading = only(free, beside)
         .or_else(|| only(free, |index| beside(index) && is_called_instrument(&header[index].name)))
         .or_else(|| only(free, |index| beside(index) && called_so(index)))?;
-    Some(Twins { reading, simulated: Some(simulated) })
+    Some(Twins { reading, beside: simulated, is_simulated: true })
 }
 
 /// The reading beside a reference, where both are the only columns of `free` of their quantity, and each is called so.
 pub(super) fn of_reference(header: &[Heading], free: &[usize]) -> Option<Twins> {
     let reading = only(free, |index| is_called_instrument(&header[index].name) && !is_called_reference(&header[index].name))?;
     let other = only(free, |index| index != reading && alike(&header[reading], &header[index]))?;
-    is_called_reference(&header[other].name).then_some(Twins { reading, simulated: None })
+    is_called_reference(&header[other].name).then_some(Twins { reading, beside: other, is_simulated: false })
 }
 
 /// The name without its unit.
@@ -81,7 +89,8 @@ mod tests {
 
     fn found(header: &str, of: fn(&[Heading], &[usize]) -> Option<Twins>) -> Option<(usize, Option<usize>)> {
         let header: Vec<Heading> = header.split(';').map(Heading::of).collect();
-        of(&header, &(0..header.len()).collect::<Vec<_>>()).map(|twins| (twins.reading, twins.simulated))
+        of(&header, &(0..header.len()).collect::<Vec<_>>())
+            .map(|twins| (twins.reading, twins.is_simulated.then_some(twins.beside)))
     }
 
     #[test]
@@ -93,6 +102,7 @@ mod tests {
             ("t;force_sim;force_meas;speed", Some((2, Some(1)))),
             ("T_model [°C];T [°C];Room [°C]", Some((1, Some(0)))),
             ("predicted (mV);bridge (mV)", Some((1, Some(0)))),
+            ("time_s;sim_lpm;flow_lpm;supply_V", Some((2, Some(1)))),
             ("Setpoint [N];Load cell [N]", None),
             ("T_model [°C];T1 [°C];T2 [°C]", None),
             ("T_model [°C];Load [N]", None),
@@ -107,6 +117,7 @@ mod tests {
         for (header, twins) in [
             ("Time [s];Bath [degC];Thermocouple [degC]", Some((2, None))),
             ("F_ref [N];Load cell [N]", Some((1, None))),
+            ("time;reference_ppm;sensor_ppm;humidity_pct", Some((2, None))),
             ("Load cell [N];Applied [N]", None),
             ("Bath [degC];Thermocouple 1 [degC];Thermocouple 2 [degC]", None),
             ("Bath [degC];Load cell [N]", None),

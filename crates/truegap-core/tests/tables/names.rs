@@ -218,6 +218,7 @@ fn of_two_columns_of_one_quantity_the_one_that_was_measured_is_the_reading() {
         ("Date/Time,Sim load (N),Load cell (N),Ambient (degC)", "17/03/2026 08:12:04,125.4,127.9,22.0", "Load cell (N)"),
         ("Time [s],F_sim [N],F_meas [N],T [°C]", "0.0,0.00,0.2,23.0", "F_meas [N]"),
         ("Datum;Uhrzeit;Bad Sim [°C];Fühler [°C]", "04.05.2026;06:30:00;74,19;73,1", "Fühler [°C]"),
+        ("time_s,sim_lpm,flow_lpm,supply_V", "0.0,1.0,1.1,5.0", "flow_lpm"),
         ("t,torque_model,torque_sensor", "0.0,1.0,1.1", "torque_sensor"),
     ];
     for (header, row, reading) in external {
@@ -233,6 +234,8 @@ fn of_two_columns_of_one_quantity_the_one_that_was_measured_is_the_reading() {
         bath.toml
     );
     assert!(bath.open.iter().any(|says| says.contains("complete [base]")), "{:?}", bath.open);
+    let gas = sketched("Date;Time;CO2 reference (ppm);Sensor (ppm);RH (%)", "01.03.2026;12:00:00;400;410;40");
+    assert!(gas.toml.contains("response = \"Sensor (ppm)\""), "{}", gas.toml);
     // what no name tells is left to somebody: either column may be what was done, and so may both
     for (header, row, role) in [
         ("Time [s],Applied [N],Load cell [N]", "0,1.0,1.1", "force"),
@@ -252,5 +255,8 @@ fn units_and_quantities_that_look_like_others_are_told_apart() {
     let bench = Bench::new("look-alikes", b"elapsed_s,pH set,torque_nm,response_mA\n0,4.0,1.0,5.0\n1,7.0,2.0,6.0\n");
     let sketch = sketch(&bench.0.join("t.csv"), &Told::default()).unwrap();
     assert!(!sketch.toml.contains("pressure ="), "{}", sketch.toml);
+    let bench = Bench::new("acid", b"t_s,pH,mV,T_C\n0,4.0,1.0,20\n1,7.0,2.0,21\n");
+    let acid = truegap_core::recording::sketch(&bench.0.join("t.csv"), &Told::default()).unwrap();
+    assert!(!acid.toml.contains("pressure ="), "{}", acid.toml);
     assert!(sketch.toml.contains("response = \"mA\"") && sketch.toml.contains("unit = \"Nm\""), "{}", sketch.toml);
 }

@@ -254,7 +254,7 @@ mod tests {
     fn what_is_left_is_called_noise_where_it_is_as_large() {
         let (noise, more) = (document(0.105, None), document(0.9, None));
         assert!(noise.says.contains("leaves no more of the reading than its noise") && noise.explains(), "{}", noise.says);
-        assert!(more.says.contains("leaves 0.9 mV of the reading, 9 times its noise") && !more.explains(), "{}", more.says);
+        assert!(more.says.contains("leaves 0.900 mV of the reading, 9.0 times its noise") && !more.explains(), "{}", more.says);
     }
 
     #[test]

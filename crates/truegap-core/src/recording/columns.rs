@@ -8,6 +8,7 @@ use super::{
     error::RecordingError,
     guess::by_name,
     heading::{FAHRENHEIT, FARAD, Heading},
+    idle_units::units_of_nothing,
     manifest::{BaseSpec, Manifest, Named},
     map::NO_LINE,
     note::Note,
@@ -55,7 +56,8 @@ pub(super) fn bind(
         return Err(binder.two_roles(*one, *other, *index));
     }
     let mut notes: Vec<Note> = binder.told_by_name(&found).into_iter().collect();
-    notes.extend(binder.units_of_nothing(&found)?);
+    let idle = units_of_nothing(manifest, &found);
+    notes.extend(idle.map_err(|(role, line, source)| binder.wrong_unit(role, line, source))?);
     let columns = found.into_iter().map(|(role, index)| binder.column(role, index, &mut notes));
     let mut columns = columns.collect::<Result<Vec<_>, _>>()?;
     binder.match_simulated(&mut columns)?;
@@ -156,21 +158,6 @@ impl Binder<'_> {
             alone && !heading.dated && !heading.of_day && !self.has_role(&heading.name) && !self.is_driver(&heading.name)
         };
         (0..self.header.len()).filter(is_free).collect()
-    }
-
-    /// A note of units of roles that have no column, as who gave them thinks that they have.
-    ///
-    /// # Errors
-    /// [`RecordingError::WrongUnit`] where such a unit is none of the role.
-    fn units_of_nothing(&self, found: &[(Role, usize)]) -> Result<Option<Note>, RecordingError> {
-        let is_spare = |role: &Role| *role != Role::Response && found.iter().all(|(of, _)| of != role);
-        let spare: Vec<_> = self.manifest.units.iter().filter(|(role, _)| is_spare(role)).collect();
-        for (role, given) in &spare {
-            let scale = dimension(**role).map(|dimension| dimension.scale(&given.text));
-            scale.transpose().map_err(|source| self.wrong_unit(**role, given.line, source))?;
-        }
-        let roles: Vec<&str> = spare.iter().map(|(role, _)| role.key()).collect();
-        Ok((!roles.is_empty()).then(|| Note::UnitsOfNothing { roles: roles.join(", ") }))
     }
 
     /// A note of columns that were read by a word of their names.

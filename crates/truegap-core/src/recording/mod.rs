@@ -19,6 +19,7 @@ mod frame;
 mod guess;
 mod heading;
 mod hint;
+mod idle_units;
 mod keys;
 mod layout;
 mod likely;

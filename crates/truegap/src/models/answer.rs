@@ -2,7 +2,8 @@
 //!
 //! Limits: at a point the sensor has no past: every effect starts afresh there, so creep, lag and hysteresis show along a history only.
 
-use crate::models::model_file::{ModelFileError, RunningModel};
+use crate::models::model_file::RunningModel;
+use crate::models::model_file_error::ModelFileError;
 use serde::Serialize;
 use truegap_core::units::{Dimension, readable};
 use truegap_core::{Inputs, Recording, Role, SimulationError};

@@ -3,7 +3,8 @@
 //! Limits: a number that is possible and wrong is not found; standard deviations play no part in an answer, and only those below 0 are refused.
 
 use super::by_name::within_its_runs;
-use super::model_file::{ModelFile, ModelFileError, RunningModel};
+use super::model_file::{ModelFile, RunningModel};
+use super::model_file_error::ModelFileError;
 use truegap_core::given_again;
 use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales};
 use truegap_diagnose::mechanism::Numbers;

@@ -2,7 +2,8 @@
 //!
 //! Limits: what an effect is says the effect; nothing is fitted.
 
-use super::model_file::{ModelFileError, RunningModel, begin_anew, driver_of};
+use super::model_file::{RunningModel, begin_anew, driver_of};
+use super::model_file_error::ModelFileError;
 use serde::Serialize;
 use truegap_core::Inputs;
 use truegap_diagnose::answer::{AddedEffect, Scales};

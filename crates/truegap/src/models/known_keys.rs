@@ -2,7 +2,8 @@
 //!
 //! Limits: a key is known by the file as it would be written again, so one that stands for nothing, as an empty list does, is passed over.
 
-use super::model_file::{ModelFile, ModelFileError};
+use super::model_file::ModelFile;
+use super::model_file_error::ModelFileError;
 use toml::{Table, Value};
 use truegap_core::nearest::instead;
 use truegap_diagnose::Verdict;

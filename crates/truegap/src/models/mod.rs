@@ -19,6 +19,7 @@ mod deployed;
 mod known_keys;
 mod mechanism_file;
 mod model_file;
+mod model_file_error;
 mod written_units;
 
 pub use answer::{Answer, AnswerError, along, at_points, load_dimension, on_profile};
@@ -29,4 +30,5 @@ pub use base::{
 pub(crate) use base::{SLOW_S, has_key};
 pub use deployed::{LeftOut, Parted};
 pub use mechanism_file::{EffectFileError, with_effects};
-pub use model_file::{ModelFile, ModelFileError, RunningModel, SCHEMA as MODEL_SCHEMA};
+pub use model_file::{ModelFile, RunningModel, SCHEMA as MODEL_SCHEMA};
+pub use model_file_error::ModelFileError;

@@ -144,7 +144,7 @@ fn what_every_toml_has_is_asked_for() {
 /// Milliseconds since 1970 in a column of seconds were a clock of the year 57 000, a thousand times too slow.
 #[test]
 fn a_clock_from_1970_in_another_unit_is_refused() {
-    let clock = |name: &str, first: &str, second: &str| csv(&format!("{name},capacitance_pf\n{first},74\n{second},75\n"));
+    let clock = |name: &str, first: &str, second: &str| csv(format!("{name},capacitance_pf\n{first},74\n{second},75\n"));
     let told = message(clock("time_s", "1770000000000", "1770000001000"));
     for part in ["`time_s`", "the year 58058", "count from 1970 in ms", "--map time=\"time_s:ms\"", "time = \"ms\" under [units]"]
     {

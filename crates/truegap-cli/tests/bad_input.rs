@@ -287,3 +287,65 @@ fn no_command_replaces_a_page_that_truegap_did_not_write() {
         assert_eq!(std::fs::read_to_string(bench.path("mine/report.html")).unwrap(), "mine", "{command:?}");
     }
 }
+
+/// An empty sketch was written, with a word of no column, and exit code 0.
+#[test]
+fn a_header_without_rows_is_not_sketched() {
+    let bench = Bench::new();
+    bench.file("r.csv", "time_s,force_n,capacitance_pf\n");
+    bench.refuses(&["init", "r.csv"], &["r.csv", "there is no row below the header"]);
+}
+
+/// What was edited by hand passed, or was told without the name of its file.
+#[test]
+fn a_model_file_that_was_edited_is_refused_by_its_name() {
+    let bench = Bench::new();
+    bench.file("r.csv", "time_s,simulated,response_mV\n0,1,1\n1,2,2\n");
+    let simulate = &["-q", "simulate", "--model", "late.toml", "--drive", "r.csv"];
+    let cases: [(&str, &str, &[&str]); 7] = [
+        ("sd = 0.05", "sd = -0.05", &["the sd of `tau` of readout_lag is -0.05", "from 0 on"]),
+        ("verdict = \"explained\"", "verdict = \"splendid\"", &["verdict = \"splendid\" is none", "explained", "undecided"]),
+        ("noise_sd = 0.002", "noise_sd = 0.002\nnoise_sdd = 1", &["[scales] has no key `noise_sdd`", "did you mean `noise_sd`"]),
+        ("sd = 0.05", "sd = 0.05\nsdd = 1", &["[effect.parameters] has no key `sdd`", "did you mean `sd`"]),
+        ("offset = true", "ofset = true\noffset = true", &["[base.options] has no key `ofset`", "did you mean `offset`"]),
+        ("reference_c = 20.0", "reference_c = -500", &["reference_c = -500", "not below -273.15"]),
+        ("value = 2.0", "value = -2.0", &["`tau` of readout_lag is -2"]),
+    ];
+    for (from, to, parts) in cases {
+        bench.file("late.toml", &common::LATE_SIMULATION.replacen(from, to, 1));
+        let said = bench.refuses(simulate, &[&["error: late.toml: "], parts].concat());
+        assert!(!said.contains("the model file: "), "{said}");
+    }
+    bench.file("late.toml", common::LATE_SIMULATION);
+    assert_eq!(bench.run(simulate).code, 0);
+}
+
+/// It was answered without the effect, as if nothing were missing.
+#[test]
+fn a_model_that_follows_the_temperature_is_not_driven_without_it() {
+    let bench = Bench::new();
+    let effect = "[[effect]]\nid = \"temperature_coefficient\"\nparameters = [{ name = \"per_kelvin\", unit = \"mV/V/K\", value = 0.1, sd = 0.01 }, \
+                  { name = \"bend\", unit = \"1/K\", value = 0.0, sd = 0.01 }]\n";
+    let (head, _) = common::LATE_SIMULATION.split_once("[[effect]]").unwrap();
+    bench.file("warm.toml", &format!("{head}{effect}"));
+    bench.file("cold.csv", "time_s,simulated\n0,1\n1,2\n").file("r.csv", "time_s,simulated,temperature_c\n0,1,20\n1,2,30\n");
+    let words = ["cold.csv", "no column for temperature", "`temperature_coefficient` needs", "--map temperature=COLUMN"];
+    bench.refuses(&["-q", "simulate", "--model", "warm.toml", "--drive", "cold.csv"], &words);
+    let said = bench.run(&["simulate", "--model", "warm.toml", "--drive", "r.csv"]);
+    assert_eq!(said.code, 0, "{}", said.err);
+}
+
+/// The diagnosis went through, and the recording that was to judge it was refused at its end; alone, it was told of its temperature.
+#[test]
+fn one_row_judges_nothing() {
+    let bench = Bench::new();
+    let row = |i: usize| format!("{i},{},{}\n", (i as f64 / 9.0).sin(), 74.0 + (i as f64 / 9.0).sin());
+    let rows: String = (0..40).map(row).collect();
+    bench.file("r.csv", &format!("time_s,simulated,bridge_mv\n{rows}")).file("one.csv", "time_s,simulated,bridge_mv\n0,1,74\n");
+    bench.file("late.toml", common::LATE_SIMULATION);
+    let map = ["--map", "response=bridge_mv:mV/V"];
+    let words = ["one.csv: 1 row is too few", "at least 20"];
+    let diagnose = ["-q", "diagnose", "r.csv", "--base", "external", "--confirm", "one.csv", "-o", "out"];
+    bench.refuses(&[&diagnose[..], &map].concat(), &words);
+    bench.refuses(&[&["-q", "confirm", "late.toml", "one.csv"][..], &map].concat(), &words);
+}

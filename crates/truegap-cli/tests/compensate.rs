@@ -146,3 +146,15 @@ fn a_recording_of_another_sensor_is_refused_and_nothing_is_written() {
     assert!(said.code != 2 && said.err.contains("in 75 of 300 rows no force"), "{} {}", said.code, said.err);
     assert!(bench.path("some.csv").exists());
 }
+
+/// A coefficient of the wrong sign doubles the error: it was told as two numbers, with exit code 0.
+#[test]
+fn a_correction_that_does_harm_is_told() {
+    let bench = bench();
+    bench.file("wrong.toml", &MODEL.replace("value = 0.1, sd = 0.01", "value = -0.1, sd = 0.01"));
+    let said = bench.run(&["-q", "compensate", "wrong.toml", "known.csv", "-o", "fixed.csv"]);
+    assert_eq!(said.code, 1, "{}{}", said.out, said.err);
+    assert!(said.out.contains("farther from") && said.out.contains("does harm"), "{}", said.out);
+    let said = bench.run(&["-q", "compensate", "augmented.toml", "known.csv", "-o", "fixed.csv"]);
+    assert!(said.code == 0 && !said.out.contains("harm"), "{}", said.out);
+}

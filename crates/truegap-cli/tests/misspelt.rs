@@ -53,6 +53,29 @@ fn twenty_misspelt_keys_name_the_one_that_was_meant() {
     }
 }
 
+/// They were read and not used, and somebody thought that the line had a free gain.
+#[test]
+fn a_key_of_another_base_model_is_refused() {
+    let bench = Bench::new();
+    recording(&bench);
+    for (base, key, says) in [
+        ("model = \"linear\"\nrun = [\"./sim\"]\n", "run", "it is a key of `command`, and the model is `linear`"),
+        ("model = \"linear\"\nfree = [\"gain\"]\n", "free", "it is a key of `table` and `external`"),
+        ("model = \"linear\"\ngain = true\n", "gain", "known there: model, sensor, driver, order"),
+        ("model = \"constant\"\norder = 2\n", "order", "it is a key of `linear`"),
+        ("model = \"linear\"\nwarp = false\n", "warp", "it is a key of `stack`"),
+    ] {
+        bench.file("r.toml", &format!("{COLUMNS}[base]\n{base}"));
+        let key = format!("[base] has no key `{key}`");
+        bench.refuses(&["-q", "diagnose", "r.toml", "-o", "out"], &["r.toml", &key, says]);
+    }
+    // what stood there for another model is no part of the one that takes its place, which is refused here for want of its table
+    bench.file("r.toml", &format!("{COLUMNS}[base]\nmodel = \"linear\"\norder = 2\n"));
+    bench.refuses(&["-q", "diagnose", "r.toml", "--base", "table", "-o", "out"], &["`table` needs a CSV"]);
+    let words = ["--channel A chooses among several sensors", "--map response=\"A\""];
+    bench.refuses(&["-q", "diagnose", "r.toml", "--channel", "A", "-o", "out"], &words);
+}
+
 const MECHANISM: &str = r#"
 schema = "truegap.mechanism/1"
 id = "gap_follows_heating"

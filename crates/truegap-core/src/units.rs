@@ -134,9 +134,12 @@ impl Dimension {
     }
 
     /// The unit that `text` names, in one of its spellings and without regard to case, as the end of a column's name does: `pf` is `pF`, `kpa` is `kPa`,
-    /// `sec` is `s`. `mPa` is none: what is written in both cases means them, and a thousandth is no million; nor is `MN`.
+    /// `sec` is `s`. `mPa` is none: what is written in both cases means them, and a thousandth is no million; nor is `MN`; `Nm` is a torque.
     pub(crate) fn unit_like(self, text: &str) -> Option<&'static str> {
         let wanted = canonical(text);
+        if wanted == "Nm" {
+            return None;
+        }
         let both = wanted.contains(|c: char| c.is_ascii_lowercase()) && wanted.contains(|c: char| c.is_ascii_uppercase());
         // `MN` is a million newtons or, in capitals alone, a thousandth of one: nobody can tell
         let million = |name: &str| {

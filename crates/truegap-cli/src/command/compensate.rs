@@ -14,7 +14,7 @@ use truegap::diagnosis::recorded;
 /// Correct the readings of a recording for the physics that a diagnosis has added
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Exit codes: 0 corrected as far as the noise allows, 1 the model leaves more of the readings than their noise, 2 it could not run, or more than half of the rows are far beyond what the model gives."
+    after_help = "Exit codes: 0 corrected as far as the noise allows, 1 the model leaves more of the readings than their noise, or the corrected readings are farther from the recorded truth, 2 it could not run, or more than half of the rows are far beyond what the model gives."
 )]
 pub struct Compensate {
     /// Model file: the augmented.toml of a diagnosis

@@ -104,7 +104,9 @@ impl Diagnose {
     fn other(&self, took_part: &[Recording]) -> anyhow::Result<Option<(Recording, Free)>> {
         let Some(path) = &self.confirm else { return Ok(None) };
         let free = Free::of(&self.free)?;
-        Ok(Some((other(recorded(path, &self.tell.told())?, self.channel.as_deref(), took_part)?, free)))
+        let recording = recorded(path, &self.tell.told())?;
+        let channel = self.channel.as_deref().filter(|_| recording.sensors.is_some());
+        Ok(Some((other(recording, channel, took_part)?, free)))
     }
 
     /// All recordings as one physics, judged on that of --confirm.

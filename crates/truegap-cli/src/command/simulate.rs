@@ -11,7 +11,7 @@ use truegap::core::units::twelve_digits;
 use truegap::core::{Dimension, Recording, RecordingError};
 use truegap::diagnosis::recorded;
 use truegap::model::{SeriesOrder, StackOptions, State};
-use truegap::models::{self, Answer, ModelFile};
+use truegap::models::{self, Answer, ModelFile, Programs};
 use truegap::predict::{DEFAULT_SENSOR, Driven, axis, check_points, drive, find_sensor, grid};
 
 /// Capacitance at given loads and temperatures, or along the history of a recording
@@ -110,7 +110,7 @@ impl Simulate {
 
     /// The same questions put to a model file.
     fn augmented(&self, file: &Path, console: &Console) -> anyhow::Result<Outcome> {
-        let model = ModelFile::open(file)?.build()?;
+        let model = ModelFile::open(file)?.build_of(file, &Programs::default())?;
         let answers = if let Some(name) = &self.profile {
             models::on_profile(&model, name)?
         } else if let Some(path) = &self.drive {

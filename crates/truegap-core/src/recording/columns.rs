@@ -8,6 +8,7 @@ use super::{
     error::RecordingError,
     guess::by_name,
     heading::{FAHRENHEIT, FARAD, Heading},
+    idle_units::units_of_nothing,
     manifest::{BaseSpec, Manifest, Named},
     map::NO_LINE,
     note::Note,
@@ -55,6 +56,8 @@ pub(super) fn bind(
         return Err(binder.two_roles(*one, *other, *index));
     }
     let mut notes: Vec<Note> = binder.told_by_name(&found).into_iter().collect();
+    let idle = units_of_nothing(manifest, &found);
+    notes.extend(idle.map_err(|(role, line, source)| binder.wrong_unit(role, line, source))?);
     let columns = found.into_iter().map(|(role, index)| binder.column(role, index, &mut notes));
     let mut columns = columns.collect::<Result<Vec<_>, _>>()?;
     binder.match_simulated(&mut columns)?;
@@ -353,7 +356,8 @@ impl Binder<'_> {
 }
 
 fn overrides(heading: &Heading, given: &Named, named: &str) -> Note {
-    Note::UnitOverridesName { column: heading.name.clone(), unit: given.text.clone(), named: named.to_owned() }
+    let by = if given.line == NO_LINE { "--map" } else { "[units]" };
+    Note::UnitOverridesName { column: heading.name.clone(), unit: given.text.clone(), named: named.to_owned(), by: by.to_owned() }
 }
 
 /// Refuses a name for a role that stands over no column.

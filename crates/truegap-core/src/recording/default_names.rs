@@ -4,7 +4,7 @@
 
 use super::{heading::Heading, roles::ROLES};
 use crate::inputs::Role;
-use crate::units::{Dimension, is_unit};
+use crate::units::Dimension;
 
 /// What a role measures; `None` for names, and for readings in any unit.
 pub(super) fn dimension(role: Role) -> Option<Dimension> {
@@ -63,9 +63,7 @@ pub(super) fn shown_unit(role: Role, heading: &Heading) -> Option<String> {
         Some(dimension) => heading.unit_of(dimension).map(str::to_owned),
         None => {
             let known = heading.unit_of(Dimension::Capacitance).or(heading.unit_of(Dimension::Voltage));
-            // behind an underscore anything may stand, in brackets and below the name a unit
-            let surely = |unit: &&str| is_unit(unit) || heading.below.is_some() || heading.name.ends_with([')', ']', '}', '>']);
-            known.or_else(|| heading.proper_unit().filter(surely)).map(str::to_owned)
+            known.or_else(|| heading.sure_unit()).map(str::to_owned)
         }
     }
 }

@@ -222,6 +222,9 @@ pub enum RecordingError {
     /// A number that no clock shows.
     #[error("{file}, line {line}: {time:e} s is no time of a clock; look at the column and its unit, or leave the row out")]
     NoClock { file: PathBuf, line: usize, time: f64 },
+    /// A clock from 1970 in another unit than it is read in.
+    #[error("{file}: the times of column `{column}` would begin in the year {year:.0}: they count from 1970 in {unit}; {remedy}")]
+    SinceWhen { file: PathBuf, column: String, year: f64, unit: &'static str, remedy: String },
     /// Numbers that cannot be reckoned with.
     #[error(
         "{file}: the numbers of column `{column}` go from {low:e} to {high:e} {unit}: {says}; check the column and its unit, and write numbers of usual size"

@@ -37,6 +37,13 @@ pub(super) fn by_name(header: &[Heading], usable: &[usize]) -> Guess {
     by_steps(header, usable, &[&is_default, &called])
 }
 
+/// The columns that a name or a unit alone tells to be a reading, before anything that is left over.
+pub(super) fn surely_read(header: &[Heading], usable: &[usize]) -> Vec<usize> {
+    let mut guess = by_steps(header, usable, &[&is_default, &called, &measured]);
+    let several = guess.several.remove(&Role::Response).unwrap_or_default();
+    guess.found.remove(&Role::Response).into_iter().chain(several).collect()
+}
+
 fn by_steps(header: &[Heading], usable: &[usize], steps: &[Step<'_>]) -> Guess {
     let mut guess = Guess::default();
     for (number, fits) in steps.iter().enumerate() {

@@ -3,8 +3,8 @@
 //! Limits: text; which units there are is known to [`crate::units`].
 
 use super::notation::{split, split_of};
-use super::small_letters::proper;
-use super::words::told;
+use super::small_letters::{NEWTON_METRES, has_prefix, is_newton_metres, proper};
+use super::words::{is_torque, told};
 use crate::inputs::Role;
 use crate::units::{Dimension, is_unit};
 
@@ -45,7 +45,16 @@ impl Heading {
     pub fn proper_unit(&self) -> Option<&str> {
         let unit = self.unit()?;
         let is_fahrenheit = unit.eq_ignore_ascii_case(FARAD) && self.unit_of(Dimension::Temperature).is_some();
+        if unit == "nm" && is_torque(&self.name) {
+            return Some(NEWTON_METRES);
+        }
         Some(if is_fahrenheit { FAHRENHEIT } else { self.below.as_deref().unwrap_or_else(|| proper(&self.name, unit)) })
+    }
+
+    /// The same where it is sure to be a unit: behind an underscore anything may stand, in brackets and below the name a unit.
+    pub fn sure_unit(&self) -> Option<&str> {
+        let shows = self.below.is_some() || self.name.ends_with([')', ']', '}', '>']);
+        self.proper_unit().filter(|unit| shows || is_unit(unit) || is_newton_metres(unit) || has_prefix(unit))
     }
 
     /// The unit among those of `dimension`.
@@ -79,9 +88,10 @@ impl Heading {
 pub(super) const FARAD: &str = "F";
 pub(super) const FAHRENHEIT: &str = "degF";
 
-/// The unit as one of `dimension`: `F` is Fahrenheit where a word says that a temperature is measured, and farad elsewhere.
+/// The unit as one of `dimension`: `F` is Fahrenheit where a word says that a temperature is measured, and farad elsewhere; a torque has no length.
 fn meant(measured: &str, unit: &'static str, dimension: Dimension) -> Option<&'static str> {
     match dimension {
+        Dimension::Length if unit == "nm" && is_torque(measured) => None,
         _ if unit != FARAD => Some(unit),
         Dimension::Temperature => told(Role::Temperature, measured).then_some(FAHRENHEIT),
         _ => (!told(Role::Temperature, measured)).then_some(unit),
@@ -135,6 +145,29 @@ mod tests {
             (proper("Temp (F)"), proper("temp_f"), proper("C (F)")),
             (Some("degF".into()), Some("degF".into()), Some("F".into()))
         );
+    }
+
+    /// `torque_nm` was in nanometres, and `Torque/Nm` had no unit.
+    #[test]
+    fn a_torque_is_in_newton_metres() {
+        let read = |name: &str| {
+            let heading = Heading::of(name);
+            (heading.sure_unit().map(str::to_owned), heading.unit_of(Dimension::Length))
+        };
+        for name in ["torque_nm", "Torque (Nm)", "Torque/Nm", "moment_Nm", "Drehmoment in Nm", "x [Nm]", "Torque [nm]"] {
+            assert_eq!(read(name), (Some("Nm".to_owned()), None), "{name}");
+        }
+        assert_eq!(read("roughness_nm"), (Some("nm".to_owned()), Some("nm")));
+        let below = Heading { below: Some("Nm".to_owned()), ..Heading::of("Torque") };
+        assert_eq!((below.sure_unit(), below.unit_of(Dimension::Length)), (Some("Nm"), None));
+    }
+
+    /// A diagnosis read it, and `truegap init` asked for it.
+    #[test]
+    fn a_unit_with_a_prefix_behind_an_underscore_is_one() {
+        let sure = |name: &str| Heading::of(name).sure_unit().map(str::to_owned);
+        assert_eq!((sure("response_mA"), sure("coil_ma")), (Some("mA".to_owned()), Some("mA".to_owned())));
+        assert_eq!((sure("response_meas"), sure("channel_a")), (None, None));
     }
 
     #[test]

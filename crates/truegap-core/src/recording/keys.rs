@@ -16,6 +16,11 @@ const DRIVER: [&str; 2] = ["column", "unit"];
 /// program is a list.
 const BASE: [&str; 2] = ["model", "run"];
 const UNDER_BASE: &str = "it belongs under [base]: write that line above it";
+/// Keys that every file has, and what to write.
+const NEEDED: [(&str, &str); 2] = [
+    ("schema", "schema = \"truegap.recording/1\" as its first line"),
+    ("file", "file = \"NAME.csv\" above the first table, the name of the table that it describes"),
+];
 /// Other words for a role.
 pub(super) const ROLES_CALLED: [(&str, &str); 14] = [
     ("t", "time"),
@@ -49,7 +54,10 @@ pub(super) fn check(file: &Path, text: &str, line: impl Fn(usize) -> usize) -> R
         if !TOP.contains(&name) {
             return Err(refuse("the file", key, &[("csv", "file"), ("data", "file"), ("model", "base")], &TOP));
         }
-        let Some(inner) = inner(value) else { continue };
+        let Some(inner) = inner(value) else {
+            no_table(name, value).map_or(Ok(()), |says| Err(told(file, line(key.span().start), says)))?;
+            continue;
+        };
         for (key, value) in inner {
             let name_inside: &str = key.get_ref();
             if name == "base" && !inner.contains_key("model") && meant(name_inside, &["model"]).is_some() {
@@ -71,8 +79,32 @@ pub(super) fn check(file: &Path, text: &str, line: impl Fn(usize) -> usize) -> R
                 return Err(refuse(&format!("[drivers], {name_inside}"), key, &[("name", "column")], &DRIVER));
             }
         }
+        if name == "base" && !inner.contains_key("model") {
+            let says = "[base] names no model; write model = \"linear\" below it, or another one of docs/recordings.md";
+            return Err(told(file, line(key.span().start), says.to_owned()));
+        }
     }
-    Ok(())
+    let missing = NEEDED.into_iter().find(|(key, _)| !table.get_ref().contains_key(*key));
+    missing.map_or(Ok(()), |(key, write)| Err(told(file, 1, format!("the file has no `{key}`; write {write}"))))
+}
+
+fn told(file: &Path, line: usize, message: String) -> RecordingError {
+    RecordingError::Manifest { file: file.to_owned(), line, message }
+}
+
+/// What to write where a word stands in place of a table.
+fn no_table(name: &str, value: &Spanned<DeValue<'_>>) -> Option<String> {
+    let example = match name {
+        "base" => match value.get_ref() {
+            DeValue::String(model) => format!("model = \"{model}\""),
+            _ => "model = \"linear\"".to_owned(),
+        },
+        "columns" => "response = \"NAME\"".to_owned(),
+        "units" => "response = \"mV\"".to_owned(),
+        "drivers" => "position = { column = \"NAME\", unit = \"mm\" }".to_owned(),
+        _ => return None,
+    };
+    Some(format!("`{name}` is a table; write [{name}] on a line of its own, and below it {example}"))
 }
 
 fn inner<'a, 'i>(value: &'a Spanned<DeValue<'i>>) -> Option<&'a DeTable<'i>> {

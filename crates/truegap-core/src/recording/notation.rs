@@ -2,6 +2,7 @@
 //!
 //! Limits: the name alone; where a unit stands in a line of its own under the header, see [`super::heading`].
 
+use super::small_letters::is_newton_metres;
 use crate::units::{Dimension, is_unit};
 
 /// How far what stands where a unit may stand is to be trusted to be one.
@@ -58,8 +59,11 @@ fn degrees(name: &str) -> Option<(&str, &str)> {
     [" deg", " °", " º"].into_iter().find_map(|sign| name.find(sign)).map(|at| name.split_at(at))
 }
 
-/// A name that ends with a capital behind small letters.
+/// A name that ends with a capital behind small letters; `pH` is one word.
 fn humps(name: &str) -> Option<(&str, &str)> {
+    if name.strip_suffix("pH").is_some_and(|before| !before.ends_with(char::is_alphabetic)) {
+        return None;
+    }
     let small = name.char_indices().rev().find(|(_, c)| c.is_lowercase())?;
     let at = if name.ends_with(|c: char| c.is_uppercase()) { small.0 + small.1.len_utf8() } else { return None };
     Some((&name[..at], &name[at..]))
@@ -77,7 +81,7 @@ fn cut(name: &str, holds: impl Fn(Trust, &str) -> bool) -> Option<(&str, &str)> 
 
 /// What is measured, and the unit, where the name itself shows that it is one: known, or in brackets or behind an underscore.
 pub(super) fn split(name: &str) -> Option<(&str, &str)> {
-    cut(name, |trust, unit| trust == Trust::Any || (trust == Trust::Known && is_unit(unit)))
+    cut(name, |trust, unit| trust == Trust::Any || (trust == Trust::Known && (is_unit(unit) || is_newton_metres(unit))))
 }
 
 /// What is measured, and its unit among those of `dimension`, in any notation.
@@ -106,13 +110,26 @@ mod tests {
 
     #[test]
     fn what_is_no_unit_is_not_cut_off() {
-        for name in ["load/unload", "check in progress", "counts", "Channel C", "run-2", "[N]", "v/mm/s", "force", "Fz"] {
+        for name in [
+            "load/unload",
+            "check in progress",
+            "counts",
+            "Channel C",
+            "run-2",
+            "[N]",
+            "v/mm/s",
+            "force",
+            "Fz",
+            "pH",
+            "buffer pH",
+        ] {
             assert_eq!(split(name), None, "{name}");
         }
         assert_eq!(split("U/(mV/V)"), Some(("U/", "mV/V")));
         assert_eq!(split("bridge [mV/V]"), Some(("bridge", "mV/V")));
         assert_eq!(split_of("force_setpoint_n", Dimension::Force), Some(("force_setpoint", "N")));
         assert_eq!(split_of("force_pf", Dimension::Force), None);
+        assert_eq!((split_of("pH", Dimension::Time), split_of("runH", Dimension::Time)), (None, Some(("run", "h"))));
         assert_eq!(split_of("pressure [mPa]", Dimension::Pressure), None);
     }
 }

@@ -3,6 +3,7 @@
 //! Limits: only what reading itself did or assumed; judgement of the data belongs to the diagnosis.
 
 use crate::inputs::Role;
+use crate::units::readable;
 use serde::Serialize;
 use std::fmt;
 
@@ -34,6 +35,8 @@ pub enum Note {
     Windows1252 { text: String },
     /// The clock is a date.
     Dates { column: String, first: String },
+    /// The order of day and month is told of a clock that shows it, or has no dates.
+    OrderNotAsked,
     /// Columns that nothing asked for, in a table without a TOML.
     NotRead { columns: String },
     /// Columns of numbers that nothing asked for, where nothing was read that the reading could follow.
@@ -48,8 +51,12 @@ pub enum Note {
     Thousands { columns: String },
     /// Runs were numbered afresh, because there are several sensors.
     RunsRenumbered { runs: u32 },
-    /// The unit under `[units]` is not the one in the column's name.
-    UnitOverridesName { column: String, unit: String, named: String },
+    /// The unit that is told is not the one in the column's name; `by` says where it is told.
+    UnitOverridesName { column: String, unit: String, named: String, by: String },
+    /// Units of roles that have no column.
+    UnitsOfNothing { roles: String },
+    /// A column that one of several recordings lacks and another has.
+    ColumnOfSome { role: Role, without: String, with: String },
     /// No base model was named.
     BaseAssumed { model: String, because: String },
     /// A TOML of the same name stands beside the CSV and was not read.
@@ -123,6 +130,9 @@ impl fmt::Display for Note {
             Self::Dates { column, first } => {
                 write!(f, "column `{column}` holds dates; time is counted in seconds from `{first}`")
             }
+            Self::OrderNotAsked => f.write_str(
+                "dayfirst was told and not used: the clock holds no dates in which day and month could be taken for one another",
+            ),
             Self::NotRead { columns } => write!(
                 f,
                 "not read: {columns}; name what they are in a TOML beside the CSV (`truegap init` writes one) or by --map, or leave them as they are"
@@ -144,9 +154,18 @@ impl fmt::Display for Note {
             Self::DecimalCommas => f.write_str("commas were read as decimal points"),
             Self::Thousands { columns } => write!(f, "signs between thousands were left out in {columns}, as in 1,234.5"),
             Self::RunsRenumbered { runs } => write!(f, "runs were numbered afresh, 1 to {runs}, one for each sensor and run"),
-            Self::UnitOverridesName { column, unit, named } => {
-                write!(f, "column `{column}` was read in {unit}, as [units] says, although its name says {named}")
+            Self::UnitOverridesName { column, unit, named, by } => {
+                write!(f, "column `{column}` was read in {unit}, as {by} says, although its name says {named}")
             }
+            Self::UnitsOfNothing { roles } => write!(
+                f,
+                "[units] gives a unit of {roles}, and no column was read as that; name it under [columns], or take the unit out"
+            ),
+            Self::ColumnOfSome { role, without, with } => write!(
+                f,
+                "{without} has no column for {0}, which {with} has: what follows the {0} cannot be followed in it; name that column there, or diagnose it by itself",
+                role.key()
+            ),
             Self::BaseAssumed { model, because } => write!(f, "no [base] model is named; `{model}` was taken because {because}"),
             Self::ManifestNotRead { file } => {
                 write!(f, "{file} stands beside this CSV and was not read; give its name to use it")
@@ -155,7 +174,9 @@ impl fmt::Display for Note {
                 write!(f, "the simulation is in {unit} and the response in {response}: the gain holds the ratio of the two")
             }
             Self::Constant { role, value } => {
-                write!(f, "the column for {} never changes from {value} (SI)", role.key())
+                let unit = role.unit();
+                let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+                write!(f, "the column for {} never changes from {}{unit}", role.key(), readable(*value))
             }
         }
     }

@@ -140,11 +140,13 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
         rows.clock.lenient = table.singletact;
         rows.clock.renumber = several || columns.iter().any(|c| c.role == Role::Sensor);
         let drivers = bind_drivers(origin.csv, origin.toml, &table.header, &manifest, &columns)?;
+        let mut ordered = false;
         if let Some(clock) = columns.iter().find(|c| c.dated && table.header[c.index].unordered) {
             rows.order = order(&mut table, clock.index, manifest.dayfirst)?;
             table = Table::open(origin.csv, table.finish().1)?;
+            ordered = true;
         }
-        let mut grouped = None;
+        let (mut grouped, idle) = (None, manifest.dayfirst.filter(|_| !ordered));
         if table.decimal_comma {
             grouped = rows.find_thousands(&mut table, &columns, &drivers)?;
             table = Table::open(origin.csv, table.finish().1)?;
@@ -156,6 +158,7 @@ fn read<R: Read + Seek>(source: R, origin: &Origin<'_>, manifest: Manifest) -> R
             notes = std::mem::take(&mut table.notes);
             notes.extend(assumed);
             notes.extend(rows.first_date.take());
+            notes.extend(idle.map(|_| Note::OrderNotAsked));
             notes.extend(rows.commas.then_some(Note::DecimalCommas));
             notes.extend(grouped);
             if !table.singletact {

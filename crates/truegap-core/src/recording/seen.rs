@@ -38,9 +38,11 @@ impl Seen {
         let mut table = Table::open(csv, open_csv(csv)?)?;
         let header = table.header.clone();
         let mut numeric = vec![false; header.len()];
-        for _ in 0..LOOKED_AT {
-            if !table.advance()? {
-                break;
+        for row in 0..LOOKED_AT {
+            match (table.advance()?, row) {
+                (true, _) => {}
+                (false, 0) => return Err(RecordingError::NoRows { file: csv.to_owned() }),
+                (false, _) => break,
             }
             let comma = table.decimal_comma;
             let is_number = |index: usize| table.row().get(index).is_some_and(|cell| number(cell, comma).is_ok());

@@ -6,11 +6,12 @@ use super::{
     columnar,
     columns::{quoted, there},
     date_and_time::{date_and_time, joined},
-    default_names::{dimension, is_default, shown_unit},
+    default_names::{dimension, shown_unit},
     driver_columns::bind_drivers,
     error::RecordingError,
     guess::{Guess, guess},
     heading::Heading,
+    likely::Likely,
     manifest::{Manifest, SCHEMA},
     map::{Mapped, Part},
     packed::is_standard_input,
@@ -18,6 +19,7 @@ use super::{
     seen::Seen,
     told::Told,
     toml_names::{free, plain, toml_key, toml_text},
+    twins::Twins,
     words::{is_called_simulation, told},
 };
 use crate::inputs::Role;
@@ -102,7 +104,8 @@ impl Writer<'_> {
             .clone()
             .filter(|index| (self.numeric[*index] || self.header[*index].dated) && self.is_alone(*index))
             .collect();
-        let guess = self.with_told(guess(self.header, &self.guessed(&usable)));
+        let told = self.told_of().into_iter().map(|(part, index, _)| (part.clone(), index)).collect();
+        let (guess, twins) = Likely { header: self.header, usable: &usable, told }.roles();
         self.line(&format!("schema = \"{SCHEMA}\"\nfile = {}", toml_text(file)));
         self.dates();
         notes.iter().for_each(|note| self.line(&format!("# {note}")));
@@ -113,7 +116,7 @@ impl Writer<'_> {
         let unusable: Vec<usize> = columns.filter(|index| !usable.contains(index)).collect();
         self.without_numbers(&guess, &unusable);
         self.unusable(unusable);
-        self.base(&guess);
+        self.base(&guess, twins);
         let found = guess.found.iter().map(|(role, index)| (role.key().to_owned(), self.called(*role, *index))).collect();
         Sketch { toml: self.toml, found, open: self.open }
     }
@@ -133,26 +136,10 @@ impl Writer<'_> {
         self.told_of().iter().any(|(_, told, _)| *told == index)
     }
 
-    /// The columns among which roles are guessed: those that nothing is told of, and that are not called after a simulation.
-    fn guessed(&self, usable: &[usize]) -> Vec<usize> {
-        let computed = |index: usize| is_called_simulation(self.name(index)) && !is_default(Role::Simulated, &self.header[index]);
-        usable.iter().filter(|index| !self.is_told_of(**index) && !computed(**index)).copied().collect()
-    }
-
     /// Columns that are called after a simulation and play no part yet.
     fn computed(&self, guess: &Guess, usable: &[usize]) -> Vec<usize> {
         let is_free = |index: &&usize| !self.is_told_of(**index) && guess.found.values().all(|taken| taken != *index);
         usable.iter().filter(is_free).filter(|index| is_called_simulation(self.name(**index))).copied().collect()
-    }
-
-    fn with_told(&self, mut guess: Guess) -> Guess {
-        for (part, index, _) in self.told_of() {
-            if let Part::Role(role) = part {
-                guess.several.remove(role);
-                guess.found.insert(*role, index);
-            }
-        }
-        guess
     }
 
     fn dates(&mut self) {
@@ -189,7 +176,15 @@ impl Writer<'_> {
             let key = role.key();
             let missing = role == Role::Response && !guess.found.contains_key(&role);
             match (guess.found.get(&role), guess.several.get(&role)) {
-                (Some(index), _) => self.line(&format!("{key} = {}", toml_text(self.name(*index)))),
+                (Some(index), _) => {
+                    let by_name = role == Role::Simulated && !self.is_told_of(*index);
+                    let why = if by_name {
+                        "   # by its name; where it is no simulation, take it out and name another base"
+                    } else {
+                        ""
+                    };
+                    self.line(&format!("{key} = {}{why}", toml_text(self.name(*index))));
+                }
                 (None, Some(several)) => {
                     let names = quoted(several.iter().map(|index| self.name(*index)));
                     self.line(&format!("# {key} = \"...\"   # several could be it: {names}"));
@@ -197,7 +192,10 @@ impl Writer<'_> {
                 }
                 (None, None) if missing => {
                     let free = usable.iter().filter(|index| guess.found.values().all(|taken| taken != *index));
-                    let names = quoted(free.map(|index| self.name(*index)));
+                    let (computed, read): (Vec<usize>, Vec<usize>) =
+                        free.copied().partition(|index| is_called_simulation(self.name(*index)));
+                    let may_be = if read.is_empty() { computed } else { read };
+                    let names = quoted(may_be.iter().map(|index| self.name(*index)));
                     self.line(&format!("# response = \"...\"   # the reading; one of: {names}"));
                     self.open.push("which column is the reading: complete `response` under [columns]".to_owned());
                 }
@@ -324,7 +322,7 @@ impl Writer<'_> {
         }
     }
 
-    fn base(&mut self, guess: &Guess) {
+    fn base(&mut self, guess: &Guess, twins: Option<Twins>) {
         self.line("\n# What the recording is compared with (docs/recordings.md):");
         if guess.found.contains_key(&Role::Simulated) {
             self.line(
@@ -334,6 +332,12 @@ impl Writer<'_> {
         }
         self.line(BASES);
         self.open.push("what the recording is compared with: complete [base]".to_owned());
+        if let Some(Twins { reading, beside, is_simulated: false }) = twins {
+            let [reading, beside] = [reading, beside].map(|index| self.name(index));
+            self.open.push(format!(
+                "whether `{reading}` is the reading, as its name says; `{beside}` may be its simulation, what it would read if nothing were missing: then `simulated` under [columns], and model = \"external\" under [base]"
+            ));
+        }
     }
 }
 

@@ -40,6 +40,20 @@ const CAPITALS: [(&str, &str); 34] = [
     ("db", "dB"),
 ];
 
+/// The unit of a torque.
+pub(super) const NEWTON_METRES: &str = "Nm";
+
+/// Whether a text is the unit of a torque, in capitals as it is written; in small letters it is nanometres.
+pub(super) fn is_newton_metres(unit: &str) -> bool {
+    let letters: String = unit.chars().filter(|c| c.is_alphanumeric()).collect();
+    letters == NEWTON_METRES || matches!(letters.as_str(), "mNm" | "kNm")
+}
+
+/// Whether a text is a unit of the table as it is written, with more than one letter: one alone may number a channel.
+pub(super) fn has_prefix(unit: &str) -> bool {
+    unit.len() > 1 && CAPITALS.iter().any(|(_, proper)| *proper == unit)
+}
+
 /// The unit that the tail of a name in small letters stands for; `unit` itself in any other name, and where no unit is known by it.
 pub(super) fn proper<'a>(name: &str, unit: &'a str) -> &'a str {
     let is_tail = name.trim().strip_suffix(unit).is_some_and(|measured| measured.ends_with('_'));

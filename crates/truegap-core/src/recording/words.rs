@@ -53,7 +53,7 @@ const WORDS: [(Role, &[&str], &[&str]); 7] = [
 ];
 
 /// Words by which people call the column of a simulation of their own.
-const SIMULATIONS: [&str; 14] = [
+const SIMULATIONS: [&str; 18] = [
     "model",
     "modell",
     "modele",
@@ -67,12 +67,78 @@ const SIMULATIONS: [&str; 14] = [
     "simulazione",
     "predicted",
     "prediction",
+    "expected",
+    "erwartet",
+    "computed",
+    "calculated",
     "fem",
 ];
 
+/// Words by which people call a column that an instrument has written.
+const INSTRUMENTS: [&str; 26] = [
+    "meas",
+    "measured",
+    "measurement",
+    "measuring",
+    "observed",
+    "sensor",
+    "probe",
+    "loadcell",
+    "thermocouple",
+    "thermometer",
+    "thermistor",
+    "gemessen",
+    "messung",
+    "messwert",
+    "mess",
+    "fuhler",
+    "fuehler",
+    "sonde",
+    "kraftmessdose",
+    "thermoelement",
+    "capteur",
+    "mesure",
+    "mesuree",
+    "medido",
+    "medida",
+    "misurato",
+];
+
+/// Words by which people call what an instrument is held against.
+const REFERENCES: [&str; 7] = ["ref", "reference", "referenz", "bath", "bad", "bain", "true"];
+
 /// Whether a word of `name` says that its column was computed; such a column is proposed as a simulation, never taken for one.
 pub(super) fn is_called_simulation(name: &str) -> bool {
-    words(name).iter().any(|word| SIMULATIONS.contains(&without_accents(word).as_str()))
+    is_any_of(name, &SIMULATIONS)
+}
+
+/// Whether a word of `name`, or two that stand side by side, say that an instrument has written its column.
+pub(super) fn is_called_instrument(name: &str) -> bool {
+    let words = words(name);
+    let pairs = words.windows(2).any(|pair| INSTRUMENTS.contains(&without_accents(&pair.concat()).as_str()));
+    pairs || is_any_of(name, &INSTRUMENTS)
+}
+
+/// Whether a word of `name` says that its column is what others are held against.
+pub(super) fn is_called_reference(name: &str) -> bool {
+    is_any_of(name, &REFERENCES)
+}
+
+/// The words of `name` that are left without those that say who has written its column, in small letters.
+pub(super) fn subject(name: &str) -> Vec<String> {
+    let words = words(name).into_iter().map(|word| without_accents(&word));
+    words
+        .filter(|word| ![&SIMULATIONS[..], &INSTRUMENTS, &REFERENCES].iter().any(|known| known.contains(&word.as_str())))
+        .collect()
+}
+
+/// Whether a word of `name` says that a torque is measured.
+pub(super) fn is_torque(name: &str) -> bool {
+    is_any_of(name, &["torque", "moment", "drehmoment", "couple", "momento", "coppia"])
+}
+
+fn is_any_of(name: &str, known: &[&str]) -> bool {
+    words(name).iter().any(|word| known.contains(&without_accents(word).as_str()))
 }
 
 /// Whether a word of `name` is one of the role's.
@@ -83,11 +149,12 @@ pub(super) fn told(role: Role, name: &str) -> bool {
     })
 }
 
-/// The words of a name: what stands between signs, digits and humps (`T_chamber`, `Temp1`, `forceZ`).
+/// The words of a name: what stands between signs, digits and humps (`T_chamber`, `Temp1`, `forceZ`); `pH` is one, and no pressure.
 fn words(name: &str) -> Vec<String> {
     let (mut words, mut before) = (vec![String::new()], ' ');
     for c in name.chars() {
-        let hump = before.is_lowercase() && c.is_uppercase();
+        let acidity = c == 'H' && words.last().is_some_and(|word| word == "p");
+        let hump = before.is_lowercase() && c.is_uppercase() && !acidity;
         if !c.is_alphabetic() || hump {
             words.push(String::new());
         }
@@ -137,6 +204,27 @@ mod tests {
         for (role, name) in cases {
             assert!(told(role, name), "{name}");
         }
+    }
+
+    /// The set point of a buffer was read as a pressure.
+    #[test]
+    fn acidity_is_no_pressure() {
+        for name in ["pH", "pH set", "pH_set", "buffer pH"] {
+            assert!(!told(Role::Pressure, name), "{name}");
+        }
+        assert!(told(Role::Pressure, "p_set") && told(Role::Pressure, "p [hPa]"));
+    }
+
+    #[test]
+    fn who_has_written_a_column_is_told_by_its_name() {
+        for name in ["F_meas", "Load cell (N)", "loadCell", "Thermocouple", "Fühler [°C]", "Torque sensor"] {
+            assert!(is_called_instrument(name) && !is_called_reference(name), "{name}");
+        }
+        for name in ["Bath", "T_ref", "true force"] {
+            assert!(is_called_reference(name) && !is_called_instrument(name), "{name}");
+        }
+        assert!(is_called_simulation("expected [N]") && !is_called_simulation("setpoint"));
+        assert_eq!((subject("F_sim"), subject("F_meas")), (vec!["f".to_owned()], vec!["f".to_owned()]));
     }
 
     #[test]

@@ -150,7 +150,8 @@ fn a_unit_that_overrules_one_of_something_else_is_told() {
     let read =
         with_toml("[columns]\nforce = \"pressure_kpa\"\n[units]\nforce = \"N\"\n", "pressure_kpa,capacitance_pf\n1,74\n2,75\n")
             .unwrap();
-    let told = Note::UnitOverridesName { column: "pressure_kpa".into(), unit: "N".into(), named: "kpa".into() };
+    let told =
+        Note::UnitOverridesName { column: "pressure_kpa".into(), unit: "N".into(), named: "kpa".into(), by: "[units]".into() };
     assert!(read.notes.contains(&told), "{:?}", read.notes);
 }
 

@@ -60,7 +60,11 @@ fn what_is_wrong_is_told_with_file_line_value_and_remedy() {
 #[test]
 fn what_is_wrong_in_a_toml_is_told_with_its_line() {
     let text = "time_s,force,capacitance_pf\n0,1,74\n1,2,75\n";
-    let cases: [(&str, &[&str]); 6] = [
+    let cases: [(&str, &[&str]); 10] = [
+        ("[units]\nforce = \"N\"\ngap = \"parsec\"\n", &["r.toml, line 5", "`parsec`", "gap", "mm"]),
+        ("base = \"linear\"\n", &["r.toml, line 3", "[base] on a line of its own", "model = \"linear\""]),
+        ("columns = \"force\"\n", &["r.toml, line 3", "[columns] on a line of its own"]),
+        ("[base]\norder = 2\n", &["r.toml, line 3", "[base] names no model", "model = \"linear\""]),
         ("[units]\nforce = \"pF\"\n", &["r.toml, line 4", "`pF`", "mN, kN"]),
         ("", &["`force`", "[units]", "\"N\""]),
         ("[colums]\nforce = \"force\"\n", &["r.toml, line 3", "colums", "columns"]),
@@ -127,4 +131,51 @@ fn lines_are_right_far_into_a_long_file() {
     (0..20_000).for_each(|k| text.push_str(&format!("{k},{}\r\n", 74.0 + f64::from(k) * 1e-3)));
     text.push_str("20000,x\r\n");
     assert!(matches!(csv(&text), Err(RecordingError::NotANumber { line: 20_002, .. })));
+}
+
+/// A key that is missing was told as a field of a struct.
+#[test]
+fn what_every_toml_has_is_asked_for() {
+    let read = |toml: &str| Recording::from_text("r", toml, "time_s,capacitance_pf\n0,74\n1,75\n").unwrap_err().to_string();
+    assert!(read("file = \"a.csv\"\n").contains("no `schema`; write schema = \"truegap.recording/1\""));
+    assert!(read("schema = \"truegap.recording/1\"\n").contains("no `file`; write file = \"NAME.csv\""));
+}
+
+/// Milliseconds since 1970 in a column of seconds were a clock of the year 57 000, a thousand times too slow.
+#[test]
+fn a_clock_from_1970_in_another_unit_is_refused() {
+    let clock = |name: &str, first: &str, second: &str| csv(format!("{name},capacitance_pf\n{first},74\n{second},75\n"));
+    let told = message(clock("time_s", "1770000000000", "1770000001000"));
+    for part in ["`time_s`", "the year 58058", "count from 1970 in ms", "--map time=\"time_s:ms\"", "time = \"ms\" under [units]"]
+    {
+        assert!(told.contains(part), "`{part}` is missing in: {told}");
+    }
+    assert!(message(clock("time_s", "1770000000000000000", "1770000001000000000")).contains("divide them by 1e9"));
+    assert!(clock("time_s", "1770000000", "1770000001").is_ok() && clock("time_ms", "1770000000000", "1770000001000").is_ok());
+}
+
+/// Units of roles that no column plays, and an order of dates where there are none, were left out without a word.
+#[test]
+fn what_is_told_and_not_used_is_noted() {
+    let text = "time_s,force_n,capacitance_pf\n0,1,74\n1,2,75\n";
+    let notes = |toml: &str| {
+        let read = with_toml(toml, text).unwrap();
+        read.notes.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
+    };
+    assert!(notes("[units]\ngap = \"mm\"\n").contains("a unit of gap, and no column was read as that"));
+    assert!(notes("dayfirst = true\n").contains("dayfirst was told and not used"));
+    let plain = notes("[units]\nforce = \"N\"\n");
+    assert!(!plain.contains("no column was read as that") && !plain.contains("dayfirst"), "{plain}");
+}
+
+/// It was said to be as [units] says where there was no such file, and a column that stands still had no unit.
+#[test]
+fn notes_say_where_a_unit_was_told_and_in_which_one_a_number_is() {
+    let told = Told { map: vec!["force=force_n:lbs".parse().unwrap()], ..Told::default() };
+    let text = "time_s,force_n,capacitance_pf\n0,1,74\n1,1,75\n";
+    let toml = "schema = \"truegap.recording/1\"\nfile = \"a.csv\"\n";
+    let read = Recording::from_text_told("r", toml, text, &told).unwrap();
+    let notes: Vec<String> = read.notes.iter().map(ToString::to_string).collect();
+    assert!(notes.iter().any(|note| note.contains("in lbs, as --map says")), "{notes:?}");
+    assert!(notes.iter().any(|note| note.contains("never changes from 4.44822161526 N")), "{notes:?}");
 }

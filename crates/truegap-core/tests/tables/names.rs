@@ -131,7 +131,8 @@ fn a_column_called_after_a_role_that_holds_no_number_is_left_to_somebody() {
     assert!(open.iter().any(|says| says.contains("`Messwert [mV]` is called after the response")), "{open:?}");
     assert!(!open.iter().any(|says| says.contains("Prüfer")), "{open:?}");
     let header = Bench::new("header-only", b"time_s,force_n,capacitance_pf\n");
-    assert_eq!(sketch(&header.0.join("t.csv"), &Told::default()).unwrap().open.len(), 2, "the reading and the base");
+    let none = sketch(&header.0.join("t.csv"), &Told::default()).unwrap_err().to_string();
+    assert!(none.contains("no row below the header"), "{none}");
 }
 
 /// A driver needed a TOML, and `truegap init` left it as a remark whatever was said.
@@ -187,16 +188,75 @@ fn a_column_that_is_called_after_a_simulation_is_proposed_as_one() {
         let told = Told { map: map.iter().map(|text| text.parse().unwrap()).collect(), ..Told::default() };
         sketch(&bench.0.join("t.csv"), &told).unwrap()
     };
-    let asked = sketched(&[]);
+    let found = sketched(&[]);
     assert!(
-        asked.toml.contains("\nresponse = \"bridge [mV/V]\"") && asked.toml.contains("\n# simulated = \"model [mV/V]\""),
+        found.toml.contains("\nresponse = \"bridge [mV/V]\"")
+            && found.toml.contains("\nsimulated = \"model [mV/V]\"   # by its name")
+            && found.toml.contains("\n[base]\nmodel = \"external\""),
         "{}",
-        asked.toml
+        found.toml
     );
-    assert!(asked.open.iter().any(|says| says.contains("`model [mV/V]` is your own simulation")), "{:?}", asked.open);
+    let other = Bench::new("input", b"t [s],Load [N],Load model [N],C [pF]\n0,1,1.1,1\n1,2,2.1,2\n");
+    let asked = sketch(&other.0.join("t.csv"), &Told::default()).unwrap();
+    assert!(asked.toml.contains("\n# simulated = \"Load model [N]\""), "{}", asked.toml);
+    assert!(asked.open.iter().any(|says| says.contains("`Load model [N]` is your own simulation")), "{:?}", asked.open);
     let told = sketched(&["simulated=model [mV/V]"]);
     assert!(told.toml.contains("\n[base]\nmodel = \"external\"") && told.open.is_empty(), "{:?}\n{}", told.open, told.toml);
     std::fs::write(bench.0.join("t.toml"), &told.toml).unwrap();
     let read = Recording::open(bench.0.join("t.toml")).unwrap();
     assert_eq!((read.base.model.as_str(), read.inputs.simulated.as_deref()), ("external", Some(&[1.0, 2.0][..])));
+}
+
+/// The column of the instrument was taken for an input, and the simulation, or the bath, was offered as the reading.
+#[test]
+fn of_two_columns_of_one_quantity_the_one_that_was_measured_is_the_reading() {
+    let sketched = |header: &str, row: &str| {
+        let bench = Bench::new("twins", format!("{header}\n{row}\n").as_bytes());
+        sketch(&bench.0.join("t.csv"), &Told::default()).unwrap()
+    };
+    let external = [
+        ("Date/Time,Sim load (N),Load cell (N),Ambient (degC)", "17/03/2026 08:12:04,125.4,127.9,22.0", "Load cell (N)"),
+        ("Time [s],F_sim [N],F_meas [N],T [°C]", "0.0,0.00,0.2,23.0", "F_meas [N]"),
+        ("Datum;Uhrzeit;Bad Sim [°C];Fühler [°C]", "04.05.2026;06:30:00;74,19;73,1", "Fühler [°C]"),
+        ("time_s,sim_lpm,flow_lpm,supply_V", "0.0,1.0,1.1,5.0", "flow_lpm"),
+        ("t,torque_model,torque_sensor", "0.0,1.0,1.1", "torque_sensor"),
+    ];
+    for (header, row, reading) in external {
+        let sketch = sketched(header, row);
+        let found = |role: &str| sketch.found.iter().find(|(of, _)| of == role).map(|(_, column)| column.as_str());
+        assert_eq!((found("response"), found("force")), (Some(reading), None), "{}", sketch.toml);
+        assert!(found("simulated").is_some() && sketch.toml.contains("\nmodel = \"external\""), "{}", sketch.toml);
+    }
+    let bath = sketched("Time [s];Bath [degC];Thermocouple [degC]", "0;86.56;86.5");
+    assert!(
+        bath.toml.contains("response = \"Thermocouple [degC]\"") && bath.toml.contains("temperature = \"Bath [degC]\""),
+        "{}",
+        bath.toml
+    );
+    assert!(bath.open.iter().any(|says| says.contains("complete [base]")), "{:?}", bath.open);
+    let gas = sketched("Date;Time;CO2 reference (ppm);Sensor (ppm);RH (%)", "01.03.2026;12:00:00;400;410;40");
+    assert!(gas.toml.contains("response = \"Sensor (ppm)\""), "{}", gas.toml);
+    // what no name tells is left to somebody: either column may be what was done, and so may both
+    for (header, row, role) in [
+        ("Time [s],Applied [N],Load cell [N]", "0,1.0,1.1", "force"),
+        ("Time [s],Bath [degC],Thermocouple [degC],bridge [mV/V]", "0,1.0,1.1,2.0", "temperature"),
+        ("Time [s],Setpoint [degC],Thermocouple [degC]", "0,1.0,1.1", "temperature"),
+    ] {
+        let sketch = sketched(header, row);
+        assert!(sketch.found.iter().all(|(of, _)| of == "time"), "{:?}", sketch.found);
+        assert!(sketch.open.iter().any(|says| says.starts_with("which of") && says.contains(role)), "{:?}", sketch.open);
+        assert!(sketch.open.iter().any(|says| says.starts_with("which column is the reading")), "{:?}", sketch.open);
+    }
+}
+
+/// `response_mA` was read in mA by a diagnosis and asked for here, a torque in nanometres, and the set point of a buffer was a pressure.
+#[test]
+fn units_and_quantities_that_look_like_others_are_told_apart() {
+    let bench = Bench::new("look-alikes", b"elapsed_s,pH set,torque_nm,response_mA\n0,4.0,1.0,5.0\n1,7.0,2.0,6.0\n");
+    let sketch = sketch(&bench.0.join("t.csv"), &Told::default()).unwrap();
+    assert!(!sketch.toml.contains("pressure ="), "{}", sketch.toml);
+    let bench = Bench::new("acid", b"t_s,pH,mV,T_C\n0,4.0,1.0,20\n1,7.0,2.0,21\n");
+    let acid = truegap_core::recording::sketch(&bench.0.join("t.csv"), &Told::default()).unwrap();
+    assert!(!acid.toml.contains("pressure ="), "{}", acid.toml);
+    assert!(sketch.toml.contains("response = \"mA\"") && sketch.toml.contains("unit = \"Nm\""), "{}", sketch.toml);
 }

@@ -10,6 +10,7 @@ use super::linear::HIGHEST_ORDER;
 use super::scale::ResponseScale;
 use super::spec::{BaseError, BaseModel};
 use super::surface::Surface;
+use truegap_core::units::ABSOLUTE_ZERO_C;
 
 /// Longest time that a program may be given for an answer, s: ten years.
 const LONGEST_S: f64 = 3.2e8;
@@ -33,7 +34,7 @@ impl BaseModel {
 
     fn numbers(&self) -> Result<(), Wrong> {
         if let Some((scale, reference_c)) = self.scaled() {
-            finite("reference_c", *reference_c)?;
+            warm(*reference_c)?;
             scale.check()?;
         }
         match self {
@@ -110,7 +111,7 @@ impl Surface {
 
 impl BlackBoxFacts {
     fn check(&self) -> Result<(), Wrong> {
-        finite("reference_c", self.reference_c)?;
+        warm(self.reference_c)?;
         self.load.as_ref().map_or(Ok(()), Driver::check)
     }
 }
@@ -164,6 +165,13 @@ impl Axis {
         let falls = self.at.windows(2).find(|pair| pair[0] >= pair[1]);
         falls.map_or(Ok(()), |pair| Err((format!("at of the axis {role} = [..., {}, {}, ...]", pair[0], pair[1]), RISING)))
     }
+}
+
+fn warm(reference_c: f64) -> Result<(), Wrong> {
+    finite("reference_c", reference_c)?;
+    let is_warm = reference_c >= ABSOLUTE_ZERO_C;
+    let wanted = "a temperature in degC, not below -273.15";
+    if is_warm { Ok(()) } else { Err((format!("reference_c = {reference_c}"), wanted)) }
 }
 
 fn finite(name: &str, number: f64) -> Result<(), Wrong> {

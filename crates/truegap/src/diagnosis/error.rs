@@ -61,6 +61,11 @@ pub enum DiagnosisError {
     /// No such sensor in the file.
     #[error("{recording}: there is no sensor column `{name}`; there are {names}")]
     NoSuchChannel { recording: String, name: String, names: String },
+    /// A sensor column of a recording that has none.
+    #[error(
+        "{recording}: --channel {name} chooses among several sensors, and the table names none; leave it out, or name the column that is read: --map response=\"{name}\""
+    )]
+    NoChannels { recording: String, name: String },
     /// Recordings that cannot be joined.
     #[error(transparent)]
     Joint(#[from] truegap_diagnose::joint::JointError),

@@ -4,10 +4,10 @@
 
 use super::DiagnosisError;
 use super::rows::rows_of_each;
-use crate::models::Programs;
+use crate::models::{Programs, has_key};
 use std::path::PathBuf;
 use truegap_core::nearest::nearest;
-use truegap_core::{Note, Recording, Role, given_again};
+use truegap_core::{INPUT_ROLES, Note, Recording, Role, given_again};
 use truegap_diagnose::Library;
 use truegap_diagnose::answer::Hidden;
 use truegap_diagnose::joint::{Free, behind_one_another};
@@ -84,6 +84,11 @@ pub fn open_with(recordings: Vec<Recording>, request: &Request, programs: Progra
     let remedy = "average the rows, or split the recording";
     truegap_limits::check(Need { place: "recording", asked: &asked, bytes, remedy })?;
     let free = free(request, recordings.len())?;
+    if let (Some(name), Some(first), false) =
+        (&request.channel, recordings.first(), recordings.iter().any(|r| r.sensors.is_some()))
+    {
+        return Err(DiagnosisError::NoChannels { recording: named(first), name: name.clone() });
+    }
     let mut parts: Vec<Recording> = recordings.into_iter().map(|r| channel(r, request)).collect::<Result<_, _>>()?;
     let mut hidden = Vec::new();
     for column in &request.conceal {
@@ -96,7 +101,20 @@ pub fn open_with(recordings: Vec<Recording>, request: &Request, programs: Progra
         return Ok(Opened { recording, parts, free, hidden, programs });
     }
     same_drivers(&parts)?;
-    Ok(Opened { recording: together(&parts)?, parts, free, hidden, programs })
+    let mut recording = together(&parts)?;
+    recording.notes.extend(columns_of_some(&parts));
+    Ok(Opened { recording, parts, free, hidden, programs })
+}
+
+/// Notes of columns that some of several recordings have, and others not.
+fn columns_of_some(parts: &[Recording]) -> Vec<Note> {
+    let has = |part: &Recording, role: Role| part.inputs.column(role).is_some();
+    let of_role = |role: Role| {
+        let with = parts.iter().find(|part| has(part, role)).map(named)?;
+        let lacking = parts.iter().filter(move |part| !has(part, role));
+        Some(lacking.map(move |part| Note::ColumnOfSome { role, without: named(part), with: with.clone() }))
+    };
+    INPUT_ROLES.into_iter().filter_map(of_role).flatten().collect()
 }
 
 /// Refuses recordings of which one has a driver that another lacks, or has in another unit.
@@ -154,6 +172,7 @@ fn replace_base(recording: &mut Recording, request: &Request) {
         recording.notes.retain(|note| !matches!(note, Note::BaseAssumed { .. }));
     }
     let base = &mut recording.base;
+    let stated = base.model.clone();
     if let Some(model) = &request.base {
         base.model.clone_from(model);
     }
@@ -163,7 +182,12 @@ fn replace_base(recording: &mut Recording, request: &Request) {
             base.model = "stack".into();
         }
     }
-    if request.no_warp {
+    if base.model != stated {
+        // what stood there for another model says nothing of this one
+        base.further.retain(|key, _| has_key(&base.model, key));
+        base.warp = base.warp.filter(|_| has_key(&base.model, "warp"));
+    }
+    if request.no_warp && has_key(&base.model, "warp") {
         base.warp = Some(false);
     }
 }
@@ -269,11 +293,37 @@ pub(super) fn together(parts: &[Recording]) -> Result<Recording, DiagnosisError>
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
+    use truegap_core::Inputs;
+    use truegap_core::recording::BaseSpec;
 
     /// Rows of time, force, temperature and capacitance with a thermal lag, and the most memory that a diagnosis of them held, bytes (two cores).
     const MEASURED: [(usize, f64); 4] = [(10_000, 46.9e6), (60_000, 138.5e6), (200_000, 261.3e6), (1_000_000, 1270.0e6)];
+
+    /// One thermometer among two recordings: the other was diagnosed as if nothing were missing there.
+    #[test]
+    fn a_column_that_one_of_several_lacks_is_noted() {
+        let recording = |warm: bool, level: f64| {
+            let inputs = Inputs {
+                run: vec![1; 30],
+                time_s: Some((0..30).map(f64::from).collect()),
+                force_n: Some((0..30).map(f64::from).collect()),
+                temperature_c: warm.then(|| vec![20.0; 30]),
+                ..Inputs::default()
+            };
+            let mut recording = Recording::new(inputs, vec![level; 30], "mV", BaseSpec::default()).unwrap();
+            recording.path = if warm { "a.csv".into() } else { "b.csv".into() };
+            recording
+        };
+        let notes = |parts| open(parts, &Request::default()).unwrap().recording.notes;
+        let told: Vec<String> =
+            notes(vec![recording(true, 1.0), recording(false, 2.0)]).iter().map(ToString::to_string).collect();
+        assert!(told.iter().any(|note| note.starts_with("b.csv has no column for temperature, which a.csv has")), "{told:?}");
+        let both = notes(vec![recording(true, 1.0), recording(true, 2.0)]);
+        assert!(both.iter().all(|note| !matches!(note, Note::ColumnOfSome { .. })), "{both:?}");
+    }
 
     /// 600 bytes a row were counted, half of what a million rows take.
     #[test]

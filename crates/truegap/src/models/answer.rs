@@ -2,10 +2,12 @@
 //!
 //! Limits: at a point the sensor has no past: every effect starts afresh there, so creep, lag and hysteresis show along a history only.
 
-use crate::models::model_file::{ModelFileError, RunningModel};
+use crate::models::model_file::RunningModel;
+use crate::models::model_file_error::ModelFileError;
 use serde::Serialize;
 use truegap_core::units::{Dimension, readable};
 use truegap_core::{Inputs, Recording, Role, SimulationError};
+use truegap_diagnose::Library;
 use truegap_diagnose::experiment::{PROFILES, inputs};
 use truegap_diagnose::text::listed;
 
@@ -40,6 +42,11 @@ pub enum AnswerError {
         "{place}: {column} is {value} (SI), outside the table of the model, which goes from {low} to {high}; stay within the table, or leave the row out"
     )]
     OutsideTable { place: String, column: &'static str, value: f64, low: f64, high: f64 },
+    /// A column that is missing.
+    #[error(
+        "{place}: there is no column for {column}, which `{effect}` needs; name it with --map {column}=COLUMN, or under [columns] of its TOML"
+    )]
+    NoColumn { place: String, column: &'static str, effect: String },
     /// A column that is missing, or an effect that cannot be.
     #[error("{place}: {source}")]
     Model { place: String, source: ModelFileError },
@@ -126,6 +133,9 @@ pub fn at_points(model: &RunningModel, loads: &[f64], temperatures_c: &[f64]) ->
 /// [`AnswerError`] for the first row that has no answer, or a column that is not there.
 pub fn along(model: &RunningModel, recording: &Recording) -> Result<Vec<Answer>, AnswerError> {
     let place = of_recording(recording.path.display().to_string());
+    if let (None, Some(effect)) = (&recording.inputs.temperature_c, model.follows_temperature(&Library::default())) {
+        return Err(AnswerError::NoColumn { place: place(None), column: Role::Temperature.key(), effect });
+    }
     let responses = model.respond(&recording.inputs).map_err(|error| refused(error, place))?;
     Ok(responses.into_iter().enumerate().map(|(row, response)| answer(&recording.inputs, row, response, model)).collect())
 }

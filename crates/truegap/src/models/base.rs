@@ -1,6 +1,6 @@
 //! From what a recording says of its base model to the model itself.
 //!
-//! Limits: a key that the model does not need is read and not used; one that no model needs is an error.
+//! Limits: a key that the model does not have is an error, whether another has it or none.
 
 mod columns;
 mod command;
@@ -22,14 +22,30 @@ use crate::predict::{FindSensorError, find_sensor, sensor_names};
 use std::path::{Path, PathBuf};
 use truegap_audit::corrections::curves;
 use truegap_core::nearest::instead;
+use truegap_core::recording::BaseSpec;
 use truegap_core::{Corrections, Recording, RecordingError, Sensor, Simulator};
 use truegap_model::{
     BaseError, BaseModel, BaseOptions, DRIVERS, ExternalOptions, GAIN_SD, Grid, GridError, Recorded, SeriesOrder, StackOptions,
 };
 
-/// Keys that may stand under `[base]` beside model, sensor and warp.
-const KEYS: [&str; 11] =
-    ["series", "driver", "order", "table", "free", "gain", "offset", "run", "parameters", "timeout", "inside"];
+/// Keys of their own that models have under `[base]`, beside `model` and `sensor`.
+const KEYS: [(&str, &[&str]); 9] = [
+    ("stack", &["warp", "series"]),
+    ("parallel-plate", &[]),
+    ("gap-plate", &[]),
+    ("linear", &["driver", "order"]),
+    ("table", &["table", "free", "gain", "offset"]),
+    ("constant", &[]),
+    ("external", &["free", "gain", "offset"]),
+    ("command", &["run", "parameters", "timeout", "inside"]),
+    ("function", &["run", "parameters", "timeout", "inside"]),
+];
+
+/// Whether a base model has a key under `[base]`; a model that is not known is refused by its name.
+pub(crate) fn has_key(model: &str, key: &str) -> bool {
+    KEYS.iter().find(|(name, _)| *name == model).is_none_or(|(_, keys)| keys.contains(&key))
+}
+
 /// Other words for them.
 const OTHER_WORDS: [(&str, &str); 6] =
     [("program", "run"), ("command", "run"), ("cmd", "run"), ("name", "model"), ("type", "model"), ("degree", "order")];
@@ -139,11 +155,12 @@ pub fn base_options(recording: &Recording) -> Result<BaseOptions, BaseModelError
     let name = || recording.path.display().to_string();
     let base = &recording.base;
     let further = &base.further;
-    if let Some(key) = further.keys().find(|key| !KEYS.contains(&key.as_str())) {
-        let known: Vec<&str> = ["model", "sensor", "warp"].iter().chain(&KEYS).copied().collect();
-        let instead = instead(key, &OTHER_WORDS, &known);
-        return Err(BaseModelError::UnknownKey { recording: name(), table: "[base]".into(), key: key.clone(), instead });
-    }
+    only_own_keys(base).map_err(|(key, instead)| BaseModelError::UnknownKey {
+        recording: name(),
+        table: "[base]".into(),
+        key,
+        instead,
+    })?;
     let wrong = |key: &'static str, use_: &str| {
         let found = further.get(key).map(ToString::to_string).unwrap_or_default();
         BaseModelError::Word { recording: name(), key, found, use_: use_.to_owned() }
@@ -177,6 +194,31 @@ pub fn base_options(recording: &Recording) -> Result<BaseOptions, BaseModelError
             }
         })?,
     })
+}
+
+/// Refuses a key under `[base]` that the model does not have: the key, and what may stand there.
+fn only_own_keys(base: &BaseSpec) -> Result<(), (String, String)> {
+    let given = base.further.keys().map(String::as_str).chain(base.warp.map(|_| "warp"));
+    let known = |model: &str, key: &str| KEYS.iter().any(|(name, keys)| *name == model && keys.contains(&key));
+    let is_model = KEYS.iter().any(|(name, _)| *name == base.model);
+    let any = |key: &str| KEYS.iter().any(|(_, keys)| keys.contains(&key));
+    let fits = |key: &str| if is_model { known(&base.model, key) } else { any(key) };
+    let Some(key) = given.into_iter().find(|key| !fits(key)) else { return Ok(()) };
+    let own = KEYS.iter().filter(|(name, _)| *name == base.model || !is_model).flat_map(|(_, keys)| keys.iter().copied());
+    let own: Vec<&str> = ["model", "sensor"].into_iter().chain(own).collect();
+    let others: Vec<String> = KEYS
+        .iter()
+        .filter(|(name, keys)| *name != "function" && keys.contains(&key))
+        .map(|(name, _)| format!("`{name}`"))
+        .collect();
+    let says = match others.as_slice() {
+        [] => instead(key, &OTHER_WORDS, &own),
+        others => {
+            let (others, own) = (others.join(" and "), own.join(", "));
+            format!("it is a key of {others}, and the model is `{}`; known there: {own}", base.model)
+        }
+    };
+    Err((key.to_owned(), says))
 }
 
 /// The name of a column under `[drivers]`, where this is one.

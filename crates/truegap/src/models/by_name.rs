@@ -2,7 +2,8 @@
 //!
 //! Limits: names; units are those of [`super::written_units`].
 
-use super::model_file::{ModelFileError, RunningModel};
+use super::model_file::RunningModel;
+use super::model_file_error::ModelFileError;
 use super::written_units::{of_effect, of_mechanism};
 use truegap_core::Parameter;
 use truegap_core::nearest::instead;

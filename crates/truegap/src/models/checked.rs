@@ -1,9 +1,10 @@
 //! Whether the numbers of a model file can be, before anything is built of them.
 //!
-//! Limits: a number that is possible and wrong is not found; standard deviations play no part in an answer and are not looked at.
+//! Limits: a number that is possible and wrong is not found; standard deviations play no part in an answer, and only those below 0 are refused.
 
 use super::by_name::within_its_runs;
-use super::model_file::{ModelFile, ModelFileError, RunningModel};
+use super::model_file::{ModelFile, RunningModel};
+use super::model_file_error::ModelFileError;
 use truegap_core::given_again;
 use truegap_diagnose::answer::{AddedEffect, NamedValue, Scales};
 use truegap_diagnose::mechanism::Numbers;
@@ -98,7 +99,11 @@ fn sound(of: &str, values: &[NamedValue]) -> Result<(), ModelFileError> {
     }
 }
 
-fn finite(of: &str, NamedValue { name, value, .. }: &NamedValue) -> Result<(), ModelFileError> {
+fn finite(of: &str, NamedValue { name, value, sd, .. }: &NamedValue) -> Result<(), ModelFileError> {
+    if *sd < 0.0 {
+        let wanted = "a standard deviation, from 0 on";
+        return Err(ModelFileError::Number { what: format!("the sd of `{name}` of {of}"), value: *sd, wanted });
+    }
     match value.is_finite() {
         true => Ok(()),
         false => Err(ModelFileError::Number { what: format!("`{name}` of {of}"), value: *value, wanted: "a finite number" }),

@@ -2,7 +2,8 @@
 //!
 //! Limits: what an effect is says the effect; nothing is fitted.
 
-use super::model_file::{ModelFileError, RunningModel, begin_anew, driver_of};
+use super::model_file::{RunningModel, begin_anew, driver_of};
+use super::model_file_error::ModelFileError;
 use serde::Serialize;
 use truegap_core::Inputs;
 use truegap_diagnose::answer::{AddedEffect, Scales};
@@ -72,6 +73,16 @@ impl RunningModel {
                 parted.kept.push(added);
             }
             parted
+        })
+    }
+
+    /// An added effect that follows the temperature: without a thermometer it would be taken to add nothing.
+    pub(super) fn follows_temperature(&self, library: &Library) -> Option<String> {
+        self.as_fitted(|context| {
+            let follows = |added: &&AddedEffect| {
+                matches!(driver_of(added, library, context), Some(Driver::Temperature | Driver::TemperatureRate))
+            };
+            self.augmented.effects.iter().find(follows).map(|added| added.id.clone())
         })
     }
 

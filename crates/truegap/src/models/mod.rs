@@ -16,16 +16,19 @@ mod base;
 mod by_name;
 mod checked;
 mod deployed;
+mod known_keys;
 mod mechanism_file;
 mod model_file;
+mod model_file_error;
 mod written_units;
 
 pub use answer::{Answer, AnswerError, along, at_points, load_dimension, on_profile};
 pub(crate) use answer::{of_recording, refused};
-pub(crate) use base::SLOW_S;
 pub use base::{
     Base, BaseModelError, Calls, Function, Programs, Remembered, base_model, base_model_with, base_options, columns, declared,
 };
+pub(crate) use base::{SLOW_S, has_key};
 pub use deployed::{LeftOut, Parted};
 pub use mechanism_file::{EffectFileError, with_effects};
-pub use model_file::{ModelFile, ModelFileError, RunningModel, SCHEMA as MODEL_SCHEMA};
+pub use model_file::{ModelFile, RunningModel, SCHEMA as MODEL_SCHEMA};
+pub use model_file_error::ModelFileError;

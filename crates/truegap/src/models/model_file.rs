@@ -2,16 +2,17 @@
 //!
 //! Limits: values and standard deviations, no correlations between them; an effect is known by its id, so a program must have it in its library.
 
+use super::model_file_error::ModelFileError;
 use crate::models::base::{Programs, foreseen};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use truegap_core::sensor::{SensorError, builtin_sensors};
-use truegap_core::{Inputs, Sensor, SimulationError, Simulator, Stage};
-use truegap_diagnose::answer::{AddedEffect, NamedValue, RivalModel, Scales, UnknownEffect};
+use truegap_core::sensor::builtin_sensors;
+use truegap_core::{Inputs, Sensor, Simulator, Stage};
+use truegap_diagnose::answer::{AddedEffect, NamedValue, RivalModel, Scales};
 use truegap_diagnose::other_clock::OtherClock;
 use truegap_diagnose::{Augmented, Context, Effect, Library, Outcome, mechanism::Driver};
-use truegap_model::{BaseError, BaseModel};
+use truegap_model::BaseModel;
 
 /// Identifier of the file format.
 pub const SCHEMA: &str = "truegap.model/1";
@@ -57,80 +58,6 @@ pub struct ModelFile {
     /// the same model with a rival in the place of an effect, for each that the recording could not tell from it
     #[serde(rename = "rival", default, skip_serializing_if = "Vec::is_empty")]
     pub rivals: Vec<RivalModel>,
-}
-
-/// Why a model file cannot be written, read or run.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-#[allow(missing_docs)] // the fields are named by the messages
-pub enum ModelFileError {
-    /// The file cannot be read.
-    #[error("{file}: cannot be read: {source}; give the augmented.toml of a diagnosis")]
-    Read { file: PathBuf, source: std::io::Error },
-    /// Not TOML, or not a model.
-    #[error("{file}: {message}; a model file is written by `truegap diagnose` as augmented.toml")]
-    Parse { file: PathBuf, message: String },
-    /// Another kind of file.
-    #[error("{file}: schema is `{found}`; a model's is `{SCHEMA}`")]
-    Schema { file: PathBuf, found: String },
-    /// The sensor's file cannot be read.
-    #[error("the sensor file {file} cannot be read: {source}; it must stay where it was while the model is written")]
-    SensorFile { file: PathBuf, source: std::io::Error },
-    /// The sensor inside is wrong.
-    #[error("sensor of the model file: {0}")]
-    Sensor(#[from] SensorError),
-    /// The base model cannot be built.
-    #[error(transparent)]
-    Base(#[from] BaseError),
-    /// A parameter of the base model is not there.
-    #[error(
-        "the model file gives no value for `{name}` of the base model `{model}`; add a [[parameter]] with its name, unit, value, sd"
-    )]
-    MissingParameter { name: String, model: String },
-    /// A parameter that the base model does not have.
-    #[error("the base model `{model}` has no parameter `{name}`; take the [[parameter]] out, or correct its name")]
-    SurplusParameter { name: String, model: String },
-    /// A number that an effect's equations need is not there.
-    #[error(
-        "the model file: the effect `{id}` gives no value for `{name}`; add {{ name = \"{name}\", unit = \"{unit}\", value = ..., sd = ... }} to its parameters"
-    )]
-    MissingNumber { id: String, name: String, unit: String },
-    /// A number that an effect's equations do not have.
-    #[error(
-        "the model file: the effect `{id}` has no number `{name}`, which is {value} there; correct its name, or take it out; {instead}"
-    )]
-    SurplusNumber { id: String, name: String, value: f64, instead: String },
-    /// A name that is given twice.
-    #[error("the model file: {of} gives `{name}` twice, as {first} and as {second}; leave one of them out")]
-    Twice { of: String, name: String, first: f64, second: f64 },
-    /// An effect that is added twice.
-    #[error("the model file: [[effect]] adds `{id}` twice; leave one of them out")]
-    EffectTwice { id: String },
-    /// A number that cannot be.
-    #[error("the model file: {what} is {value}; write {wanted}")]
-    Number { what: String, value: f64, wanted: &'static str },
-    /// A number in a unit of another kind.
-    #[error(
-        "the model file: `{name}` of {of} is {value} in `{found}`, where its unit is `{wanted}`; give its value in that unit, and write unit = \"{wanted}\""
-    )]
-    NumberUnit { of: String, name: String, value: f64, found: String, wanted: String },
-    /// A column that an effect follows and the inputs do not have.
-    #[error(
-        "`{effect}` follows `{column}`, which the inputs do not have; name it under [drivers] as in the recording that the model was fitted to"
-    )]
-    MissingDriver { effect: String, column: String },
-    /// An effect that the library does not have.
-    #[error(transparent)]
-    Effect(#[from] UnknownEffect),
-    /// The model has no answer at these inputs.
-    #[error(transparent)]
-    Simulation(#[from] SimulationError),
-    /// A unit that is not the model's.
-    #[error("unit is `{found}`, and the base model `{model}` answers in {unit}; write unit = \"{unit}\"")]
-    Unit { found: String, model: String, unit: String },
-    /// The model cannot be written as TOML.
-    #[error("the model cannot be written as TOML: {0}")]
-    Write(#[from] toml::ser::Error),
 }
 
 impl ModelFile {
@@ -201,7 +128,10 @@ impl ModelFile {
         if head.schema != SCHEMA {
             return Err(ModelFileError::Schema { file: file.to_owned(), found: head.schema });
         }
-        toml::from_str(text).map_err(failed)
+        let read: Self = toml::from_str(text).map_err(failed)?;
+        let given: toml::Table = toml::from_str(text).map_err(failed)?;
+        read.check_words(&given).map_err(|error| error.of(file))?;
+        Ok(read)
     }
 
     /// The model, ready to simulate.
@@ -210,6 +140,14 @@ impl ModelFile {
     /// [`ModelFileError`] where base model, parameters and effects do not fit together.
     pub fn build(&self) -> Result<RunningModel, ModelFileError> {
         self.build_with(&Programs::default())
+    }
+
+    /// As [`ModelFile::build_with`], errors told with the name of the file.
+    ///
+    /// # Errors
+    /// As [`ModelFile::build`].
+    pub fn build_of(&self, file: &Path, programs: &Programs) -> Result<RunningModel, ModelFileError> {
+        self.build_with(programs).map_err(|error| error.of(file))
     }
 
     /// As [`ModelFile::build`], asking `programs` where the base model is a program or a function.

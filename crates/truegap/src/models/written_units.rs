@@ -2,7 +2,8 @@
 //!
 //! Limits: a unit that depends on what was recorded, as that of a driver, is not known to the file and is not looked at.
 
-use super::model_file::{ModelFile, ModelFileError};
+use super::model_file::ModelFile;
+use super::model_file_error::ModelFileError;
 use truegap_core::{Dimension, Driver, Inputs, Simulator};
 use truegap_diagnose::answer::{AddedEffect, NamedValue};
 use truegap_diagnose::{Augmented, Context, Effect};

@@ -15,6 +15,8 @@ use truegap_diagnose::text::{significant, spoken_list};
 
 /// Identifier of the document.
 pub const SCHEMA: &str = "truegap.compensation/1";
+/// What is left over the noise of a reading, from where on it is not called noise.
+const MORE_THAN_NOISE: f64 = 2.0;
 /// Columns by which an earlier result is known.
 const COLUMNS: &str = "reading,corrected";
 /// Bytes of a first line that are looked at.
@@ -80,9 +82,23 @@ pub struct Compensation {
 }
 
 impl Compensation {
-    /// Whether the augmented model explains the reading as far as its noise allows to see.
+    /// Whether the augmented model explains the reading as far as its noise allows to see, and the correction does no harm where that is known.
     pub fn explains(&self) -> bool {
-        matches!(self.stopped, Stopped::AtNoise | Stopped::Balanced)
+        let at_noise = match self.stopped {
+            Stopped::AtNoise => !self.leaves_more_than_noise(),
+            stopped => stopped == Stopped::Balanced,
+        };
+        at_noise && !self.harms()
+    }
+
+    /// Whether the corrected readings are farther from the truth, where that was recorded, than the readings were.
+    pub fn harms(&self) -> bool {
+        self.error.as_ref().is_some_and(|error| error.after > error.before)
+    }
+
+    /// Whether more than the noise is left although no more is than noise would leave on its way through the model: the model makes it larger than it is.
+    fn leaves_more_than_noise(&self) -> bool {
+        self.noise > 0.0 && self.left > MORE_THAN_NOISE * self.noise
     }
 
     pub(super) fn sentence(&self) -> String {
@@ -96,6 +112,12 @@ impl Compensation {
         }
         let left = significant(self.left, 3);
         let ends = match self.stopped {
+            Stopped::AtNoise if self.leaves_more_than_noise() => {
+                let times = significant(self.left / self.noise, 2);
+                format!(
+                    "the model leaves {left} {unit} of the reading, {times} times its noise, and makes the noise so large on the way that no pass can tell the two apart"
+                )
+            }
             Stopped::AtNoise => "the model leaves no more of the reading than its noise".to_owned(),
             Stopped::Balanced => "a further pass would bring more noise than it takes error away".to_owned(),
             Stopped::NoLongerFalls => {
@@ -107,7 +129,12 @@ impl Compensation {
             Stopped::LastPass => format!("the model leaves {left} {unit} of the reading after the last pass that is made"),
         };
         let (noise, grown) = (significant(self.noise, 3), significant(self.noise_growth, 3));
-        says + &format!("; {ends}. The noise, {noise} {unit}, has grown by a factor of {grown}.")
+        let harm = if self.harms() {
+            " The corrected readings are farther from what the base model gives at the recorded input than the readings were: the correction does harm here, and should not be used."
+        } else {
+            ""
+        };
+        says + &format!("; {ends}. The noise, {noise} {unit}, has grown by a factor of {grown}.{harm}")
     }
 }
 
@@ -192,6 +219,50 @@ fn is_header(line: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn document(left: f64, error: Option<Gained>) -> Compensation {
+        let document = Compensation {
+            schema: SCHEMA,
+            made_by: String::new(),
+            model: ModelFacts {
+                file: String::new(),
+                recording: String::new(),
+                sha256: String::new(),
+                verdict: "explained".into(),
+                effects: Vec::new(),
+                base_is_known: true,
+            },
+            recording: OtherFacts { source: String::new(), sha256: String::new(), rows: 30, runs: 1 },
+            unit: "mV".into(),
+            corrected_for: vec!["friction".into()],
+            left_out: Vec::new(),
+            estimated: None,
+            passes: 1,
+            stopped: Stopped::AtNoise,
+            left,
+            noise: 0.1,
+            noise_growth: 1.0,
+            error,
+            says: String::new(),
+            notes: Vec::new(),
+        };
+        Compensation { says: document.sentence(), ..document }
+    }
+
+    /// Nine times the noise was "no more than its noise", where the model makes noise so much larger.
+    #[test]
+    fn what_is_left_is_called_noise_where_it_is_as_large() {
+        let (noise, more) = (document(0.105, None), document(0.9, None));
+        assert!(noise.says.contains("leaves no more of the reading than its noise") && noise.explains(), "{}", noise.says);
+        assert!(more.says.contains("leaves 0.900 mV of the reading, 9.0 times its noise") && !more.explains(), "{}", more.says);
+    }
+
+    #[test]
+    fn a_correction_that_moves_away_from_the_truth_explains_nothing() {
+        let worse = document(0.1, Some(Gained { before: 1.0, after: 1.2 }));
+        assert!(worse.says.contains("farther from") && !worse.explains(), "{}", worse.says);
+        assert!(document(0.1, Some(Gained { before: 1.0, after: 0.2 })).explains());
+    }
 
     #[test]
     fn a_header_is_that_of_a_result_and_of_nothing_else() {

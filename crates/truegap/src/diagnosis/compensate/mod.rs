@@ -51,7 +51,7 @@ pub fn compensate_with(
     programs: &Programs,
 ) -> Result<Compensated, CompensateError> {
     let (recording, name) = opened(recording, channel)?;
-    let model = written.build_with(programs)?;
+    let model = written.build_of(file, programs)?;
     let (file, same) = (file.display().to_string(), took_part(written, &recording) && !written.sha256.trim().contains(' '));
     if recording.response_unit != written.unit {
         return Err(CompensateError::Unit { recording: name, found: recording.response_unit, wanted: written.unit.clone() });

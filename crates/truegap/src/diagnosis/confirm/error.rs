@@ -4,6 +4,7 @@ use crate::diagnosis::{DiagnosisError, SaysOtherwise};
 use crate::models::{AnswerError, ModelFileError};
 use crate::output::OutputError;
 use truegap_diagnose::DiagnoseError;
+use truegap_diagnose::quality::FEWEST_ROWS;
 
 /// Why nothing can be judged.
 #[derive(Debug, thiserror::Error)]
@@ -27,6 +28,9 @@ pub enum ConfirmError {
     /// The recording took part.
     #[error("{recording}: the model was fitted to this recording; give one that took no part")]
     TookPart { recording: String },
+    /// Too few rows to tell two models apart.
+    #[error("{recording}: {rows} row{} too few to judge a model by; give at least {FEWEST_ROWS}", if *.rows == 1 { " is" } else { "s are" })]
+    TooFewRows { recording: String, rows: usize },
     /// Another kind of reading.
     #[error(
         "{recording}: its response is in {found}, the model's in {wanted}; name the unit under [units], or give a recording of the same kind"

@@ -24,6 +24,7 @@ use truegap_core::recording::BaseSpec;
 use truegap_core::{Recording, ends};
 use truegap_diagnose::answer;
 use truegap_diagnose::confirmation::{Judgement, LEVEL, NoiseFloor, noise_floor};
+use truegap_diagnose::quality::FEWEST_ROWS;
 use truegap_diagnose::text::{listed, spoken, spoken_list};
 use truegap_diagnose::{Library, Problem};
 
@@ -51,7 +52,16 @@ pub fn confirm_with(
     programs: &Programs,
 ) -> Result<Confirmed, ConfirmError> {
     let (recording, name) = opened(recording, channel)?;
+    enough_rows(&recording, &name)?;
     judge(written, &file.display().to_string(), recording, name, free, programs)
+}
+
+/// Refuses a recording of so few rows that no two predictions of it can be told apart.
+fn enough_rows(recording: &Recording, name: &str) -> Result<(), ConfirmError> {
+    match recording.len() {
+        rows if rows < FEWEST_ROWS => Err(ConfirmError::TooFewRows { recording: name.to_owned(), rows }),
+        _ => Ok(()),
+    }
 }
 
 /// The recording that a diagnosis is to be judged on, looked at before the diagnosis is made: one that took part, or is read in another unit, is refused here.
@@ -60,6 +70,7 @@ pub fn confirm_with(
 /// [`ConfirmError`].
 pub fn other(recording: Recording, channel: Option<&str>, took_part: &[Recording]) -> Result<Recording, ConfirmError> {
     let (recording, name) = opened(recording, channel)?;
+    enough_rows(&recording, &name)?;
     // saved again, by another program, the same rows have other bytes
     let same = |part: &Recording| part.response == recording.response;
     if took_part.iter().any(|part| !part.sha256.is_empty() && part.sha256 == recording.sha256 || same(part)) {
@@ -99,7 +110,7 @@ fn judge(
     free: Free,
     programs: &Programs,
 ) -> Result<Confirmed, ConfirmError> {
-    let (model, of_recorder) = written.build_with(programs)?.elsewhere(&Library::default());
+    let (model, of_recorder) = written.build_of(Path::new(file), programs)?.elsewhere(&Library::default());
     if model.effects().is_empty() && !of_recorder.is_empty() {
         return Err(ConfirmError::OfRecorder { model: file.to_owned(), effects: spoken_list(&of_recorder, "and") });
     }

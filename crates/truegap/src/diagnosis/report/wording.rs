@@ -176,7 +176,8 @@ pub fn how_sure(finding: &Finding) -> String {
         d if d >= 16.0 => "stands far out of the noise",
         d if d >= SURE => "stands clear of the noise",
         d if d >= 5.0 => "visible, not beyond doubt",
-        _ => "barely visible",
+        d if d >= 1.0 => "barely visible",
+        _ => "not visible",
     };
     let d = detectability(d);
     format!("{probability}, detectability d = {d} ({strength})")
@@ -255,6 +256,7 @@ mod tests {
         assert!(how_sure(&finding(Some(31.0))).contains("far out of the noise"));
         assert!(how_sure(&finding(Some(7.0))).contains("not beyond doubt"));
         assert!(how_sure(&finding(Some(3.0))).contains("barely"));
+        assert!(how_sure(&finding(Some(0.0))).contains("(not visible)"));
         assert_eq!(how_sure(&finding(None)), "probability 91 %, as often as such names were right (97 % among the models)");
         assert!(how_sure(&finding(Some(1_159_754.8))).contains("d = over 1000"));
     }

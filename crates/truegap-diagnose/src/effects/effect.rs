@@ -165,8 +165,12 @@ pub trait Effect: Send + Sync {
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &[]
     }
-    /// Numbers of richer laws by the same name, a list of names for each law; they are 0 in the law that is tried at first, and opened where rows left out bear them out.
-    fn may_be_more(&self) -> &'static [&'static [&'static str]] {
+    /// Names of numbers of a richer law by the same name, 0 in the law that is tried at first. They are opened where rows left out bear them out.
+    fn may_be_more(&self) -> &'static [&'static str] {
+        &[]
+    }
+    /// Numbers of other laws by the same name, a list of names for each law, 0 in the law that is tried at first. They are opened as those of a richer law are, one law at a time.
+    fn other_laws(&self) -> &'static [&'static [&'static str]] {
         &[]
     }
     /// Names of numbers, behind the size, whose lower limit is a law as good as any: what takes no time or no way. One that lies there does not say that the law fails.

@@ -136,8 +136,8 @@ impl Effect for Nonlinearity {
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &FURTHER
     }
-    fn may_be_more(&self) -> &'static [&'static [&'static str]] {
-        &[&FURTHER]
+    fn may_be_more(&self) -> &'static [&'static str] {
+        &FURTHER
     }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
         let weight =

@@ -135,8 +135,8 @@ impl Effect for OffsetDrift {
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["fading"]
     }
-    fn may_be_more(&self) -> &'static [&'static [&'static str]] {
-        &[&[TURNING]]
+    fn may_be_more(&self) -> &'static [&'static str] {
+        &[TURNING]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;

@@ -63,8 +63,8 @@ pub(crate) fn first_stage() -> Parameter {
 
 const FIRST_STAGE: &str = "first_stage";
 
-/// Numbers of richer laws of a lag: two stages, one behind the other; a reading that falls more slowly than it rises, or faster.
-pub(crate) const RICHER: &[&[&str]] = &[&[FIRST_STAGE], &["recovery"]];
+/// Numbers of other laws of a lag: two stages, one behind the other; a reading that falls more slowly than it rises, or faster.
+pub(crate) const OTHER_LAWS: &[&[&str]] = &[&[FIRST_STAGE], &["recovery"]];
 
 /// Number of a lag whose lower limit is a law as good as any.
 pub(crate) const AT_ONCE_AS_WELL: &[&str] = &[FIRST_STAGE];
@@ -175,8 +175,8 @@ impl Effect for SlowResponse {
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["slow_share"]
     }
-    fn may_be_more(&self) -> &'static [&'static [&'static str]] {
-        RICHER
+    fn other_laws(&self) -> &'static [&'static [&'static str]] {
+        OTHER_LAWS
     }
     fn at_once(&self) -> &'static [&'static str] {
         AT_ONCE_AS_WELL

@@ -139,8 +139,8 @@ impl Effect for ThermalLag {
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["slow_share", "before"]
     }
-    fn may_be_more(&self) -> &'static [&'static [&'static str]] {
-        slow_response::RICHER
+    fn other_laws(&self) -> &'static [&'static [&'static str]] {
+        slow_response::OTHER_LAWS
     }
     fn at_once(&self) -> &'static [&'static str] {
         slow_response::AT_ONCE_AS_WELL

@@ -17,7 +17,7 @@ use crate::{
         calibrated::predicted_like_base,
         judged::{Judged, Told},
         prepare::Prepared,
-        richer_laws::{opened_ways, richer_laws_of},
+        richer_laws::{opened_ways, other_laws_of, promises},
         simple_laws::{Simple, simple},
     },
     selection::{
@@ -115,7 +115,13 @@ pub(crate) fn by_rows_left_out(prepared: &Prepared<'_>, told: &Told<'_>, judged:
 impl Choice<'_, '_> {
     /// From the base model as it is calibrated where effects are added.
     fn made(&self, base: Tried) -> Chosen {
-        let base = || Asked { tried: base.clone(), held: Vec::new(), unseen: self.judged.by_base.unseen.clone() };
+        // richer laws are open from the start, since rows left out judge them at once; other laws are asked one at a time
+        let of_another_law = |(id, name): &&Number| {
+            let laws = self.search.library.iter().filter(|effect| effect.id() == *id).flat_map(|effect| effect.other_laws());
+            laws.into_iter().any(|law| law.contains(name))
+        };
+        let held: Vec<Number> = self.search.context.held.iter().filter(of_another_law).copied().collect();
+        let base = || Asked { tried: base.clone(), held: held.clone(), unseen: self.judged.by_base.unseen.clone() };
         let found = self.forward(base(), OnLimits::Refused);
         let nothing = found.is_none();
         // a law that has run to a limit alone may hold beside another: a logarithm beside a drift that fades
@@ -224,19 +230,20 @@ impl Choice<'_, '_> {
         let with = |held: Vec<Number>, opened: &[Number]| {
             let context = search.context.holding(held);
             let search = &search.within(&context);
-            ask(search, fitted_from_nothing(search, &tried, &[&search.context.held, opened].concat())?)
+            let other = fitted_from_nothing(search, &tried, &[&search.context.held, opened].concat())?;
+            if opened.is_empty() || promises(&other, &tried) { ask(search, other) } else { None }
         };
         let plain = (!numbers.is_empty()).then(|| with([search.context.held.as_slice(), &numbers].concat(), &[]));
-        let laws = richer_laws_of(search, effect).into_iter();
+        let laws = other_laws_of(search, effect).into_iter();
         let ways =
             laws.flat_map(|opened| opened_ways(search, &tried, &opened).into_iter().map(move |held| (opened.clone(), held)));
-        let richer: Vec<Asked> = ways.filter_map(|(opened, held)| with(held, &opened)).collect();
+        let others: Vec<Asked> = ways.filter_map(|(opened, held)| with(held, &opened)).collect();
         let as_it_is = [plain.flatten(), ask(search, tried.clone())].into_iter().flatten().reduce(|a, b| better_of(a, b, 1.0));
-        // a richer law has to be felt
-        richer.into_iter().fold(as_it_is, |best, richer| {
+        // another law has to be clearly better
+        others.into_iter().fold(as_it_is, |best, other| {
             Some(match best {
-                Some(best) => better_of(best, richer, FELT),
-                None => richer,
+                Some(best) => better_of(best, other, CLEARLY_WORSE),
+                None => other,
             })
         })
     }

@@ -14,6 +14,7 @@ use crate::{
     selection::{
         candidates::{Search, Tried},
         examine::Examined,
+        tuning::VISIBLE,
     },
     validation::{
         cross_validation::{HeldOutFit, compared},
@@ -58,7 +59,7 @@ fn borne_out(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> O
     let errors = |opened: &[Number], held: &[Number]| {
         let context = search.context.holding(held.to_vec());
         let wider = &search.within(&context);
-        let richer = fitted_from_nothing(wider, tried, &[opened, held].concat())?;
+        let richer = fitted_from_nothing(wider, tried, &[opened, held].concat()).filter(|richer| promises(richer, tried))?;
         let both = compared(&simple, &prepared.foretold(wider, &richer))?;
         both.better_by(FELT).then_some(both.rmse[1])
     };
@@ -68,21 +69,29 @@ fn borne_out(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> O
     borne_out.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, held)| held)
 }
 
-/// Numbers of the richer laws of the effects of a model that are still held: one law at a time, and where several effects have one, the first of each together.
-fn laws_opened(search: &Search<'_>, tried: &Tried) -> Vec<Vec<Number>> {
-    let of_each = tried.effects.iter().map(|e| richer_laws_of(search, search.library[*e])).filter(|laws| !laws.is_empty());
-    let of_each: Vec<Vec<Vec<Number>>> = of_each.collect();
-    let together = (of_each.len() > 1).then(|| of_each.iter().flat_map(|laws| laws[0].clone()).collect());
-    of_each.into_iter().flatten().chain(together).collect()
+/// Whether another law is seen in the rows that are fitted; only then are rows left out asked for it, which takes as many fits as there are parts.
+pub(crate) fn promises(other: &Tried, simple: &Tried) -> bool {
+    simple.fit.objective() - other.fit.objective() > 0.5 * VISIBLE * VISIBLE
 }
 
-/// Numbers of the richer laws of one effect, as far as they are still held, a list for each law.
-pub(crate) fn richer_laws_of(search: &Search<'_>, effect: &dyn Effect) -> Vec<Vec<Number>> {
-    let held = |law: &&[&'static str]| {
-        let numbers = law.iter().map(|name| (effect.id(), *name));
-        numbers.filter(|(id, name)| search.context.holds(*id, name)).collect::<Vec<Number>>()
-    };
-    effect.may_be_more().iter().map(held).filter(|numbers| !numbers.is_empty()).collect()
+/// Numbers of the laws of the effects of a model that are still held: those of all richer laws together, and those of each other law.
+fn laws_opened(search: &Search<'_>, tried: &Tried) -> Vec<Vec<Number>> {
+    let effects = || tried.effects.iter().map(|e| search.library[*e]);
+    let richer: Vec<Number> = effects().flat_map(|effect| still_held(search, effect, effect.may_be_more())).collect();
+    let others = effects().flat_map(|effect| other_laws_of(search, effect));
+    std::iter::once(richer).filter(|numbers| !numbers.is_empty()).chain(others).collect()
+}
+
+/// Those of these numbers of an effect that are still held.
+fn still_held(search: &Search<'_>, effect: &dyn Effect, names: &[&'static str]) -> Vec<Number> {
+    let held = names.iter().filter(|name| search.context.holds(effect.id(), name));
+    held.map(|name| (effect.id(), *name)).collect()
+}
+
+/// Numbers of the other laws of one effect, as far as they are still held, a list for each law.
+pub(crate) fn other_laws_of(search: &Search<'_>, effect: &dyn Effect) -> Vec<Vec<Number>> {
+    let laws = effect.other_laws().iter().map(|law| still_held(search, effect, law));
+    laws.filter(|numbers| !numbers.is_empty()).collect()
 }
 
 /// What is held where these numbers of richer laws are opened: what was held besides, and that with the numbers of the same effects that may be nothing.
@@ -90,7 +99,7 @@ pub(crate) fn opened_ways(search: &Search<'_>, tried: &Tried, opened: &[Number])
     let kept: Vec<Number> = search.context.held.iter().filter(|number| !opened.contains(number)).copied().collect();
     let effects = tried.effects.iter().map(|e| search.library[*e]).filter(|e| opened.iter().any(|(id, _)| *id == e.id()));
     let bends = effects.flat_map(|effect| effect.may_be_nothing().iter().map(move |name| (effect.id(), *name)));
-    let bends: Vec<Number> = bends.filter(|number| !kept.contains(number)).collect();
+    let bends: Vec<Number> = bends.filter(|number| !kept.contains(number) && !opened.contains(number)).collect();
     let both = [kept.as_slice(), &bends].concat();
     if bends.is_empty() { vec![kept] } else { vec![kept, both] }
 }

@@ -6,7 +6,7 @@ use crate::{
     effects::{
         course::Course,
         effect::{About, Effect, Family, FittedParameter},
-        temperature_coefficient::{MOST_BENT, USUAL_BEND, bends},
+        temperature_coefficient::{MOST_BENT, USUAL_BEND, bends, versine},
     },
     text::with_sd,
 };
@@ -40,7 +40,8 @@ struct Flattening(Parabola, f64);
 
 impl Stage for Flattening {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
-        self.0.apply(drive, value, |x| self.1 * (x / self.1).asinh());
+        let (parabola, scale) = (&self.0, self.1);
+        parabola.apply(drive, value, |x| scale * ((x / scale).asinh() + parabola.bend * scale * versine(x / scale)));
     }
 }
 

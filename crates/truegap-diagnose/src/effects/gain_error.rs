@@ -11,18 +11,18 @@ use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageN
 /// Factor between the reading and a simulation whose gain is not calibrated.
 pub struct GainError;
 
-struct Factor {
-    /// the factor less 1
-    error: f64,
-    /// whether what is read at the least of the simulation stays, in the place of a reading of 0
-    about_least: bool,
-}
+/// The factor less 1.
+struct Factor(f64);
 
 impl Stage for Factor {
-    fn readout(&self, _: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
-        let still = if self.about_least { readout.zero } else { 0.0 };
-        value.iter_mut().for_each(|value| *value += self.error * (*value - still));
+    fn readout(&self, _: &Drive<'_>, _: &Readout, value: &mut [f64]) {
+        value.iter_mut().for_each(|value| *value += self.0 * *value);
     }
+}
+
+/// Whether a number of a base model is the factor on a simulation that is given: a ratio, and no reading.
+fn is_factor(number: &Parameter) -> bool {
+    number.name == "gain" && (number.unit.is_empty() || number.unit.contains(" per "))
 }
 
 impl Effect for GainError {
@@ -56,16 +56,17 @@ impl Effect for GainError {
         if !context.moved.simulated || context.has_plates() {
             return Err("no simulation that moves is given; the gain of other base models is calibrated".into());
         }
-        if context.simulator.parameters().iter().any(|number| number.name == "gain") {
+        if context.simulator.parameters().iter().any(is_factor) {
             return Err("the gain of the simulation is free under [base], so that calibration takes it up".into());
         }
         Ok(())
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(Factor { error: values[0], about_least: false })
+        Box::new(Factor(values[0]))
     }
     fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Factor { error: values[0], about_least: true }))
+        // the number as the logarithm of the factor
+        Some(Box::new(Factor(values[0].exp_m1())))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let error = &fitted[0];
@@ -87,7 +88,7 @@ mod tests {
         let inputs = Inputs { run: vec![1; 3], ..Inputs::default() };
         let drive = Drive { inputs: &inputs, load: &[], temperature_c: &[], reference_c: 25.0, full_load: 1.0 };
         let mut value = vec![-1.0, 0.0, 4.0];
-        Factor { error: 0.25, about_least: false }.readout(&drive, &Readout { zero: -1.0, span: 5.0 }, &mut value);
+        Factor(0.25).readout(&drive, &Readout { zero: -1.0, span: 5.0 }, &mut value);
         assert_eq!(value, [-1.25, 0.0, 5.0]);
     }
 }

@@ -14,8 +14,8 @@ use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageN
 /// Limit of the rate of the reading, the same up and down.
 pub struct RateLimit;
 
-/// What the reading does in one step of the clock: from the way that is left and the way that it can go.
-type Step = fn(f64, f64) -> f64;
+/// What is read after a step of the clock: from the true values before and after it, what was read before it, and how far the reading can go in it.
+type Step = fn([f64; 2], f64, f64) -> f64;
 
 struct Limit {
     /// s for one unit of the reading
@@ -23,14 +23,22 @@ struct Limit {
     step: Step,
 }
 
-/// As far as it can, and no farther than there.
-fn straight(left: f64, reach: f64) -> f64 {
-    left.clamp(-reach, reach)
+/// Exact for a true value that is straight between rows: the reading goes as fast as it can until it meets the true value, and then with it or, where that is faster, after it.
+fn straight([from, to]: [f64; 2], read: f64, reach: f64) -> f64 {
+    let (behind, way) = (from - read, to - from);
+    let side = if behind == 0.0 { way.signum() } else { behind.signum() };
+    // share of the step after which they meet
+    let closing = side * reach - way;
+    let met = if behind == 0.0 { 0.0 } else { behind / closing };
+    if !(0.0..1.0).contains(&met) || side * closing < 0.0 {
+        return read + side * reach;
+    }
+    if way.abs() <= reach { to } else { read + side * reach * met + way.signum() * reach * (1.0 - met) }
 }
 
 /// For the sibling: slower where little is left.
-fn rounded(left: f64, reach: f64) -> f64 {
-    reach * (left / reach).tanh()
+fn rounded([_, to]: [f64; 2], read: f64, reach: f64) -> f64 {
+    read + reach * ((to - read) / reach).tanh()
 }
 
 impl Stage for Limit {
@@ -38,11 +46,14 @@ impl Stage for Limit {
         if self.slowness <= 0.0 {
             return;
         }
+        let mut before = 0.0;
         walk(drive.inputs, |row, step| {
+            let now = value[row];
             // each run begins where it should
-            let Some(step) = step.filter(|step| *step > 0.0) else { return };
-            let before = value[row - 1];
-            value[row] = before + (self.step)(value[row] - before, step / self.slowness);
+            if let Some(step) = step.filter(|step| *step > 0.0) {
+                value[row] = (self.step)([before, now], value[row - 1], step / self.slowness);
+            }
+            before = now;
         });
     }
 }
@@ -119,7 +130,7 @@ mod tests {
     use super::*;
     use truegap_core::Inputs;
 
-    /// After a step of 6 units at 2 units a second, sampled unevenly: a straight line for three seconds, then the true value; as fast down.
+    /// A true value that rises by 6 units within a second and falls later, at 2 units a second at most, sampled unevenly: straight up until both meet, and with it from there.
     #[test]
     fn a_step_takes_a_time_in_proportion_to_its_size() {
         let time = vec![0.0, 1.0, 1.5, 2.0, 3.5, 4.0, 5.0, 10.0, 12.0, 20.0];

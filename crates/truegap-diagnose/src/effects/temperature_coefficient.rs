@@ -26,18 +26,25 @@ impl Stage for Parabola {
     }
 }
 
-/// Sibling: an exponential law with the same slope at the reference and a doubling over 300 K.
+/// Sibling: an exponential law with the same slope at the reference and a doubling over 300 K, and a cosine in the place of the square.
 struct Exponential {
     per_k: f64,
+    bend_per_k: f64,
 }
 
 impl Stage for Exponential {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
         const SCALE_K: f64 = 433.0;
         for (value, t) in value.iter_mut().zip(drive.temperature_c) {
-            *value += self.per_k * SCALE_K * ((t - drive.reference_c) / SCALE_K).exp_m1();
+            let above = (t - drive.reference_c) / SCALE_K;
+            *value += self.per_k * SCALE_K * (above.exp_m1() + self.bend_per_k * SCALE_K * versine(above));
         }
     }
+}
+
+/// Half a square, nearly: `1 - cos x`, without the loss of digits at small `x`.
+pub(crate) fn versine(x: f64) -> f64 {
+    2.0 * (0.5 * x).sin().powi(2)
 }
 
 /// Usual bend, over the span of what it follows: the coefficient at one end is three times that at the other.
@@ -103,7 +110,7 @@ impl Effect for TemperatureCoefficient {
         Box::new(Parabola { per_k: values[0], bend_per_k: values[1] })
     }
     fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Exponential { per_k: values[0] }))
+        Some(Box::new(Exponential { per_k: values[0], bend_per_k: values[1] }))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let (slope, bend) = (&fitted[0], &fitted[1]);

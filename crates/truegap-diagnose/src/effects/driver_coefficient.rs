@@ -6,7 +6,6 @@ use crate::{
     effects::{
         course::Course,
         effect::{About, Effect, Family, FittedParameter},
-        temperature_coefficient::{MOST_BENT, USUAL_BEND, bends, versine},
     },
     text::with_sd,
 };
@@ -40,8 +39,7 @@ struct Flattening(Parabola, f64);
 
 impl Stage for Flattening {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
-        let (parabola, scale) = (&self.0, self.1);
-        parabola.apply(drive, value, |x| scale * ((x / scale).asinh() + parabola.bend * scale * versine(x / scale)));
+        self.0.apply(drive, value, |x| self.1 * (x / self.1).asinh());
     }
 }
 
@@ -83,12 +81,12 @@ impl Effect for DriverCoefficient {
         let (bend, unit) = (course.span(context).recip(), course.unit(context));
         vec![
             course.influence(context, "change of the reading per unit of the driver"),
-            Parameter::normal("bend", &format!("1/{unit}"), 0.0, USUAL_BEND * bend, "relative change of that per unit")
-                .within(-MOST_BENT * bend, MOST_BENT * bend),
+            Parameter::normal("bend", &format!("1/{unit}"), 0.0, bend, "relative change of that per unit")
+                .within(-4.0 * bend, 4.0 * bend),
         ]
     }
-    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        bends(Course::or_load(context, self.0).span(context))
+    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
+        vec![vec![0.0]]
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["bend"]

@@ -58,8 +58,11 @@ const MOST_APART: f64 = 3.0;
 /// Time constant of a stage that comes before the others: a wall before a core, an amplifier behind a probe.
 pub(crate) fn first_stage() -> Parameter {
     let meaning = "time constant of a first stage, over that of the stage behind it";
-    Parameter::normal(FIRST_STAGE, "1", 0.0, 0.5, meaning).within(0.0, MOST_OF_FIRST)
+    Parameter::normal(FIRST_STAGE, "1", 0.0, 0.5, meaning).within(-NONE_BELOW, MOST_OF_FIRST)
 }
+
+/// Below 0 there is no first stage either, so that a law without one lies on no limit.
+const NONE_BELOW: f64 = 0.1;
 
 const FIRST_STAGE: &str = "first_stage";
 

@@ -43,17 +43,17 @@ impl Stage for Exponential {
 }
 
 /// Half a square, nearly: `1 - cos x`, without the loss of digits at small `x`.
-pub(crate) fn versine(x: f64) -> f64 {
+fn versine(x: f64) -> f64 {
     2.0 * (0.5 * x).sin().powi(2)
 }
 
 /// Usual bend, over the span of what it follows: the coefficient at one end is three times that at the other.
-pub(crate) const USUAL_BEND: f64 = 2.0;
+const USUAL_BEND: f64 = 2.0;
 /// Most: the coefficient is 0 a hundredth of the span beside the reference. A crystal is cut so that this point lies in the middle of its range; 4 was a limit that hid a parabola about the reference.
-pub(crate) const MOST_BENT: f64 = 100.0;
+const MOST_BENT: f64 = 100.0;
 
 /// Bends from which a search starts: a straight line, and parabolas whose turn lies to either side of the reference.
-pub(crate) fn bends(span: f64) -> Vec<Vec<f64>> {
+fn bends(span: f64) -> Vec<Vec<f64>> {
     [0.0, 20.0, -20.0].map(|bend| vec![bend / span]).to_vec()
 }
 

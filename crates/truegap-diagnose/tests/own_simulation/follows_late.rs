@@ -118,7 +118,7 @@ fn a_parabola_about_the_reference_is_a_temperature_coefficient() {
     let inputs = Inputs { temperature_c: Some(warm.clone()), ..clocked() };
     let read = noisy(35, |row| 3.0 + 0.002 * (warm[row] - base.reference_c()).powi(2), ROWS);
     let said = said(&base, &inputs, &read);
-    assert_eq!((said.verdict, names(&said)), (Verdict::Explained, vec!["temperature_coefficient"]), "{}", said.says);
+    assert_eq!(names(&said), ["temperature_coefficient"], "{}", said.says);
     assert!(said.fit.in_sample.rmse_after < 0.0105, "{}", said.fit.in_sample.rmse_after);
 }
 

@@ -10,7 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal, Uniform};
 use std::sync::atomic::AtomicBool;
 use truegap_core::{Inputs, Parameter, Simulator};
-use truegap_diagnose::quality::{Notice, NoticeKind, Rows, troubles};
+use truegap_diagnose::quality::{Notice, NoticeKind, Rows, outliers_of_inputs, troubles};
 use truegap_diagnose::{Options, Problem, RecordingFacts, Verdict, diagnose};
 
 fn gaussian(seed: u64) -> impl FnMut() -> f64 {
@@ -139,4 +139,50 @@ fn a_power_of_a_thousand_is_a_unit_unless_a_number_of_the_simulator_can_make_it(
     assert!(told(0.1, 1e-6).is_some());
     // right, off by ten, and a gain of which nothing is known
     assert!(told(0.1, 1e-3).is_none() && told(0.1, 1e-2).is_none() && told(1000.0, 1.0).is_none());
+}
+
+/// Rows of a recording of the plate that are left out for a value of an input.
+fn left_out(inputs: &Inputs, response: &[f64]) -> Vec<usize> {
+    let plate = Plate::new(None);
+    let problem = Problem { inputs, response, simulator: &plate };
+    let found = outliers_of_inputs(&problem, &Rows { inputs, given: None, unit: "pF" });
+    found.map_or_else(Vec::new, |(notice, out)| {
+        assert!(notice.kind == NoticeKind::Outliers && !notice.withholds, "{}", notice.says);
+        out
+    })
+}
+
+/// A thermometer that reports -127 degC where it has no answer: the row took the whole answer. A reading that follows such a value says that it was there.
+#[test]
+fn a_value_that_the_reading_does_not_follow_is_left_out() {
+    let mut noise = gaussian(5);
+    let mut warm: Vec<f64> = (0..600).map(|row| 22.0 + 3.0 * (f64::from(row) / 80.0).sin() + 0.2 * noise()).collect();
+    warm[311] = -127.0;
+    let mut read: Vec<f64> = (0..600).map(|_| 210.0 + 0.002 * noise()).collect();
+    let inputs = Inputs { temperature_c: Some(warm), ..inputs(vec![0.0; 600]) };
+    assert_eq!(left_out(&inputs, &read), [311]);
+    read[311] -= 1.0;
+    assert_eq!(left_out(&inputs, &read), [0usize; 0]);
+}
+
+/// A force that is held for 40 rows a step, and two rows of it that were lost: beside a reading that follows every other step at once they are no load, beside a slow one they may be a command.
+#[test]
+fn a_lost_row_of_a_force_that_steps_is_told_by_its_other_steps() {
+    let level = |step: usize| 10.0 + ((step * step * 37 + 11 * step) % 101) as f64 / 4.0;
+    let held: Vec<f64> = (0..1200).map(|row| level(row / 40)).collect();
+    let mut force = held.clone();
+    force[500..502].fill(0.0);
+    let mut noise = gaussian(6);
+    let at_once: Vec<f64> = held.iter().map(|newton| 210.0 + 0.1 * newton + 0.005 * noise()).collect();
+    assert_eq!(left_out(&inputs(force.clone()), &at_once), [500, 501]);
+    let mut late = held[0];
+    let mut follow = |newton: &f64| {
+        late += (newton - late) / 200.0;
+        210.0 + 0.1 * late + 0.005 * noise()
+    };
+    let slow: Vec<f64> = held.iter().map(&mut follow).collect();
+    assert_eq!(left_out(&inputs(force), &slow), [0usize; 0]);
+    // so many short pulses that they were done
+    let pulse = |(row, newton): (usize, &f64)| if row % 40 == 20 { 0.0 } else { *newton };
+    assert_eq!(left_out(&inputs(held.iter().enumerate().map(pulse).collect()), &at_once), [0usize; 0]);
 }

@@ -42,7 +42,7 @@ pub fn dead_channel(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
 }
 
 /// Columns that a dead logger leaves standing, with name and unit.
-fn inputs_of(inputs: &Inputs) -> Vec<(&'static str, &'static str, &[f64])> {
+pub(super) fn inputs_of(inputs: &Inputs) -> Vec<(&'static str, &'static str, &[f64])> {
     let columns = [
         ("force", "N", &inputs.force_n),
         ("pressure", "Pa", &inputs.pressure_pa),

@@ -22,18 +22,8 @@ pub fn outliers(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<u
     let still: Vec<&[f64]> = [load.as_deref(), problem.inputs.temperature_c.as_deref()].into_iter().flatten().collect();
     let drivers = problem.inputs.drivers.iter().map(|driver| driver.values.as_slice());
     let still: Vec<&[f64]> = still.into_iter().chain(drivers).collect();
-    let mut found: Vec<Range<usize>> = Vec::new();
-    for run in &runs {
-        let mut row = run.start + 2;
-        while row + 2 < run.end {
-            let group = (1..=OUTLIERS_TOGETHER)
-                .filter(|length| row + length + 2 <= run.end)
-                .map(|length| row..row + length)
-                .find(|group| stands_out(response, group, OUTLIER_FAR * sd) && still.iter().all(|c| !stands_out(c, group, 0.0)));
-            row = group.as_ref().map_or(row + 1, |g| g.end);
-            found.extend(group);
-        }
-    }
+    let found =
+        groups(&runs, |group| stands_out(response, group, OUTLIER_FAR * sd) && still.iter().all(|c| !stands_out(c, group, 0.0)));
     let out: Vec<usize> = found.iter().flat_map(Clone::clone).collect();
     if out.is_empty() {
         return None;
@@ -53,8 +43,7 @@ fn says(found: &[Range<usize>], count: usize, too_many: bool, response: &[f64], 
         let beside = response[group.start - 1];
         format!("{} reads {}, {} beside it", rows.place(group.start), rows.reading(response[group.start]), rows.reading(beside))
     };
-    let named = found.iter().take(OUTLIERS_NAMED).map(one).collect::<Vec<_>>().join("; ");
-    let more = if found.len() > OUTLIERS_NAMED { format!("; and {} more", found.len() - OUTLIERS_NAMED) } else { String::new() };
+    let named = first_of(found, one);
     let (what, fix) = match count {
         1 => ("1 reading stands far outside its neighbours".to_owned(), "it was"),
         _ => (format!("{count} readings stand far outside their neighbours"), "they were"),
@@ -64,7 +53,31 @@ fn says(found: &[Range<usize>], count: usize, too_many: bool, response: &[f64], 
     } else {
         format!("{fix} left out; look for interference or a loose contact")
     };
-    format!("{what} while nothing was done: {named}{more}; {end}")
+    format!("{what} while nothing was done: {named}; {end}")
+}
+
+/// Up to [`OUTLIERS_TOGETHER`] rows together that are outliers, from the beginning of each run on.
+pub(super) fn groups(runs: &[Range<usize>], is_one: impl Fn(&Range<usize>) -> bool) -> Vec<Range<usize>> {
+    let mut found = Vec::new();
+    for run in runs {
+        let mut row = run.start + 2;
+        while row + 2 < run.end {
+            let lengths = (1..=OUTLIERS_TOGETHER).filter(|length| row + length + 2 <= run.end);
+            let group = lengths.map(|length| row..row + length).find(&is_one);
+            row = group.as_ref().map_or(row + 1, |g| g.end);
+            found.extend(group);
+        }
+    }
+    found
+}
+
+/// The first [`OUTLIERS_NAMED`] of them, and how many more there are.
+pub(super) fn first_of(found: &[Range<usize>], one: impl Fn(&Range<usize>) -> String) -> String {
+    let named = found.iter().take(OUTLIERS_NAMED).map(one).collect::<Vec<_>>().join("; ");
+    match found.len().saturating_sub(OUTLIERS_NAMED) {
+        0 => named,
+        more => format!("{named}; and {more} more"),
+    }
 }
 
 /// Whether all rows of `group` lie on one side of the two rows before and after, by more than `least` and several times their range.

@@ -8,13 +8,11 @@
 use crate::{
     data::problem::Problem,
     quality::{
+        dead::inputs_of,
         notice::{Notice, NoticeKind},
-        outliers::{stands_out, white_sd},
+        outliers::{first_of, groups, stands_out, white_sd},
         rows::Rows,
-        tuning::{
-            AS_HIGH, FEWEST_STEPS, FOLLOWED, HALVES_BEYOND, JUMPS, OUTLIER_FAR, OUTLIERS_NAMED, OUTLIERS_TOGETHER,
-            TOO_MANY_OUTLIERS,
-        },
+        tuning::{AS_HIGH, FEWEST_STEPS, FOLLOWED, HALVES_BEYOND, JUMPS, OUTLIER_FAR, TOO_MANY_OUTLIERS},
     },
     stats::{median, resolution},
     text::Scale,
@@ -24,17 +22,19 @@ use truegap_core::Inputs;
 
 /// A notice, and the rows that are to be left out.
 pub fn outliers_of_inputs(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<usize>)> {
-    let columns = columns_of(problem.inputs);
-    let found: Vec<(usize, Vec<Range<usize>>)> =
-        columns.iter().enumerate().map(|(i, c)| (i, groups(problem, c.values))).collect();
+    let response_sd = white_sd(problem.response, &problem.inputs.runs());
+    let of_each = columns_of(problem.inputs).into_iter().map(|column| {
+        let groups = not_followed(problem, column.values, response_sd);
+        (column, groups)
+    });
+    let found: Vec<_> = of_each.filter(|(_, groups)| !groups.is_empty()).collect();
     let mut out: Vec<usize> = found.iter().flat_map(|(_, groups)| groups.iter().flat_map(Clone::clone)).collect();
     out.sort_unstable();
     out.dedup();
     if out.is_empty() {
         return None;
     }
-    let told: Vec<String> =
-        found.iter().filter(|(_, groups)| !groups.is_empty()).map(|(i, groups)| told(&columns[*i], groups, rows)).collect();
+    let told: Vec<String> = found.iter().map(|(column, groups)| told(column, groups, rows)).collect();
     let each = if out.len() == 1 { "its row was" } else { "their rows were" };
     let says = format!(
         "{} while the reading did not move; {each} left out. Look for an error value of the logger or a loose contact",
@@ -51,25 +51,17 @@ struct Column<'a> {
 }
 
 fn columns_of(inputs: &Inputs) -> Vec<Column<'_>> {
-    let roles = [
-        ("force", "N", &inputs.force_n),
-        ("pressure", "Pa", &inputs.pressure_pa),
-        ("gap", "m", &inputs.gap_m),
-        ("temperature", "°C", &inputs.temperature_c),
-        ("humidity", "%", &inputs.humidity_pct),
-        ("simulation", "", &inputs.simulated),
-    ];
-    let roles =
-        roles.into_iter().filter_map(|(name, unit, column)| column.as_deref().map(|values| Column { name, unit, values }));
-    let drivers = inputs.drivers.iter().map(|d| Column { name: &d.name, unit: &d.unit, values: &d.values });
-    roles.chain(drivers).collect()
+    let others = [("humidity", "%", &inputs.humidity_pct), ("simulation", "", &inputs.simulated)];
+    let others = others.into_iter().filter_map(|(name, unit, column)| column.as_deref().map(|values| (name, unit, values)));
+    let drivers = inputs.drivers.iter().map(|d| (d.name.as_str(), d.unit.as_str(), d.values.as_slice()));
+    let all = inputs_of(inputs).into_iter().chain(others).chain(drivers);
+    all.map(|(name, unit, values)| Column { name, unit, values }).collect()
 }
 
 /// Rows of a column that stand out of their neighbours; none where so many do that they were done.
-fn groups(problem: &Problem<'_>, column: &[f64]) -> Vec<Range<usize>> {
+fn not_followed(problem: &Problem<'_>, column: &[f64], response_sd: f64) -> Vec<Range<usize>> {
     let runs = problem.inputs.runs();
     let moves = moves_as_a_rule(column, &runs);
-    let response_sd = white_sd(problem.response, &runs);
     let far = OUTLIER_FAR * white_sd(column, &runs).max(resolution(column));
     let middle = median(column);
     let half = median(&column.iter().map(|value| (value - middle).abs()).collect::<Vec<f64>>());
@@ -91,18 +83,8 @@ fn groups(problem: &Problem<'_>, column: &[f64]) -> Vec<Range<usize>> {
         let followed = steps.iter().filter(|row| jump(row) > JUMPS * response_sd).count();
         steps.len() >= FEWEST_STEPS && followed as f64 >= FOLLOWED * steps.len() as f64
     };
-    let mut found = Vec::new();
-    for run in &runs {
-        let mut row = run.start + 2;
-        while row + 2 < run.end {
-            let group = (1..=OUTLIERS_TOGETHER)
-                .filter(|length| row + length + 2 <= run.end)
-                .map(|length| row..row + length)
-                .find(|group| stands_out(column, group, least) && !answers(group) && (moves || is_followed_elsewhere(group)));
-            row = group.as_ref().map_or(row + 1, |g| g.end);
-            found.extend(group);
-        }
-    }
+    let found =
+        groups(&runs, |group| stands_out(column, group, least) && !answers(group) && (moves || is_followed_elsewhere(group)));
     let count: usize = found.iter().map(ExactSizeIterator::len).sum();
     if count as f64 > TOO_MANY_OUTLIERS * column.len() as f64 { Vec::new() } else { found }
 }
@@ -120,11 +102,8 @@ fn told(column: &Column<'_>, groups: &[Range<usize>], rows: &Rows<'_>) -> String
         let [value, beside] = [column.values[group.start], column.values[group.start - 1]].map(text);
         format!("{} has {value}, {beside} beside it", rows.place(group.start))
     };
-    let named = groups.iter().take(OUTLIERS_NAMED).map(one).collect::<Vec<_>>().join("; ");
-    let more =
-        if groups.len() > OUTLIERS_NAMED { format!("; and {} more", groups.len() - OUTLIERS_NAMED) } else { String::new() };
     let count: usize = groups.iter().map(ExactSizeIterator::len).sum();
     let what = if count == 1 { "value" } else { "values" };
     let stand = if count == 1 { "stands far outside its neighbours" } else { "stand far outside their neighbours" };
-    format!("{count} {what} of the {} {stand}: {named}{more}", column.name)
+    format!("{count} {what} of the {} {stand}: {}", column.name, first_of(groups, one))
 }

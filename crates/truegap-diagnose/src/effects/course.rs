@@ -11,7 +11,7 @@ use crate::{
     stats::{median, spread},
 };
 use std::borrow::Cow;
-use truegap_core::{Drive, Parameter, ends};
+use truegap_core::{Drive, Inputs, Parameter, ends};
 
 /// Range of the load from which on it drives a reading, full loads.
 const LOADED: f64 = 0.05;
@@ -191,11 +191,15 @@ impl Course {
 
     /// The column as the stages see it; `None` where it was not recorded.
     pub fn column<'a>(self, drive: &Drive<'a>) -> Option<&'a [f64]> {
-        let inputs = drive.inputs;
+        if self == Self::Load { Some(drive.load) } else { self.of_inputs(drive.inputs) }
+    }
+
+    /// The column of the inputs; `None` where it was not recorded, and of the load, which the base model makes of them.
+    fn of_inputs(self, inputs: &Inputs) -> Option<&[f64]> {
         match self {
             Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice()),
             Self::Humidity => inputs.humidity_pct.as_deref(),
-            Self::Load => Some(drive.load),
+            Self::Load => None,
             Self::Gap => inputs.gap_m.as_deref(),
             Self::Simulated => inputs.simulated.as_deref(),
         }
@@ -223,26 +227,18 @@ impl Course {
 
     /// Range of the column, in its unit; 1 where it does not move.
     pub fn span(self, context: &Context<'_>) -> f64 {
-        let inputs = context.inputs;
         let range = match self {
-            Self::Driver(index) => inputs.drivers.get(index).map(|driver| spread(&driver.values)),
-            Self::Humidity => inputs.humidity_pct.as_deref().map(spread),
             Self::Load => Some(context.load_span()),
-            Self::Gap => inputs.gap_m.as_deref().map(spread),
-            Self::Simulated => inputs.simulated.as_deref().map(spread),
+            other => other.of_inputs(context.inputs).map(spread),
         };
         range.filter(|range| *range > 0.0).unwrap_or(1.0)
     }
 
     /// The column as it was recorded.
     pub fn recorded<'a>(self, context: &Context<'a>) -> Option<Cow<'a, [f64]>> {
-        let inputs = context.inputs;
         match self {
-            Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice().into()),
-            Self::Humidity => inputs.humidity_pct.as_deref().map(Cow::Borrowed),
-            Self::Load => load_column(inputs, context.simulator).map(Cow::Owned),
-            Self::Gap => inputs.gap_m.as_deref().map(Cow::Borrowed),
-            Self::Simulated => inputs.simulated.as_deref().map(Cow::Borrowed),
+            Self::Load => load_column(context.inputs, context.simulator).map(Cow::Owned),
+            other => other.of_inputs(context.inputs).map(Cow::Borrowed),
         }
     }
 
@@ -280,14 +276,7 @@ impl Course {
     /// Mean speed of the column, in its unit a second (a row without a clock).
     pub fn usual_speed(self, context: &Context<'_>) -> f64 {
         let inputs = context.inputs;
-        let column = match self {
-            Self::Driver(index) => inputs.drivers.get(index).map(|driver| driver.values.as_slice()),
-            Self::Humidity => inputs.humidity_pct.as_deref(),
-            Self::Load => None,
-            Self::Gap => inputs.gap_m.as_deref(),
-            Self::Simulated => inputs.simulated.as_deref(),
-        };
-        let Some(column) = column else { return 0.0 };
+        let Some(column) = self.of_inputs(inputs) else { return 0.0 };
         let (mut way, mut time) = (0.0, 0.0);
         walk(inputs, |row, step| {
             if let Some(step) = step {

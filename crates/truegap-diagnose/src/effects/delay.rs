@@ -34,40 +34,35 @@ impl Delay {
         }
         let truth = value.to_vec();
         let before = |row: usize| self.before * if row == 0 { 1.0 } else { steps_alike(truth[0] - rest, truth[row] - rest) };
-        self.first_stage(inputs, before, value);
-        let given = value.to_vec();
+        let mut staged = Vec::new();
+        if self.first_s > 0.0 {
+            staged.clone_from(&truth);
+            late(inputs, &[self.first_s], &truth, |row| self.first_s * before(row), |row, late| staged[row] = late);
+        }
+        let given = if staged.is_empty() { &truth } else { &staged };
+        // while it rises, and while it falls
+        let apart = (0.5 * self.recovery).exp();
         value.fill(0.0);
         for (tau_s, share) in self.parts.iter().filter(|(_, share)| *share > 0.0) {
-            let mut lag = Lag::default();
-            let apart = (0.5 * self.recovery).exp();
-            // while it rises, and while it falls
-            let ways = if self.recovery == 0.0 { vec![*tau_s] } else { vec![tau_s / apart, tau_s * apart] };
-            walk_lags(inputs, &ways, |row, weights| {
-                let x = given[row];
-                let falls = usize::from(ways.len() > 1 && x < lag.state);
-                let late = match weights {
-                    None => lag.start(x, x - tau_s * before(row)),
-                    Some(weights) => lag.next(x, weights, falls),
-                };
-                value[row] += share * late;
-            });
+            let ways = [tau_s / apart, tau_s * apart];
+            let ways = if self.recovery == 0.0 { &ways[..1] } else { &ways };
+            late(inputs, ways, given, |row| tau_s * before(row), |row, late| value[row] += share * late);
         }
     }
+}
 
-    /// What the first stage hands on, in place; a run that is on its way stands behind there as well.
-    fn first_stage(&self, inputs: &Inputs, before: impl Fn(usize) -> f64, value: &mut [f64]) {
-        if self.first_s <= 0.0 {
-            return;
-        }
-        let mut lag = Lag::default();
-        walk_lags(inputs, &[self.first_s], |row, weights| {
-            let x = value[row];
-            value[row] = match weights {
-                None => lag.start(x, x - self.first_s * before(row)),
-                Some(weights) => lag.next(x, weights, 0),
-            };
-        });
-    }
+/// Gives a column with a lag, row by row: by the time constants `ways` while it rises and while it falls, or by one; each run begins `behind` its first value.
+fn late(inputs: &Inputs, ways: &[f64], given: &[f64], behind: impl Fn(usize) -> f64, mut give: impl FnMut(usize, f64)) {
+    let mut lag = Lag::default();
+    walk_lags(inputs, ways, |row, weights| {
+        let x = given[row];
+        let falls = usize::from(ways.len() > 1 && x < lag.state);
+        let late = match weights {
+            None => lag.start(x, x - behind(row)),
+            Some(weights) => lag.next(x, weights, falls),
+        };
+        give(row, late);
+    });
 }
 
 /// How many times as far from rest a run begins as the first; 0 where the first begins at rest, and never more than [`MOST_ALIKE`] times.

@@ -116,11 +116,8 @@ impl Choice<'_, '_> {
     /// From the base model as it is calibrated where effects are added.
     fn made(&self, base: Tried) -> Chosen {
         // richer laws are open from the start, since rows left out judge them at once; other laws are asked one at a time
-        let of_another_law = |(id, name): &&Number| {
-            let laws = self.search.library.iter().filter(|effect| effect.id() == *id).flat_map(|effect| effect.other_laws());
-            laws.into_iter().any(|law| law.contains(name))
-        };
-        let held: Vec<Number> = self.search.context.held.iter().filter(of_another_law).copied().collect();
+        let held: Vec<Number> =
+            self.search.library.iter().flat_map(|effect| other_laws_of(self.search, *effect)).flatten().collect();
         let base = || Asked { tried: base.clone(), held: held.clone(), unseen: self.judged.by_base.unseen.clone() };
         let found = self.forward(base(), OnLimits::Refused);
         let nothing = found.is_none();

@@ -78,12 +78,6 @@ pub(crate) struct Prepared<'a> {
     pub asked: Asked,
 }
 
-/// Names of the numbers of an effect that are held at nothing at first.
-fn held_at_first(effect: &dyn Effect) -> impl Iterator<Item = &'static str> {
-    let of_others = effect.other_laws().iter().flat_map(|law| law.iter());
-    effect.may_be_more().iter().chain(of_others).copied()
-}
-
 impl<'a> Prepared<'a> {
     /// Makes a recording ready under `noise`.
     ///
@@ -94,7 +88,7 @@ impl<'a> Prepared<'a> {
         let (testable, not_testable) = part(&context, options);
         // richer laws wait for rows left out that bear them out
         let has = |effect: &dyn Effect, name: &str| effect.parameters(&context).iter().any(|number| number.name == name);
-        let more = testable.iter().flat_map(|effect| held_at_first(*effect).map(|name| (*effect, name)));
+        let more = testable.iter().flat_map(|effect| effect.held_at_first().into_iter().map(|name| (*effect, name)));
         let held = more.filter(|(effect, name)| has(*effect, name)).map(|(effect, name)| (effect.id(), name)).collect();
         context.held = held;
         let averages = block_averages(problem, &noise, searched_rows(problem.response.len()))?;

@@ -69,7 +69,7 @@ fn borne_out(prepared: &Prepared<'_>, examined: &Examined, told: &Told<'_>) -> O
     borne_out.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, held)| held)
 }
 
-/// Whether another law is seen in the rows that are fitted; only then are rows left out asked for it, which takes as many fits as there are parts.
+/// Whether what another model has and a simple one has not is seen in the rows that are fitted. Rows left out are asked for what is seen alone: that takes as many fits as there are parts.
 pub(crate) fn promises(other: &Tried, simple: &Tried) -> bool {
     simple.fit.objective() - other.fit.objective() > 0.5 * VISIBLE * VISIBLE
 }

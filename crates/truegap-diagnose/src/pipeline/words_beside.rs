@@ -16,10 +16,10 @@ use crate::{
         calibrated::predictions,
         judged::{Judged, Told, may_compose},
         prepare::Prepared,
+        richer_laws::promises,
     },
     selection::{
         candidates::{Search, Tried},
-        tuning::VISIBLE,
         verdict::{Decision, Verdict},
     },
     validation::{
@@ -74,13 +74,14 @@ fn without_unseen(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged,
     let with = with_mechanisms(search, &beside.composition.mechanisms);
     let names: Vec<usize> = beside.composition.tried.effects.iter().copied().filter(|e| *e < prepared.testable.len()).collect();
     for name in names {
-        let said = beside.composition.mechanisms.iter().any(|mechanism| says_one_of(search, &[name], mechanism));
-        let others: Vec<usize> = beside.composition.tried.effects.iter().copied().filter(|e| *e != name).collect();
-        let Some(tried) = with.part_of(&beside.composition.tried, &others).filter(|_| !said) else { continue };
-        let risen = tried.fit.objective() - beside.composition.tried.fit.objective();
+        if beside.composition.mechanisms.iter().any(|mechanism| says_one_of(search, &[name], mechanism)) {
+            continue;
+        }
+        let whole = &beside.composition.tried;
+        let others: Vec<usize> = whole.effects.iter().copied().filter(|e| *e != name).collect();
+        let Some(tried) = with.part_of(whole, &others).filter(|tried| !promises(whole, tried)) else { continue };
         let unseen = predictions(prepared, &with, &judged.by_base, &tried);
-        let as_well = compared(&unseen, &beside.unseen).is_some_and(|both| both.rmse[0] <= CLEARLY_WORSE * both.rmse[1]);
-        if as_well && 2.0 * risen < VISIBLE * VISIBLE {
+        if compared(&unseen, &beside.unseen).is_some_and(|both| both.rmse[0] <= CLEARLY_WORSE * both.rmse[1]) {
             beside.composition.tried = tried;
             beside.unseen = unseen;
         }

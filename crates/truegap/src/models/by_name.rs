@@ -48,17 +48,12 @@ pub(super) fn within_its_runs<'a>(added: &AddedEffect, context: &Context<'a>) ->
     context.clone().with_runs(context.runs.min(added.parameters.len() + 2))
 }
 
-/// Whether a number belongs to a law that came to the effect later: it is 0 in a file of before.
-fn is_of_a_later_law(effect: &dyn Effect, name: &str) -> bool {
-    effect.may_be_more().contains(&name) || effect.other_laws().iter().any(|law| law.contains(&name))
-}
-
 /// The number of this name, as the file gives it.
 fn number(added: &AddedEffect, effect: &dyn Effect, parameter: Parameter) -> Result<NamedValue, ModelFileError> {
     let Parameter { name, unit, .. } = parameter;
     match added.parameters.iter().find(|given| given.name == name) {
         Some(given) => Ok(given.clone()),
-        None if is_of_a_later_law(effect, &name) => Ok(NamedValue { name, unit, value: 0.0, sd: 0.0 }),
+        None if effect.held_at_first().contains(&name.as_str()) => Ok(NamedValue { name, unit, value: 0.0, sd: 0.0 }),
         None => Err(ModelFileError::MissingNumber { id: added.id.clone(), name, unit }),
     }
 }

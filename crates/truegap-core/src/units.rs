@@ -169,18 +169,20 @@ pub(crate) fn is_same_unit(one: &str, other: &str) -> bool {
     one == other || alike(Dimension::Capacitance) || alike(Dimension::Temperature)
 }
 
+/// What is measured here.
+pub(crate) const MEASURED: [Dimension; 8] = [
+    Dimension::Time,
+    Dimension::Force,
+    Dimension::Pressure,
+    Dimension::Length,
+    Dimension::Temperature,
+    Dimension::Humidity,
+    Dimension::Capacitance,
+    Dimension::Voltage,
+];
+
 /// Whether `text` is a unit of anything that is measured here, in one of its spellings.
 pub(crate) fn is_unit(text: &str) -> bool {
-    const MEASURED: [Dimension; 8] = [
-        Dimension::Time,
-        Dimension::Force,
-        Dimension::Pressure,
-        Dimension::Length,
-        Dimension::Temperature,
-        Dimension::Humidity,
-        Dimension::Capacitance,
-        Dimension::Voltage,
-    ];
     MEASURED.into_iter().any(|dimension| dimension.unit_like(text).is_some())
 }
 

@@ -6,7 +6,7 @@ use super::{
     heading::Heading,
     words::{is_called_instrument, is_called_reference, is_called_simulation, subject},
 };
-use crate::units::Dimension;
+use crate::units::{Dimension, MEASURED};
 
 /// A reading, and the column of its quantity that stands beside it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,20 +17,9 @@ pub(super) struct Twins {
     pub is_simulated: bool,
 }
 
-const DIMENSIONS: [Dimension; 8] = [
-    Dimension::Time,
-    Dimension::Force,
-    Dimension::Pressure,
-    Dimension::Length,
-    Dimension::Temperature,
-    Dimension::Humidity,
-    Dimension::Capacitance,
-    Dimension::Voltage,
-];
-
 /// What is measured, as far as the unit tells.
 fn quantity(heading: &Heading) -> Option<Dimension> {
-    DIMENSIONS.into_iter().find(|dimension| heading.shown_unit_of(*dimension).is_some())
+    MEASURED.into_iter().find(|dimension| heading.shown_unit_of(*dimension).is_some())
 }
 
 /// Whether two columns hold one quantity: units of one kind, the same unit, or without units the same name but for who has written it.

@@ -31,6 +31,17 @@ fn lagged(x: &[f64], tau: f64) -> Vec<f64> {
     std::iter::once(x[0]).chain(late).collect()
 }
 
+/// A reading that goes from row to row as `step` says, from where the simulation is and where it was itself.
+fn following(inputs: &Inputs, step: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+    let simulated = inputs.simulated.as_ref().unwrap();
+    let mut read = simulated[0];
+    let mut go = |x: &f64| {
+        read += step(*x, read);
+        read
+    };
+    simulated.iter().map(&mut go).collect()
+}
+
 fn names(said: &Diagnosis) -> Vec<&str> {
     said.findings.iter().map(|finding| finding.effect.as_str()).collect()
 }
@@ -60,20 +71,11 @@ fn two_stages_one_behind_the_other_are_one_cause() {
     assert!(said.fit.in_sample.rmse_after < 0.0105, "{}", said.fit.in_sample.rmse_after);
 }
 
-/// A chemical sensor that takes 8 s for more and 25 s for less: it was told as one time constant, with five times the noise left over.
+/// A chemical sensor that takes 8 s for more and 25 s for less: it was told as one time constant, which leaves more than the noise.
 #[test]
 fn a_reading_that_recovers_slowly_has_two_time_constants() {
     let inputs = stepped();
-    let mut y = inputs.simulated.as_ref().unwrap()[0];
-    let truth: Vec<f64> = inputs
-        .simulated
-        .iter()
-        .flatten()
-        .map(|x| {
-            y += (x - y) * -(-1.0 / if *x > y { 8.0f64 } else { 25.0 }).exp_m1();
-            y
-        })
-        .collect();
+    let truth = following(&inputs, |x, y| (x - y) * -(-1.0 / if x > y { 8.0f64 } else { 25.0 }).exp_m1());
     let said =
         said_by(&["slow_response", "readout_lag", "nonlinearity"], &Given::fixed(), &inputs, &noisy(32, |row| truth[row], ROWS));
     assert_eq!(names(&said), ["slow_response"], "{}", said.says);
@@ -85,16 +87,7 @@ fn a_reading_that_recovers_slowly_has_two_time_constants() {
 #[test]
 fn a_reading_with_a_limit_of_its_rate_is_named() {
     let inputs = stepped();
-    let mut y = inputs.simulated.as_ref().unwrap()[0];
-    let truth: Vec<f64> = inputs
-        .simulated
-        .iter()
-        .flatten()
-        .map(|x| {
-            y += (x - y).clamp(-0.02, 0.02);
-            y
-        })
-        .collect();
+    let truth = following(&inputs, |x, y| (x - y).clamp(-0.02, 0.02));
     let said = said(&Given::fixed(), &inputs, &noisy(33, |row| truth[row], ROWS));
     assert_eq!((said.verdict, names(&said)), (Verdict::Explained, vec!["rate_limit"]), "{}", said.says);
     close(&said, "slowness", 50.0);

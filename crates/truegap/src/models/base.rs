@@ -199,13 +199,11 @@ pub fn base_options(recording: &Recording) -> Result<BaseOptions, BaseModelError
 /// Refuses a key under `[base]` that the model does not have: the key, and what may stand there.
 fn only_own_keys(base: &BaseSpec) -> Result<(), (String, String)> {
     let given = base.further.keys().map(String::as_str).chain(base.warp.map(|_| "warp"));
-    let known = |model: &str, key: &str| KEYS.iter().any(|(name, keys)| *name == model && keys.contains(&key));
+    // of a model that is not known its name is refused, and here a key that none has
     let is_model = KEYS.iter().any(|(name, _)| *name == base.model);
-    let any = |key: &str| KEYS.iter().any(|(_, keys)| keys.contains(&key));
-    let fits = |key: &str| if is_model { known(&base.model, key) } else { any(key) };
-    let Some(key) = given.into_iter().find(|key| !fits(key)) else { return Ok(()) };
     let own = KEYS.iter().filter(|(name, _)| *name == base.model || !is_model).flat_map(|(_, keys)| keys.iter().copied());
     let own: Vec<&str> = ["model", "sensor"].into_iter().chain(own).collect();
+    let Some(key) = given.into_iter().find(|key| !own.contains(key)) else { return Ok(()) };
     let others: Vec<String> = KEYS
         .iter()
         .filter(|(name, keys)| *name != "function" && keys.contains(&key))

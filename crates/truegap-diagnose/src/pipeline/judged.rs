@@ -106,8 +106,9 @@ pub(crate) fn judged(
     composition: Option<Composition>,
 ) -> Result<Judged, DiagnoseError> {
     let strained = composition.as_ref().is_some_and(|composition| composition.library_strained);
-    // the odds of mechanisms are what the noise was taken for
-    let by_library = (composition.is_some() && !prepared.noise_is_known()).then(|| examined.clone());
+    // the odds of mechanisms are what the noise was taken for; and laws that have run to their limits, which the odds leave out, may still foretell rows left out better where equations only describe
+    let doubtful = !prepared.noise_is_known() || (strained && !prepared.context.has_plates());
+    let by_library = (composition.is_some() && doubtful).then(|| examined.clone());
     let first = judged_once(prepared, told, examined, composition, None)?;
     if let Some(examined) = by_library {
         let library = judged_once(prepared, told, examined, None, Some(first.by_base.clone()))?;

@@ -93,6 +93,8 @@ pub struct Driver {
 /// Columns of equal length; a column that was not recorded is absent.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inputs {
+    /// second 0 of `time_s`, in seconds since the begin of 1970 (UTC where its dates have a zone); absent where the clock is no date
+    pub began_s: Option<f64>,
     /// seconds on one clock through all runs; absent where only the order of rows is known
     pub time_s: Option<Vec<f64>>,
     /// run of each row; memory starts afresh where it changes
@@ -189,6 +191,7 @@ impl Inputs {
     pub fn columns_as(&self, run: Vec<u32>, change: impl Fn(&[f64]) -> Vec<f64>) -> Self {
         let changed = |column: &Option<Vec<f64>>| column.as_deref().map(&change);
         Self {
+            began_s: self.began_s,
             time_s: changed(&self.time_s),
             run,
             force_n: changed(&self.force_n),

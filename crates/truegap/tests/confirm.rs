@@ -113,9 +113,13 @@ fn a_clock_is_left_to_the_recording_that_it_was_found_in() {
     let without = judged(other(true, 1.0, 0.0), FIXED);
     assert_eq!((answer.augmented.rmse, answer.verdict), (without.augmented.rmse, Judgement::Confirmed));
     assert_eq!(answer.model.effects, ["thermal_lag"]);
-    assert!(answer.notes.iter().any(|note| note.starts_with("time offset belongs to what recorded")), "{:?}", answer.notes);
+    assert!(
+        answer.notes.iter().any(|note| note.starts_with("time offset is left out here: it belongs to what recorded")),
+        "{:?}",
+        answer.notes
+    );
     let alone = confirm(&written(folder.path(), &with(vec![clock])), other(true, 1.0, 0.0), None, FIXED).err().unwrap();
-    assert!(matches!(alone, ConfirmError::OfRecorder { .. }) && alone.to_string().contains("time offset"), "{alone}");
+    assert!(matches!(alone, ConfirmError::LeftOut { .. }) && alone.to_string().contains("time offset"), "{alone}");
 }
 
 /// A recording whose load is stamped by another clock: what was found is hidden behind it until a clock is fitted, and that clock is the planted one.
@@ -265,6 +269,50 @@ fn a_recording_without_the_physics_refutes_it() {
     let answer = judged(other(false, 1.0, 0.0), FIXED);
     assert_eq!(answer.verdict, Judgement::Refuted, "{}", answer.says);
     assert!(answer.augmented.rmse > answer.base.rmse && answer.test.difference < 0.0, "{}", answer.says);
+}
+
+/// Two error values of a logger: counted, they were most of both errors, and nothing could be told.
+#[test]
+fn readings_far_outside_are_left_out_and_told() {
+    let clean = judged(other(true, 1.0, 0.0), FIXED);
+    let mut recording = other(true, 1.0, 0.0);
+    let far = 1000.0 * found().scales.noise_sd;
+    [400, 900].into_iter().for_each(|row: usize| recording.response[row] += far);
+    let folder = tempfile::tempdir().unwrap();
+    let said = confirm(&written(folder.path(), found()), recording, None, FIXED).unwrap().document;
+    assert_eq!((said.verdict, said.recording.rows), (Judgement::Confirmed, 1198), "{}", said.says);
+    assert!(said.notes.iter().any(|note| note.contains("2 readings stand far outside")), "{:?}", said.notes);
+    // two rows of 1200 are all that differs
+    approx::assert_relative_eq!(said.augmented.rmse, clean.augmented.rmse, max_relative = 0.01);
+}
+
+/// A daily cycle goes with the date: its phase was set to 0 in another recording, which refuted what is right.
+#[test]
+fn a_daily_cycle_is_carried_over_by_the_date_and_by_nothing_else() {
+    let size = 10.0 * found().scales.noise_sd;
+    // highest at two in the afternoon
+    let numbers = [("size", "pF", size), ("highest", "s", 14.0 * 3600.0), ("second", "1", 0.0), ("second_highest", "s", 0.0)];
+    let number = |(name, unit, value): (&str, &str, f64)| NamedValue { name: name.into(), unit: unit.into(), value, sd: 1e-3 };
+    let cycle = numbers.map(number).into();
+    let cycle = AddedEffect { id: "daily_cycle".into(), parameters: cycle, mechanism: None };
+    let mut file = ModelFile { effects: vec![cycle], ..found().clone() };
+    file.scales.moved.as_mut().unwrap().dated = true;
+    // four days that begin at six in the morning of a day
+    let (mut recording, midnight) = (other(false, 1.0, 0.0), 20_786.0 * 86_400.0);
+    recording.inputs = Inputs { began_s: Some(midnight + 6.0 * 3600.0), ..recording.inputs };
+    let time = recording.inputs.time_s.as_mut().unwrap();
+    time.iter_mut().for_each(|t| *t *= 30.0);
+    for (read, t) in recording.response.iter_mut().zip(time.iter()) {
+        *read += 0.5 * size * (std::f64::consts::TAU * (t / 3600.0 + 6.0 - 14.0) / 24.0).cos();
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = written(folder.path(), &file);
+    let said = confirm(&path, recording.clone(), None, FIXED).unwrap().document;
+    assert_eq!(said.verdict, Judgement::Confirmed, "{}", said.says);
+    approx::assert_relative_eq!(said.augmented.rmse, found().scales.noise_sd, max_relative = 0.1);
+    recording.inputs.began_s = None;
+    let refused = confirm(&path, recording, None, FIXED).err().unwrap();
+    assert!(matches!(refused, ConfirmError::LeftOut { .. }) && refused.to_string().contains("goes with the date"), "{refused}");
 }
 
 #[test]

@@ -17,6 +17,7 @@ use super::{
     rows::{Impossible, impossible},
     spans,
     spare::Spare,
+    stamp::{First, stamp},
     whole::{Gone, Instant, is_angle},
 };
 use crate::inputs::{Driver, Inputs, Role};
@@ -176,6 +177,17 @@ impl Frame<'_> {
         }
     }
 
+    /// When a clock of dates began, where their year stands first: the whole second of its first date.
+    fn began_s(&self) -> Option<f64> {
+        match self.dates()? {
+            // elsewhere day and month may stand in either order
+            Note::Dates { first, .. } if first.get(..4)?.bytes().all(|b| b.is_ascii_digit()) => {
+                Some(stamp(first.as_bytes(), First::Year)?.seconds as f64)
+            }
+            _ => None,
+        }
+    }
+
     fn column(&self, role: Role, kept: &[usize]) -> Option<Vec<f64>> {
         let column = self.bound.iter().find(|c| c.role == role)?;
         let (factor, offset) = column.scale;
@@ -215,6 +227,7 @@ impl Frame<'_> {
             Driver { name: d.driver.clone(), unit: d.unit.clone(), values }
         };
         let inputs = Inputs {
+            began_s: self.began_s().filter(|_| !Note::carries_clock_on(&notes)),
             time_s: self.column(Role::Time, &[]).map(|_| times),
             run: runs,
             force_n: column(Role::Force),

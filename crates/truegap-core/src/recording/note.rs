@@ -67,6 +67,13 @@ pub enum Note {
     Constant { role: Role, value: f64 },
 }
 
+impl Note {
+    /// Whether one of these tells of a clock that was carried on, so that its dates are those of the first rows alone.
+    pub(super) fn carries_clock_on(notes: &[Self]) -> bool {
+        notes.iter().any(|note| matches!(note, Self::TareReset { .. } | Self::ClockCarriedOn { .. }))
+    }
+}
+
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

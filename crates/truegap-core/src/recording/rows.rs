@@ -65,7 +65,7 @@ pub(super) struct Rows {
     /// whether dates have a zone
     zones: Zones,
     /// whole seconds of the first date
-    epoch: i64,
+    epoch: Option<i64>,
 }
 
 impl Rows {
@@ -157,12 +157,13 @@ impl Rows {
             return Err(RecordingError::MixedZones { file, line: table.line(byte)?, column: name, text, says, first });
         }
         if self.runs.is_empty() {
-            self.epoch = stamp.seconds;
+            self.epoch = Some(stamp.seconds);
             let name = &column.name;
             let name = column.of_day.map_or_else(|| name.clone(), |time| joined(name, &table.header[time].name));
             self.first_date = Some(Note::Dates { column: name, first: text(cell).0.into_owned() });
         }
-        Ok((stamp.seconds - self.epoch) as f64 + stamp.fraction)
+        let epoch = self.epoch.unwrap_or(stamp.seconds);
+        Ok((stamp.seconds - epoch) as f64 + stamp.fraction)
     }
 
     /// Whether the row and all that follow are no rows but what somebody wrote below the table: fewer cells than the header has, and no number. Reads them.
@@ -344,7 +345,8 @@ impl Rows {
 
     /// The columns read, the response, and what was noted.
     pub fn finish(self) -> (Inputs, Vec<f64>, Vec<Note>) {
-        let mut inputs = Inputs { run: self.runs, drivers: self.drivers, ..Inputs::default() };
+        let began_s = self.epoch.map(|seconds| seconds as f64).filter(|_| !Note::carries_clock_on(&self.clock.notes));
+        let mut inputs = Inputs { began_s, run: self.runs, drivers: self.drivers, ..Inputs::default() };
         let mut response = Vec::new();
         for (role, column) in self.values {
             match role {

@@ -24,6 +24,9 @@ pub struct Moved {
     pub gap: bool,
     /// whether somebody's simulation was given that moves
     pub simulated: bool,
+    /// whether the clock is a date
+    #[serde(default)]
+    pub dated: bool,
     /// names of the recorded drivers that move up and down, in the order of the recording, and [`HUMIDITY`] where that moves beside a base model without plates
     pub drivers: Vec<String>,
     /// names of those that are angles and begin anew after each turn: to rise and to fall means nothing there
@@ -57,6 +60,7 @@ impl Moved {
             load: load_column(inputs, simulator).as_deref().map_or(0.0, range),
             gap: moves(&inputs.gap_m),
             simulated: moves(&inputs.simulated),
+            dated: inputs.began_s.is_some(),
             drivers,
             round: names(round),
             ranges,

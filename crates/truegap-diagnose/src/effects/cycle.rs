@@ -12,7 +12,7 @@ use crate::{
     text::{rounded, with_sd},
 };
 use std::f64::consts::TAU;
-use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
+use truegap_core::{Drive, EffectId, Inputs, Parameter, Readout, Stage, simulator::StageName};
 
 /// A reading that comes back with the sun.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,19 +48,39 @@ impl Cycle {
     }
 }
 
+/// What its phases are counted from where the clock is a date: the sun is at the same place then in every recording.
+const FROM_MIDNIGHT: &str = "from midnight";
+/// The same of the year.
+const FROM_NEW_YEAR: &str = "from the begin of the year";
+/// What they are counted from on a clock without dates.
+const FROM_FIRST_ROW: &str = "from the first row";
+
 /// `size (cos(2 pi (t - highest) / T) + second cos(4 pi (t - second_highest) / T)) / 2`.
 struct Waves {
     period_s: f64,
+    /// whether `t` is counted from the begin of a day or year, and not from the first row
+    dated: bool,
     size: f64,
     highest_s: f64,
     second: f64,
     second_highest_s: f64,
 }
 
+impl Waves {
+    /// Time of a row, s.
+    fn time_s(&self, inputs: &Inputs, row: usize) -> f64 {
+        match (self.dated, inputs.began_s, &inputs.time_s) {
+            // the begin of 1970 is the begin of a day and of a year
+            (true, Some(began), Some(time)) => began.rem_euclid(self.period_s) + time[row],
+            _ => elapsed_s(inputs, row),
+        }
+    }
+}
+
 impl Stage for Waves {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
         for (row, value) in value.iter_mut().enumerate() {
-            let turn = |from: f64| TAU * (elapsed_s(drive.inputs, row) - from) / self.period_s;
+            let turn = |from: f64| TAU * (self.time_s(drive.inputs, row) - from) / self.period_s;
             *value += 0.5 * self.size * (turn(self.highest_s).cos() + self.second * (2.0 * turn(self.second_highest_s)).cos());
         }
     }
@@ -72,7 +92,7 @@ struct ByDay(Waves);
 impl Stage for ByDay {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
         for (row, value) in value.iter_mut().enumerate() {
-            let turn = |from: f64| TAU * (elapsed_s(drive.inputs, row) - from) / self.0.period_s;
+            let turn = |from: f64| TAU * (self.0.time_s(drive.inputs, row) - from) / self.0.period_s;
             let first = turn(self.0.highest_s).cos();
             let by_day = first.max(0.0) - std::f64::consts::FRAC_1_PI;
             let second = self.0.second * (2.0 * turn(self.0.second_highest_s)).cos();
@@ -105,7 +125,7 @@ impl Effect for Cycle {
                 }
                 Self::Yearly => "something that was not recorded follows the season: temperature, humidity, growth",
             },
-            equation: "value = true + a / 2 (cos(2 pi (t - t1) / T) + b cos(4 pi (t - t2) / T)), T a day or a year, t from the first row",
+            equation: "value = true + a / 2 (cos(2 pi (t - t1) / T) + b cos(4 pi (t - t2) / T)), T a day or a year, t from midnight or the begin of the year; from the first row where the clock is no date",
             excitation: "two periods on one clock, six rows a period",
             impostors: &["temperature_coefficient", "thermal_lag", "driver_coefficient", "offset_drift", "gain_drift"],
             separates: "comes back with the sun whatever the recorded inputs do",
@@ -114,8 +134,13 @@ impl Effect for Cycle {
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let (unit, period) = (context.simulator.unit(), self.period_s());
-        let phase = |name: &str, period: f64, meaning: &str| {
-            Parameter::normal(name, "s", 0.5 * period, 0.5 * period, meaning).within(-period, 2.0 * period)
+        let from = match (self, context.moved.dated) {
+            (_, false) => FROM_FIRST_ROW,
+            (Self::Daily, true) => FROM_MIDNIGHT,
+            (Self::Yearly, true) => FROM_NEW_YEAR,
+        };
+        let phase = |name: &str, period: f64, to: &str| {
+            Parameter::normal(name, "s", 0.5 * period, 0.5 * period, &format!("{from} {to}")).within(-period, 2.0 * period)
         };
         vec![
             Parameter::normal(
@@ -126,14 +151,17 @@ impl Effect for Cycle {
                 "of the first wave, from its least to its most",
             )
             .within(0.0, f64::INFINITY),
-            phase("highest", period, "from the first row to where the first wave is highest"),
+            phase("highest", period, "to where the first wave is highest"),
             Parameter::normal("second", "1", 0.0, 0.3, "size of the wave of half the period, as a share of the first")
                 .within(-1.0, 1.0),
-            phase("second_highest", 0.5 * period, "from the first row to where that wave is highest"),
+            phase("second_highest", 0.5 * period, "to where that wave is highest"),
         ]
     }
-    fn of_start(&self, _: &Context<'_>) -> &'static [&'static str] {
-        &["highest", "second_highest"]
+    fn of_start(&self, context: &Context<'_>) -> &'static [&'static str] {
+        if context.moved.dated { &[] } else { &["highest", "second_highest"] }
+    }
+    fn by_date(&self) -> bool {
+        true
     }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
         let period = self.period_s();
@@ -147,17 +175,15 @@ impl Effect for Cycle {
         let held = context.duration_s >= FEWEST_PERIODS * self.period_s() && ROWS_A_PERIOD * step <= self.period_s();
         if held { Ok(()) } else { Err(TOO_SHORT.into()) }
     }
-    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(self.waves(values))
+    fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
+        Box::new(self.waves(values, context.moved.dated))
     }
-    fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(ByDay(self.waves(values))))
+    fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        Some(Box::new(ByDay(self.waves(values, context.moved.dated))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let unit = &fitted[0].parameter.unit;
-        let at = fitted.get(1).map_or_else(String::new, |highest| {
-            format!(", highest {} after the first row", rounded(highest.value.rem_euclid(self.period_s()), "s"))
-        });
+        let at = fitted.get(1).map_or_else(String::new, |highest| format!(", highest {}", self.when(highest)));
         format!(
             "the reading goes up and down with the time of the {} by {}{at}: something that was not recorded follows it",
             self.name(),
@@ -167,10 +193,25 @@ impl Effect for Cycle {
 }
 
 impl Cycle {
-    fn waves(self, values: &[f64]) -> Waves {
+    /// `at 14:20`, `191 days after the begin of the year`, `3.2 h after the first row`.
+    fn when(self, highest: &FittedParameter) -> String {
+        let after_s = highest.value.rem_euclid(self.period_s());
+        let is_from = |from: &str| highest.parameter.meaning.starts_with(from);
+        if is_from(FROM_MIDNIGHT) {
+            let minutes = (after_s / 60.0).round() as u32 % 1440;
+            return format!("at {:02}:{:02}", minutes / 60, minutes % 60);
+        }
+        if is_from(FROM_NEW_YEAR) {
+            return format!("{:.0} days after the begin of the year", after_s / 86_400.0);
+        }
+        format!("{} after the first row", rounded(after_s, "s"))
+    }
+
+    fn waves(self, values: &[f64], dated: bool) -> Waves {
         let or = |index: usize, nothing: f64| values.get(index).copied().unwrap_or(nothing);
         Waves {
             period_s: self.period_s(),
+            dated,
             size: values[0],
             highest_s: or(1, 0.0),
             second: or(2, 0.0),
@@ -182,12 +223,15 @@ impl Cycle {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use truegap_core::Inputs;
 
     fn through(stage: &dyn Stage, hours: &[f64]) -> Vec<f64> {
+        through_from(None, stage, hours)
+    }
+
+    fn through_from(began_s: Option<f64>, stage: &dyn Stage, hours: &[f64]) -> Vec<f64> {
         let times: Vec<f64> = hours.iter().map(|hour| 1000.0 + 3600.0 * hour).collect();
         let rows = times.len();
-        let inputs = Inputs { time_s: Some(times), run: vec![1; rows], ..Inputs::default() };
+        let inputs = Inputs { began_s, time_s: Some(times), run: vec![1; rows], ..Inputs::default() };
         let still = vec![0.0; rows];
         let drive = Drive { inputs: &inputs, load: &still, temperature_c: &still, reference_c: 20.0, full_load: 1.0 };
         let mut value = vec![0.0; rows];
@@ -197,14 +241,14 @@ mod tests {
 
     #[test]
     fn a_day_goes_from_its_least_to_its_most_and_comes_back() {
-        let one_wave = Cycle::Daily.waves(&[4.0, 6.0 * 3600.0, 0.0, 0.0]);
+        let one_wave = Cycle::Daily.waves(&[4.0, 6.0 * 3600.0, 0.0, 0.0], false);
         let found = through(&one_wave, &[0.0, 6.0, 18.0, 30.0, 54.0]);
         [0.0, 2.0, -2.0, 2.0, 2.0]
             .iter()
             .zip(&found)
             .for_each(|(exact, found)| approx::assert_abs_diff_eq!(exact, found, epsilon = 1e-12));
         // a wave of half a day, highest at the third hour: half of 4 times 0.5
-        let both = Cycle::Daily.waves(&[4.0, 6.0 * 3600.0, 0.5, 3.0 * 3600.0]);
+        let both = Cycle::Daily.waves(&[4.0, 6.0 * 3600.0, 0.5, 3.0 * 3600.0], false);
         let second = through(&both, &[0.0, 3.0, 9.0])
             .iter()
             .zip(through(&one_wave, &[0.0, 3.0, 9.0]))
@@ -216,6 +260,19 @@ mod tests {
             .for_each(|(exact, found)| approx::assert_abs_diff_eq!(exact, found, epsilon = 1e-12));
     }
 
+    /// A second recording that begins at another time of day was given the phase of the first.
+    #[test]
+    fn by_its_dates_a_recording_has_the_phase_of_another_one() {
+        let by_date = Cycle::Daily.waves(&[4.0, 14.0 * 3600.0, 0.0, 0.0], true);
+        // `through` begins 1000 s after second 0; 2026-11-29 was day 20786
+        let midnight = 20_786.0 * 86_400.0 - 1000.0;
+        let from_noon = through_from(Some(midnight + 12.0 * 3600.0), &by_date, &[2.0, 14.0]);
+        let from_six = through_from(Some(midnight + 6.0 * 3600.0), &by_date, &[8.0, 20.0]);
+        for (at, exact) in [from_noon, from_six].iter().flatten().zip([2.0, -2.0, 2.0, -2.0]) {
+            approx::assert_abs_diff_eq!(*at, exact, epsilon = 1e-6);
+        }
+    }
+
     /// The first harmonic of half a wave is half of the whole one.
     #[test]
     fn the_sibling_has_the_same_first_wave() {
@@ -224,7 +281,7 @@ mod tests {
             let wave = |k: usize| (TAU * (hours[k] - 6.0) / 24.0).cos();
             values.iter().enumerate().map(|(k, v)| v * wave(k)).sum::<f64>() * 2.0 / 240.0
         };
-        let waves = || Cycle::Daily.waves(&[4.0, 6.0 * 3600.0, 0.0, 0.0]);
+        let waves = || Cycle::Daily.waves(&[4.0, 6.0 * 3600.0, 0.0, 0.0], false);
         approx::assert_relative_eq!(first(&through(&waves(), &hours)), 2.0, max_relative = 1e-9);
         approx::assert_relative_eq!(first(&through(&ByDay(waves()), &hours)), 2.0, max_relative = 1e-3);
     }

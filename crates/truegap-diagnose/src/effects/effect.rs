@@ -137,6 +137,10 @@ pub trait Effect: Send + Sync {
     fn of_start(&self, _context: &Context<'_>) -> &'static [&'static str] {
         &[]
     }
+    /// Whether it goes with the date, so that another recording shows it where both tell theirs.
+    fn by_date(&self) -> bool {
+        false
+    }
     /// Its numbers in the first of several recordings, from those fitted to all; the same where all have them in common.
     fn of_first(&self, fitted: Vec<FittedParameter>, _context: &Context<'_>) -> Vec<FittedParameter> {
         fitted

@@ -26,13 +26,8 @@ pub(super) fn screen(mut opened: Opened) -> Result<Screened, DiagnosisError> {
     let mut notices = Vec::new();
     let mut kept: Vec<Vec<usize>> = Vec::new();
     for (index, part) in parts(&opened).iter().enumerate() {
-        let mut keep: Vec<usize> = (0..part.len()).collect();
-        for look in [clipped_rows, repeated, outliers, outliers_of_inputs] {
-            if let Some((notice, out)) = with(part, first.simulator(index), None, look).flatten() {
-                keep.retain(|row| out.binary_search(row).is_err());
-                notices.push(of(notice, index, several));
-            }
-        }
+        let (keep, found) = kept_rows(part, first.simulator(index));
+        notices.extend(found.into_iter().map(|notice| of(notice, index, several)));
         kept.push(keep);
     }
     if kept.iter().zip(parts(&opened)).any(|(keep, part)| keep.len() < part.len()) {
@@ -44,6 +39,26 @@ pub(super) fn screen(mut opened: Opened) -> Result<Screened, DiagnosisError> {
         notices.extend(found.into_iter().map(|notice| of(notice, index, several)));
     }
     Ok(Screened { opened, bases, notices })
+}
+
+/// Rows that a diagnosis would keep, and what it would say of the others.
+fn kept_rows(part: &Recording, simulator: &dyn Simulator) -> (Vec<usize>, Vec<Notice>) {
+    let mut keep: Vec<usize> = (0..part.len()).collect();
+    let mut notices = Vec::new();
+    for look in [clipped_rows, repeated, outliers, outliers_of_inputs] {
+        if let Some((notice, out)) = with(part, simulator, None, look).flatten() {
+            keep.retain(|row| out.binary_search(row).is_err());
+            notices.push(notice);
+        }
+    }
+    (keep, notices)
+}
+
+/// A recording beside a model, without the rows that its diagnosis would leave out, and what is said of them.
+pub(super) fn without_outliers(recording: Recording, simulator: &dyn Simulator) -> (Recording, Vec<Notice>) {
+    let (keep, notices) = kept_rows(&recording, simulator);
+    let all = keep.len() == recording.len();
+    (if all { recording } else { recording.select(&keep) }, notices)
 }
 
 fn parts(opened: &Opened) -> &[Recording] {

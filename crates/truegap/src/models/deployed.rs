@@ -31,6 +31,10 @@ pub struct Parted {
     pub clocks: Vec<AddedEffect>,
 }
 
+/// Why an effect is left out that belongs to what recorded.
+pub const OF_RECORDER: &str = "it belongs to what recorded and not to what was recorded";
+/// Why an effect is left out that goes with a date.
+pub const OF_A_DATE: &str = "it goes with the date, and not both recordings tell theirs";
 const OF_A_CLOCK: &str = "it is a clock of the recorded input: a corrected reading stays on the clock of the reading";
 const OF_THE_REFERENCE: &str = "it is an error of the recorded input and not of the reading";
 const BOUND_TO_RUNS: &str = "it has a number for each run of the recording that it was fitted to";
@@ -41,8 +45,8 @@ impl RunningModel {
     /// another one began as that one did.
     ///
     /// Numbers that say how the first recording began are 0 in another one.
-    pub fn parted(&self, library: &Library, same: bool, all: bool) -> Parted {
-        let bound = self.bound_to_runs(library);
+    pub fn parted(&self, library: &Library, inputs: &Inputs, same: bool, all: bool) -> Parted {
+        let (bound, dated) = (self.bound_to_runs(library), self.knows_dates(inputs));
         self.as_fitted(|context| {
             let mut parted = Parted::default();
             for added in &self.augmented.effects {
@@ -54,6 +58,8 @@ impl RunningModel {
                     Some(OF_THE_REFERENCE)
                 } else if !same && bound.contains(&added.id) {
                     Some(BOUND_TO_RUNS)
+                } else if effect.is_some_and(Effect::by_date) && (same || dated) {
+                    None
                 } else if !same && !all && driver_of(added, library, context) == Some(Driver::Time) {
                     Some(ON_THE_CLOCK)
                 } else {

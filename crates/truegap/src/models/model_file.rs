@@ -2,6 +2,7 @@
 //!
 //! Limits: values and standard deviations, no correlations between them; an effect is known by its id, so a program must have it in its library.
 
+use super::deployed::{LeftOut, OF_A_DATE, OF_RECORDER};
 use super::model_file_error::ModelFileError;
 use crate::models::base::{Programs, foreseen};
 use serde::{Deserialize, Serialize};
@@ -11,7 +12,7 @@ use truegap_core::sensor::builtin_sensors;
 use truegap_core::{Inputs, Sensor, Simulator, Stage};
 use truegap_diagnose::answer::{AddedEffect, NamedValue, RivalModel, Scales};
 use truegap_diagnose::other_clock::OtherClock;
-use truegap_diagnose::{Augmented, Context, Effect, Library, Outcome, mechanism::Driver};
+use truegap_diagnose::{Augmented, Context, Library, Outcome, mechanism::Driver};
 use truegap_model::BaseModel;
 
 /// Identifier of the file format.
@@ -312,16 +313,29 @@ impl RunningModel {
         bound.map(|effect| effect.id().to_string()).collect()
     }
 
-    /// The model for another recording, and the ids of the added effects that are left out.
+    /// The model for another recording, and the added effects that are left out there.
     ///
-    /// Out are effects that belong to what recorded and not to what was recorded, such as clocks; a number that says how the first recording began is 0.
+    /// Out are effects that belong to what recorded and not to what was recorded, such as clocks, and those that go with a date that is not known; a number that says how the first recording began is 0.
     #[must_use]
-    pub fn elsewhere(mut self, library: &Library) -> (Self, Vec<String>) {
-        let of_recorder = |added: &AddedEffect| library.find(&added.id).is_some_and(Effect::of_recorder);
-        let (out, mut kept) = std::mem::take(&mut self.augmented.effects).into_iter().partition::<Vec<_>, _>(of_recorder);
+    pub fn elsewhere(mut self, library: &Library, inputs: &Inputs) -> (Self, Vec<LeftOut>) {
+        let dated = self.knows_dates(inputs);
+        let mut left_out = Vec::new();
+        let mut kept = std::mem::take(&mut self.augmented.effects);
+        kept.retain(|added| {
+            let effect = library.find(&added.id);
+            let why = effect.filter(|effect| effect.of_recorder()).map(|_| OF_RECORDER);
+            let why = why.or_else(|| effect.filter(|effect| effect.by_date() && !dated).map(|_| OF_A_DATE));
+            left_out.extend(why.map(|why| LeftOut { effect: added.id.clone(), why }));
+            why.is_none()
+        });
         self.as_fitted(|context| kept.iter_mut().for_each(|added| begin_anew(added, library, context)));
         self.augmented.effects = kept;
-        (self, out.into_iter().map(|added| added.id).collect())
+        (self, left_out)
+    }
+
+    /// Whether the recording to which the effects were fitted and that of `inputs` both tell their dates.
+    pub(super) fn knows_dates(&self, inputs: &Inputs) -> bool {
+        inputs.began_s.is_some() && self.augmented.scales.moved.as_ref().is_some_and(|moved| moved.dated)
     }
 
     /// The added effects that `inputs` could not show, each with the reason; `span` is the range of the response.

@@ -61,7 +61,7 @@ pub fn compensate_with(
     if !(high - low).is_finite() {
         return Err(CompensateError::Range { recording: name, low, high, unit: recording.response_unit });
     }
-    let parted = model.parted(&Library::default(), same, all);
+    let parted = model.parted(&Library::default(), &recording.inputs, same, all);
     if parted.kept.is_empty() {
         return Err(nothing(file, &parted));
     }

@@ -42,11 +42,9 @@ pub enum ConfirmError {
          (--effects), or join the recordings in one diagnosis"
     )]
     BoundToRuns { model: String, effects: String },
-    /// Numbers that belong to the recorder of one recording.
-    #[error(
-        "{model}: {effects} belongs to what recorded and not to what was recorded, so another recording neither confirms nor refutes it"
-    )]
-    OfRecorder { model: String, effects: String },
+    /// Numbers that mean nothing in another recording.
+    #[error("{model}: nothing is left to judge by another recording, which neither confirms nor refutes {reasons}")]
+    LeftOut { model: String, reasons: String },
     /// The recording could not show what was added.
     #[error("{recording}: could not show {reasons}; give a recording that drives what was added")]
     NotShown { recording: String, reasons: String },

@@ -1,6 +1,6 @@
 //! A model file judged on a recording that took no part in it: is what was added borne out there?
 //!
-//! Limits: nothing is refitted but a gain and an offset of the reading and a clock, where that is said; readings that a diagnosis would leave out count as they are.
+//! Limits: nothing is refitted but a gain and an offset of the reading and a clock, where that is said. Rows that a diagnosis would leave out are left out.
 
 mod document;
 mod error;
@@ -14,8 +14,9 @@ pub use truegap_diagnose::answer::{AmongRivals, Confirmation, Errors, ModelFacts
 
 use super::beside_model::{model_facts, opened, recording_facts, says_the_same, says_the_same_as, took_part};
 use super::request::named;
+use super::screen::without_outliers;
 use crate::diagnosis::Diagnosed;
-use crate::models::{ModelFile, Programs, RunningModel, of_recording, refused};
+use crate::models::{LeftOut, ModelFile, OF_RECORDER, Programs, RunningModel, of_recording, refused};
 use document::says;
 use judged::Judged;
 use rivals::among_rivals;
@@ -25,7 +26,7 @@ use truegap_core::{Recording, ends};
 use truegap_diagnose::answer;
 use truegap_diagnose::confirmation::{Judgement, LEVEL, NoiseFloor, noise_floor};
 use truegap_diagnose::quality::FEWEST_ROWS;
-use truegap_diagnose::text::{listed, spoken, spoken_list};
+use truegap_diagnose::text::{listed, spoken};
 use truegap_diagnose::{Library, Problem};
 
 /// Stands for the file of a model that was found in the same run.
@@ -110,21 +111,23 @@ fn judge(
     free: Free,
     programs: &Programs,
 ) -> Result<Confirmed, ConfirmError> {
-    let (model, of_recorder) = written.build_of(Path::new(file), programs)?.elsewhere(&Library::default());
-    if model.effects().is_empty() && !of_recorder.is_empty() {
-        return Err(ConfirmError::OfRecorder { model: file.to_owned(), effects: spoken_list(&of_recorder, "and") });
+    let (model, left_out) = written.build_of(Path::new(file), programs)?.elsewhere(&Library::default(), &recording.inputs);
+    if model.effects().is_empty() && !left_out.is_empty() {
+        let reasons: Vec<String> = left_out.iter().map(|left| format!("{}: {}", spoken(&left.effect), left.why)).collect();
+        return Err(ConfirmError::LeftOut { model: file.to_owned(), reasons: listed(&reasons, "and") });
     }
     let mut notes = belong_together(&model, written, file, &recording, &name)?;
     if free.clock && recording.inputs.time_s.is_none() {
         return Err(ConfirmError::NoClock { recording: name });
     }
+    let (recording, notices) = without_outliers(recording, model.simulator());
+    enough_rows(&recording, &name)?;
+    notes.extend(notices.into_iter().map(|notice| notice.says));
     let no_answer = |error| refused(error, of_recording(name.clone()));
     let asked = |free: Free| Judged::new(&model, &recording, free).map_err(no_answer);
     let judged = asked(free)?;
     let freed = asked(Free { gain: true, offset: true, ..free })?.test.judgement;
-    if !of_recorder.is_empty() {
-        notes.push(of_recorders(&of_recorder, free));
-    }
+    notes.extend(left_out.iter().map(|left| not_carried_over(left, free)));
     let problem = Problem { inputs: &recording.inputs, response: &recording.response, simulator: model.simulator() };
     let left: Vec<f64> = judged.columns[1].iter().zip(&recording.response).map(|(p, r)| r - p).collect();
     let noise = noise_floor(&problem, &left).map_err(|source| ConfirmError::Noise { recording: name.clone(), source })?;
@@ -147,17 +150,16 @@ fn judge(
     Ok(Confirmed { document, recording, base, augmented })
 }
 
-/// What is told of effects that belong to what recorded, and are left out.
-fn of_recorders(effects: &[String], free: Free) -> String {
-    let instead = if free.clock {
-        "base and augmented model have each been given a clock of this one"
-    } else {
-        "where this one has two clocks as well, --free gain,offset,clock gives both models a clock of it"
+/// What is told of an effect that is left out here.
+fn not_carried_over(left: &LeftOut, free: Free) -> String {
+    let instead = match (left.why == OF_RECORDER, free.clock) {
+        (false, _) => "",
+        (true, true) => ": another recording has its own; base and augmented model have each been given a clock of this one",
+        (true, false) => {
+            ": another recording has its own; where this one has two clocks as well, --free gain,offset,clock gives both models a clock of it"
+        }
     };
-    format!(
-        "{} belongs to what recorded and not to what was recorded: another recording has its own, so it is left out here; {instead}",
-        spoken_list(effects, "and")
-    )
+    format!("{} is left out here: {}{instead}", spoken(&left.effect), left.why)
 }
 
 /// Whether this recording can say anything of this model; notes where it can with a reserve.

@@ -34,9 +34,10 @@ pub(super) fn among_rivals(
         return None;
     }
     let asked = |rival: &RivalModel| -> Result<Predicted, String> {
-        let (model, left_out) = written.with_rival(rival).build_with(programs).map_err(in_words)?.elsewhere(&Library::default());
-        if left_out.contains(&rival.id) {
-            return Err("it belongs to what recorded and not to what was recorded".into());
+        let model = written.with_rival(rival).build_with(programs).map_err(in_words)?;
+        let (model, left_out) = model.elsewhere(&Library::default(), &recording.inputs);
+        if let Some(left_out) = left_out.iter().find(|left_out| left_out.effect == rival.id) {
+            return Err(left_out.why.into());
         }
         let predict = |clock: &OtherClock| model.respond_by(clock, &recording.inputs);
         let (column, errors) = judged_model(recording, free, &predict).map_err(in_words)?;

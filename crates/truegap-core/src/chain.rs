@@ -94,6 +94,14 @@ pub struct Readout {
     pub span: f64,
 }
 
+impl Readout {
+    /// Reading that no gain changes: 0 where readings have both signs, else the response without load.
+    pub fn of_no_gain(&self) -> f64 {
+        let full = self.zero + self.span;
+        if self.zero.min(full) < 0.0 && self.zero.max(full) > 0.0 { 0.0 } else { self.zero }
+    }
+}
+
 /// Omitted physics with its numbers filled in: each method is the identity unless the physics acts at that stage.
 ///
 /// Columns have one entry a row of [`Drive::inputs`].
@@ -140,4 +148,16 @@ pub trait Stage: Send + Sync {
     fn field(&self, drive: &Drive<'_>, view: &FieldView<'_>, extra: &mut [f64]) {}
     /// Readout: turns the true value into the recorded one, in the response's unit.
     fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {}
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Readout;
+
+    #[test]
+    fn a_gain_leaves_0_alone_where_readings_have_both_signs() {
+        for (zero, span, exact) in [(-2.0, 5.0, 0.0), (3.0, -4.0, 0.0), (1.0, 4.0, 1.0), (-5.0, 4.0, -5.0), (0.0, 1.0, 0.0)] {
+            assert_eq!(Readout { zero, span }.of_no_gain(), exact);
+        }
+    }
 }

@@ -75,6 +75,9 @@ impl Role {
     }
 }
 
+/// Roles of what loads a sensor.
+pub const LOADS: [Role; 2] = [Role::Force, Role::Pressure];
+
 /// The roles that have a column in [`Inputs`], in the order in which columns are written.
 pub const INPUT_ROLES: [Role; 7] =
     [Role::Time, Role::Force, Role::Pressure, Role::Gap, Role::Temperature, Role::Humidity, Role::Simulated];
@@ -153,6 +156,21 @@ impl Inputs {
             Role::Simulated => &mut self.simulated,
             Role::Response | Role::Run | Role::Sensor => return None,
         })
+    }
+
+    /// Makes a driver of a load (force or pressure), which has the role's name and its SI unit then; nothing changes where it was not recorded, or a driver has that name.
+    pub fn load_as_driver(&mut self, role: Role) {
+        let unit = match role {
+            Role::Force => "N",
+            Role::Pressure => "Pa",
+            _ => return,
+        };
+        if self.drivers.iter().any(|driver| driver.name == role.key()) {
+            return;
+        }
+        let Some(values) = self.column_mut(role).and_then(Option::take) else { return };
+        self.drivers.push(Driver { name: role.key().into(), unit: unit.into(), values });
+        self.drivers.sort_by(|a, b| a.name.cmp(&b.name));
     }
 
     /// Row ranges of the runs, in order.

@@ -71,7 +71,7 @@ pub use corrections::Corrections;
 pub use curve::{Curve, CurveError, Smooth};
 pub use effect::EffectId;
 pub use given_again::given_again;
-pub use inputs::{Driver, INPUT_ROLES, Inputs, Role};
+pub use inputs::{Driver, INPUT_ROLES, Inputs, LOADS, Role};
 pub use instrument::Instrument;
 pub use parameter::{Parameter, Prior};
 pub use recording::{BaseSpec, Note, Recording, RecordingError};

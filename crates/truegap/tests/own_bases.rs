@@ -82,6 +82,33 @@ fn a_simulation_that_may_not_be_adjusted_has_no_parameters_and_is_diagnosed() {
 }
 
 /// Gain 1.2 and offset 0.4 against the simulation, and nothing else.
+/// A pump that slips by its outlet pressure, which its simulation does not know: the column was not looked at, and recording and model were said to agree.
+#[test]
+fn a_pressure_that_no_base_follows_is_a_driver_there_and_in_another_recording() {
+    let pumped = |seed: u64, start: usize| {
+        let mut noise = noise(seed);
+        let row = move |i: usize| {
+            let flow = 8.0 + ((i + start) / 40 * 29 % 7) as f64 / 2.0;
+            let bar = 3.0 + 2.0 * ((i + start) as f64 / 31.0).sin();
+            vec![i as f64, 1e5 * bar, flow, flow - 0.06 * bar + 0.02 * noise()]
+        };
+        recorded("model = \"external\"\n", "time_s,pressure_pa,simulated,response_v", 600, row)
+    };
+    let (_folder, recording) = pumped(12, 0);
+    let found = diagnosed(recording);
+    let diagnosis = &found.outcome.diagnosis;
+    assert_eq!(named(diagnosis), ["driver_coefficient"], "{}", diagnosis.says);
+    // 0.06 a bar
+    let size = &diagnosis.findings[0].parameters[0];
+    assert!((size.value + 6e-7).abs() < 4.0 * size.sd && size.unit == "V/Pa", "{size:?}");
+    let (folder, other) = pumped(13, 200);
+    let file = folder.path().join("augmented.toml");
+    std::fs::write(&file, found.model_file().unwrap().to_toml().unwrap()).unwrap();
+    let free = truegap::diagnosis::confirm::Free { gain: false, offset: false, clock: false };
+    let said = truegap::diagnosis::confirm::confirm(&file, other, None, free).unwrap().document;
+    assert_eq!(said.verdict, truegap::diagnose::confirmation::Judgement::Confirmed, "{}", said.says);
+}
+
 #[test]
 fn a_gain_that_is_allowed_is_calibrated() {
     let mut noise = noise(1);

@@ -8,6 +8,7 @@ use crate::{
     effects::{
         course::Course,
         effect::{About, Effect, Family, FittedParameter},
+        gain_error::gain_is_fixed,
     },
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
@@ -22,6 +23,8 @@ struct Gain {
     bend: f64,
     /// reading at which the gain changes nothing, spans above the zero
     pivot: f64,
+    /// where in the range of the driver, from -1 to 1, the gain is as calibrated
+    neutral: f64,
     /// middle and half of the driver's range
     range: [f64; 2],
     course: Course,
@@ -32,7 +35,7 @@ impl Gain {
         let Some(x) = self.course.column(drive) else { return };
         let pivot = readout.zero + self.pivot * readout.span;
         let [middle, half] = self.range;
-        value.iter_mut().zip(x).for_each(|(value, x)| *value += (*value - pivot) * gain((x - middle) / half));
+        value.iter_mut().zip(x).for_each(|(value, x)| *value += (*value - pivot) * gain((x - middle) / half - self.neutral));
     }
 }
 
@@ -58,7 +61,8 @@ impl DriverGain {
         let course = Course::or_load(context, self.0);
         let [low, high] = course.ends(context);
         let range = [0.5 * (low + high), (0.5 * (high - low)).max(f64::MIN_POSITIVE)];
-        Gain { log_gain: values[0], bend: values[1], pivot: values[2], range, course }
+        let neutral = values.get(3).copied().unwrap_or(0.0);
+        Gain { log_gain: values[0], bend: values[1], pivot: values[2], neutral, range, course }
     }
 }
 
@@ -79,27 +83,33 @@ impl Effect for DriverGain {
     fn about(&self) -> About {
         About {
             physics: "the sensitivity changes with a recorded driver (a supply, a weight, a density, a direction of wear): a product of two quantities where the base model has one",
-            equation: "value = p + (true - p) exp(a u + b u^2), u from -1 to 1 over the range of the driver, p the reading that it leaves alone",
+            equation: "value = p + (true - p) exp(a u + b u^2), u from -1 to 1 over the range of the driver, less n where the gain of the base model is not calibrated, p the reading that it leaves alone",
             excitation: "a column under [drivers] that changes, at several values of what the base model follows",
             impostors: &["driver_coefficient", "nonlinearity", "gain_change", "gain_drift"],
             separates: "in proportion to the reading: nothing where the reading is at its pivot, most where it is far from it",
             source: "modifying inputs, Doebelin & Manik, Measurement Systems, sec. 2.4; influence quantities, IEC 60359",
         }
     }
-    fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
-        vec![
+    fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
+        let mut list = vec![
             Parameter::normal("log_gain", "1", 0.0, 0.3, "log of the gain from the middle of the driver's range to its end")
                 .within(-4.0, 4.0),
             Parameter::normal("bend", "1", 0.0, 0.2, "the same for the square").within(-3.0, 3.0),
             Parameter::normal("pivot", "spans", 0.0, 0.5, "reading that it leaves alone, above that without load")
                 .within(-5.0, 5.0),
-        ]
+        ];
+        if gain_is_fixed(context) {
+            let meaning = "value of the driver at which the gain is that of the simulation, from -1 to 1 over its range";
+            list.push(Parameter::normal("neutral", "1", 0.0, 0.7, meaning).within(-3.0, 3.0));
+        }
+        list
     }
-    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
-        [0.0, -0.3, 0.5].map(|pivot| vec![0.0, pivot]).to_vec()
+    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
+        let neutral: &[f64] = if gain_is_fixed(context) { &[0.0] } else { &[] };
+        [0.0, -0.3, 0.5].map(|pivot| [&[0.0, pivot], neutral].concat()).to_vec()
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
-        &["bend"]
+        &["bend", "neutral"]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
@@ -155,7 +165,7 @@ mod tests {
         let readout = Readout { zero: 5.0 / 1.5, span: 6.0 };
         let log_gain = -0.5 * 2f64.ln();
         let bend = (1.5 / 2f64.sqrt()).ln();
-        let gain = Gain { log_gain, bend, pivot: -(5.0 / 1.5) / 6.0, range: [1.5, 0.5], course: Course::Driver(0) };
+        let gain = Gain { log_gain, bend, pivot: -(5.0 / 1.5) / 6.0, neutral: 0.0, range: [1.5, 0.5], course: Course::Driver(0) };
         let mut value: Vec<f64> = viscosity.iter().map(|v| v / 1.5).collect();
         gain.readout(&drive, &readout, &mut value);
         for row in 0..100 {

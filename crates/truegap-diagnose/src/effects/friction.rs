@@ -7,6 +7,7 @@ use crate::{
         course::Course,
         delay::is_temperature,
         effect::{About, Effect, Family, FittedParameter},
+        friction_of_speed::{self, is_speed},
         memory::{PLAY_SET, plays, rates, walk},
     },
     text::{percent_of, rounded, with_sd},
@@ -121,13 +122,14 @@ impl Effect for Friction {
         Family::MechanicalMemory
     }
     fn in_words(&self, context: &Context<'_>) -> Option<InWords> {
-        let driver = Course::of(context, self.0)?.driver(context);
-        Some(InWords { place: Place::Readout, driver, kinetics: Kinetics::RateIndependent })
+        let course = Course::of(context, self.0)?;
+        let kinetics = if is_speed(course, context) { Kinetics::Static } else { Kinetics::RateIndependent };
+        Some(InWords { place: Place::Readout, driver: course.driver(context), kinetics })
     }
     fn about(&self) -> About {
         About {
             physics: "friction, or the play (backlash) of a gear or a thread, acts on the reading against the motion of a driver (a piston, a slide, a gap), whether the base model follows it or not",
-            equation: "value = true + F [(1 - r) s(x) + r tanh((dx/dt) / v0) + c dx/dt], s from -1 to 1 by three plays on the driver x with half widths w (1 - 0.6 g, 1 - 0.2 g, 1 + 0.8 g), one play of half width w for g = 0, at rest when a run starts; r = 0 where the base model follows x, c = 0 where x is a simulation: a lag looks like them there",
+            equation: "value = true + F [(1 - r) s(x) + r tanh((dx/dt) / v0) + c dx/dt], s from -1 to 1 by three plays on the driver x with half widths w (1 - 0.6 g, 1 - 0.2 g, 1 + 0.8 g), one play of half width w for g = 0, at rest when a run starts; F tanh(x / v0) + c x where x is a speed that goes both ways; r = 0 where the base model follows x, c = 0 where x is a simulation: a lag looks like them there",
             excitation: "a driver that turns around",
             impostors: &["driver_coefficient", "readout_lag", "slow_response", "time_offset"],
             separates: "the reading jumps where the driver turns and stays there, at any speed; a lag grows with the speed",
@@ -136,6 +138,9 @@ impl Effect for Friction {
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let course = self.course(context);
+        if is_speed(course, context) {
+            return friction_of_speed::parameters(course, context);
+        }
         let (span, unit) = (course.span(context), course.unit(context));
         let speed = course.usual_speed(context).max(span / context.run_s());
         let mut list = vec![
@@ -190,6 +195,9 @@ impl Effect for Friction {
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let course = self.course(context);
+        if is_speed(course, context) {
+            return friction_of_speed::starts(course, context);
+        }
         let (span, speed) = (course.span(context), course.usual_speed(context));
         if !self.may_follow_the_speed(context) {
             let viscous = if self.may_grow(context) { &[0.0][..] } else { &[] };
@@ -212,6 +220,10 @@ impl Effect for Friction {
         }
         match Course::of(context, self.0) {
             None => Err(Course::missing(self.0)),
+            Some(course) if is_speed(course, context) && course.is_followed(context) => {
+                Err("the base model follows this speed by itself; a bent law of it is a nonlinearity".into())
+            }
+            Some(course) if is_speed(course, context) => Ok(()),
             Some(course) if !course.turns(context) => {
                 Err(format!("{} goes one way only inside the runs; friction shows where it turns", course.name(context)))
             }
@@ -223,9 +235,17 @@ impl Effect for Friction {
         }
     }
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
+        let course = self.course(context);
+        if is_speed(course, context) {
+            return friction_of_speed::stage(values, course, false);
+        }
         Box::new(self.against(values, context))
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
+        let course = self.course(context);
+        if is_speed(course, context) {
+            return Some(friction_of_speed::stage(values, course, true));
+        }
         Some(Box::new(Dahl(self.against(values, context))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
@@ -233,6 +253,9 @@ impl Effect for Friction {
     }
     fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
         let course = self.course(context);
+        if is_speed(course, context) {
+            return friction_of_speed::told(fitted, course, context);
+        }
         told(fitted, course.name(context), course.usual_speed(context))
     }
 }

@@ -4,6 +4,7 @@ use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::effect::{About, Effect, Family, FittedParameter, Separation},
+    effects::gain_error::gain_is_fixed,
     text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
@@ -13,6 +14,8 @@ pub struct GainDrift;
 
 struct Gain {
     per_k: f64,
+    /// kelvin above the reference at which the gain is as calibrated
+    neutral_k: f64,
     /// whether it follows the thermometer, as the electronics of a sensor do, or what is behind the thermal path
     of_thermometer: bool,
 }
@@ -23,7 +26,7 @@ impl Gain {
         let Some(recorded) = drive.inputs.temperature_c.as_deref() else { return };
         let temperature = if self.of_thermometer { recorded } else { drive.temperature_c };
         for (value, t) in value.iter_mut().zip(temperature) {
-            *value += (*value - readout.zero) * gain(t - drive.reference_c);
+            *value += (*value - readout.of_no_gain()) * gain(t - drive.reference_c - self.neutral_k);
         }
     }
 }
@@ -32,6 +35,17 @@ impl Stage for Gain {
     fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
         self.apply(drive, readout, value, |kelvin| self.per_k * kelvin);
     }
+}
+
+/// Farthest temperature from the reference at which a simulation may have its gain, K: sources calibrate at 0 to 45 degC.
+const FARTHEST_K: f64 = 25.0;
+
+/// Size of that difference from which on it is spoken of, in standard deviations.
+const SPOKEN_OF: f64 = 3.0;
+
+fn gain(values: &[f64], context: &Context<'_>) -> Gain {
+    let neutral_k = values.get(1).copied().unwrap_or(0.0);
+    Gain { per_k: values[0], neutral_k, of_thermometer: is_of_a_sensor(context) }
 }
 
 /// Whether the base model is a capacitive sensor's, whose electronics are of a known kind.
@@ -64,7 +78,7 @@ impl Effect for GainDrift {
     fn about(&self) -> About {
         About {
             physics: "the gain of the electronics moves with the temperature of the room",
-            equation: "value = zero + (true - zero) (1 + k (T - T0)), zero the reading without load at T0; T the thermometer beside plates, else the temperature behind the thermal path",
+            equation: "value = zero + (true - zero) (1 + k (T - T0 - n)), zero the reading without load at T0, or 0 where readings have both signs; n = 0 where the gain of the base model is calibrated; T the thermometer beside plates, else the temperature behind the thermal path",
             excitation: "load cycles at two or more temperatures",
             impostors: &["permittivity_temperature", "electrode_warp", "ageing"],
             separates: "no change without load, in proportion to the signal with it, without delay; calibration can hide it in the temperature coefficient of the modulus",
@@ -80,7 +94,18 @@ impl Effect for GainDrift {
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         // of electronics the size is known; of a law of nature or somebody's simulation it is not
         let (sd, most) = if is_of_a_sensor(context) { (3e-3, 0.03) } else { (0.03, 0.5) };
-        vec![Parameter::normal("per_kelvin", "1/K", 0.0, sd, "relative change of the gain").within(-most, most)]
+        let mut list = vec![Parameter::normal("per_kelvin", "1/K", 0.0, sd, "relative change of the gain").within(-most, most)];
+        if gain_is_fixed(context) {
+            let meaning = "temperature above the reference at which the gain is that of the simulation";
+            list.push(Parameter::normal("neutral", "K", 0.0, 5.0, meaning).within(-FARTHEST_K, FARTHEST_K));
+        }
+        list
+    }
+    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
+        vec![if gain_is_fixed(context) { vec![0.0] } else { Vec::new() }]
+    }
+    fn may_be_nothing(&self) -> &'static [&'static str] {
+        &["neutral"]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
@@ -95,12 +120,20 @@ impl Effect for GainDrift {
         context.needs_movement()
     }
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(Gain { per_k: values[0], of_thermometer: is_of_a_sensor(context) })
+        Box::new(gain(values, context))
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Divider(Gain { per_k: values[0], of_thermometer: is_of_a_sensor(context) })))
+        Some(Box::new(Divider(gain(values, context))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!("the gain moves by {}", with_sd(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%/K"))
+        let neutral = fitted.get(1).filter(|neutral| neutral.value.abs() > SPOKEN_OF * neutral.sd);
+        let right = neutral.map_or_else(String::new, |neutral| {
+            let way = if neutral.value < 0.0 { "below" } else { "above" };
+            format!(
+                ", and is that of the simulation {} {way} the reference temperature",
+                with_sd(neutral.value.abs(), neutral.sd, "K")
+            )
+        });
+        format!("the gain moves by {}{right}", with_sd(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%/K"))
     }
 }

@@ -25,6 +25,11 @@ fn is_factor(number: &Parameter) -> bool {
     number.name == "gain" && (number.unit.is_empty() || number.unit.contains(" per "))
 }
 
+/// Whether a simulation is given whose gain is not calibrated: then a factor is an effect, and so is the state in which a gain that moves is right.
+pub fn gain_is_fixed(context: &Context<'_>) -> bool {
+    context.moved.simulated && !context.has_plates() && !context.simulator.parameters().iter().any(is_factor)
+}
+
 impl Effect for GainError {
     fn id(&self) -> EffectId {
         EffectId("gain_error")

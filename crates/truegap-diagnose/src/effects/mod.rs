@@ -25,6 +25,7 @@ mod eccentric_load;
 mod electrode_warp;
 mod foreseen;
 mod friction;
+mod friction_of_speed;
 mod fringing_field;
 mod gain_drift;
 mod gain_error;

@@ -117,7 +117,7 @@ impl Switch {
             let x = match self.of {
                 Of::Temperature => drive.temperature_c[row] - drive.reference_c,
                 Of::Driver(course) => course.column(drive).map_or(0.0, |column| column[row]),
-                Of::Reading => *value - readout.zero,
+                Of::Reading => *value - readout.of_no_gain(),
                 Of::Nothing => 0.0,
             };
             let share = after((elapsed_s(drive.inputs, row) - self.when_s) / self.takes_s);

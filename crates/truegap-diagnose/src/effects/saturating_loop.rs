@@ -7,6 +7,7 @@ use crate::{
         course::Course,
         delay::is_temperature,
         effect::{About, Effect, Family, FittedParameter},
+        friction_of_speed::is_speed,
         memory::play,
     },
     text::{rounded, with_sd},
@@ -149,6 +150,9 @@ impl Effect for SaturatingLoop {
             None => Err(Course::missing(0)),
             Some(Course::Simulated) => {
                 Err("what is simulated is the reading and drives nothing; name what drives it under [drivers]".into())
+            }
+            Some(course) if is_speed(course, context) => {
+                Err("the driver is a speed, which is no state to be kept; friction follows it".into())
             }
             Some(course) if !course.turns(context) => {
                 Err(format!("{} goes one way only inside the runs; a loop shows where it turns", course.name(context)))

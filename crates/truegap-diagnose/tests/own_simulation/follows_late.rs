@@ -162,3 +162,34 @@ fn a_name_of_which_nothing_is_seen_beside_a_mechanism_is_dropped() {
     assert_eq!(names(&said), ["discovered"], "{}", said.says);
     assert!(said.findings[0].says.contains("added up over time"), "{}", said.findings[0].says);
 }
+
+/// A gain that is right at 25 degC and readings of both signs: it was told with a zero that moves and a scale that is off, which are the gain seen from another zero and another temperature.
+#[test]
+fn a_gain_that_moves_is_one_cause_whatever_it_is_counted_from() {
+    let base = Given { zero: -0.5, ..Given::fixed() };
+    let inputs = stepped();
+    let simulated: Vec<f64> = inputs.simulated.as_ref().unwrap().iter().map(|level| level - 3.5).collect();
+    let warm: Vec<f64> = (0..ROWS).map(|row| 22.0 + 8.0 * (row as f64 / 80.0).sin()).collect();
+    let inputs = Inputs { temperature_c: Some(warm.clone()), simulated: Some(simulated.clone()), ..inputs };
+    let truth = |row: usize| simulated[row] * (1.0 + 0.02 * (warm[row] - 25.0));
+    let effects = ["gain_drift", "gain_error", "temperature_coefficient", "offset_drift"];
+    let said = said_by(&effects, &base, &inputs, &noisy(39, truth, ROWS));
+    assert_eq!(names(&said), ["gain_drift"], "{}", said.says);
+    close(&said, "per_kelvin", 0.02);
+    close(&said, "neutral", 25.0 - base.reference_c());
+}
+
+/// A motor whose speed was logged and whose base model is its inertia: dry and viscous friction were told as a loop, or in words.
+#[test]
+fn friction_follows_a_speed_that_was_recorded() {
+    let speed: Vec<f64> = (0..ROWS).map(|row| 8.0 * (row as f64 / 37.0).sin() + 3.0 * (row as f64 / 11.0).cos()).collect();
+    let driver = Driver { name: "speed".into(), unit: "rad/s".into(), values: speed.clone() };
+    let inputs = Inputs { drivers: vec![driver], ..stepped() };
+    let simulated = inputs.simulated.clone().unwrap();
+    let truth = |row: usize| simulated[row] + 0.1 * (speed[row] / 0.5).tanh() + 0.005 * speed[row];
+    let effects = ["friction", "saturating_loop", "driver_coefficient", "nonlinearity", "late_driver"];
+    let said = said_by(&effects, &Given::fixed(), &inputs, &noisy(40, truth, ROWS));
+    assert_eq!((said.verdict, names(&said)), (Verdict::Explained, vec!["friction"]), "{}", said.says);
+    [("force", 0.1), ("viscous", 0.005)].into_iter().for_each(|(name, truth)| close(&said, name, truth));
+    assert!(said.findings[0].says.contains("whose speed is speed"), "{}", said.findings[0].says);
+}

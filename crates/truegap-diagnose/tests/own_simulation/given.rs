@@ -18,6 +18,8 @@ pub struct Given {
     pub follows_driver: bool,
     pub follows_clock: bool,
     pub asked_without: AtomicUsize,
+    /// reading where nothing acts
+    pub zero: f64,
 }
 
 impl Given {
@@ -28,6 +30,7 @@ impl Given {
             follows_driver: false,
             follows_clock: false,
             asked_without: AtomicUsize::new(0),
+            zero: 3.0,
         }
     }
 
@@ -72,7 +75,7 @@ impl Simulator for Given {
                     None => _ = self.asked_without.fetch_add(1, Ordering::Relaxed),
                 }
             }
-            Ok((value, Readout { zero: 3.0, span: 1.0 }))
+            Ok((value, Readout { zero: self.zero, span: 1.0 }))
         })
     }
 }

@@ -6,7 +6,7 @@ use super::DiagnosisError;
 use super::bases::{Bases, bases};
 use super::request::{Opened, together};
 use super::rows::rows_of_each;
-use truegap_core::{Recording, Simulator};
+use truegap_core::{LOADS, Recording, Role, Simulator, StageName};
 use truegap_diagnose::quality::FEWEST_ROWS;
 use truegap_diagnose::quality::{Notice, NoticeKind};
 use truegap_diagnose::quality::{Rows, clipped_rows, outliers, outliers_of_inputs, repeated, troubles};
@@ -22,6 +22,7 @@ pub(super) struct Screened {
 /// Screens what was opened.
 pub(super) fn screen(mut opened: Opened) -> Result<Screened, DiagnosisError> {
     let first = bases(&opened)?;
+    idle_loads_as_drivers(&mut opened, &first);
     let several = opened.parts.len();
     let mut notices = Vec::new();
     let mut kept: Vec<Vec<usize>> = Vec::new();
@@ -39,6 +40,22 @@ pub(super) fn screen(mut opened: Opened) -> Result<Screened, DiagnosisError> {
         notices.extend(found.into_iter().map(|notice| of(notice, index, several)));
     }
     Ok(Screened { opened, bases, notices })
+}
+
+/// A force or pressure that no base model follows is a driver as any other: it moves the reading, if it does, beside what is simulated.
+fn idle_loads_as_drivers(opened: &mut Opened, bases: &Bases) {
+    let is_idle = |role: &Role, part: &Recording, simulator: &dyn Simulator| {
+        let has_plates = simulator.lacks(StageName::Geometry).is_none();
+        !has_plates && !simulator.needs().contains(role) && simulator.load(&part.inputs).is_none()
+    };
+    let mut idle = LOADS.to_vec();
+    for (index, part) in parts(opened).iter().enumerate() {
+        idle.retain(|role| is_idle(role, part, bases.simulator(index)));
+    }
+    for role in idle {
+        opened.recording.inputs.load_as_driver(role);
+        opened.parts.iter_mut().for_each(|part| part.inputs.load_as_driver(role));
+    }
 }
 
 /// Rows that a diagnosis would keep, and what it would say of the others.

@@ -136,7 +136,9 @@ pub fn along(model: &RunningModel, recording: &Recording) -> Result<Vec<Answer>,
     if let (None, Some(effect)) = (&recording.inputs.temperature_c, model.follows_temperature(&Library::default())) {
         return Err(AnswerError::NoColumn { place: place(None), column: Role::Temperature.key(), effect });
     }
-    let responses = model.respond(&recording.inputs).map_err(|error| refused(error, place))?;
+    let mut followed = recording.inputs.clone();
+    model.as_followed(&mut followed);
+    let responses = model.respond(&followed).map_err(|error| refused(error, place))?;
     Ok(responses.into_iter().enumerate().map(|(row, response)| answer(&recording.inputs, row, response, model)).collect())
 }
 

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use truegap_core::sensor::builtin_sensors;
-use truegap_core::{Inputs, Sensor, Simulator, Stage};
+use truegap_core::{Inputs, LOADS, Sensor, Simulator, Stage};
 use truegap_diagnose::answer::{AddedEffect, NamedValue, RivalModel, Scales};
 use truegap_diagnose::other_clock::OtherClock;
 use truegap_diagnose::{Augmented, Context, Library, Outcome, mechanism::Driver};
@@ -331,6 +331,12 @@ impl RunningModel {
         self.as_fitted(|context| kept.iter_mut().for_each(|added| begin_anew(added, library, context)));
         self.augmented.effects = kept;
         (self, left_out)
+    }
+
+    /// Inputs as the effects follow them: a load that was a driver where they were fitted is one here.
+    pub fn as_followed(&self, inputs: &mut Inputs) {
+        let drivers = self.augmented.scales.moved.iter().flat_map(|moved| &moved.drivers);
+        drivers.for_each(|name| LOADS.into_iter().filter(|role| role.key() == name).for_each(|role| inputs.load_as_driver(role)));
     }
 
     /// Whether the recording to which the effects were fitted and that of `inputs` both tell their dates.

@@ -50,8 +50,9 @@ pub fn compensate_with(
     all: bool,
     programs: &Programs,
 ) -> Result<Compensated, CompensateError> {
-    let (recording, name) = opened(recording, channel)?;
+    let (mut recording, name) = opened(recording, channel)?;
     let model = written.build_of(file, programs)?;
+    model.as_followed(&mut recording.inputs);
     let (file, same) = (file.display().to_string(), took_part(written, &recording) && !written.sha256.trim().contains(' '));
     if recording.response_unit != written.unit {
         return Err(CompensateError::Unit { recording: name, found: recording.response_unit, wanted: written.unit.clone() });

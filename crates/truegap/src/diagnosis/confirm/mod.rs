@@ -106,7 +106,7 @@ pub fn confirm_within(diagnosed: &mut Diagnosed, mut recording: Recording, free:
 fn judge(
     written: &ModelFile,
     file: &str,
-    recording: Recording,
+    mut recording: Recording,
     name: String,
     free: Free,
     programs: &Programs,
@@ -116,6 +116,7 @@ fn judge(
         let reasons: Vec<String> = left_out.iter().map(|left| format!("{}: {}", spoken(&left.effect), left.why)).collect();
         return Err(ConfirmError::LeftOut { model: file.to_owned(), reasons: listed(&reasons, "and") });
     }
+    model.as_followed(&mut recording.inputs);
     let mut notes = belong_together(&model, written, file, &recording, &name)?;
     if free.clock && recording.inputs.time_s.is_none() {
         return Err(ConfirmError::NoClock { recording: name });

@@ -75,7 +75,7 @@ fn verdict_says(found: &Found<'_>, (findings, order): (&[Finding], &[usize])) ->
         }
         Verdict::WrongForm => format!(
             "missing from the model: {names}; the family is clear, but its equation leaves {} of the misfit",
-            share_left(decision.removed)
+            share_left(decision.removed * decision.claimed)
         ),
         Verdict::Unexplained => unexplained(found, decision),
         Verdict::Undecided if found.interrupted => "stopped before the search was finished: causes are not decided".into(),

@@ -8,8 +8,10 @@
 //! Beside mechanisms that stand by what they foretell, and not by their odds, the causes among the names are those that they have without them, and the mechanisms are carried where they are the smaller part: they were found among thousands,
 //! and an equation with a name is worth more than a composed one.
 //!
-//! Small beside the largest cause may still be far out of the noise: a lag that takes what a fast clock leaves from fifty times the noise down to it. So where tests see nothing in what equations of the library leave, a further
-//! part that removes most of what the causes leave is a cause as well, doubted or not.
+//! Small beside the largest cause may still be far out of the noise: a lag that takes what a fast clock leaves from fifty times the noise down to it, or a drift beside a supply that sags. So where tests see
+//! nothing in what equations of the library leave together, but something without a part, and rows left out are predicted twice as badly without it, that part is a cause as well, doubted or not.
+//!
+//! Where tests see nothing beside what is carried, and the causes leave little more than all together, nothing is wrong with their form that one would see: that is told as an explanation.
 //!
 //! Effects are left out together as well as one by one: a late clock and a lag of the reading may undo one another, and then each looks needed beside the other.
 //!
@@ -29,8 +31,8 @@ use crate::{
     selection::{candidates::Search, posterior::Selection, verdict::Decision},
     validation::{
         cross_validation::{HeldOutFit, compared},
-        main_causes::{enough, fewest, names_first, removed, without_doubted},
-        tuning::{CLAIMED_FROM, MAIN_SHARE},
+        main_causes::{Whole, fewest, names_first, removed, without_doubted},
+        tuning::CLAIMED_FROM,
     },
 };
 
@@ -53,27 +55,28 @@ pub(crate) fn with_carried(
     if derived || holds || parts.len() < 2 || !foretells {
         return decision;
     }
-    let squares = |kept: &[usize]| {
+    let model = |kept: &[usize]| {
         let effects: Vec<usize> = kept.iter().flat_map(|part| parts[*part].clone()).collect();
-        let unseen = match selection.with(&effects) {
-            Some(tried) => predictions(prepared, search, by_base, tried),
-            None => predictions(prepared, search, by_base, &search.part_of(chosen, &effects)?),
-        };
-        removed(&by_base.unseen, &unseen)
+        selection.with(&effects).cloned().or_else(|| search.part_of(chosen, &effects))
     };
+    let squares = |kept: &[usize]| removed(&by_base.unseen, &predictions(prepared, search, by_base, &model(kept)?));
+    let hold = |kept: &[usize]| model(kept).is_some_and(|tried| !prepared.lack_of_fit.adequacy(&tried.fit).fires());
     let Some(whole) = removed(&by_base.unseen, named) else { return decision };
     let before = compared(&by_base.unseen, named).map_or(whole, |both| both.rmse[0].powi(2));
-    let enough = enough(before, whole, equations && !after.fires());
+    let whole = Whole { before, whole, holds: equations && !after.fires() };
+    let enough = |kept: &[usize], squares: f64| whole.is_enough(squares, || hold(kept));
     let composed = !by_odds && parts.last().is_some_and(|part| part.iter().all(|e| *e >= prepared.testable.len()));
-    let (causes, share) = match composed.then(|| names_first(parts.len() - 1, whole, squares)).flatten() {
+    let (causes, share) = match composed.then(|| names_first(parts.len() - 1, whole.whole, squares)).flatten() {
         Some(named) => named,
-        None => fewest(parts.len(), (whole, enough), squares),
+        None => fewest(parts.len(), whole.whole, enough, squares),
     };
     let doubted = |part: usize| is_doubted(search, selection, &decision, &parts[part]);
-    let least = if enough > MAIN_SHARE * whole { enough / whole } else { 0.0 };
-    let (causes, share) = without_doubted((causes, share), least, |kept| squares(kept).map(|kept| kept / whole), doubted);
+    let needless = |kept: &[usize], share: f64| whole.needs_no_more(share * whole.whole, || hold(kept));
+    let share_of = |kept: &[usize]| squares(kept).map(|kept| kept / whole.whole);
+    let (causes, share) = without_doubted((causes, share), needless, share_of, doubted);
     let carried = (0..parts.len()).filter(|part| !causes.contains(part)).flat_map(|part| parts[part].clone()).collect();
-    decision.carrying((carried, share), &chosen.effects, &after)
+    let near = whole.holds && whole.is_near(share * whole.whole);
+    decision.carrying((carried, share, near), &chosen.effects, &after)
 }
 
 /// Whether the name of a part after the first would be wrong three times of four, and that of all that may stand in its place.

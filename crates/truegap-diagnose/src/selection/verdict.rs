@@ -63,6 +63,8 @@ pub struct Decision {
     pub unmodelled_rivals: bool,
     /// effects of the model stood behind (indices into the library) that it carries without a claim to their names
     pub carried: Vec<usize>,
+    /// share of what the model removes that those stand for whose names are claimed
+    pub claimed: f64,
 }
 
 impl Decision {
@@ -95,19 +97,19 @@ impl Decision {
     }
 
     /// The same where these of the `effects` of its model are only carried: what they leave open is not open any more. The others stand for a `share` of what the model removes, and are all
-    /// there is to explain only where that is as much as an adequate equation removes; `after` is what the model leaves.
+    /// there is to explain only where that is as much as an adequate equation removes, or where they leave next to what the model leaves, in which tests see nothing (`near`); `after` is what the model leaves.
     #[must_use]
-    pub(crate) fn carrying(self, (carried, share): (Vec<usize>, f64), effects: &[usize], after: &Adequacy) -> Self {
+    pub(crate) fn carrying(self, (carried, share, near): (Vec<usize>, f64, bool), effects: &[usize], after: &Adequacy) -> Self {
         if carried.is_empty() {
             return self;
         }
         let claimed = effects.iter().zip(&self.sets).filter(|(effect, _)| !carried.contains(effect)).map(|(_, set)| set);
         let verdict = match Self::of_sets(claimed, self.removed, after) {
             _ if self.unmodelled_rivals => Verdict::Ambiguous,
-            Verdict::Explained if share < ADEQUATE => Verdict::WrongForm,
+            Verdict::Explained if share < ADEQUATE && !near => Verdict::WrongForm,
             verdict => verdict,
         };
-        Self { verdict, carried, ..self }
+        Self { verdict, carried, claimed: share.clamp(0.0, 1.0), ..self }
     }
 
     /// The verdict on a model whose effects have these rivals, that removes this share of the misfit: what is open comes before what is not adequate.
@@ -140,6 +142,7 @@ impl Decision {
             unmodelled: None,
             unmodelled_rivals: false,
             carried: Vec::new(),
+            claimed: 1.0,
         }
     }
 }

@@ -7,12 +7,14 @@
 //!
 //! Only where the noise was not measured: one that was has weighed a law of the library against the composed one by what tells the two apart.
 //!
-//! Limits: an answer with one mechanism; effects that follow the same driver in the same way at the same place.
+//! Two mechanisms are told by two names, which foretell as well, or by none.
+//!
+//! Limits: effects that follow the same driver in the same way at the same place.
 
 use crate::{
     adequacy::lack_of_fit::Adequacy,
     data::context::{Context, Number},
-    discovery::same_words::with_followed_driver,
+    discovery::{discover::Discovery, same_words::with_followed_driver},
     effects::composed::words::InWords,
     pipeline::{
         judged::{Judged, Told},
@@ -28,16 +30,16 @@ use crate::{
     validation::{
         cross_validation::{HeldOutFit, compared},
         main_causes::removed,
-        tuning::{CLEARLY_WORSE, MAIN_SHARE},
+        tuning::{CLEARLY_WORSE, MAIN_SHARE, MOST_NAMES},
         veto::Unseen,
     },
 };
 
-/// An effect of the library in the place of a mechanism.
+/// Effects of the library in the place of mechanisms.
 pub(crate) struct ByName {
-    /// the model with it, the last of its effects
+    /// the model with them, the last of its effects
     tried: Tried,
-    /// numbers of its law that are held at nothing
+    /// numbers of their laws that are held at nothing
     held: Vec<Number>,
     /// what it foretells of rows left out
     unseen: HeldOutFit,
@@ -47,47 +49,58 @@ pub(crate) struct ByName {
     after: Adequacy,
 }
 
-/// The effect that says the same as the mechanism of an answer and foretells as well; `None` where there is none.
+/// The effects that say the same as the mechanisms of an answer, one for each, and foretell as well; `None` where there are none.
 pub(crate) fn by_name(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option<ByName> {
     // a noise that was measured has weighed both already
     let composition = judged.composition.as_ref().filter(|_| !prepared.noise_is_known())?;
-    let [mechanism] = composition.mechanisms.as_slice() else { return None };
-    let (selection, place) = (&judged.examined.selection, prepared.testable.len());
+    let (selection, library) = (&judged.examined.selection, prepared.testable.len());
     let chosen = &selection.models[judged.predicted.decision.model];
-    let others: Vec<usize> = chosen.effects.iter().copied().filter(|e| *e != place).collect();
-    if others.len() == chosen.effects.len() {
+    let others: Vec<usize> = chosen.effects.iter().copied().filter(|e| *e < library).collect();
+    // a model that holds one of two mechanisms alone was not found with the other
+    if others.len() + composition.mechanisms.len() != chosen.effects.len() {
         return None;
     }
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
-    let words = with_followed_driver(mechanism.effect.sentence.in_words(), search.context);
-    let alike: Vec<usize> = (0..place).filter(|e| !others.contains(e) && says(search, *e).as_ref() == Some(&words)).collect();
-    let from = selection.with(&others)?;
-    let found = search.add_each(from, &alike, alike.len(), "by name");
-    let asked = found.iter().filter_map(|tried| asked(prepared, search, judged, tried));
-    // beside the effect the mechanism has to prove itself, as any further effect
+    let alike = |mechanism: &Discovery| -> Vec<usize> {
+        let words = with_followed_driver(mechanism.effect.sentence.in_words(), search.context);
+        (0..library).filter(|e| !others.contains(e) && says(search, *e).as_ref() == Some(&words)).collect()
+    };
+    // every choice of one name for each mechanism is fitted
+    let two = composition.mechanisms.len() > 1;
+    let most = if two { MOST_NAMES } else { library };
+    let add = |from: &Tried, alike: &[usize]| search.add_each(from, alike, most, "by name");
+    let found = every_choice(selection.with(&others)?.clone(), composition.mechanisms.iter().map(alike), add);
+    let asked = found.iter().filter_map(|tried| asked(prepared, search, judged, (tried, others.len())));
+    // beside the effects the mechanisms have to prove themselves, as any further effect
     let as_well = |own: &ByName| {
         let composed = (judged.predicted.unseen.stood_behind().clone(), &chosen.fit);
         Unseen::of((own.unseen.clone(), &own.tried.fit), composed).against(false, || false).is_some()
     };
-    // another law of the same place, driver and kinetics is a matter of form
+    // another law of the same place, driver and kinetics is a matter of form; of two a small one would be nine tenths of nothing
     let base = &judged.by_base.unseen;
     let composed = removed(base, judged.predicted.unseen.stood_behind());
     let most_of_it =
         |own: &ByName| removed(base, &own.unseen).zip(composed).is_some_and(|(own, composed)| own >= MAIN_SHARE * composed);
-    asked.filter(|own| as_well(own) || most_of_it(own)).min_by(|a, b| a.rmse.total_cmp(&b.rmse))
+    asked.filter(|own| as_well(own) || (!two && most_of_it(own))).min_by(|a, b| a.rmse.total_cmp(&b.rmse))
+}
+
+/// Models with one name of each list more, every choice of them, as `add` gives them for one list; none where a list is empty.
+fn every_choice<M>(from: M, lists: impl Iterator<Item = Vec<usize>>, add: impl Fn(&M, &[usize]) -> Vec<M>) -> Vec<M> {
+    lists.fold(vec![from], |models, list| models.iter().flat_map(|from| add(from, &list)).collect())
 }
 
 fn says(search: &Search<'_>, effect: usize) -> Option<InWords> {
     Some(with_followed_driver(search.library[effect].in_words(search.context)?, search.context))
 }
 
-/// A model with an effect of the library last, fitted to the end and asked for rows left out; `None` where the effect does not stand out of the noise.
-fn asked(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged, tried: &Tried) -> Option<ByName> {
+/// A model with effects of the library from a place `first` on, fitted to the end and asked for rows left out; `None` where one of these does not stand out of the noise.
+fn asked(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged, (tried, first): (&Tried, usize)) -> Option<ByName> {
     let tried = search.polished(tried)?;
     let Simple { tried, held, unseen } = simple(prepared, search, &judged.by_base, &tried, CLEARLY_WORSE)?;
     let context: Context<'_> = search.context.holding(held.clone());
-    if detectability(&search.within(&context), &tried, tried.effects.len() - 1).is_some_and(|d| d < VISIBLE) {
+    let unseen_by = |place: usize| detectability(&search.within(&context), &tried, place).is_some_and(|d| d < VISIBLE);
+    if (first..tried.effects.len()).any(unseen_by) {
         return None;
     }
     let (rmse, after) = (compared(&judged.by_base.unseen, &unseen)?.rmse[1], prepared.lack_of_fit.adequacy(&tried.fit));
@@ -95,7 +108,7 @@ fn asked(prepared: &Prepared<'_>, search: &Search<'_>, judged: &Judged, tried: &
 }
 
 impl Judged {
-    /// The same with an effect of the library named in the place of the mechanism.
+    /// The same with effects of the library named in the place of the mechanisms.
     pub(crate) fn told_by(self, name: ByName) -> Self {
         let ByName { tried, held, unseen, after, .. } = name;
         let (place, selection) = (self.predicted.decision.model, &self.examined.selection);
@@ -109,5 +122,20 @@ impl Judged {
             removed,
             ..Decision::nothing(verdict, base)
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A reading that comes late has two names, one that goes with the temperature has one; beside an effect that was named already.
+    #[test]
+    fn two_mechanisms_are_told_by_one_name_each_or_by_none() {
+        let add = |from: &Vec<usize>, names: &[usize]| names.iter().map(|name| [from.as_slice(), &[*name]].concat()).collect();
+        let choices = |lists: &[&[usize]]| every_choice(vec![9], lists.iter().map(|list| list.to_vec()), add);
+        assert_eq!(choices(&[&[1, 2], &[5]]), [[9, 1, 5], [9, 2, 5]]);
+        assert_eq!(choices(&[&[1, 2]]), [[9, 1], [9, 2]]);
+        assert!(choices(&[&[1, 2], &[]]).is_empty());
     }
 }

@@ -41,6 +41,11 @@ pub(crate) const TELLS: f64 = 0.01;
 /// Probability from which a model is fitted again with numbers held: less likely ones are neither told nor weighed any more.
 pub(crate) const REFITTED_FROM: f64 = 1e-3;
 
+// pipeline/by_name.rs
+
+/// Effects of the library that are tried for each of two mechanisms, those that promise most: nine choices, each of which takes as many fits as there are parts.
+pub(crate) const MOST_NAMES: usize = 3;
+
 // pipeline/by_rows_left_out.rs
 
 /// Most effects that are added by what rows left out say: as many as the model space has in one model.

@@ -129,7 +129,7 @@ impl Effect for Friction {
     fn about(&self) -> About {
         About {
             physics: "friction, or the play (backlash) of a gear or a thread, acts on the reading against the motion of a driver (a piston, a slide, a gap), whether the base model follows it or not",
-            equation: "value = true + F [(1 - r) s(x) + r tanh((dx/dt) / v0) + c dx/dt], s from -1 to 1 by three plays on the driver x with half widths w (1 - 0.6 g, 1 - 0.2 g, 1 + 0.8 g), one play of half width w for g = 0, at rest when a run starts; F tanh(x / v0) + c x where x is a speed that goes both ways; r = 0 where the base model follows x, c = 0 where x is a simulation: a lag looks like them there",
+            equation: "value = true + F [(1 - r) s(x) + r tanh((dx/dt) / v0) + c dx/dt], s from -1 to 1 by three plays on the driver x with half widths w (1 - 0.6 g, 1 - 0.2 g, 1 + 0.8 g), one play of half width w for g = 0, at rest when a run starts; F (tanh(x / v0) + c x), c not below 0, where x is a speed that goes both ways; r = 0 where the base model follows x, c = 0 where x is a simulation: a lag looks like them there",
             excitation: "a driver that turns around",
             impostors: &["driver_coefficient", "readout_lag", "slow_response", "time_offset"],
             separates: "the reading jumps where the driver turns and stays there, at any speed; a lag grows with the speed",
@@ -237,14 +237,14 @@ impl Effect for Friction {
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
         let course = self.course(context);
         if is_speed(course, context) {
-            return friction_of_speed::stage(values, course, false);
+            return friction_of_speed::stage(values, course, friction_of_speed::fastest(course, context), false);
         }
         Box::new(self.against(values, context))
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
         let course = self.course(context);
         if is_speed(course, context) {
-            return Some(friction_of_speed::stage(values, course, true));
+            return Some(friction_of_speed::stage(values, course, friction_of_speed::fastest(course, context), true));
         }
         Some(Box::new(Dahl(self.against(values, context))))
     }

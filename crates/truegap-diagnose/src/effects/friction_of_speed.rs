@@ -8,7 +8,7 @@ use crate::{
     text::{rounded, with_sd},
 };
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
-use truegap_core::{Drive, Parameter, Readout, Stage, ends};
+use truegap_core::{Drive, Parameter, Readout, Stage};
 
 /// Units of a speed along a line or of a turning.
 const SPEEDS: [&str; 16] = [
@@ -33,7 +33,9 @@ pub fn is_speed(course: Course, context: &Context<'_>) -> bool {
 struct OfSpeed {
     force: f64,
     onset: f64,
+    /// viscous part at the speed `fastest`, over the dry part: against the motion as that is
     viscous: f64,
+    fastest: f64,
     course: Course,
     rise: fn(f64) -> f64,
 }
@@ -41,28 +43,32 @@ struct OfSpeed {
 impl Stage for OfSpeed {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
         let Some(speed) = self.course.column(drive) else { return };
-        value
-            .iter_mut()
-            .zip(speed)
-            .for_each(|(value, speed)| *value += self.force * (self.rise)(speed / self.onset) + self.viscous * speed);
+        value.iter_mut().zip(speed).for_each(|(value, speed)| {
+            *value += self.force * ((self.rise)(speed / self.onset) + self.viscous * speed / self.fastest)
+        });
     }
 }
 
-/// `force tanh(v / onset) + viscous v`; the sibling rises as an arc tangent.
-pub fn stage(values: &[f64], course: Course, as_sibling: bool) -> Box<dyn Stage> {
+/// `force (tanh(v / onset) + viscous v / fastest)`; the sibling rises as an arc tangent.
+pub fn stage(values: &[f64], course: Course, fastest: f64, as_sibling: bool) -> Box<dyn Stage> {
     let rise = if as_sibling { |u: f64| FRAC_2_PI * (FRAC_PI_2 * u).atan() } else { f64::tanh };
-    Box::new(OfSpeed { force: values[0], onset: values[1], viscous: values[2], course, rise })
+    Box::new(OfSpeed { force: values[0], onset: values[1], viscous: values[2], fastest, course, rise })
+}
+
+/// Largest speed of the recording in which the effect was found.
+pub fn fastest(course: Course, context: &Context<'_>) -> f64 {
+    let [low, high] = course.ends(context);
+    high.max(-low)
 }
 
 /// Its numbers: `force`, `onset`, `viscous`.
 pub fn parameters(course: Course, context: &Context<'_>) -> Vec<Parameter> {
     let (response, unit, span) = (context.simulator.unit(), course.unit(context), course.span(context));
-    let size = context.response_span.abs();
     vec![
-        Parameter::normal("force", response, 0.0, 0.2 * size, "dry part, against the motion"),
+        Parameter::normal("force", response, 0.0, 0.2 * context.response_span.abs(), "dry part, against the motion"),
         Parameter::log_normal("onset", &unit, 0.02 * span, 1.2, "speed at which 76 % of the dry part are there")
             .within(1e-4 * span, 0.25 * span),
-        Parameter::normal("viscous", &format!("{response}/({unit})"), 0.0, 0.3 * size / span, "part in proportion to the speed"),
+        Parameter::normal("viscous", "1", 0.0, 2.0, "viscous part at the largest speed, over the dry part").within(0.0, 50.0),
     ]
 }
 
@@ -79,14 +85,9 @@ pub fn told(fitted: &[FittedParameter], course: Course, context: &Context<'_>) -
     let [force, onset, viscous] = [0, 1, 2].map(|place| &fitted[place]);
     let way = if force.value < 0.0 { "lower" } else { "higher" };
     let size = with_sd(force.value.abs(), force.sd, &force.parameter.unit);
-    let fastest = course.recorded(context).map_or(0.0, |speed| {
-        let (low, high) = ends(speed.iter().copied());
-        high.max(-low)
-    });
-    let grows = if viscous.value.abs() > SPOKEN_OF * viscous.sd {
-        let [most, speed] =
-            [rounded((viscous.value * fastest).abs(), &force.parameter.unit), rounded(fastest, &onset.parameter.unit)];
-        format!("; a viscous part comes to {most} at {speed}")
+    let grows = if viscous.value > SPOKEN_OF * viscous.sd {
+        let most = rounded((viscous.value * force.value).abs(), &force.parameter.unit);
+        format!("; a viscous part comes to {most} at {}", rounded(fastest(course, context), &onset.parameter.unit))
     } else {
         String::new()
     };
@@ -113,7 +114,7 @@ mod tests {
         let drive = Drive { inputs: &inputs, load: &[], temperature_c: &[], reference_c: 20.0, full_load: 1.0 };
         for as_sibling in [false, true] {
             let mut value = vec![1.0; 5];
-            stage(&[0.5, 1e-12, 0.25], Course::Driver(0), as_sibling).readout(
+            stage(&[0.5, 1e-12, 2.0], Course::Driver(0), 4.0, as_sibling).readout(
                 &drive,
                 &Readout { zero: 0.0, span: 1.0 },
                 &mut value,

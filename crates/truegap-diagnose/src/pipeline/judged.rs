@@ -252,7 +252,7 @@ impl Judged {
         self.examined = self.examined.with(|selection| selection.told_as(place, tried));
         let selection = &self.examined.selection;
         let decision = decide(selection.place_of(key), selection.base);
-        self.predicted = Predicted { unseen, decision, after: Some(after), ..self.predicted };
+        self.predicted = self.predicted.with(unseen, decision, after);
         self.held = held;
         self
     }

@@ -42,6 +42,14 @@ pub(crate) struct Predicted {
     pub refuted: Vec<usize>,
 }
 
+impl Predicted {
+    /// The same with another model stood behind: whatever took the one before back says nothing of it.
+    #[must_use]
+    pub(crate) fn with(self, unseen: Unseen, decision: Decision, after: Adequacy) -> Self {
+        Self { unseen, decision, after: Some(after), vetoed: None, ..self }
+    }
+}
+
 /// Predicts rows left out: what predicts them much worse than the base model is not claimed, nor an effect without which the others predict them better. What predicts them well is
 /// stood behind even where its rest stands far out of the noise, unless nothing may be named (`may_name`); what changes next to nothing there is not, where tests still see a difference, nor
 /// what leaves larger errors even on the rows that it was fitted to.
@@ -336,5 +344,32 @@ impl RowsLeftOut<'_, '_> {
                 format!("measured in the noise, by {} squares of its standard deviation over all rows", significant(lost, 2))
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::score_test::JointTest;
+
+    /// A regime change was refused and rows left out chose a drift: the sentence still told that the regime change was refused.
+    #[test]
+    fn what_took_one_model_back_says_nothing_of_the_next() {
+        let test = JointTest { statistic: 0.0, freedom: 1, p_value: 1.0 };
+        let after = Adequacy { smooth: test, stretches: test, line_p_value: 1.0, line_at: (0, 0.0), left_over_noise: 1.0 };
+        let undecided = Decision::nothing(Verdict::Undecided, 0);
+        let refused = Reserved { says: "refused".into(), withheld: false, input_missing: false };
+        let nothing = || Unseen::nothing(HeldOutFit::default());
+        let first = Predicted {
+            unseen: nothing(),
+            decision: undecided,
+            after: None,
+            vetoed: Some(refused),
+            left_out: vec!["a doubt".into()],
+            refuted: Vec::new(),
+        };
+        let second = first.with(nothing(), Decision { model: 1, ..Decision::nothing(Verdict::Explained, 0) }, after);
+        assert_eq!((second.vetoed, second.decision.verdict), (None, Verdict::Explained));
+        assert_eq!(second.left_out, ["a doubt"]);
     }
 }

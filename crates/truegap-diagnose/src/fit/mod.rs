@@ -13,4 +13,5 @@ pub(crate) mod remembered;
 pub(crate) mod score_test;
 pub(crate) mod several_starts;
 pub(crate) mod tuning;
+pub(crate) mod under_noise;
 pub(crate) mod ways;

@@ -15,6 +15,7 @@ pub(crate) mod follows_drivers;
 pub(crate) mod grows;
 pub(crate) mod input;
 pub(crate) mod input_error;
+pub(crate) mod learned_again;
 pub(crate) mod louder;
 pub(crate) mod neighbours;
 pub(crate) mod off_at_rest;

@@ -170,10 +170,18 @@ fn with_louder_rows(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseMod
     let context = problem.context(problem.span(), noise.floor());
     let model = Model::new(problem, &context, Vec::new());
     let misfit = model.misfit(&calibrated(&model, &noise)?.z)?;
-    Ok(match louder_rows(problem, &misfit).filter(|found| !found.only_wild) {
+    Ok(with_louder_rows_beside(problem, &misfit, noise))
+}
+
+/// The same beside a model that leaves `misfit`.
+pub(crate) fn with_louder_rows_beside(problem: &Problem<'_>, misfit: &[f64], noise: NoiseModel) -> NoiseModel {
+    if !rows_can_be_louder(problem, &noise) {
+        return noise;
+    }
+    match louder_rows(problem, misfit).filter(|found| !found.only_wild) {
         Some(found) => beside_louder_rows(problem, &noise, found),
         None => noise,
-    })
+    }
 }
 
 /// The noise where rows are wild beside a model that explains more than the base model does, which leaves `misfit`; `None` where no row is wild that was not known to be.

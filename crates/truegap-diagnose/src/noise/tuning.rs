@@ -63,6 +63,17 @@ pub(crate) const MOSTLY_CURVED: f64 = 0.5;
 /// Rows of a run from which the scatter about short lines is believed.
 pub(crate) const LONG_RUN: usize = 100;
 
+// learned_again.rs
+
+/// Share of what a noise was taken for, above which one that is learned again changes nothing that a reader could tell: how well a noise that nobody measured is known (`UNSEEN`) is more.
+pub(crate) const STILL_AS_LOUD: f64 = 0.85;
+
+/// Factors on slow noise that was weighed beside a misfit: the steps of its grid of sizes (`SLOW_SHARES`), and none.
+pub(crate) const LESS_SLOW: [f64; 6] = [0.56, 0.32, 0.18, 0.1, 0.03, 0.0];
+
+/// Log likelihood by which a quieter noise has to be likelier: half of the deviance that factors of their own need (`CLEARLY_TOO_LOUD`).
+pub(crate) const CLEARLY_QUIETER: f64 = 10.0;
+
 // louder.rs
 
 /// Rows on either side that a row is compared with.

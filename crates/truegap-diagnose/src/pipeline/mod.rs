@@ -20,6 +20,7 @@ mod options;
 mod permuted_searches;
 mod predicted;
 mod prepare;
+mod quieter;
 pub(crate) mod recording;
 mod richer_laws;
 mod simple_laws;
@@ -41,6 +42,7 @@ use crate::{
         held_numbers::{not_borne_out, with_held},
         tuning::CLEARLY_WORSE,
     },
+    whitening::noise_model::NoiseModel,
 };
 use conclude::conclude;
 use judged::{Told, composed, judged_again};
@@ -113,13 +115,24 @@ fn searched(
     }
     if let Some(richer) = richer(&mut prepared, &examined, &told)? {
         examined = richer;
+        // a richer law leaves less, and the noise is no louder than that
+        if let Some(noise) = prepared.quieter(&examined)? {
+            examined = once_more(&mut prepared, noise, &told)?;
+        }
     }
     let mut composition = composed(&prepared, &examined, &told);
     // where stretches at rest cannot tell slow noise from noise with one memory, the whole recording does
+    let mut slowed = false;
     if let Some(slower) = slower(&prepared, &examined, composition.as_ref(), &told)? {
         let held = std::mem::replace(&mut prepared, slower).context.held;
         prepared.context.held = held;
+        slowed = true;
         examined = on_means::examined(&mut prepared, &told)?;
+        composition = composed(&prepared, &examined, &told);
+    }
+    // it was weighed beside what was fitted under the noise before, and words may leave less than the library
+    if let Some(noise) = prepared.quieter_in_the_end(&examined, composition.as_ref(), slowed)? {
+        examined = once_more(&mut prepared, noise, &told)?;
         composition = composed(&prepared, &examined, &told);
     }
     // a mechanism was composed beside the richer law
@@ -132,6 +145,14 @@ fn searched(
         examined = judged_again(&prepared, &search, with_held(&search, examined.selection, &prepared.context.held))?;
     }
     conclude(prepared, examined, composition, &told, known, started)
+}
+
+/// The same recording examined under another noise, its laws as rich as before.
+fn once_more<'a>(prepared: &mut Prepared<'a>, noise: NoiseModel, told: &Told<'a>) -> Result<Examined, DiagnoseError> {
+    let held = std::mem::take(&mut prepared.context.held);
+    *prepared = Prepared::new(prepared.problem, noise, told.options)?;
+    prepared.context.held = held;
+    on_means::examined(prepared, told)
 }
 
 /// Numbers of the model stood behind that rows left out do not bear out; `None` where there are none.

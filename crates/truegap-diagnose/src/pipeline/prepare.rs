@@ -15,7 +15,6 @@ use crate::{
     noise::{
         block_average::{BlockAverages, block_averages},
         off_at_rest::at_work,
-        rescale::{quieter_than, too_loud},
         scout::Scout,
         several::with_wild_rows,
     },
@@ -200,19 +199,6 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// The noise as the model that leaves least has it, where that leaves less than noise.
-    ///
-    /// # Errors
-    /// Those of the simulator.
-    pub fn quieter(&self, examined: &Examined) -> Result<Option<NoiseModel>, DiagnoseError> {
-        let Some(best) = examined.selection.least() else { return Ok(None) };
-        let rows = self.whitener.rows.max(1) as f64;
-        if self.problem.simulator.joined().is_some() || best.fit.chi2 / rows > too_loud(&self.noise) {
-            return Ok(None);
-        }
-        Ok(quieter_than(self.problem, &self.misfit(best)?, &self.noise))
-    }
-
     /// The noise with rows that are wild beside the model that leaves least, where the base model hides them.
     ///
     /// # Errors
@@ -233,7 +219,7 @@ impl<'a> Prepared<'a> {
     }
 
     /// What a model of the library leaves of every row.
-    fn misfit(&self, tried: &Tried) -> Result<Vec<f64>, DiagnoseError> {
+    pub(crate) fn misfit(&self, tried: &Tried) -> Result<Vec<f64>, DiagnoseError> {
         Ok(self.model(tried).misfit(&tried.fit.z)?)
     }
 

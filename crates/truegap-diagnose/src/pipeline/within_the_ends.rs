@@ -54,7 +54,7 @@ impl Prepared<'_> {
     }
 
     /// The filter of the rows that are searched, under this noise of every row.
-    fn filter_of(&self, noise: &NoiseModel) -> Whitener {
+    pub(crate) fn filter_of(&self, noise: &NoiseModel) -> Whitener {
         let of_means = self.averages.as_ref().map(|averages| averages.noise(noise));
         of_means.as_ref().unwrap_or(noise).whitener(&self.searched().runs(), None)
     }

@@ -12,6 +12,7 @@ mod kept_bank;
 mod lack_of_fit;
 mod probabilities;
 mod tempered;
+mod under_noise;
 mod unmodelled;
 mod weak;
 mod whole;

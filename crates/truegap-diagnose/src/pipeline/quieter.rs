@@ -1,0 +1,195 @@
+//! A noise that is louder than what a model leaves, learned from that.
+//!
+//! A model that explains leaves noise and nothing else, so no noise is louder than that. What a model's numbers are free to take up is no proof: it is paid for ([`crate::fit::under_noise`]).
+//!
+//! Limits: one recording; lowers, never raises; a noise measured at rest by its mean square alone.
+
+use crate::{
+    data::error::DiagnoseError,
+    discovery::{compose::Composition, discover::with_mechanisms},
+    fit::{model::Model, under_noise::UnderNoise},
+    noise::{
+        learned_again::{learned_again, less_slow},
+        rescale::{quieter_than, too_loud},
+        tuning::CLEARLY_QUIETER,
+    },
+    pipeline::prepare::Prepared,
+    selection::{candidates::Tried, examine::Examined},
+    whitening::noise_model::NoiseModel,
+};
+use std::sync::atomic::AtomicBool;
+
+impl Prepared<'_> {
+    /// The noise as the model that leaves least has it, where that leaves less than noise.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub(crate) fn quieter(&self, examined: &Examined) -> Result<Option<NoiseModel>, DiagnoseError> {
+        let Some(best) = examined.selection.least() else { return Ok(None) };
+        if self.problem.simulator.joined().is_some() {
+            return Ok(None);
+        }
+        let rows = self.whitener.rows.max(1) as f64;
+        let misfit = self.misfit(best)?;
+        let too_loud = best.fit.chi2 / rows <= too_loud(&self.noise);
+        let lowered = if too_loud { quieter_than(self.problem, &misfit, &self.noise) } else { None };
+        if self.noise.measured {
+            return Ok(lowered);
+        }
+        let learned = learned_again(self.problem, &misfit, &self.noise);
+        let searched = self.searched();
+        let model = &self.model_of(&searched, best);
+        match lowered {
+            // what was louder beside a worse misfit stays so where it is lowered only
+            Some(lowered) => Ok(self.likeliest(model, best, [vec![lowered], learned].concat())?.map(|(noise, _)| noise)),
+            None => self.likelier(model, best, learned),
+        }
+    }
+
+    /// The noise as the model that leaves least in the end has it, be it a mechanism composed of words: of a noise that nobody measured, and of slow noise that the whole recording was given (`slowed`), where that leaves
+    /// less.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub(crate) fn quieter_in_the_end(
+        &self,
+        examined: &Examined,
+        composition: Option<&Composition>,
+        slowed: bool,
+    ) -> Result<Option<NoiseModel>, DiagnoseError> {
+        let (searched, stop) = (self.searched(), AtomicBool::new(false));
+        let mechanisms = composition.map_or(&[][..], |c| c.mechanisms.as_slice());
+        let search = with_mechanisms(&self.search(&searched, &|_| (), &stop), mechanisms);
+        let both = examined.selection.least().into_iter().chain(composition.map(|c| &c.tried));
+        let least = both.min_by(|a, b| a.fit.objective().total_cmp(&b.fit.objective()));
+        let Some(least) = least.filter(|_| self.problem.simulator.joined().is_none()) else { return Ok(None) };
+        let misfit = search.model_over(self.problem, &least.effects).misfit(&least.fit.z)?;
+        let mut noises = learned_again(self.problem, &misfit, &self.noise);
+        if slowed {
+            noises.extend(less_slow(&self.noise));
+        }
+        self.likelier(&search.model(&least.effects), least, noises)
+    }
+
+    /// The likeliest of these noises, where a fitted model is clearly likelier under it than under the noise that was taken.
+    fn likelier(&self, model: &Model<'_>, tried: &Tried, noises: Vec<NoiseModel>) -> Result<Option<NoiseModel>, DiagnoseError> {
+        Ok(self.likeliest(model, tried, noises)?.filter(|(_, gain)| *gain > CLEARLY_QUIETER).map(|(noise, _)| noise))
+    }
+
+    /// Of these noises the one under which a fitted model is likeliest, and by how much likelier in its log than under the noise that was taken: what its numbers are free to take up is counted. `None` of none.
+    fn likeliest(
+        &self,
+        model: &Model<'_>,
+        tried: &Tried,
+        noises: Vec<NoiseModel>,
+    ) -> Result<Option<(NoiseModel, f64)>, DiagnoseError> {
+        if noises.is_empty() {
+            return Ok(None);
+        }
+        let weighed = UnderNoise::of(model, &tried.fit)?;
+        let (taken, _) = weighed.log_density(&self.whitener);
+        let gain = |noise: NoiseModel| {
+            let (log, _) = weighed.log_density(&self.filter_of(&noise));
+            (noise, log - taken)
+        };
+        Ok(noises.into_iter().map(gain).max_by(|a, b| a.1.total_cmp(&b.1)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        Options, Problem,
+        common::Plate,
+        noise::slow_parts::slow_parts,
+        whitening::{noise_model::InputNoise, whitener::InputError, whitener::Noise},
+    };
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+    use rand_distr::{Distribution, StandardNormal};
+    use truegap_core::{Inputs, Simulator};
+
+    const ROWS: usize = 1200;
+    const NOISE: f64 = 0.004;
+    const WHITE: Noise = Noise { white_sd: NOISE, ar_sd: 0.0, ar_correlation: 0.0 };
+
+    /// A load that never rests.
+    fn inputs() -> Inputs {
+        let time: Vec<f64> = (0..ROWS).map(|row| row as f64).collect();
+        Inputs {
+            run: vec![1; ROWS],
+            force_n: Some(time.iter().map(|t| 2.0 + 1.5 * (t / 37.0).sin()).collect()),
+            temperature_c: Some(vec![24.0; ROWS]),
+            time_s: Some(time),
+            ..Inputs::default()
+        }
+    }
+
+    fn taken_for(response: Noise, input_error: InputError) -> NoiseModel {
+        NoiseModel {
+            response,
+            inputs: InputNoise::default(),
+            recordings: Vec::new(),
+            input_error,
+            step: 0.0,
+            uncertainty: 0.25,
+            weights: None,
+            untold: Vec::new(),
+            measured: false,
+            rows: ROWS,
+            says: String::new(),
+        }
+    }
+
+    /// The noise that the right model has white noise for, taken for `noise`: learned again, and with less that is slow; and the mean square of a whitened row under it.
+    fn lowered(noise: &NoiseModel) -> ([Option<NoiseModel>; 2], f64) {
+        let (plate, inputs) = (Plate::new(Some(false)), inputs());
+        let random = &mut ChaCha8Rng::seed_from_u64(5);
+        let mut response = plate.respond(&plate.centre(), &inputs, &[]).unwrap();
+        response.iter_mut().for_each(|value| {
+            let unit: f64 = StandardNormal.sample(random);
+            *value += NOISE * unit;
+        });
+        let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
+        let options = Options { effects: vec!["offset_drift".into()], ..Options::default() };
+        let prepared = Prepared::new(&problem, noise.clone(), &options).unwrap();
+        let searched = prepared.searched();
+        let base = prepared.search(&searched, &|_| (), &AtomicBool::new(false)).base().unwrap();
+        let again = learned_again(&problem, &prepared.misfit(&base).unwrap(), noise);
+        let square = base.fit.chi2 / ROWS as f64;
+        let model = prepared.model_of(&searched, &base);
+        let likelier = |noises: Vec<NoiseModel>| prepared.likelier(&model, &base, noises).unwrap();
+        ([likelier(again), likelier(less_slow(noise))], square)
+    }
+
+    /// The filter of a steep noise takes differences from row to row, of which white noise has as much as the steep one would: the mean square tells nothing.
+    #[test]
+    fn a_steep_noise_gives_way_to_the_white_one_that_a_model_leaves() {
+        let none = || InputError::white(vec![0.0; ROWS]);
+        let steep = Noise { white_sd: 0.1 * NOISE, ar_sd: 7.0 * NOISE, ar_correlation: 0.97 };
+        let ([again, _], square) = lowered(&taken_for(steep, none()));
+        assert!(square > 0.5, "{square}");
+        let again = again.expect("it is learned again");
+        // of 1200 rows: 2 %, and what a cubic in 24 rows takes
+        approx::assert_relative_eq!(again.floor(), NOISE, max_relative = 0.1);
+        // rows that were louder beside a misfit are no louder now
+        let mut error = none();
+        error.louder = (0..ROWS).map(|row| (8.0 * NOISE * (row as f64 / 37.0).cos()).powi(2)).collect();
+        let ([again, _], _) = lowered(&taken_for(WHITE, error));
+        approx::assert_relative_eq!(again.expect("it is learned again").floor(), NOISE, max_relative = 0.1);
+        let ([again, _], _) = lowered(&taken_for(WHITE, none()));
+        assert!(again.is_none(), "the right noise stays");
+        let measured = NoiseModel { measured: true, ..taken_for(steep, none()) };
+        assert!(lowered(&measured).0[0].is_none(), "what was measured stays");
+    }
+
+    #[test]
+    fn slow_noise_of_which_a_model_leaves_nothing_goes() {
+        let slow = |sd: f64| InputError { lasting: slow_parts(ROWS, sd * sd), ..InputError::white(vec![0.0; ROWS]) };
+        let ([_, less], _) = lowered(&taken_for(WHITE, slow(5.0 * NOISE)));
+        assert!(less.expect("it is lowered").floor() < 1.2 * NOISE);
+        // as little as this is neither told nor missed
+        assert!(lowered(&taken_for(WHITE, slow(0.02 * NOISE))).0[1].is_none());
+    }
+}

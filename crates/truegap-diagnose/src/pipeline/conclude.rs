@@ -20,6 +20,7 @@ use crate::{
         predicted::Predicted,
         prepare::Prepared,
         simple_laws::told_simply,
+        wanders::beside_a_walk,
         words_beside::words_beside,
     },
     selection::{
@@ -67,6 +68,7 @@ pub(crate) fn conclude(
         Mean::Instead(mean) => judged.taken_back(mean),
         Mean::Nothing | Mean::Better => judged,
     };
+    let judged = beside_a_walk(&prepared, told, judged)?;
     let judged = described(&prepared, told, judged)?;
     let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held, smoothed } = judged;
     prepared.context.held = held;

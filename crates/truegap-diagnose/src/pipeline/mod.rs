@@ -24,6 +24,7 @@ mod quieter;
 pub(crate) mod recording;
 mod richer_laws;
 mod simple_laws;
+mod wanders;
 mod within_the_ends;
 mod words_beside;
 

@@ -48,6 +48,13 @@ impl Predicted {
     pub(crate) fn with(self, unseen: Unseen, decision: Decision, after: Adequacy) -> Self {
         Self { unseen, decision, after: Some(after), vetoed: None, ..self }
     }
+
+    /// The same with the base model stood behind by this decision.
+    #[must_use]
+    pub(crate) fn with_nothing(self, decision: Decision, by_base: &ByBase) -> Self {
+        let unseen = Unseen::nothing(by_base.unseen.clone());
+        Self { unseen, decision, after: None, vetoed: None, refuted: Vec::new(), ..self }
+    }
 }
 
 /// Predicts rows left out: what predicts them much worse than the base model is not claimed, nor an effect without which the others predict them better. What predicts them well is

@@ -128,6 +128,11 @@ pub(crate) const ABSORBED_COLUMN: f64 = 1e-7;
 /// Speeds at which a law of the speed is free, each half of the one before, from the greatest down.
 pub(crate) const OCTAVES: usize = 8;
 
+// wanders.rs of the pipeline
+
+/// How far a walk goes over a recording, in noise of a row: a factor of 1.8 apart, which is within a fifth of a unit of log likelihood of the best.
+pub(crate) const WALKS: [f64; 12] = [0.3, 0.56, 1.0, 1.8, 3.2, 5.6, 10.0, 18.0, 32.0, 56.0, 100.0, 320.0];
+
 // verdict.rs
 
 /// Probability of "nothing is missing" below which a mismatch is called present.

@@ -1,0 +1,230 @@
+//! A drift that is named beside a noise with a memory is compared with a zero that wanders as a random walk.
+//!
+//! A drift with two or three numbers takes the slow part of a random walk, and a noise with a memory, itself read from the walk, takes the quick part: nothing is left then, and the drift seems to explain
+//! all. A walk has one number and does both. Where the drift is no likelier than that, an input that was not recorded may wander, and the name is not all that can be said.
+//!
+//! **Source:** Nelson & Kang, Spurious periodicity in inappropriately detrended time series, Econometrica 49 (1981) 741; the walk as a state of the filter: Durbin & Koopman, Time Series Analysis by State Space
+//! Methods, section 2.1.
+//!
+//! Limits: effects of the library that move the zero by the clock alone; each run begins where the clock lets the walk be by then.
+
+use crate::{
+    data::error::DiagnoseError,
+    effects::{
+        composed::words::{Driver, Kinetics, Place},
+        effect::ZeroCourse,
+    },
+    fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model, optimum::Fit, under_noise::UnderNoise},
+    pipeline::{
+        judged::{Judged, Told},
+        prepare::Prepared,
+    },
+    selection::{
+        candidates::{Search, Tried},
+        tuning::{RIVAL, WALKS},
+        unmodelled::{Cause, Unmodelled},
+        verdict::{Decision, Verdict},
+    },
+    stats::rms,
+    whitening::{
+        noise_model::NoiseModel,
+        whitener::{InputError, Lasting, Noise, Whitener},
+    },
+};
+use std::sync::atomic::Ordering;
+
+/// The same, where a zero that wanders is not much less likely than the drift that is named: it stands among the rivals then, or in the place of the drift, where it is as much likelier and nothing else is named.
+///
+/// # Errors
+/// Those of the simulator.
+pub(crate) fn beside_a_walk(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged) -> Result<Judged, DiagnoseError> {
+    let searched = prepared.searched();
+    let context = prepared.context.holding(judged.held.clone());
+    let search = prepared.search(&searched, told.progress, told.stop);
+    let search = search.within(&context);
+    let has_memory = prepared.noise.lasts() || prepared.noise.response.ar_sd > 0.0;
+    let asked = has_memory && judged.kept_back.is_none() && judged.names_something() && !told.stop.load(Ordering::Relaxed);
+    let drifts = drifts(&search, judged.stood_behind());
+    if !asked || drifts.is_empty() || prepared.problem.simulator.joined().is_some() || searched.inputs.time_s.is_none() {
+        return Ok(judged);
+    }
+    let odds = log_odds_of_a_walk(&search, &prepared.searched_noise, judged.stood_behind(), &drifts)?;
+    let alone = drifts.len() == judged.stood_behind().effects.len();
+    Ok(judged.told_beside_a_walk(odds, alone))
+}
+
+/// Effects of a model that move the zero by the clock alone; none where one of it is no effect of the library.
+fn drifts(search: &Search<'_>, tried: &Tried) -> Vec<usize> {
+    if tried.effects.iter().any(|effect| *effect >= search.library.len()) {
+        return Vec::new();
+    }
+    let switches = |effect: usize| {
+        let words = search.library[effect].in_words(search.context);
+        words.is_some_and(|w| w.place == Place::Readout && w.driver == Driver::Time && w.kinetics == Kinetics::Event)
+    };
+    let drifts = |effect: &usize| search.library[*effect].zero_course() == ZeroCourse::InsideRuns || switches(*effect);
+    tried.effects.iter().copied().filter(drifts).collect()
+}
+
+/// Log odds of a model without its `drifts`, beside a walk and white noise, against the model itself: under its noise, or beside a walk as well, whichever is likelier.
+fn log_odds_of_a_walk(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, drifts: &[usize]) -> Result<f64, DiagnoseError> {
+    let whole = search.model(&tried.effects);
+    let rest: Vec<usize> = tried.effects.iter().copied().filter(|effect| !drifts.contains(effect)).collect();
+    let Some(without) = search.part_of(tried, &rest) else { return Ok(f64::NEG_INFINITY) };
+    let walk = beside_walk(&search.model(&without.effects), &without.fit, noise)?;
+    let named = evidence(&tried.fit, search.whitener).max(beside_walk(&whole, &tried.fit, noise)?);
+    Ok(walk - named)
+}
+
+/// Log evidence of a fit, with the constant of its noise.
+fn evidence(fit: &Fit, whitener: &Whitener) -> f64 {
+    fit.log_evidence - 0.5 * whitener.log_determinant
+}
+
+/// Log evidence of a model beside the likeliest walk.
+fn beside_walk(model: &Model<'_>, start: &Fit, noise: &NoiseModel) -> Result<f64, DiagnoseError> {
+    let runs = model.problem.runs();
+    let weighed = UnderNoise::of(model, start)?;
+    let size = rms(model.misfit(&start.z)?.into_iter());
+    let time = model.problem.inputs.time_s.as_deref().unwrap_or(&[]);
+    let filter = |ratio: f64, white: f64| with_walk(noise, time, ratio * white, white).whitener(&runs, None);
+    let of = |ratio: f64| {
+        // as loud as the rest beside a walk of this size has it
+        let (_, square) = weighed.log_density(&filter(ratio, size));
+        let filter = filter(ratio, size * square.sqrt());
+        (weighed.log_density(&filter).0, filter)
+    };
+    let likeliest = WALKS.map(of).into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
+    let Some((_, filter)) = likeliest else { return Ok(f64::NEG_INFINITY) };
+    Ok(evidence(&fit(model, &filter, &start.z, &FitOptions::default())?, &filter))
+}
+
+/// White noise of a row beside a random walk that goes as far as `walk` (standard deviation) over the whole recording, in place of the reading's own noise.
+fn with_walk(noise: &NoiseModel, time_s: &[f64], walk: f64, white: f64) -> NoiseModel {
+    let (first, last) = (time_s.first().copied().unwrap_or(0.0), time_s.last().copied().unwrap_or(1.0));
+    let each = walk * walk / (last - first).max(f64::MIN_POSITIVE);
+    let variance: Vec<f64> = time_s.iter().map(|t| each * (t - first).max(0.0)).collect();
+    // a walk goes on from where it is: what it was is all of it, and what is new is added
+    let memory = |row: usize| match row.checked_sub(1) {
+        Some(before) if variance[row] > 0.0 => (variance[before] / variance[row]).min(1.0).sqrt(),
+        _ => 0.0,
+    };
+    let memory = (0..time_s.len()).map(memory).collect();
+    let of_inputs = noise.input_error.lasting.iter().filter(|lasting| !lasting.of_reading).cloned();
+    let lasting = of_inputs.chain([Lasting { variance, memory, of_reading: true }]).collect();
+    let response = Noise { white_sd: white, ar_sd: 0.0, ar_correlation: 0.0 };
+    NoiseModel { response, input_error: InputError { lasting, ..noise.input_error.clone() }, ..noise.clone() }
+}
+
+impl Judged {
+    /// The same where a zero that wanders has these log odds against what is stood behind, the drift `alone` or with what else is named.
+    fn told_beside_a_walk(mut self, odds: f64, alone: bool) -> Self {
+        let base = self.examined.selection.base;
+        let decision = &self.predicted.decision;
+        if odds > -RIVAL.ln() && alone {
+            let effects = self.examined.selection.models[base].key();
+            let walk = Unmodelled { cause: Cause::WanderingZero, effects, weight: odds, gain: odds, row: None };
+            let decision = Decision { unmodelled: Some(walk), ..Decision::nothing(Verdict::Unexplained, base) };
+            self.predicted = self.predicted.with_nothing(decision, &self.by_base);
+            self.held = Vec::new();
+        } else if odds > RIVAL.ln() {
+            self.predicted.decision = Decision { verdict: Verdict::Ambiguous, unmodelled_rivals: true, ..decision.clone() };
+        }
+        self
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::single_range_in_vec_init)] // one run
+mod tests {
+    use super::*;
+    use crate::{Options, Problem, common::Plate, whitening::noise_model::InputNoise};
+    use nalgebra::{DMatrix, DVector};
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+    use rand_distr::{Distribution, StandardNormal};
+    use std::sync::atomic::AtomicBool;
+    use truegap_core::{Inputs, Simulator};
+
+    const ROWS: usize = 600;
+    const NOISE: f64 = 0.01;
+
+    fn noise(rows: usize, response: Noise) -> NoiseModel {
+        NoiseModel {
+            response,
+            inputs: InputNoise::default(),
+            recordings: Vec::new(),
+            input_error: InputError::white(vec![0.0; rows]),
+            step: 0.0,
+            uncertainty: 0.25,
+            weights: None,
+            untold: Vec::new(),
+            measured: false,
+            rows,
+            says: String::new(),
+        }
+    }
+
+    /// Covariance of a walk and white noise: `s^2 t_i` of the earlier of two rows, and the white variance of one; rows a second or four apart.
+    #[test]
+    fn the_filter_of_a_walk_is_the_inverse_of_its_covariance() {
+        let time: Vec<f64> = (0..40).map(|row| f64::from(row) + 3.0 * f64::from(row / 7)).collect();
+        let (walk, white, length) = (2.0, 0.3, time[39]);
+        let covariance =
+            DMatrix::from_fn(40, 40, |i, j| walk * walk * time[i.min(j)] / length + if i == j { white * white } else { 0.0 });
+        let y: Vec<f64> = (0..40).map(|row| (0.4 * f64::from(row)).sin()).collect();
+        let factor = covariance.cholesky().unwrap();
+        let column = DVector::from_column_slice(&y);
+        let exact = column.dot(&factor.solve(&column)) + factor.l_dirty().diagonal().iter().map(|d| 2.0 * d.ln()).sum::<f64>();
+        let white_alone = Noise { white_sd: 1.0, ar_sd: 0.5, ar_correlation: 0.9 };
+        let filter = with_walk(&noise(40, white_alone), &time, walk, white).whitener(&[0..40], None);
+        let mut whitened = y;
+        filter.apply(&mut whitened);
+        approx::assert_relative_eq!(filter.deviance(&whitened), exact, max_relative = 1e-10);
+    }
+
+    /// Log odds of a walk against the drift that is fitted to what `zero` adds to a plate, under the noise of one memory that short stretches of a walk have.
+    fn odds(seed: u64, zero: impl Fn(&[f64]) -> Vec<f64>) -> f64 {
+        let time: Vec<f64> = (0..ROWS).map(|row| row as f64).collect();
+        let inputs = Inputs {
+            run: vec![1; ROWS],
+            force_n: Some(time.iter().map(|t| 2.0 + 1.5 * (t / 37.0).sin()).collect()),
+            temperature_c: Some(vec![24.0; ROWS]),
+            time_s: Some(time),
+            ..Inputs::default()
+        };
+        let random = &mut ChaCha8Rng::seed_from_u64(seed);
+        let drawn: Vec<f64> = (0..2 * ROWS).map(|_| StandardNormal.sample(random)).collect();
+        let plate = Plate::new(Some(false));
+        let clean = plate.respond(&plate.centre(), &inputs, &[]).unwrap();
+        let zero = zero(&drawn[..ROWS]);
+        let response: Vec<f64> = (0..ROWS).map(|row| clean[row] + zero[row] + NOISE * drawn[ROWS + row]).collect();
+        let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
+        let options = Options { effects: vec!["offset_drift".into()], ..Options::default() };
+        let steep = Noise { white_sd: NOISE, ar_sd: NOISE, ar_correlation: 0.97 };
+        let prepared = Prepared::new(&problem, noise(ROWS, steep), &options).unwrap();
+        let searched = prepared.searched();
+        let stop = AtomicBool::new(false);
+        let search = prepared.search(&searched, &|_| (), &stop);
+        let named = search.add_each(&search.base().unwrap(), &[0], 1, "test").pop().unwrap();
+        assert_eq!(drifts(&search, &named), [0]);
+        log_odds_of_a_walk(&search, &prepared.searched_noise, &named, &[0]).unwrap()
+    }
+
+    #[test]
+    fn a_walk_is_not_excluded_beside_a_drift_and_a_drift_excludes_it() {
+        for seed in 1..5 {
+            let walk = |steps: &[f64]| {
+                let step = |at: &mut f64, step: &f64| {
+                    *at += 0.3 * NOISE * step;
+                    Some(*at)
+                };
+                steps.iter().scan(0.0, step).collect()
+            };
+            let found = odds(seed, walk);
+            assert!(found > RIVAL.ln(), "{seed}: {found}");
+            let found = odds(seed, |_| (0..ROWS).map(|row| 10.0 * NOISE * (1.0 - (-(row as f64) / 200.0).exp())).collect());
+            assert!(found < RIVAL.ln(), "{seed}: {found}");
+        }
+    }
+}

@@ -14,6 +14,7 @@ use crate::{
         carried::with_carried,
         described::described,
         judged::{Judged, Told, composed, judged, judged_again},
+        laws_on_limits::laws_on_limits,
         noise_that_lasts::noise_alone,
         options::Options,
         permuted_searches::permuted_searches,
@@ -68,7 +69,7 @@ pub(crate) fn conclude(
         Mean::Instead(mean) => judged.taken_back(mean),
         Mean::Nothing | Mean::Better => judged,
     };
-    let judged = beside_a_walk(&prepared, told, judged)?;
+    let judged = laws_on_limits(&prepared, told, beside_a_walk(&prepared, told, judged)?);
     let judged = described(&prepared, told, judged)?;
     let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held, smoothed } = judged;
     prepared.context.held = held;

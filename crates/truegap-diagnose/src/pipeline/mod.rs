@@ -13,6 +13,7 @@ mod conclude;
 mod described;
 mod interference;
 mod judged;
+mod laws_on_limits;
 mod noise_choice;
 mod noise_that_lasts;
 mod on_means;

@@ -1,0 +1,100 @@
+//! A law whose number has run to its limit does not hold there: where all else would be explained, its family is clear and its form is not.
+//!
+//! Limits: effects of the library beside a base model without plates; what describes a curve is no law.
+
+use crate::{
+    pipeline::{
+        judged::{Judged, Told},
+        prepare::Prepared,
+    },
+    selection::{
+        candidates::{Search, Tried},
+        verdict::{Decision, Verdict},
+    },
+    text::spoken,
+};
+
+/// The same, told as a wrong form where a law of what is named lies on a limit that is no plain special case.
+pub(crate) fn laws_on_limits(prepared: &Prepared<'_>, told: &Told<'_>, mut judged: Judged) -> Judged {
+    let searched = prepared.searched();
+    let context = prepared.context.holding(judged.held.clone());
+    let search = prepared.search(&searched, told.progress, told.stop);
+    let explained = judged.predicted.decision.verdict == Verdict::Explained && judged.kept_back.is_none();
+    if !explained || prepared.context.has_plates() {
+        return judged;
+    }
+    let says = on_limits(&search.within(&context), judged.stood_behind(), &judged.predicted.decision.carried);
+    if !says.is_empty() {
+        judged.predicted.left_out.extend(says);
+        judged.predicted.decision = Decision { verdict: Verdict::WrongForm, ..judged.predicted.decision };
+    }
+    judged
+}
+
+/// What a reader is told of each number that lies on its limit; a law that is `carried` is not claimed.
+fn on_limits(search: &Search<'_>, tried: &Tried, carried: &[usize]) -> Vec<String> {
+    if tried.effects.iter().any(|effect| *effect >= search.library.len()) {
+        return Vec::new();
+    }
+    let parameters = search.model(&tried.effects).parameters;
+    let is_law = |index: &usize| {
+        let effect = tried.effects[*index];
+        !search.library[effect].describes() && !carried.contains(&effect)
+    };
+    let says = |index: usize| {
+        let id = search.library[tried.effects[index]].id();
+        let says = |place: usize| {
+            let (number, law) = (&parameters[place].name, spoken(id.0));
+            // what is held at nothing is another law
+            let open = !search.context.holds(id, number);
+            open.then(|| format!("`{number}` of the {law} lies on its limit: there its law does not hold"))
+        };
+        search.on_limits(tried, index).into_iter().filter_map(says).collect::<Vec<_>>()
+    };
+    (0..tried.effects.len()).filter(is_law).flat_map(says).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Options, Problem, common::Plate, noise::several::measured};
+    use std::sync::atomic::AtomicBool;
+    use truegap_core::{Inputs, Simulator};
+
+    const ROWS: usize = 400;
+
+    /// A zero that grows `growth` times by itself, as a drift has it: `exp(growth t)` from 0 to 1, with a ripple of a thousandth in place of noise.
+    fn told(growth: f64) -> Vec<String> {
+        let time: Vec<f64> = (0..ROWS).map(|row| row as f64).collect();
+        let inputs = Inputs {
+            run: vec![1; ROWS],
+            force_n: Some(time.iter().map(|t| 2.0 + 1.5 * (t / 37.0).sin()).collect()),
+            temperature_c: Some(vec![24.0; ROWS]),
+            time_s: Some(time),
+            ..Inputs::default()
+        };
+        let plate = Plate::new(Some(false));
+        let mut response = plate.respond(&plate.centre(), &inputs, &[]).unwrap();
+        response.iter_mut().enumerate().for_each(|(row, value)| {
+            let grown = (growth * row as f64 / ROWS as f64).exp_m1() / growth.exp_m1();
+            *value += grown + 1e-3 * (2.1 * (row * row) as f64).sin();
+        });
+        let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
+        let (_, noise) = measured(&problem).unwrap();
+        let options = Options { effects: vec!["offset_drift".into()], ..Options::default() };
+        let prepared = Prepared::new(&problem, noise, &options).unwrap();
+        let (searched, stop) = (prepared.searched(), AtomicBool::new(false));
+        let search = prepared.search(&searched, &|_| (), &stop);
+        let drift = search.add_each(&search.base().unwrap(), &[0], 1, "test").pop().unwrap();
+        assert!(on_limits(&search, &drift, &[0]).is_empty(), "what is carried is not claimed");
+        on_limits(&search, &drift, &[])
+    }
+
+    /// A drift may grow 1.5 times its exponent over the recording: one that grows five times runs to that limit.
+    #[test]
+    fn a_drift_that_grows_too_fast_lies_on_its_limit() {
+        assert!(told(0.5).is_empty());
+        let says = told(5.0);
+        assert!(says.len() == 1 && says[0].contains("`fading`"), "{says:?}");
+    }
+}

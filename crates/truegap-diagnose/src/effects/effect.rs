@@ -137,6 +137,10 @@ pub trait Effect: Send + Sync {
     fn of_start(&self, _context: &Context<'_>) -> &'static [&'static str] {
         &[]
     }
+    /// The number that says how much there is of what `_number` describes: a second time constant means nothing without its share.
+    fn share_of(&self, _number: &str) -> Option<&'static str> {
+        None
+    }
     /// Whether it goes with the date, so that another recording shows it where both tell theirs.
     fn by_date(&self) -> bool {
         false

@@ -43,7 +43,7 @@ pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
     vec![
         Parameter::normal("tau", "s", 0.0, middle, "time constant of the reading, of its quick way where there are two")
             .within(0.0, run),
-        Parameter::normal("slow_share", "1", 0.0, 0.4, "part that follows by the slower way").within(0.0, 0.95),
+        Parameter::normal("slow_share", "1", 0.0, 0.4, "part that follows by the slower way").within(0.0, 1.0),
         Parameter::log_normal("slower", "1", 10.0, 0.7, "its time constant over that of the quick way").within(2.0, AT_ONCE),
         Parameter::normal("before", &format!("{}/s", context.simulator.unit()), 0.0, rate, "change before the first row"),
         first_stage(),
@@ -174,6 +174,9 @@ impl Effect for SlowResponse {
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         starts(usual_rate(context.response_span.abs(), context))
+    }
+    fn share_of(&self, number: &str) -> Option<&'static str> {
+        (number == "slower").then_some("slow_share")
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["slow_share"]

@@ -110,7 +110,7 @@ impl Effect for ThermalLag {
         let mut list = vec![
             Parameter::normal("tau", "s", 0.0, scale, "time constant of the thermal path, mean of both parts")
                 .within(0.0, 2.0 * context.longest_run_s),
-            Parameter::normal("slow_share", "1", 0.0, 0.4, "part that follows more slowly").within(0.0, 0.95),
+            Parameter::normal("slow_share", "1", 0.0, 0.4, "part that follows more slowly").within(0.0, 1.0),
             Parameter::log_normal("slower", "1", 10.0, 0.7, "its time constant over that of the quick part").within(2.0, 200.0),
         ];
         if begins_anyhow(context) {
@@ -135,6 +135,9 @@ impl Effect for ThermalLag {
             return starts.map(|start| start[..numbers].to_vec()).collect();
         }
         vec![vec![0.02, 10.0], vec![0.5, 15.0]]
+    }
+    fn share_of(&self, number: &str) -> Option<&'static str> {
+        (number == "slower").then_some("slow_share")
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["slow_share", "before"]

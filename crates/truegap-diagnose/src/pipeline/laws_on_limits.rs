@@ -45,13 +45,26 @@ fn on_limits(search: &Search<'_>, tried: &Tried, carried: &[usize]) -> Vec<Strin
         let id = search.library[tried.effects[index]].id();
         let says = |place: usize| {
             let (number, law) = (&parameters[place].name, spoken(id.0));
-            // what is held at nothing is another law
-            let open = !search.context.holds(id, number);
+            // what is held at nothing is another law, and what describes a share of which nothing is seen says nothing
+            let open = !search.context.holds(id, number) && !describes_nothing(search, tried, (index, place));
             open.then(|| format!("`{number}` of the {law} lies on its limit: there its law does not hold"))
         };
         search.on_limits(tried, index).into_iter().filter_map(says).collect::<Vec<_>>()
     };
     (0..tried.effects.len()).filter(is_law).flat_map(says).collect()
+}
+
+/// Size of a share from which on it is told from nothing, in standard deviations.
+const SHARE_SEEN: f64 = 2.0;
+
+/// Whether the number at a place describes a share of the law of which nothing is seen.
+fn describes_nothing(search: &Search<'_>, tried: &Tried, (index, place): (usize, usize)) -> bool {
+    let model = search.model(&tried.effects);
+    let Some(share) = model.effects[index].share_of(&model.parameters[place].name) else { return false };
+    model.range_of(index).filter(|i| model.parameters[*i].name == share).any(|i| {
+        let (prior, z) = (&model.parameters[i].prior, tried.fit.z[i]);
+        prior.at(z).abs() < SHARE_SEEN * prior.slope(z) * tried.fit.sd[i]
+    })
 }
 
 #[cfg(test)]

@@ -69,14 +69,15 @@ pub(crate) fn conclude(
         Mean::Instead(mean) => judged.taken_back(mean),
         Mean::Nothing | Mean::Better => judged,
     };
-    let judged = laws_on_limits(&prepared, told, beside_a_walk(&prepared, told, judged)?);
+    let (judged, open) = beside_a_walk(&prepared, told, judged)?;
+    let beside_walk = judged.stood_behind().key();
     let judged = described(&prepared, told, judged)?;
     let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held, smoothed } = judged;
     prepared.context.held = held;
     let prepared = &prepared;
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
-    let Predicted { unseen, decision, after, vetoed, left_out, .. } = predicted;
+    let Predicted { unseen, decision, after, vetoed, mut left_out, .. } = predicted;
     let mechanisms = composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
     let in_other_words = composition.as_ref().filter(|c| c.in_other_words);
     // other words for what is explained are no effect more that may act beside it
@@ -85,6 +86,10 @@ pub(crate) fn conclude(
     let (selection, all) = (&examined.selection, prepared.all_rows());
     let by_odds = composition.as_ref().is_none_or(|composition| composition.by_odds);
     let decision = with_carried(prepared, search, selection, (decision, unseen.stood_behind()), &by_base, by_odds);
+    // described in words since, it is another answer
+    let decision = if selection.models[decision.model].key() == beside_walk { decision.with_open(&open) } else { decision };
+    let (decision, says) = laws_on_limits(of_names, &selection.models[decision.model], decision);
+    left_out.extend(says);
     let base = by_base.alone.as_ref().map_or(selection.base(), |alone| &alone.tried);
     let mut told_of = vec![base];
     for tried in [&selection.models[decision.model]].into_iter().chain(composition.as_ref().map(|c| &c.tried)) {

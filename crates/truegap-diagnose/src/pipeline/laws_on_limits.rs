@@ -3,10 +3,6 @@
 //! Limits: effects of the library beside a base model without plates; what describes a curve is no law.
 
 use crate::{
-    pipeline::{
-        judged::{Judged, Told},
-        prepare::Prepared,
-    },
     selection::{
         candidates::{Search, Tried},
         verdict::{Decision, Verdict},
@@ -14,21 +10,14 @@ use crate::{
     text::spoken,
 };
 
-/// The same, told as a wrong form where a law of what is named lies on a limit that is no plain special case.
-pub(crate) fn laws_on_limits(prepared: &Prepared<'_>, told: &Told<'_>, mut judged: Judged) -> Judged {
-    let searched = prepared.searched();
-    let context = prepared.context.holding(judged.held.clone());
-    let search = prepared.search(&searched, told.progress, told.stop);
-    let explained = judged.predicted.decision.verdict == Verdict::Explained && judged.kept_back.is_none();
-    if !explained || prepared.context.has_plates() {
-        return judged;
+/// The decision for a model, told as a wrong form where a law of what it claims lies on a limit that is no plain special case; with what a reader is told of that.
+pub(crate) fn laws_on_limits(search: &Search<'_>, tried: &Tried, decision: Decision) -> (Decision, Vec<String>) {
+    if decision.verdict != Verdict::Explained || search.context.has_plates() {
+        return (decision, Vec::new());
     }
-    let says = on_limits(&search.within(&context), judged.stood_behind(), &judged.predicted.decision.carried);
-    if !says.is_empty() {
-        judged.predicted.left_out.extend(says);
-        judged.predicted.decision = Decision { verdict: Verdict::WrongForm, ..judged.predicted.decision };
-    }
-    judged
+    let says = on_limits(search, tried, &decision.carried);
+    let verdict = if says.is_empty() { decision.verdict } else { Verdict::WrongForm };
+    (Decision { verdict, ..decision }, says)
 }
 
 /// What a reader is told of each number that lies on its limit; a law that is `carried` is not claimed.
@@ -70,7 +59,7 @@ fn describes_nothing(search: &Search<'_>, tried: &Tried, (index, place): (usize,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Options, Problem, common::Plate, noise::several::measured};
+    use crate::{Options, Problem, common::Plate, noise::several::measured, pipeline::prepare::Prepared};
     use std::sync::atomic::AtomicBool;
     use truegap_core::{Inputs, Simulator};
 

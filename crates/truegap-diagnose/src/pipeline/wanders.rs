@@ -33,11 +33,15 @@ use crate::{
 };
 use std::sync::atomic::Ordering;
 
-/// The same, where a zero that wanders is not much less likely than the drift that is named: it stands among the rivals then, or in the place of the drift, where it is as much likelier and nothing else is named.
+/// The same, with the drifts beside which a zero that wanders cannot be excluded: where that is much likelier than they are and nothing else is named, nothing is.
 ///
 /// # Errors
 /// Those of the simulator.
-pub(crate) fn beside_a_walk(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged) -> Result<Judged, DiagnoseError> {
+pub(crate) fn beside_a_walk(
+    prepared: &Prepared<'_>,
+    told: &Told<'_>,
+    judged: Judged,
+) -> Result<(Judged, Vec<usize>), DiagnoseError> {
     let searched = prepared.searched();
     let context = prepared.context.holding(judged.held.clone());
     let search = prepared.search(&searched, told.progress, told.stop);
@@ -46,11 +50,15 @@ pub(crate) fn beside_a_walk(prepared: &Prepared<'_>, told: &Told<'_>, judged: Ju
     let asked = has_memory && judged.kept_back.is_none() && judged.names_something() && !told.stop.load(Ordering::Relaxed);
     let drifts = drifts(&search, judged.stood_behind());
     if !asked || drifts.is_empty() || prepared.problem.simulator.joined().is_some() || searched.inputs.time_s.is_none() {
-        return Ok(judged);
+        return Ok((judged, Vec::new()));
     }
     let odds = log_odds_of_a_walk(&search, &prepared.searched_noise, judged.stood_behind(), &drifts)?;
     let alone = drifts.len() == judged.stood_behind().effects.len();
-    Ok(judged.told_beside_a_walk(odds, alone))
+    Ok(match odds {
+        odds if odds > -RIVAL.ln() && alone => (judged.told_as_a_walk(odds), Vec::new()),
+        odds if odds > RIVAL.ln() => (judged, drifts),
+        _ => (judged, Vec::new()),
+    })
 }
 
 /// Effects of a model that move the zero by the clock alone; none where one of it is no effect of the library.
@@ -117,20 +125,26 @@ fn with_walk(noise: &NoiseModel, time_s: &[f64], walk: f64, white: f64) -> Noise
 }
 
 impl Judged {
-    /// The same where a zero that wanders has these log odds against what is stood behind, the drift `alone` or with what else is named.
-    fn told_beside_a_walk(mut self, odds: f64, alone: bool) -> Self {
+    /// The same where a zero that wanders, at these log odds, stands in the place of all that is named.
+    fn told_as_a_walk(mut self, odds: f64) -> Self {
         let base = self.examined.selection.base;
-        let decision = &self.predicted.decision;
-        if odds > -RIVAL.ln() && alone {
-            let effects = self.examined.selection.models[base].key();
-            let walk = Unmodelled { cause: Cause::WanderingZero, effects, weight: odds, gain: odds, row: None };
-            let decision = Decision { unmodelled: Some(walk), ..Decision::nothing(Verdict::Unexplained, base) };
-            self.predicted = self.predicted.with_nothing(decision, &self.by_base);
-            self.held = Vec::new();
-        } else if odds > RIVAL.ln() {
-            self.predicted.decision = Decision { verdict: Verdict::Ambiguous, unmodelled_rivals: true, ..decision.clone() };
-        }
+        let effects = self.examined.selection.models[base].key();
+        let walk = Unmodelled { cause: Cause::WanderingZero, effects, weight: odds, gain: odds, row: None };
+        let decision = Decision { unmodelled: Some(walk), ..Decision::nothing(Verdict::Unexplained, base) };
+        self.predicted = self.predicted.with_nothing(decision, &self.by_base);
+        self.held = Vec::new();
         self
+    }
+}
+
+impl Decision {
+    /// The same where a cause outside the library cannot be excluded in the place of these effects: nothing is open where none of them is claimed.
+    #[must_use]
+    pub(crate) fn with_open(self, open: &[usize]) -> Self {
+        if open.iter().all(|effect| self.carried.contains(effect)) {
+            return self;
+        }
+        Self { verdict: Verdict::Ambiguous, unmodelled_rivals: true, ..self }
     }
 }
 
@@ -226,5 +240,13 @@ mod tests {
             let found = odds(seed, |_| (0..ROWS).map(|row| 10.0 * NOISE * (1.0 - (-(row as f64) / 200.0).exp())).collect());
             assert!(found < RIVAL.ln(), "{seed}: {found}");
         }
+    }
+
+    #[test]
+    fn what_is_carried_and_not_claimed_leaves_nothing_open() {
+        let decision = || Decision { model: 1, sets: vec![vec![3], vec![7]], ..Decision::nothing(Verdict::Explained, 0) };
+        assert_eq!(decision().with_open(&[7]).verdict, Verdict::Ambiguous);
+        assert_eq!(decision().with_open(&[]).verdict, Verdict::Explained);
+        assert_eq!(Decision { carried: vec![7], ..decision() }.with_open(&[7]).verdict, Verdict::Explained);
     }
 }

@@ -2,23 +2,14 @@
 //!
 //! Limits: what an effect is says the effect; nothing is fitted.
 
+use super::left_out::LeftOut;
 use super::model_file::{RunningModel, begin_anew, driver_of};
 use super::model_file_error::ModelFileError;
-use serde::Serialize;
 use truegap_core::Inputs;
 use truegap_diagnose::answer::{AddedEffect, Scales};
 use truegap_diagnose::mechanism::Driver;
 use truegap_diagnose::other_clock::OtherClock;
 use truegap_diagnose::{Augmented, Effect, Library};
-
-/// An added effect for which a reading is not corrected.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct LeftOut {
-    /// its id
-    pub effect: String,
-    /// why
-    pub why: &'static str,
-}
 
 /// The added effects, by whether a reading is corrected for them.
 #[derive(Clone, Debug, Default)]
@@ -31,10 +22,6 @@ pub struct Parted {
     pub clocks: Vec<AddedEffect>,
 }
 
-/// Why an effect is left out that belongs to what recorded.
-pub const OF_RECORDER: &str = "it belongs to what recorded and not to what was recorded";
-/// Why an effect is left out that goes with a date.
-pub const OF_A_DATE: &str = "it goes with the date, and not both recordings tell theirs";
 const OF_A_CLOCK: &str = "it is a clock of the recorded input: a corrected reading stays on the clock of the reading";
 const OF_THE_REFERENCE: &str = "it is an error of the recorded input and not of the reading";
 const BOUND_TO_RUNS: &str = "it has a number for each run of the recording that it was fitted to";

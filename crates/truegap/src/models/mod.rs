@@ -17,6 +17,7 @@ mod by_name;
 mod checked;
 mod deployed;
 mod known_keys;
+mod left_out;
 mod mechanism_file;
 mod model_file;
 mod model_file_error;
@@ -28,7 +29,8 @@ pub use base::{
     Base, BaseModelError, Calls, Function, Programs, Remembered, base_model, base_model_with, base_options, columns, declared,
 };
 pub(crate) use base::{SLOW_S, has_key};
-pub use deployed::{LeftOut, OF_RECORDER, Parted};
+pub use deployed::Parted;
+pub use left_out::{LeftOut, OF_RECORDER};
 pub use mechanism_file::{EffectFileError, with_effects};
 pub use model_file::{ModelFile, RunningModel, SCHEMA as MODEL_SCHEMA};
 pub use model_file_error::ModelFileError;

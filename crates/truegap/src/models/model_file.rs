@@ -2,7 +2,7 @@
 //!
 //! Limits: values and standard deviations, no correlations between them; an effect is known by its id, so a program must have it in its library.
 
-use super::deployed::{LeftOut, OF_A_DATE, OF_RECORDER};
+use super::left_out::{LeftOut, OF_A_DATE, OF_RECORDER};
 use super::model_file_error::ModelFileError;
 use crate::models::base::{Programs, foreseen};
 use serde::{Deserialize, Serialize};

@@ -169,6 +169,7 @@ fn writing_and_reading_are_inverse() {
     let time: Vec<f64> = (0..50).map(|k| 0.1 * f64::from(k) + 1e-3 * f64::from(k * k)).collect();
     let wave = |a: f64| Some(time.iter().map(|t| a * (1.0 + t).ln()).collect::<Vec<f64>>());
     let inputs = Inputs {
+        began_s: None,
         run: (0..50).map(|k| 1 + k / 20).collect(),
         force_n: wave(4.5),
         pressure_pa: wave(1e4),

@@ -160,16 +160,11 @@ impl Inputs {
 
     /// Makes a driver of a load (force or pressure), which has the role's name and its SI unit then; nothing changes where it was not recorded, or a driver has that name.
     pub fn load_as_driver(&mut self, role: Role) {
-        let unit = match role {
-            Role::Force => "N",
-            Role::Pressure => "Pa",
-            _ => return,
-        };
-        if self.drivers.iter().any(|driver| driver.name == role.key()) {
+        if !LOADS.contains(&role) || self.drivers.iter().any(|driver| driver.name == role.key()) {
             return;
         }
         let Some(values) = self.column_mut(role).and_then(Option::take) else { return };
-        self.drivers.push(Driver { name: role.key().into(), unit: unit.into(), values });
+        self.drivers.push(Driver { name: role.key().into(), unit: role.unit().into(), values });
         self.drivers.sort_by(|a, b| a.name.cmp(&b.name));
     }
 

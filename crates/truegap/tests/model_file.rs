@@ -291,6 +291,23 @@ fn a_law_that_has_got_further_numbers_since_is_the_simple_one() {
     assert_eq!(model.respond(&inputs).unwrap(), by_hand);
 }
 
+/// So does a gain of before it was known where it is right: the file was refused for the number that it lacks.
+#[test]
+fn a_gain_that_has_got_a_neutral_temperature_since_is_right_at_the_reference() {
+    let (plain, inputs) = (head(EXTERNAL, "degC", "offset"), simulated(600));
+    let empty = plain.build().unwrap();
+    let context = Context::new(&inputs, empty.simulator(), 7.0, 0.01);
+    let library = library();
+    let gain = library.iter().find(|e| e.id().0 == "gain_drift").unwrap();
+    let own: Vec<String> = gain.parameters(&context).into_iter().map(|p| p.name).collect();
+    assert_eq!(own, ["per_kelvin", "neutral"]);
+    let added = AddedEffect { id: "gain_drift".into(), parameters: vec![named("per_kelvin", "1/K", 0.002)], mechanism: None };
+    let scales = Scales { moved: Some(context.moved.clone()), ..plain.scales.clone() };
+    let model = ModelFile { effects: vec![added], scales, ..plain.clone() }.build().unwrap();
+    let by_hand = empty.simulator().respond(&[0.3], &inputs, &[gain.with(&[0.002, 0.0], &context).as_ref()]).unwrap();
+    assert_eq!(model.respond(&inputs).unwrap(), by_hand);
+}
+
 /// A temperature that hardly moves in another recording does not turn a coefficient of temperature into one of something else.
 #[test]
 fn what_an_effect_follows_is_that_of_the_recording_it_was_fitted_to() {

@@ -48,13 +48,6 @@ impl Cycle {
     }
 }
 
-/// What its phases are counted from where the clock is a date: the sun is at the same place then in every recording.
-const FROM_MIDNIGHT: &str = "from midnight";
-/// The same of the year.
-const FROM_NEW_YEAR: &str = "from the begin of the year";
-/// What they are counted from on a clock without dates.
-const FROM_FIRST_ROW: &str = "from the first row";
-
 /// `size (cos(2 pi (t - highest) / T) + second cos(4 pi (t - second_highest) / T)) / 2`.
 struct Waves {
     period_s: f64,
@@ -135,9 +128,10 @@ impl Effect for Cycle {
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let (unit, period) = (context.simulator.unit(), self.period_s());
         let from = match (self, context.moved.dated) {
-            (_, false) => FROM_FIRST_ROW,
-            (Self::Daily, true) => FROM_MIDNIGHT,
-            (Self::Yearly, true) => FROM_NEW_YEAR,
+            (_, false) => "from the first row",
+            // the sun is at the same place then in every recording
+            (Self::Daily, true) => "from midnight",
+            (Self::Yearly, true) => "from the begin of the year",
         };
         let phase = |name: &str, period: f64, to: &str| {
             Parameter::normal(name, "s", 0.5 * period, 0.5 * period, &format!("{from} {to}")).within(-period, 2.0 * period)
@@ -182,29 +176,35 @@ impl Effect for Cycle {
         Some(Box::new(ByDay(self.waves(values, context.moved.dated))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
+        self.sentence(fitted, false)
+    }
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
+        self.sentence(fitted, context.moved.dated)
+    }
+}
+
+impl Cycle {
+    fn sentence(self, fitted: &[FittedParameter], dated: bool) -> String {
         let unit = &fitted[0].parameter.unit;
-        let at = fitted.get(1).map_or_else(String::new, |highest| format!(", highest {}", self.when(highest)));
+        let at = fitted.get(1).map_or_else(String::new, |highest| format!(", highest {}", self.when(highest.value, dated)));
         format!(
             "the reading goes up and down with the time of the {} by {}{at}: something that was not recorded follows it",
             self.name(),
             with_sd(fitted[0].value, fitted[0].sd, unit)
         )
     }
-}
 
-impl Cycle {
     /// `at 14:20`, `191 days after the begin of the year`, `3.2 h after the first row`.
-    fn when(self, highest: &FittedParameter) -> String {
-        let after_s = highest.value.rem_euclid(self.period_s());
-        let is_from = |from: &str| highest.parameter.meaning.starts_with(from);
-        if is_from(FROM_MIDNIGHT) {
-            let minutes = (after_s / 60.0).round() as u32 % 1440;
-            return format!("at {:02}:{:02}", minutes / 60, minutes % 60);
+    fn when(self, highest_s: f64, dated: bool) -> String {
+        let after_s = highest_s.rem_euclid(self.period_s());
+        match (self, dated) {
+            (_, false) => format!("{} after the first row", rounded(after_s, "s")),
+            (Self::Daily, true) => {
+                let minutes = (after_s / 60.0).round() as u32 % 1440;
+                format!("at {:02}:{:02}", minutes / 60, minutes % 60)
+            }
+            (Self::Yearly, true) => format!("{:.0} days after the begin of the year", after_s / 86_400.0),
         }
-        if is_from(FROM_NEW_YEAR) {
-            return format!("{:.0} days after the begin of the year", after_s / 86_400.0);
-        }
-        format!("{} after the first row", rounded(after_s, "s"))
     }
 
     fn waves(self, values: &[f64], dated: bool) -> Waves {

@@ -108,6 +108,9 @@ impl Effect for DriverGain {
         let neutral: &[f64] = if gain_is_fixed(context) { &[0.0] } else { &[] };
         [0.0, -0.3, 0.5].map(|pivot| [&[0.0, pivot], neutral].concat()).to_vec()
     }
+    fn came_later(&self) -> Vec<&'static str> {
+        vec!["neutral"]
+    }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["bend", "neutral"]
     }

@@ -181,9 +181,13 @@ pub trait Effect: Send + Sync {
     fn other_laws(&self) -> &'static [&'static [&'static str]] {
         &[]
     }
-    /// Names of the numbers of all laws but the one that is tried at first: they are held at 0 until then, and 0 in a model file that knows nothing of them.
+    /// Names of the numbers of all laws but the one that is tried at first: they are held at 0 until then.
     fn held_at_first(&self) -> Vec<&'static str> {
         [self.may_be_more(), &self.other_laws().concat()].concat()
+    }
+    /// Names of the numbers that its law has not had from the beginning: they are 0 in a model file that knows nothing of them.
+    fn came_later(&self) -> Vec<&'static str> {
+        self.held_at_first()
     }
     /// Names of numbers, behind the size, whose lower limit is a law as good as any: what takes no time or no way. One that lies there does not say that the law fails.
     fn at_once(&self) -> &'static [&'static str] {

@@ -237,14 +237,14 @@ impl Effect for Friction {
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
         let course = self.course(context);
         if is_speed(course, context) {
-            return friction_of_speed::stage(values, course, friction_of_speed::fastest(course, context), false);
+            return friction_of_speed::stage(values, course, context);
         }
         Box::new(self.against(values, context))
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
         let course = self.course(context);
         if is_speed(course, context) {
-            return Some(friction_of_speed::stage(values, course, friction_of_speed::fastest(course, context), true));
+            return Some(friction_of_speed::sibling(values, course, context));
         }
         Some(Box::new(Dahl(self.against(values, context))))
     }

@@ -50,13 +50,24 @@ impl Stage for OfSpeed {
 }
 
 /// `force (tanh(v / onset) + viscous v / fastest)`; the sibling rises as an arc tangent.
-pub fn stage(values: &[f64], course: Course, fastest: f64, as_sibling: bool) -> Box<dyn Stage> {
-    let rise = if as_sibling { |u: f64| FRAC_2_PI * (FRAC_PI_2 * u).atan() } else { f64::tanh };
-    Box::new(OfSpeed { force: values[0], onset: values[1], viscous: values[2], fastest, course, rise })
+pub fn stage(values: &[f64], course: Course, context: &Context<'_>) -> Box<dyn Stage> {
+    Box::new(of_speed(values, course, fastest(course, context), f64::tanh))
+}
+
+pub fn sibling(values: &[f64], course: Course, context: &Context<'_>) -> Box<dyn Stage> {
+    Box::new(of_speed(values, course, fastest(course, context), arc_tangent))
+}
+
+fn of_speed(values: &[f64], course: Course, fastest: f64, rise: fn(f64) -> f64) -> OfSpeed {
+    OfSpeed { force: values[0], onset: values[1], viscous: values[2], fastest, course, rise }
+}
+
+fn arc_tangent(u: f64) -> f64 {
+    FRAC_2_PI * (FRAC_PI_2 * u).atan()
 }
 
 /// Largest speed of the recording in which the effect was found.
-pub fn fastest(course: Course, context: &Context<'_>) -> f64 {
+fn fastest(course: Course, context: &Context<'_>) -> f64 {
     let [low, high] = course.ends(context);
     high.max(-low)
 }
@@ -112,13 +123,10 @@ mod tests {
             ..Inputs::default()
         };
         let drive = Drive { inputs: &inputs, load: &[], temperature_c: &[], reference_c: 20.0, full_load: 1.0 };
-        for as_sibling in [false, true] {
+        for rise in [f64::tanh, arc_tangent] {
             let mut value = vec![1.0; 5];
-            stage(&[0.5, 1e-12, 2.0], Course::Driver(0), 4.0, as_sibling).readout(
-                &drive,
-                &Readout { zero: 0.0, span: 1.0 },
-                &mut value,
-            );
+            let law = of_speed(&[0.5, 1e-12, 2.0], Course::Driver(0), 4.0, rise);
+            law.readout(&drive, &Readout { zero: 0.0, span: 1.0 }, &mut value);
             for (at, exact) in value.iter().zip([0.0, 0.5, 1.0, 1.5, 2.0]) {
                 approx::assert_abs_diff_eq!(*at, exact, epsilon = 1e-3);
             }

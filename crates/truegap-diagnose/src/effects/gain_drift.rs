@@ -104,6 +104,9 @@ impl Effect for GainDrift {
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         vec![if gain_is_fixed(context) { vec![0.0] } else { Vec::new() }]
     }
+    fn came_later(&self) -> Vec<&'static str> {
+        vec!["neutral"]
+    }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["neutral"]
     }

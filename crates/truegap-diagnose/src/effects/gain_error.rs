@@ -27,7 +27,15 @@ fn is_factor(number: &Parameter) -> bool {
 
 /// Whether a simulation is given whose gain is not calibrated: then a factor is an effect, and so is the state in which a gain that moves is right.
 pub fn gain_is_fixed(context: &Context<'_>) -> bool {
-    context.moved.simulated && !context.has_plates() && !context.simulator.parameters().iter().any(is_factor)
+    is_given(context) && !gain_is_free(context)
+}
+
+fn is_given(context: &Context<'_>) -> bool {
+    context.moved.simulated && !context.has_plates()
+}
+
+fn gain_is_free(context: &Context<'_>) -> bool {
+    context.simulator.parameters().iter().any(is_factor)
 }
 
 impl Effect for GainError {
@@ -58,10 +66,10 @@ impl Effect for GainError {
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
-        if !context.moved.simulated || context.has_plates() {
+        if !is_given(context) {
             return Err("no simulation that moves is given; the gain of other base models is calibrated".into());
         }
-        if context.simulator.parameters().iter().any(is_factor) {
+        if gain_is_free(context) {
             return Err("the gain of the simulation is free under [base], so that calibration takes it up".into());
         }
         Ok(())

@@ -59,22 +59,20 @@ fn describes_nothing(search: &Search<'_>, tried: &Tried, (index, place): (usize,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Options, Problem, common::Plate, noise::several::measured, pipeline::prepare::Prepared};
+    use crate::{
+        Options, Problem,
+        common::{Plate, without_rest},
+        noise::several::measured,
+        pipeline::prepare::Prepared,
+    };
     use std::sync::atomic::AtomicBool;
-    use truegap_core::{Inputs, Simulator};
+    use truegap_core::Simulator;
 
     const ROWS: usize = 400;
 
     /// A zero that grows `growth` times by itself, as a drift has it: `exp(growth t)` from 0 to 1, with a ripple of a thousandth in place of noise.
     fn told(growth: f64) -> Vec<String> {
-        let time: Vec<f64> = (0..ROWS).map(|row| row as f64).collect();
-        let inputs = Inputs {
-            run: vec![1; ROWS],
-            force_n: Some(time.iter().map(|t| 2.0 + 1.5 * (t / 37.0).sin()).collect()),
-            temperature_c: Some(vec![24.0; ROWS]),
-            time_s: Some(time),
-            ..Inputs::default()
-        };
+        let inputs = without_rest(ROWS);
         let plate = Plate::new(Some(false));
         let mut response = plate.respond(&plate.centre(), &inputs, &[]).unwrap();
         response.iter_mut().enumerate().for_each(|(row, value)| {

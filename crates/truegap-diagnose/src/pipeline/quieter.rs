@@ -101,50 +101,22 @@ mod tests {
     use super::*;
     use crate::{
         Options, Problem,
-        common::Plate,
+        common::{Plate, without_rest},
         noise::slow_parts::slow_parts,
-        whitening::{noise_model::InputNoise, whitener::InputError, whitener::Noise},
+        whitening::whitener::{InputError, Noise},
     };
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
     use rand_distr::{Distribution, StandardNormal};
-    use truegap_core::{Inputs, Simulator};
+    use truegap_core::Simulator;
 
     const ROWS: usize = 1200;
     const NOISE: f64 = 0.004;
     const WHITE: Noise = Noise { white_sd: NOISE, ar_sd: 0.0, ar_correlation: 0.0 };
 
-    /// A load that never rests.
-    fn inputs() -> Inputs {
-        let time: Vec<f64> = (0..ROWS).map(|row| row as f64).collect();
-        Inputs {
-            run: vec![1; ROWS],
-            force_n: Some(time.iter().map(|t| 2.0 + 1.5 * (t / 37.0).sin()).collect()),
-            temperature_c: Some(vec![24.0; ROWS]),
-            time_s: Some(time),
-            ..Inputs::default()
-        }
-    }
-
-    fn taken_for(response: Noise, input_error: InputError) -> NoiseModel {
-        NoiseModel {
-            response,
-            inputs: InputNoise::default(),
-            recordings: Vec::new(),
-            input_error,
-            step: 0.0,
-            uncertainty: 0.25,
-            weights: None,
-            untold: Vec::new(),
-            measured: false,
-            rows: ROWS,
-            says: String::new(),
-        }
-    }
-
     /// The noise that the right model has white noise for, taken for `noise`: learned again, and with less that is slow; and the mean square of a whitened row under it.
     fn lowered(noise: &NoiseModel) -> ([Option<NoiseModel>; 2], f64) {
-        let (plate, inputs) = (Plate::new(Some(false)), inputs());
+        let (plate, inputs) = (Plate::new(Some(false)), without_rest(ROWS));
         let random = &mut ChaCha8Rng::seed_from_u64(5);
         let mut response = plate.respond(&plate.centre(), &inputs, &[]).unwrap();
         response.iter_mut().for_each(|value| {
@@ -168,7 +140,7 @@ mod tests {
     fn a_steep_noise_gives_way_to_the_white_one_that_a_model_leaves() {
         let none = || InputError::white(vec![0.0; ROWS]);
         let steep = Noise { white_sd: 0.1 * NOISE, ar_sd: 7.0 * NOISE, ar_correlation: 0.97 };
-        let ([again, _], square) = lowered(&taken_for(steep, none()));
+        let ([again, _], square) = lowered(&NoiseModel::unmeasured(steep, none()));
         assert!(square > 0.5, "{square}");
         let again = again.expect("it is learned again");
         // of 1200 rows: 2 %, and what a cubic in 24 rows takes
@@ -176,20 +148,20 @@ mod tests {
         // rows that were louder beside a misfit are no louder now
         let mut error = none();
         error.louder = (0..ROWS).map(|row| (8.0 * NOISE * (row as f64 / 37.0).cos()).powi(2)).collect();
-        let ([again, _], _) = lowered(&taken_for(WHITE, error));
+        let ([again, _], _) = lowered(&NoiseModel::unmeasured(WHITE, error));
         approx::assert_relative_eq!(again.expect("it is learned again").floor(), NOISE, max_relative = 0.1);
-        let ([again, _], _) = lowered(&taken_for(WHITE, none()));
+        let ([again, _], _) = lowered(&NoiseModel::unmeasured(WHITE, none()));
         assert!(again.is_none(), "the right noise stays");
-        let measured = NoiseModel { measured: true, ..taken_for(steep, none()) };
+        let measured = NoiseModel { measured: true, ..NoiseModel::unmeasured(steep, none()) };
         assert!(lowered(&measured).0[0].is_none(), "what was measured stays");
     }
 
     #[test]
     fn slow_noise_of_which_a_model_leaves_nothing_goes() {
         let slow = |sd: f64| InputError { lasting: slow_parts(ROWS, sd * sd), ..InputError::white(vec![0.0; ROWS]) };
-        let ([_, less], _) = lowered(&taken_for(WHITE, slow(5.0 * NOISE)));
+        let ([_, less], _) = lowered(&NoiseModel::unmeasured(WHITE, slow(5.0 * NOISE)));
         assert!(less.expect("it is lowered").floor() < 1.2 * NOISE);
         // as little as this is neither told nor missed
-        assert!(lowered(&taken_for(WHITE, slow(0.02 * NOISE))).0[1].is_none());
+        assert!(lowered(&NoiseModel::unmeasured(WHITE, slow(0.02 * NOISE))).0[1].is_none());
     }
 }

@@ -54,11 +54,10 @@ pub(crate) fn beside_a_walk(
     }
     let odds = log_odds_of_a_walk(&search, &prepared.searched_noise, judged.stood_behind(), &drifts)?;
     let alone = drifts.len() == judged.stood_behind().effects.len();
-    Ok(match odds {
-        odds if odds > -RIVAL.ln() && alone => (judged.told_as_a_walk(odds), Vec::new()),
-        odds if odds > RIVAL.ln() => (judged, drifts),
-        _ => (judged, Vec::new()),
-    })
+    if odds > -RIVAL.ln() && alone {
+        return Ok((judged.told_as_a_walk(odds), Vec::new()));
+    }
+    Ok((judged, if odds > RIVAL.ln() { drifts } else { Vec::new() }))
 }
 
 /// Effects of a model that move the zero by the clock alone; none where one of it is no effect of the library.
@@ -152,31 +151,22 @@ impl Decision {
 #[allow(clippy::single_range_in_vec_init)] // one run
 mod tests {
     use super::*;
-    use crate::{Options, Problem, common::Plate, whitening::noise_model::InputNoise};
+    use crate::{
+        Options, Problem,
+        common::{Plate, without_rest},
+    };
     use nalgebra::{DMatrix, DVector};
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
     use rand_distr::{Distribution, StandardNormal};
     use std::sync::atomic::AtomicBool;
-    use truegap_core::{Inputs, Simulator};
+    use truegap_core::Simulator;
 
     const ROWS: usize = 600;
     const NOISE: f64 = 0.01;
 
     fn noise(rows: usize, response: Noise) -> NoiseModel {
-        NoiseModel {
-            response,
-            inputs: InputNoise::default(),
-            recordings: Vec::new(),
-            input_error: InputError::white(vec![0.0; rows]),
-            step: 0.0,
-            uncertainty: 0.25,
-            weights: None,
-            untold: Vec::new(),
-            measured: false,
-            rows,
-            says: String::new(),
-        }
+        NoiseModel::unmeasured(response, InputError::white(vec![0.0; rows]))
     }
 
     /// Covariance of a walk and white noise: `s^2 t_i` of the earlier of two rows, and the white variance of one; rows a second or four apart.
@@ -199,14 +189,7 @@ mod tests {
 
     /// Log odds of a walk against the drift that is fitted to what `zero` adds to a plate, under the noise of one memory that short stretches of a walk have.
     fn odds(seed: u64, zero: impl Fn(&[f64]) -> Vec<f64>) -> f64 {
-        let time: Vec<f64> = (0..ROWS).map(|row| row as f64).collect();
-        let inputs = Inputs {
-            run: vec![1; ROWS],
-            force_n: Some(time.iter().map(|t| 2.0 + 1.5 * (t / 37.0).sin()).collect()),
-            temperature_c: Some(vec![24.0; ROWS]),
-            time_s: Some(time),
-            ..Inputs::default()
-        };
+        let inputs = without_rest(ROWS);
         let random = &mut ChaCha8Rng::seed_from_u64(seed);
         let drawn: Vec<f64> = (0..2 * ROWS).map(|_| StandardNormal.sample(random)).collect();
         let plate = Plate::new(Some(false));

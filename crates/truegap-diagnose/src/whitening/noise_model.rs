@@ -60,6 +60,24 @@ pub struct NoiseModel {
 }
 
 impl NoiseModel {
+    /// One that nobody measured, of as many rows as the input error has.
+    #[cfg(test)]
+    pub(crate) fn unmeasured(response: Noise, input_error: InputError) -> Self {
+        Self {
+            response,
+            inputs: InputNoise::default(),
+            recordings: Vec::new(),
+            rows: input_error.variance.len(),
+            input_error,
+            step: 0.0,
+            uncertainty: 0.25,
+            weights: None,
+            untold: Vec::new(),
+            measured: false,
+            says: String::new(),
+        }
+    }
+
     /// Filter with the rows that `keep` names.
     pub fn whitener(&self, runs: &[Range<usize>], keep: Option<&[bool]>) -> Whitener {
         let of_run = |run: &Range<usize>| self.response_at(run.start);

@@ -285,6 +285,18 @@ pub fn recording() -> Inputs {
     inputs
 }
 
+/// A load that never rests, a row a second, at one temperature.
+pub fn without_rest(rows: usize) -> Inputs {
+    let time: Vec<f64> = (0..rows).map(|row| row as f64).collect();
+    Inputs {
+        run: vec![1; rows],
+        force_n: Some(time.iter().map(|t| 2.0 + 1.5 * (t / 37.0).sin()).collect()),
+        temperature_c: Some(vec![24.0; rows]),
+        time_s: Some(time),
+        ..Inputs::default()
+    }
+}
+
 /// A reading in proportion to the force: somebody's own simulator, of which plates and stages are not known.
 pub struct Line {
     pub parameters: Vec<Parameter>,

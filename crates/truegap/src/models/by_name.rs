@@ -53,7 +53,7 @@ fn number(added: &AddedEffect, effect: &dyn Effect, parameter: Parameter) -> Res
     let Parameter { name, unit, .. } = parameter;
     match added.parameters.iter().find(|given| given.name == name) {
         Some(given) => Ok(given.clone()),
-        None if effect.held_at_first().contains(&name.as_str()) => Ok(NamedValue { name, unit, value: 0.0, sd: 0.0 }),
+        None if effect.came_later().contains(&name.as_str()) => Ok(NamedValue { name, unit, value: 0.0, sd: 0.0 }),
         None => Err(ModelFileError::MissingNumber { id: added.id.clone(), name, unit }),
     }
 }

@@ -43,7 +43,7 @@ pub enum ConfirmError {
     )]
     BoundToRuns { model: String, effects: String },
     /// Numbers that mean nothing in another recording.
-    #[error("{model}: nothing is left to judge by another recording, which neither confirms nor refutes {reasons}")]
+    #[error("{model}: nothing is left that another recording could confirm or refute: {reasons}")]
     LeftOut { model: String, reasons: String },
     /// The recording could not show what was added.
     #[error("{recording}: could not show {reasons}; give a recording that drives what was added")]

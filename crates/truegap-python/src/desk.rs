@@ -24,7 +24,7 @@ const LOOK: Duration = Duration::from_millis(50);
 
 /// What happens while work is done.
 enum Event {
-    Question { values: Vec<f64>, inputs: Inputs, reply: Sender<Result<Vec<f64>, SimulationError>> },
+    Question { values: Vec<f64>, inputs: Box<Inputs>, reply: Sender<Result<Vec<f64>, SimulationError>> },
     Progress { done: f64, step: String, what: String },
     Done,
 }
@@ -52,7 +52,7 @@ impl Responder for AtDesk {
         let events = self.0.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let events = events.ok_or(()).map_err(nobody)?;
         let (reply, answer) = channel();
-        let question = Event::Question { values: values.to_vec(), inputs: inputs.clone(), reply };
+        let question = Event::Question { values: values.to_vec(), inputs: Box::new(inputs.clone()), reply };
         events.send(question).map_err(|_| nobody(()))?;
         answer.recv().map_err(|_| nobody(()))?
     }

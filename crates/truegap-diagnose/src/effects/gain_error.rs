@@ -30,7 +30,8 @@ pub fn gain_is_fixed(context: &Context<'_>) -> bool {
     is_given(context) && !gain_is_free(context)
 }
 
-fn is_given(context: &Context<'_>) -> bool {
+/// Whether a simulation is given that moves: its readings are told from 0.
+pub fn is_given(context: &Context<'_>) -> bool {
     context.moved.simulated && !context.has_plates()
 }
 

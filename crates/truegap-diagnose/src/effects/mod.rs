@@ -27,6 +27,7 @@ mod foreseen;
 mod friction;
 mod friction_of_speed;
 mod fringing_field;
+mod gain_ageing;
 mod gain_drift;
 mod gain_error;
 mod held_warp;
@@ -91,6 +92,7 @@ pub fn library() -> Vec<Box<dyn Effect>> {
         Box::new(parasitic_capacitance::ParasiticCapacitance),
         Box::new(gain_drift::GainDrift),
         Box::new(gain_error::GainError),
+        Box::new(gain_ageing::GainAgeing),
         Box::new(driver_gain::DriverGain(0)),
         Box::new(driver_gain::DriverGain(1)),
         Box::new(friction::Friction(0)),

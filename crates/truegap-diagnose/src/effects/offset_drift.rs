@@ -34,7 +34,7 @@ impl Drift {
 }
 
 /// Hours of drift at the first rate that have gone by after `hours`: `(1 - exp(-k t)) / k`.
-fn drifted(hours: f64, fading: f64) -> f64 {
+pub fn drifted(hours: f64, fading: f64) -> f64 {
     if (fading * hours).abs() < 1e-8 { hours * (1.0 - 0.5 * fading * hours) } else { -(-fading * hours).exp_m1() / fading }
 }
 

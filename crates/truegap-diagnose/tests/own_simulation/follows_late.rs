@@ -102,6 +102,18 @@ fn a_scale_that_is_off_is_named_as_such() {
     close(&said, "error", 0.03);
 }
 
+/// Dirt on a window: less is lost of what is left, and rain at two thirds takes a tenth of it. It was told in words.
+#[test]
+fn a_window_that_collects_dirt_is_a_gain_that_ages() {
+    let inputs = stepped();
+    let simulated = inputs.simulated.clone().unwrap();
+    let washed = |row: usize| if row > 2 * ROWS / 3 { 0.9 } else { 1.0 };
+    let dirt = |row: usize| 0.2 * washed(row) * (1.0 - 1.0 / (1.0 + 2.0 * row as f64 / ROWS as f64));
+    let said = said(&Given::fixed(), &inputs, &noisy(40, |row| (1.0 - dirt(row)) * simulated[row], ROWS));
+    assert_eq!(names(&said)[0], "gain_ageing", "{}", said.says);
+    assert!(said.findings[0].says.contains("falls by 1"), "{}", said.findings[0].says);
+}
+
 /// A crystal whose turning point lies at the reference: its coefficient there is nothing, and nothing was found.
 #[test]
 fn a_parabola_about_the_reference_is_a_temperature_coefficient() {

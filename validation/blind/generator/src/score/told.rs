@@ -26,10 +26,9 @@ pub fn told_family(id: &str) -> Option<&'static str> {
         | "permittivity_temperature"
         | "temperature_coefficient" => "thermal",
         "fringing_field" | "parasitic_capacitance" | "dead_gap" | "plate_bending" | "rim_field" => "field",
-        "gain_drift" | "gain_error" | "rate_limit" | "saturation" | "readout_lag" | "time_offset" | "clock_rate"
-        | "offset_drift" | "offset_steps" | "settling" | "slow_response" | "regime_change" | "gain_change" | "nonlinearity" => {
-            "readout"
-        }
+        "gain_ageing" | "gain_drift" | "gain_error" | "rate_limit" | "saturation" | "readout_lag" | "time_offset"
+        | "clock_rate" | "offset_drift" | "offset_steps" | "settling" | "slow_response" | "regime_change" | "gain_change"
+        | "nonlinearity" => "readout",
         "humidity_uptake"
         | "driver_coefficient"
         | "second_driver_coefficient"

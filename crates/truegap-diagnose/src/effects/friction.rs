@@ -129,7 +129,7 @@ impl Effect for Friction {
     fn about(&self) -> About {
         About {
             physics: "friction, or the play (backlash) of a gear or a thread, acts on the reading against the motion of a driver (a piston, a slide, a gap), whether the base model follows it or not",
-            equation: "value = true + F [(1 - r) s(x) + r tanh((dx/dt) / v0) + c dx/dt], s from -1 to 1 by three plays on the driver x with half widths w (1 - 0.6 g, 1 - 0.2 g, 1 + 0.8 g), one play of half width w for g = 0, at rest when a run starts; F (tanh(x / v0) + c x), c not below 0, where x is a speed that goes both ways; r = 0 where the base model follows x, c = 0 where x is a simulation: a lag looks like them there",
+            equation: "value = true + F [(1 - r) s(x) + r tanh((dx/dt) / v0) + c dx/dt], s from -1 to 1 by three plays on the driver x with half widths w (1 - 0.6 g, 1 - 0.2 g, 1 + 0.8 g), one play of half width w for g = 0, at rest when a run starts; F (tanh(x / v0) + c x + d x |x|), c and d not below 0, where x is a speed that goes both ways, d = 0 until rows left out bear it out; r = 0 where the base model follows x, c = 0 where x is a simulation: a lag looks like them there",
             excitation: "a driver that turns around",
             impostors: &["driver_coefficient", "readout_lag", "slow_response", "time_offset"],
             separates: "the reading jumps where the driver turns and stays there, at any speed; a lag grows with the speed",
@@ -209,6 +209,9 @@ impl Effect for Friction {
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["gradual", "viscous", "by_speed"]
+    }
+    fn may_be_more(&self) -> &'static [&'static str] {
+        &[friction_of_speed::DRAG]
     }
     fn at_once(&self) -> &'static [&'static str] {
         &["width", "onset"]

@@ -4,24 +4,37 @@ use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::effect::{About, Effect, Family, FittedParameter},
-    text::{percent_with_sd, with_sd},
+    text::{percent_with_sd, rounded, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
 /// Temperature coefficient of the reading, at the sensor's own (possibly lagging) temperature; it may change with temperature itself.
 pub struct TemperatureCoefficient;
 
-struct Parabola {
+#[derive(Clone, Copy)]
+struct Curve {
     per_k: f64,
     /// share of the coefficient that is added per kelvin
     bend_per_k: f64,
+    /// growth of the coefficient per kelvin, as a share of what it has become
+    growth_per_k: f64,
+    /// share of the coefficient by which its change per kelvin changes per kelvin
+    third_per_k2: f64,
 }
 
-impl Stage for Parabola {
+impl Curve {
+    /// The influence `above` the reference by so many kelvin, over that of a kelvin.
+    fn law(&self, above: f64) -> f64 {
+        let grown = self.growth_per_k * above;
+        let straight = if grown.abs() < 1e-8 { above * (1.0 + 0.5 * grown) } else { grown.exp_m1() / self.growth_per_k };
+        straight + above.powi(2) * (0.5 * self.bend_per_k + self.third_per_k2 * above / 6.0)
+    }
+}
+
+impl Stage for Curve {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
         for (value, t) in value.iter_mut().zip(drive.temperature_c) {
-            let above = t - drive.reference_c;
-            *value += self.per_k * above * (1.0 + 0.5 * self.bend_per_k * above);
+            *value += self.per_k * self.law(t - drive.reference_c);
         }
     }
 }
@@ -52,9 +65,12 @@ const USUAL_BEND: f64 = 2.0;
 /// Most: the coefficient is 0 a hundredth of the span beside the reference. A crystal is cut so that this point lies in the middle of its range; 4 was a limit that hid a parabola about the reference.
 const MOST_BENT: f64 = 100.0;
 
+/// Most growth over the span: a leakage current that doubles every 6 K does so in a span of 80 K.
+const MOST_GROWN: f64 = 10.0;
+
 /// Bends from which a search starts: a straight line, and parabolas whose turn lies to either side of the reference.
 fn bends(span: f64) -> Vec<Vec<f64>> {
-    [0.0, 20.0, -20.0].map(|bend| vec![bend / span]).to_vec()
+    [0.0, 20.0, -20.0].map(|bend| vec![bend / span, 0.0, 0.0]).to_vec()
 }
 
 /// Bend below which it is not spoken of, in standard deviations.
@@ -76,7 +92,7 @@ impl Effect for TemperatureCoefficient {
     fn about(&self) -> About {
         About {
             physics: "the reading moves with temperature, by a mechanism for which the base model has no place",
-            equation: "value = true + k x (1 + b x / 2), x = T_s - T0, T_s the temperature behind the thermal path",
+            equation: "value = true + k [(exp(g x) - 1) / g + b x^2 / 2 + c x^3 / 6], x = T_s - T0, T_s the temperature behind the thermal path; g = 0 (x for the first part) and c = 0 until rows left out bear one of the two out",
             excitation: "a temperature that changes by some kelvin",
             impostors: &["offset_drift", "thermal_lag", "humidity_uptake"],
             separates: "comes back with the temperature; with a thermal lag it comes back late",
@@ -91,6 +107,10 @@ impl Effect for TemperatureCoefficient {
             Parameter::normal("per_kelvin", &unit, 0.0, scale, "change of the reading per kelvin at the reference temperature"),
             Parameter::normal("bend", "1/K", 0.0, USUAL_BEND * bend, "relative change of that per kelvin")
                 .within(-MOST_BENT * bend, MOST_BENT * bend),
+            Parameter::normal("growth", "1/K", 0.0, USUAL_BEND * bend, "exponential growth of that per kelvin")
+                .within(-MOST_GROWN * bend, MOST_GROWN * bend),
+            Parameter::normal("third", "1/K^2", 0.0, (USUAL_BEND * bend).powi(2), "relative change of the bend per kelvin")
+                .within(-(MOST_BENT * bend).powi(2), (MOST_BENT * bend).powi(2)),
         ]
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
@@ -98,6 +118,9 @@ impl Effect for TemperatureCoefficient {
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["bend"]
+    }
+    fn other_laws(&self) -> &'static [&'static [&'static str]] {
+        &[&["growth"], &["third"]]
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
@@ -107,7 +130,8 @@ impl Effect for TemperatureCoefficient {
         context.needs_some_temperature()
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(Parabola { per_k: values[0], bend_per_k: values[1] })
+        let [growth_per_k, third_per_k2] = [2, 3].map(|place| values.get(place).copied().unwrap_or(0.0));
+        Box::new(Curve { per_k: values[0], bend_per_k: values[1], growth_per_k, third_per_k2 })
     }
     fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
         Some(Box::new(Exponential { per_k: values[0], bend_per_k: values[1] }))
@@ -120,6 +144,35 @@ impl Effect for TemperatureCoefficient {
         } else {
             String::new()
         };
-        format!("the reading moves by {} with temperature{bent}", with_sd(slope.value, slope.sd, &slope.parameter.unit))
+        let growth = fitted.get(2).filter(|growth| growth.value.abs() > SPOKEN_OF * growth.sd);
+        let grows = growth.map_or_else(String::new, |growth| {
+            let kelvin = rounded(std::f64::consts::LN_2 / growth.value.abs(), "K");
+            format!(" at the reference, and twice as much every {kelvin} {}", if growth.value > 0.0 { "up" } else { "down" })
+        });
+        format!("the reading moves by {} with temperature{grows}{bent}", with_sd(slope.value, slope.sd, &slope.parameter.unit))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A leakage that doubles every 10 K from 1 at the reference is 1 more after 10 K, and 3 more after 20; in slopes at the reference ten over the logarithm of 2.
+    #[test]
+    fn a_leakage_doubles_every_ten_kelvin() {
+        let leak = Curve { per_k: 0.1 * 2f64.ln(), bend_per_k: 0.0, growth_per_k: 0.1 * 2f64.ln(), third_per_k2: 0.0 };
+        for (above, exact) in [(10.0, 1.0), (20.0, 3.0), (-10.0, -0.5)] {
+            approx::assert_relative_eq!(leak.per_k * leak.law(above), exact, max_relative = 1e-12);
+        }
+        let near = |growth_per_k: f64| Curve { growth_per_k, per_k: 1.0, ..leak }.law(1.0);
+        approx::assert_relative_eq!(near(0.999_999e-8), near(1.000_001e-8), max_relative = 1e-13);
+    }
+
+    /// The third derivative of a cubic is its third number.
+    #[test]
+    fn a_cubic_has_the_bend_at_the_reference_and_its_change() {
+        let cubic = Curve { per_k: 1.0, bend_per_k: 0.2, growth_per_k: 0.0, third_per_k2: 0.06 };
+        approx::assert_relative_eq!(cubic.law(10.0), 10.0 + 10.0 + 10.0, max_relative = 1e-12);
+        approx::assert_relative_eq!(cubic.law(-10.0), -10.0 + 10.0 - 10.0, max_relative = 1e-12);
     }
 }

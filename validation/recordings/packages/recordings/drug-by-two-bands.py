@@ -3,7 +3,7 @@
 from fitting import line
 from meters import absorbances, laboratory, of_drivers
 
-HAND_BUILT = "squares of both bands"
+HAND_BUILT = "all squares of beside"
 
 
 def rows(content):

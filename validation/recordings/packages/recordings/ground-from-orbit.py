@@ -3,7 +3,7 @@
 from fitting import line
 from meters import of_drivers, towers
 
-HAND_BUILT = "sun, bent, and green, and slopes by both"
+HAND_BUILT = "sun, green, and their product"
 NAMES = ["AirTempC", "SW_IN", "NDVI", "LST"]
 
 

@@ -5,7 +5,7 @@ from fitting import lag, line, terms
 from meters import KILOYEAR, ice, shells
 from receivers import late_models
 
-HAND_BUILT = "lag"
+HAND_BUILT = "lag, and square"
 
 
 def rows(cold, deep):

@@ -90,7 +90,7 @@ pub use effects::{
     collection::Library,
     effect::{About, Effect, Family, FittedParameter, Separation, ZeroCourse},
     library,
-    sentence::sentence,
+    sentence::{sentence, sentence_of_seen},
 };
 pub use pipeline::{Options, Restriction, diagnose, recording::diagnose_recording};
 pub use seeds::{SEEDS, Seeds};

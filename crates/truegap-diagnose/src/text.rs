@@ -31,6 +31,8 @@ impl Scale {
             "s/s" if size.abs() < 1.0 => Self { unit: format!("{}/s", seconds(size.abs()).unit), ..seconds(size.abs()) },
             "1/K" if size.abs() < 1e-2 => Self { factor: 1e6, unit: "ppm/K".into() },
             "1/K" => Self { factor: 1e2, unit: "%/K".into() },
+            "1/h" if size.abs() < 1e-2 => Self { factor: 1e6, unit: "ppm/h".into() },
+            "1/h" => Self { factor: 1e2, unit: "%/h".into() },
             "1/%RH" => Self {
                 factor: if size.abs() < 1e-2 { 1e6 } else { 1e2 },
                 unit: if size.abs() < 1e-2 { "ppm/%RH" } else { "%/%RH" }.into(),
@@ -301,6 +303,7 @@ mod tests {
             (-3e-6, 0.245, "m", "0 ± 245 mm"),
             (2.0e-4, 1e-5, "1/K", "200 ± 10 ppm/K"),
             (0.25, 0.012, "1", "0.250 ± 0.012"),
+            (0.02, 0.001, "1/h", "2.00 ± 0.10 %/h"),
             (-7.6e3, 1.1e3, "Pa/K", "-7.6 ± 1.1 kPa/K"),
             (239.7, 0.11, "counts", "239.70 ± 0.11 counts"),
         ];

@@ -94,6 +94,20 @@ fn a_reading_at_its_ceiling_is_clipped_and_not_dead() {
     assert_eq!(told(force, &response, NoticeKind::DeadChannel), []);
 }
 
+/// An accelerometer that is clipped at both ends: the rows of one end alone were found, and the other stayed in.
+#[test]
+fn both_ends_of_a_range_are_clipped() {
+    let mut noise = gaussian(6);
+    let force: Vec<f64> = (0..1500).map(|row| 2.0 + 2.0 * (row as f64 / 60.0).sin()).collect();
+    let response: Vec<f64> = force.iter().map(|load| (200.0 + load + 0.01 * noise()).clamp(200.4, 203.6)).collect();
+    let clipped = told(force, &response, NoticeKind::Clipped);
+    assert!(clipped.len() == 1, "{clipped:?}");
+    assert!(
+        clipped[0].says.contains("never goes above 203.6 pF") && clipped[0].says.contains("never goes below 200.4 pF"),
+        "{clipped:?}"
+    );
+}
+
 #[test]
 fn a_reading_that_hangs_and_jumps_back_is_dead_and_not_clipped() {
     let (mut noise, mut response) = (gaussian(5), Vec::new());

@@ -5,7 +5,7 @@
 mod common;
 
 use truegap_core::{Parameter, Prior};
-use truegap_diagnose::{Context, Effect, FittedParameter, library, sentence};
+use truegap_diagnose::{Context, Effect, FittedParameter, library, sentence, sentence_of_seen};
 
 /// Numbers of a text as they stand there, each with the text before it.
 fn numbers(text: &str) -> Vec<(String, String)> {
@@ -137,6 +137,20 @@ fn one(id: &str, change: impl Fn(&mut FittedParameter)) -> String {
     let mut fitted = fitted(effect.as_ref(), &context, 1.0, 0.02);
     change(&mut fitted[0]);
     sentence(effect.as_ref(), &fitted, &context, &[])
+}
+
+/// A curve at 797 times the noise was told as "asked for, but its size is less sure than it is large": its other numbers make up for it.
+#[test]
+fn what_is_plainly_seen_is_told_however_unsure_its_size_is_alone() {
+    let plate = common::Plate::new(Some(false));
+    let inputs = common::recording();
+    let context = Context::new(&inputs, &plate, 10.0, 0.004);
+    let library = library();
+    let curve = library.iter().find(|e| e.id().0 == "nonlinearity").unwrap();
+    let fitted = fitted(curve.as_ref(), &context, 1.0, 1.4);
+    assert!(sentence(curve.as_ref(), &fitted, &context, &[]).contains("is asked for, but"));
+    let seen = sentence_of_seen(curve.as_ref(), &fitted, &context, &[]);
+    assert!(seen.starts_with("the characteristic is bent") && seen.contains("make up for one another"), "{seen}");
 }
 
 #[test]

@@ -13,7 +13,7 @@ use crate::{
         stated::{Place, stated},
     },
     discovery::marginals::WordProbabilities,
-    effects::sentence::{nothing_stands_out, sentence},
+    effects::sentence::{nothing_stands_out, sentence, sentence_of_seen},
     selection::detectability::detectability,
     text::significant,
     validation::cross_validation::{HeldOutFit, compared},
@@ -64,7 +64,9 @@ fn finding(found: &Found<'_>, index: usize, before: &HeldOutFit, after: &HeldOut
     let model = found.search.model(&chosen.effects);
     let of = |(place, effect): (usize, &usize)| (found.search.library[*effect].id(), fitted(found, told, model.range_of(place)));
     let beside: Vec<_> = chosen.effects.iter().enumerate().map(of).collect();
-    let sentence = sentence(found.search.library[effect], &fitted(found, told, own.clone()), found.search.context, &beside);
+    let is_seen = detectability.is_some_and(|d| d >= PLAINLY_SEEN);
+    let tell = if is_seen { sentence_of_seen } else { sentence };
+    let sentence = tell(found.search.library[effect], &fitted(found, told, own.clone()), found.search.context, &beside);
     let without = without(found, index);
     let both = compared(without.as_ref().unwrap_or(before), after);
     let rivals = found.decision.sets.get(index).map(|set| set.iter().filter(|e| **e != effect).map(|e| found.id(*e)).collect());

@@ -74,6 +74,8 @@ fn ageing(values: &[f64], context: &Context<'_>) -> Ageing {
 const USUAL: f64 = 0.3;
 /// Farthest reading that the gain leaves alone from that of no gain, spans: from farther away a gain is a zero that drifts (generated: one of 0.3 V was told as either, with a pivot of 5 spans).
 const PIVOT: f64 = 1.0;
+/// Fastest at the first row, over the recording: that of one that is gone for good within a fiftieth of it.
+const FASTEST: f64 = FARTHEST * QUICKEST_FADING;
 /// Standard deviation of the fading, over the recording: that of a drift of the zero, by the same causes.
 const USUAL_FADING: f64 = 5.0;
 /// Time constants in a recording from which on a gain is told by what is lost in the end: 5 % of it are to come.
@@ -107,7 +109,8 @@ impl Effect for GainAgeing {
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let hours = context.length_s() / HOUR;
         let mut list = vec![
-            Parameter::normal("rate", "1/h", 0.0, USUAL / hours, "relative change of the gain in an hour, at the first row"),
+            Parameter::normal("rate", "1/h", 0.0, USUAL / hours, "relative change of the gain in an hour, at the first row")
+                .within(-FASTEST / hours, FASTEST / hours),
             Parameter::normal("fading", "1/h", 0.0, USUAL_FADING / hours, "share of that rate that is lost in an hour")
                 .within(-1.5 / hours, QUICKEST_FADING / hours),
             Parameter::normal("pivot", "spans", 0.0, 0.2, "reading that it leaves alone, above that without gain")
@@ -154,7 +157,7 @@ impl Effect for GainAgeing {
         let way = if rate.value < 0.0 { "falls" } else { "rises" };
         if fading.value > 2.0 * fading.sd && fading.value > 0.0 {
             // at the first row it is of no use to say how fast: what is lost in the end is what one sees
-            let last = (rate.value / fading.value).exp();
+            let last = (rate.value / fading.value).clamp(-FARTHEST, FARTHEST).exp();
             let size = percent_with_sd((last - 1.0).abs(), last * rate.sd / fading.value);
             return format!("the gain {way} by {size} in the end, with a time constant of {}", rounded(HOUR / fading.value, "s"));
         }

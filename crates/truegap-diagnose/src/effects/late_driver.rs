@@ -79,11 +79,15 @@ impl Effect for LateDriver {
         vec![
             course.influence(context, "change of the reading per unit of the driver, in the end"),
             Parameter::log_normal("tau", "s", middle_s(context), 1.5, "time constant with which it arrives")
-                .within(0.0, context.run_s()),
+                // what arrives sooner than half a row is there at once: beside the plain influence it would stand for a rate
+                .within(0.5 * context.step_s().min(context.run_s()), context.run_s()),
         ]
     }
     fn comes_down_to(&self) -> Option<EffectId> {
         Some(DriverCoefficient(self.0).id())
+    }
+    fn at_once(&self) -> &'static [&'static str] {
+        &["tau"]
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let middle = middle_s(context);

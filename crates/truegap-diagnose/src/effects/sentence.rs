@@ -29,9 +29,35 @@ pub fn sentence(
     beside: &[(EffectId, Vec<FittedParameter>)],
 ) -> String {
     let Some(size) = fitted.first() else { return spoken(effect.id().0) };
-    if let Some(why) = about_the_fit(effect, size) {
+    if let Some(why) = about_the_fit(effect, size).or_else(|| unsure(effect, size)) {
         return format!("{why}: this says more of the fit than of the instrument");
     }
+    of_the_instrument(effect, fitted, context, beside)
+}
+
+/// The same of an effect that stands far out of the noise: a size that is less sure than it is large has other numbers that make up for it.
+pub fn sentence_of_seen(
+    effect: &dyn Effect,
+    fitted: &[FittedParameter],
+    context: &Context<'_>,
+    beside: &[(EffectId, Vec<FittedParameter>)],
+) -> String {
+    match fitted.first() {
+        Some(size) if about_the_fit(effect, size).is_none() && unsure(effect, size).is_some() => {
+            let told = of_the_instrument(effect, fitted, context, beside);
+            format!("{told}; its numbers make up for one another, so that all of them are known better than each")
+        }
+        _ => sentence(effect, fitted, context, beside),
+    }
+}
+
+/// What an effect tells with its numbers, and those that lie on a limit.
+fn of_the_instrument(
+    effect: &dyn Effect,
+    fitted: &[FittedParameter],
+    context: &Context<'_>,
+    beside: &[(EffectId, Vec<FittedParameter>)],
+) -> String {
     let told = effect.told(fitted, context, beside);
     let further = &fitted[1..];
     let at_limit = further
@@ -76,6 +102,12 @@ fn about_the_fit(effect: &dyn Effect, size: &FittedParameter) -> Option<String> 
     if size.at_limit && !(effect.clips() && is_natural(size.value)) {
         return Some(format!("{name} is asked for, but the fit ran to the limit of {}", limit(size)));
     }
+    None
+}
+
+/// That the size of an effect is less sure than it is large; `None` where it is not.
+fn unsure(effect: &dyn Effect, size: &FittedParameter) -> Option<String> {
+    let name = spoken(effect.id().0);
     // typical sizes of numbers that are free one by one are as sure as those numbers are many
     // what else may act is told in the deviation beside the number; here it is the fit that does not know it
     let unsure = size.sd_of_fit.is_nan() || size.sd_of_fit > size.value.abs();

@@ -41,18 +41,25 @@ fn found(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<usize>)>
     let runs = problem.inputs.runs();
     let stretches = equal_stretches(problem.response, &runs);
     let (least, greatest) = ends(problem.response, 0..problem.response.len());
-    [(greatest, "never goes above"), (least, "never goes below")]
-        .into_iter()
-        .find_map(|(rail, words)| at(problem, rows, &stretches, rail, words))
+    let rails = [(greatest, "never goes above"), (least, "never goes below")];
+    let found: Vec<Rail<'_>> = rails.into_iter().filter_map(|(rail, words)| at(problem, rows, &stretches, rail, words)).collect();
+    if found.is_empty() {
+        return None;
+    }
+    let places = found.iter().map(|rail| rail.says.as_str()).collect::<Vec<_>>().join(", and ");
+    let says = format!("the reading {places}; it is clipped by the range of the converter or the software");
+    let on_rails = || found.iter().flat_map(|rail| rail.stretches.iter().copied());
+    let notice = Notice { kind: NoticeKind::Clipped, says, rows: rows.numbers(on_rails()), withholds: false };
+    Some((notice, on_rails().flat_map(|stretch| stretch.clone()).collect()))
 }
 
-fn at(
-    problem: &Problem<'_>,
-    rows: &Rows<'_>,
-    stretches: &[Range<usize>],
-    rail: f64,
-    words: &str,
-) -> Option<(Notice, Vec<usize>)> {
+/// One end of the range of a converter, with the stretches of rows that lie on it.
+struct Rail<'a> {
+    stretches: Vec<&'a Range<usize>>,
+    says: String,
+}
+
+fn at<'a>(problem: &Problem<'_>, rows: &Rows<'_>, stretches: &'a [Range<usize>], rail: f64, words: &str) -> Option<Rail<'a>> {
     let on_rail: Vec<&Range<usize>> = stretches.iter().filter(|s| problem.response[s.start] == rail).collect();
     let count: usize = on_rail.iter().map(|s| s.len()).sum();
     let long = on_rail.iter().map(|s| s.len()).max().unwrap_or(0);
@@ -62,14 +69,9 @@ fn at(
         return None;
     }
     let first = on_rail.iter().max_by_key(|s| s.len())?;
-    let says = format!(
-        "the reading {words} {}: {count} rows lie exactly there, the longest stretch {}; it is clipped by the range of the converter or the \
-         software",
-        rows.reading(rail),
-        rows.places(first)
-    );
-    let out = on_rail.iter().flat_map(|s| (*s).clone()).collect();
-    Some((Notice { kind: NoticeKind::Clipped, says, rows: rows.numbers(on_rail.into_iter()), withholds: false }, out))
+    let says =
+        format!("{words} {}: {count} rows lie exactly there, the longest stretch {}", rows.reading(rail), rows.places(first));
+    Some(Rail { stretches: on_rail, says })
 }
 
 /// Whether the reading runs into the rail and off it without a jump, while a driver moves: a channel that hangs jumps when it comes back, wherever the reading

@@ -42,12 +42,16 @@ impl Curve {
             0.0
         } else {
             let u = (x - low) / half - 1.0;
-            let third = 0.5 * u * (5.0 * u * u - 3.0);
-            let fourth = 0.125 * (35.0 * u.powi(4) - 30.0 * u * u + 3.0);
+            let [third, fourth] = legendre(u);
             half * (self.turns[0] * third + self.turns[1] * fourth)
         };
         raised * (1.0 + 0.5 * self.bend * x) + turned
     }
+}
+
+/// The Legendre polynomials of third and fourth order: 1 at the upper end.
+pub fn legendre(u: f64) -> [f64; 2] {
+    [0.5 * u * (5.0 * u * u - 3.0), 0.125 * (35.0 * u.powi(4) - 30.0 * u * u + 3.0)]
 }
 
 impl Stage for Curve {

@@ -7,6 +7,7 @@ use crate::{
     effects::composed::words::{InWords, Kinetics, Place},
     effects::{
         course::Course,
+        driver_coefficient::legendre,
         effect::{About, Effect, Family, FittedParameter},
         gain_error::gain_is_fixed,
     },
@@ -16,11 +17,14 @@ use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageN
 /// Gain of the reading by the moving driver of this number.
 pub struct DriverGain(pub usize);
 
+#[derive(Clone, Copy)]
 struct Gain {
     /// log of the gain from the middle of the driver's range to its end
     log_gain: f64,
     /// the same for the square
     bend: f64,
+    /// weights of the third and the fourth Legendre polynomial in the log of the gain
+    turns: [f64; 2],
     /// reading at which the gain changes nothing, spans above the zero
     pivot: f64,
     /// where in the range of the driver, from -1 to 1, the gain is as calibrated
@@ -35,13 +39,31 @@ impl Gain {
         let Some(x) = self.course.column(drive) else { return };
         let pivot = readout.zero + self.pivot * readout.span;
         let [middle, half] = self.range;
-        value.iter_mut().zip(x).for_each(|(value, x)| *value += (*value - pivot) * gain((x - middle) / half - self.neutral));
+        value.iter_mut().zip(x).for_each(|(value, x)| *value += (*value - pivot) * gain((x - middle) / half));
+    }
+
+    /// Log of the gain at `u`, from -1 to 1 over the range of the driver; at most [`FARTHEST`] either way.
+    fn log_at(&self, u: f64) -> f64 {
+        let from = u - self.neutral;
+        let straight = from * (self.log_gain + self.bend * from);
+        if self.turns == [0.0; 2] {
+            return straight;
+        }
+        // beyond the range of the recording a polynomial says nothing
+        let turned = |u: f64| {
+            let [third, fourth] = legendre(u.clamp(-1.0, 1.0));
+            self.turns[0] * third + self.turns[1] * fourth
+        };
+        (straight + turned(u) - turned(self.neutral)).clamp(-FARTHEST, FARTHEST)
     }
 }
 
+/// Greatest logarithm of a gain that turns, either way.
+const FARTHEST: f64 = 5.0;
+
 impl Stage for Gain {
     fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
-        self.apply(drive, readout, value, |u| (u * (self.log_gain + self.bend * u)).exp_m1());
+        self.apply(drive, readout, value, |u| self.log_at(u).exp_m1());
     }
 }
 
@@ -50,7 +72,7 @@ struct Straight(Gain);
 
 impl Stage for Straight {
     fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
-        self.0.apply(drive, readout, value, |u| (u * (self.0.log_gain + self.0.bend * u)).max(-0.9));
+        self.0.apply(drive, readout, value, |u| self.0.log_at(u).max(-0.9));
     }
 }
 
@@ -61,8 +83,9 @@ impl DriverGain {
         let course = Course::or_load(context, self.0);
         let [low, high] = course.ends(context);
         let range = [0.5 * (low + high), (0.5 * (high - low)).max(f64::MIN_POSITIVE)];
-        let neutral = values.get(3).copied().unwrap_or(0.0);
-        Gain { log_gain: values[0], bend: values[1], pivot: values[2], neutral, range, course }
+        let [third, fourth] = [values[3], values[4]];
+        let neutral = values.get(5).copied().unwrap_or(0.0);
+        Gain { log_gain: values[0], bend: values[1], turns: [third, fourth], pivot: values[2], neutral, range, course }
     }
 }
 
@@ -83,7 +106,7 @@ impl Effect for DriverGain {
     fn about(&self) -> About {
         About {
             physics: "the sensitivity changes with a recorded driver (a supply, a weight, a density, a direction of wear): a product of two quantities where the base model has one",
-            equation: "value = p + (true - p) exp(a u + b u^2), u from -1 to 1 over the range of the driver, less n where the gain of the base model is not calibrated, p the reading that it leaves alone",
+            equation: "value = p + (true - p) exp(a u + b u^2 + c P3(u) + d P4(u)), c = d = 0 until rows left out bear them out, u from -1 to 1 over the range of the driver, less n where the gain of the base model is not calibrated, p the reading that it leaves alone",
             excitation: "a column under [drivers] that changes, at several values of what the base model follows",
             impostors: &["driver_coefficient", "nonlinearity", "gain_change", "gain_drift"],
             separates: "in proportion to the reading: nothing where the reading is at its pivot, most where it is far from it",
@@ -97,6 +120,8 @@ impl Effect for DriverGain {
             Parameter::normal("bend", "1", 0.0, 0.2, "the same for the square").within(-3.0, 3.0),
             Parameter::normal("pivot", "spans", 0.0, 0.5, "reading that it leaves alone, above that without load")
                 .within(-5.0, 5.0),
+            Parameter::normal("third", "1", 0.0, 0.2, "part of third order in the log of the gain").within(-2.0, 2.0),
+            Parameter::normal("fourth", "1", 0.0, 0.2, "part of fourth order in the log of the gain").within(-2.0, 2.0),
         ];
         if gain_is_fixed(context) {
             let meaning = "value of the driver at which the gain is that of the simulation, from -1 to 1 over its range";
@@ -106,10 +131,13 @@ impl Effect for DriverGain {
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let neutral: &[f64] = if gain_is_fixed(context) { &[0.0] } else { &[] };
-        [0.0, -0.3, 0.5].map(|pivot| [&[0.0, pivot], neutral].concat()).to_vec()
+        [0.0, -0.3, 0.5].map(|pivot| [&[0.0, pivot, 0.0, 0.0], neutral].concat()).to_vec()
     }
     fn came_later(&self) -> Vec<&'static str> {
-        vec!["neutral"]
+        [self.held_at_first(), vec!["neutral"]].concat()
+    }
+    fn other_laws(&self) -> &'static [&'static [&'static str]] {
+        &[&["third", "fourth"]]
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["bend", "neutral"]
@@ -143,8 +171,9 @@ impl Effect for DriverGain {
 }
 
 fn told(fitted: &[FittedParameter], name: &str) -> String {
-    // from one end of the range to the other
-    let (factor, relative) = ((2.0 * fitted[0].value).exp(), 2.0 * fitted[0].sd);
+    // from one end of the range to the other: with the bend where the gain is right elsewhere, and with what is odd of the turns
+    let number = |place: usize| fitted.get(place).map_or(0.0, |number| number.value);
+    let (factor, relative) = ((2.0 * (number(0) - 2.0 * number(1) * number(5) + number(3))).exp(), 2.0 * fitted[0].sd);
     format!(
         "the gain is {} times as large at the most of {name} as at its least",
         crate::text::with_sd(factor, factor * relative, "")
@@ -168,11 +197,25 @@ mod tests {
         let readout = Readout { zero: 5.0 / 1.5, span: 6.0 };
         let log_gain = -0.5 * 2f64.ln();
         let bend = (1.5 / 2f64.sqrt()).ln();
-        let gain = Gain { log_gain, bend, pivot: -(5.0 / 1.5) / 6.0, neutral: 0.0, range: [1.5, 0.5], course: Course::Driver(0) };
+        let gain = Gain {
+            log_gain,
+            bend,
+            turns: [0.0; 2],
+            pivot: -(5.0 / 1.5) / 6.0,
+            neutral: 0.0,
+            range: [1.5, 0.5],
+            course: Course::Driver(0),
+        };
         let mut value: Vec<f64> = viscosity.iter().map(|v| v / 1.5).collect();
         gain.readout(&drive, &readout, &mut value);
         for row in 0..100 {
             approx::assert_relative_eq!(value[row], viscosity[row] / weights[row], max_relative = 0.01);
+        }
+        // a law that turns is the polynomials at the ends, and stays as it is beyond them
+        let turns = |neutral: f64| Gain { log_gain: 0.0, bend: 0.0, turns: [0.2, 0.1], neutral, ..gain };
+        for (u, exact) in [(1.0, 0.2625), (-1.0, -0.1375), (0.0, 0.0), (2.0, 0.2625)] {
+            approx::assert_relative_eq!(turns(0.0).log_at(u), exact, epsilon = 1e-12);
+            approx::assert_relative_eq!(turns(0.0).log_at(u) - turns(0.0).log_at(0.4), turns(0.4).log_at(u), epsilon = 1e-12);
         }
         // a reading at the pivot stays, whatever the driver does
         let mut value = vec![readout.zero + 0.5 * readout.span; 100];

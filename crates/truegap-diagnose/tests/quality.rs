@@ -9,7 +9,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal, Uniform};
 use std::sync::atomic::AtomicBool;
-use truegap_core::{Inputs, Parameter, Simulator};
+use truegap_core::{Driver, Inputs, Parameter, Simulator};
 use truegap_diagnose::quality::{Notice, NoticeKind, Rows, outliers_of_inputs, troubles};
 use truegap_diagnose::{Options, Problem, RecordingFacts, Verdict, diagnose};
 
@@ -177,6 +177,25 @@ fn a_value_that_the_reading_does_not_follow_is_left_out() {
     assert_eq!(left_out(&inputs, &read), [311]);
     read[311] -= 1.0;
     assert_eq!(left_out(&inputs, &read), [0usize; 0]);
+}
+
+/// A wind from north: 358 and 2 degrees are neighbours, and their rows were left out as values that nothing follows.
+#[test]
+fn a_direction_that_goes_round_has_no_outliers() {
+    let mut noise = gaussian(7);
+    let mut from = |row: usize| match row {
+        0..36 => 10.0 * row as f64,
+        400 | 600 => 357.5,
+        _ => 20.0 + 4.0 * noise(),
+    };
+    let values: Vec<f64> = (0..900).map(|row| (from(row) * 10.0).round() / 10.0).collect();
+    let read: Vec<f64> = (0..900).map(|_| 210.0 + 0.002 * noise()).collect();
+    let beside = |unit: &str| {
+        let drivers = vec![Driver { name: "wind".into(), unit: unit.into(), values: values.clone() }];
+        left_out(&Inputs { drivers, ..inputs(vec![0.0; 900]) }, &read)
+    };
+    assert!(!beside("1").is_empty());
+    assert_eq!(beside("deg"), [0usize; 0]);
 }
 
 /// A force that is held for 40 rows a step, and two rows of it that were lost: beside a reading that follows every other step at once they are no load, beside a slow one they may be a command.

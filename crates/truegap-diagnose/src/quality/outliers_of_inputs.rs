@@ -14,7 +14,7 @@ use crate::{
         rows::Rows,
         tuning::{AS_HIGH, FEWEST_STEPS, FOLLOWED, HALVES_BEYOND, JUMPS, OUTLIER_FAR, TOO_MANY_OUTLIERS},
     },
-    stats::{median, resolution},
+    stats::{median, resolution, spread},
     text::Scale,
 };
 use std::ops::Range;
@@ -23,7 +23,7 @@ use truegap_core::Inputs;
 /// A notice, and the rows that are to be left out.
 pub fn outliers_of_inputs(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<usize>)> {
     let response_sd = white_sd(problem.response, &problem.inputs.runs());
-    let of_each = columns_of(problem.inputs).into_iter().map(|column| {
+    let of_each = columns_of(problem.inputs).into_iter().filter(|column| !goes_round(column)).map(|column| {
         let groups = not_followed(problem, column.values, response_sd);
         (column, groups)
     });
@@ -56,6 +56,17 @@ fn columns_of(inputs: &Inputs) -> Vec<Column<'_>> {
     let drivers = inputs.drivers.iter().map(|d| (d.name.as_str(), d.unit.as_str(), d.values.as_slice()));
     let all = inputs_of(inputs).into_iter().chain(others).chain(drivers);
     all.map(|(name, unit, values)| Column { name, unit, values }).collect()
+}
+
+/// Whether a column is a direction that goes all the way round: it jumps by a turn where nothing happens.
+fn goes_round(column: &Column<'_>) -> bool {
+    let turn = match column.unit {
+        "deg" | "°" => 360.0,
+        "rad" => std::f64::consts::TAU,
+        _ => return false,
+    };
+    let span = spread(column.values);
+    span > 0.9 * turn && span <= turn
 }
 
 /// Rows of a column that stand out of their neighbours; none where so many do that they were done.

@@ -219,3 +219,19 @@ fn a_lost_row_of_a_force_that_steps_is_told_by_its_other_steps() {
     let pulse = |(row, newton): (usize, &f64)| if row % 40 == 20 { 0.0 } else { *newton };
     assert_eq!(left_out(&inputs(held.iter().enumerate().map(pulse).collect()), &at_once), [0usize; 0]);
 }
+
+/// A stretch at the end of a range was left out, and the gap that this made was told as a pause of the logger.
+#[test]
+fn rows_that_are_left_out_make_no_pause() {
+    let plate = Plate::new(None);
+    let kept: Vec<usize> = (0..300).chain(500..900).collect();
+    let inputs = Inputs { time_s: Some(kept.iter().map(|row| *row as f64).collect()), ..inputs(vec![0.0; kept.len()]) };
+    let mut noise = gaussian(8);
+    let response: Vec<f64> = kept.iter().map(|_| 210.0 + 0.01 * noise()).collect();
+    let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
+    let told = |given: Option<&[usize]>| {
+        let notices = troubles(&problem, &Rows { inputs: &inputs, given, unit: "pF" });
+        notices.iter().filter(|notice| notice.kind == NoticeKind::Gap).count()
+    };
+    assert_eq!((told(Some(&kept)), told(None)), (0, 1));
+}

@@ -13,7 +13,9 @@ use crate::{
 /// A notice where time jumps inside a run.
 pub fn pauses(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<Notice> {
     let steps = problem.inputs.steps_s();
-    let (usual, found) = after_pauses(problem.inputs)?;
+    let (usual, mut found) = after_pauses(problem.inputs)?;
+    // where rows were left out the clock went on being recorded
+    found.retain(|row| rows.given.is_none_or(|given| *row == 0 || given[*row] == given[row - 1] + 1));
     let longest = *found.iter().max_by(|a, b| steps[**a].total_cmp(&steps[**b]))?;
     let text = |s: f64| Scale::of("s", s).text(s);
     let says = format!(

@@ -4,6 +4,7 @@
 
 use crate::{
     data::context::Context,
+    discovery::discover::IDS,
     effects::effect::{Effect, FittedParameter},
     text::{listed, rounded, spoken, uncapitalised, with_sd},
 };
@@ -68,7 +69,7 @@ fn of_the_instrument(
     match (at_limit.as_slice(), no_number.as_slice()) {
         ([], []) => told,
         (_, [_, ..]) => {
-            let name = spoken(effect.id().0);
+            let name = name_of(effect.id().0);
             format!(
                 "{name} is asked for, but the fit ran to {}: this says more of the fit than of the instrument",
                 listed(&no_number, "and")
@@ -88,13 +89,13 @@ pub(crate) fn at_once(effect: &dyn Effect, parameter: &Parameter, value: f64) ->
 pub(crate) fn nothing_stands_out(id: &str) -> String {
     format!(
         "{} is asked for, but nothing of it stands out of the noise once all else is free: this says more of the fit than of the instrument",
-        spoken(id)
+        name_of(id)
     )
 }
 
 /// Why the size of an effect says nothing of the instrument; `None` where it does.
 fn about_the_fit(effect: &dyn Effect, size: &FittedParameter) -> Option<String> {
-    let name = spoken(effect.id().0);
+    let name = name_of(effect.id().0);
     if cannot_be(size) {
         return Some(format!("{name} is asked for, but the fit ran to {}", value(size)));
     }
@@ -107,7 +108,7 @@ fn about_the_fit(effect: &dyn Effect, size: &FittedParameter) -> Option<String> 
 
 /// That the size of an effect is less sure than it is large; `None` where it is not.
 fn unsure(effect: &dyn Effect, size: &FittedParameter) -> Option<String> {
-    let name = spoken(effect.id().0);
+    let name = name_of(effect.id().0);
     // typical sizes of numbers that are free one by one are as sure as those numbers are many
     // what else may act is told in the deviation beside the number; here it is the fit that does not know it
     let unsure = size.sd_of_fit.is_nan() || size.sd_of_fit > size.value.abs();
@@ -144,8 +145,25 @@ fn value(number: &FittedParameter) -> String {
     format!("{} for {}", rounded(number.value, &number.parameter.unit), called(number))
 }
 
+/// The name of an effect in a sentence about the fit.
+fn name_of(id: &str) -> String {
+    if IDS.iter().any(|composed| composed.0 == id) { "a mechanism in words".into() } else { spoken(id) }
+}
+
 /// `the size of the change`: what a number means, with its article.
 pub(crate) fn called(number: &FittedParameter) -> String {
     let meaning = uncapitalised(&number.parameter.meaning);
     format!("the {}", meaning.strip_prefix("its ").unwrap_or(&meaning))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// "discovered is asked for" was told.
+    #[test]
+    fn a_mechanism_of_words_has_a_name_in_sentences() {
+        assert!(nothing_stands_out("discovered_second").starts_with("a mechanism in words is asked for"));
+        assert!(nothing_stands_out("driver_coefficient").starts_with("driver coefficient is asked for"));
+    }
 }

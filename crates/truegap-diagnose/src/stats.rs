@@ -24,6 +24,19 @@ pub fn resolution(column: &[f64]) -> f64 {
     if least.is_finite() { least } else { 0.0 }
 }
 
+/// Smallest difference between any two values of a column, or between any two of its changes from row to row; 0 where all are equal. What is read in steps changes by whole steps as well: a column that climbs
+/// goes by many of them from row to row, and comes to no value twice.
+pub fn finest_step(column: &[f64]) -> f64 {
+    let greatest = column.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    let least_gap = |mut values: Vec<f64>| {
+        values.sort_by(f64::total_cmp);
+        let gaps = values.windows(2).map(|w| w[1] - w[0]).filter(|gap| *gap > 1e-12 * greatest);
+        gaps.fold(f64::INFINITY, f64::min)
+    };
+    let least = least_gap(column.to_vec()).min(least_gap(column.windows(2).map(|w| w[1] - w[0]).collect()));
+    if least.is_finite() { least } else { 0.0 }
+}
+
 /// Root mean square of a column; 0 of none.
 pub fn rms(column: impl Iterator<Item = f64> + Clone) -> f64 {
     let rows = column.clone().count().max(1) as f64;
@@ -114,6 +127,16 @@ pub fn normal_between(low: f64, high: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_finest_step_of_a_column_that_climbs_is_that_of_what_is_read() {
+        // a sawtooth of 17 steps a row, and a ramp of 300 and a few
+        let saw: Vec<f64> = (0..300).map(|row| 0.5 * f64::from(17 * row % 240)).collect();
+        assert_eq!((resolution(&saw), finest_step(&saw)), (8.5, 0.5));
+        let ramp: Vec<f64> = (0..300).map(|row| 0.5 * f64::from(300 * row + row * row % 7)).collect();
+        assert_eq!((resolution(&ramp), finest_step(&ramp)), (148.5, 0.5));
+        assert_eq!(finest_step(&[3.0; 4]), 0.0);
+    }
 
     #[test]
     fn logarithms_of_tails_are_those_of_the_tails() {

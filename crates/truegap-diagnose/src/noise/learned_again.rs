@@ -45,7 +45,7 @@ pub(crate) fn less_slow(noise: &NoiseModel) -> Vec<NoiseModel> {
 }
 
 /// The noise without what makes rows louder beside a misfit, and without what was slow there; rows that tell nothing stay as they are.
-fn of_rows_alike(noise: &NoiseModel) -> NoiseModel {
+pub(crate) fn of_rows_alike(noise: &NoiseModel) -> NoiseModel {
     let kept = |(row, variance): (usize, &f64)| if tells(&noise.untold, row) { 0.0 } else { *variance };
     let louder = noise.input_error.louder.iter().enumerate().map(kept).collect();
     let lasting = noise.input_error.lasting.iter().filter(|lasting| !lasting.of_reading).cloned().collect();

@@ -55,6 +55,11 @@ impl Block {
         Self { rows: rows.collect(), course, ordered }
     }
 
+    /// Columns of the slow course; of rows in any order orthonormal where [`crate::noise::neighbours`] made them.
+    pub(crate) fn course(&self) -> &[Vec<f64>] {
+        &self.course
+    }
+
     /// Keeps the first rows only.
     pub fn truncate(&mut self, rows: usize) {
         self.rows.truncate(rows);

@@ -15,7 +15,7 @@ use crate::{
         slow::{beside, slow},
         tones::without_tones,
     },
-    stats::resolution,
+    stats::finest_step,
     whitening::{
         noise_model::{InputNoise, NoiseModel, tells},
         whitener::{InputError, Lasting, Noise},
@@ -104,9 +104,9 @@ fn read_in_steps(problem: &Problem<'_>, noise: Noise, mut error: InputError) -> 
     (Noise { white_sd: white.sqrt(), ar_sd: 0.0, ar_correlation: 0.0 }, error, steps.step)
 }
 
-/// A response is read to steps, which are noise too.
+/// A response is read to steps, which are noise too: the least difference of any two readings, for a reading that climbs goes by many steps from row to row.
 pub(crate) fn no_finer_than_read(noise: Noise, problem: &Problem<'_>) -> Noise {
-    Noise { white_sd: noise.white_sd.max(resolution(problem.response) / 12f64.sqrt()), ..noise }
+    Noise { white_sd: noise.white_sd.max(finest_step(problem.response) / 12f64.sqrt()), ..noise }
 }
 
 /// Stretches to take the noise from, whether they are apart from the mismatch, and a sentence about them; a load that `wanders` never rests.
@@ -116,19 +116,8 @@ pub(crate) fn blocks(
     inputs: &InputNoise,
     wanders: bool,
 ) -> (Vec<Block>, bool, String) {
-    let at_rest = if wanders { Vec::new() } else { rest::at_rest(problem.inputs, load, inputs) };
-    let mut rest = without_outliers(problem.response, at_rest);
-    keep_some(&mut rest);
-    let rows: usize = rest.iter().map(|b| b.rows.len()).sum();
-    if rows >= ENOUGH_ROWS {
-        let says = format!("from {rows} rows in {} stretches at rest, a slow trend taken out of each", rest.len());
-        return (rest, true, says);
-    }
-    let replicates = rest::replicates(problem.inputs, load);
-    let repeated: usize = replicates.iter().map(|b| b.rows.len()).sum();
-    if problem.inputs.time_s.is_none() && repeated >= FEWEST_REPLICATES {
-        let says = format!("from {repeated} rows measured again at the same inputs");
-        return (replicates, true, says);
+    if let Some((blocks, says)) = rest_or_repeated(problem, load, inputs, wanders) {
+        return (blocks, true, says);
     }
     if problem.inputs.time_s.is_none() {
         let alike = without_outliers(problem.response, neighbours(problem.inputs, load));
@@ -142,6 +131,35 @@ pub(crate) fn blocks(
     keep_some(&mut short);
     let rows: usize = short.iter().map(|b| b.rows.len()).sum();
     (short, false, format!("no rest record: from the scatter of {rows} rows within short stretches; slow noise would go unseen"))
+}
+
+/// Groups of rows at neighbouring inputs, where there is no clock and the noise is taken from them; none elsewhere.
+pub(crate) fn groups_alike(problem: &Problem<'_>, noise: &NoiseModel) -> Vec<Block> {
+    let load = load_column(problem.inputs, problem.simulator);
+    let without = problem.inputs.time_s.is_none()
+        && rest_or_repeated(problem, load.as_deref(), &noise.inputs, noise.load_wanders()).is_none();
+    if without { neighbours(problem.inputs, load.as_deref()) } else { Vec::new() }
+}
+
+/// Stretches at rest, or else rows measured again where there is no clock, and a sentence about them; `None` where there are too few.
+fn rest_or_repeated(
+    problem: &Problem<'_>,
+    load: Option<&[f64]>,
+    inputs: &InputNoise,
+    wanders: bool,
+) -> Option<(Vec<Block>, String)> {
+    let at_rest = if wanders { Vec::new() } else { rest::at_rest(problem.inputs, load, inputs) };
+    let mut rest = without_outliers(problem.response, at_rest);
+    keep_some(&mut rest);
+    let rows: usize = rest.iter().map(|b| b.rows.len()).sum();
+    if rows >= ENOUGH_ROWS {
+        let says = format!("from {rows} rows in {} stretches at rest, a slow trend taken out of each", rest.len());
+        return Some((rest, says));
+    }
+    let replicates = rest::replicates(problem.inputs, load);
+    let repeated: usize = replicates.iter().map(|b| b.rows.len()).sum();
+    let says = format!("from {repeated} rows measured again at the same inputs");
+    (problem.inputs.time_s.is_none() && repeated >= FEWEST_REPLICATES).then_some((replicates, says))
 }
 
 /// Keeps a share of the stretches, spread evenly, where there are more rows than needed.

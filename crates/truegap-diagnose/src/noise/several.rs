@@ -11,8 +11,9 @@ use crate::{
         grows::Beside,
         input_error::Left,
         louder::{Louder, louder},
+        louder_neighbours::louder_neighbours,
         rescale::not_above,
-        response::{follows_nothing, from_misfit, noise_model},
+        response::{follows_nothing, from_misfit, groups_alike, noise_model},
         scout::calibrated,
         switching::load_switches,
         tuning::{CARRIED_ANEW, KNOWN_TO_BE_WILD},
@@ -164,7 +165,7 @@ fn put(all: &mut Inputs, rows: &Range<usize>, own: &Inputs) {
 
 /// The noise with rows that are louder than others, seen beside the calibrated base model.
 fn with_louder_rows(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseModel, DiagnoseError> {
-    if !rows_can_be_louder(problem, &noise) {
+    if !rows_can_be_louder(&noise) {
         return Ok(noise);
     }
     let context = problem.context(problem.span(), noise.floor());
@@ -175,10 +176,10 @@ fn with_louder_rows(problem: &Problem<'_>, noise: NoiseModel) -> Result<NoiseMod
 
 /// The same beside a model that leaves `misfit`.
 pub(crate) fn with_louder_rows_beside(problem: &Problem<'_>, misfit: &[f64], noise: NoiseModel) -> NoiseModel {
-    if !rows_can_be_louder(problem, &noise) {
+    if !rows_can_be_louder(&noise) {
         return noise;
     }
-    match louder_rows(problem, misfit).filter(|found| !found.only_wild) {
+    match louder_rows(problem, misfit, &noise).filter(|found| !found.only_wild) {
         Some(found) => beside_louder_rows(problem, &noise, found),
         None => noise,
     }
@@ -188,21 +189,25 @@ pub(crate) fn with_louder_rows_beside(problem: &Problem<'_>, misfit: &[f64], noi
 ///
 /// What the base model leaves may change faster from row to row than a wild row stands out; and what is wild beside it may be what it lacks.
 pub fn with_wild_rows(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Option<NoiseModel> {
-    if problem.simulator.joined().is_some() || !rows_can_be_louder(problem, noise) {
+    // without a clock nothing says that the rows about a wild one are read beside it
+    if problem.simulator.joined().is_some() || problem.inputs.time_s.is_none() || !rows_can_be_louder(noise) {
         return None;
     }
-    let found = louder_rows(problem, misfit)?;
+    let found = louder_rows(problem, misfit, noise)?;
     let known = |row: &usize| noise.input_error.louder.get(*row).copied().unwrap_or(0.0);
     let new = found.wild.iter().any(|row| known(row) < KNOWN_TO_BE_WILD * found.variance[*row]);
     new.then(|| not_louder_beside(problem, noise, found.wild_only()))
 }
 
-/// A row is told from its neighbours in time: without a clock, rows that follow one another are no neighbours.
-fn rows_can_be_louder(problem: &Problem<'_>, noise: &NoiseModel) -> bool {
-    !noise.lasts() && problem.inputs.time_s.is_some()
+/// A row is told from its neighbours in time, or without a clock from those at neighbouring inputs.
+fn rows_can_be_louder(noise: &NoiseModel) -> bool {
+    !noise.lasts()
 }
 
-fn louder_rows(problem: &Problem<'_>, misfit: &[f64]) -> Option<Louder> {
+fn louder_rows(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Option<Louder> {
+    if problem.inputs.time_s.is_none() {
+        return louder_neighbours(&groups_alike(problem, noise), problem.inputs, misfit, problem.response);
+    }
     let runs = problem.runs();
     let load = load_column(problem.inputs, problem.simulator);
     let value: Vec<f64> = problem.response.iter().zip(misfit).map(|(reading, misfit)| reading - misfit).collect();

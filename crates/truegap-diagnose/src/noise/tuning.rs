@@ -187,6 +187,14 @@ pub(crate) const EVEN_PACE: f64 = 0.3;
 /// Fewest rows of a short stretch.
 pub(crate) const FEWEST_OF_A_STRETCH: usize = 8;
 
+// changing_level.rs
+
+/// Rows to either side from which the level of a row is told, tried in turn.
+pub(crate) const LEVEL_ROWS: [usize; 4] = [12, 25, 50, 100];
+
+/// Rows that the level of all rows counts for beside those.
+pub(crate) const LEAST_LEVEL: f64 = 4.0;
+
 // clock.rs
 
 /// Fewest stamps of a stretch that a pace is taken from.

@@ -14,8 +14,10 @@ use crate::{
         carried::with_carried,
         described::described,
         judged::{Judged, Told, composed, judged, judged_again},
+        lasting_noise::beside_lasting_noise,
         laws_on_limits::laws_on_limits,
         noise_that_lasts::noise_alone,
+        once_more,
         options::Options,
         permuted_searches::permuted_searches,
         predicted::Predicted,
@@ -41,17 +43,18 @@ use crate::{
 };
 use std::{sync::atomic::Ordering, time::Instant};
 
-/// The answer.
+/// The answer; the noise may be learned `again` beside it.
 ///
 /// # Errors
 /// Those of the simulator.
-pub(crate) fn conclude(
-    mut prepared: Prepared<'_>,
+pub(crate) fn conclude<'a>(
+    mut prepared: Prepared<'a>,
     examined: Examined,
     composition: Option<Composition>,
-    told: &Told<'_>,
+    told: &Told<'a>,
     known: Known,
     started: Instant,
+    again: bool,
 ) -> Result<Outcome, DiagnoseError> {
     let (bank, examined, composition) = sharpened(&prepared, examined, composition, told)?;
     let first = judged(&prepared, told, examined, composition)?;
@@ -70,8 +73,19 @@ pub(crate) fn conclude(
         Mean::Nothing | Mean::Better => judged,
     };
     let (judged, open) = beside_a_walk(&prepared, told, judged)?;
+    let judged = beside_lasting_noise(&prepared, told, judged)?;
     let beside_walk = judged.stood_behind().key();
     let judged = described(&prepared, told, judged)?;
+    // what is named in the end may leave less than what the noise was learned beside: it is told once more under the noise as it is then
+    if again
+        && judged.names_something()
+        && !told.stop.load(Ordering::Relaxed)
+        && let Some(noise) = prepared.quieter_beside_names(&judged)?
+    {
+        let examined = once_more(&mut prepared, noise, told)?;
+        let composition = composed(&prepared, &examined, told);
+        return conclude(prepared, examined, composition, told, known, started, false);
+    }
     let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held, smoothed } = judged;
     prepared.context.held = held;
     let prepared = &prepared;

@@ -13,7 +13,9 @@ mod conclude;
 mod described;
 mod interference;
 mod judged;
+mod lasting_noise;
 mod laws_on_limits;
+mod level_choice;
 mod noise_choice;
 mod noise_that_lasts;
 mod on_means;
@@ -85,6 +87,9 @@ fn keep_room() {
     drop(black_box(room));
 }
 
+/// Times at most that a noise is learned again from what is found under it: each makes it quieter by a seventh and more (`STILL_AS_LOUD`), and most are not learned again twice.
+const MOST_TIMES_QUIETER: usize = 4;
+
 /// Bytes, below the 32 MiB beyond which glibc learns nothing.
 const KEPT_ROOM: usize = 24 << 20;
 
@@ -132,8 +137,22 @@ fn searched(
         examined = on_means::examined(&mut prepared, &told)?;
         composition = composed(&prepared, &examined, &told);
     }
-    // it was weighed beside what was fitted under the noise before, and words may leave less than the library
-    if let Some(noise) = prepared.quieter_in_the_end(&examined, composition.as_ref(), slowed)? {
+    // it was weighed beside what was fitted under the noise before, and words may leave less than the library; what is found under a quieter noise may leave less still
+    for _ in 0..MOST_TIMES_QUIETER {
+        let noise = if told.stop.load(Ordering::Relaxed) {
+            None
+        } else {
+            prepared.quieter_in_the_end(&examined, composition.as_ref(), slowed)?
+        };
+        let Some(noise) = noise else { break };
+        examined = once_more(&mut prepared, noise, &told)?;
+        composition = composed(&prepared, &examined, &told);
+    }
+    // loud hours are no jumps
+    if composition.is_none()
+        && !told.stop.load(Ordering::Relaxed)
+        && let Some(noise) = prepared.of_changing_level(&examined)?
+    {
         examined = once_more(&mut prepared, noise, &told)?;
         composition = composed(&prepared, &examined, &told);
     }
@@ -146,7 +165,7 @@ fn searched(
         let search = prepared.search(&searched, progress, told.stop);
         examined = judged_again(&prepared, &search, with_held(&search, examined.selection, &prepared.context.held))?;
     }
-    conclude(prepared, examined, composition, &told, known, started)
+    conclude(prepared, examined, composition, &told, known, started, true)
 }
 
 /// The same recording examined under another noise, its laws as rich as before.

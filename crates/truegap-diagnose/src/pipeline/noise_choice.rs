@@ -86,23 +86,29 @@ fn misfit(prepared: &Prepared<'_>, tried: &Tried, mechanisms: &[Discovery]) -> R
 }
 
 /// Minus twice the log likelihood of what is left of every row, under the noise of this filter.
-fn deviance(every_row: &Whitener, misfit: &[f64]) -> f64 {
+pub(crate) fn deviance(every_row: &Whitener, misfit: &[f64]) -> f64 {
     let mut column = misfit.to_vec();
     every_row.apply(&mut column);
     every_row.deviance(&column)
 }
 
-/// Log evidence and log prior of a model, by the likelihood of every row (`deviance`) in place of that of the rows that are searched: the constant of the noise counts here. A
-/// mechanism composed of words is one of as many as there are sentences.
+/// Log evidence and log prior of a model, by the likelihood of every row (`deviance`) in place of that of the rows that are searched: the constant of the noise counts here.
 fn evidence(prepared: &Prepared<'_>, tried: &Tried, deviance: f64) -> f64 {
-    let library = prepared.testable.len();
-    let composed = tried.effects.iter().filter(|e| **e >= library).count();
-    let prior = log_prior(tried.effects.len(), library) - composed as f64 * (SENTENCES / library as f64).ln();
+    let prior = log_prior(0, prepared.testable.len()) + prior_of(prepared.testable.len(), tried);
     tried.fit.log_evidence + 0.5 * (tried.fit.chi2 - deviance) + prior
 }
 
+/// Log prior of a model over that of the base model, beside a library of so many effects: a mechanism composed of words is one of as many as there are sentences.
+pub(crate) fn prior_of(library: usize, tried: &Tried) -> f64 {
+    let composed = tried.effects.iter().filter(|e| **e >= library).count();
+    let of_number = log_prior(tried.effects.len(), library) - log_prior(0, library);
+    // more effects than the library alone may have: each is one of it
+    let of_number = if of_number.is_finite() { of_number } else { -(tried.effects.len() as f64) * (library as f64).ln() };
+    of_number - composed as f64 * (SENTENCES / library as f64).ln()
+}
+
 /// What the likeliest unmodelled cause adds beside a model; 0 where it adds nothing.
-fn unmodelled(selection: &Selection, tried: &Tried) -> f64 {
+pub(crate) fn unmodelled(selection: &Selection, tried: &Tried) -> f64 {
     let beside = selection.unmodelled.iter().filter(|(u, _)| u.effects == tried.key());
     let most = beside.map(|(u, _)| u.gain).fold(f64::NEG_INFINITY, f64::max);
     (most + one_more(tried.effects.len()) + UNMODELLED_PRIOR.ln()).max(0.0)

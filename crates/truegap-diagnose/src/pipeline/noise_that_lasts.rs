@@ -43,8 +43,12 @@ pub(crate) fn noise_alone(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Jud
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
     let interference = interference_beside(prepared, search, judged.examined.selection.base()).ok()?;
-    let more = !is_faint(&interference.tone) || is_a_curve(prepared, judged) || is_fitted(prepared, search, judged);
-    (!more).then_some(interference)
+    (is_noise(prepared, judged, &interference) && !is_fitted(prepared, search, judged)).then_some(interference)
+}
+
+/// Whether neither a tone that is felt is beside the base model nor any curve or line predicts rows left out clearly better.
+pub(crate) fn is_noise(prepared: &Prepared<'_>, judged: &Judged, interference: &Interference) -> bool {
+    is_faint(&interference.tone) && !is_a_curve(prepared, judged)
 }
 
 /// Whether a tone is none, or so faint that it would not be felt on rows left out. Bursts are asked of a noise that was measured alone.

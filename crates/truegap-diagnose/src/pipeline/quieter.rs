@@ -9,13 +9,19 @@ use crate::{
     discovery::{compose::Composition, discover::with_mechanisms},
     fit::{model::Model, under_noise::UnderNoise},
     noise::{
-        learned_again::{learned_again, less_slow},
+        learned_again::{learned_again, less_slow, of_rows_alike},
         rescale::{quieter_than, too_loud},
-        tuning::CLEARLY_QUIETER,
+        response::no_finer_than_read,
+        tuning::{CLEARLY_QUIETER, STILL_AS_LOUD},
     },
-    pipeline::prepare::Prepared,
-    selection::{candidates::Tried, examine::Examined},
-    whitening::noise_model::NoiseModel,
+    pipeline::{judged::Judged, prepare::Prepared},
+    selection::{
+        candidates::{Search, Tried},
+        examine::Examined,
+        tuning::{MEMORY_DOUBLES, OFTEN, SHORTEST_WANDER, WALKS},
+    },
+    stats::rms,
+    whitening::{noise_model::NoiseModel, whitener::Noise},
 };
 use std::sync::atomic::AtomicBool;
 
@@ -62,13 +68,64 @@ impl Prepared<'_> {
         let search = with_mechanisms(&self.search(&searched, &|_| (), &stop), mechanisms);
         let both = examined.selection.least().into_iter().chain(composition.map(|c| &c.tried));
         let least = both.min_by(|a, b| a.fit.objective().total_cmp(&b.fit.objective()));
-        let Some(least) = least.filter(|_| self.problem.simulator.joined().is_none()) else { return Ok(None) };
+        let Some(least) = least else { return Ok(None) };
+        self.quieter_beside(&search, least, slowed)
+    }
+
+    /// The same beside what is named in the end.
+    ///
+    /// # Errors
+    /// Those of the simulator.
+    pub(crate) fn quieter_beside_names(&self, judged: &Judged) -> Result<Option<NoiseModel>, DiagnoseError> {
+        let (searched, stop) = (self.searched(), AtomicBool::new(false));
+        let mechanisms = judged.composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
+        let context = self.context.holding(judged.held.clone());
+        let search = with_mechanisms(&self.search(&searched, &|_| (), &stop), mechanisms);
+        self.quieter_beside(&search.within(&context), judged.stood_behind(), false)
+    }
+
+    fn quieter_beside(&self, search: &Search<'_>, least: &Tried, slowed: bool) -> Result<Option<NoiseModel>, DiagnoseError> {
+        if self.problem.simulator.joined().is_some() {
+            return Ok(None);
+        }
         let misfit = search.model_over(self.problem, &least.effects).misfit(&least.fit.z)?;
+        let model = &search.model(&least.effects);
         let mut noises = learned_again(self.problem, &misfit, &self.noise);
+        noises.extend(self.of_one_memory(model, least)?);
         if slowed {
             noises.extend(less_slow(&self.noise));
         }
-        self.likelier(&search.model(&least.effects), least, noises)
+        self.likelier(model, least, noises)
+    }
+
+    /// White noise beside noise of the memory under which all that a fitted model leaves is likeliest: short stretches, from which a noise is read elsewhere, tell a steep noise by its changes from row to row alone. `None`
+    /// where that is no quieter, or the noise was measured.
+    fn of_one_memory(&self, model: &Model<'_>, tried: &Tried) -> Result<Option<NoiseModel>, DiagnoseError> {
+        let noise = &self.noise;
+        if noise.measured || noise.step > 0.0 || self.problem.inputs.time_s.is_none() {
+            return Ok(None);
+        }
+        let weighed = UnderNoise::of(model, &tried.fit)?;
+        let size = rms(model.misfit(&tried.fit.z)?.into_iter());
+        let alike = of_rows_alike(noise);
+        let longest = self.problem.runs().iter().map(|run| run.len()).max().unwrap_or(0) as f64;
+        let memories = (0..).map(|k| SHORTEST_WANDER * MEMORY_DOUBLES.powi(k)).take_while(|m| OFTEN * m <= longest);
+        let of = |(memory, ratio): (f64, f64)| {
+            let of_size = |size: f64| {
+                let response = Noise { white_sd: size, ar_sd: ratio * size, ar_correlation: (-1.0 / memory).exp() };
+                NoiseModel { response: no_finer_than_read(response, self.problem), ..alike.clone() }
+            };
+            let (_, square) = weighed.log_density(&self.filter_of(&of_size(size)));
+            let noise = of_size(size * square.sqrt());
+            (weighed.log_density(&self.filter_of(&noise)).0, noise)
+        };
+        let all = memories.flat_map(|memory| WALKS.map(|ratio| (memory, ratio)));
+        let likeliest = all.map(of).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, noise)| noise);
+        let says = |found: NoiseModel| NoiseModel {
+            says: format!("{}, of the memory that all rows have beside what a model explains", noise.says),
+            ..found
+        };
+        Ok(likeliest.filter(|found| found.floor() < STILL_AS_LOUD * noise.floor()).map(says))
     }
 
     /// The likeliest of these noises, where a fitted model is clearly likelier under it than under the noise that was taken.
@@ -103,7 +160,7 @@ mod tests {
         Options, Problem,
         common::{Plate, without_rest},
         noise::slow_parts::slow_parts,
-        whitening::whitener::{InputError, Noise},
+        whitening::whitener::InputError,
     };
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
@@ -154,6 +211,36 @@ mod tests {
         assert!(again.is_none(), "the right noise stays");
         let measured = NoiseModel { measured: true, ..NoiseModel::unmeasured(steep, none()) };
         assert!(lowered(&measured).0[0].is_none(), "what was measured stays");
+    }
+
+    /// Noise of a memory of four rows, taken for a steep one of three times its size: its changes from row to row are alike.
+    #[test]
+    fn a_noise_has_the_memory_that_all_rows_have() {
+        let (plate, inputs) = (Plate::new(Some(false)), without_rest(ROWS));
+        let random = &mut ChaCha8Rng::seed_from_u64(6);
+        let mut response = plate.respond(&plate.centre(), &inputs, &[]).unwrap();
+        let memory = (-0.25f64).exp();
+        let mut at = 0.0;
+        response.iter_mut().for_each(|value| {
+            let unit: f64 = StandardNormal.sample(random);
+            at = memory * at + NOISE * (1.0 - memory * memory).sqrt() * unit;
+            *value += at;
+        });
+        let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
+        let steep = Noise { white_sd: 0.01 * NOISE, ar_sd: 3.0 * NOISE, ar_correlation: 0.97 };
+        let taken = NoiseModel::unmeasured(steep, InputError::white(vec![0.0; ROWS]));
+        let of = |noise: NoiseModel| {
+            let options = Options { effects: vec!["offset_drift".into()], ..Options::default() };
+            let prepared = Prepared::new(&problem, noise, &options).unwrap();
+            let searched = prepared.searched();
+            let base = prepared.search(&searched, &|_| (), &AtomicBool::new(false)).base().unwrap();
+            prepared.of_one_memory(&prepared.model_of(&searched, &base), &base).unwrap()
+        };
+        let found = of(taken.clone()).unwrap();
+        // of 1200 rows some 170 are independent: 6 %, and what the model takes up
+        approx::assert_relative_eq!(found.floor(), NOISE, max_relative = 0.15);
+        assert!((0.6..0.9).contains(&found.response.ar_correlation), "{:?}", found.response);
+        assert!(of(NoiseModel { measured: true, ..taken }).is_none(), "what was measured stays");
     }
 
     #[test]

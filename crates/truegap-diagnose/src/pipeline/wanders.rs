@@ -84,7 +84,7 @@ fn log_odds_of_a_walk(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, dr
 }
 
 /// Log evidence of a fit, with the constant of its noise.
-fn evidence(fit: &Fit, whitener: &Whitener) -> f64 {
+pub(crate) fn evidence(fit: &Fit, whitener: &Whitener) -> f64 {
     fit.log_evidence - 0.5 * whitener.log_determinant
 }
 
@@ -107,7 +107,7 @@ fn beside_walk(model: &Model<'_>, start: &Fit, noise: &NoiseModel) -> Result<f64
 }
 
 /// White noise of a row beside a random walk that goes as far as `walk` (standard deviation) over the whole recording, in place of the reading's own noise.
-fn with_walk(noise: &NoiseModel, time_s: &[f64], walk: f64, white: f64) -> NoiseModel {
+pub(crate) fn with_walk(noise: &NoiseModel, time_s: &[f64], walk: f64, white: f64) -> NoiseModel {
     let (first, last) = (time_s.first().copied().unwrap_or(0.0), time_s.last().copied().unwrap_or(1.0));
     let each = walk * walk / (last - first).max(f64::MIN_POSITIVE);
     let variance: Vec<f64> = time_s.iter().map(|t| each * (t - first).max(0.0)).collect();
@@ -117,15 +117,20 @@ fn with_walk(noise: &NoiseModel, time_s: &[f64], walk: f64, white: f64) -> Noise
         _ => 0.0,
     };
     let memory = (0..time_s.len()).map(memory).collect();
+    with_lasting(noise, Lasting { variance, memory, of_reading: true }, white)
+}
+
+/// White noise of a row beside what lasts of a reading, in place of its own noise.
+pub(crate) fn with_lasting(noise: &NoiseModel, lasting: Lasting, white: f64) -> NoiseModel {
     let of_inputs = noise.input_error.lasting.iter().filter(|lasting| !lasting.of_reading).cloned();
-    let lasting = of_inputs.chain([Lasting { variance, memory, of_reading: true }]).collect();
+    let lasting = of_inputs.chain([lasting]).collect();
     let response = Noise { white_sd: white, ar_sd: 0.0, ar_correlation: 0.0 };
     NoiseModel { response, input_error: InputError { lasting, ..noise.input_error.clone() }, ..noise.clone() }
 }
 
 impl Judged {
     /// The same where a zero that wanders, at these log odds, stands in the place of all that is named.
-    fn told_as_a_walk(mut self, odds: f64) -> Self {
+    pub(crate) fn told_as_a_walk(mut self, odds: f64) -> Self {
         let base = self.examined.selection.base;
         let effects = self.examined.selection.models[base].key();
         let walk = Unmodelled { cause: Cause::WanderingZero, effects, weight: odds, gain: odds, row: None };

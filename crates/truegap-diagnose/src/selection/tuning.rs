@@ -133,6 +133,17 @@ pub(crate) const OCTAVES: usize = 8;
 /// How far a walk goes over a recording, in noise of a row: a factor of 1.8 apart, which is within a fifth of a unit of log likelihood of the best.
 pub(crate) const WALKS: [f64; 12] = [0.3, 0.56, 1.0, 1.8, 3.2, 5.6, 10.0, 18.0, 32.0, 56.0, 100.0, 320.0];
 
+// lasting_noise.rs of the pipeline
+
+/// Memory of the shortest wander that is weighed, in rows.
+pub(crate) const SHORTEST_WANDER: f64 = 3.0;
+
+/// Memory of the next one over that of the one before.
+pub(crate) const MEMORY_DOUBLES: f64 = 2.0;
+
+/// Memories that a run is long, from which on a wander comes back often: a sample of ten tells a variance to a half.
+pub(crate) const OFTEN: f64 = 10.0;
+
 // verdict.rs
 
 /// Probability of "nothing is missing" below which a mismatch is called present.

@@ -9,7 +9,10 @@
 //! and an equation with a name is worth more than a composed one.
 //!
 //! Small beside the largest cause may still be far out of the noise: a lag that takes what a fast clock leaves from fifty times the noise down to it, or a drift beside a supply that sags. So where tests see
-//! nothing in what equations of the library leave together, but something without a part, and rows left out are predicted twice as badly without it, that part is a cause as well, doubted or not.
+//! nothing in what equations of the library leave together, but something without a part, that part is a cause as well, doubted or not: where rows left out are predicted twice as badly without it, or worse in most
+//! parts, and nothing may stand both in its place and in that of another cause.
+//!
+//! Causes that have to run to a limit of a law to do without another part stand for that part: they are too few.
 //!
 //! Where tests see nothing beside what is carried, and the causes leave little more than all together, nothing is wrong with their form that one would see: that is told as an explanation.
 //!
@@ -28,11 +31,15 @@ use crate::{
         calibrated::{ByBase, predictions},
         prepare::Prepared,
     },
-    selection::{candidates::Search, posterior::Selection, verdict::Decision},
+    selection::{
+        candidates::{Search, Tried},
+        posterior::Selection,
+        verdict::Decision,
+    },
     validation::{
         cross_validation::{HeldOutFit, compared},
-        main_causes::{Whole, fewest, names_first, removed, without_doubted},
-        tuning::CLAIMED_FROM,
+        main_causes::{Asked, Whole, fewest, names_first, removed, without_doubted},
+        tuning::{CLAIMED_FROM, MAIN_SHARE},
     },
 };
 
@@ -64,19 +71,46 @@ pub(crate) fn with_carried(
     let Some(whole) = removed(&by_base.unseen, named) else { return decision };
     let before = compared(&by_base.unseen, named).map_or(whole, |both| both.rmse[0].powi(2));
     let whole = Whole { before, whole, holds: equations && !after.fires() };
-    let enough = |kept: &[usize], squares: f64| whole.is_enough(squares, || hold(kept));
+    let sets: Vec<Vec<usize>> = parts.iter().map(|part| decision.sets_of(&chosen.effects, part).concat()).collect();
+    let borne_out = |kept: &[usize]| {
+        let others = || Some(predictions(prepared, search, by_base, &model(kept)?));
+        let missed = || compared(&others()?, named).map(|both| both.mostly_better());
+        has_a_place_of_its_own(&sets, kept) && missed().unwrap_or(false)
+    };
+    let strained = |kept: &[usize]| {
+        let beside = |tried: &Tried, part: usize| laws_on_limits(search, tried, &parts[part]);
+        model(kept).is_some_and(|tried| kept.iter().any(|part| beside(&tried, *part) && !beside(chosen, *part)))
+    };
+    let needs_no_more = |kept: &[usize], squares: f64| whole.needs_no_more(squares, || hold(kept), || borne_out(kept));
+    let enough = |kept: &[usize], squares: f64| squares >= MAIN_SHARE * whole.whole && needs_no_more(kept, squares);
+    let asked = Asked { removed: squares, strained };
     let composed = !by_odds && parts.last().is_some_and(|part| part.iter().all(|e| *e >= prepared.testable.len()));
-    let (causes, share) = match composed.then(|| names_first(parts.len() - 1, whole.whole, squares)).flatten() {
+    let (causes, share) = match composed.then(|| names_first(parts.len() - 1, whole.whole, &asked)).flatten() {
         Some(named) => named,
-        None => fewest(parts.len(), whole.whole, enough, squares),
+        None => fewest(parts.len(), whole.whole, enough, &asked),
     };
     let doubted = |part: usize| is_doubted(search, selection, &decision, &parts[part]);
-    let needless = |kept: &[usize], share: f64| whole.needs_no_more(share * whole.whole, || hold(kept));
-    let share_of = |kept: &[usize]| squares(kept).map(|kept| kept / whole.whole);
+    let needless = |kept: &[usize], share: f64| needs_no_more(kept, share * whole.whole);
+    let share_of = |kept: &[usize]| (asked.removed)(kept).map(|kept| kept / whole.whole);
     let (causes, share) = without_doubted((causes, share), needless, share_of, doubted);
     let carried = (0..parts.len()).filter(|part| !causes.contains(part)).flat_map(|part| parts[part].clone()).collect();
     let near = whole.holds && whole.is_near(share * whole.whole);
     decision.carrying((carried, share, near), &chosen.effects, &after)
+}
+
+/// Whether a part beside those that are `kept` has a place of its own: nothing that may stand there may stand in the place of a kept one as well, in which case one cause may be both.
+fn has_a_place_of_its_own(sets: &[Vec<usize>], kept: &[usize]) -> bool {
+    let taken = |effect: &usize| kept.iter().any(|part| sets[*part].contains(effect));
+    (0..sets.len()).filter(|part| !kept.contains(part)).any(|part| !sets[part].iter().any(taken))
+}
+
+/// Whether a law of these effects has run to a limit of its numbers in a model: there it stands for something else. What only describes a curve has no law.
+fn laws_on_limits(search: &Search<'_>, tried: &Tried, effects: &[usize]) -> bool {
+    let is_law = |effect: usize| !search.library[effect].describes();
+    (0..tried.effects.len()).any(|index| {
+        let effect = tried.effects[index];
+        effects.contains(&effect) && is_law(effect) && !search.on_limits(tried, index).is_empty()
+    })
 }
 
 /// Whether the name of a part after the first would be wrong three times of four, and that of all that may stand in its place.
@@ -92,4 +126,19 @@ fn is_doubted(search: &Search<'_>, selection: &Selection, decision: &Decision, p
 fn parts(effects: &[usize], library: usize) -> Vec<Vec<usize>> {
     let (own, composed): (Vec<usize>, Vec<usize>) = effects.iter().partition(|e| **e < library);
     own.into_iter().map(|e| vec![e]).chain(Some(composed).filter(|composed| !composed.is_empty())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A curve and a lag in the place of one wrong scale: the scale may stand in the place of either.
+    #[test]
+    fn what_one_cause_may_be_together_is_no_second_cause() {
+        let (clock, curve, lag, scale) = (0, 1, 2, 3);
+        let sets = [vec![clock], vec![curve, scale], vec![lag, scale]];
+        assert!(!has_a_place_of_its_own(&sets, &[0, 1]));
+        assert!(has_a_place_of_its_own(&sets, &[1]) && has_a_place_of_its_own(&sets, &[0]));
+        assert!(!has_a_place_of_its_own(&sets, &[0, 1, 2]));
+    }
 }

@@ -4,7 +4,6 @@
 
 use crate::{
     data::context::Context,
-    discovery::discover::IDS,
     effects::effect::{Effect, FittedParameter},
     text::{listed, rounded, spoken, uncapitalised, with_sd},
 };
@@ -147,7 +146,7 @@ fn value(number: &FittedParameter) -> String {
 
 /// The name of an effect in a sentence about the fit.
 fn name_of(id: &str) -> String {
-    if IDS.iter().any(|composed| composed.0 == id) { "a mechanism in words".into() } else { spoken(id) }
+    if id.starts_with("discovered") { "a mechanism in words".into() } else { spoken(id) }
 }
 
 /// `the size of the change`: what a number means, with its article.

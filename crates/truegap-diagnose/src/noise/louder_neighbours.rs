@@ -56,7 +56,7 @@ mod tests {
 
     const ROWS: usize = 900;
 
-    fn shuffled(seed: u64, size: impl Fn(f64) -> f64) -> (Inputs, Vec<f64>, Vec<f64>) {
+    fn permuted(seed: u64, size: impl Fn(f64) -> f64) -> (Inputs, Vec<f64>, Vec<f64>) {
         let random = &mut ChaCha8Rng::seed_from_u64(seed);
         let mut force: Vec<f64> = (0..ROWS).map(|row| row as f64 / ROWS as f64).collect();
         force.shuffle(random);
@@ -69,7 +69,7 @@ mod tests {
     /// Variance of a row by closed form: `0.1^2 + f^2` of the full load.
     #[test]
     fn noise_that_grows_with_the_reading_is_told_without_a_clock() {
-        let (inputs, misfit, reading) = shuffled(3, |f| 0.1f64.hypot(f));
+        let (inputs, misfit, reading) = permuted(3, |f| 0.1f64.hypot(f));
         let force = inputs.force_n.as_deref().unwrap();
         let found = louder_neighbours(&neighbours(&inputs, Some(force)), &inputs, &misfit, &reading).unwrap();
         let of = |low: f64, high: f64| {
@@ -85,7 +85,7 @@ mod tests {
     #[test]
     fn noise_of_one_size_has_no_louder_neighbours() {
         for seed in 0..10 {
-            let (inputs, misfit, reading) = shuffled(seed, |_| 0.3);
+            let (inputs, misfit, reading) = permuted(seed, |_| 0.3);
             let groups = neighbours(&inputs, inputs.force_n.as_deref());
             assert!(louder_neighbours(&groups, &inputs, &misfit, &reading).is_none(), "{seed}");
         }

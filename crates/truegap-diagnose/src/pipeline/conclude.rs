@@ -17,7 +17,6 @@ use crate::{
         lasting_noise::beside_lasting_noise,
         laws_on_limits::laws_on_limits,
         noise_that_lasts::noise_alone,
-        once_more,
         options::Options,
         permuted_searches::permuted_searches,
         predicted::Predicted,
@@ -54,7 +53,6 @@ pub(crate) fn conclude<'a>(
     told: &Told<'a>,
     known: Known,
     started: Instant,
-    again: bool,
 ) -> Result<Outcome, DiagnoseError> {
     let (bank, examined, composition) = sharpened(&prepared, examined, composition, told)?;
     let first = judged(&prepared, told, examined, composition)?;
@@ -76,16 +74,6 @@ pub(crate) fn conclude<'a>(
     let judged = beside_lasting_noise(&prepared, told, judged)?;
     let beside_walk = judged.stood_behind().key();
     let judged = described(&prepared, told, judged)?;
-    // what is named in the end may leave less than what the noise was learned beside: it is told once more under the noise as it is then
-    if again
-        && judged.names_something()
-        && !told.stop.load(Ordering::Relaxed)
-        && let Some(noise) = prepared.quieter_beside_names(&judged)?
-    {
-        let examined = once_more(&mut prepared, noise, told)?;
-        let composition = composed(&prepared, &examined, told);
-        return conclude(prepared, examined, composition, told, known, started, false);
-    }
     let Judged { examined, composition, slow, interference, kept_back, by_base, predicted, held, smoothed } = judged;
     prepared.context.held = held;
     let prepared = &prepared;

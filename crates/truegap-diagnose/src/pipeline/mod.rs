@@ -87,9 +87,6 @@ fn keep_room() {
     drop(black_box(room));
 }
 
-/// Times at most that a noise is learned again from what is found under it: each makes it quieter by a seventh and more (`STILL_AS_LOUD`), and most are not learned again twice.
-const MOST_TIMES_QUIETER: usize = 4;
-
 /// Bytes, below the 32 MiB beyond which glibc learns nothing.
 const KEPT_ROOM: usize = 24 << 20;
 
@@ -138,13 +135,9 @@ fn searched(
         composition = composed(&prepared, &examined, &told);
     }
     // it was weighed beside what was fitted under the noise before, and words may leave less than the library; what is found under a quieter noise may leave less still
-    for _ in 0..MOST_TIMES_QUIETER {
-        let noise = if told.stop.load(Ordering::Relaxed) {
-            None
-        } else {
-            prepared.quieter_in_the_end(&examined, composition.as_ref(), slowed)?
-        };
-        let Some(noise) = noise else { break };
+    if !told.stop.load(Ordering::Relaxed)
+        && let Some(noise) = prepared.quieter_in_the_end(&examined, composition.as_ref(), slowed)?
+    {
         examined = once_more(&mut prepared, noise, &told)?;
         composition = composed(&prepared, &examined, &told);
     }
@@ -165,7 +158,7 @@ fn searched(
         let search = prepared.search(&searched, progress, told.stop);
         examined = judged_again(&prepared, &search, with_held(&search, examined.selection, &prepared.context.held))?;
     }
-    conclude(prepared, examined, composition, &told, known, started, true)
+    conclude(prepared, examined, composition, &told, known, started)
 }
 
 /// The same recording examined under another noise, its laws as rich as before.

@@ -14,7 +14,7 @@ use crate::{
         response::no_finer_than_read,
         tuning::{CLEARLY_QUIETER, STILL_AS_LOUD},
     },
-    pipeline::{judged::Judged, prepare::Prepared},
+    pipeline::prepare::Prepared,
     selection::{
         candidates::{Search, Tried},
         examine::Examined,
@@ -70,18 +70,6 @@ impl Prepared<'_> {
         let least = both.min_by(|a, b| a.fit.objective().total_cmp(&b.fit.objective()));
         let Some(least) = least else { return Ok(None) };
         self.quieter_beside(&search, least, slowed)
-    }
-
-    /// The same beside what is named in the end.
-    ///
-    /// # Errors
-    /// Those of the simulator.
-    pub(crate) fn quieter_beside_names(&self, judged: &Judged) -> Result<Option<NoiseModel>, DiagnoseError> {
-        let (searched, stop) = (self.searched(), AtomicBool::new(false));
-        let mechanisms = judged.composition.as_ref().map_or(&[][..], |c| c.mechanisms.as_slice());
-        let context = self.context.holding(judged.held.clone());
-        let search = with_mechanisms(&self.search(&searched, &|_| (), &stop), mechanisms);
-        self.quieter_beside(&search.within(&context), judged.stood_behind(), false)
     }
 
     fn quieter_beside(&self, search: &Search<'_>, least: &Tried, slowed: bool) -> Result<Option<NoiseModel>, DiagnoseError> {

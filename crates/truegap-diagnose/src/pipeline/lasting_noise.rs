@@ -6,7 +6,7 @@
 //!
 //! **Source:** Nelson & Kang, Econometrica 49 (1981) 741, for laws that a wander mimics; Durbin & Koopman, Time Series Analysis by State Space Methods, section 2.1.
 //!
-//! Limits: one recording with a clock; all that is named together; one memory.
+//! Limits: one recording with a clock, and no base model with plates; all that is named together; one memory.
 
 use crate::{
     data::error::DiagnoseError,
@@ -40,7 +40,9 @@ use std::sync::atomic::Ordering;
 pub(crate) fn beside_lasting_noise(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged) -> Result<Judged, DiagnoseError> {
     let asked = !prepared.noise.measured && judged.kept_back.is_none() && judged.names_something();
     let alone = prepared.problem.simulator.joined().is_none() && prepared.problem.inputs.time_s.is_some();
-    if !asked || !alone || told.stop.load(Ordering::Relaxed) {
+    // with plates the equations are derived: what they explain is weighed by causes outside the library alone
+    let derived = prepared.context.has_plates();
+    if !asked || !alone || derived || told.stop.load(Ordering::Relaxed) {
         return Ok(judged);
     }
     let both = compared(&judged.by_base.unseen, judged.predicted.unseen.stood_behind());

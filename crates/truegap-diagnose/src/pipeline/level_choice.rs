@@ -3,7 +3,7 @@
 //! Where nothing is named and the noise was not measured, loud hours look like jumps and wanders: all that is left is weighed once more under noise whose level changes. It has to be clearly likelier than the noise that was taken,
 //! with whatever stands beside the base model there.
 //!
-//! Limits: one recording with a clock; nothing is named.
+//! Limits: one recording with a clock, and no base model with plates; nothing is named.
 
 use crate::{
     data::error::DiagnoseError,
@@ -25,7 +25,8 @@ impl Prepared<'_> {
         let (decision, selection) = (&examined.decision, &examined.selection);
         let nothing = decision.verdict != Verdict::Agrees && decision.model == selection.base;
         let one = self.problem.simulator.joined().is_none() && self.problem.inputs.time_s.is_some();
-        if !nothing || !one || self.noise.measured || self.noise.step > 0.0 {
+        // with plates what is left without a name is most of it physics
+        if !nothing || !one || self.context.has_plates() || self.noise.measured || self.noise.step > 0.0 {
             return Ok(None);
         }
         let base = selection.base();

@@ -12,7 +12,8 @@
 //! nothing in what equations of the library leave together, but something without a part, that part is a cause as well, doubted or not: where rows left out are predicted twice as badly without it, or worse in most
 //! parts, and nothing may stand both in its place and in that of another cause.
 //!
-//! Causes that have to run to a limit of a law to do without another part stand for that part: they are too few.
+//! Causes that have to run to a limit of a law to do without another part stand for that part: they are too few. That is not asked where the other part is the same memory of the same driver (a friction, and a loop
+//! that saturates beside it): one of two laws of one cause is slightly off.
 //!
 //! Where tests see nothing beside what is carried, and the causes leave little more than all together, nothing is wrong with their form that one would see: that is told as an explanation.
 //!
@@ -27,6 +28,7 @@
 
 use crate::{
     answer::stated::{Place, stated},
+    effects::composed::words::Kinetics,
     pipeline::{
         calibrated::{ByBase, predictions},
         prepare::Prepared,
@@ -77,9 +79,11 @@ pub(crate) fn with_carried(
         let missed = || compared(&others()?, named).map(|both| both.mostly_better());
         has_a_place_of_its_own(&sets, kept) && missed().unwrap_or(false)
     };
+    let named: Vec<Vec<usize>> = parts.iter().filter(|part| part[0] < prepared.testable.len()).cloned().collect();
     let strained = |kept: &[usize]| {
         let beside = |tried: &Tried, part: usize| laws_on_limits(search, tried, &parts[part]);
-        model(kept).is_some_and(|tried| kept.iter().any(|part| beside(&tried, *part) && !beside(chosen, *part)))
+        let runs_there = |tried: &Tried| kept.iter().any(|part| beside(tried, *part) && !beside(chosen, *part));
+        !rest_is_alike(&named, kept, |a, b| is_one_memory(search, a, b)) && model(kept).is_some_and(|tried| runs_there(&tried))
     };
     let needs_no_more = |kept: &[usize], squares: f64| whole.needs_no_more(squares, || hold(kept), || borne_out(kept));
     let enough = |kept: &[usize], squares: f64| squares >= MAIN_SHARE * whole.whole && needs_no_more(kept, squares);
@@ -96,6 +100,19 @@ pub(crate) fn with_carried(
     let carried = (0..parts.len()).filter(|part| !causes.contains(part)).flat_map(|part| parts[part].clone()).collect();
     let near = whole.holds && whole.is_near(share * whole.whole);
     decision.carrying((carried, share, near), &chosen.effects, &after)
+}
+
+/// Whether two effects are in words the same memory of the same driver at the same place: what one of them leaves the other follows, be its equation slightly off.
+fn is_one_memory(search: &Search<'_>, a: usize, b: usize) -> bool {
+    let words = |effect: usize| search.library.get(effect).and_then(|effect| effect.in_words(search.context));
+    words(a).is_some_and(|words| words.kinetics != Kinetics::Static) && words(a) == words(b)
+}
+
+/// Whether all of the `named` parts beside those that are `kept` are the same physics as a kept one (`alike`).
+fn rest_is_alike(named: &[Vec<usize>], kept: &[usize], alike: impl Fn(usize, usize) -> bool) -> bool {
+    let of_kept = |effect: &usize| kept.iter().filter_map(|part| named.get(*part)).flatten().any(|other| alike(*effect, *other));
+    let mut rest = (0..named.len()).filter(|part| !kept.contains(part)).flat_map(|part| &named[part]).peekable();
+    rest.peek().is_some() && rest.all(of_kept)
 }
 
 /// Whether a part beside those that are `kept` has a place of its own: nothing that may stand there may stand in the place of a kept one as well, in which case one cause may be both.
@@ -131,6 +148,15 @@ fn parts(effects: &[usize], library: usize) -> Vec<Vec<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn two_laws_of_one_memory_are_one_cause() {
+        let (friction, lag, loops) = (0, 1, 2);
+        let alike = |a: usize, b: usize| a.min(b) == friction && a.max(b) == loops;
+        let parts = [vec![friction], vec![loops], vec![lag]];
+        assert!(rest_is_alike(&parts[..2], &[0], alike) && rest_is_alike(&parts, &[0, 2], alike));
+        assert!(!rest_is_alike(&parts, &[0], alike) && !rest_is_alike(&parts[..2], &[0, 1], alike));
+    }
 
     /// A curve and a lag in the place of one wrong scale: the scale may stand in the place of either.
     #[test]

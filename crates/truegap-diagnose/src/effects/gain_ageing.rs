@@ -132,6 +132,9 @@ impl Effect for GainAgeing {
     fn of_start(&self, context: &Context<'_>) -> &'static [&'static str] {
         if gain_is_fixed(context) { &["neutral"] } else { &[] }
     }
+    fn comes_down_to(&self) -> Option<EffectId> {
+        Some(EffectId("gain_error"))
+    }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["fading", "pivot", "neutral"]
     }

@@ -13,9 +13,9 @@ use crate::{
         apart::apart,
         learned_again::of_rows_alike,
         response::no_finer_than_read,
-        tuning::{BESIDE, LEAST_LEVEL, LEVEL_ROWS},
+        tuning::{BESIDE, FAILS, LEAST_LEVEL, LEVEL_ROWS},
     },
-    stats::rms,
+    stats::{median, rms},
     whitening::{noise_model::NoiseModel, whitener::Noise},
 };
 use std::ops::Range;
@@ -24,7 +24,7 @@ use std::ops::Range;
 pub(crate) fn changing_levels(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Vec<NoiseModel> {
     let alike = of_rows_alike(noise);
     let of = |rows: usize| {
-        let sd = levels(misfit, &problem.runs(), rows)?;
+        let sd = levels(misfit, &problem.runs(), rows).filter(|sd| !fails(sd))?;
         let least = sd.iter().copied().fold(f64::INFINITY, f64::min);
         let response = no_finer_than_read(Noise { white_sd: least, ar_sd: 0.0, ar_correlation: 0.0 }, problem);
         let mut input_error = alike.input_error.clone();
@@ -35,6 +35,11 @@ pub(crate) fn changing_levels(problem: &Problem<'_>, misfit: &[f64], noise: &Noi
         Some(NoiseModel { response, input_error, says, ..alike.clone() })
     };
     LEVEL_ROWS.into_iter().filter_map(of).collect()
+}
+
+/// Whether rows are so much louder than the usual ones that something failed there: a storm has waves of a few times the height.
+fn fails(sd: &[f64]) -> bool {
+    sd.iter().copied().fold(0.0, f64::max) > FAILS * median(sd)
 }
 
 /// Standard deviation at each row, from as many rows before and after it, those next to it left out.
@@ -82,6 +87,20 @@ mod tests {
     }
 
     /// Of a level that goes as `exp(sin)` the true one gains `2 n ln I0(2)^(1/2)` = 0.82 a row, the mean of the logarithm being 0.
+    /// A cell that fails in a twelfth of the rows by 50 times the noise was told as a loud hour; waves of `exp(sin)` are 2.7 times as high as the usual ones at most.
+    #[test]
+    fn what_is_far_louder_than_usual_has_failed() {
+        let random = &mut ChaCha8Rng::seed_from_u64(6);
+        let mut told = |level: &dyn Fn(usize) -> f64| {
+            let misfit: Vec<f64> = (0..ROWS)
+                .map(|row| level(row) * <StandardNormal as Distribution<f64>>::sample(&StandardNormal, random))
+                .collect();
+            LEVEL_ROWS.map(|rows| levels(&misfit, &[0..ROWS], rows).is_some_and(|sd| fails(&sd)))
+        };
+        assert!(told(&|row| if (700..860).contains(&row) { 50.0 } else { 1.0 }).iter().all(|fails| *fails));
+        assert!(!told(&|row| (row as f64 / 40.0).sin().exp()).iter().any(|fails| *fails));
+    }
+
     #[test]
     fn a_level_that_changes_predicts_rows_and_one_level_is_left_alone() {
         for seed in 0..5 {

@@ -195,6 +195,9 @@ pub(crate) const LEVEL_ROWS: [usize; 4] = [12, 25, 50, 100];
 /// Rows that the level of all rows counts for beside those.
 pub(crate) const LEAST_LEVEL: f64 = 4.0;
 
+/// Times the median level from which on something failed and nothing is merely loud: waves in a storm reach three, and a cell that fails by 50 times its noise is told with eight, since few rows tell a level.
+pub(crate) const FAILS: f64 = 6.0;
+
 // clock.rs
 
 /// Fewest stamps of a stretch that a pace is taken from.

@@ -114,11 +114,12 @@ fn a_window_that_collects_dirt_is_a_gain_that_ages() {
     assert!(said.findings[0].says.contains("falls by 1"), "{}", said.findings[0].says);
 }
 
-/// A crystal whose turning point lies at the reference: its coefficient there is nothing, and nothing was found.
+/// A crystal whose turning point lies at the reference: its coefficient there is nothing, and nothing was found. Two swings of the temperature: of a single sine the square of the rate is as good, a level apart.
 #[test]
 fn a_parabola_about_the_reference_is_a_temperature_coefficient() {
     let base = Given::with_level();
-    let warm: Vec<f64> = (0..ROWS).map(|row| base.reference_c() + 8.0 * (row as f64 / 160.0).sin()).collect();
+    let swing = |row: usize| 6.0 * (row as f64 / 160.0).sin() + 3.0 * (row as f64 / 57.0).cos();
+    let warm: Vec<f64> = (0..ROWS).map(|row| base.reference_c() + swing(row)).collect();
     let inputs = Inputs { temperature_c: Some(warm.clone()), ..clocked() };
     let read = noisy(35, |row| 3.0 + 0.002 * (warm[row] - base.reference_c()).powi(2), ROWS);
     let said = said(&base, &inputs, &read);

@@ -6,6 +6,7 @@ import re
 import numpy as np
 import pandas as pd
 from fitting import line
+from monitors import bends_with
 from reading import means
 from rigs import since
 from scipy.io import loadmat
@@ -100,8 +101,7 @@ def towers(content, *names):
 
 def of_drivers(y, x, **drivers):
     """A square and a cube, and each driver alone, bent, as a slope, and with a square."""
-    u = (x - x.mean()) / x.std()
-    models = {"line": line(y, x), "square": line(y, x, u**2), "cube": line(y, x, u**2, u**3)}
+    u, models = (x - x.mean()) / x.std(), bends_with(y, x)
     for name, z in drivers.items():
         v = (z - z.mean()) / z.std()
         models |= {name: line(y, x, v), f"{name}, bent": line(y, x, v, v**2), f"slope by {name}": line(y, x, v, u * v), f"square, and {name}": line(y, x, u**2, v)}

@@ -7,7 +7,7 @@ use crate::{
         effect::{About, Effect, Family, FittedParameter},
         gain_error::{gain_is_fixed, is_given},
         memory::elapsed_s,
-        offset_drift::drifted,
+        offset_drift::{HOUR, USUAL_FADING, drifted},
     },
     text::{percent_with_sd, rounded},
 };
@@ -16,8 +16,6 @@ use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageN
 /// Gain that falls or rises at a rate which may itself fade or grow.
 pub struct GainAgeing;
 
-/// Seconds in an hour.
-const HOUR: f64 = 3600.0;
 /// Greatest logarithm of a gain, either way: beyond it nothing is left of the reading, or of what came before.
 const FARTHEST: f64 = 5.0;
 
@@ -76,8 +74,6 @@ const USUAL: f64 = 0.3;
 const PIVOT: f64 = 1.0;
 /// Fastest at the first row, over the recording: that of one that is gone for good within a fiftieth of it.
 const FASTEST: f64 = FARTHEST * QUICKEST_FADING;
-/// Standard deviation of the fading, over the recording: that of a drift of the zero, by the same causes.
-const USUAL_FADING: f64 = 5.0;
 /// Time constants in a recording from which on a gain is told by what is lost in the end: 5 % of it are to come.
 const COMES_TO_REST: f64 = 3.0;
 /// Greatest fading, over the recording: what has aged sooner is a few rows.

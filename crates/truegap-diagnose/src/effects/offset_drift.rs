@@ -17,7 +17,7 @@ pub struct OffsetDrift;
 /// The number by which the speed changes for good.
 const TURNING: &str = "turning";
 /// Seconds in an hour.
-const HOUR: f64 = 3600.0;
+pub const HOUR: f64 = 3600.0;
 
 struct Drift {
     per_hour: f64,
@@ -68,7 +68,7 @@ fn drift(values: &[f64]) -> Drift {
 }
 
 /// Standard deviation of the fading, over the recording. Settling in an eighth of a recording is ordinary after an instrument was switched on (a glider's supply: a time constant of 523 s in 4066 s), and lay eight standard deviations away with one.
-const USUAL_FADING: f64 = 5.0;
+pub const USUAL_FADING: f64 = 5.0;
 /// Greatest fading, over the recording: what has settled sooner is a few rows. No answer is known that hangs on it.
 const QUICKEST_FADING: f64 = 100.0;
 

@@ -53,4 +53,12 @@ impl UnderNoise {
         let density = -0.5 * (whitener.log_determinant + left + penalty + log_determinant(&factor));
         (density, left / whitener.rows.max(1) as f64)
     }
+
+    /// Log density under a noise whose white part is as loud as the model leaves it beside the rest of its kind, from one of this `size`; that white part, and its filter.
+    pub(crate) fn as_loud(&self, size: f64, filter: impl Fn(f64) -> Whitener) -> (f64, f64, Whitener) {
+        let (_, square) = self.log_density(&filter(size));
+        let size = size * square.sqrt();
+        let filter = filter(size);
+        (self.log_density(&filter).0, size, filter)
+    }
 }

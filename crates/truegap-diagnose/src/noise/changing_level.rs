@@ -86,7 +86,6 @@ mod tests {
         deviance(&one) - best.map(|sd| deviance(&sd)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Of a level that goes as `exp(sin)` the true one gains `2 n ln I0(2)^(1/2)` = 0.82 a row, the mean of the logarithm being 0.
     /// A cell that fails in a twelfth of the rows by 50 times the noise was told as a loud hour; waves of `exp(sin)` are 2.7 times as high as the usual ones at most.
     #[test]
     fn what_is_far_louder_than_usual_has_failed() {
@@ -101,6 +100,7 @@ mod tests {
         assert!(!told(&|row| (row as f64 / 40.0).sin().exp()).iter().any(|fails| *fails));
     }
 
+    /// Of a level that goes as `exp(sin)` the true one gains `2 n ln I0(2)^(1/2)` = 0.82 a row, the mean of the logarithm being 0.
     #[test]
     fn a_level_that_changes_predicts_rows_and_one_level_is_left_alone() {
         for seed in 0..5 {

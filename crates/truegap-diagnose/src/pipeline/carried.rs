@@ -79,11 +79,12 @@ pub(crate) fn with_carried(
         let missed = || compared(&others()?, named).map(|both| both.mostly_better());
         has_a_place_of_its_own(&sets, kept) && missed().unwrap_or(false)
     };
-    let named: Vec<Vec<usize>> = parts.iter().filter(|part| part[0] < prepared.testable.len()).cloned().collect();
+    let of_library: Vec<Vec<usize>> = parts.iter().filter(|part| part[0] < prepared.testable.len()).cloned().collect();
     let strained = |kept: &[usize]| {
         let beside = |tried: &Tried, part: usize| laws_on_limits(search, tried, &parts[part]);
         let runs_there = |tried: &Tried| kept.iter().any(|part| beside(tried, *part) && !beside(chosen, *part));
-        !rest_is_alike(&named, kept, |a, b| is_one_memory(search, a, b)) && model(kept).is_some_and(|tried| runs_there(&tried))
+        !rest_is_alike(&of_library, kept, |a, b| is_one_memory(search, a, b))
+            && model(kept).is_some_and(|tried| runs_there(&tried))
     };
     let needs_no_more = |kept: &[usize], squares: f64| whole.needs_no_more(squares, || hold(kept), || borne_out(kept));
     let enough = |kept: &[usize], squares: f64| squares >= MAIN_SHARE * whole.whole && needs_no_more(kept, squares);
@@ -108,10 +109,10 @@ fn is_one_memory(search: &Search<'_>, a: usize, b: usize) -> bool {
     words(a).is_some_and(|words| words.kinetics != Kinetics::Static) && words(a) == words(b)
 }
 
-/// Whether all of the `named` parts beside those that are `kept` are the same physics as a kept one (`alike`).
-fn rest_is_alike(named: &[Vec<usize>], kept: &[usize], alike: impl Fn(usize, usize) -> bool) -> bool {
-    let of_kept = |effect: &usize| kept.iter().filter_map(|part| named.get(*part)).flatten().any(|other| alike(*effect, *other));
-    let mut rest = (0..named.len()).filter(|part| !kept.contains(part)).flat_map(|part| &named[part]).peekable();
+/// Whether all of these parts beside those that are `kept` are the same physics as a kept one (`alike`).
+fn rest_is_alike(parts: &[Vec<usize>], kept: &[usize], alike: impl Fn(usize, usize) -> bool) -> bool {
+    let of_kept = |effect: &usize| kept.iter().filter_map(|part| parts.get(*part)).flatten().any(|other| alike(*effect, *other));
+    let mut rest = (0..parts.len()).filter(|part| !kept.contains(part)).flat_map(|part| &parts[part]).peekable();
     rest.peek().is_some() && rest.all(of_kept)
 }
 

@@ -42,15 +42,15 @@ use crate::{
 };
 use std::{sync::atomic::Ordering, time::Instant};
 
-/// The answer; the noise may be learned `again` beside it.
+/// The answer.
 ///
 /// # Errors
 /// Those of the simulator.
-pub(crate) fn conclude<'a>(
-    mut prepared: Prepared<'a>,
+pub(crate) fn conclude(
+    mut prepared: Prepared<'_>,
     examined: Examined,
     composition: Option<Composition>,
-    told: &Told<'a>,
+    told: &Told<'_>,
     known: Known,
     started: Instant,
 ) -> Result<Outcome, DiagnoseError> {

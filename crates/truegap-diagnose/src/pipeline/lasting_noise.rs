@@ -18,11 +18,11 @@ use crate::{
         noise_choice::prior_of,
         noise_that_lasts::is_noise,
         prepare::Prepared,
-        wanders::{evidence, with_lasting, with_walk},
+        wanders::{evidence, memories, with_lasting, with_walk},
     },
     selection::{
         candidates::{Search, Tried},
-        tuning::{MEMORY_DOUBLES, OFTEN, RIGHT_FAMILY, RIVAL, SHORTEST_WANDER, WALKS},
+        tuning::{RIGHT_FAMILY, RIVAL, WALKS},
     },
     stats::{median, rms},
     validation::cross_validation::compared,
@@ -117,20 +117,14 @@ fn wander(model: &Model<'_>, start: &Fit, noise: &NoiseModel) -> Result<Wander, 
         };
         noise.whitener(&runs, None)
     };
-    // as loud as the rest beside a wander of this size has it
-    let of = |memory: Option<f64>, ratio: f64| -> (f64, Whitener) {
-        let (_, square) = weighed.log_density(&filter(memory, ratio, size));
-        let filter = filter(memory, ratio, size * square.sqrt());
-        (weighed.log_density(&filter).0, filter)
-    };
+    let of = |memory: Option<f64>, ratio: f64| weighed.as_loud(size, |white| filter(memory, ratio, white));
     let best = |memory: Option<f64>| WALKS.map(|ratio| of(memory, ratio)).into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
-    let memories = (0..).map(|k| SHORTEST_WANDER * step * MEMORY_DOUBLES.powi(k)).take_while(|m| OFTEN * m <= longest);
-    let back = memories.filter_map(|memory| best(Some(memory))).max_by(|a, b| a.0.total_cmp(&b.0));
+    let back = memories(step, longest).filter_map(|memory| best(Some(memory))).max_by(|a, b| a.0.total_cmp(&b.0));
     let on = best(None);
-    let density = |one: &Option<(f64, Whitener)>| one.as_ref().map_or(f64::NEG_INFINITY, |one| one.0);
+    let density = |one: &Option<(f64, f64, Whitener)>| one.as_ref().map_or(f64::NEG_INFINITY, |one| one.0);
     let comes_back = density(&back) > density(&on) - RIVAL.ln();
     let likeliest = [back, on].into_iter().flatten().max_by(|a, b| a.0.total_cmp(&b.0));
-    let Some((_, filter)) = likeliest else { return Ok(Wander { log_evidence: f64::NEG_INFINITY, comes_back }) };
+    let Some((.., filter)) = likeliest else { return Ok(Wander { log_evidence: f64::NEG_INFINITY, comes_back }) };
     let fit = fit(model, &filter, &start.z, &FitOptions::default())?;
     Ok(Wander { log_evidence: evidence(&fit, &filter), comes_back })
 }
@@ -145,27 +139,16 @@ fn of_one_memory(time_s: &[f64], memory_s: f64, sd: f64) -> Lasting {
 }
 
 #[cfg(test)]
-#[allow(clippy::single_range_in_vec_init, clippy::unwrap_used)] // one run
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use crate::{
-        Options, Problem,
-        common::{Plate, without_rest},
-        whitening::whitener::{InputError, Noise},
+        pipeline::wanders::tests::{NOISE, beside_a_drift, is_inverse, noise, settles},
+        whitening::whitener::Noise,
     };
-    use nalgebra::{DMatrix, DVector};
-    use rand::SeedableRng;
-    use rand_chacha::ChaCha8Rng;
-    use rand_distr::{Distribution, StandardNormal};
-    use std::sync::atomic::AtomicBool;
-    use truegap_core::Simulator;
+    use nalgebra::DMatrix;
 
     const ROWS: usize = 900;
-    const NOISE: f64 = 0.01;
-
-    fn noise(rows: usize, response: Noise) -> NoiseModel {
-        NoiseModel::unmeasured(response, InputError::white(vec![0.0; rows]))
-    }
 
     /// Covariance of a wander and white noise: `s^2 exp(-|t_i - t_j| / memory)`, and the white variance of one row; uneven rows.
     #[test]
@@ -174,36 +157,16 @@ mod tests {
         let (sd, white, memory) = (2.0, 0.3, 11.0);
         let of = |i: usize, j: usize| sd * sd * (-(time[i] - time[j]).abs() / memory).exp();
         let covariance = DMatrix::from_fn(40, 40, |i, j| of(i, j) + if i == j { white * white } else { 0.0 });
-        let y: Vec<f64> = (0..40).map(|row| (0.4 * f64::from(row)).sin()).collect();
-        let factor = covariance.cholesky().unwrap();
-        let column = DVector::from_column_slice(&y);
-        let exact = column.dot(&factor.solve(&column)) + factor.l_dirty().diagonal().iter().map(|d| 2.0 * d.ln()).sum::<f64>();
         let other = Noise { white_sd: 1.0, ar_sd: 0.5, ar_correlation: 0.9 };
-        let filter = with_lasting(&noise(40, other), of_one_memory(&time, memory, sd), white).whitener(&[0..40], None);
-        let mut whitened = y;
-        filter.apply(&mut whitened);
-        approx::assert_relative_eq!(filter.deviance(&whitened), exact, max_relative = 1e-10);
+        is_inverse(&with_lasting(&noise(40, other), of_one_memory(&time, memory, sd), white), covariance);
     }
 
     /// Log odds of a wander against a drift that is fitted to what `zero` adds to a plate, under white noise as short stretches have it.
     fn odds(seed: u64, zero: impl Fn(&[f64]) -> Vec<f64>) -> (f64, bool) {
-        let inputs = without_rest(ROWS);
-        let random = &mut ChaCha8Rng::seed_from_u64(seed);
-        let drawn: Vec<f64> = (0..2 * ROWS).map(|_| StandardNormal.sample(random)).collect();
-        let plate = Plate::new(Some(false));
-        let clean = plate.respond(&plate.centre(), &inputs, &[]).unwrap();
-        let zero = zero(&drawn[..ROWS]);
-        let response: Vec<f64> = (0..ROWS).map(|row| clean[row] + zero[row] + NOISE * drawn[ROWS + row]).collect();
-        let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
-        let options = Options { effects: vec!["offset_drift".into()], ..Options::default() };
         let short = Noise { white_sd: 1.3 * NOISE, ar_sd: 0.0, ar_correlation: 0.0 };
-        let prepared = Prepared::new(&problem, noise(ROWS, short), &options).unwrap();
-        let searched = prepared.searched();
-        let stop = AtomicBool::new(false);
-        let search = prepared.search(&searched, &|_| (), &stop);
-        let base = search.base().unwrap();
-        let named = search.add_each(&base, &[0], 1, "test").pop().unwrap();
-        log_odds_of_a_wander(&search, &prepared.searched_noise, 1, [&base, &named]).unwrap()
+        beside_a_drift((seed, ROWS, short), zero, |search, noise, named| {
+            log_odds_of_a_wander(search, noise, 1, [&search.base().unwrap(), named]).unwrap()
+        })
     }
 
     /// A load that settles as the logarithm of the cycles was told as a wander, though it predicts rows left out with a sixth of the error; a wander of a receiver was predicted with seven tenths by three names.
@@ -225,7 +188,7 @@ mod tests {
             };
             let (found, comes_back) = odds(seed, wander);
             assert!(found > 0.0 && comes_back, "{seed}: {found}");
-            let (found, _) = odds(seed, |_| (0..ROWS).map(|row| 10.0 * NOISE * (1.0 - (-(row as f64) / 200.0).exp())).collect());
+            let (found, _) = odds(seed, |_| settles(ROWS));
             assert!(found < RIVAL.ln(), "{seed}: {found}");
         }
     }

@@ -134,7 +134,7 @@ fn searched(
         examined = on_means::examined(&mut prepared, &told)?;
         composition = composed(&prepared, &examined, &told);
     }
-    // it was weighed beside what was fitted under the noise before, and words may leave less than the library; what is found under a quieter noise may leave less still
+    // it was weighed beside what was fitted under the noise before, and words may leave less than the library
     if !told.stop.load(Ordering::Relaxed)
         && let Some(noise) = prepared.quieter_in_the_end(&examined, composition.as_ref(), slowed)?
     {

@@ -14,12 +14,8 @@ use crate::{
         response::no_finer_than_read,
         tuning::{CLEARLY_QUIETER, STILL_AS_LOUD},
     },
-    pipeline::prepare::Prepared,
-    selection::{
-        candidates::{Search, Tried},
-        examine::Examined,
-        tuning::{MEMORY_DOUBLES, OFTEN, SHORTEST_WANDER, WALKS},
-    },
+    pipeline::{prepare::Prepared, wanders::memories},
+    selection::{candidates::Tried, examine::Examined, tuning::WALKS},
     stats::rms,
     whitening::{noise_model::NoiseModel, whitener::Noise},
 };
@@ -68,14 +64,7 @@ impl Prepared<'_> {
         let search = with_mechanisms(&self.search(&searched, &|_| (), &stop), mechanisms);
         let both = examined.selection.least().into_iter().chain(composition.map(|c| &c.tried));
         let least = both.min_by(|a, b| a.fit.objective().total_cmp(&b.fit.objective()));
-        let Some(least) = least else { return Ok(None) };
-        self.quieter_beside(&search, least, slowed)
-    }
-
-    fn quieter_beside(&self, search: &Search<'_>, least: &Tried, slowed: bool) -> Result<Option<NoiseModel>, DiagnoseError> {
-        if self.problem.simulator.joined().is_some() {
-            return Ok(None);
-        }
+        let Some(least) = least.filter(|_| self.problem.simulator.joined().is_none()) else { return Ok(None) };
         let misfit = search.model_over(self.problem, &least.effects).misfit(&least.fit.z)?;
         let model = &search.model(&least.effects);
         let mut noises = learned_again(self.problem, &misfit, &self.noise);
@@ -97,17 +86,15 @@ impl Prepared<'_> {
         let size = rms(model.misfit(&tried.fit.z)?.into_iter());
         let alike = of_rows_alike(noise);
         let longest = self.problem.runs().iter().map(|run| run.len()).max().unwrap_or(0) as f64;
-        let memories = (0..).map(|k| SHORTEST_WANDER * MEMORY_DOUBLES.powi(k)).take_while(|m| OFTEN * m <= longest);
         let of = |(memory, ratio): (f64, f64)| {
             let of_size = |size: f64| {
                 let response = Noise { white_sd: size, ar_sd: ratio * size, ar_correlation: (-1.0 / memory).exp() };
                 NoiseModel { response: no_finer_than_read(response, self.problem), ..alike.clone() }
             };
-            let (_, square) = weighed.log_density(&self.filter_of(&of_size(size)));
-            let noise = of_size(size * square.sqrt());
-            (weighed.log_density(&self.filter_of(&noise)).0, noise)
+            let (density, size, _) = weighed.as_loud(size, |size| self.filter_of(&of_size(size)));
+            (density, of_size(size))
         };
-        let all = memories.flat_map(|memory| WALKS.map(|ratio| (memory, ratio)));
+        let all = memories(1.0, longest).flat_map(|memory| WALKS.map(|ratio| (memory, ratio)));
         let likeliest = all.map(of).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, noise)| noise);
         let says = |found: NoiseModel| NoiseModel {
             says: format!("{}, of the memory that all rows have beside what a model explains", noise.says),

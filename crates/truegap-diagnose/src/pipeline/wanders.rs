@@ -21,7 +21,7 @@ use crate::{
     },
     selection::{
         candidates::{Search, Tried},
-        tuning::{RIVAL, WALKS},
+        tuning::{MEMORY_DOUBLES, OFTEN, RIVAL, SHORTEST_WANDER, WALKS},
         unmodelled::{Cause, Unmodelled},
         verdict::{Decision, Verdict},
     },
@@ -88,6 +88,11 @@ pub(crate) fn evidence(fit: &Fit, whitener: &Whitener) -> f64 {
     fit.log_evidence - 0.5 * whitener.log_determinant
 }
 
+/// Memories of the wanders that are weighed in a recording of this length, in the unit of its step.
+pub(crate) fn memories(step: f64, longest: f64) -> impl Iterator<Item = f64> {
+    (0..).map(move |k| SHORTEST_WANDER * step * MEMORY_DOUBLES.powi(k)).take_while(move |memory| OFTEN * memory <= longest)
+}
+
 /// Log evidence of a model beside the likeliest walk.
 fn beside_walk(model: &Model<'_>, start: &Fit, noise: &NoiseModel) -> Result<f64, DiagnoseError> {
     let runs = model.problem.runs();
@@ -95,14 +100,9 @@ fn beside_walk(model: &Model<'_>, start: &Fit, noise: &NoiseModel) -> Result<f64
     let size = rms(model.misfit(&start.z)?.into_iter());
     let time = model.problem.inputs.time_s.as_deref().unwrap_or(&[]);
     let filter = |ratio: f64, white: f64| with_walk(noise, time, ratio * white, white).whitener(&runs, None);
-    let of = |ratio: f64| {
-        // as loud as the rest beside a walk of this size has it
-        let (_, square) = weighed.log_density(&filter(ratio, size));
-        let filter = filter(ratio, size * square.sqrt());
-        (weighed.log_density(&filter).0, filter)
-    };
+    let of = |ratio: f64| weighed.as_loud(size, |white| filter(ratio, white));
     let likeliest = WALKS.map(of).into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
-    let Some((_, filter)) = likeliest else { return Ok(f64::NEG_INFINITY) };
+    let Some((.., filter)) = likeliest else { return Ok(f64::NEG_INFINITY) };
     Ok(evidence(&fit(model, &filter, &start.z, &FitOptions::default())?, &filter))
 }
 
@@ -154,7 +154,7 @@ impl Decision {
 
 #[cfg(test)]
 #[allow(clippy::single_range_in_vec_init)] // one run
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::{
         Options, Problem,
@@ -168,9 +168,11 @@ mod tests {
     use truegap_core::Simulator;
 
     const ROWS: usize = 600;
-    const NOISE: f64 = 0.01;
+    /// White noise of a row.
+    pub(crate) const NOISE: f64 = 0.01;
 
-    fn noise(rows: usize, response: Noise) -> NoiseModel {
+    /// A noise that nobody measured.
+    pub(crate) fn noise(rows: usize, response: Noise) -> NoiseModel {
         NoiseModel::unmeasured(response, InputError::white(vec![0.0; rows]))
     }
 
@@ -181,36 +183,58 @@ mod tests {
         let (walk, white, length) = (2.0, 0.3, time[39]);
         let covariance =
             DMatrix::from_fn(40, 40, |i, j| walk * walk * time[i.min(j)] / length + if i == j { white * white } else { 0.0 });
-        let y: Vec<f64> = (0..40).map(|row| (0.4 * f64::from(row)).sin()).collect();
+        let white_alone = Noise { white_sd: 1.0, ar_sd: 0.5, ar_correlation: 0.9 };
+        is_inverse(&with_walk(&noise(40, white_alone), &time, walk, white), covariance);
+    }
+
+    /// Asserts that the filter of a noise of one run weighs a column as its covariance does.
+    pub(crate) fn is_inverse(noise: &NoiseModel, covariance: DMatrix<f64>) {
+        let rows = covariance.nrows();
+        let y: Vec<f64> = (0..rows).map(|row| (0.4 * row as f64).sin()).collect();
         let factor = covariance.cholesky().unwrap();
         let column = DVector::from_column_slice(&y);
         let exact = column.dot(&factor.solve(&column)) + factor.l_dirty().diagonal().iter().map(|d| 2.0 * d.ln()).sum::<f64>();
-        let white_alone = Noise { white_sd: 1.0, ar_sd: 0.5, ar_correlation: 0.9 };
-        let filter = with_walk(&noise(40, white_alone), &time, walk, white).whitener(&[0..40], None);
+        let filter = noise.whitener(&[0..rows], None);
         let mut whitened = y;
         filter.apply(&mut whitened);
         approx::assert_relative_eq!(filter.deviance(&whitened), exact, max_relative = 1e-10);
     }
 
-    /// Log odds of a walk against the drift that is fitted to what `zero` adds to a plate, under the noise of one memory that short stretches of a walk have.
-    fn odds(seed: u64, zero: impl Fn(&[f64]) -> Vec<f64>) -> f64 {
-        let inputs = without_rest(ROWS);
+    /// What is `asked` of the base model and of the drift that is fitted to what `zero` adds to a plate, in so many rows with white noise, which is `taken` for another one.
+    pub(crate) fn beside_a_drift<T>(
+        (seed, rows, taken): (u64, usize, Noise),
+        zero: impl Fn(&[f64]) -> Vec<f64>,
+        asked: impl FnOnce(&Search<'_>, &NoiseModel, &Tried) -> T,
+    ) -> T {
+        let inputs = without_rest(rows);
         let random = &mut ChaCha8Rng::seed_from_u64(seed);
-        let drawn: Vec<f64> = (0..2 * ROWS).map(|_| StandardNormal.sample(random)).collect();
+        let drawn: Vec<f64> = (0..2 * rows).map(|_| StandardNormal.sample(random)).collect();
         let plate = Plate::new(Some(false));
         let clean = plate.respond(&plate.centre(), &inputs, &[]).unwrap();
-        let zero = zero(&drawn[..ROWS]);
-        let response: Vec<f64> = (0..ROWS).map(|row| clean[row] + zero[row] + NOISE * drawn[ROWS + row]).collect();
+        let zero = zero(&drawn[..rows]);
+        let response: Vec<f64> = (0..rows).map(|row| clean[row] + zero[row] + NOISE * drawn[rows + row]).collect();
         let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
         let options = Options { effects: vec!["offset_drift".into()], ..Options::default() };
-        let steep = Noise { white_sd: NOISE, ar_sd: NOISE, ar_correlation: 0.97 };
-        let prepared = Prepared::new(&problem, noise(ROWS, steep), &options).unwrap();
+        let prepared = Prepared::new(&problem, noise(rows, taken), &options).unwrap();
         let searched = prepared.searched();
         let stop = AtomicBool::new(false);
         let search = prepared.search(&searched, &|_| (), &stop);
         let named = search.add_each(&search.base().unwrap(), &[0], 1, "test").pop().unwrap();
-        assert_eq!(drifts(&search, &named), [0]);
-        log_odds_of_a_walk(&search, &prepared.searched_noise, &named, &[0]).unwrap()
+        asked(&search, &prepared.searched_noise, &named)
+    }
+
+    /// A zero that settles at ten times the noise.
+    pub(crate) fn settles(rows: usize) -> Vec<f64> {
+        (0..rows).map(|row| 10.0 * NOISE * (1.0 - (-(row as f64) / 200.0).exp())).collect()
+    }
+
+    /// Log odds of a walk against that drift, under the noise of one memory that short stretches of a walk have.
+    fn odds(seed: u64, zero: impl Fn(&[f64]) -> Vec<f64>) -> f64 {
+        let steep = Noise { white_sd: NOISE, ar_sd: NOISE, ar_correlation: 0.97 };
+        beside_a_drift((seed, ROWS, steep), zero, |search, noise, named| {
+            assert_eq!(drifts(search, named), [0]);
+            log_odds_of_a_walk(search, noise, named, &[0]).unwrap()
+        })
     }
 
     #[test]
@@ -225,7 +249,7 @@ mod tests {
             };
             let found = odds(seed, walk);
             assert!(found > RIVAL.ln(), "{seed}: {found}");
-            let found = odds(seed, |_| (0..ROWS).map(|row| 10.0 * NOISE * (1.0 - (-(row as f64) / 200.0).exp())).collect());
+            let found = odds(seed, |_| settles(ROWS));
             assert!(found < RIVAL.ln(), "{seed}: {found}");
         }
     }

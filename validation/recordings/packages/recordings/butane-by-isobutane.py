@@ -1,0 +1,14 @@
+"""Butane in air over isobutane, hours of four months, by one chromatograph. Both leak from the same places and stay about as long."""
+
+from dials import ages, chromatograph
+
+HAND_BUILT = "line"
+
+
+def rows(content):
+    read = chromatograph(content, "isobutane", "butane")
+    return {"time_s": read.time_s, "isobutane_karea": read.isobutane, "butane_karea": read.butane}
+
+
+def models(c):
+    return c["butane_karea"], ages(c["butane_karea"], c["isobutane_karea"], c["time_s"])

@@ -149,8 +149,8 @@ pub trait Effect: Send + Sync {
     fn of_first(&self, fitted: Vec<FittedParameter>, _context: &Context<'_>) -> Vec<FittedParameter> {
         fitted
     }
-    /// Id of the effect that it changes, beside which alone it means something: a changed coefficient needs the coefficient.
-    fn beside(&self, _context: &Context<'_>) -> Option<&'static str> {
+    /// Id of the effect that it changes, beside which alone it means something with these numbers: a changed coefficient needs the coefficient.
+    fn beside(&self, _values: &[f64], _context: &Context<'_>) -> Option<&'static str> {
         None
     }
     /// Its words, where it is composed of words: a model file then holds all of it.

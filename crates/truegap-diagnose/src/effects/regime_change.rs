@@ -1,5 +1,8 @@
-//! Something is switched inside the recording: a coefficient of the reading is another one after an unknown time.
+//! Something is switched inside the recording: after an unknown time the zero of the reading is another one, or a coefficient, or both.
 
+mod said;
+
+use self::said::{at, said};
 use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
@@ -9,15 +12,15 @@ use crate::{
         memory::elapsed_s,
     },
     stats::spread,
-    text::{percent_with_sd, rounded, significant, with_sd},
+    text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
-/// A coefficient and a zero that change at one time.
+/// A zero and a coefficient that change at one time.
 pub enum RegimeChange {
-    /// that of the temperature, else of a driver, else the gain
+    /// the zero, and the coefficient of the temperature, else of a driver, else the gain
     OfWhatMoves,
-    /// the gain, where the coefficient of something else could have changed as well
+    /// the gain, and the zero, where the coefficient of something else could have changed as well
     OfTheGain,
 }
 
@@ -85,32 +88,35 @@ impl Of {
         }
     }
 
-    /// Middle of the column over the recording, from where the coefficient counts to begin with.
-    fn middle(self, context: &Context<'_>) -> f64 {
-        let half = |column: &[f64]| column.iter().sum::<f64>() / column.len().max(1) as f64;
-        match self {
-            Self::Temperature => context.inputs.temperature_c.as_deref().map_or(0.0, half) - context.reference_c,
-            Self::Driver(Course::Driver(index)) => context.inputs.drivers.get(index).map_or(0.0, |d| half(&d.values)),
+    /// Mean of the column over the recording, and half its range: from there, and in that unit, the coefficient of a change counts.
+    fn middle_and_half(self, context: &Context<'_>) -> (f64, f64) {
+        let mean = |column: &[f64]| column.iter().sum::<f64>() / column.len().max(1) as f64;
+        let half = (0.5 * self.span(context)).max(f64::MIN_POSITIVE);
+        let middle = match self {
+            Self::Temperature => context.inputs.temperature_c.as_deref().map_or(0.0, mean) - context.reference_c,
+            Self::Driver(Course::Driver(index)) => context.inputs.drivers.get(index).map_or(0.0, |d| mean(&d.values)),
+            Self::Reading => half,
             _ => 0.0,
-        }
+        };
+        (middle, half)
     }
 }
 
 struct Switch {
     of: Of,
     /// coefficient after less before
-    change: f64,
+    coefficient: f64,
+    /// zero after less before, where `x` is 0
+    zero: f64,
     /// seconds after the first row of the middle of the change
     when_s: f64,
     /// seconds that it takes
     takes_s: f64,
-    /// zero after less before, over `change`
-    jump: f64,
 }
 
 impl Switch {
     fn apply(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64], after: impl Fn(f64) -> f64) {
-        if self.change == 0.0 {
+        if self.coefficient == 0.0 && self.zero == 0.0 {
             return;
         }
         for (row, value) in value.iter_mut().enumerate() {
@@ -121,7 +127,7 @@ impl Switch {
                 Of::Nothing => 0.0,
             };
             let share = after((elapsed_s(drive.inputs, row) - self.when_s) / self.takes_s);
-            *value += self.change * share * (x + self.jump);
+            *value += share * (self.coefficient * x + self.zero);
         }
     }
 }
@@ -146,9 +152,29 @@ fn length(context: &Context<'_>) -> f64 {
     if context.shortest_step_s.is_some() { context.length_s() } else { context.inputs.len() as f64 }
 }
 
-fn switch(values: &[f64], of: Of) -> Switch {
-    let jump = if of == Of::Nothing { 1.0 } else { values[3] };
-    Switch { of, change: values[0], when_s: values[1], takes_s: values[2], jump }
+/// How a change divides between zero and coefficient, as an angle: each of them may be all of it, and neither is a limit of the other.
+const TURN: &str = "turn";
+/// Angle at which the second of the two is all of the change; a little more is allowed, so that this is no limit.
+const LARGEST_TURN: f64 = 0.7 * std::f64::consts::PI;
+
+impl RegimeChange {
+    /// What a change of size `change` with this angle does to coefficient and zero.
+    fn divided(&self, change: f64, turn: f64, context: &Context<'_>) -> (f64, f64) {
+        let of = self.of(context);
+        let (middle, half) = of.middle_and_half(context);
+        let (sin, cos) = turn.sin_cos();
+        match self {
+            _ if of == Of::Nothing => (0.0, change),
+            Self::OfWhatMoves => (change * sin / half, change * (cos - sin * middle / half)),
+            Self::OfTheGain => (change * cos, change * sin * of.span(context)),
+        }
+    }
+
+    fn switch(&self, values: &[f64], context: &Context<'_>) -> Switch {
+        let turn = values.get(3).map_or(0.0, |turn| turn * told_apart_at(values[1], context, self.of(context)));
+        let (coefficient, zero) = self.divided(values[0], turn, context);
+        Switch { of: self.of(context), coefficient, zero, when_s: values[1], takes_s: values[2] }
+    }
 }
 
 /// Part of its range that the input must cross before a change and after it, so that there are two laws to be told.
@@ -180,8 +206,18 @@ fn told_apart(context: &Context<'_>, of: Of) -> Option<(f64, f64)> {
     (earliest < latest).then_some((earliest, latest))
 }
 
-/// Standard deviation of a jump, in ranges of what the coefficient is of: far above 1, so that a zero may change beside a coefficient that hardly does.
-const JUMPS: f64 = 5.0;
+/// Earliest and latest time of any change, as shares of the recording.
+const ENDS: (f64, f64) = (0.05, 0.95);
+
+/// How much of a change at this time may be one of the second of zero and coefficient: all between the times of [`told_apart`], nothing far outside of them, where the zero alone can change.
+fn told_apart_at(when: f64, context: &Context<'_>, of: Of) -> f64 {
+    let Some((earliest, latest)) = told_apart(context, of) else { return 0.0 };
+    let outside = (earliest - when).max(when - latest).max(0.0);
+    (1.0 - outside / (0.02 * length(context))).max(0.0)
+}
+
+/// Angle from which a change is looked for as well: most of it is the second of the two.
+const STEEP: f64 = 1.2;
 /// Times at which a change is looked for to begin with.
 const LOOKED_AT: usize = 16;
 /// Longest that a change may take, as a share of the recording: what takes longer is a drift, and nothing was switched. It is looked for as long as from one of these times to the next, or at that
@@ -207,7 +243,7 @@ impl Effect for RegimeChange {
     fn about(&self) -> About {
         About {
             physics: "something is switched inside the recording (a compensation, a repair, a new firmware): zero and coefficient are others afterwards",
-            equation: "value = true + q h(t) (x + z), h from 0 to 1 at t_c, straight over w; x is T_s - T0, else a driver, else the reading; the coefficient before is that of `temperature_coefficient` (or `driver_coefficient`) beside it",
+            equation: "value = true + q h(t) (cos a + sin a (x - m) / s), h from 0 to 1 at t_c, straight over w; x is T_s - T0, else a driver, else the reading, m its mean and s half its range; a = 0 is a jump of the zero; the coefficient before is that of `temperature_coefficient` (or `driver_coefficient`) beside it; a changed gain: value = true + q h(t) (cos a y + sin a S), y the reading and S its range",
             excitation: "temperature (or a driver) that moves before and after the change",
             impostors: &[
                 "temperature_coefficient",
@@ -221,47 +257,61 @@ impl Effect for RegimeChange {
             source: "Basseville & Nikiforov, Detection of Abrupt Changes, ch. 2; Quandt, J. Am. Stat. Assoc. 53 (1958) 873 (switching regressions)",
         }
     }
-    fn beside(&self, context: &Context<'_>) -> Option<&'static str> {
+    fn beside(&self, values: &[f64], context: &Context<'_>) -> Option<&'static str> {
+        // a change that has one sign over the whole range is first of all one of the zero
+        let of_zero = values.get(3).is_none_or(|turn| turn.sin().abs() < turn.cos().abs());
         match self.of(context) {
+            _ if of_zero => None,
             Of::Temperature => Some("temperature_coefficient"),
             Of::Driver(_) => Some("driver_coefficient"),
             Of::Reading | Of::Nothing => None,
         }
     }
+    fn at_once(&self) -> &'static [&'static str] {
+        &["takes"]
+    }
+    fn may_be_nothing(&self) -> &'static [&'static str] {
+        &[TURN]
+    }
     fn of_recorder(&self) -> bool {
         true
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let of = self.of(context);
-        let (span, length) = (of.span(context).max(f64::MIN_POSITIVE), length(context));
-        let size = if of == Of::Nothing { context.response_span.abs() } else { context.response_span.abs() / span };
+        let (of, length) = (self.of(context), length(context));
         let step = context.step_s().min(0.01 * length);
-        let (earliest, latest) = told_apart(context, of).unwrap_or((0.01 * length, 0.99 * length));
         let unit = if context.shortest_step_s.is_some() { "s" } else { "rows" };
+        let (of_size, size, meaning, turned) = match self {
+            Self::OfWhatMoves => (
+                context.simulator.unit().to_string(),
+                context.response_span.abs(),
+                "change of the reading: of its zero in the middle of the range, and by its coefficient at the ends, as a root of squares",
+                "0: the zero alone changes; pi/2: the coefficient alone, about the middle of the range",
+            ),
+            Self::OfTheGain => {
+                ("1".to_string(), 1.0, "gain after less before", "0: the gain alone changes; pi/2: the zero alone")
+            }
+        };
         let mut list = vec![
-            Parameter::normal("change", &of.unit(context), 0.0, size, "coefficient after the change less that before"),
+            Parameter::normal("change", &of_size, 0.0, size, meaning),
             Parameter::normal("when", unit, 0.5 * length, 0.4 * length, "time of the change after the first row")
-                .within(earliest, latest),
+                .within(ENDS.0 * length, ENDS.1 * length),
             Parameter::log_normal("takes", unit, (0.4 * LONGEST * length).max(step), 1.5, "time that the change takes")
                 .within(step, (LONGEST * length).max(2.0 * step)),
         ];
         if of != Of::Nothing {
-            let x = if of == Of::Reading { "reading" } else { "change of the reading" };
-            let meaning = format!("zero after less before, over the {x} that a changed coefficient of 1 makes");
-            list.push(Parameter::normal("jump", "1", -of.middle(context), JUMPS * span, &meaning));
+            list.push(Parameter::normal(TURN, "rad", 0.0, 1.0, turned).within(-LARGEST_TURN, LARGEST_TURN));
         }
         list
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let (of, length) = (self.of(context), length(context));
-        let (earliest, latest) = told_apart(context, of).unwrap_or((0.0, length));
-        let times = (0..LOOKED_AT).map(|k| earliest + (latest - earliest) * (k as f64 + 0.5) / LOOKED_AT as f64);
-        let takes = ((latest - earliest) / LOOKED_AT as f64).min(LONGEST * length);
+        let times = (0..LOOKED_AT).map(|k| length * (ENDS.0 + (ENDS.1 - ENDS.0) * (k as f64 + 0.5) / LOOKED_AT as f64));
+        let takes = (length / LOOKED_AT as f64).min(LONGEST * length);
         if of == Of::Nothing {
             return times.map(|t| vec![t, takes]).collect();
         }
-        let jumps = [0.0, 0.5 * JUMPS * of.span(context)].map(|jump| jump - of.middle(context));
-        times.flat_map(|t| jumps.map(|jump| vec![t, takes, jump])).collect()
+        let turns = |t: f64| if told_apart_at(t, context, of) > 0.0 { vec![0.0, STEEP] } else { vec![0.0] };
+        times.flat_map(|t| turns(t).into_iter().map(move |turn| vec![t, takes, turn])).collect()
     }
     fn comes_down_to(&self) -> Option<EffectId> {
         Some(EffectId("gain_error"))
@@ -306,68 +356,23 @@ impl Effect for RegimeChange {
         }
     }
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(switch(values, self.of(context)))
+        Box::new(self.switch(values, context))
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(Settling(switch(values, self.of(context)))))
+        Some(Box::new(Settling(self.switch(values, context))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        said(fitted, "its input", None)
+        let change = &fitted[0];
+        let by = with_sd(change.value, change.sd, &change.parameter.unit);
+        format!("something is switched {}: the reading changes by {by}", at(fitted))
     }
     fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, beside: &[(EffectId, Vec<FittedParameter>)]) -> String {
-        let before = |id: &str| beside.iter().find(|(effect, _)| effect.0 == id).and_then(|(_, f)| f.first());
-        match self.of(context) {
-            Of::Temperature => said(fitted, "temperature", before("temperature_coefficient")),
-            Of::Driver(course) => said(fitted, course.name(context), before("driver_coefficient")),
-            Of::Reading => {
-                let said = said(fitted, "its input", None);
-                // the reading above its lowest value is what the gain counts from
-                let step = fitted[0].value * (fitted[3].value + 0.5 * context.response_span.abs());
-                format!("{said}, and the reading by {} in the middle of its range", rounded(step, context.simulator.unit()))
-            }
-            Of::Nothing => said(fitted, "its input", None),
-        }
+        said(self, fitted, context, beside)
     }
 }
 
 /// Fewest rows in which two laws are looked for.
 const FEWEST: usize = 60;
-
-/// Share of the change below which a coefficient counts as none.
-const NONE: f64 = 0.05;
-
-/// `before` is the coefficient that a finding beside it gives to the whole recording.
-fn said(fitted: &[FittedParameter], of: &str, before: Option<&FittedParameter>) -> String {
-    let (change, when, takes) = (&fitted[0], &fitted[1], &fitted[2]);
-    let at = if when.parameter.unit == "s" {
-        // a change that takes long is not known better than to its own length
-        format!("{} after the first row", with_sd(when.value, when.sd.max(0.3 * takes.value), "s"))
-    } else {
-        format!("at about row {}", significant(when.value.round(), 4))
-    };
-    let unit = change.parameter.unit.as_str();
-    let by = with_sd(change.value, change.sd, unit);
-    if fitted.len() < 4 {
-        return format!("something is switched {at}: the zero changes by {by}");
-    }
-    if unit == "1" {
-        let by = percent_with_sd(change.value, change.sd);
-        return format!("something is switched {at}: the gain changes by {by}");
-    }
-    let old = before.map_or(0.0, |before| before.value);
-    let told = |value: f64| {
-        if value.abs() < NONE * change.value.abs() {
-            format!("about none ({})", rounded(value, unit))
-        } else {
-            rounded(value, unit)
-        }
-    };
-    format!(
-        "something is switched {at}: the coefficient of {of} is {} before and {} after it (change {by})",
-        told(old),
-        told(old + change.value)
-    )
-}
 
 #[cfg(test)]
 mod tests {
@@ -381,7 +386,7 @@ mod tests {
         let drive = Drive { inputs: &inputs, load: &[0.0; 4], temperature_c: &temperature_c, reference_c: 20.0, full_load: 1.0 };
         let mut value = vec![5.0; 4];
         // none before and 0.3 after; the zero falls by 0.3 x 4
-        let switch = Switch { of: Of::Temperature, change: 0.3, when_s: 50.0, takes_s: 4.0, jump: -4.0 };
+        let switch = Switch { of: Of::Temperature, coefficient: 0.3, zero: -1.2, when_s: 50.0, takes_s: 4.0 };
         switch.readout(&drive, &Readout { zero: 0.0, span: 1.0 }, &mut value);
         let wanted = [5.0, 5.0, 5.0 + 0.3 - 1.2, 5.0 + 1.5 - 1.2];
         value.iter().zip(wanted).for_each(|(v, w)| approx::assert_abs_diff_eq!(*v, w, epsilon = 1e-12));

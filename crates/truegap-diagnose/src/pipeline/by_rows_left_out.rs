@@ -22,14 +22,14 @@ use crate::{
     },
     selection::{
         candidates::{Search, Tried},
-        posterior::is_whole,
+        refitted::fitted_from_nothing,
         tuning::HALF,
         verdict::{Decision, Verdict},
+        whole::whole,
     },
     text::significant,
     validation::{
         cross_validation::{HeldOutFit, compared},
-        held_numbers::fitted_from_nothing,
         tuning::{CLEARLY_WORSE, FELT, MOST_ADDED, MOST_ASKED, MOST_RIVALS},
     },
 };
@@ -206,7 +206,7 @@ impl Choice<'_, '_> {
         let added = search.add_each(from, &of_equations, most, "rows left out");
         added
             .into_iter()
-            .filter(|tried| is_whole(search, tried))
+            .filter_map(|tried| whole(search, tried))
             .filter_map(|tried| self.asked(search, tried, on_limits))
             .collect()
     }

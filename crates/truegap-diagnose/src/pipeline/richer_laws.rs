@@ -14,11 +14,11 @@ use crate::{
     selection::{
         candidates::{Search, Tried},
         examine::Examined,
+        refitted::fitted_from_nothing,
         tuning::VISIBLE,
     },
     validation::{
         cross_validation::{HeldOutFit, compared},
-        held_numbers::fitted_from_nothing,
         tuning::{CLEARLY_WORSE, FELT},
     },
 };

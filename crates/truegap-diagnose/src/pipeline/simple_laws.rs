@@ -11,12 +11,13 @@ use crate::{
     },
     selection::{
         candidates::{Search, Tried},
+        refitted::refitted,
         verdict::Decision,
     },
     validation::{
         among_rivals::{first_of_each, rivals},
         cross_validation::{HeldOutFit, compared},
-        held_numbers::{not_borne_out, refitted},
+        held_numbers::not_borne_out,
         tuning::CLEARLY_WORSE,
     },
 };

@@ -13,6 +13,7 @@ use crate::{
         prior::{log_prior, one_more, weight},
         tempering::{least, temper_of},
         unmodelled::{Causes, Unmodelled},
+        whole::whole,
     },
     stats::log_sum_exp,
 };
@@ -289,16 +290,8 @@ impl Selection {
 pub fn select(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: Tried) -> Selection {
     let mut space = ModelSpace::all(search, lack_of_fit, base);
     let check = space.check();
-    let mut models = space.into_models();
-    models.retain(|m| is_whole(search, m));
+    let models = space.into_models().into_iter().filter_map(|m| whole(search, m)).collect();
     Selection { check, ..weigh(models, &search.library, lack_of_fit) }
-}
-
-/// Whether every effect that changes another one has that beside it, where the library holds it.
-pub(crate) fn is_whole(search: &Search<'_>, model: &Tried) -> bool {
-    let is = |e: &usize, id: &str| search.library[*e].id().0 == id;
-    let held = |id: &str| !(0..search.library.len()).any(|e| is(&e, id)) || model.effects.iter().any(|e| is(e, id));
-    model.effects.iter().filter_map(|e| search.library[*e].beside(search.context)).all(held)
 }
 
 fn weigh(mut models: Vec<Tried>, library: &[&dyn Effect], lack_of_fit: &LackOfFitTests) -> Selection {

@@ -10,6 +10,7 @@ mod laws;
 mod looked_for;
 mod loops;
 mod noise_that_lasts;
+mod switches;
 
 use given::{Given, noisy, said, simulated};
 use rand::SeedableRng;

@@ -4,7 +4,7 @@
 //!
 //! **Source:** midpoint rule for `dy/dt = (x - y) / tau |x - y|^p / d^p`, its exponential step in each part; Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, sec. II.1.
 
-use super::walk;
+use super::clock::Clock;
 use truegap_core::Inputs;
 
 /// Parts of a step from row to row.
@@ -37,9 +37,8 @@ impl Haste {
         mut give: impl FnMut(usize, f64),
     ) {
         let mut state = 0.0;
-        walk(inputs, |row, step| {
-            let x = given[row];
-            match step {
+        for (row, x) in given.iter().copied().enumerate() {
+            match Clock::step(inputs, false, row) {
                 None => state = x - behind(row),
                 Some(step) => {
                     let (from, part) = (given[row - 1], f64::from(PARTS).recip());
@@ -52,7 +51,7 @@ impl Haste {
                 }
             }
             give(row, state);
-        });
+        }
     }
 }
 

@@ -152,8 +152,9 @@ impl Effect for TemperatureCoefficient {
 fn said(fitted: &[FittedParameter], turn: impl Fn(f64) -> String) -> String {
     let (slope, bend) = (&fitted[0], &fitted[1]);
     let seen = bend.value.abs() > SPOKEN_OF * bend.sd;
-    // it turns within half a span of the reference, where a slope says little
-    if seen && bend.value.abs() > bend.parameter.sd() {
+    // it turns within half a span of the reference, where a slope says little; of a slope that is nothing the bend is as unsure as it is large
+    let no_slope = slope.value.abs() < SPOKEN_OF * slope.sd;
+    if (seen || no_slope) && bend.value.abs() > bend.parameter.sd() {
         let square = rounded(0.5 * slope.value * bend.value, &format!("{}^2", slope.parameter.unit));
         return format!(
             "the reading follows temperature along a parabola of {square}, which turns {}",
@@ -187,6 +188,17 @@ mod tests {
         }
         let near = |growth_per_k: f64| Curve { growth_per_k, per_k: 1.0, ..leak }.law(1.0);
         approx::assert_relative_eq!(near(0.999_999e-8), near(1.000_001e-8), max_relative = 1e-13);
+    }
+
+    /// At the reference the slope is nothing, and the bend is as unsure as it is large.
+    #[test]
+    fn a_parabola_that_turns_at_the_reference_is_told_as_one() {
+        let number =
+            |parameter: Parameter, value: f64, sd: f64| FittedParameter { parameter, value, sd, sd_of_fit: sd, at_limit: false };
+        let slope = Parameter::normal("per_kelvin", "V/K", 0.0, 1.0, "slope");
+        let fitted = [number(slope, -1e-4, 1e-4), number(Parameter::wide("bend", "1/K", 0.1, "bend"), 400.0, 400.0)];
+        let says = TemperatureCoefficient.says(&fitted);
+        assert!(says.contains("along a parabola of") && says.contains("below the reference"), "{says}");
     }
 
     /// The third derivative of a cubic is its third number.

@@ -113,6 +113,10 @@ pub trait Stage: Send + Sync {
     fn late_s(&self, elapsed_s: f64) -> f64 {
         0.0
     }
+    /// The same of the recorded driver of this number: as late as the load, unless it was recorded beside the response.
+    fn driver_late_s(&self, driver: usize, elapsed_s: f64) -> f64 {
+        self.late_s(elapsed_s)
+    }
     /// Whether the load is late anywhere: a straight line that is zero at two places is zero everywhere.
     fn shifts(&self) -> bool {
         self.late_s(0.0) != 0.0 || self.late_s(1.0) != 0.0

@@ -22,6 +22,11 @@ pub enum Prior {
         /// one standard deviation of the natural logarithm
         log_sd: f64,
     },
+    /// Gaussian in the inverse hyperbolic sine: as a Gaussian about 0 where it is usual, and as one of the logarithm far out. For a ratio whose divisor may be nothing, such as a bend over a slope.
+    Wide {
+        /// one standard deviation near 0, in the parameter's unit
+        sd: f64,
+    },
 }
 
 impl Prior {
@@ -30,6 +35,7 @@ impl Prior {
         match self {
             Self::Normal { mean, sd } => mean + sd * z,
             Self::LogNormal { median, log_sd } => median * (log_sd * z).exp(),
+            Self::Wide { sd } => sd * z.sinh(),
         }
     }
 
@@ -38,6 +44,7 @@ impl Prior {
         match self {
             Self::Normal { mean, sd } => (value - mean) / sd,
             Self::LogNormal { median, log_sd } => (value / median).ln() / log_sd,
+            Self::Wide { sd } => (value / sd).asinh(),
         }
     }
 
@@ -46,6 +53,7 @@ impl Prior {
         match self {
             Self::Normal { sd, .. } => sd,
             Self::LogNormal { median, log_sd } => median * log_sd * (log_sd * z).exp(),
+            Self::Wide { sd } => sd * z.cosh(),
         }
     }
 }
@@ -78,6 +86,11 @@ impl Parameter {
         Self { name: name.into(), unit: unit.into(), prior, bounds: (0.0, f64::INFINITY), meaning: meaning.into() }
     }
 
+    /// A parameter about 0 that may be many times its usual size, without bounds.
+    pub fn wide(name: &str, unit: &str, sd: f64, meaning: &str) -> Self {
+        Self { prior: Prior::Wide { sd }, ..Self::normal(name, unit, 0.0, sd, meaning) }
+    }
+
     /// The same parameter, held inside a closed range.
     #[must_use]
     pub fn within(mut self, low: f64, high: f64) -> Self {
@@ -103,7 +116,8 @@ mod tests {
     /// There and back, and the change of the value against differences.
     #[test]
     fn values_and_standard_deviations_are_inverse_and_slopes_are_differences() {
-        for prior in [Prior::Normal { mean: 4.0, sd: 0.5 }, Prior::LogNormal { median: 20.0, log_sd: 0.3 }] {
+        let wide = Prior::Wide { sd: 0.2 };
+        for prior in [Prior::Normal { mean: 4.0, sd: 0.5 }, Prior::LogNormal { median: 20.0, log_sd: 0.3 }, wide] {
             for z in [-2.0, 0.0, 1.5] {
                 approx::assert_abs_diff_eq!(prior.z(prior.at(z)), z, epsilon = 1e-12);
                 let difference = (prior.at(z + 1e-5) - prior.at(z - 1e-5)) / 2e-5;
@@ -112,6 +126,8 @@ mod tests {
         }
         // a third of the logarithm is 35 % up
         approx::assert_relative_eq!(Prior::LogNormal { median: 20.0, log_sd: 0.3 }.at(1.0), 26.997_176, max_relative = 1e-7);
+        // a thousand times the usual size costs what 7.6 deviations do
+        approx::assert_relative_eq!(wide.z(200.0), 7.6, max_relative = 1e-3);
         assert_eq!(Parameter::log_normal("tau", "s", 20.0, 0.3, "").sd(), 6.0);
     }
 }

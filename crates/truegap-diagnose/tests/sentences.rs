@@ -74,6 +74,7 @@ fn fitted(effect: &dyn Effect, context: &Context<'_>, factor: f64, error: f64) -
         let scale = match parameter.prior {
             Prior::Normal { mean, sd } => mean + 0.731_234_567 * sd,
             Prior::LogNormal { median, .. } => 1.237_654_321 * median,
+            Prior::Wide { sd } => 0.731_234_567 * sd,
         };
         let value = scale * factor;
         let (low, high) = parameter.bounds;

@@ -17,9 +17,16 @@ pub(super) fn on_one_clock<'a>(inputs: &'a Inputs, stages: &[&dyn Stage]) -> Cow
     }
     let clock = clock(inputs);
     let first = clock.first().copied().unwrap_or(0.0);
-    let late = |time: &f64| stages.iter().map(|stage| stage.late_s(time - first)).sum();
-    let late: Vec<f64> = clock.iter().map(late).collect();
-    if late.iter().all(|late| *late == 0.0) { Cow::Borrowed(inputs) } else { Cow::Owned(caught_up(inputs, &clock, &late)) }
+    let late = |of: &dyn Fn(&dyn Stage, f64) -> f64| {
+        let late = |time: &f64| stages.iter().map(|stage| of(**stage, time - first)).sum();
+        clock.iter().map(late).collect::<Vec<f64>>()
+    };
+    let load = late(&|stage, elapsed| stage.late_s(elapsed));
+    if load.iter().all(|late| *late == 0.0) {
+        return Cow::Borrowed(inputs);
+    }
+    let of_driver = |driver: usize| late(&|stage, elapsed| stage.driver_late_s(driver, elapsed));
+    Cow::Owned(caught_up(inputs, &clock, &load, of_driver))
 }
 
 /// Rows that a shifted load is read for from beyond an end of their run, or from between the last two rows before it: nothing was recorded there, so that what a model makes of them is made up.
@@ -35,14 +42,16 @@ pub fn beyond_the_ends(inputs: &Inputs, stages: &[&dyn Stage]) -> Vec<usize> {
     inputs.runs().iter().flat_map(|run| run.clone().filter(|row| beyond(run, *row)).collect::<Vec<_>>()).collect()
 }
 
-/// The inputs with the columns of the load (force, pressure, gap, simulation) and the drivers read `late[row]` seconds further on: what stands there happened now.
-fn caught_up(inputs: &Inputs, clock: &[f64], late: &[f64]) -> Inputs {
+/// The inputs with the columns of the load (force, pressure, gap, simulation) read `late[row]` seconds further on, and each driver by what is `of_driver`: what stands there happened now.
+fn caught_up(inputs: &Inputs, clock: &[f64], late: &[f64], of_driver: impl Fn(usize) -> Vec<f64>) -> Inputs {
     let mut shifted = inputs.clone();
     let columns = [&mut shifted.force_n, &mut shifted.pressure_pa, &mut shifted.gap_m, &mut shifted.simulated];
-    let drivers = shifted.drivers.iter_mut().map(|driver| &mut driver.values);
     let runs = inputs.runs();
-    for column in columns.into_iter().flatten().chain(drivers) {
+    for column in columns.into_iter().flatten() {
         *column = known::shifted(clock, column, &runs, late);
+    }
+    for (number, driver) in shifted.drivers.iter_mut().enumerate() {
+        driver.values = known::shifted(clock, &driver.values, &runs, &of_driver(number));
     }
     shifted
 }
@@ -147,6 +156,26 @@ mod tests {
         assert_eq!(rows(-0.5, 0.0), [0, 1, 3, 4]);
         // early at first, late in the end
         assert_eq!(rows(-0.5, 0.25), [0, 1, 2, 4, 5]);
+    }
+
+    /// The first driver is as late as the load, the second was recorded beside the response.
+    #[test]
+    fn a_driver_beside_the_response_is_not_shifted_with_the_load() {
+        struct OfTheFirst;
+        impl Stage for OfTheFirst {
+            fn late_s(&self, _: f64) -> f64 {
+                0.5
+            }
+            fn driver_late_s(&self, driver: usize, elapsed_s: f64) -> f64 {
+                if driver == 0 { self.late_s(elapsed_s) } else { 0.0 }
+            }
+        }
+        let driver = |name: &str| crate::Driver { name: name.into(), unit: "1".into(), values: force(&ramp()) };
+        let inputs = Inputs { drivers: vec![driver("a"), driver("b")], ..ramp() };
+        let shifted = on_one_clock(&inputs, &[&OfTheFirst]);
+        assert_eq!(force(&shifted), shifted.drivers[0].values);
+        assert_ne!(force(&shifted), force(&inputs));
+        assert_eq!(force(&inputs), shifted.drivers[1].values);
     }
 
     #[test]

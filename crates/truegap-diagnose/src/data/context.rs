@@ -121,7 +121,7 @@ impl<'a> Context<'a> {
     /// What is known of a number of an effect beforehand: next to nothing but 0 where it is held.
     pub(crate) fn known(&self, effect: EffectId, mut parameter: Parameter) -> Parameter {
         if self.holds(effect, &parameter.name)
-            && let Prior::Normal { sd, .. } = parameter.prior
+            && let Prior::Normal { sd, .. } | Prior::Wide { sd } = parameter.prior
         {
             parameter.prior = Prior::Normal { mean: 0.0, sd: HELD * sd };
             parameter.meaning += HELD_SAYS;

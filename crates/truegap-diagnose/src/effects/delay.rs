@@ -4,7 +4,7 @@
 
 use crate::{
     data::context::Context,
-    effects::memory::{Lag, walk_lags},
+    effects::memory::{Haste, Lag, walk_lags},
 };
 use truegap_core::Inputs;
 
@@ -17,6 +17,8 @@ pub struct Delay {
     pub first_s: f64,
     /// log of the time constants while the reading falls, over those while it rises
     pub recovery: f64,
+    /// how the speed goes with the difference that is left; as one that is in proportion to it where the power is 0
+    pub haste: Haste,
     /// change per second of the true value before the first row of the recording; before each other run as many times that as its first value stands further from rest
     pub before: f64,
 }
@@ -24,7 +26,13 @@ pub struct Delay {
 impl Delay {
     /// A part with the time constant `tau_s` and a part, `share` of the whole, that is `slower` times slower.
     pub fn of_two(tau_s: f64, share: f64, slower: f64, before: f64) -> Self {
-        Self { parts: vec![(tau_s, 1.0 - share), (tau_s * slower, share)], first_s: 0.0, recovery: 0.0, before }
+        Self {
+            parts: vec![(tau_s, 1.0 - share), (tau_s * slower, share)],
+            first_s: 0.0,
+            recovery: 0.0,
+            haste: Haste::default(),
+            before,
+        }
     }
 
     /// The delayed column, in place; `rest` is its value at rest. Time constants of 0 are the identity.
@@ -44,6 +52,10 @@ impl Delay {
         let apart = (0.5 * self.recovery).exp();
         value.fill(0.0);
         for (tau_s, share) in self.parts.iter().filter(|(_, share)| *share > 0.0) {
+            if self.haste.power != 0.0 && *tau_s > 0.0 {
+                self.haste.late(inputs, *tau_s, given, |row| tau_s * before(row), |row, late| value[row] += share * late);
+                continue;
+            }
             let ways = [tau_s / apart, tau_s * apart];
             let ways = if self.recovery == 0.0 { &ways[..1] } else { &ways };
             late(inputs, ways, given, |row| tau_s * before(row), |row, late| value[row] += share * late);

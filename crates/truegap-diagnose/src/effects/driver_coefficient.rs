@@ -71,6 +71,11 @@ impl Stage for Flattening {
 
 const IDS: [&str; 2] = ["driver_coefficient", "second_driver_coefficient"];
 
+/// Greatest bend over the range: a parabola that turns a hundred thousandth of the range beside 0 turns there.
+const MOST_BENT: f64 = 1e5;
+/// Bend over the range, either way, from which a search starts as well where the driver has both signs.
+const BENT: f64 = 20.0;
+
 impl DriverCoefficient {
     fn curve(&self, values: &[f64], context: &Context<'_>) -> Curve {
         let course = Course::or_load(context, self.0);
@@ -108,15 +113,20 @@ impl Effect for DriverCoefficient {
         let (bend, unit) = (course.span(context).recip(), course.unit(context));
         vec![
             course.influence(context, "change of the reading per unit of the driver"),
-            Parameter::normal("bend", &format!("1/{unit}"), 0.0, bend, "relative change of that per unit")
-                .within(-4.0 * bend, 4.0 * bend),
+            // over a slope that may be nothing: a parabola that turns at 0 has no slope there
+            Parameter::wide("bend", &format!("1/{unit}"), bend, "relative change of that per unit")
+                .within(-MOST_BENT * bend, MOST_BENT * bend),
             Parameter::normal("power", "1", 0.0, 0.7, "exponent of the law, less 1").within(-0.8, 3.0),
             Parameter::normal("third", "1", 0.0, 0.3, "part of third order, over the straight part").within(-3.0, 3.0),
             Parameter::normal("fourth", "1", 0.0, 0.3, "part of fourth order, over the straight part").within(-3.0, 3.0),
         ]
     }
-    fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
-        vec![vec![0.0; 4]]
+    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
+        let course = Course::or_load(context, self.0);
+        let [low, high] = course.ends(context);
+        // a parabola about 0 shows no straight part to begin with
+        let bends: &[f64] = if low < 0.0 && high > 0.0 { &[0.0, BENT, -BENT] } else { &[0.0] };
+        bends.iter().map(|bend| vec![bend / course.span(context), 0.0, 0.0, 0.0]).collect()
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["bend"]

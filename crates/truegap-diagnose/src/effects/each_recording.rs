@@ -140,6 +140,12 @@ impl<E: Effect> Effect for EachRecording<E> {
         };
         own.iter().flat_map(|shape| factors.iter().map(|f| with(shape, f)).collect::<Vec<_>>()).collect()
     }
+    fn came_later(&self) -> Vec<&'static str> {
+        self.inner.came_later()
+    }
+    fn may_be_nothing(&self) -> &'static [&'static str] {
+        self.inner.may_be_nothing()
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         self.inner.testable(context)
     }

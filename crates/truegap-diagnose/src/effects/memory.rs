@@ -5,12 +5,14 @@
 //! **Source:** the step of a lag is `tau dy/dt + y = x` integrated over a straight line, derived here; plays as in Visintin, Differential Models of Hysteresis (1994), ch. III.
 
 mod clock;
+mod haste;
 mod lags;
 
 use std::ops::Range;
 use truegap_core::Inputs;
 
 pub use clock::elapsed_s;
+pub use haste::Haste;
 use lags::walk_lags_through;
 pub use lags::{Lag, LagSum, walk_lags};
 

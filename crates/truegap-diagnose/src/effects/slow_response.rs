@@ -6,9 +6,9 @@ use crate::{
     effects::{
         delay::{Delay, reads_temperature},
         effect::{About, Effect, Family, FittedParameter},
-        memory::first_order_lag,
+        memory::{Haste, first_order_lag},
     },
-    text::{percent_of, percent_with_sd, with_sd},
+    text::{percent_of, percent_with_sd, significant, with_sd},
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
@@ -19,7 +19,8 @@ pub(crate) struct Late(pub Delay);
 
 impl Stage for Late {
     fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
-        self.0.apply(drive.inputs, readout.zero, value);
+        let haste = Haste { at: (OF_THE_SPAN * readout.span).abs().max(f64::MIN_POSITIVE), ..self.0.haste };
+        Delay { haste, ..self.0.clone() }.apply(drive.inputs, readout.zero, value);
     }
 }
 
@@ -34,7 +35,7 @@ impl Stage for OneAfterTheOther {
     }
 }
 
-/// Parameters of a lag of the reading: `tau`, `slow_share`, `slower`, `before`, `first_stage`, `recovery`.
+/// Parameters of a lag of the reading: `tau`, `slow_share`, `slower`, `before`, `first_stage`, `recovery`, `haste`.
 pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
     let run = context.run_s();
     // somewhere between a step and a run, in the logarithm
@@ -49,6 +50,7 @@ pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
         first_stage(),
         Parameter::normal("recovery", "1", 0.0, 0.7, "log of the time constant of a falling reading over that of a rising one")
             .within(-MOST_APART, MOST_APART),
+        Parameter::normal(HASTE, "1", 0.0, 0.5, "exponent of the difference that is left in the speed, less 1").within(-0.9, 2.0),
     ]
 }
 
@@ -65,9 +67,13 @@ pub(crate) fn first_stage() -> Parameter {
 const NONE_BELOW: f64 = 0.1;
 
 const FIRST_STAGE: &str = "first_stage";
+const HASTE: &str = "haste";
 
-/// Numbers of other laws of a lag: two stages, one behind the other; a reading that falls more slowly than it rises, or faster.
-pub(crate) const OTHER_LAWS: &[&[&str]] = &[&[FIRST_STAGE], &["recovery"]];
+/// Difference at which the time constant is told where the speed is not in proportion to it, spans of the reading.
+const OF_THE_SPAN: f64 = 0.1;
+
+/// Numbers of other laws of a lag: two stages, one behind the other; a reading that falls more slowly than it rises, or faster; a speed that goes with a power of the difference.
+pub(crate) const OTHER_LAWS: &[&[&str]] = &[&[FIRST_STAGE], &["recovery"], &[HASTE]];
 
 /// Number of a lag whose lower limit is a law as good as any.
 pub(crate) const AT_ONCE_AS_WELL: &[&str] = &[FIRST_STAGE];
@@ -86,13 +92,14 @@ pub(crate) fn usual_rate(span: f64, context: &Context<'_>) -> f64 {
 /// In equilibrium at first, or on its way up or down by `rate`: what was switched on or poured in just before the first row.
 pub(crate) fn starts(rate: f64) -> Vec<Vec<f64>> {
     [[0.02, 10.0, 0.0], [0.5, 15.0, 0.0], [0.02, 10.0, rate], [0.02, 10.0, -rate]]
-        .map(|[share, slower, before]| vec![share, slower, before, 0.0, 0.0])
+        .map(|[share, slower, before]| vec![share, slower, before, 0.0, 0.0, 0.0])
         .to_vec()
 }
 
 pub(crate) fn late(values: &[f64]) -> Box<dyn Stage> {
-    let [tau, share, slower, before, first, recovery] = std::array::from_fn(|i| values[i]);
-    Box::new(Late(Delay { first_s: first * tau, recovery, ..Delay::of_two(tau, share, slower, before) }))
+    let [tau, share, slower, before, first, recovery, power] = std::array::from_fn(|i| values[i]);
+    let haste = Haste { power, ..Haste::default() };
+    Box::new(Late(Delay { first_s: first * tau, recovery, haste, ..Delay::of_two(tau, share, slower, before) }))
 }
 
 /// Number of a late reading that says how it stood before its first row.
@@ -128,7 +135,13 @@ fn richer(fitted: &[FittedParameter]) -> String {
         |half: f64| format!(" ({} where the reading rises, {} where it falls)", seconds((-half).exp()), seconds(half.exp()));
     let ways = if recovery.abs() > NO_STAGE { apart(0.5 * recovery) } else { String::new() };
     let stage = if first > NO_STAGE { format!(", behind a first stage of {}", seconds(first)) } else { String::new() };
-    ways + &stage
+    let haste = number(HASTE);
+    let of_a_power = if haste.abs() > NO_STAGE {
+        format!(" at a tenth of the span, its speed going with the difference to the power of {}", significant(1.0 + haste, 3))
+    } else {
+        String::new()
+    };
+    of_a_power + &ways + &stage
 }
 
 /// Share of the time constant, or log of a ratio, below which a number of a richer law is not spoken of.
@@ -159,7 +172,7 @@ impl Effect for SlowResponse {
     fn about(&self) -> About {
         About {
             physics: "the reading follows what it measures with a time constant, by a quick way (a vent, a surface) and a slow one (a housing, a core)",
-            equation: "value = (1 - s) lag(x; tau) + s lag(x; r tau), s the slow share, r how much slower; x is the true value, or lag(true; q tau) where a first stage comes before; tau is sqrt(e^c) times as long while the reading falls and as short while it rises, c the recovery; `before` is the rate of the true value before the first row, and before each run in proportion to where it begins",
+            equation: "value = (1 - s) lag(x; tau) + s lag(x; r tau), s the slow share, r how much slower; x is the true value, or lag(true; q tau) where a first stage comes before; tau is sqrt(e^c) times as long while the reading falls and as short while it rises, c the recovery; its speed goes with (|x - value| / (S / 10))^h besides, h the haste, S the span; `before` is the rate of the true value before the first row, and before each run in proportion to where it begins",
             excitation: "a simulated value or gap that changes faster than the reading can follow, with a clock",
             impostors: &["readout_lag", "time_offset", "offset_drift", "friction", "stress_relaxation"],
             separates: "behind on the way up and on the way down, by more the faster it goes, and there in the end",

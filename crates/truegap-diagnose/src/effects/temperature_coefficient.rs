@@ -62,8 +62,8 @@ fn versine(x: f64) -> f64 {
 
 /// Usual bend, over the span of what it follows: the coefficient at one end is three times that at the other.
 const USUAL_BEND: f64 = 2.0;
-/// Most: the coefficient is 0 a hundredth of the span beside the reference. A crystal is cut so that this point lies in the middle of its range; 4 was a limit that hid a parabola about the reference.
-const MOST_BENT: f64 = 100.0;
+/// Most, over the span: a parabola whose turn lies so near the reference, a hundred thousandth of the span, is one about the reference. A crystal is cut so that it turns in the middle of its range.
+const MOST_BENT: f64 = 1e5;
 
 /// Most growth over the span: a leakage current that doubles every 6 K does so in a span of 80 K.
 const MOST_GROWN: f64 = 10.0;
@@ -105,11 +105,12 @@ impl Effect for TemperatureCoefficient {
         let bend = context.temperature_span().max(1.0).recip();
         vec![
             Parameter::normal("per_kelvin", &unit, 0.0, scale, "change of the reading per kelvin at the reference temperature"),
-            Parameter::normal("bend", "1/K", 0.0, USUAL_BEND * bend, "relative change of that per kelvin")
+            // over a slope that may be nothing: a parabola that turns at the reference has no slope there
+            Parameter::wide("bend", "1/K", USUAL_BEND * bend, "relative change of that per kelvin")
                 .within(-MOST_BENT * bend, MOST_BENT * bend),
             Parameter::normal("growth", "1/K", 0.0, USUAL_BEND * bend, "exponential growth of that per kelvin")
                 .within(-MOST_GROWN * bend, MOST_GROWN * bend),
-            Parameter::normal("third", "1/K^2", 0.0, (USUAL_BEND * bend).powi(2), "relative change of the bend per kelvin")
+            Parameter::wide("third", "1/K^2", (USUAL_BEND * bend).powi(2), "change of the bend per kelvin")
                 .within(-(MOST_BENT * bend).powi(2), (MOST_BENT * bend).powi(2)),
         ]
     }
@@ -137,20 +138,41 @@ impl Effect for TemperatureCoefficient {
         Some(Box::new(Exponential { per_k: values[0], bend_per_k: values[1] }))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        let (slope, bend) = (&fitted[0], &fitted[1]);
-        let bent = if bend.value.abs() > SPOKEN_OF * bend.sd {
-            let way = if bend.value > 0.0 { "more" } else { "less" };
-            format!(", {} {way} with every kelvin", percent_with_sd(bend.value.abs(), bend.sd))
-        } else {
-            String::new()
-        };
-        let growth = fitted.get(2).filter(|growth| growth.value.abs() > SPOKEN_OF * growth.sd);
-        let grows = growth.map_or_else(String::new, |growth| {
-            let kelvin = rounded(std::f64::consts::LN_2 / growth.value.abs(), "K");
-            format!(" at the reference, and twice as much every {kelvin} {}", if growth.value > 0.0 { "up" } else { "down" })
-        });
-        format!("the reading moves by {} with temperature{grows}{bent}", with_sd(slope.value, slope.sd, &slope.parameter.unit))
+        said(fitted, |above| {
+            let way = if above < 0.0 { "below" } else { "above" };
+            format!("{} {way} the reference", rounded(above.abs(), "K"))
+        })
     }
+    fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, _: &[(EffectId, Vec<FittedParameter>)]) -> String {
+        said(fitted, |above| format!("at {}", rounded(context.reference_c + above, "degC")))
+    }
+}
+
+/// What is told, with the place of a turn in words, which lies so many kelvin above the reference.
+fn said(fitted: &[FittedParameter], turn: impl Fn(f64) -> String) -> String {
+    let (slope, bend) = (&fitted[0], &fitted[1]);
+    let seen = bend.value.abs() > SPOKEN_OF * bend.sd;
+    // it turns within half a span of the reference, where a slope says little; of a slope that is nothing the bend is as unsure as it is large
+    let no_slope = slope.value.abs() < SPOKEN_OF * slope.sd;
+    if (seen || no_slope) && bend.value.abs() > bend.parameter.sd() {
+        let square = rounded(0.5 * slope.value * bend.value, &format!("{}^2", slope.parameter.unit));
+        return format!(
+            "the reading follows temperature along a parabola of {square}, which turns {}",
+            turn(-bend.value.recip())
+        );
+    }
+    let bent = if seen {
+        let way = if bend.value > 0.0 { "more" } else { "less" };
+        format!(", {} {way} with every kelvin", percent_with_sd(bend.value.abs(), bend.sd))
+    } else {
+        String::new()
+    };
+    let growth = fitted.get(2).filter(|growth| growth.value.abs() > SPOKEN_OF * growth.sd);
+    let grows = growth.map_or_else(String::new, |growth| {
+        let kelvin = rounded(std::f64::consts::LN_2 / growth.value.abs(), "K");
+        format!(" at the reference, and twice as much every {kelvin} {}", if growth.value > 0.0 { "up" } else { "down" })
+    });
+    format!("the reading moves by {} with temperature{grows}{bent}", with_sd(slope.value, slope.sd, &slope.parameter.unit))
 }
 
 #[cfg(test)]
@@ -166,6 +188,17 @@ mod tests {
         }
         let near = |growth_per_k: f64| Curve { growth_per_k, per_k: 1.0, ..leak }.law(1.0);
         approx::assert_relative_eq!(near(0.999_999e-8), near(1.000_001e-8), max_relative = 1e-13);
+    }
+
+    /// At the reference the slope is nothing, and the bend is as unsure as it is large.
+    #[test]
+    fn a_parabola_that_turns_at_the_reference_is_told_as_one() {
+        let number =
+            |parameter: Parameter, value: f64, sd: f64| FittedParameter { parameter, value, sd, sd_of_fit: sd, at_limit: false };
+        let slope = Parameter::normal("per_kelvin", "V/K", 0.0, 1.0, "slope");
+        let fitted = [number(slope, -1e-4, 1e-4), number(Parameter::wide("bend", "1/K", 0.1, "bend"), 400.0, 400.0)];
+        let says = TemperatureCoefficient.says(&fitted);
+        assert!(says.contains("along a parabola of") && says.contains("below the reference"), "{says}");
     }
 
     /// The third derivative of a cubic is its third number.

@@ -1,4 +1,8 @@
 //! The clocks of load and response differ.
+//!
+//! Drivers that the base model does not follow may stand on either clock, or on a third: a simulation is made elsewhere, and a tilt is recorded by the logger of the reading.
+//!
+//! Limits: of several recordings together, drivers are as late as the load.
 
 use crate::{
     data::context::Context,
@@ -16,12 +20,43 @@ use truegap_core::{EffectId, Inputs, Parameter, Stage, simulator::StageName};
 /// A constant difference of clocks.
 pub struct TimeOffset;
 
-struct Shift(f64);
+struct Shift {
+    late_s: f64,
+    /// part of that by which drivers beside the base model are not late
+    apart: f64,
+    /// whether each driver is beside the base model
+    beside: Vec<bool>,
+}
 
 impl Stage for Shift {
     fn late_s(&self, _: f64) -> f64 {
-        self.0
+        self.late_s
     }
+    fn driver_late_s(&self, driver: usize, _: f64) -> f64 {
+        let beside = self.beside.get(driver).is_some_and(|beside| *beside);
+        if beside { self.late_s * (1.0 - self.apart) } else { self.late_s }
+    }
+}
+
+impl Shift {
+    /// All inputs by as much.
+    fn of_all(late_s: f64) -> Self {
+        Self { late_s, apart: 0.0, beside: Vec::new() }
+    }
+}
+
+/// Whether each recorded driver is one that the base model does not follow; none where several recordings are one problem.
+fn beside_the_base(context: &Context<'_>) -> Vec<bool> {
+    if context.simulator.joined().is_some_and(|joined| joined.count() > 1) {
+        return Vec::new();
+    }
+    (0..context.inputs.drivers.len()).map(|index| !Course::Driver(index).is_followed(context)).collect()
+}
+
+/// Whether a driver moved that may be on another clock than the load.
+fn moves_beside_the_base(context: &Context<'_>) -> bool {
+    let drivers = context.inputs.drivers.iter().zip(beside_the_base(context));
+    drivers.into_iter().any(|(driver, beside)| beside && context.moved.drivers.contains(&driver.name))
 }
 
 /// Sibling: the shift to first order, along the slope between the neighbouring rows.
@@ -37,7 +72,7 @@ impl Stage for Slope {
 
 /// The same, of each recording where there are several: clocks belong to a recording, not to the sensor.
 pub fn of_each_recording() -> EachRecording<TimeOffset> {
-    EachRecording { inner: TimeOffset, make: |values| Box::new(Shift(values[0])) }
+    EachRecording { inner: TimeOffset, make: |values| Box::new(Shift::of_all(values[0])) }
 }
 
 impl Effect for TimeOffset {
@@ -56,7 +91,7 @@ impl Effect for TimeOffset {
     fn about(&self) -> About {
         About {
             physics: "load and response were stamped by two clocks, or one of them was buffered",
-            equation: "the load at time t stands in the row of t + s; between rows straight or by a cubic, as the rows say",
+            equation: "the load at time t stands in the row of t + s, a driver beside the base model in that of t + s (1 - a), a = 0 until rows left out bear it out; between rows straight or by a cubic, as the rows say",
             excitation: "load that changes fast, at more than one rate, with a clock",
             impostors: &["readout_lag", "rate_independent_hysteresis", "viscoelastic_creep", "trapped_air_stiffness"],
             separates: "the loop over load grows with the rate and may run the wrong way round; corners stay sharp, where a lag rounds them",
@@ -75,7 +110,23 @@ impl Effect for TimeOffset {
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let scale = context.of_device_s(0.05);
         let most = (LARGEST_SHARE * context.longest_run_s).max(scale);
-        vec![Parameter::normal("late", "s", 0.0, scale, "time by which the load's clock is late").within(-most, most)]
+        let mut list =
+            vec![Parameter::normal("late", "s", 0.0, scale, "time by which the load's clock is late").within(-most, most)];
+        if moves_beside_the_base(context) {
+            let meaning =
+                "part of it by which drivers beside the base model are not late: 1 where they were recorded with the reading";
+            list.push(Parameter::normal("apart", "1", 0.0, 0.7, meaning).within(-1.0, 2.0));
+        }
+        list
+    }
+    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
+        if moves_beside_the_base(context) { vec![vec![0.0], vec![1.0]] } else { vec![Vec::new()] }
+    }
+    fn came_later(&self) -> Vec<&'static str> {
+        vec!["apart"]
+    }
+    fn may_be_nothing(&self) -> &'static [&'static str] {
+        &["apart"]
     }
     fn far_sizes(&self, context: &Context<'_>) -> Vec<f64> {
         let Some((width_s, most_s)) = alike_within_s(context).zip(self.parameters(context).first().map(|late| late.bounds.1))
@@ -90,8 +141,9 @@ impl Effect for TimeOffset {
         context.needs_clock()?;
         Course::on_a_clock(context).map(|_| ())
     }
-    fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(Shift(values[0]))
+    fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {
+        let Some(apart) = values.get(1) else { return Box::new(Shift::of_all(values[0])) };
+        Box::new(Shift { late_s: values[0], apart: *apart, beside: beside_the_base(context) })
     }
     fn sibling(&self, values: &[f64], context: &Context<'_>) -> Option<Box<dyn Stage>> {
         context.simulator.full_load().map(|_| Box::new(Slope(values[0])) as Box<dyn Stage>)

@@ -73,6 +73,9 @@ impl Stage for Remembered {
     fn late_s(&self, elapsed_s: f64) -> f64 {
         self.inner.late_s(elapsed_s)
     }
+    fn driver_late_s(&self, driver: usize, elapsed_s: f64) -> f64 {
+        self.inner.driver_late_s(driver, elapsed_s)
+    }
     fn after_runs(&self, runs: usize) -> Option<Box<dyn Stage>> {
         self.inner.after_runs(runs)
     }
@@ -122,6 +125,9 @@ mod tests {
     impl Stage for Everywhere {
         fn late_s(&self, elapsed_s: f64) -> f64 {
             0.5 + elapsed_s
+        }
+        fn driver_late_s(&self, driver: usize, elapsed_s: f64) -> f64 {
+            if driver == 0 { 0.25 } else { elapsed_s }
         }
         fn after_runs(&self, runs: usize) -> Option<Box<dyn Stage>> {
             (runs > 1).then(|| Box::new(Everywhere(Arc::default())) as Box<dyn Stage>)
@@ -181,8 +187,13 @@ mod tests {
             &|c| stage.strain(&drive, c),
             &|c| stage.readout(&drive, &Readout { zero: 0.0, span: 4.0 }, c),
         ];
-        let mut found =
-            vec![stage.late_s(2.0), f64::from(u8::from(stage.feeds_back())), stage.stiffening()[0], stage.stiffening()[1]];
+        let mut found = vec![
+            stage.late_s(2.0),
+            stage.driver_late_s(0, 2.0),
+            f64::from(u8::from(stage.feeds_back())),
+            stage.stiffening()[0],
+            stage.stiffening()[1],
+        ];
         found.extend([0, 2].map(|runs| f64::from(u8::from(stage.after_runs(runs).is_some()))));
         for change in columns {
             let mut column = vec![0.25, 0.5];

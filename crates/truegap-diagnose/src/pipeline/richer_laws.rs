@@ -82,9 +82,14 @@ fn laws_opened(search: &Search<'_>, tried: &Tried) -> Vec<Vec<Number>> {
     std::iter::once(richer).filter(|numbers| !numbers.is_empty()).chain(others).collect()
 }
 
-/// Those of these numbers of an effect that are still held.
+/// Those of these numbers of an effect that are still held; some are only there beside some base models.
 fn still_held(search: &Search<'_>, effect: &dyn Effect, names: &[&'static str]) -> Vec<Number> {
-    let held = names.iter().filter(|name| search.context.holds(effect.id(), name));
+    if names.is_empty() {
+        return Vec::new();
+    }
+    let parameters = effect.parameters(search.context);
+    let has = |name: &str| parameters.iter().any(|parameter| parameter.name == name);
+    let held = names.iter().filter(|name| search.context.holds(effect.id(), name) && has(name));
     held.map(|name| (effect.id(), *name)).collect()
 }
 

@@ -25,9 +25,12 @@ type Foretold<'a> = &'a dyn Fn(&Search<'_>, &Tried) -> HeldOutFit;
 
 /// Numbers of the model `tried` that are better held at nothing, by effect and name; empty where all are borne out. Rows left out are predicted better without them, `least` times or more.
 pub(crate) fn not_borne_out(search: &Search<'_>, tried: &Tried, foretold: Foretold<'_>, least: f64) -> Vec<Number> {
+    let model = search.model(&tried.effects);
+    // some numbers are only there beside some base models and recordings
+    let has = |name: &str| model.parameters.iter().any(|parameter| parameter.name == name);
     let of_effect = |e: &usize| {
         let effect = search.library[*e];
-        let open = effect.may_be_nothing().iter().filter(|name| !search.context.holds(effect.id(), name));
+        let open = effect.may_be_nothing().iter().filter(|name| !search.context.holds(effect.id(), name) && has(name));
         open.map(|name| (effect.id(), *name)).collect::<Vec<_>>()
     };
     let mut open: Vec<Number> = tried.effects.iter().flat_map(of_effect).collect();

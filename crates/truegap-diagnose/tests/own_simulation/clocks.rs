@@ -1,6 +1,6 @@
 //! Two clocks: rows for which nothing was recorded on the clock of the response, and times that go with the recording.
 
-use crate::given::{Given, noisy, said};
+use crate::given::{Given, noisy, said, said_by};
 use truegap_core::{Driver, Inputs};
 use truegap_diagnose::{Context, Diagnosis, Effect, Verdict, library};
 
@@ -76,6 +76,36 @@ fn times_of_effects_are_those_of_the_recording() {
                 let same = slow == fast && !slow.is_finite();
                 assert!(same || (expected(slow) - fast).abs() <= 1e-9 * fast.abs(), "{name}: {} is {fast}", expected(slow));
             }
+        }
+    }
+}
+
+/// What moves was recorded by another logger, 1.5 s early; the supply by that of the reading. Shifted with what moves, it acted at the wrong times: a lag was named instead.
+#[test]
+fn a_driver_that_was_recorded_with_the_reading_is_not_late_with_what_moves() {
+    let late_s = -1.5;
+    let supply = |t: f64| (std::f64::consts::TAU * t / 7.3).sin() + 0.5 * (std::f64::consts::TAU * t / 2.9).cos();
+    for (with_the_reading, apart) in [(true, 1.0), (false, 0.0)] {
+        let mut inputs = recorded();
+        let time = inputs.time_s.clone().unwrap();
+        let values = time.iter().map(|t| supply(*t)).collect();
+        inputs.drivers.push(Driver { name: "supply".into(), unit: "V".into(), values });
+        let acts = |row: usize| supply(time[row] + if with_the_reading { 0.0 } else { late_s });
+        let read = noisy(43, |row| 3.0 + moved(time[row] + late_s) + 0.4 * acts(row), ROWS);
+        let model = Given { follows_driver: true, ..Given::with_level() };
+        let said = said_by(&["time_offset", "second_driver_coefficient", "readout_lag", "slow_response"], &model, &inputs, &read);
+        let mut names: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+        names.sort_unstable();
+        assert_eq!(
+            (said.verdict, names),
+            (Verdict::Explained, vec!["second_driver_coefficient", "time_offset"]),
+            "{}",
+            said.says
+        );
+        let clock = said.findings.iter().find(|f| f.effect == "time_offset").unwrap();
+        for (name, truth) in [("late", late_s), ("apart", apart)] {
+            let number = clock.parameters.iter().find(|p| p.name == name).unwrap();
+            assert!((number.value - truth).abs() < 4.0 * number.sd + 1e-9, "{name} {} (sd {})", number.value, number.sd);
         }
     }
 }

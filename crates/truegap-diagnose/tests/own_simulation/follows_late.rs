@@ -127,6 +127,24 @@ fn a_parabola_about_the_reference_is_a_temperature_coefficient() {
     assert!(said.fit.in_sample.rmse_after < 0.0105, "{}", said.fit.in_sample.rmse_after);
 }
 
+/// A crystal that turns at the reference, or 0.2 K beside it, under one swing of the temperature: a bend of at most a few times the usual kept a slope that is not there, and half of the parabola.
+#[test]
+fn a_parabola_that_turns_beside_the_reference_is_told_with_its_turn() {
+    let base = Given::with_level();
+    for turn in [0.0, 0.2, -3.0] {
+        let above: Vec<f64> = (0..ROWS).map(|row| 1.0 + 9.0 * (row as f64 / 160.0).sin()).collect();
+        let warm = above.iter().map(|x| base.reference_c() + x).collect();
+        let inputs = Inputs { temperature_c: Some(warm), ..clocked() };
+        let read = noisy(45, |row| 3.0 - 0.02 * (above[row] - turn).powi(2), ROWS);
+        let said = said_by(&["temperature_coefficient"], &base, &inputs, &read);
+        assert_eq!((said.verdict, names(&said)), (Verdict::Explained, vec!["temperature_coefficient"]), "{}", said.says);
+        let [(slope, _), (bend, _)] = ["per_kelvin", "bend"].map(|name| number(&said, name));
+        approx::assert_relative_eq!(0.5 * slope * bend, -0.02, max_relative = 0.01);
+        approx::assert_abs_diff_eq!(-bend.recip(), turn, epsilon = 0.02);
+        assert!(said.findings[0].says.contains("along a parabola"), "{}", said.findings[0].says);
+    }
+}
+
 /// The element whose gain goes with temperature is a minute behind the thermometer: the gain followed the thermometer itself, and no model held both.
 #[test]
 fn beside_no_plates_the_gain_follows_what_is_behind_the_thermal_path() {

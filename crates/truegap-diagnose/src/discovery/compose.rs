@@ -85,12 +85,12 @@ pub fn compose(
     best.filter(|found| strained || !matter_of_form(found))
 }
 
-/// Mechanisms beside the base model, whatever the library says; `None` where freedom alone does as well.
-pub fn describe(search: &Search<'_>, selection: &Selection, lack_of_fit: &LackOfFitTests) -> Option<Composition> {
+/// Mechanisms beside the base model, whatever the library says; `None` where freedom alone does as well. A library whose laws are `strained` is no rival.
+pub fn describe(search: &Search<'_>, selection: &Selection, lack_of_fit: &LackOfFitTests, strained: bool) -> Option<Composition> {
     if search.problem.simulator.joined().is_some() {
         return None;
     }
-    let found = beside(search, selection, selection.base(), lack_of_fit, false)?;
+    let found = beside(search, selection, selection.base(), lack_of_fit, strained)?;
     Some(Composition { in_other_words: true, ..found })
 }
 

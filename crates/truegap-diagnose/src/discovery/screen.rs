@@ -341,9 +341,9 @@ fn plausibility(place: Place, driver: &Driver, places: &[(Place, usize)]) -> f64
     }
 }
 
-/// Whether it goes up and down with time, whatever else was done.
+/// Whether it goes up and down with time or with a driver: over a sweep of the driver that is a tone as well.
 fn is_a_tone(sentence: &Sentence) -> bool {
-    sentence.driver == Driver::Time && sentence.kinetics == Kinetics::Periodic
+    sentence.kinetics == Kinetics::Periodic
 }
 
 /// What is left, with the sign of stretches reversed by chance: each stays what it was, and no tone goes through all of them.

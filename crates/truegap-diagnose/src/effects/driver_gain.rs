@@ -93,6 +93,9 @@ impl Stage for Straight {
     }
 }
 
+/// Farthest reading that the gain leaves alone, spans beside what is read: from farther away a gain is a zero that moves with the driver (generated: a sensor that its current heats was told as a gain about a reading 1.8 spans above).
+const BESIDE: f64 = 1.0;
+
 const IDS: [&str; 2] = ["driver_gain", "second_driver_gain"];
 
 impl DriverGain {
@@ -136,7 +139,7 @@ impl Effect for DriverGain {
                 .within(-4.0, 4.0),
             Parameter::normal("bend", "1", 0.0, 0.2, "the same for the square").within(-3.0, 3.0),
             Parameter::normal("pivot", "spans", 0.0, 0.5, "reading that it leaves alone, above that without load")
-                .within(-5.0, 5.0),
+                .within(-BESIDE, 1.0 + BESIDE),
             Parameter::normal("third", "1", 0.0, 0.2, "part of third order in the log of the gain").within(-2.0, 2.0),
             Parameter::normal("fourth", "1", 0.0, 0.2, "part of fourth order in the log of the gain").within(-2.0, 2.0),
             Parameter::normal("steepness", "1", 0.0, 0.5, "end of the range over the value at which the influence has a pole")

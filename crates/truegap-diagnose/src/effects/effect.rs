@@ -78,6 +78,31 @@ pub struct FittedParameter {
     pub at_limit: bool,
 }
 
+/// A number by which an effect is told from what it would be on a limit of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// told from the lower limit: a loop of no width has one way only
+    Above(&'static str),
+    /// told from the upper limit: what is late by more than a recording adds up
+    Below(&'static str),
+}
+
+impl Mark {
+    /// Whether the number of this name, at `z` between its `bounds` and known to `sd`, is the mark and not told from its limit.
+    pub(crate) fn is_unseen(self, name: &str, z: f64, sd: f64, bounds: (f64, f64)) -> bool {
+        let (own, aside, seen) = match self {
+            Self::Above(own) => (own, z - bounds.0, WIDTH_SEEN),
+            Self::Below(own) => (own, bounds.1 - z, TIME_SEEN),
+        };
+        own == name && aside < seen * sd
+    }
+}
+
+/// Distance from the lower limit from which on a width is told from nothing, in standard deviations, as shares of a law are.
+const WIDTH_SEEN: f64 = 2.0;
+/// The same for a time constant from that of a whole recording: a long one is hardly known in any case.
+const TIME_SEEN: f64 = 1.0;
+
 /// Omitted physics: one stage of the chain that the base model takes to be the identity.
 ///
 /// `parameters(..)[0]` is the *size*: 0 means that the effect is absent, and the response is smooth in it.
@@ -169,6 +194,10 @@ pub trait Effect: Send + Sync {
     fn comes_down_to(&self) -> Option<EffectId> {
         None
     }
+    /// The number on a limit of which the effect would be another one. Where it is not told from there, the law lies on that limit.
+    fn mark(&self) -> Option<Mark> {
+        None
+    }
     /// Names of numbers that are 0 in the simplest law that goes by this name: a bend, a second way. Where rows left out do not bear them out, they are held there.
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &[]
@@ -210,5 +239,22 @@ pub trait Effect: Send + Sync {
     /// `beside` it are fitted to.
     fn told(&self, fitted: &[FittedParameter], _context: &Context<'_>, _beside: &[(EffectId, Vec<FittedParameter>)]) -> String {
         self.says(fitted)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A loop of 0.163 % (sd 0.129) on the narrowest of 0.1627 %, and a lag of 149 min (sd 52) in a run of 150 min: neither is told from its limit.
+    #[test]
+    fn a_mark_is_told_from_its_limit_by_its_deviation() {
+        let (width, lag) = (Mark::Above("half_width"), Mark::Below("tau"));
+        let bounds = |low: f64, high: f64| (low.ln(), high.ln());
+        assert!(width.is_unseen("half_width", 0.163_f64.ln(), 0.79, bounds(0.1627, 81.0)));
+        assert!(!width.is_unseen("half_width", 3.0_f64.ln(), 0.05, bounds(0.1627, 81.0)));
+        assert!(!width.is_unseen("rounding", 0.163_f64.ln(), 0.79, bounds(0.1627, 81.0)));
+        assert!(lag.is_unseen("tau", 149.0_f64.ln(), 0.35, bounds(0.1, 150.0)));
+        assert!(!lag.is_unseen("tau", 40.0_f64.ln(), 0.35, bounds(0.1, 150.0)));
     }
 }

@@ -4,7 +4,7 @@ use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::effect::{About, Effect, Family, FittedParameter, Separation},
-    effects::gain_error::gain_is_fixed,
+    effects::gain_error::{gain_is_fixed, is_given},
     text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
@@ -18,15 +18,28 @@ struct Gain {
     neutral_k: f64,
     /// whether it follows the thermometer, as the electronics of a sensor do, or what is behind the thermal path
     of_thermometer: bool,
+    /// whether readings are told from 0, as those beside a simulation are
+    from_zero: bool,
 }
 
+/// Farthest that a reading of 0 may be from what is read for a gain to act about it, spans: from farther away it would be a zero that moves with the temperature.
+const BESIDE: f64 = 1.0;
+
 impl Gain {
+    /// Reading that the gain leaves alone.
+    fn unmoved(&self, readout: &Readout) -> f64 {
+        let (low, high) = (readout.zero.min(readout.zero + readout.span), readout.zero.max(readout.zero + readout.span));
+        let aside = BESIDE * (high - low);
+        if self.from_zero && (low - aside..=high + aside).contains(&0.0) { 0.0 } else { readout.of_no_gain() }
+    }
+
     /// Applies `gain(kelvin above the reference)` to what stands above the zero.
     fn apply(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64], gain: impl Fn(f64) -> f64) {
         let Some(recorded) = drive.inputs.temperature_c.as_deref() else { return };
         let temperature = if self.of_thermometer { recorded } else { drive.temperature_c };
+        let unmoved = self.unmoved(readout);
         for (value, t) in value.iter_mut().zip(temperature) {
-            *value += (*value - readout.of_no_gain()) * gain(t - drive.reference_c - self.neutral_k);
+            *value += (*value - unmoved) * gain(t - drive.reference_c - self.neutral_k);
         }
     }
 }
@@ -45,7 +58,7 @@ const SPOKEN_OF: f64 = 3.0;
 
 fn gain(values: &[f64], context: &Context<'_>) -> Gain {
     let neutral_k = values.get(1).copied().unwrap_or(0.0);
-    Gain { per_k: values[0], neutral_k, of_thermometer: is_of_a_sensor(context) }
+    Gain { per_k: values[0], neutral_k, of_thermometer: is_of_a_sensor(context), from_zero: is_given(context) }
 }
 
 /// Whether the base model is a capacitive sensor's, whose electronics are of a known kind.
@@ -78,7 +91,7 @@ impl Effect for GainDrift {
     fn about(&self) -> About {
         About {
             physics: "the gain of the electronics moves with the temperature of the room",
-            equation: "value = zero + (true - zero) (1 + k (T - T0 - n)), zero the reading without load at T0, or 0 where readings have both signs; n = 0 where the gain of the base model is calibrated; T the thermometer beside plates, else the temperature behind the thermal path",
+            equation: "value = zero + (true - zero) (1 + k (T - T0 - n)), zero the reading without load at T0, or 0 where readings have both signs or, beside a simulation, come within a span of it; n = 0 where the gain of the base model is calibrated; T the thermometer beside plates, else the temperature behind the thermal path",
             excitation: "load cycles at two or more temperatures",
             impostors: &["permittivity_temperature", "electrode_warp", "ageing"],
             separates: "no change without load, in proportion to the signal with it, without delay; calibration can hide it in the temperature coefficient of the modulus",
@@ -138,5 +151,30 @@ impl Effect for GainDrift {
             )
         });
         format!("the gain moves by {}{right}", with_sd(100.0 * fitted[0].value, 100.0 * fitted[0].sd, "%/K"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use truegap_core::Inputs;
+
+    /// Change of a reading by 1 % in 10 K.
+    fn change(from_zero: bool, readout: Readout, reading: f64) -> f64 {
+        let inputs = Inputs { run: vec![1], temperature_c: Some(vec![30.0]), ..Inputs::default() };
+        let drive = Drive { inputs: &inputs, load: &[], temperature_c: &[30.0], reference_c: 20.0, full_load: 1.0 };
+        let mut value = vec![reading];
+        Gain { per_k: 1e-3, neutral_k: 0.0, of_thermometer: false, from_zero }.readout(&drive, &readout, &mut value);
+        value[0] - reading
+    }
+
+    /// A distance of 900 m grows by 9 m, whatever the shortest is that was measured: counted from that, a coefficient was named beside the gain.
+    #[test]
+    fn a_gain_beside_a_simulation_is_told_from_a_reading_of_nothing() {
+        let distances = Readout { zero: 60.0, span: 840.0 };
+        approx::assert_relative_eq!(change(true, distances, 900.0), 9.0, max_relative = 1e-12);
+        approx::assert_relative_eq!(change(false, distances, 900.0), 8.4, max_relative = 1e-12);
+        // 1000 hPa are far from none: there a gain would be a coefficient
+        approx::assert_relative_eq!(change(true, Readout { zero: 990.0, span: 40.0 }, 1000.0), 0.1, max_relative = 1e-9);
     }
 }

@@ -6,7 +6,7 @@ use crate::{
     effects::{
         course::Course,
         driver_coefficient::DriverCoefficient,
-        effect::{About, Effect, Family, FittedParameter},
+        effect::{About, Effect, Family, FittedParameter, Mark},
         memory::first_order_lag,
     },
     text::with_sd,
@@ -88,6 +88,9 @@ impl Effect for LateDriver {
     }
     fn at_once(&self) -> &'static [&'static str] {
         &["tau"]
+    }
+    fn mark(&self) -> Option<Mark> {
+        Some(Mark::Below("tau"))
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let middle = middle_s(context);

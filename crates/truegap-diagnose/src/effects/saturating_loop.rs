@@ -6,7 +6,7 @@ use crate::{
     effects::{
         course::Course,
         delay::is_temperature,
-        effect::{About, Effect, Family, FittedParameter},
+        effect::{About, Effect, Family, FittedParameter, Mark},
         friction_of_speed::is_speed,
         memory::play,
     },
@@ -125,6 +125,9 @@ impl Effect for SaturatingLoop {
     }
     fn of_start(&self, _: &Context<'_>) -> &'static [&'static str] {
         &["start"]
+    }
+    fn mark(&self) -> Option<Mark> {
+        Some(Mark::Above("half_width"))
     }
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["off_middle"]

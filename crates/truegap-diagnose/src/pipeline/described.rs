@@ -17,6 +17,7 @@ use crate::{
     pipeline::{
         by_name::by_name,
         judged::{Judged, Told, judged_once, may_compose},
+        laws_on_limits::lies_on_limits,
         prepare::Prepared,
     },
     selection::verdict::Verdict,
@@ -33,12 +34,14 @@ pub(crate) fn described(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged
     }
     let searched = prepared.searched();
     let search = &prepared.search(&searched, told.progress, told.stop);
-    let Some(composition) = describe(search, &judged.examined.selection, &prepared.lack_of_fit) else { return Ok(judged) };
+    let strained = lies_on_limits(search, judged.stood_behind(), &judged.predicted.decision);
+    let found = describe(search, &judged.examined.selection, &prepared.lack_of_fit, strained);
+    let Some(composition) = found else { return Ok(judged) };
     // words never decide whether something is missing
     let another =
         judged.names_something() && !says_the_same(search, judged.stood_behind(), &composition.tried, &composition.mechanisms);
     if composition.log_odds <= 0.0 || !another {
-        return Ok(judged.described_by(composition));
+        return Ok(judged.described_by(in_other_words(composition)));
     }
     let named = Composition { in_other_words: false, ..composition };
     let likelier = judged_once(prepared, told, judged.examined.clone(), Some(named), Some(judged.by_base.clone()))?;
@@ -48,14 +51,18 @@ pub(crate) fn described(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged
     };
     let borne_out = match prepared.noise_is_known() {
         true => likelier.foretells_as_well_as(&judged),
-        false => !judged.stands_before(&likelier, false),
+        false => !judged.stands_before(&likelier, strained),
     };
     if likelier.names_something() && borne_out {
         return Ok(likelier);
     }
-    let composition = likelier.composition.map(|composition| Composition { in_other_words: true, ..composition });
-    Ok(match composition {
-        Some(composition) => judged.described_by(composition),
+    Ok(match likelier.composition {
+        Some(composition) => judged.described_by(in_other_words(composition)),
         None => judged,
     })
+}
+
+/// Mechanisms beside a library that keeps its answer.
+fn in_other_words(composition: Composition) -> Composition {
+    Composition { in_other_words: true, library_strained: false, ..composition }
 }

@@ -20,6 +20,13 @@ pub(crate) fn laws_on_limits(search: &Search<'_>, tried: &Tried, decision: Decis
     (Decision { verdict, ..decision }, says)
 }
 
+/// Whether a law of what a decision claims lies on such a limit.
+pub(crate) fn lies_on_limits(search: &Search<'_>, tried: &Tried, decision: &Decision) -> bool {
+    decision.verdict == Verdict::Explained
+        && !search.context.has_plates()
+        && !on_limits(search, tried, &decision.carried).is_empty()
+}
+
 /// What a reader is told of each number that lies on its limit; a law that is `carried` is not claimed.
 fn on_limits(search: &Search<'_>, tried: &Tried, carried: &[usize]) -> Vec<String> {
     if tried.effects.iter().any(|effect| *effect >= search.library.len()) {

@@ -192,7 +192,8 @@ impl<'a> Search<'a> {
         fit_onwards(model, self.whitener, &z, &launch.from.fit.jacobian, &FitOptions::default()).ok()
     }
 
-    /// Places of the numbers of effect `index` of a model, its size aside, that lie on a limit which is no plain special case (nothing or all of a part): there its law does not hold.
+    /// Places of the numbers of effect `index` of a model, its size aside, that lie on a limit which is no plain special case (nothing or all of a part): there its law does not hold. So does one whose mark is not told
+    /// from there.
     pub(crate) fn on_limits(&self, tried: &Tried, index: usize) -> Vec<usize> {
         let model = self.model(&tried.effects);
         let values = model.values(&tried.fit.z);
@@ -201,7 +202,10 @@ impl<'a> Search<'a> {
             let value = values[i];
             value == 0.0 || (value - 1.0).abs() < 1e-9 || at_once(effect, &model.parameters[i], value)
         };
-        model.range_of(index).skip(1).filter(|i| tried.fit.at_limit[*i] && !special(*i)).collect()
+        let (z, sd, bounds) = (&tried.fit.z, &tried.fit.sd, model.bounds());
+        let unseen =
+            |i: usize| effect.mark().is_some_and(|mark| mark.is_unseen(&model.parameters[i].name, z[i], sd[i], bounds[i]));
+        model.range_of(index).skip(1).filter(|i| (tried.fit.at_limit[*i] && !special(*i)) || unseen(*i)).collect()
     }
 
     /// The effects of a model that are kept, and the places of their coordinates and of the base model's.

@@ -82,7 +82,7 @@ fn most_without_strain(
 }
 
 /// The same where the last part, behind `names` others, was composed of words: the fewest of the others that remove most of what those remove together, and the words where those are more than half of
-/// the `whole`. Names that run to a limit without the words are fewer: the ones that remove most without that. `None` where names remove next to nothing, so that words are all.
+/// the `whole`. Names that run to a limit without the words stand for them, and are fewer: the ones that remove most without that. `None` where names remove next to nothing, so that words are all.
 pub(crate) fn names_first(
     names: usize,
     whole: f64,
@@ -93,11 +93,12 @@ pub(crate) fn names_first(
     if together < (1.0 - MAIN_SHARE) * whole || whole <= 0.0 {
         return None;
     }
-    let sound = if (asked.strained)(&all) { most_without_strain(names, asked) } else { None };
-    let (mut causes, by_names) = sound.filter(|(_, squares)| 2.0 * squares >= whole).unwrap_or_else(|| {
+    let (mut causes, by_names) = if (asked.strained)(&all) {
+        most_without_strain(names, asked).filter(|(_, squares)| *squares >= (1.0 - MAIN_SHARE) * whole)?
+    } else {
         let (causes, share) = fewest(names, together, |_, squares| squares >= MAIN_SHARE * together, asked);
         (causes, share * together)
-    });
+    };
     if 2.0 * by_names >= whole {
         return Some((causes, by_names / whole));
     }
@@ -183,6 +184,16 @@ mod tests {
         let with = |strained: bool| Asked { removed: of, strained: move |kept: &[usize]| strained && kept == [0, 1] };
         let causes = |strained: bool| names_first(2, 98.6, &with(strained)).unwrap().0;
         assert_eq!((causes(true), causes(false)), (vec![0], vec![0, 1]));
+    }
+
+    /// A late influence of the sun with a time constant beyond the recording is the sun added up, which words say: without them it removes 99 of 100 on that limit, beside them next to nothing.
+    #[test]
+    fn a_name_that_runs_to_a_limit_without_the_words_is_not_told_for_them() {
+        let of = |late: f64| move |kept: &[usize]| Some(if kept.len() == 2 { 100.0 } else { [late, 99.9][kept[0]] });
+        let with = |late: f64| Asked { removed: of(late), strained: |kept: &[usize]| kept == [0] };
+        assert_eq!(names_first(1, 100.0, &with(99.0)), None);
+        assert_eq!(fewest(2, 100.0, |_, squares| squares >= 90.0, &with(99.0)).0, [1]);
+        assert_eq!(names_first(1, 100.0, &sound(of(99.0))).unwrap().0, [0]);
     }
 
     /// Parts that remove 60, 30 and 10 of 100.

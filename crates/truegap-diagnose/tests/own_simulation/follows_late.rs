@@ -225,3 +225,27 @@ fn friction_follows_a_speed_that_was_recorded() {
     [("force", 0.1), ("viscous", 0.05 * fastest)].into_iter().for_each(|(name, truth)| close(&said, name, truth));
     assert!(said.findings[0].says.contains("whose speed is speed"), "{}", said.findings[0].says);
 }
+
+/// A cell whose voltage rises with the charge that has gone in, 0.12 V/Ah: a late influence with a time constant as long as the recording, beside a drift, stood for the current added up.
+#[test]
+fn a_charge_is_no_late_influence_of_the_current() {
+    let rows = 900;
+    let current: Vec<f64> =
+        (0..rows).map(|row| [0.6, -1.4, 2.6, 1.1, -0.5, 2.1, -1.9, 1.7][(row / 31 * 5 + row / 93) % 8]).collect();
+    let mut charge = 0.0;
+    let volts: Vec<f64> = current
+        .iter()
+        .map(|i| {
+            charge += i * 10.0 / 3600.0;
+            3.0 + charge
+        })
+        .collect();
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(|row| 10.0 * row as f64).collect()),
+        run: vec![1; rows],
+        drivers: vec![Driver { name: "current".into(), unit: "A".into(), values: current }],
+        ..Inputs::default()
+    };
+    let said = said(&Given::with_level(), &inputs, &noisy(34, |row| volts[row], rows));
+    assert!(said.findings.iter().all(|f| f.effect != "late_driver"), "{}", said.says);
+}

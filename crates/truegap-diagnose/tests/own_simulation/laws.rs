@@ -32,6 +32,28 @@ fn a_drift_turns_where_rows_left_out_bear_it_out() {
     }
 }
 
+/// A thermometer that its current heats, less in a quick stream: a gain that leaves alone a reading 1.8 spans above what was read stood for it.
+#[test]
+fn what_a_current_heats_is_no_gain_about_a_reading_far_away() {
+    let rows = 480;
+    let held = |row: usize, by: usize, of: &[f64]| of[(row / by * 7 + row / by / 3) % of.len()];
+    let current: Vec<f64> = (0..rows).map(|row| held(row, 10, &[0.5, 3.0, 1.0, 5.0, 2.0])).collect();
+    let stream: Vec<f64> = (0..rows).map(|row| held(row, 40, &[0.3, 1.6, 0.8, 1.1, 0.5, 2.0])).collect();
+    let bath: Vec<f64> = (0..rows).map(|row| 20.0 + 5.0 * (row as f64 / 100.0).sin()).collect();
+    let heated = |row: usize| bath[row] + 0.22 * current[row].powi(2) / (1.0 + 1.5 * stream[row].sqrt());
+    let driver = |name: &str, unit: &str, values: &[f64]| Driver { name: name.into(), unit: unit.into(), values: values.into() };
+    let inputs = Inputs {
+        time_s: Some((0..rows).map(|row| 5.0 * row as f64).collect()),
+        run: vec![1; rows],
+        drivers: vec![driver("current", "mA", &current), driver("flow", "m/s", &stream)],
+        simulated: Some(bath.clone()),
+        ..Inputs::default()
+    };
+    let said = said(&Given::with_level(), &inputs, &noisy(33, heated, rows));
+    let first = said.findings.first().map(|f| f.effect.as_str());
+    assert!(matches!(first, Some("driver_coefficient" | "late_driver" | "discovered")), "{}", said.says);
+}
+
 /// An instrument that settles soon after it was switched on. With a fading of one over the recording as usual, a time constant of an eighth of a recording lay eight standard deviations away, and
 /// something was said to be switched instead.
 #[test]

@@ -83,6 +83,17 @@ fn friction_and_a_curve_are_no_loop_that_saturates() {
     }
 }
 
+/// Dew lies on a window from a humidity of 88 % on, the same on the way up and down: a flank of no width stood for the knee.
+#[test]
+fn a_knee_in_a_driver_is_no_loop() {
+    let damp: Vec<f64> =
+        (0..1400).map(f64::from).map(|row| 66.0 + 22.0 * (row / 40.0).sin() + 12.0 * (row / 17.3).sin()).collect();
+    let inputs = driven("damp", "%", damp.clone());
+    let said = said(&Given::with_level(), &inputs, &noisy(27, |row| 3.0 + 0.004 * (damp[row] - 88.0).max(0.0), damp.len()));
+    assert!(!said.findings.is_empty(), "{}", said.says);
+    assert!(said.findings.iter().all(|f| f.effect != "saturating_loop" && f.effect != "friction"), "{}", said.says);
+}
+
 /// A stage that goes up and down, with a scale that is bent by 0.2 V in the middle, or in waves of 0.2 V: further weights are held at nothing for the one, and opened for the other.
 #[test]
 fn a_curve_has_further_turns_where_rows_left_out_bear_them_out() {

@@ -31,6 +31,26 @@ fn no_sentence_promises_more_than_the_best_that_was_fitted_has_kept() {
     assert_eq!(promised, [40.0, 40.0, 20.0]);
 }
 
+/// Turned about, a wave over one sweep of a driver is the same wave, as a tone is: freedom alone seemed to do as well.
+#[test]
+fn a_wave_over_a_driver_is_controlled_as_a_tone() {
+    let wave = Sentence {
+        quantity: Quantity::Reading,
+        driver: Driver::Recorded("angle".into()),
+        kinetics: Kinetics::Periodic,
+        form: Form::Linear,
+        action: Action::Adds,
+        even: false,
+        below: false,
+        passing: false,
+        sum: None,
+    };
+    let screen = Screen { sentences: Vec::new(), control: vec![100.0; 99], control_of_tones: vec![6.0; 99], columns: 1 };
+    approx::assert_relative_eq!(screen.control_p_value(&wave, 100.0), 0.01, max_relative = 1e-12);
+    let at_once = Sentence { kinetics: Kinetics::Static, ..wave };
+    approx::assert_relative_eq!(screen.control_p_value(&at_once, 100.0), 1.0, max_relative = 1e-12);
+}
+
 #[test]
 fn a_tone_is_the_same_turned_about_and_falls_apart_reversed() {
     let tone = DVector::from_fn(960, |row, _| (row as f64 * std::f64::consts::TAU / 12.0).sin());

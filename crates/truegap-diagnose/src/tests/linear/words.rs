@@ -132,7 +132,7 @@ fn what_two_mechanisms_gain_is_counted_once_in_whatever_order_they_are_told() {
     let response: Vec<f64> = noise.into_iter().enumerate().map(read).collect();
     world.search(&response, |search, lack_of_fit| {
         let selection = select(search, lack_of_fit, search.base().unwrap());
-        let found = describe(search, &selection, lack_of_fit).unwrap();
+        let found = describe(search, &selection, lack_of_fit, false).unwrap();
         let told: Vec<Kinetics> = found.mechanisms.iter().map(|m| m.effect.sentence.kinetics).collect();
         assert_eq!((told.len(), told[0]), (2, Kinetics::Periodic), "{told:?}");
         let explained =

@@ -1,8 +1,9 @@
 //! Something is switched inside the recording: after an unknown time the zero of the reading is another one, or a coefficient, or both.
 
+mod of;
 mod said;
 
-use self::said::{at, said};
+use self::{of::Of, said::at};
 use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
@@ -30,75 +31,6 @@ impl RegimeChange {
             Self::OfWhatMoves => Of::what_moves(context),
             Self::OfTheGain => Of::Reading,
         }
-    }
-}
-
-/// What the coefficient is of.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Of {
-    Temperature,
-    Driver(Course),
-    /// the reading itself: a gain
-    Reading,
-    /// nothing moves: only the zero changes
-    Nothing,
-}
-
-/// Temperature range from which on a coefficient can be told, K.
-const WARMS: f64 = 2.0;
-
-impl Of {
-    fn what_moves(context: &Context<'_>) -> Self {
-        if context.moved.temperature_k >= WARMS {
-            return Self::Temperature;
-        }
-        match Course::of(context, 0) {
-            Some(Course::Driver(index)) => Self::Driver(Course::Driver(index)),
-            Some(_) => Self::Reading,
-            None => Self::Nothing,
-        }
-    }
-
-    /// What moves the reading or its coefficient, where that is no temperature.
-    fn course(self, context: &Context<'_>) -> Option<Course> {
-        match self {
-            Self::Driver(course) => Some(course),
-            Self::Reading => Course::of(context, 0),
-            Self::Temperature | Self::Nothing => None,
-        }
-    }
-
-    /// Range of what the coefficient is of, in its unit.
-    fn span(self, context: &Context<'_>) -> f64 {
-        match self {
-            Self::Temperature => context.temperature_span(),
-            Self::Driver(course) => course.span(context),
-            Self::Reading | Self::Nothing => context.response_span.abs(),
-        }
-    }
-
-    /// Unit of the coefficient.
-    fn unit(self, context: &Context<'_>) -> String {
-        let reading = context.simulator.unit();
-        match self {
-            Self::Temperature => format!("{reading}/K"),
-            Self::Driver(course) => format!("{reading}/{}", course.unit(context)),
-            Self::Reading => "1".into(),
-            Self::Nothing => reading.into(),
-        }
-    }
-
-    /// Mean of the column over the recording, and half its range: from there, and in that unit, the coefficient of a change counts.
-    fn middle_and_half(self, context: &Context<'_>) -> (f64, f64) {
-        let mean = |column: &[f64]| column.iter().sum::<f64>() / column.len().max(1) as f64;
-        let half = (0.5 * self.span(context)).max(f64::MIN_POSITIVE);
-        let middle = match self {
-            Self::Temperature => context.inputs.temperature_c.as_deref().map_or(0.0, mean) - context.reference_c,
-            Self::Driver(Course::Driver(index)) => context.inputs.drivers.get(index).map_or(0.0, |d| mean(&d.values)),
-            Self::Reading => half,
-            _ => 0.0,
-        };
-        (middle, half)
     }
 }
 
@@ -138,12 +70,12 @@ impl Stage for Switch {
     }
 }
 
-/// Sibling: a change that settles exponentially.
+/// Sibling: a change that settles exponentially, begun a little before its middle.
 struct Settling(Switch);
 
 impl Stage for Settling {
     fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
-        self.0.apply(drive, readout, value, |x| if x < 0.0 { 0.0 } else { -(-2.0 * x).exp_m1() });
+        self.0.apply(drive, readout, value, |x| if x < -0.3 { 0.0 } else { -(-1.5 * (x + 0.3)).exp_m1() });
     }
 }
 
@@ -363,13 +295,35 @@ impl Effect for RegimeChange {
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
         let change = &fitted[0];
-        let by = with_sd(change.value, change.sd, &change.parameter.unit);
-        format!("something is switched {}: the reading changes by {by}", at(fitted))
+        format!("{}: the reading changes by {}", at(fitted), with_sd(change.value, change.sd, &change.parameter.unit))
     }
     fn told(&self, fitted: &[FittedParameter], context: &Context<'_>, beside: &[(EffectId, Vec<FittedParameter>)]) -> String {
-        said(self, fitted, context, beside)
+        let before = |id: &str| {
+            let found = beside.iter().find(|(effect, _)| effect.0 == id).and_then(|(_, f)| f.first());
+            found.map_or(0.0, |before| before.value)
+        };
+        let (of, at, reading) = (self.of(context), at(fitted), context.simulator.unit());
+        let (turn, sd_of_turn) = fitted.get(3).map_or((0.0, 0.0), |turn| (turn.value, turn.sd));
+        let (change, sd) = (fitted[0].value, fitted[0].sd);
+        let (coefficient, zero) = self.divided(change, turn, context);
+        let (sin, cos) = turn.sin_cos();
+        let of_second = (sin * sd).hypot(change * cos * sd_of_turn) / of.middle_and_half(context).1;
+        let switched = |old: f64, name: &str| said::coefficient((&at, name), old, [coefficient, of_second], &of.unit(context));
+        // the reading above its lowest value is what the gain counts from
+        let step = (zero + coefficient * 0.5 * context.response_span.abs(), reading);
+        let mostly_zero = sin.abs() < cos.abs() && (turn.abs() < STRAIGHT || turn.abs() < 2.0 * sd_of_turn);
+        match (of, self) {
+            (_, Self::OfTheGain) => said::gain(&at, [coefficient, (cos * sd).hypot(change * sin * sd_of_turn)], step),
+            (Of::Temperature, _) if !mostly_zero => switched(before("temperature_coefficient"), "temperature"),
+            (Of::Driver(course), _) if !mostly_zero => switched(before("driver_coefficient"), course.name(context)),
+            (Of::Reading, _) if !mostly_zero => said::gain(&at, [coefficient, of_second], step),
+            _ => said::zero(&at, [change, sd], reading),
+        }
     }
 }
+
+/// Angle below which the zero is all that changes, for a reader.
+const STRAIGHT: f64 = 0.05;
 
 /// Fewest rows in which two laws are looked for.
 const FEWEST: usize = 60;

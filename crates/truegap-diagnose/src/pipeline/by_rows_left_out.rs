@@ -96,7 +96,9 @@ pub(crate) fn by_rows_left_out(prepared: &Prepared<'_>, told: &Told<'_>, judged:
     let search = &prepared.search(&searched, told.progress, told.stop);
     let derived = search.context.has_plates();
     let free = told.options.withheld.is_none() && told.options.restricted.is_none() && judged.kept_back.is_none();
-    let differs = judged.names_something() || judged.predicted.decision.verdict != Verdict::Agrees;
+    // what was found and taken back shows a difference too, of which another effect may foretell more
+    let taken_back = !judged.predicted.left_out.is_empty();
+    let differs = judged.names_something() || taken_back || judged.predicted.decision.verdict != Verdict::Agrees;
     if derived || !free || !differs || told.stop.load(Ordering::Relaxed) {
         return Chosen::AsItIs;
     }

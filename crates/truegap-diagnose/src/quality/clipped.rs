@@ -13,8 +13,8 @@ use crate::{
 };
 use std::ops::Range;
 
-/// Share of all rows at the rail above which too little is left without them.
-const MOST: f64 = 0.3;
+/// Share of all rows at the rail above which they are left in: the rail is what is read as a rule, and hardly anything is known without it.
+const MOST: f64 = 0.5;
 
 /// A notice where readings are clipped, and the rows at the rail, which say no more than that the true reading lies beyond it: they are to be left out.
 pub fn clipped_rows(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<usize>)> {

@@ -37,7 +37,8 @@ fn what_foretells_rows_left_out_is_named_where_the_noise_at_rest_is_not_that_at_
     let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
     assert_eq!((said.verdict, named), (Verdict::WrongForm, vec!["time_offset"]), "{}", said.says);
     let late = &said.findings[0].parameters[0];
-    assert!((late.value.abs() - LATE_S).abs() < 3.0 * late.sd, "{late:?}");
+    // friction and a bend that are carried beside it take a part of the shift: a seventh at the most
+    assert!((late.value.abs() - LATE_S).abs() < LATE_S / 7.0, "{late:?}");
     let held = &said.fit.held_out;
     assert!(held.rmse_after.unwrap() < 0.6 * held.rmse_before.unwrap(), "{held:?}");
 }

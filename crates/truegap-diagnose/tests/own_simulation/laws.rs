@@ -285,18 +285,3 @@ fn a_parabola_of_a_driver_about_its_zero_is_an_influence_of_it() {
     assert_eq!((said.verdict, named), (Verdict::Explained, vec!["driver_coefficient"]), "{}", said.says);
     assert!(said.fit.in_sample.rmse_after < 0.0105, "{}", said.fit.in_sample.rmse_after);
 }
-
-/// Light through a cover is lost by its angle of incidence, nearly all of it in the last few degrees: 1 - exp(-cos / 0.17), of Martin and Ruiz. A law of the fourth order was not steep enough.
-#[test]
-fn a_loss_that_is_steep_at_the_end_of_a_driver_is_a_gain_by_it() {
-    let angle = |row: usize| 47.0 + 33.0 * (row as f64 / 37.0).sin();
-    let kept = |row: usize| 1.0 - (-angle(row).to_radians().cos() / 0.17).exp();
-    let drivers = vec![Driver { name: "angle".into(), unit: "deg".into(), values: (0..1800).map(angle).collect() }];
-    let inputs = Inputs { drivers, ..simulated() };
-    let truth = inputs.simulated.clone().unwrap();
-    let read = noisy(47, |row| truth[row] * kept(row), 1800);
-    let said = said_by(&["driver_gain"], &Given::fixed(), &inputs, &read);
-    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
-    assert_eq!((said.verdict, named), (Verdict::Explained, vec!["driver_gain"]), "{}", said.says);
-    assert!(said.fit.in_sample.rmse_after < 0.02, "{}", said.fit.in_sample.rmse_after);
-}

@@ -14,7 +14,7 @@ def rows(*contents):
 
 
 def models(c):
-    y, x, power = c["strong_counts"] / 1000, c["weak_counts"] / 1000, c["power_mw"] / 100
+    y, x, power = c["strong_counts"], c["weak_counts"] / 1000, c["power_mw"] / 100
     return y, {
         **of_drivers(y, x, power=power),
         "product alone": line(y, x * power),

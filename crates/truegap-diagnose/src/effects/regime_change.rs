@@ -190,8 +190,7 @@ impl Effect for RegimeChange {
         }
     }
     fn beside(&self, values: &[f64], context: &Context<'_>) -> Option<&'static str> {
-        // a change that has one sign over the whole range is first of all one of the zero
-        let of_zero = values.get(3).is_none_or(|turn| turn.sin().abs() < turn.cos().abs());
+        let of_zero = values.get(3).is_none_or(|turn| turn.sin().abs() < MOSTLY_ZERO * turn.cos().abs());
         match self.of(context) {
             _ if of_zero => None,
             Of::Temperature => Some("temperature_coefficient"),
@@ -321,6 +320,10 @@ impl Effect for RegimeChange {
         }
     }
 }
+
+/// What a changed coefficient may move the ends of the range by, of what the zero moves, so that the change is first of all one of the zero and needs no coefficient beside it. With as much as the zero moves
+/// a change near the beginning stood for a coefficient throughout.
+const MOSTLY_ZERO: f64 = 1.0 / 3.0;
 
 /// Angle below which the zero is all that changes, for a reader.
 const STRAIGHT: f64 = 0.05;

@@ -158,6 +158,6 @@ fn a_zero_that_is_switched_is_told_as_a_zero() {
     let when = diagnosis.findings[0].parameters.iter().find(|p| p.name == "when").unwrap();
     assert!((when.value - 316.5).abs() < 2.0, "{}", when.value);
     let sentence = &diagnosis.findings[0].says;
-    assert!(sentence.contains("and the reading by 20") || sentence.contains("and the reading by 19"), "{sentence}");
+    assert!(sentence.contains("the zero changes by 20") || sentence.contains("the zero changes by 19"), "{sentence}");
     assert!(!sentence.contains("limit"), "{sentence}");
 }

@@ -244,7 +244,7 @@ fn clipped_rows_are_left_out_and_the_rest_agrees() {
 fn many_clipped_readings_are_explained_by_saturation_or_not_at_all() {
     let mut recording = clean(4.0);
     let (low, high) = recording.response.iter().fold((f64::MAX, f64::MIN), |(l, h), r| (l.min(*r), h.max(*r)));
-    let rail = low + 0.4 * (high - low);
+    let rail = low + 0.2 * (high - low);
     recording.response.iter_mut().for_each(|r| *r = r.min(rail));
     let (code, diagnosis) = diagnosed(&recording, &[]);
     says(&diagnosis, "clipped", &["never goes above", "pF", "rows", "Widen the range"]);

@@ -3,8 +3,8 @@
 
     python3 injected.py RECORDINGS WORK [--truegap COMMAND] [--seed N] [--collect] [--table FILE]
 
-RECORDINGS is a folder that ../packages/fetch.py has written; WORK gets one folder a recording and its answer in WORK/answers. A recording that has an answer is not diagnosed again; with --collect nothing is.
-Exit codes: 0 all were counted, 2 bad input, or an answer is missing.
+RECORDINGS is a folder that ../packages/fetch.py has written; WORK gets one folder a recording and its answer in WORK/answers. A recording that has an answer is not diagnosed again; with --collect nothing is,
+and what has no answer yet is told and not counted. Exit codes: 0 counted, 2 bad input.
 """
 
 import argparse
@@ -175,20 +175,25 @@ def main(arguments=None):
     parser.add_argument("work", metavar="WORK")
     parser.add_argument("--truegap", default="truegap", metavar="COMMAND", help="the command (default: truegap)")
     parser.add_argument("--seed", type=int, default=1, help="of kinds, sizes and places (default: 1)")
-    parser.add_argument("--collect", action="store_true", help="diagnose nothing: take the answers that are there")
+    parser.add_argument("--collect", action="store_true", help="diagnose nothing: count the answers that are there")
     parser.add_argument("--table", metavar="FILE", help="where the CSV is written")
     given = parser.parse_args(arguments)
-    counted = {}
+    counted, unanswered = {}, 0
     for case, recording, added in cases(given.recordings, given.seed):
         if not given.collect:
             recording.write(given.work, case.name, added)
             diagnose(given.work, case.name, given.truegap)
+        elif not (Path(given.work) / "answers" / case.name / "diagnosis.json").exists():
+            unanswered += 1
+            continue
         found = names.answer(Path(given.work) / "answers", case.name)
         judged = names.judged(found, [list(case.kind.right)])
         told = "; ".join(" or ".join(sorted(of)) for of in names.names_told(found))
         print(f"{judged}: {case.name}: {found['verdict']}{': ' if told else ''}{told}", file=sys.stderr)
         for key in (case.kind.name, f"all, {case.ratio:.0f} times what the base model leaves"):
             counted.setdefault(key, []).append(judged)
+    if unanswered:
+        print(f"{unanswered} have no answer yet and are not counted", file=sys.stderr)
     kinds = [kind.name for kind in laws.KINDS if kind.name in counted]
     keys = kinds + sorted(set(counted) - set(kinds))
     lines = [[key, len(counted[key]), *(counted[key].count(of) for of in ("right", "near", "wrong", "missed"))] for key in keys]

@@ -8,8 +8,6 @@ library count, as in the scores of generated studies. Exit codes: 0, 2 a file is
 """
 
 import argparse
-import csv
-import io
 import sys
 from pathlib import Path
 
@@ -52,9 +50,7 @@ def main(arguments=None):
     parser.add_argument("answers", metavar="ANSWERS")
     parser.add_argument("-o", metavar="FILE", required=True)
     given = parser.parse_args(arguments)
-    out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows([HEADER, *of_packages(given.answers)])
-    table.write(given.o, out.getvalue())
+    table.put(given.o, HEADER, of_packages(given.answers))
     return 0
 
 

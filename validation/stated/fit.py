@@ -106,18 +106,11 @@ def main(arguments=None):
         means = [f"{sum(values) / len(values):.2f}" for values in (right, *by)]
         scores = [f"{of(q, right):.3f}" for of in (log_loss, calibration_error) for q in by]
         lines.append([one, len(own), *means, *scores])
-    out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows([HEADER, *lines])
-    if given.table:
-        table.write(given.table, out.getvalue())
-    else:
-        print(out.getvalue(), end="")
+    table.put(given.table, HEADER, lines)
     if given.record:
         of = lambda effect: [claim["right"] for claim in claims if claim["effect"] == effect]  # noqa: E731
-        record = io.StringIO()
         own = [[effect, f"{step:.3f}", len(of(effect)), sum(of(effect))] for effect, step in zip(effects, line[len(TERMS) :])]
-        csv.writer(record, lineterminator="\n").writerows([RECORD, *own])
-        table.write(given.record, record.getvalue())
+        table.put(given.record, RECORD, own)
     return 0
 
 

@@ -9,10 +9,7 @@ and what has no answer yet is told and not counted. Exit codes: 0 counted, 2 bad
 
 import argparse
 import csv
-import io
 import re
-import shlex
-import subprocess
 import sys
 import tomllib
 from dataclasses import dataclass
@@ -22,6 +19,7 @@ import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "packages"))
+import asked  # noqa: E402
 import laws  # noqa: E402
 import names  # noqa: E402
 import table  # noqa: E402
@@ -87,7 +85,7 @@ class Recording:
         self.rows = laws.Rows(time, self.signal, self.column(others[0]) if others else None, 0.5)
         self.has = {laws.MOVES} if inputs else set()
         if time is not None and "run" not in roles:
-            self.has |= {laws.CLOCK, "days"} if np.ptp(time) >= 3 * laws.DAY else {laws.CLOCK}
+            self.has |= {laws.CLOCK, laws.DAYS} if np.ptp(time) >= 3 * laws.DAY else {laws.CLOCK}
         if self.rows.driver is not None and np.ptp(self.rows.driver[self.known]) > 0:
             self.has.add(laws.OTHER)
         if not np.isfinite(np.column_stack([c for c in (time, self.rows.driver, self.signal) if c is not None])).all():
@@ -125,13 +123,11 @@ class Recording:
         decimals = max((len(match[1]) for row in self.cells if (match := re.search(r"\.(\d+)$", row[at]))), default=0)
         folder = Path(folder) / name
         folder.mkdir(parents=True, exist_ok=True)
-        out = io.StringIO()
-        lines = csv.writer(out, lineterminator="\n")
-        lines.writerow(self.header)
+        sums = []
         for row, more in zip(self.cells, added):
             cell = f"{float(row[at]) + more:.{decimals}f}" if row[at].strip() and np.isfinite(more) else row[at]
-            lines.writerow([*row[:at], cell, *row[at + 1 :]])
-        (folder / f"{name}.csv").write_text(out.getvalue(), encoding="utf-8")
+            sums.append([*row[:at], cell, *row[at + 1 :]])
+        table.put(folder / f"{name}.csv", self.header, sums)
         described = re.sub(r'(?m)^file = ".*"$', f'file = "{name}.csv"', self.text)
         described = re.sub(r"(?m)^sha256 = .*\n", "", described)
         (folder / f"{name}.toml").write_text(described, encoding="utf-8")
@@ -159,14 +155,10 @@ def diagnose(work, name, truegap):
     out = Path(work) / "answers" / name
     if (out / "diagnosis.json").exists():
         return
-    run = [*shlex.split(truegap), "-q", "diagnose", str(Path(work) / name / f"{name}.toml"), "-o", str(out)]
     try:
-        done = subprocess.run(run, capture_output=True, text=True)
-    except OSError as error:
-        raise Problem(f"`{truegap}` cannot be run: {error.strerror}; name the command by --truegap") from error
-    if done.returncode not in (0, 1):
-        said = (done.stderr.strip() or "nothing was said").splitlines()[-1]
-        raise Problem(f"{name}: truegap left with exit code {done.returncode}: {said}")
+        asked.diagnose(truegap, Path(work) / name / f"{name}.toml", out)
+    except Problem as problem:
+        raise Problem(f"{name}: {problem}") from problem
 
 
 def main(arguments=None):
@@ -197,12 +189,7 @@ def main(arguments=None):
     kinds = [kind.name for kind in laws.KINDS if kind.name in counted]
     keys = kinds + sorted(set(counted) - set(kinds))
     lines = [[key, len(counted[key]), *(counted[key].count(of) for of in ("right", "near", "wrong", "missed"))] for key in keys]
-    out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows([HEADER, *lines])
-    if given.table:
-        table.write(given.table, out.getvalue())
-    else:
-        print(out.getvalue(), end="")
+    table.put(given.table, HEADER, lines)
     return 0
 
 

@@ -127,7 +127,7 @@ def relaxes(rows, constant):
 LATE = ("slow_response", "readout_lag", "thermal_lag", "late_driver")
 DRIVER = ("driver_coefficient", "second_driver_coefficient", "temperature_coefficient")
 DRIVER_GAIN = ("driver_gain", "second_driver_gain", "gain_drift")
-MOVES, CLOCK, OTHER = "a signal that moves", "a clock", "a driver beside the base model"
+MOVES, CLOCK, DAYS, OTHER = "a signal that moves", "a clock", "days enough", "a driver beside the base model"
 
 KINDS = [
     Kind("late as a slab", late_as_a_slab, LATE, frozenset({MOVES, CLOCK}), 0.1, linear=False),
@@ -142,5 +142,5 @@ KINDS = [
     Kind("friction", friction_of_dahl, ("friction", "saturating_loop"), frozenset({MOVES, CLOCK}), 0.2),
     Kind("follows a driver", follows_the_driver, DRIVER, frozenset({OTHER}), np.inf),
     Kind("gain follows a driver", gain_follows_the_driver, DRIVER_GAIN, frozenset({MOVES, OTHER}), 0.5),
-    Kind("sun of the day", day_of_sun, ("daily_cycle",), frozenset({CLOCK, "days"}), np.inf),
+    Kind("sun of the day", day_of_sun, ("daily_cycle",), frozenset({CLOCK, DAYS}), np.inf),
 ]

@@ -9,13 +9,11 @@ answers that are there are taken. Without --table the CSV goes to the screen. Ex
 
 import argparse
 import csv
-import io
-import shlex
-import subprocess
 import sys
 from pathlib import Path
 
 import archives
+import asked
 import hand_built
 import held_out
 import sources
@@ -34,14 +32,7 @@ def diagnose(recording, folder, answers, truegap):
     out = Path(answers) / recording.name
     for name in ("diagnosis.json", "prediction.csv"):
         (out / name).unlink(missing_ok=True)
-    run = [*shlex.split(truegap), "diagnose", str(Path(folder) / recording.name / f"{recording.name}.toml"), "-o", str(out)]
-    try:
-        done = subprocess.run(run, capture_output=True, text=True)
-    except OSError as error:
-        raise Problem(f"`{truegap}` cannot be run: {error.strerror}; name the command by --truegap") from error
-    if done.returncode not in (0, 1):
-        said = (done.stderr.strip() or "nothing was said").splitlines()[-1]
-        raise Problem(f"truegap left with exit code {done.returncode}: {said}")
+    asked.diagnose(truegap, Path(folder) / recording.name / f"{recording.name}.toml", out)
 
 
 def verdict(found):
@@ -111,12 +102,7 @@ def main(arguments=None):
         raise Problem(f"{failed} recordings have no row; no table was written")
     for name, count, then, now in summary(rows):
         print(f"{name} set: within {WITHIN} of the model built by hand on rows left out: before {then}, now {now} of {count}", file=sys.stderr)
-    out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows([HEADER, *rows])
-    if given.table:
-        table.write(given.table, out.getvalue())
-    else:
-        print(out.getvalue(), end="")
+    table.put(given.table, HEADER, rows)
     return 0
 
 

@@ -9,7 +9,6 @@ every recording of a set that was written down has an answer, 2 one has none.
 
 import argparse
 import csv
-import io
 import json
 import sys
 from pathlib import Path
@@ -77,12 +76,7 @@ def main(arguments=None):
         for name, kind in kinds.items():
             print(f"{of}: {name}: {kind}", file=sys.stderr)
         rows.append([of, len(kinds), *(sum(found == kind for found in kinds.values()) for kind in KINDS)])
-    out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows([HEADER, *rows])
-    if given.table:
-        table.write(given.table, out.getvalue())
-    else:
-        print(out.getvalue(), end="")
+    table.put(given.table, HEADER, rows)
     return 0
 
 

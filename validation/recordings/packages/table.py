@@ -43,6 +43,16 @@ def read(path):
         raise Problem(f"{path} is no table of numbers: {error}") from error
 
 
+def put(path, header, lines):
+    """A table as CSV, into a file, or onto the screen where none is named."""
+    out = io.StringIO()
+    csv.writer(out, lineterminator="\n").writerows([header, *lines])
+    if path:
+        write(path, out.getvalue())
+    else:
+        print(out.getvalue(), end="")
+
+
 def write(path, content):
     """Writes a file whole or not at all."""
     path = Path(path)

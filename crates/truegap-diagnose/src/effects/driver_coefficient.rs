@@ -6,6 +6,7 @@ use crate::{
     effects::{
         course::Course,
         effect::{About, Effect, Family, FittedParameter},
+        temperature_coefficient::MOST_BENT,
     },
     text::with_sd,
 };
@@ -71,8 +72,6 @@ impl Stage for Flattening {
 
 const IDS: [&str; 2] = ["driver_coefficient", "second_driver_coefficient"];
 
-/// Greatest bend over the range: a parabola that turns a hundred thousandth of the range beside 0 turns there.
-const MOST_BENT: f64 = 1e5;
 /// Bend over the range, either way, from which a search starts as well where the driver has both signs.
 const BENT: f64 = 20.0;
 

@@ -9,7 +9,7 @@ use crate::{
         course::Course,
         driver_coefficient::legendre,
         effect::{About, Effect, Family, FittedParameter},
-        gain_error::gain_is_fixed,
+        gain_error::{BESIDE, gain_is_fixed},
     },
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
@@ -92,9 +92,6 @@ impl Stage for Straight {
         self.0.apply(drive, readout, value, |u| self.0.log_at(u).max(-0.9));
     }
 }
-
-/// Farthest reading that the gain leaves alone, spans beside what is read: from farther away a gain is a zero that moves with the driver (generated: a sensor that its current heats was told as a gain about a reading 1.8 spans above).
-const BESIDE: f64 = 1.0;
 
 const IDS: [&str; 2] = ["driver_gain", "second_driver_gain"];
 

@@ -5,7 +5,7 @@ use crate::{
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
-        gain_error::{gain_is_fixed, is_given},
+        gain_error::{BESIDE, gain_is_fixed, is_given},
         memory::elapsed_s,
         offset_drift::{HOUR, USUAL_FADING, drifted},
     },
@@ -70,8 +70,6 @@ fn ageing(values: &[f64], context: &Context<'_>) -> Ageing {
 
 /// Usual change of the logarithm of the gain over a recording: glass in the open loses 0.1 to 0.4 of its light by dirt until it is washed, a poisoned catalyst or a fouled electrode more.
 const USUAL: f64 = 0.3;
-/// Farthest reading that the gain leaves alone from that of no gain, spans: from farther away a gain is a zero that drifts (generated: one of 0.3 V was told as either, with a pivot of 5 spans).
-const PIVOT: f64 = 1.0;
 /// Fastest at the first row, over the recording: that of one that is gone for good within a fiftieth of it.
 const FASTEST: f64 = FARTHEST * QUICKEST_FADING;
 /// Time constants in a recording from which on a gain is told by what is lost in the end: 5 % of it are to come.
@@ -110,7 +108,7 @@ impl Effect for GainAgeing {
             Parameter::normal("fading", "1/h", 0.0, USUAL_FADING / hours, "share of that rate that is lost in an hour")
                 .within(-1.5 / hours, QUICKEST_FADING / hours),
             Parameter::normal("pivot", "spans", 0.0, 0.2, "reading that it leaves alone, above that without gain")
-                .within(-PIVOT, PIVOT),
+                .within(-BESIDE, BESIDE),
         ];
         if gain_is_fixed(context) {
             let meaning = "time after the first row at which the gain is that of the simulation";

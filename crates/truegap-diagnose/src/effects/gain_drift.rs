@@ -4,7 +4,7 @@ use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::effect::{About, Effect, Family, FittedParameter, Separation},
-    effects::gain_error::{gain_is_fixed, is_given},
+    effects::gain_error::{BESIDE, gain_is_fixed, is_given},
     text::with_sd,
 };
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
@@ -21,9 +21,6 @@ struct Gain {
     /// whether readings are told from 0, as those beside a simulation are
     from_zero: bool,
 }
-
-/// Farthest that a reading of 0 may be from what is read for a gain to act about it, spans: from farther away it would be a zero that moves with the temperature.
-const BESIDE: f64 = 1.0;
 
 impl Gain {
     /// Reading that the gain leaves alone.

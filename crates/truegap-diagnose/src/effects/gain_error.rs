@@ -30,6 +30,10 @@ pub fn gain_is_fixed(context: &Context<'_>) -> bool {
     is_given(context) && !gain_is_free(context)
 }
 
+/// Farthest reading that a gain leaves alone, spans beside what is read: from farther away a gain is a zero that moves with what changes it (generated: a drift of 0.3 V was told as either with a zero five spans
+/// away, and a sensor that its current heats as a gain about a reading 1.8 spans above).
+pub const BESIDE: f64 = 1.0;
+
 /// Whether a simulation is given that moves: its readings are told from 0.
 pub fn is_given(context: &Context<'_>) -> bool {
     context.moved.simulated && !context.has_plates()

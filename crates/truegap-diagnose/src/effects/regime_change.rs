@@ -102,9 +102,14 @@ impl RegimeChange {
         }
     }
 
+    /// The angle as far as zero and coefficient can be told apart at the time of the change.
+    fn turned(&self, values: &[f64], context: &Context<'_>) -> f64 {
+        let turn = values.get(3).copied().unwrap_or(0.0);
+        if turn == 0.0 { 0.0 } else { turn * told_apart_at(values[1], context, self.of(context)) }
+    }
+
     fn switch(&self, values: &[f64], context: &Context<'_>) -> Switch {
-        let turn = values.get(3).map_or(0.0, |turn| turn * told_apart_at(values[1], context, self.of(context)));
-        let (coefficient, zero) = self.divided(values[0], turn, context);
+        let (coefficient, zero) = self.divided(values[0], self.turned(values, context), context);
         Switch { of: self.of(context), coefficient, zero, when_s: values[1], takes_s: values[2] }
     }
 }
@@ -124,7 +129,7 @@ fn told_apart(context: &Context<'_>, of: Of) -> Option<(f64, f64)> {
         Of::Reading => inputs.gap_m.as_deref().or(inputs.simulated.as_deref()),
         Of::Driver(_) | Of::Nothing => None,
     };
-    let Some(column) = column else { return Some((0.05 * length, 0.95 * length)) };
+    let Some(column) = column else { return Some((ENDS.0 * length, ENDS.1 * length)) };
     let least = CROSSED * spread(column);
     let moved = |mut rows: Box<dyn Iterator<Item = usize>>| {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -174,7 +179,7 @@ impl Effect for RegimeChange {
     }
     fn about(&self) -> About {
         About {
-            physics: "something is switched inside the recording (a compensation, a repair, a new firmware): zero and coefficient are others afterwards",
+            physics: "something is switched inside the recording (a compensation, a repair, a new firmware): the zero, a coefficient, or both are others afterwards",
             equation: "value = true + q h(t) (cos a + sin a (x - m) / s), h from 0 to 1 at t_c, straight over w; x is T_s - T0, else a driver, else the reading, m its mean and s half its range; a = 0 is a jump of the zero; the coefficient before is that of `temperature_coefficient` (or `driver_coefficient`) beside it; a changed gain: value = true + q h(t) (cos a y + sin a S), y the reading and S its range",
             excitation: "temperature (or a driver) that moves before and after the change",
             impostors: &[
@@ -190,6 +195,7 @@ impl Effect for RegimeChange {
         }
     }
     fn beside(&self, values: &[f64], context: &Context<'_>) -> Option<&'static str> {
+        // the angle as it was fitted: one that means little at its time is fitted again from nothing
         let of_zero = values.get(3).is_none_or(|turn| turn.sin().abs() < MOSTLY_ZERO * turn.cos().abs());
         match self.of(context) {
             _ if of_zero => None,
@@ -302,7 +308,8 @@ impl Effect for RegimeChange {
             found.map_or(0.0, |before| before.value)
         };
         let (of, at, reading) = (self.of(context), at(fitted), context.simulator.unit());
-        let (turn, sd_of_turn) = fitted.get(3).map_or((0.0, 0.0), |turn| (turn.value, turn.sd));
+        let share = told_apart_at(fitted[1].value, context, of);
+        let (turn, sd_of_turn) = fitted.get(3).map_or((0.0, 0.0), |turn| (share * turn.value, share * turn.sd));
         let (change, sd) = (fitted[0].value, fitted[0].sd);
         let (coefficient, zero) = self.divided(change, turn, context);
         let (sin, cos) = turn.sin_cos();

@@ -62,8 +62,9 @@ fn versine(x: f64) -> f64 {
 
 /// Usual bend, over the span of what it follows: the coefficient at one end is three times that at the other.
 const USUAL_BEND: f64 = 2.0;
-/// Most, over the span: a parabola whose turn lies so near the reference, a hundred thousandth of the span, is one about the reference. A crystal is cut so that it turns in the middle of its range.
-const MOST_BENT: f64 = 1e5;
+/// Most, over the span: a parabola whose turn lies so near the reference, a hundred thousandth of the span, is one about the reference. A crystal is cut so that it turns in the middle of its range, and other
+/// drivers have parabolas about their zero.
+pub const MOST_BENT: f64 = 1e5;
 
 /// Most growth over the span: a leakage current that doubles every 6 K does so in a span of 80 K.
 const MOST_GROWN: f64 = 10.0;

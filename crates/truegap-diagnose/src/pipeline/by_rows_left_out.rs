@@ -11,6 +11,7 @@
 use crate::{
     adequacy::lack_of_fit::Adequacy,
     data::context::Number,
+    effects::numbers::free_to_be_nothing,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, tuning::LOOSE},
     pipeline::{
         alone::{left_over, white},
@@ -224,8 +225,7 @@ impl Choice<'_, '_> {
             let unseen = predicted_like_base(self.prepared, search, &self.judged.by_base, &tried);
             Some(Asked { tried, held: search.context.held.clone(), unseen })
         };
-        let open = effect.may_be_nothing().iter().filter(|name| !search.context.holds(effect.id(), name));
-        let numbers: Vec<Number> = open.map(|name| (effect.id(), *name)).collect();
+        let numbers = free_to_be_nothing(effect, search.context);
         let with = |held: Vec<Number>, opened: &[Number]| {
             let context = search.context.holding(held);
             let search = &search.within(&context);

@@ -6,7 +6,7 @@
 
 use crate::{
     data::{context::Number, error::DiagnoseError},
-    effects::effect::Effect,
+    effects::{effect::Effect, numbers::here},
     pipeline::{
         judged::{self, Told},
         prepare::Prepared,
@@ -82,15 +82,11 @@ fn laws_opened(search: &Search<'_>, tried: &Tried) -> Vec<Vec<Number>> {
     std::iter::once(richer).filter(|numbers| !numbers.is_empty()).chain(others).collect()
 }
 
-/// Those of these numbers of an effect that are still held; some are only there beside some base models.
+/// Those of these numbers of an effect that are still held.
 fn still_held(search: &Search<'_>, effect: &dyn Effect, names: &[&'static str]) -> Vec<Number> {
-    if names.is_empty() {
-        return Vec::new();
-    }
-    let parameters = effect.parameters(search.context);
-    let has = |name: &str| parameters.iter().any(|parameter| parameter.name == name);
-    let held = names.iter().filter(|name| search.context.holds(effect.id(), name) && has(name));
-    held.map(|name| (effect.id(), *name)).collect()
+    let mut numbers = here(effect, names, search.context);
+    numbers.retain(|(id, name)| search.context.holds(*id, name));
+    numbers
 }
 
 /// Numbers of the other laws of one effect, as far as they are still held, a list for each law.
@@ -103,7 +99,7 @@ pub(crate) fn other_laws_of(search: &Search<'_>, effect: &dyn Effect) -> Vec<Vec
 pub(crate) fn opened_ways(search: &Search<'_>, tried: &Tried, opened: &[Number]) -> Vec<Vec<Number>> {
     let kept: Vec<Number> = search.context.held.iter().filter(|number| !opened.contains(number)).copied().collect();
     let effects = tried.effects.iter().map(|e| search.library[*e]).filter(|e| opened.iter().any(|(id, _)| *id == e.id()));
-    let bends = effects.flat_map(|effect| effect.may_be_nothing().iter().map(move |name| (effect.id(), *name)));
+    let bends = effects.flat_map(|effect| here(effect, effect.may_be_nothing(), search.context));
     let bends: Vec<Number> = bends.filter(|number| !kept.contains(number) && !opened.contains(number)).collect();
     let both = [kept.as_slice(), &bends].concat();
     if bends.is_empty() { vec![kept] } else { vec![kept, both] }

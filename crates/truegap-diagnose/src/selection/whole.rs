@@ -4,6 +4,7 @@
 
 use crate::{
     data::context::Number,
+    effects::numbers::free_to_be_nothing,
     selection::{
         candidates::{Search, Tried},
         refitted::fitted_from_nothing,
@@ -16,7 +17,7 @@ pub(crate) fn whole(search: &Search<'_>, model: Tried) -> Option<Tried> {
         return Some(model);
     }
     let effects = model.effects.iter().map(|e| search.library[*e]);
-    let bends: Vec<Number> = effects.flat_map(|e| e.may_be_nothing().iter().map(|name| (e.id(), *name))).collect();
+    let bends: Vec<Number> = effects.flat_map(|effect| free_to_be_nothing(effect, search.context)).collect();
     fitted_from_nothing(search, &model, &bends).filter(|simple| is_whole(search, simple))
 }
 
@@ -25,10 +26,7 @@ pub(crate) fn is_whole(search: &Search<'_>, model: &Tried) -> bool {
     let is = |e: &usize, id: &str| search.library[*e].id().0 == id;
     let held = |id: &str| !(0..search.library.len()).any(|e| is(&e, id)) || model.effects.iter().any(|e| is(e, id));
     let fitted = search.model(&model.effects);
-    let values = |index: usize| -> Vec<f64> {
-        let number = |i: usize| fitted.parameters[i].prior.at(model.fit.z[i]);
-        fitted.range_of(index).map(number).collect()
-    };
-    let changed = |(index, e): (usize, &usize)| search.library[*e].beside(&values(index), search.context);
+    let values = fitted.values(&model.fit.z);
+    let changed = |(index, e): (usize, &usize)| search.library[*e].beside(&values[fitted.range_of(index)], search.context);
     model.effects.iter().enumerate().filter_map(changed).all(held)
 }

@@ -7,7 +7,7 @@
 
 use crate::{
     data::context::Number,
-    effects::effect::Effect,
+    effects::{effect::Effect, numbers::free_to_be_nothing},
     selection::{
         candidates::{Search, Tried},
         posterior::Selection,
@@ -25,15 +25,8 @@ type Foretold<'a> = &'a dyn Fn(&Search<'_>, &Tried) -> HeldOutFit;
 
 /// Numbers of the model `tried` that are better held at nothing, by effect and name; empty where all are borne out. Rows left out are predicted better without them, `least` times or more.
 pub(crate) fn not_borne_out(search: &Search<'_>, tried: &Tried, foretold: Foretold<'_>, least: f64) -> Vec<Number> {
-    let model = search.model(&tried.effects);
-    // some numbers are only there beside some base models and recordings
-    let has = |name: &str| model.parameters.iter().any(|parameter| parameter.name == name);
-    let of_effect = |e: &usize| {
-        let effect = search.library[*e];
-        let open = effect.may_be_nothing().iter().filter(|name| !search.context.holds(effect.id(), name) && has(name));
-        open.map(|name| (effect.id(), *name)).collect::<Vec<_>>()
-    };
-    let mut open: Vec<Number> = tried.effects.iter().flat_map(of_effect).collect();
+    let effects = tried.effects.iter().map(|e| search.library[*e]);
+    let mut open: Vec<Number> = effects.flat_map(|effect| free_to_be_nothing(effect, search.context)).collect();
     let (mut held, mut best) = (Vec::new(), foretold(search, tried));
     let doubtful = on_a_limit(search, tried);
     // one at a time, the one without which most is gained

@@ -1,22 +1,27 @@
 use super::*;
 use crate::effects::composed::words::Action;
 
+/// What is added to the reading, along a straight line of a driver.
+fn sentence(driver: Driver, kinetics: Kinetics) -> Sentence {
+    let (even, below, passing) = (false, false, false);
+    Sentence {
+        quantity: Quantity::Reading,
+        driver,
+        kinetics,
+        form: Form::Linear,
+        action: Action::Adds,
+        even,
+        below,
+        passing,
+        sum: None,
+    }
+}
+
 /// Promises of 100, 60 and 20, of which the first was fitted and kept 40: the second promises no more than that, the third what it did.
 #[test]
 fn no_sentence_promises_more_than_the_best_that_was_fitted_has_kept() {
-    let sentence = Sentence {
-        quantity: Quantity::Reading,
-        driver: Driver::Time,
-        kinetics: Kinetics::Static,
-        form: Form::Linear,
-        action: Action::Adds,
-        even: false,
-        below: false,
-        passing: false,
-        sum: None,
-    };
     let of = |deviance: f64, beyond: f64| Screened {
-        sentence: sentence.clone(),
+        sentence: sentence(Driver::Time, Kinetics::Static),
         numbers: Numbers::default(),
         swing: 1.0,
         deviance,
@@ -34,21 +39,10 @@ fn no_sentence_promises_more_than_the_best_that_was_fitted_has_kept() {
 /// Turned about, a wave over one sweep of a driver is the same wave, as a tone is: freedom alone seemed to do as well.
 #[test]
 fn a_wave_over_a_driver_is_controlled_as_a_tone() {
-    let wave = Sentence {
-        quantity: Quantity::Reading,
-        driver: Driver::Recorded("angle".into()),
-        kinetics: Kinetics::Periodic,
-        form: Form::Linear,
-        action: Action::Adds,
-        even: false,
-        below: false,
-        passing: false,
-        sum: None,
-    };
+    let of_the_angle = |kinetics: Kinetics| sentence(Driver::Recorded("angle".into()), kinetics);
     let screen = Screen { sentences: Vec::new(), control: vec![100.0; 99], control_of_tones: vec![6.0; 99], columns: 1 };
-    approx::assert_relative_eq!(screen.control_p_value(&wave, 100.0), 0.01, max_relative = 1e-12);
-    let at_once = Sentence { kinetics: Kinetics::Static, ..wave };
-    approx::assert_relative_eq!(screen.control_p_value(&at_once, 100.0), 1.0, max_relative = 1e-12);
+    approx::assert_relative_eq!(screen.control_p_value(&of_the_angle(Kinetics::Periodic), 100.0), 0.01, max_relative = 1e-12);
+    approx::assert_relative_eq!(screen.control_p_value(&of_the_angle(Kinetics::Static), 100.0), 1.0, max_relative = 1e-12);
 }
 
 #[test]

@@ -229,15 +229,20 @@ fn too_many_outliers_are_not_explained() {
 }
 
 #[test]
-fn clipped_rows_are_left_out_and_the_rest_agrees() {
+fn clipped_rows_are_left_out_and_what_the_model_says_of_them_tells_the_ceiling() {
     let mut recording = clean(4.0);
     let greatest = recording.response.iter().copied().fold(f64::MIN, f64::max);
     let least = recording.response.iter().copied().fold(f64::MAX, f64::min);
-    recording.response.iter_mut().for_each(|r| *r = r.min(least + 0.8 * (greatest - least)));
+    let rail = least + 0.8 * (greatest - least);
+    recording.response.iter_mut().for_each(|r| *r = r.min(rail));
     let (code, diagnosis) = diagnosed(&recording, &[]);
     says(&diagnosis, "clipped", &["never goes above", "pF", "left out", "Widen the range"]);
-    // a notice is something to look at
-    assert_eq!((code, diagnosis["verdict"].as_str()), (1, Some("agrees")), "{}", diagnosis["says"]);
+    assert_eq!((code, diagnosis["verdict"].as_str()), (1, Some("explained")), "{}", diagnosis["says"]);
+    let findings = diagnosis["findings"].as_array().unwrap();
+    assert_eq!(findings.len(), 1, "{findings:?}");
+    assert_eq!(findings[0]["effect"], "saturation");
+    let on_rail = &findings[0]["held_out"];
+    assert!(on_rail["rmse_after"].as_f64().unwrap() < 0.1 * on_rail["rmse_before"].as_f64().unwrap(), "{on_rail}");
 }
 
 #[test]

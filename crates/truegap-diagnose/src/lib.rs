@@ -97,7 +97,7 @@ pub use seeds::{SEEDS, Seeds};
 pub use selection::candidates::Progress;
 pub use stats::rms;
 
-pub use validation::{confirmation, cross_validation::parts, other_clock, recovery};
+pub use validation::{ceiling, confirmation, cross_validation::parts, other_clock, recovery};
 
 /// Runs that a next experiment may be: what `truegap simulate --profile` plays.
 pub mod experiment {

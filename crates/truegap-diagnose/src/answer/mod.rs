@@ -5,6 +5,7 @@
 pub(crate) mod alternatives;
 pub(crate) mod assemble;
 pub(crate) mod augmented;
+pub(crate) mod ceiling;
 pub(crate) mod confirmation;
 pub(crate) mod diagnosis;
 pub(crate) mod discovered;

@@ -42,7 +42,12 @@ pub(crate) fn fitted(found: &Found<'_>, tried: &Tried, range: Range<usize>) -> V
 
 /// The same for the record.
 pub(crate) fn parameters(found: &Found<'_>, tried: &Tried, range: Range<usize>) -> Vec<ParameterFacts> {
-    let facts = |f: FittedParameter| ParameterFacts {
+    fitted(found, tried, range).into_iter().map(facts).collect()
+}
+
+/// A number for the record.
+pub(crate) fn facts(f: FittedParameter) -> ParameterFacts {
+    ParameterFacts {
         name: f.parameter.name.clone(),
         unit: f.parameter.unit.clone(),
         prior: [f.parameter.centre(), f.parameter.sd()],
@@ -51,12 +56,11 @@ pub(crate) fn parameters(found: &Found<'_>, tried: &Tried, range: Range<usize>) 
         sd_of_fit: f.sd_of_fit,
         at_limit: f.at_limit,
         meaning: f.parameter.meaning,
-    };
-    fitted(found, tried, range).into_iter().map(facts).collect()
+    }
 }
 
 /// A number for the model file.
-fn named(f: FittedParameter) -> NamedValue {
+pub(crate) fn named(f: FittedParameter) -> NamedValue {
     NamedValue { name: f.parameter.name, unit: f.parameter.unit, value: f.value, sd: f.sd }
 }
 

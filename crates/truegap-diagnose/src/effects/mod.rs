@@ -51,7 +51,7 @@ mod readout_lag;
 mod regime_change;
 mod rim_field;
 mod saturating_loop;
-mod saturation;
+pub(crate) mod saturation;
 mod scale;
 mod settling;
 mod slow_response;

@@ -12,7 +12,10 @@ use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageN
 /// Slope that is lost above a knee.
 pub struct Saturation;
 
-/// Rounding of the knee, as a share of the span.
+/// Where a knee may lie, spans above the zero.
+pub(crate) const KNEES: [f64; 2] = [0.1, 2.0];
+
+/// Rounding of the knee, as a share of the span; a converter that loses all of the slope ends in a corner.
 const ROUNDING: f64 = 0.01;
 
 struct Clip {
@@ -40,7 +43,8 @@ fn above(x: f64, width: f64) -> f64 {
 
 impl Stage for Clip {
     fn readout(&self, _: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
-        self.apply(readout, value, |share| above(share - self.knee, ROUNDING));
+        let width = if self.lost < 1.0 { ROUNDING } else { 0.0 };
+        self.apply(readout, value, |share| above(share - self.knee, width));
     }
 }
 
@@ -63,6 +67,29 @@ fn clip(values: &[f64]) -> Clip {
     Clip { lost: values[0], knee: values[1] }
 }
 
+fn numbers() -> [Parameter; 2] {
+    [
+        Parameter::normal("lost", "1", 0.0, 0.3, "share of the slope that is lost above the knee").within(0.0, 1.0),
+        Parameter::normal("knee", "spans", 0.85, 0.3, "reading above which it is lost; a warm sensor reads beyond its span")
+            .within(0.1, 2.0),
+    ]
+}
+
+impl Saturation {
+    /// A hard clip that was seen and not fitted: its knee, in spans, and the standard deviations of that and of the share that is lost.
+    pub(crate) fn hard([knee, knee_sd]: [f64; 2], lost_sd: f64) -> [FittedParameter; 2] {
+        let seen =
+            |parameter: Parameter, value: f64, sd: f64| FittedParameter { parameter, value, sd, sd_of_fit: sd, at_limit: false };
+        let [lost, at] = numbers();
+        [seen(lost, 1.0, lost_sd), seen(at, knee, knee_sd)]
+    }
+
+    /// The effect in words.
+    pub(crate) fn words() -> InWords {
+        InWords { place: Place::Readout, driver: Driver::Reading, kinetics: Kinetics::Static }
+    }
+}
+
 impl Effect for Saturation {
     fn id(&self) -> EffectId {
         EffectId("saturation")
@@ -74,12 +101,12 @@ impl Effect for Saturation {
         Family::Readout
     }
     fn in_words(&self, _: &Context<'_>) -> Option<InWords> {
-        Some(InWords { place: Place::Readout, driver: Driver::Reading, kinetics: Kinetics::Static })
+        Some(Self::words())
     }
     fn about(&self) -> About {
         About {
             physics: "amplifier or converter runs out of range: above a certain reading the slope falls, at the worst to nothing",
-            equation: "value = true - s [x + sqrt(x^2 + 4 w^2)] / 2, x the reading above the knee; w = 1 % of the span; s = 1 is a hard clip",
+            equation: "value = true - s [x + sqrt(x^2 + 4 w^2)] / 2, x the reading above the knee; w = 1 % of the span; s = 1 is a hard clip, with w = 0",
             excitation: "readings at the upper end of the range",
             impostors: &["strain_stiffening", "load_cell_error", "dead_gap"],
             separates: "depends on the reading alone, with a corner in it, whatever load or temperature brought it there",
@@ -90,11 +117,7 @@ impl Effect for Saturation {
         true
     }
     fn parameters(&self, _: &Context<'_>) -> Vec<Parameter> {
-        vec![
-            Parameter::normal("lost", "1", 0.0, 0.3, "share of the slope that is lost above the knee").within(0.0, 1.0),
-            Parameter::normal("knee", "spans", 0.85, 0.3, "reading above which it is lost; a warm sensor reads beyond its span")
-                .within(0.1, 2.0),
-        ]
+        numbers().to_vec()
     }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
         [0.5, 0.7, 0.85, 0.95, 1.15, 1.35].map(|knee| vec![knee]).to_vec()

@@ -4,6 +4,7 @@
 
 pub(crate) mod all_rows;
 pub(crate) mod among_rivals;
+pub mod ceiling;
 pub mod confirmation;
 pub(crate) mod cross_validation;
 pub(crate) mod held_numbers;

@@ -8,6 +8,17 @@
 /// Most rivals whose predictions of rows left out are compared: each takes as many fits as there are parts.
 pub(crate) const MOST_RIVALS: usize = 5;
 
+// ceiling.rs
+
+/// How many times larger the error at a ceiling is without it, at least: than in other rows, and than with it.
+pub(crate) const CEILING_CLEARLY: f64 = 3.0;
+
+/// Share of the rows at a ceiling in which the model goes beyond it, at least: noise carries rows that lie close below it up to it.
+pub(crate) const CEILING_MOSTLY: f64 = 0.8;
+
+/// How many times larger the error in other rows may be with a ceiling: it has nothing to do with them.
+pub(crate) const CEILING_HARMS: f64 = 1.02;
+
 // confirmation.rs
 
 /// Blocks that a recording of few runs is cut into: enough for a p-value of 2 in 4096.

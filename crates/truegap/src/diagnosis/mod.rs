@@ -22,6 +22,7 @@ mod asking;
 mod bank_store;
 mod bases;
 mod beside_model;
+mod ceilings;
 mod clock;
 pub mod compensate;
 pub mod confirm;

@@ -4,6 +4,7 @@
 
 use super::asking::counted;
 use super::bases::{Bases, MATERIALS};
+use super::ceilings::ceiling_named;
 use super::clock::utc_now;
 use super::course::Course;
 use super::diagnosed::Diagnosed;
@@ -56,7 +57,7 @@ fn under_way(
 ) -> Result<Diagnosed, DiagnosisError> {
     let rows = opened.recording.len();
     progress(Progress { step: "rows", what: format!("what is wrong with {rows} of them"), done: 0.0 });
-    let Screened { opened, bases, notices } = screen(opened)?;
+    let Screened { opened, bases, notices, clipped } = screen(opened)?;
     progress(Progress { step: "noise", what: format!("{rows} rows"), done: 0.0 });
     let run = Run { request, notices: &notices, progress, stop };
     let outcome = match opened.parts.is_empty() {
@@ -72,7 +73,12 @@ fn under_way(
     let base = bases.bases.into_iter().next().ok_or(DiagnosisError::NoRecording)?;
     let (provenance, library) = (provenance(files, request, outcome.interrupted), request.library.clone());
     let programs = opened.programs;
-    Ok(Diagnosed { recording: opened.recording, parts: opened.parts, base, outcome, provenance, library, programs })
+    let mut diagnosed =
+        Diagnosed { recording: opened.recording, parts: opened.parts, base, outcome, provenance, library, programs };
+    if let Some(clipped) = clipped.filter(|_| !notices.iter().any(|notice| notice.withholds)) {
+        ceiling_named(&mut diagnosed, &clipped);
+    }
+    Ok(diagnosed)
 }
 
 fn provenance(files: Vec<(String, String)>, request: &Request, interrupted: bool) -> Provenance {

@@ -17,6 +17,14 @@ pub(super) struct Screened {
     pub opened: Opened,
     pub bases: Bases,
     pub notices: Vec<Notice>,
+    /// the only recording with the rows that were left out because they lie at an end of the converter's range
+    pub clipped: Option<Clipped>,
+}
+
+/// A recording as it was opened, and its rows at the ends of the range.
+pub(super) struct Clipped {
+    pub whole: Recording,
+    pub rows: Vec<usize>,
 }
 
 /// Screens what was opened.
@@ -26,8 +34,11 @@ pub(super) fn screen(mut opened: Opened) -> Result<Screened, DiagnosisError> {
     let several = opened.parts.len();
     let mut notices = Vec::new();
     let mut kept: Vec<Vec<usize>> = Vec::new();
+    let mut clipped = None;
     for (index, part) in parts(&opened).iter().enumerate() {
         let (keep, found) = kept_rows(part, first.simulator(index));
+        let at_an_end = (several == 0).then(|| with(part, first.simulator(index), None, clipped_rows)).flatten().flatten();
+        clipped = at_an_end.map(|(_, rows)| Clipped { whole: part.clone(), rows });
         notices.extend(found.into_iter().map(|notice| of(notice, index, several)));
         kept.push(keep);
     }
@@ -39,7 +50,7 @@ pub(super) fn screen(mut opened: Opened) -> Result<Screened, DiagnosisError> {
         let found = with(part, bases.simulator(index), Some(&kept[index]), troubles).unwrap_or_default();
         notices.extend(found.into_iter().map(|notice| of(notice, index, several)));
     }
-    Ok(Screened { opened, bases, notices })
+    Ok(Screened { opened, bases, notices, clipped })
 }
 
 /// A force or pressure that no base model follows is a driver as any other: it moves the reading, if it does, beside what is simulated.

@@ -20,7 +20,7 @@
 //! Effects are left out together as well as one by one: a late clock and a lag of the reading may undo one another, and then each looks needed beside the other.
 //!
 //! Nor is a name after the first claimed that would be wrong three times of four, as names in other people's recordings were (`answer/stated.rs`): of clocks that run fast, and gains that change, beside another cause, none of
-//! nine was right.
+//! nine was right. A name after the first that would be right three times of four is claimed where rows left out bear it out beside all the others, however large what the first leaves is.
 //!
 //! Not for a base model with plates: the equations of its effects are derived from sizes, and what tests see beside them is there. Other equations only describe.
 //!
@@ -40,8 +40,8 @@ use crate::{
     },
     validation::{
         cross_validation::{HeldOutFit, compared},
-        main_causes::{Asked, Whole, fewest, names_first, removed, without_doubted},
-        tuning::{CLAIMED_FROM, MAIN_SHARE},
+        main_causes::{Asked, Whole, fewest, names_first, removed, with_sure, without_doubted},
+        tuning::{CLAIMED_FROM, MAIN_SHARE, SURE_FROM},
     },
 };
 
@@ -95,9 +95,11 @@ pub(crate) fn with_carried(
         None => fewest(parts.len(), whole.whole, enough, &asked),
     };
     let doubted = |part: usize| is_doubted(search, selection, &decision, &parts[part]);
+    let sure = |part: usize| is_sure(search, selection, &parts[part]);
     let needless = |kept: &[usize], share: f64| needs_no_more(kept, share * whole.whole);
     let share_of = |kept: &[usize]| (asked.removed)(kept).map(|kept| kept / whole.whole);
     let (causes, share) = without_doubted((causes, share), needless, share_of, doubted);
+    let (causes, share) = with_sure((causes, share), parts.len(), share_of, |part, others| sure(part) && borne_out(others));
     let carried = (0..parts.len()).filter(|part| !causes.contains(part)).flat_map(|part| parts[part].clone()).collect();
     let near = whole.holds && whole.is_near(share * whole.whole);
     decision.carrying((carried, share, near), &chosen.effects, &after)
@@ -134,10 +136,18 @@ fn laws_on_limits(search: &Search<'_>, tried: &Tried, effects: &[usize]) -> bool
 /// Whether the name of a part after the first would be wrong three times of four, and that of all that may stand in its place.
 fn is_doubted(search: &Search<'_>, selection: &Selection, decision: &Decision, part: &[usize]) -> bool {
     let [_] = part else { return false };
-    let stated =
-        |effect: &usize| stated(search.library[*effect].id().0, selection.effect_probability[*effect], Place::Later, false);
     let rivals = decision.sets_of(&selection.models[decision.model].effects, part);
-    part.iter().chain(rivals.iter().flatten()).all(|effect| stated(effect) < CLAIMED_FROM)
+    part.iter().chain(rivals.iter().flatten()).all(|effect| after_the_first(search, selection, *effect) < CLAIMED_FROM)
+}
+
+/// Whether the name of a part after the first would be right three times of four.
+fn is_sure(search: &Search<'_>, selection: &Selection, part: &[usize]) -> bool {
+    matches!(part, [effect] if *effect < selection.effect_probability.len() && after_the_first(search, selection, *effect) >= SURE_FROM)
+}
+
+/// The probability that is stated of a name after the first.
+fn after_the_first(search: &Search<'_>, selection: &Selection, effect: usize) -> f64 {
+    stated(search.library[effect].id().0, selection.effect_probability[effect], Place::Later, false)
 }
 
 /// Effects one by one, and all mechanisms from behind the `library` together.

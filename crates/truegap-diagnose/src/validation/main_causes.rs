@@ -128,6 +128,21 @@ pub(crate) fn without_doubted(
     }
 }
 
+/// The `causes` and those of the other `parts` that are `sure` beside all but themselves, with the share of what the whole model removes that all of them remove together.
+pub(crate) fn with_sure(
+    (causes, share): (Vec<usize>, f64),
+    parts: usize,
+    share_of: impl Fn(&[usize]) -> Option<f64>,
+    sure: impl Fn(usize, &[usize]) -> bool,
+) -> (Vec<usize>, f64) {
+    let all_but = |part: usize| (0..parts).filter(|other| *other != part).collect::<Vec<_>>();
+    let claimed: Vec<usize> = (0..parts).filter(|part| causes.contains(part) || sure(*part, &all_but(*part))).collect();
+    match share_of(&claimed) {
+        Some(removed) if claimed.len() > causes.len() => (claimed, removed),
+        _ => (causes, share),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -135,6 +150,14 @@ mod tests {
     /// Parts of which none runs to a limit.
     fn sound<R: Fn(&[usize]) -> Option<f64>>(removed: R) -> Asked<R, fn(&[usize]) -> bool> {
         Asked { removed, strained: |_| false }
+    }
+
+    #[test]
+    fn a_sure_part_is_a_cause_beside_the_first() {
+        let share_of = |parts: &[usize]| Some(0.5 + 0.1 * parts.len() as f64);
+        let sure = |part: usize, others: &[usize]| part == 2 && others == [0, 1];
+        assert_eq!(with_sure((vec![0], 0.6), 3, share_of, sure), (vec![0, 2], 0.7));
+        assert_eq!(with_sure((vec![0], 0.6), 3, share_of, |_, _| false), (vec![0], 0.6));
     }
 
     /// Whether causes remove nine tenths and need no further part.

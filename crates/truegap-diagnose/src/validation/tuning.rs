@@ -92,6 +92,9 @@ pub(crate) const PERMUTATIONS: usize = 19;
 /// Stated probability from which a name after the first is claimed beside a base model without plates: of names below, three of four are wrong.
 pub(crate) const CLAIMED_FROM: f64 = 0.25;
 
+/// The same from which a name after the first is claimed where rows left out bear it out, whatever else is left: of names above, three of four are right.
+pub(crate) const SURE_FROM: f64 = 0.75;
+
 // pipeline/noise_that_lasts.rs
 
 /// Times the noise of short stretches that what is left may be, root mean square of both whitened, and still be noise that lasts. Noise like 1/f makes 1.0 to 1.3 of it in simulated recordings, and

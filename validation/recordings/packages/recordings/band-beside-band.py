@@ -1,0 +1,22 @@
+"""How much light of 1085 1/cm a broth takes away over that of 1080 1/cm, 34 h of a fermentation. Both lie in the same band."""
+
+from fitting import line, usual
+from gauges import HOUR, bands
+
+HAND_BUILT = "step"
+
+
+def rows(content):
+    return bands(content, 75, 1080, 1085)
+
+
+def models(c):
+    y, x, t = c["band_1085"], c["band_1080"], c["time_s"]
+    u, v = (x - x.mean()) / x.std(), (t - t.mean()) / t.std()
+    return y, {
+        **usual(y, x, t, HOUR),
+        "cube": line(y, x, u**2, u**3),
+        "drift, and its square": line(y, x, v, v**2),
+        "slope that drifts": line(y, x, v, u * v),
+        "step": line(y, x, t > 16.7 * HOUR),
+    }

@@ -17,7 +17,7 @@ use crate::{
             signal::{Courses, course, of_course, recorded},
             words::{Driver, Form, Kinetics, Place, Quantity},
         },
-        course::Course,
+        course::{Course, is_a_way},
     },
     fit::{model::Model, optimum::Linearised},
     seeds::SEEDS,
@@ -144,6 +144,14 @@ pub fn screen(model: &Model<'_>, z: &[f64], linearised: &Linearised, whitener: &
     // on one loop, what bends or happens in time cannot be told from what follows the way that is gone
     if Course::of(model.context, 0).is_some_and(|course| !course.comes_again(model.context)) {
         laws.retain(|law| !is_bent_in_time(&law.sentence));
+    }
+    // rows in no order and without a clock are no way, and nothing was before or after
+    if problem.inputs.time_s.is_none() {
+        let runs = problem.inputs.runs();
+        let is_way = |driver: &Driver| course(driver, &at).is_some_and(|column| is_a_way(&column, &runs));
+        laws.retain(|law| {
+            !matches!(law.sentence.kinetics, Kinetics::RateIndependent | Kinetics::Accumulating) || is_way(&law.sentence.driver)
+        });
     }
     let [turned, reversed] = [turned(&linearised.residual), reversed(&linearised.residual)].map(|columns| columns.transpose());
     let places = places(&levers);

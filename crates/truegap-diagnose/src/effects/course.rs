@@ -37,19 +37,31 @@ fn farthest(column: &[f64]) -> [f64; 2] {
 /// Part of its range that a column goes from row to row, at most, in half of the rows, so that rows in order are a way.
 const A_STEP: f64 = 0.1;
 
-/// Whether rows that follow one another are near one another: a table of set points in any order is no way.
-fn is_a_way(column: &[f64], runs: &[std::ops::Range<usize>]) -> bool {
-    let steps: Vec<f64> =
-        runs.iter().flat_map(|run| column[run.clone()].windows(2)).map(|pair| (pair[1] - pair[0]).abs()).collect();
-    median(&steps) <= A_STEP * spread(column)
+/// Share of the steps of a way that go back on the step before, at most. Of 50 recordings without a clock, loops and sweeps have 0 to 0.1; tables, logs of a well and rows of pixels 0.33 to 0.75: what depends on the
+/// way there cannot be told from what lasts from row to row.
+const GOES_BACK: f64 = 0.25;
+
+/// Whether rows that follow one another are near one another and go on in one way for some rows: a table of set points in any order is no way.
+pub(crate) fn is_a_way(column: &[f64], runs: &[std::ops::Range<usize>]) -> bool {
+    let steps: Vec<f64> = runs.iter().flat_map(|run| column[run.clone()].windows(2)).map(|pair| pair[1] - pair[0]).collect();
+    let moved: Vec<f64> = steps.iter().copied().filter(|step| *step != 0.0).collect();
+    let back = moved.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
+    let sizes: Vec<f64> = steps.into_iter().map(f64::abs).collect();
+    median(&sizes) <= A_STEP * spread(column) && back as f64 <= GOES_BACK * moved.len() as f64
 }
 
-/// Part of its range that a sweep crosses.
-const SWEPT: f64 = 0.35;
+/// Part of its range that a sweep crosses, and how often it has to go the same way.
+const SWEEPS: (f64, usize) = (0.35, 2);
+/// The same of a column that goes up and down in small steps while it drifts once through its range.
+const FLUCTUATIONS: (f64, usize) = (0.1, 8);
 
-/// Whether a column sweeps up twice, or down twice, by [`SWEPT`] of its range each time.
+/// Whether a column sweeps up, or down, again and again: in [`SWEEPS`] or in [`FLUCTUATIONS`].
 fn comes_again(column: &[f64], runs: &[std::ops::Range<usize>]) -> bool {
-    let least = SWEPT * spread(column);
+    [SWEEPS, FLUCTUATIONS].into_iter().any(|(share, often)| sweeps(column, runs, share * spread(column)) >= often)
+}
+
+/// How often a column goes the same way by at least so much.
+fn sweeps(column: &[f64], runs: &[std::ops::Range<usize>], least: f64) -> usize {
     let mut sweeps = [0, 0];
     for run in runs {
         let (mut low, mut high, mut way) = (column[run.start], column[run.start], None);
@@ -66,7 +78,7 @@ fn comes_again(column: &[f64], runs: &[std::ops::Range<usize>]) -> bool {
             (low, high, way) = (*value, *value, Some(now));
         }
     }
-    sweeps.into_iter().any(|count| count > 1)
+    sweeps[0].max(sweeps[1])
 }
 
 /// A column that moves a reading.
@@ -329,8 +341,29 @@ mod tests {
         assert!(!once(&[0.3, 0.5, 0.4, 1.0, 0.0]));
         assert!(once(&[0.0, 1.0, 0.0, 1.0]));
         assert!(once(&[0.0, 1.0, 0.3, 0.9]));
+        // it fluctuates while it drifts once through its range; noise that is as quick is no way that it goes
+        let drifting =
+            |size: f64| (0..400).map(|k| f64::from(k) / 400.0 + size * (f64::from(k) / 5.0).sin()).collect::<Vec<f64>>();
+        let fluctuates = |size: f64| comes_again(&drifting(size), std::slice::from_ref(&(0..400)));
+        assert!(fluctuates(0.1) && !fluctuates(0.02));
         // two runs, each up
         let column = along(&[0.0, 1.0, 0.0]);
         assert!(comes_again(&[&column[..20], &column[..20]].concat(), &[0..20, 20..40]));
+    }
+
+    #[test]
+    fn a_loop_is_a_way_and_a_log_of_a_well_is_none() {
+        let one_run = |column: &[f64]| is_a_way(column, std::slice::from_ref(&(0..column.len())));
+        let there_and_back: Vec<f64> = (0..200).map(|k| f64::from(100 - (k - 100i32).abs())).collect();
+        assert!(one_run(&there_and_back));
+        // steps of all sizes and both ways, each small beside the range
+        let mut depth = 0.0;
+        let log: Vec<f64> = (0..200)
+            .map(|k| {
+                depth += (f64::from(k) * 2.4).sin();
+                depth + f64::from(k) / 10.0
+            })
+            .collect();
+        assert!(!one_run(&log));
     }
 }

@@ -156,8 +156,8 @@ impl Effect for TimeOffset {
     }
 }
 
-/// Greatest shift, share of the longest run.
-pub(crate) const LARGEST_SHARE: f64 = 0.2;
+/// Greatest shift, share of the longest run: two rows of three are met by what was recorded for them.
+pub(crate) const LARGEST_SHARE: f64 = 1.0 / 3.0;
 /// Widths of what is followed, to either side, at which a search for a shift begins.
 const WIDTHS_LOOKED_AT: u32 = 12;
 

@@ -57,7 +57,22 @@ const FLUCTUATIONS: (f64, usize) = (0.1, 8);
 
 /// Whether a column sweeps up, or down, again and again: in [`SWEEPS`] or in [`FLUCTUATIONS`].
 fn comes_again(column: &[f64], runs: &[std::ops::Range<usize>]) -> bool {
-    [SWEEPS, FLUCTUATIONS].into_iter().any(|(share, often)| sweeps(column, runs, share * spread(column)) >= often)
+    let column = without_a_jump(column);
+    [SWEEPS, FLUCTUATIONS].into_iter().any(|(share, often)| sweeps(&column, runs, share * spread(&column)) >= often)
+}
+
+/// Part of its range over which a column jumps where it is told from another datum from then on.
+const A_JUMP: f64 = 0.5;
+
+/// The column without its one jump, if one step is as large as [`A_JUMP`] of its range and no other is half as large: a stage that is told from another datum from then on moves about each as it did before.
+pub(crate) fn without_a_jump(column: &[f64]) -> Cow<'_, [f64]> {
+    let steps = || column.windows(2).map(|pair| pair[1] - pair[0]).enumerate();
+    let Some((row, jump)) = steps().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) else { return Cow::Borrowed(column) };
+    let is_alone = steps().all(|(other, step)| other == row || step.abs() < 0.5 * jump.abs());
+    if !is_alone || jump.abs() < A_JUMP * spread(column) {
+        return Cow::Borrowed(column);
+    }
+    Cow::Owned(column.iter().enumerate().map(|(k, value)| if k > row { value - jump } else { *value }).collect())
 }
 
 /// How often a column goes the same way by at least so much.
@@ -349,6 +364,17 @@ mod tests {
         // two runs, each up
         let column = along(&[0.0, 1.0, 0.0]);
         assert!(comes_again(&[&column[..20], &column[..20]].concat(), &[0..20, 20..40]));
+    }
+
+    #[test]
+    fn a_column_with_another_datum_moves_as_it_did_before() {
+        let level = |k: u32| 0.3 * (f64::from(k) / 20.0).sin();
+        let column: Vec<f64> = (0..400).map(|k| level(k) + if k < 90 { 12.0 } else { 0.0 }).collect();
+        assert!(comes_again(&column, std::slice::from_ref(&(0..400))));
+        approx::assert_abs_diff_eq!(spread(&without_a_jump(&column)), 0.6, epsilon = 0.02);
+        // a square wave has many
+        let square: Vec<f64> = (0..400).map(|k| f64::from(k / 50 % 2)).collect();
+        assert_eq!(*without_a_jump(&square), *square);
     }
 
     #[test]

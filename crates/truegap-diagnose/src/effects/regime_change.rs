@@ -8,7 +8,7 @@ use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
-        course::Course,
+        course::{Course, without_a_jump},
         effect::{About, Effect, Family, FittedParameter},
         memory::elapsed_s,
     },
@@ -129,8 +129,8 @@ fn told_apart(context: &Context<'_>, of: Of) -> Option<(f64, f64)> {
         Of::Reading => inputs.gap_m.as_deref().or(inputs.simulated.as_deref()),
         Of::Driver(_) | Of::Nothing => None,
     };
-    let Some(column) = column else { return Some((ENDS.0 * length, ENDS.1 * length)) };
-    let least = CROSSED * spread(column);
+    let Some(column) = column.map(without_a_jump) else { return Some((ENDS.0 * length, ENDS.1 * length)) };
+    let least = CROSSED * spread(&column);
     let moved = |mut rows: Box<dyn Iterator<Item = usize>>| {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         rows.find(|row| {

@@ -1,6 +1,6 @@
 //! Stretches of a recording in which nothing was done to the sensor, or the same was done again.
 //!
-//! Limits: rest means that load and temperature stay within their own noise.
+//! Limits: rest means that load and temperature stay within their own noise, and whatever else moves the reading within a hundredth of its range.
 
 use crate::{
     noise::reml::Block,
@@ -20,13 +20,19 @@ pub fn at_rest(inputs: &Inputs, load: Option<&[f64]>, noise: &InputNoise) -> Vec
     if let Some(temperature) = &inputs.temperature_c {
         columns.push((temperature, (5.0 * noise.temperature).max(0.05)));
     }
-    for column in inputs.drivers.iter().map(|driver| driver.values.as_slice()) {
+    let range = |column: &[f64]| {
         let range = spread(column);
-        columns.extend((range > 0.0).then_some((column, DRIVER_RESTS * range)));
+        (range > 0.0).then_some(DRIVER_RESTS * range)
+    };
+    for column in inputs.drivers.iter().map(|driver| driver.values.as_slice()) {
+        columns.extend(range(column).map(|tolerance| (column, tolerance)));
     }
     if columns.is_empty() {
         return Vec::new();
     }
+    // what is simulated moves the reading as well: by itself it tells no rest, for it may be held while what it stands for is not
+    let others = [&inputs.simulated, &inputs.humidity_pct].into_iter().filter_map(|column| column.as_deref());
+    columns.extend(others.filter_map(|column| Some((column, range(column)?))));
     let steps = inputs.steps_s();
     let even = |row: usize, first: usize| {
         inputs.time_s.is_none() || (steps[row] - steps[first + 1]).abs() <= EVEN_PACE * steps[first + 1]
@@ -77,4 +83,22 @@ pub fn short_stretches(inputs: &Inputs) -> Vec<Block> {
     let stretch =
         |run: Range<usize>| run.clone().step_by(SHORT_STRETCH).map(move |first| first..(first + SHORT_STRETCH).min(run.end));
     inputs.runs().into_iter().flat_map(stretch).filter(|r| r.len() >= FEWEST_OF_A_STRETCH).map(Block::stretch).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A thermometer that stands still beside a simulation that moves: what the reading did there was taken for noise.
+    #[test]
+    fn nothing_rests_while_what_is_simulated_moves() {
+        let of = |simulated: Option<Vec<f64>>| {
+            let temperature_c = Some(vec![20.0; 300]);
+            let inputs = Inputs { run: vec![1; 300], temperature_c, simulated, ..Inputs::default() };
+            at_rest(&inputs, None, &InputNoise::default()).len()
+        };
+        let moves = |row: usize| if row < 150 { 3.0 } else { (row as f64 / 5.0).sin() };
+        assert_eq!((of(None), of(Some((0..300).map(moves).collect()))), (1, 1));
+        assert_eq!(of(Some((0..300).map(|row| (f64::from(row) / 5.0).sin()).collect())), 0);
+    }
 }

@@ -11,7 +11,7 @@ use crate::{
     stats::{median, spread},
 };
 use std::borrow::Cow;
-use truegap_core::{Drive, Inputs, Parameter, ends};
+use truegap_core::{Drive, Inputs, Parameter, Simulator, ends};
 
 /// Range of the load from which on it drives a reading, full loads.
 const LOADED: f64 = 0.05;
@@ -263,9 +263,14 @@ impl Course {
 
     /// The column as it was recorded.
     pub fn recorded<'a>(self, context: &Context<'a>) -> Option<Cow<'a, [f64]>> {
+        self.among(context.inputs, context.simulator)
+    }
+
+    /// The column among these inputs of a base model.
+    pub fn among<'a>(self, inputs: &'a Inputs, simulator: &dyn Simulator) -> Option<Cow<'a, [f64]>> {
         match self {
-            Self::Load => load_column(context.inputs, context.simulator).map(Cow::Owned),
-            other => other.of_inputs(context.inputs).map(Cow::Borrowed),
+            Self::Load => load_column(inputs, simulator).map(Cow::Owned),
+            other => other.of_inputs(inputs).map(Cow::Borrowed),
         }
     }
 

@@ -3,7 +3,7 @@
 //! Limits: of one recording, the effect itself.
 
 use crate::{
-    data::context::Context,
+    data::{context::Context, problem::Problem},
     effects::composed::words::InWords,
     effects::effect::{About, Effect, Family, FittedParameter, Separation, ZeroCourse},
     text::listed,
@@ -86,8 +86,8 @@ impl<E: Effect> Effect for EachRecording<E> {
     fn about(&self) -> About {
         self.inner.about()
     }
-    fn far_sizes(&self, context: &Context<'_>) -> Vec<f64> {
-        self.inner.far_sizes(context)
+    fn far_sizes(&self, context: &Context<'_>, searched: &Problem<'_>) -> Vec<f64> {
+        self.inner.far_sizes(context, searched)
     }
     fn touches(&self) -> Vec<StageName> {
         self.inner.touches()

@@ -3,7 +3,7 @@
 //! Limits: an effect knows the inputs and the chain, never the recorded response.
 
 use crate::{
-    data::context::Context,
+    data::{context::Context, problem::Problem},
     effects::composed::{mechanism::Mechanism, words::InWords},
 };
 use truegap_core::{EffectId, Parameter, Stage, simulator::StageName};
@@ -186,8 +186,8 @@ pub trait Effect: Send + Sync {
     fn starts(&self, _context: &Context<'_>) -> Vec<Vec<f64>> {
         vec![Vec::new()]
     }
-    /// Sizes, in the unit of the size, from which a search starts as well: where the reading goes up and down with the size, so that no straight step leads from nothing to the right one.
-    fn far_sizes(&self, _context: &Context<'_>) -> Vec<f64> {
+    /// Sizes, in the unit of the size, from which a search in these rows starts as well: where the reading goes up and down with the size, so that no straight step leads from nothing to the right one.
+    fn far_sizes(&self, _context: &Context<'_>, _searched: &Problem<'_>) -> Vec<f64> {
         Vec::new()
     }
     /// The effect whose law this one holds as a special case: an influence that comes late is a plain one where nothing is seen of its lag. It is named only where more is seen than that.

@@ -37,6 +37,7 @@ mod inner_stiffening;
 mod late_driver;
 mod load_cell_error;
 pub(crate) mod mean_to_both_sides;
+mod most_alike;
 mod mullins_softening;
 mod nonlinearity;
 mod offset_drift;

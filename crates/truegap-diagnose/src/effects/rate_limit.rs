@@ -1,7 +1,7 @@
 //! The reading follows no faster than at a certain rate.
 
 use crate::{
-    data::context::Context,
+    data::{context::Context, problem::Problem},
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
@@ -95,7 +95,7 @@ impl Effect for RateLimit {
                 .within(0.0, run / span),
         ]
     }
-    fn far_sizes(&self, context: &Context<'_>) -> Vec<f64> {
+    fn far_sizes(&self, context: &Context<'_>, _: &Problem<'_>) -> Vec<f64> {
         let per_unit = context.run_s() / context.response_span.abs();
         TIMES.map(|time| time * per_unit).to_vec()
     }

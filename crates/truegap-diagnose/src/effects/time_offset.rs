@@ -5,13 +5,14 @@
 //! Limits: of several recordings together, drivers are as late as the load.
 
 use crate::{
-    data::context::Context,
+    data::{context::Context, problem::Problem},
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         course::Course,
         each_recording::EachRecording,
         effect::{About, Effect, Family, FittedParameter, Separation},
         memory::rates,
+        most_alike::most_alike_s,
     },
     text::with_sd,
 };
@@ -128,13 +129,15 @@ impl Effect for TimeOffset {
     fn may_be_nothing(&self) -> &'static [&'static str] {
         &["apart"]
     }
-    fn far_sizes(&self, context: &Context<'_>) -> Vec<f64> {
-        let Some((width_s, most_s)) = alike_within_s(context).zip(self.parameters(context).first().map(|late| late.bounds.1))
-        else {
+    fn far_sizes(&self, context: &Context<'_>, searched: &Problem<'_>) -> Vec<f64> {
+        let followed = Course::on_a_clock(context).ok().and_then(|course| course.among(searched.inputs, searched.simulator));
+        let run = searched.runs().into_iter().max_by_key(ExactSizeIterator::len);
+        let most = self.parameters(context).first().map(|late| late.bounds.1);
+        let Some((((column, time), run), most)) = followed.zip(searched.inputs.time_s.as_deref()).zip(run).zip(most) else {
             return Vec::new();
         };
-        let away = (1..=WIDTHS_LOOKED_AT).map(|k| f64::from(k) * width_s).take_while(|away| *away <= most_s);
-        away.flat_map(|away| [away, -away]).collect()
+        // a reading that is late stands beside a load that is early
+        most_alike_s(time, &run, [&column, searched.response], most).into_iter().map(|late| -late).collect()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Inputs)?;
@@ -158,24 +161,6 @@ impl Effect for TimeOffset {
 
 /// Greatest shift, share of the longest run: two rows of three are met by what was recorded for them.
 pub(crate) const LARGEST_SHARE: f64 = 1.0 / 3.0;
-/// Widths of what is followed, to either side, at which a search for a shift begins.
-const WIDTHS_LOOKED_AT: u32 = 12;
-
-/// Time by which the column that is followed may be shifted and still looks like itself: where its correlation with itself has fallen to one half, s. A shift by more is not found by straight steps from nothing.
-fn alike_within_s(context: &Context<'_>) -> Option<f64> {
-    let column = Course::on_a_clock(context).ok()?.recorded(context)?;
-    let time = context.inputs.time_s.as_deref()?;
-    let run = context.inputs.runs().into_iter().max_by_key(ExactSizeIterator::len)?;
-    let (x, rows) = (&column[run.clone()], run.len());
-    let mean = x.iter().sum::<f64>() / rows as f64;
-    let alike = |by: usize| x.iter().zip(&x[by..]).map(|(a, b)| (a - mean) * (b - mean)).sum::<f64>();
-    let half = 0.5 * alike(0);
-    // by doubling, then between the last two: the first rows of a correlation only fall
-    let beyond = (0..).map(|k| 1 << k).take_while(|by| *by < rows / 2).find(|by| alike(*by) < half)?;
-    let within = (beyond / 2..beyond).collect::<Vec<_>>().partition_point(|by| alike(*by) >= half) + beyond / 2;
-    let step_s = (time[run.end - 1] - time[run.start]) / (rows - 1) as f64;
-    Some(within.max(1) as f64 * step_s).filter(|width| *width > 0.0)
-}
 
 fn said(whose: &str, fitted: &[FittedParameter]) -> String {
     let late = fitted[0].value;

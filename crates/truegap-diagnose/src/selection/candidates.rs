@@ -299,7 +299,8 @@ impl<'a> Search<'a> {
             }
         }
         if launch.from.effects.is_empty() {
-            let far = model.effects[last].far_sizes(self.context).into_iter().map(|size| parameters[0].prior.z(size));
+            let far =
+                model.effects[last].far_sizes(self.context, self.problem).into_iter().map(|size| parameters[0].prior.z(size));
             let shape = shapes.first().map_or(&[][..], Vec::as_slice);
             starts.extend(far.filter(|z| (bounds.0..=bounds.1).contains(z)).filter_map(|z| self.far(launch, model, z, shape)));
         }

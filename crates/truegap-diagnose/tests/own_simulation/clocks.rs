@@ -109,3 +109,27 @@ fn a_driver_that_was_recorded_with_the_reading_is_not_late_with_what_moves() {
         }
     }
 }
+
+/// A flow that wanders and is switched, read 31 rows later. Half as many rows from there it is like nothing, so that a search from shifts a width apart ended beside it, and a lag was named.
+#[test]
+fn a_rough_input_is_found_however_late_it_is() {
+    let late = 31;
+    let random = noisy(44, |_| 0.0, ROWS + late);
+    let mut wander = 0.0;
+    let flow: Vec<f64> = (0..ROWS + late)
+        .map(|row| {
+            wander = 0.98 * wander + 140.0 * random[row];
+            20.0 + wander + if (row as f64 / 140.0).sin() > 0.0 { 9.0 } else { 0.0 }
+        })
+        .collect();
+    let drivers = vec![Driver { name: "bench".into(), unit: "V".into(), values: flow[late..].to_vec() }];
+    let inputs =
+        Inputs { time_s: Some((0..ROWS).map(|row| row as f64).collect()), run: vec![1; ROWS], drivers, ..Inputs::default() };
+    let model = Given { follows_driver: true, ..Given::with_level() };
+    let said =
+        said_by(&["time_offset", "slow_response", "readout_lag"], &model, &inputs, &noisy(45, |row| 3.0 + flow[row], ROWS));
+    let names: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!((said.verdict, names), (Verdict::Explained, vec!["time_offset"]), "{}", said.says);
+    let shift = &said.findings[0].parameters[0];
+    assert!((shift.value + 31.0).abs() < 4.0 * shift.sd + 0.01, "{} (sd {})", shift.value, shift.sd);
+}

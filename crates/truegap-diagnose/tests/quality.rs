@@ -10,7 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal, Uniform};
 use std::sync::atomic::AtomicBool;
 use truegap_core::{Driver, Inputs, Parameter, Simulator};
-use truegap_diagnose::quality::{Notice, NoticeKind, Rows, outliers_of_inputs, troubles};
+use truegap_diagnose::quality::{Notice, NoticeKind, Rows, clipped_rows, outliers_of_inputs, troubles};
 use truegap_diagnose::{Options, Problem, RecordingFacts, Verdict, diagnose};
 
 fn gaussian(seed: u64) -> impl FnMut() -> f64 {
@@ -100,12 +100,15 @@ fn both_ends_of_a_range_are_clipped() {
     let mut noise = gaussian(6);
     let force: Vec<f64> = (0..1500).map(|row| 2.0 + 2.0 * (row as f64 / 60.0).sin()).collect();
     let response: Vec<f64> = force.iter().map(|load| (200.0 + load + 0.01 * noise()).clamp(200.4, 203.6)).collect();
-    let clipped = told(force, &response, NoticeKind::Clipped);
+    let clipped = told(force.clone(), &response, NoticeKind::Clipped);
     assert!(clipped.len() == 1, "{clipped:?}");
     assert!(
         clipped[0].says.contains("never goes above 203.6 pF") && clipped[0].says.contains("never goes below 200.4 pF"),
         "{clipped:?}"
     );
+    let problem = Problem { inputs: &inputs(force), response: &response, simulator: &Plate::new(None) };
+    let (_, out) = clipped_rows(&problem, &Rows { inputs: problem.inputs, given: None, unit: "pF" }).unwrap();
+    assert!(out.is_sorted() && [200.4, 203.6].iter().all(|end| out.iter().any(|row| response[*row] == *end)));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What an effect of the library must say of itself.
 //!
-//! Limits: an effect knows the inputs and the chain, never the recorded response.
+//! Limits: an effect knows the inputs and the chain, never the recorded response; where a search may start is told of it (`far_sizes`).
 
 use crate::{
     data::{context::Context, problem::Problem},

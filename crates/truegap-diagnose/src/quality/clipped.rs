@@ -50,7 +50,10 @@ fn found(problem: &Problem<'_>, rows: &Rows<'_>) -> Option<(Notice, Vec<usize>)>
     let says = format!("the reading {places}; it is clipped by the range of the converter or the software");
     let on_rails = || found.iter().flat_map(|rail| rail.stretches.iter().copied());
     let notice = Notice { kind: NoticeKind::Clipped, says, rows: rows.numbers(on_rails()), withholds: false };
-    Some((notice, on_rails().flat_map(|stretch| stretch.clone()).collect()))
+    let mut out: Vec<usize> = on_rails().flat_map(|stretch| stretch.clone()).collect();
+    // rows are looked for among them by halves
+    out.sort_unstable();
+    Some((notice, out))
 }
 
 /// One end of the range of a converter, with the stretches of rows that lie on it.

@@ -157,14 +157,9 @@ fn told_apart_at(when: f64, context: &Context<'_>, of: Of) -> f64 {
 const STEEP: f64 = 1.2;
 /// Times at which a change is looked for to begin with.
 const LOOKED_AT: usize = 16;
-/// How long a change takes as a rule, as a share of the recording. It is looked for as long as from one of these times to the next, or as long as it may take where this is shorter, so that its time is found
-/// from afar.
-const TAKES: f64 = 0.02;
-
-/// The longest that a change may take, as a share of the recording: what takes longer is a drift. Where nothing but the clock goes on, a slow course of the zero is a drift before.
-fn longest(of: Of) -> f64 {
-    if of == Of::Nothing { 0.05 } else { 0.15 }
-}
+/// Longest that a change may take, as a share of the recording: what takes longer is a drift, and nothing was switched. With a seventh, noise like 1/f was followed by it. It is looked for as long as from one of
+/// these times to the next, or at that length where this is shorter, so that its time is found from afar.
+const LONGEST: f64 = 0.05;
 
 impl Effect for RegimeChange {
     fn id(&self) -> EffectId {
@@ -237,8 +232,8 @@ impl Effect for RegimeChange {
             Parameter::normal("change", &of_size, 0.0, size, meaning),
             Parameter::normal("when", unit, 0.5 * length, 0.4 * length, "time of the change after the first row")
                 .within(ENDS.0 * length, ENDS.1 * length),
-            Parameter::log_normal("takes", unit, (TAKES * length).max(step), 1.5, "time that the change takes")
-                .within(step, (longest(of) * length).max(2.0 * step)),
+            Parameter::log_normal("takes", unit, (0.4 * LONGEST * length).max(step), 1.5, "time that the change takes")
+                .within(step, (LONGEST * length).max(2.0 * step)),
         ];
         if of != Of::Nothing {
             list.push(Parameter::normal(TURN, "rad", 0.0, 1.0, turned).within(-LARGEST_TURN, LARGEST_TURN));
@@ -248,7 +243,7 @@ impl Effect for RegimeChange {
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         let (of, length) = (self.of(context), length(context));
         let times = (0..LOOKED_AT).map(|k| length * (ENDS.0 + (ENDS.1 - ENDS.0) * (k as f64 + 0.5) / LOOKED_AT as f64));
-        let takes = (length / LOOKED_AT as f64).min(longest(of) * length);
+        let takes = (length / LOOKED_AT as f64).min(LONGEST * length);
         if of == Of::Nothing {
             return times.map(|t| vec![t, takes]).collect();
         }

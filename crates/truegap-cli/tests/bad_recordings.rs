@@ -241,6 +241,7 @@ fn clipped_rows_are_left_out_and_what_the_model_says_of_them_tells_the_ceiling()
     let findings = diagnosis["findings"].as_array().unwrap();
     assert_eq!(findings.len(), 1, "{findings:?}");
     assert_eq!(findings[0]["effect"], "saturation");
+    assert!(diagnosis["probability_agrees"].as_f64().unwrap() < 0.1, "{}", diagnosis["probability_agrees"]);
     let on_rail = &findings[0]["held_out"];
     assert!(on_rail["rmse_after"].as_f64().unwrap() < 0.1 * on_rail["rmse_before"].as_f64().unwrap(), "{on_rail}");
 }

@@ -58,6 +58,7 @@ impl Outcome {
             rivals: Vec::new(),
             words: WordProbabilities::of_effects(&[(Some(Saturation::words()), 1.0)]),
         });
+        answer.probability_agrees *= 1.0 - ceiling.probability();
         if answer.verdict == Verdict::Agrees {
             answer.verdict = Verdict::Explained;
             answer.says = format!("missing from the model: {id}; the reading stops at {stops}");

@@ -68,8 +68,8 @@ const A_JUMP: f64 = 0.5;
 pub(crate) fn without_a_jump(column: &[f64]) -> Cow<'_, [f64]> {
     let steps = || column.windows(2).map(|pair| pair[1] - pair[0]).enumerate();
     let Some((row, jump)) = steps().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) else { return Cow::Borrowed(column) };
-    let is_alone = steps().all(|(other, step)| other == row || step.abs() < 0.5 * jump.abs());
-    if !is_alone || jump.abs() < A_JUMP * spread(column) {
+    let is_alone = || steps().all(|(other, step)| other == row || step.abs() < 0.5 * jump.abs());
+    if jump.abs() < A_JUMP * spread(column) || !is_alone() {
         return Cow::Borrowed(column);
     }
     Cow::Owned(column.iter().enumerate().map(|(k, value)| if k > row { value - jump } else { *value }).collect())

@@ -10,7 +10,7 @@ use std::ops::Range;
 /// Shifts that are given, the likest first: waves are alike again after each period.
 const SHIFTS: usize = 4;
 
-/// Rows of the even clock at most: half a million products a shift in each hundred of them.
+/// Rows of the even clock at most: the work goes with their square.
 const MOST_ROWS: usize = 6000;
 
 /// Times, s, by which `late` is behind `column` where the two are most alike, up or down, none further than `most_s` to either side.

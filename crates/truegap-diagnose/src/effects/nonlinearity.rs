@@ -54,7 +54,7 @@ const ASINH: Warp = Warp { at: asinh, slope: |u| (1.0 + u * u).sqrt().recip() };
 /// For the sibling: the same straight beginning and nearly the same end.
 const LOGARITHM: Warp = Warp { at: |u| u.signum() * u.abs().ln_1p(), slope: |u| (1.0 + u.abs()).recip() };
 
-/// The inverse hyperbolic sine of what is far from overflowing when it is squared. That of the standard library takes care of that as well, and half as long again: it is asked for each row of each fit.
+/// The inverse hyperbolic sine. Squared, `u` is far from overflowing; the function of the standard library guards against that in each row of each fit.
 fn asinh(u: f64) -> f64 {
     let (size, root) = (u.abs(), (1.0 + u * u).sqrt());
     // below, the logarithm of 1 + size would lose the digits of size

@@ -137,10 +137,9 @@ pub(crate) fn with_sure(
 ) -> (Vec<usize>, f64) {
     let all_but = |part: usize| (0..parts).filter(|other| *other != part).collect::<Vec<_>>();
     let claimed: Vec<usize> = (0..parts).filter(|part| causes.contains(part) || sure(*part, &all_but(*part))).collect();
-    match share_of(&claimed) {
-        Some(removed) if claimed.len() > causes.len() => (claimed, removed),
-        _ => (causes, share),
-    }
+    // a share takes as many fits as there are parts
+    let removed = if claimed.len() > causes.len() { share_of(&claimed) } else { None };
+    removed.map_or((causes, share), |removed| (claimed, removed))
 }
 
 #[cfg(test)]

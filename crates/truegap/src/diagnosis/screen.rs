@@ -37,9 +37,9 @@ pub(super) fn screen(mut opened: Opened) -> Result<Screened, DiagnosisError> {
     let mut clipped = None;
     for (index, part) in parts(&opened).iter().enumerate() {
         let (keep, found) = kept_rows(part, first.simulator(index));
-        let at_an_end = (several == 0).then(|| with(part, first.simulator(index), None, clipped_rows)).flatten().flatten();
-        clipped = at_an_end.map(|(_, rows)| Clipped { whole: part.clone(), rows });
-        notices.extend(found.into_iter().map(|notice| of(notice, index, several)));
+        let mut at_an_end = found.iter().filter(|(notice, _)| several == 0 && notice.kind == NoticeKind::ClippedRows);
+        clipped = at_an_end.next().map(|(_, rows)| Clipped { whole: part.clone(), rows: rows.clone() });
+        notices.extend(found.into_iter().map(|(notice, _)| of(notice, index, several)));
         kept.push(keep);
     }
     if kept.iter().zip(parts(&opened)).any(|(keep, part)| keep.len() < part.len()) {
@@ -69,22 +69,19 @@ fn idle_loads_as_drivers(opened: &mut Opened, bases: &Bases) {
     }
 }
 
-/// Rows that a diagnosis would keep, and what it would say of the others.
-fn kept_rows(part: &Recording, simulator: &dyn Simulator) -> (Vec<usize>, Vec<Notice>) {
-    let mut keep: Vec<usize> = (0..part.len()).collect();
-    let mut notices = Vec::new();
-    for look in [clipped_rows, repeated, outliers, outliers_of_inputs] {
-        if let Some((notice, out)) = with(part, simulator, None, look).flatten() {
-            keep.retain(|row| out.binary_search(row).is_err());
-            notices.push(notice);
-        }
-    }
-    (keep, notices)
+/// Rows that a diagnosis would keep, and the others with what it would say of them.
+fn kept_rows(part: &Recording, simulator: &dyn Simulator) -> (Vec<usize>, Vec<(Notice, Vec<usize>)>) {
+    let looks = [clipped_rows, repeated, outliers, outliers_of_inputs];
+    let found: Vec<_> = looks.into_iter().filter_map(|look| with(part, simulator, None, look).flatten()).collect();
+    let is_out = |row: &usize| found.iter().any(|(_, out)| out.binary_search(row).is_ok());
+    let keep = (0..part.len()).filter(|row| !is_out(row)).collect();
+    (keep, found)
 }
 
 /// A recording beside a model, without the rows that its diagnosis would leave out, and what is said of them.
 pub(super) fn without_outliers(recording: Recording, simulator: &dyn Simulator) -> (Recording, Vec<Notice>) {
-    let (keep, notices) = kept_rows(&recording, simulator);
+    let (keep, found) = kept_rows(&recording, simulator);
+    let notices = found.into_iter().map(|(notice, _)| notice).collect();
     let all = keep.len() == recording.len();
     (if all { recording } else { recording.select(&keep) }, notices)
 }

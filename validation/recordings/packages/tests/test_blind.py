@@ -6,6 +6,7 @@ import unittest
 import numpy as np
 
 import models_before
+import names
 import sources
 
 
@@ -14,14 +15,14 @@ class WrittenDownBefore(unittest.TestCase):
         return {name for name, one in sources.recordings().items() if one.set == of}
 
     def test_every_recording_has_right_names(self):
-        for of in ("third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh", "twelfth", "thirteenth", "fourteenth", "fifteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth", "twentieth", "twenty-first", "twenty-second"):
+        for of in names.SETS:
             with open(sources.HERE / of / "expected.csv", newline="", encoding="utf-8") as file:
                 lines = list(csv.DictReader(file))
             self.assertEqual({line["recording"] for line in lines}, self.names(of))
 
     def test_names_are_effects_of_the_library_or_agrees(self):
         library = (sources.HERE.parents[2] / "docs" / "effects.md").read_text(encoding="utf-8")
-        for of in ("fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh", "twelfth", "thirteenth", "fourteenth", "fifteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth", "twentieth", "twenty-first", "twenty-second"):
+        for of in names.SETS[1:]:
             with open(sources.HERE / of / "expected.csv", newline="", encoding="utf-8") as file:
                 lines = list(csv.DictReader(file))
             for line in lines:
@@ -30,7 +31,7 @@ class WrittenDownBefore(unittest.TestCase):
                         self.assertTrue(name == "agrees" or f"\n## {name}\n" in library, f"{line['recording']}: {name}")
 
     def test_every_recording_has_its_models_and_one_star(self):
-        for of in ("third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh", "twelfth", "thirteenth", "fourteenth", "fifteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth", "twentieth", "twenty-first", "twenty-second"):
+        for of in names.SETS:
             text = (sources.HERE / of / "models-before.txt").read_text(encoding="utf-8")
             parts = [part for part in ("\n" + text).split("\n") if part]
             heads = [part.split()[0] for part in parts if not part.startswith(" ")]

@@ -103,23 +103,44 @@ pub fn estimate(response: &[f64], blocks: &[Block]) -> (Noise, f64) {
     let mut best = (white.log_likelihood() + WORTH_A_PARAMETER, 0.0, 0.0, white.squares / white.freedom.max(1.0));
     let mut allowed = vec![(white.log_likelihood(), best.3)];
     if ordered {
-        for correlation in [0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.88, 0.94, 0.97] {
-            for share in [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0] {
-                let sums = sums(response, blocks, &mixed(correlation, share), 0.0);
-                let level = 1.0 - share + share * (1.0 + correlation) / (1.0 - correlation);
-                allowed.push((sums.log_likelihood(), level * sums.squares / sums.freedom));
-                if sums.log_likelihood() > best.0 {
-                    best = (sums.log_likelihood(), correlation, share, sums.squares / sums.freedom);
-                }
+        for (correlation, share) in memories() {
+            let sums = sums(response, blocks, &mixed(correlation, share), 0.0);
+            allowed.push((sums.log_likelihood(), level(correlation, share) * sums.squares / sums.freedom));
+            if sums.log_likelihood() > best.0 {
+                best = (sums.log_likelihood(), correlation, share, sums.squares / sums.freedom);
             }
         }
     }
     let (_, correlation, share, variance) = best;
     let variance = if variance.is_finite() { variance } else { 0.0 };
-    let noise =
-        Noise { white_sd: (variance * (1.0 - share)).sqrt(), ar_sd: (variance * share).sqrt(), ar_correlation: correlation };
-    let level = variance * (1.0 - share + share * (1.0 + correlation) / (1.0 - correlation));
-    (noise, spread(&allowed, level).hypot((2.0 / white.freedom.max(1.0)).sqrt()))
+    let level = variance * level(correlation, share);
+    (of_variance(variance, correlation, share), spread(&allowed, level).hypot((2.0 / white.freedom.max(1.0)).sqrt()))
+}
+
+/// Correlations and shares of noise with one memory that are tried.
+fn memories() -> impl Iterator<Item = (f64, f64)> {
+    let correlations = [0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.88, 0.94, 0.97];
+    let shares = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
+    correlations.into_iter().flat_map(move |correlation| shares.into_iter().map(move |share| (correlation, share)))
+}
+
+/// Weight in the mean of many rows of noise of unit variance.
+fn level(correlation: f64, share: f64) -> f64 {
+    1.0 - share + share * (1.0 + correlation) / (1.0 - correlation)
+}
+
+/// Noise of this variance.
+fn of_variance(variance: f64, correlation: f64, share: f64) -> Noise {
+    Noise { white_sd: (variance * (1.0 - share)).sqrt(), ar_sd: (variance * share).sqrt(), ar_correlation: correlation }
+}
+
+/// Noises with one memory that are tried, each as loud as the blocks have it, with its log likelihood there.
+pub(super) fn of_any_memory(response: &[f64], blocks: &[Block]) -> Vec<(f64, Noise)> {
+    let one = |(correlation, share)| {
+        let (log_likelihood, variance) = likelihood(response, blocks, &mixed(correlation, share), 0.0);
+        (log_likelihood, of_variance(variance, correlation, share))
+    };
+    memories().map(one).filter(|(log, _)| log.is_finite()).collect()
 }
 
 /// Relative root mean square by which levels, weighted by their likelihood, differ from `chosen`.

@@ -4,7 +4,7 @@
 
 use crate::{
     noise::{
-        reml::{Block, WHITE, likelihood, mixed},
+        reml::{Block, WHITE, likelihood, mixed, of_any_memory},
         slow_parts::slow_parts,
         tuning::{CLEARLY_COLOURED, SLOW_SHARES, STILL_ALLOWED},
     },
@@ -29,12 +29,25 @@ pub fn slow(response: &[f64], blocks: &[Block], chosen: &Noise) -> Option<Slow> 
     (best.log_likelihood > one + CLEARLY_COLOURED).then_some(best)
 }
 
-/// The slow noises that the stretches allow beside `chosen`, where they do not tell them apart.
-pub fn allowed(response: &[f64], blocks: &[Block], chosen: &Noise) -> Vec<Slow> {
-    let Some(one) = of_one_memory(response, blocks, chosen) else { return Vec::new() };
-    let tried = tried(response, blocks);
-    let most = likeliest(&tried).map_or(one, |best| best.log_likelihood.max(one));
-    tried.into_iter().filter(|slow| slow.log_likelihood > most - STILL_ALLOWED).collect()
+/// Noises that stretches allow, where they do not tell them apart.
+pub struct Allowed {
+    /// white noise with slow noise
+    pub slow: Vec<Slow>,
+    /// white noise with noise of one memory
+    pub of_one_memory: Vec<Noise>,
+}
+
+/// The noises that the stretches allow beside `chosen`.
+pub fn allowed(response: &[f64], blocks: &[Block], chosen: &Noise) -> Allowed {
+    let Some(one) = of_one_memory(response, blocks, chosen) else {
+        return Allowed { slow: Vec::new(), of_one_memory: Vec::new() };
+    };
+    let (slow, other) = (tried(response, blocks), of_any_memory(response, blocks));
+    let most = likeliest(&slow).map_or(one, |best| best.log_likelihood.max(one)) - STILL_ALLOWED;
+    Allowed {
+        slow: slow.into_iter().filter(|slow| slow.log_likelihood > most).collect(),
+        of_one_memory: other.into_iter().filter(|(log, _)| *log > most).map(|(_, noise)| noise).collect(),
+    }
 }
 
 /// Adds the parts of slow noise to the errors that last.
@@ -91,5 +104,18 @@ mod tests {
         let flicker: Vec<f64> = (0..7).map(|k| 4f64.powi(k)).collect();
         assert!(found(&drawn(2.0, &flicker, 3000, 11)));
         assert!(!found(&drawn(1.0, &[2.8], 3000, 7)));
+    }
+
+    /// Four stretches of fifty rows each: too few to tell a memory of two rows from none, or from slow noise.
+    #[test]
+    fn short_stretches_allow_the_memory_that_is_there_whatever_they_are_taken_for() {
+        let blocks: Vec<Block> = (0..4).map(|k| Block::at_rest(50 * k..50 * (k + 1))).collect();
+        for seed in 1..6 {
+            let y = drawn(1.2, &[1.5], 200, seed);
+            let right = |noise: &Noise| noise.ar_correlation == 0.5 && (noise.ar_sd / noise.white_sd).powi(2) < 1.0;
+            let found = allowed(&y, &blocks, &estimate(&y, &blocks).0);
+            assert!(found.of_one_memory.iter().any(right), "{seed}");
+            assert!(found.of_one_memory.len() < 100, "{seed}: not all are");
+        }
     }
 }

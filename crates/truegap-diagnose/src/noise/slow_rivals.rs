@@ -1,34 +1,52 @@
-//! Slow noise as a rival of the noise that was measured: stretches at rest are often too short to tell, and the whole recording decides.
+//! Rivals of the noise that was measured: slow noise, and noise with another memory. Stretches at rest are often too short to tell, and the whole recording decides.
 //!
-//! Limits: one recording with a clock; what rest does allow is not weighed here (`crate::pipeline`).
+//! Limits: one recording with a clock; which of them the recording has is not weighed here (`crate::pipeline`).
 
 use crate::{
     data::{context::load_column, problem::Problem},
     noise::{
         response::{blocks, no_finer_than_read},
-        slow::{Slow, allowed, beside},
+        slow::{Allowed, Slow, allowed, beside},
         tones::without_tones,
     },
     whitening::{noise_model::NoiseModel, whitener::Noise},
 };
 
-/// The noise with each slow noise that rest allows in place of its one memory; `misfit`, what some model leaves, stands for a rest that was not recorded. Empty
-/// where the noise lasts already.
-pub fn slow_rivals(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Vec<NoiseModel> {
+/// Noises that rest allows in place of the one that was taken.
+#[derive(Default)]
+pub struct Rivals {
+    /// slow noise in place of the one memory
+    pub slow: Vec<NoiseModel>,
+    /// one memory of another length or share
+    pub of_one_memory: Vec<NoiseModel>,
+}
+
+/// The rivals of a noise; `misfit`, what some model leaves, stands for a rest that was not recorded. None where the noise lasts already.
+pub fn rivals(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Rivals {
     if noise.lasts() || problem.inputs.time_s.is_none() || problem.simulator.joined().is_some() {
-        return Vec::new();
+        return Rivals::default();
     }
     let load = load_column(problem.inputs, problem.simulator);
     let (blocks, at_rest, _) = blocks(problem, load.as_deref(), &noise.inputs, noise.load_wanders());
     let left = if at_rest { problem.response.to_vec() } else { without_tones(problem.inputs, misfit.to_vec()) };
-    allowed(&left, &blocks, &noise.response).into_iter().map(|slow| with(problem, noise, slow)).collect()
+    let Allowed { slow, of_one_memory } = allowed(&left, &blocks, &noise.response);
+    Rivals {
+        slow: slow.into_iter().map(|slow| of_slow(problem, noise, slow)).collect(),
+        of_one_memory: of_one_memory.into_iter().map(|other| of_response(problem, noise, other)).collect(),
+    }
 }
 
 /// The noise with this slow noise in place of its one memory.
-fn with(problem: &Problem<'_>, noise: &NoiseModel, slow: Slow) -> NoiseModel {
+fn of_slow(problem: &Problem<'_>, noise: &NoiseModel, slow: Slow) -> NoiseModel {
     let mut input_error = noise.input_error.clone();
     beside(&mut input_error, problem.response.len(), slow);
     let response = no_finer_than_read(Noise { white_sd: slow.white_sd, ar_sd: 0.0, ar_correlation: 0.0 }, problem);
     let says = format!("{}; slow like 1/f, as the whole recording has it", noise.says);
     NoiseModel { response, input_error, says, ..noise.clone() }
+}
+
+/// The noise with another one of the response.
+fn of_response(problem: &Problem<'_>, noise: &NoiseModel, response: Noise) -> NoiseModel {
+    let says = format!("{}; its memory from the whole recording", noise.says);
+    NoiseModel { response: no_finer_than_read(response, problem), says, ..noise.clone() }
 }

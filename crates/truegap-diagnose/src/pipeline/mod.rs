@@ -130,7 +130,7 @@ fn searched(
     if let Some(slower) = slower(&prepared, &examined, composition.as_ref(), &told)? {
         let held = std::mem::replace(&mut prepared, slower).context.held;
         prepared.context.held = held;
-        slowed = true;
+        slowed = prepared.noise.lasts();
         examined = on_means::examined(&mut prepared, &told)?;
         composition = composed(&prepared, &examined, &told);
     }

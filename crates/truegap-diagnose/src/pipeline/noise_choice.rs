@@ -1,6 +1,6 @@
 //! Which noise a recording has, where rest does not tell: the noise under which the likeliest account of the whole recording is likelier.
 //!
-//! Limits: noise with one memory against slow noise; the accounts weighed are the base model, the likeliest model, either with its likeliest unmodelled cause, and the
+//! Limits: noise with one memory against slow noise, and another memory only where slow noise would be taken; the accounts weighed are the base model, the likeliest model, either with its likeliest unmodelled cause, and the
 //! mechanism composed of words.
 
 use crate::{
@@ -11,7 +11,7 @@ use crate::{
     },
     effects::effect::Effect,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model},
-    noise::{beyond_the_ends::mirrored, slow_rivals::slow_rivals, tuning::CLEARLY_COLOURED},
+    noise::{beyond_the_ends::mirrored, slow_rivals::rivals, tuning::CLEARLY_COLOURED},
     pipeline::{judged::Told, prepare::Prepared},
     selection::{
         candidates::Tried,
@@ -28,7 +28,7 @@ use std::sync::atomic::Ordering;
 /// Sentences that mechanisms are composed to, about: beforehand each is that much less likely than an effect of the library.
 const SENTENCES: f64 = 5000.0;
 
-/// The recording made ready once more, where slow noise makes it likelier than the noise that was taken; `None` where it does not, or where nothing differs anyway.
+/// The recording made ready once more, where slow noise makes it likelier than the noise that was taken: with the slow noise, or with one of another memory where that is likelier still. `None` where it does not, or where nothing differs anyway.
 ///
 /// # Errors
 /// Those of the simulator.
@@ -52,23 +52,47 @@ pub(crate) fn slower<'a>(
         misfits.iter().map(|m| deviance(&filter, m)).fold(f64::INFINITY, f64::min)
     };
     let clean = mirrored(least, &prepared.problem.runs(), &prepared.noise.untold);
-    let rivals = slow_rivals(prepared.problem, &clean, &prepared.noise).into_iter().map(|noise| (lowest(&noise), noise));
-    let Some((_, rival)) = rivals.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Ok(None) };
-
+    let rivals = rivals(prepared.problem, &clean, &prepared.noise);
+    let likeliest = |rivals: Vec<NoiseModel>| {
+        let rivals = rivals.into_iter().map(|noise| (lowest(&noise), noise));
+        rivals.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, noise)| noise)
+    };
     let every_row = filter(&prepared.noise);
     let of = |(tried, misfit): (&&Tried, &Vec<f64>)| {
         evidence(prepared, tried, deviance(&every_row, misfit)) + unmodelled(selection, tried)
     };
     let taken = accounts.iter().zip(&misfits).map(of).fold(f64::NEG_INFINITY, f64::max);
-    let slower = Prepared::new(prepared.problem, rival, told.options)?;
-    let every_row = filter(&slower.noise);
-    let mut likeliest = f64::NEG_INFINITY;
-    for tried in &accounts {
-        let again = refitted(&slower, tried, mechanisms, told)?;
-        let misfit = misfit(&slower, &again, mechanisms)?;
-        likeliest = likeliest.max(evidence(&slower, &again, deviance(&every_row, &misfit)));
+    let under = |noise: Option<NoiseModel>| {
+        let weighed = |noise| likeliest_account(prepared, noise, &accounts, mechanisms, told);
+        noise.map(weighed).transpose()
+    };
+    let Some((slow, slower)) = under(likeliest(rivals.slow))?.filter(|(log, _)| *log > taken + CLEARLY_COLOURED) else {
+        return Ok(None);
+    };
+    // short stretches do not tell one memory from none either, and slow noise would win by what any memory gains
+    match under(likeliest(rivals.of_one_memory))? {
+        Some((log, of_one_memory)) if log >= slow => Ok(Some(of_one_memory)),
+        _ => Ok(Some(slower)),
     }
-    Ok((likeliest > taken + CLEARLY_COLOURED).then_some(slower))
+}
+
+/// Log evidence of the likeliest of these accounts under a noise, and the recording made ready with it.
+fn likeliest_account<'a>(
+    prepared: &Prepared<'a>,
+    noise: NoiseModel,
+    accounts: &[&Tried],
+    mechanisms: &[Discovery],
+    told: &Told<'a>,
+) -> Result<(f64, Prepared<'a>), DiagnoseError> {
+    let under = Prepared::new(prepared.problem, noise, told.options)?;
+    let every_row = under.noise.whitener(&prepared.problem.runs(), None);
+    let mut likeliest = f64::NEG_INFINITY;
+    for tried in accounts {
+        let again = refitted(&under, tried, mechanisms, told)?;
+        let misfit = misfit(&under, &again, mechanisms)?;
+        likeliest = likeliest.max(evidence(&under, &again, deviance(&every_row, &misfit)));
+    }
+    Ok((likeliest, under))
 }
 
 /// The base model and, where they are others, the likeliest model that names something and that with mechanisms composed of words.

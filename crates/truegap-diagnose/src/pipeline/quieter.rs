@@ -2,7 +2,7 @@
 //!
 //! A model that explains leaves noise and nothing else, so no noise is louder than that. What a model's numbers are free to take up is no proof: it is paid for ([`crate::fit::under_noise`]).
 //!
-//! Limits: one recording; lowers, never raises; a noise measured at rest by its mean square alone.
+//! Limits: one recording; lowers, never raises; a noise measured at rest by its mean square, and to another memory that rest allows.
 
 use crate::{
     data::error::DiagnoseError,
@@ -12,6 +12,7 @@ use crate::{
         learned_again::{learned_again, less_slow, of_rows_alike},
         rescale::{quieter_than, too_loud},
         response::no_finer_than_read,
+        slow_rivals::rivals,
         tuning::{CLEARLY_QUIETER, STILL_AS_LOUD},
     },
     pipeline::{prepare::Prepared, wanders::memories},
@@ -35,12 +36,12 @@ impl Prepared<'_> {
         let misfit = self.misfit(best)?;
         let too_loud = best.fit.chi2 / rows <= too_loud(&self.noise);
         let lowered = if too_loud { quieter_than(self.problem, &misfit, &self.noise) } else { None };
-        if self.noise.measured {
-            return Ok(lowered);
-        }
-        let learned = learned_again(self.problem, &misfit, &self.noise);
         let searched = self.searched();
         let model = &self.model_of(&searched, best);
+        if self.noise.measured {
+            return if lowered.is_some() { Ok(lowered) } else { self.likelier(model, best, self.less_steep(&misfit)) };
+        }
+        let learned = learned_again(self.problem, &misfit, &self.noise);
         match lowered {
             // what was louder beside a worse misfit stays so where it is lowered only
             Some(lowered) => Ok(self.likeliest(model, best, [vec![lowered], learned].concat())?.map(|(noise, _)| noise)),
@@ -73,6 +74,16 @@ impl Prepared<'_> {
             noises.extend(less_slow(&self.noise));
         }
         self.likelier(model, least, noises)
+    }
+
+    /// The clearly quieter noises of other memories that rest allows as well: stretches of some dozen rows, of which the slow course is taken out, do not tell a memory of as many rows from a short one, and a steep noise is as loud as
+    /// a whole recording is not.
+    fn less_steep(&self, misfit: &[f64]) -> Vec<NoiseModel> {
+        if self.noise.response.ar_sd <= 0.0 {
+            return Vec::new();
+        }
+        let quieter = |noise: &NoiseModel| noise.floor() < STILL_AS_LOUD * self.noise.floor();
+        rivals(self.problem, misfit, &self.noise).of_one_memory.into_iter().filter(quieter).collect()
     }
 
     /// White noise beside noise of the memory under which all that a fitted model leaves is likeliest: short stretches, from which a noise is read elsewhere, tell a steep noise by its changes from row to row alone. `None`
@@ -133,7 +144,7 @@ mod tests {
     use super::*;
     use crate::{
         Options, Problem,
-        common::{Plate, without_rest},
+        common::{Plate, recording, without_rest},
         noise::slow_parts::slow_parts,
         whitening::whitener::InputError,
     };
@@ -225,5 +236,33 @@ mod tests {
         assert!(less.expect("it is lowered").floor() < 1.2 * NOISE);
         // as little as this is neither told nor missed
         assert!(lowered(&NoiseModel::unmeasured(WHITE, slow(0.02 * NOISE))).0[1].is_none());
+    }
+
+    /// Rest of two dozen rows each, from which the slow course is taken, allows a memory of thirty rows, and with it a noise that is louder than what the whole recording leaves.
+    #[test]
+    fn a_measured_noise_is_no_steeper_than_the_whole_recording_has_it() {
+        let (plate, inputs) = (Plate::new(Some(false)), recording());
+        let random = &mut ChaCha8Rng::seed_from_u64(9);
+        let mut response = plate.respond(&plate.centre(), &inputs, &[]).unwrap();
+        response.iter_mut().for_each(|value| {
+            let unit: f64 = StandardNormal.sample(random);
+            *value += NOISE * unit;
+        });
+        let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
+        let options = Options { effects: vec!["offset_drift".into()], ..Options::default() };
+        let taken = |response: Noise| {
+            let noise =
+                NoiseModel { measured: true, ..NoiseModel::unmeasured(response, InputError::white(vec![0.0; inputs.len()])) };
+            let prepared = Prepared::new(&problem, noise, &options).unwrap();
+            let searched = prepared.searched();
+            let base = prepared.search(&searched, &|_| (), &AtomicBool::new(false)).base().unwrap();
+            let proposed = prepared.less_steep(&prepared.misfit(&base).unwrap());
+            prepared.likelier(&prepared.model_of(&searched, &base), &base, proposed).unwrap()
+        };
+        let found =
+            taken(Noise { white_sd: 0.9 * NOISE, ar_sd: 1.2 * NOISE, ar_correlation: 0.97 }).expect("another memory is likelier");
+        // of some 1800 rows
+        approx::assert_relative_eq!(found.response.white_sd.hypot(found.response.ar_sd), NOISE, max_relative = 0.1);
+        assert!(taken(WHITE).is_none(), "what has no memory keeps none");
     }
 }

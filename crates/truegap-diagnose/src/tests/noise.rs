@@ -122,3 +122,50 @@ fn points_measured_with_pauses_between_them_are_not_joined_by_lines() {
     // 120 second differences of three rows each, in full loads of 4.5 N
     approx::assert_relative_eq!(said.noise.load_sd, 0.005, max_relative = 0.3);
 }
+
+/// White noise beside noise of one memory, each with its standard deviation.
+fn coloured(random: &mut ChaCha8Rng, rows: usize, [white, ar]: [f64; 2], correlation: f64) -> Vec<f64> {
+    let (mut state, fresh) = (ar * drawn(random), ar * (1.0 - correlation * correlation).sqrt());
+    let mut next = |_| {
+        state = correlation * state + fresh * drawn(random);
+        state + white * drawn(random)
+    };
+    (0..rows).map(|row| next(row)).collect()
+}
+
+/// Six runs, in each of which the load rests for a while and then goes up and down: in a hundred rows at rest a memory of two rows does not show.
+fn little_rest() -> Inputs {
+    let rows = 6 * 300;
+    let row_of_run = |row: usize| row % 300;
+    let force = |row: usize| match row_of_run(row) {
+        0..20 => 0.0,
+        row => 2.0 - 2.0 * (0.05 * (row - 20) as f64).cos(),
+    };
+    Inputs {
+        run: (0..rows).map(|row| 1 + (row / 300) as u32).collect(),
+        time_s: Some((0..rows).map(|row| row as f64 + 900.0 * (row / 300) as f64).collect()),
+        force_n: Some((0..rows).map(force).collect()),
+        temperature_c: Some((0..rows).map(|row| 24.0 + 4.0 * (0.004 * row as f64).sin()).collect()),
+        ..Inputs::default()
+    }
+}
+
+/// The zero jumps at three borders of runs by as much as the noise, which has a memory of two rows. Rest does not show that memory, and slow noise, which has some memory at least, was taken for what jumps.
+#[test]
+fn where_rest_shows_no_memory_jumps_of_a_zero_are_no_slow_noise() {
+    let (plate, inputs) = (Plate::new(Some(true)), little_rest());
+    let random = &mut ChaCha8Rng::seed_from_u64(7);
+    let mut response = plate.respond(&TRUE, &inputs, &[]).unwrap();
+    let noise = coloured(random, response.len(), [0.77 * NOISE, 0.63 * NOISE], 0.5);
+    let jumps = [0.0, 1.0, 1.0, 2.0, 2.0, 3.0];
+    let zero = |row: usize| 0.9 * NOISE * jumps[row / 300];
+    response.iter_mut().zip(noise).enumerate().for_each(|(row, (value, noise))| *value += zero(row) + noise);
+    let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
+    let facts = RecordingFacts { rows: response.len(), runs: 6, ..RecordingFacts::default() };
+    let options = Options { effects: vec!["offset_steps".into(), "offset_drift".into()], ..Options::default() };
+    let said = diagnose(&problem, facts, &options, &|_| (), &AtomicBool::new(false)).unwrap().diagnosis;
+    assert!(!said.noise.says.contains("1/f"), "{}", said.noise.says);
+    assert_ne!(said.verdict, Verdict::Agrees, "{}", said.says);
+    // of 1800 rows, a third of them with a memory of two rows
+    approx::assert_relative_eq!(said.noise.white_sd.hypot(said.noise.ar_sd), NOISE, max_relative = 0.1);
+}

@@ -170,7 +170,13 @@ impl<'a, 'm> Descent<'a, 'm> {
                         return Ok(true);
                     }
                 }
-                Some(gain) if !was_stale && self.was_as_promised(gain, promise, options.tolerance) => self.converged = true,
+                Some(gain) if !was_stale && self.was_as_promised(gain, promise, options.tolerance) => {
+                    // others may come here, too
+                    if self.comes_upon_another() {
+                        return Ok(false);
+                    }
+                    self.converged = true;
+                }
                 Some(gain) => {
                     let only_effects = !was_stale && gain > options.tolerance && self.model.base_count() < self.z.len();
                     self.refresh(if only_effects { self.model.base_count() } else { 0 })?;

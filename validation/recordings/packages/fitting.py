@@ -50,6 +50,15 @@ def lag(u, t, tau):
     return out
 
 
+def play(x, width):
+    """What follows with a play of so much to each side."""
+    out, at = np.empty(len(x)), x[0]
+    for k, value in enumerate(x):
+        at = min(max(at, value - width), value + width)
+        out[k] = at
+    return out
+
+
 def moved(x, t, by):
     """Values a while later, straight between rows."""
     return np.interp(t - by, t, x)

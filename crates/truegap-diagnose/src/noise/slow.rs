@@ -6,7 +6,7 @@ use crate::{
     noise::{
         reml::{Block, WHITE, likelihood, mixed, of_any_memory},
         slow_parts::slow_parts,
-        tuning::{CLEARLY_COLOURED, SLOW_SHARES, STILL_ALLOWED},
+        tuning::{CLEARLY_COLOURED, MEMORIES_OF_A_STRETCH, SLOW_SHARES, STILL_ALLOWED},
     },
     whitening::whitener::{InputError, Noise},
 };
@@ -33,7 +33,7 @@ pub fn slow(response: &[f64], blocks: &[Block], chosen: &Noise) -> Option<Slow> 
 pub struct Allowed {
     /// white noise with slow noise
     pub slow: Vec<Slow>,
-    /// white noise with noise of one memory
+    /// white noise with noise of one memory, of which the longest stretch holds many
     pub of_one_memory: Vec<Noise>,
 }
 
@@ -44,9 +44,12 @@ pub fn allowed(response: &[f64], blocks: &[Block], chosen: &Noise) -> Allowed {
     };
     let (slow, other) = (tried(response, blocks), of_any_memory(response, blocks));
     let most = likeliest(&slow).map_or(one, |best| best.log_likelihood.max(one)) - STILL_ALLOWED;
+    // a longer memory goes with the slow course that is taken out, and with whatever is missing
+    let longest = blocks.iter().map(|block| block.rows.len()).max().unwrap_or(0) as f64;
+    let seen = |noise: &Noise| MEMORIES_OF_A_STRETCH * -noise.ar_correlation.ln().recip() <= longest;
     Allowed {
         slow: slow.into_iter().filter(|slow| slow.log_likelihood > most).collect(),
-        of_one_memory: other.into_iter().filter(|(log, _)| *log > most).map(|(_, noise)| noise).collect(),
+        of_one_memory: other.into_iter().filter(|(log, noise)| *log > most && seen(noise)).map(|(_, noise)| noise).collect(),
     }
 }
 

@@ -255,6 +255,9 @@ pub(crate) const CLEARLY_COLOURED: f64 = 1.0;
 /// Log likelihood at rest by which slow noise may be less likely than noise with one memory, and is still a rival to be weighed: three standard deviations.
 pub(crate) const STILL_ALLOWED: f64 = 4.5;
 
+/// Memories that a stretch at rest has to hold for one of that length to be told: a few go with the slow course that is taken out.
+pub(crate) const MEMORIES_OF_A_STRETCH: f64 = 10.0;
+
 /// Variances of a part of slow noise that are tried, over that of the white part.
 pub(crate) const SLOW_SHARES: [f64; 7] = [0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0];
 

@@ -69,8 +69,9 @@ pub(crate) fn slower<'a>(
     let Some((slow, slower)) = under(likeliest(rivals.slow))?.filter(|(log, _)| *log > taken + CLEARLY_COLOURED) else {
         return Ok(None);
     };
-    // short stretches do not tell one memory from none either, and slow noise would win by what any memory gains
-    match under(likeliest(rivals.of_one_memory))? {
+    // short stretches at rest do not tell one memory from none either, and slow noise would win by what any memory gains; a misfit that stands for rest has any memory itself
+    let of_one_memory = if prepared.noise.measured { rivals.of_one_memory } else { Vec::new() };
+    match under(likeliest(of_one_memory))? {
         Some((log, of_one_memory)) if log >= slow => Ok(Some(of_one_memory)),
         _ => Ok(Some(slower)),
     }

@@ -13,7 +13,7 @@ def rows(*contents):
 
 
 def models(c):
-    y, x, cell = c["capacitance_nf"], c["decades"], c["cell_k"]
+    y, x, cell = 1000 * c["capacitance_nf"], c["decades"], c["cell_k"]  # answers are in pF
     u, v = (x - x.mean()) / x.std(), (cell - cell.mean()) / cell.std()
     squares = [u**2, v, u * v, v**2]
     step = lambda p: np.tanh((x - p[0] - p[1] * v) / (abs(p[2]) + 0.01))

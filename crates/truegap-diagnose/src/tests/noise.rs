@@ -133,28 +133,25 @@ fn coloured(random: &mut ChaCha8Rng, rows: usize, [white, ar]: [f64; 2], correla
     (0..rows).map(|row| next(row)).collect()
 }
 
-/// Six runs, in each of which the load rests for a while and then goes up and down: in a hundred rows at rest a memory of two rows does not show.
+/// Six runs of steps of the load, a step each twenty rows; four of them begin with fifty rows at rest, and two hundred such rows do not show a memory of two rows.
 fn little_rest() -> Inputs {
     let rows = 6 * 300;
-    let row_of_run = |row: usize| row % 300;
-    let force = |row: usize| match row_of_run(row) {
-        0..20 => 0.0,
-        row => 2.0 - 2.0 * (0.05 * (row - 20) as f64).cos(),
-    };
+    let rest = |row: usize| if row < 4 * 300 { 50 } else { 0 };
+    let steps = |row: usize| (row % 300).saturating_sub(rest(row)).div_ceil(20);
     Inputs {
         run: (0..rows).map(|row| 1 + (row / 300) as u32).collect(),
         time_s: Some((0..rows).map(|row| row as f64 + 900.0 * (row / 300) as f64).collect()),
-        force_n: Some((0..rows).map(force).collect()),
-        temperature_c: Some((0..rows).map(|row| 24.0 + 4.0 * (0.004 * row as f64).sin()).collect()),
+        force_n: Some((0..rows).map(|row| (3 * steps(row) % 7) as f64 * 0.6).collect()),
+        temperature_c: Some((0..rows).map(|row| 22.0 + 4.0 * (row / 300) as f64).collect()),
         ..Inputs::default()
     }
 }
 
-/// The zero jumps at three borders of runs by as much as the noise, which has a memory of two rows. Rest does not show that memory, and slow noise, which has some memory at least, was taken for what jumps.
+/// The zero jumps at three borders of runs by as much as the noise, which has a memory of two rows. Rest does not show that memory, and slow noise, which has some memory at least, was taken for it: for six of 24 seeds.
 #[test]
 fn where_rest_shows_no_memory_jumps_of_a_zero_are_no_slow_noise() {
     let (plate, inputs) = (Plate::new(Some(true)), little_rest());
-    let random = &mut ChaCha8Rng::seed_from_u64(7);
+    let random = &mut ChaCha8Rng::seed_from_u64(2);
     let mut response = plate.respond(&TRUE, &inputs, &[]).unwrap();
     let noise = coloured(random, response.len(), [0.77 * NOISE, 0.63 * NOISE], 0.5);
     let jumps = [0.0, 1.0, 1.0, 2.0, 2.0, 3.0];

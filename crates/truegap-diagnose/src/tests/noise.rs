@@ -126,11 +126,11 @@ fn points_measured_with_pauses_between_them_are_not_joined_by_lines() {
 /// White noise beside noise of one memory, each with its standard deviation.
 fn coloured(random: &mut ChaCha8Rng, rows: usize, [white, ar]: [f64; 2], correlation: f64) -> Vec<f64> {
     let (mut state, fresh) = (ar * drawn(random), ar * (1.0 - correlation * correlation).sqrt());
-    let mut next = |_| {
+    let next = |_| {
         state = correlation * state + fresh * drawn(random);
         state + white * drawn(random)
     };
-    (0..rows).map(|row| next(row)).collect()
+    (0..rows).map(next).collect()
 }
 
 /// Six runs of steps of the load, a step each twenty rows; four of them begin with fifty rows at rest, and two hundred such rows do not show a memory of two rows.

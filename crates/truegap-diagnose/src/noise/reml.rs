@@ -100,47 +100,60 @@ pub fn without_outliers(response: &[f64], blocks: Vec<Block>) -> Vec<Block> {
 pub fn estimate(response: &[f64], blocks: &[Block]) -> (Noise, f64) {
     let ordered = blocks.iter().any(|b| b.ordered);
     let white = sums(response, blocks, &WHITE, 0.0);
-    let mut best = (white.log_likelihood() + WORTH_A_PARAMETER, 0.0, 0.0, white.squares / white.freedom.max(1.0));
-    let mut allowed = vec![(white.log_likelihood(), best.3)];
-    if ordered {
-        for (correlation, share) in memories() {
-            let sums = sums(response, blocks, &mixed(correlation, share), 0.0);
-            allowed.push((sums.log_likelihood(), level(correlation, share) * sums.squares / sums.freedom));
-            if sums.log_likelihood() > best.0 {
-                best = (sums.log_likelihood(), correlation, share, sums.squares / sums.freedom);
-            }
+    let of_white = OneMemory {
+        log_likelihood: white.log_likelihood(),
+        correlation: 0.0,
+        share: 0.0,
+        variance: white.squares / white.freedom.max(1.0),
+    };
+    let mut allowed = vec![(of_white.log_likelihood, of_white.variance)];
+    let mut best = OneMemory { log_likelihood: of_white.log_likelihood + WORTH_A_PARAMETER, ..of_white };
+    let coloured = if ordered { of_one_memory(response, blocks) } else { Vec::new() };
+    for one in coloured {
+        allowed.push((one.log_likelihood, one.level()));
+        if one.log_likelihood > best.log_likelihood {
+            best = one;
         }
     }
-    let (_, correlation, share, variance) = best;
-    let variance = if variance.is_finite() { variance } else { 0.0 };
-    let level = variance * level(correlation, share);
-    (of_variance(variance, correlation, share), spread(&allowed, level).hypot((2.0 / white.freedom.max(1.0)).sqrt()))
+    if !best.variance.is_finite() {
+        best.variance = 0.0;
+    }
+    (best.noise(), spread(&allowed, best.level()).hypot((2.0 / white.freedom.max(1.0)).sqrt()))
 }
 
-/// Correlations and shares of noise with one memory that are tried.
-fn memories() -> impl Iterator<Item = (f64, f64)> {
+/// White noise with noise of one memory, as loud as blocks have it.
+#[derive(Clone, Copy)]
+pub(super) struct OneMemory {
+    /// log likelihood in the blocks
+    pub log_likelihood: f64,
+    correlation: f64,
+    /// share of the variance that has the memory
+    share: f64,
+    variance: f64,
+}
+
+impl OneMemory {
+    pub fn noise(&self) -> Noise {
+        let Self { correlation, share, variance, .. } = *self;
+        Noise { white_sd: (variance * (1.0 - share)).sqrt(), ar_sd: (variance * share).sqrt(), ar_correlation: correlation }
+    }
+
+    /// Weight in the mean of many rows.
+    fn level(&self) -> f64 {
+        let Self { correlation, share, variance, .. } = *self;
+        variance * (1.0 - share + share * (1.0 + correlation) / (1.0 - correlation))
+    }
+}
+
+/// Noises of one memory that are tried.
+pub(super) fn of_one_memory(response: &[f64], blocks: &[Block]) -> Vec<OneMemory> {
     let correlations = [0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.88, 0.94, 0.97];
     let shares = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
-    correlations.into_iter().flat_map(move |correlation| shares.into_iter().map(move |share| (correlation, share)))
-}
-
-/// Weight in the mean of many rows of noise of unit variance.
-fn level(correlation: f64, share: f64) -> f64 {
-    1.0 - share + share * (1.0 + correlation) / (1.0 - correlation)
-}
-
-/// Noise of this variance.
-fn of_variance(variance: f64, correlation: f64, share: f64) -> Noise {
-    Noise { white_sd: (variance * (1.0 - share)).sqrt(), ar_sd: (variance * share).sqrt(), ar_correlation: correlation }
-}
-
-/// Noises with one memory that are tried, each as loud as the blocks have it, with its log likelihood there.
-pub(super) fn of_any_memory(response: &[f64], blocks: &[Block]) -> Vec<(f64, Noise)> {
-    let one = |(correlation, share)| {
+    let one = |(correlation, share): (f64, f64)| {
         let (log_likelihood, variance) = likelihood(response, blocks, &mixed(correlation, share), 0.0);
-        (log_likelihood, of_variance(variance, correlation, share))
+        OneMemory { log_likelihood, correlation, share, variance }
     };
-    memories().map(one).filter(|(log, _)| log.is_finite()).collect()
+    correlations.into_iter().flat_map(|correlation| shares.map(|share| one((correlation, share)))).collect()
 }
 
 /// Relative root mean square by which levels, weighted by their likelihood, differ from `chosen`.

@@ -4,7 +4,7 @@
 
 use crate::{
     noise::{
-        reml::{Block, WHITE, likelihood, mixed, of_any_memory},
+        reml::{self, Block, WHITE, likelihood, mixed},
         slow_parts::slow_parts,
         tuning::{CLEARLY_COLOURED, MEMORIES_OF_A_STRETCH, SLOW_SHARES, STILL_ALLOWED},
     },
@@ -29,28 +29,28 @@ pub fn slow(response: &[f64], blocks: &[Block], chosen: &Noise) -> Option<Slow> 
     (best.log_likelihood > one + CLEARLY_COLOURED).then_some(best)
 }
 
-/// Noises that stretches allow, where they do not tell them apart.
-pub struct Allowed {
-    /// white noise with slow noise
-    pub slow: Vec<Slow>,
-    /// white noise with noise of one memory, of which the longest stretch holds many
-    pub of_one_memory: Vec<Noise>,
+/// The slow noises that the stretches allow beside `chosen`, where they do not tell them apart.
+pub fn allowed(response: &[f64], blocks: &[Block], chosen: &Noise) -> Vec<Slow> {
+    let Some((tried, least)) = still_allowed(response, blocks, chosen) else { return Vec::new() };
+    tried.into_iter().filter(|slow| slow.log_likelihood > least).collect()
 }
 
-/// The noises that the stretches allow beside `chosen`.
-pub fn allowed(response: &[f64], blocks: &[Block], chosen: &Noise) -> Allowed {
-    let Some(one) = of_one_memory(response, blocks, chosen) else {
-        return Allowed { slow: Vec::new(), of_one_memory: Vec::new() };
-    };
-    let (slow, other) = (tried(response, blocks), of_any_memory(response, blocks));
-    let most = likeliest(&slow).map_or(one, |best| best.log_likelihood.max(one)) - STILL_ALLOWED;
-    // a longer memory goes with the slow course that is taken out, and with whatever is missing
+/// The noises of one memory that the stretches allow beside `chosen`, each of a memory of which the longest stretch holds many: a longer one goes with the slow course that is taken out, and with whatever is
+/// missing.
+pub fn allowed_memories(response: &[f64], blocks: &[Block], chosen: &Noise) -> Vec<Noise> {
+    let Some((_, least)) = still_allowed(response, blocks, chosen) else { return Vec::new() };
     let longest = blocks.iter().map(|block| block.rows.len()).max().unwrap_or(0) as f64;
     let seen = |noise: &Noise| MEMORIES_OF_A_STRETCH * -noise.ar_correlation.ln().recip() <= longest;
-    Allowed {
-        slow: slow.into_iter().filter(|slow| slow.log_likelihood > most).collect(),
-        of_one_memory: other.into_iter().filter(|(log, noise)| *log > most && seen(noise)).map(|(_, noise)| noise).collect(),
-    }
+    let likely = reml::of_one_memory(response, blocks).into_iter().filter(|one| one.log_likelihood > least);
+    likely.map(|one| one.noise()).filter(seen).collect()
+}
+
+/// The slow noises that are tried, and the log likelihood above which stretches allow a noise beside `chosen`.
+fn still_allowed(response: &[f64], blocks: &[Block], chosen: &Noise) -> Option<(Vec<Slow>, f64)> {
+    let one = of_one_memory(response, blocks, chosen)?;
+    let tried = tried(response, blocks);
+    let most = likeliest(&tried).map_or(one, |best| best.log_likelihood.max(one));
+    Some((tried, most - STILL_ALLOWED))
 }
 
 /// Adds the parts of slow noise to the errors that last.
@@ -116,11 +116,11 @@ mod tests {
         for seed in 1..6 {
             let y = drawn(1.2, &[1.5], 200, seed);
             let right = |noise: &Noise| noise.ar_correlation == 0.5 && (noise.ar_sd / noise.white_sd).powi(2) < 1.0;
-            let found = allowed(&y, &blocks, &estimate(&y, &blocks).0);
-            assert!(found.of_one_memory.iter().any(right), "{seed}");
+            let found = allowed_memories(&y, &blocks, &estimate(&y, &blocks).0);
+            assert!(found.iter().any(right), "{seed}");
             // a tenth of a stretch: five rows
             let memory = |noise: &Noise| -noise.ar_correlation.ln().recip();
-            assert!(found.of_one_memory.iter().all(|noise| memory(noise) <= 5.0), "{seed}");
+            assert!(found.iter().all(|noise| memory(noise) <= 5.0), "{seed}");
         }
     }
 }

@@ -5,35 +5,36 @@
 use crate::{
     data::{context::load_column, problem::Problem},
     noise::{
+        reml::Block,
         response::{blocks, no_finer_than_read},
-        slow::{Allowed, Slow, allowed, beside},
+        slow::{Slow, allowed, allowed_memories, beside},
         tones::without_tones,
     },
     whitening::{noise_model::NoiseModel, whitener::Noise},
 };
 
-/// Noises that rest allows in place of the one that was taken.
-#[derive(Default)]
-pub struct Rivals {
-    /// slow noise in place of the one memory
-    pub slow: Vec<NoiseModel>,
-    /// one memory of another length or share
-    pub of_one_memory: Vec<NoiseModel>,
+/// The noise with each slow noise that rest allows in place of its one memory; `misfit`, what some model leaves, stands for a rest that was not recorded. Empty
+/// where the noise lasts already.
+pub fn slow_rivals(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Vec<NoiseModel> {
+    let Some((blocks, left)) = stretches(problem, misfit, noise) else { return Vec::new() };
+    allowed(&left, &blocks, &noise.response).into_iter().map(|slow| of_slow(problem, noise, slow)).collect()
 }
 
-/// The rivals of a noise; `misfit`, what some model leaves, stands for a rest that was not recorded. None where the noise lasts already.
-pub fn rivals(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Rivals {
+/// The noise with each other memory that rest allows; `misfit` as for slow noise. Empty where the noise lasts already, or was not measured: a misfit that stands for rest has any memory itself.
+pub fn memory_rivals(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Vec<NoiseModel> {
+    let Some((blocks, left)) = noise.measured.then(|| stretches(problem, misfit, noise)).flatten() else { return Vec::new() };
+    allowed_memories(&left, &blocks, &noise.response).into_iter().map(|other| of_response(problem, noise, other)).collect()
+}
+
+/// The stretches that tell a noise, and what is read there; `None` where it has no rivals.
+fn stretches(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Option<(Vec<Block>, Vec<f64>)> {
     if noise.lasts() || problem.inputs.time_s.is_none() || problem.simulator.joined().is_some() {
-        return Rivals::default();
+        return None;
     }
     let load = load_column(problem.inputs, problem.simulator);
     let (blocks, at_rest, _) = blocks(problem, load.as_deref(), &noise.inputs, noise.load_wanders());
     let left = if at_rest { problem.response.to_vec() } else { without_tones(problem.inputs, misfit.to_vec()) };
-    let Allowed { slow, of_one_memory } = allowed(&left, &blocks, &noise.response);
-    Rivals {
-        slow: slow.into_iter().map(|slow| of_slow(problem, noise, slow)).collect(),
-        of_one_memory: of_one_memory.into_iter().map(|other| of_response(problem, noise, other)).collect(),
-    }
+    Some((blocks, left))
 }
 
 /// The noise with this slow noise in place of its one memory.

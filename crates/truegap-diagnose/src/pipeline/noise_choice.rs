@@ -11,7 +11,11 @@ use crate::{
     },
     effects::effect::Effect,
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model},
-    noise::{beyond_the_ends::mirrored, slow_rivals::rivals, tuning::CLEARLY_COLOURED},
+    noise::{
+        beyond_the_ends::mirrored,
+        slow_rivals::{memory_rivals, slow_rivals},
+        tuning::CLEARLY_COLOURED,
+    },
     pipeline::{judged::Told, prepare::Prepared},
     selection::{
         candidates::Tried,
@@ -52,7 +56,6 @@ pub(crate) fn slower<'a>(
         misfits.iter().map(|m| deviance(&filter, m)).fold(f64::INFINITY, f64::min)
     };
     let clean = mirrored(least, &prepared.problem.runs(), &prepared.noise.untold);
-    let rivals = rivals(prepared.problem, &clean, &prepared.noise);
     let likeliest = |rivals: Vec<NoiseModel>| {
         let rivals = rivals.into_iter().map(|noise| (lowest(&noise), noise));
         rivals.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, noise)| noise)
@@ -66,12 +69,13 @@ pub(crate) fn slower<'a>(
         let weighed = |noise| likeliest_account(prepared, noise, &accounts, mechanisms, told);
         noise.map(weighed).transpose()
     };
-    let Some((slow, slower)) = under(likeliest(rivals.slow))?.filter(|(log, _)| *log > taken + CLEARLY_COLOURED) else {
+    let Some((slow, slower)) = under(likeliest(slow_rivals(prepared.problem, &clean, &prepared.noise)))?
+        .filter(|(log, _)| *log > taken + CLEARLY_COLOURED)
+    else {
         return Ok(None);
     };
-    // short stretches at rest do not tell one memory from none either, and slow noise would win by what any memory gains; a misfit that stands for rest has any memory itself
-    let of_one_memory = if prepared.noise.measured { rivals.of_one_memory } else { Vec::new() };
-    match under(likeliest(of_one_memory))? {
+    // short stretches at rest do not tell one memory from none either, and slow noise would win by what any memory gains
+    match under(likeliest(memory_rivals(prepared.problem, &clean, &prepared.noise)))? {
         Some((log, of_one_memory)) if log >= slow => Ok(Some(of_one_memory)),
         _ => Ok(Some(slower)),
     }

@@ -12,7 +12,7 @@ use crate::{
         learned_again::{learned_again, less_slow, of_rows_alike},
         rescale::{quieter_than, too_loud},
         response::no_finer_than_read,
-        slow_rivals::rivals,
+        slow_rivals::memory_rivals,
         tuning::{CLEARLY_QUIETER, STILL_AS_LOUD},
     },
     pipeline::{prepare::Prepared, wanders::memories},
@@ -83,7 +83,7 @@ impl Prepared<'_> {
             return Vec::new();
         }
         let quieter = |noise: &NoiseModel| noise.floor() < STILL_AS_LOUD * self.noise.floor();
-        rivals(self.problem, misfit, &self.noise).of_one_memory.into_iter().filter(quieter).collect()
+        memory_rivals(self.problem, misfit, &self.noise).into_iter().filter(quieter).collect()
     }
 
     /// White noise beside noise of the memory under which all that a fitted model leaves is likeliest: short stretches, from which a noise is read elsewhere, tell a steep noise by its changes from row to row alone. `None`
@@ -151,21 +151,27 @@ mod tests {
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
     use rand_distr::{Distribution, StandardNormal};
-    use truegap_core::Simulator;
+    use truegap_core::{Inputs, Simulator};
 
     const ROWS: usize = 1200;
     const NOISE: f64 = 0.004;
     const WHITE: Noise = Noise { white_sd: NOISE, ar_sd: 0.0, ar_correlation: 0.0 };
 
-    /// The noise that the right model has white noise for, taken for `noise`: learned again, and with less that is slow; and the mean square of a whitened row under it.
-    fn lowered(noise: &NoiseModel) -> ([Option<NoiseModel>; 2], f64) {
-        let (plate, inputs) = (Plate::new(Some(false)), without_rest(ROWS));
-        let random = &mut ChaCha8Rng::seed_from_u64(5);
-        let mut response = plate.respond(&plate.centre(), &inputs, &[]).unwrap();
+    /// What a plate at the centre of its priors reads beside white noise.
+    fn read(plate: &Plate, inputs: &Inputs, seed: u64) -> Vec<f64> {
+        let random = &mut ChaCha8Rng::seed_from_u64(seed);
+        let mut response = plate.respond(&plate.centre(), inputs, &[]).unwrap();
         response.iter_mut().for_each(|value| {
             let unit: f64 = StandardNormal.sample(random);
             *value += NOISE * unit;
         });
+        response
+    }
+
+    /// The noise that the right model has white noise for, taken for `noise`: learned again, and with less that is slow; and the mean square of a whitened row under it.
+    fn lowered(noise: &NoiseModel) -> ([Option<NoiseModel>; 2], f64) {
+        let (plate, inputs) = (Plate::new(Some(false)), without_rest(ROWS));
+        let response = read(&plate, &inputs, 5);
         let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
         let options = Options { effects: vec!["offset_drift".into()], ..Options::default() };
         let prepared = Prepared::new(&problem, noise.clone(), &options).unwrap();
@@ -238,16 +244,11 @@ mod tests {
         assert!(lowered(&NoiseModel::unmeasured(WHITE, slow(0.02 * NOISE))).0[1].is_none());
     }
 
-    /// Rest of two dozen rows each, from which the slow course is taken, allows a memory of thirty rows, and with it a noise that is louder than what the whole recording leaves.
+    /// A noise at rest that was taken for one of a memory of thirty rows is louder than what the whole recording leaves; rest allows shorter memories.
     #[test]
     fn a_measured_noise_is_no_steeper_than_the_whole_recording_has_it() {
         let (plate, inputs) = (Plate::new(Some(false)), recording());
-        let random = &mut ChaCha8Rng::seed_from_u64(9);
-        let mut response = plate.respond(&plate.centre(), &inputs, &[]).unwrap();
-        response.iter_mut().for_each(|value| {
-            let unit: f64 = StandardNormal.sample(random);
-            *value += NOISE * unit;
-        });
+        let response = read(&plate, &inputs, 9);
         let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
         let options = Options { effects: vec!["offset_drift".into()], ..Options::default() };
         let taken = |response: Noise| {

@@ -7,6 +7,7 @@ import lzma
 
 import numpy as np
 import pandas as pd
+from fitting import line, moved, terms, tone, usual
 from pickled import plain
 from reading import array, csv, means, seconds
 from rigs import multivu
@@ -30,6 +31,22 @@ def walls(content, begin, end, every):
     return {"time_s": seconds(frame.date), "airport_degc": frame.T_out, "wall_degc": frame.T6}
 
 
+def in_step(y, x, t):
+    """Models of a thermometer beside another one that goes through the day ahead of it or behind it."""
+    day = [*tone(t, DAY), *tone(t, DAY / 2)]
+    at = lambda p: moved(x, t, p[0] * 3600)
+    return {
+        **usual(y, x, t, 3600),
+        "shift ahead": terms(y, lambda p: [at(p)], [-0.5]),
+        "day": line(y, x, *day),
+        "day, and square": line(y, x, x**2, *day),
+        "day, and drift": line(y, x, t, *day),
+        "shift, and square": terms(y, lambda p: [at(p), at(p) ** 2], [-0.5]),
+        "shift, and day": terms(y, lambda p: [at(p), *day], [-0.5]),
+        "shift, day, and slope by it": terms(y, lambda p: [at(p), *day, *(at(p) * k for k in day[:2])], [-0.5]),
+    }
+
+
 def moments(content, every):
     """Rows of a magnetometer in which it has measured a moment, each so many."""
     return multivu(content).dropna(subset=["Moment (emu)"]).iloc[::every]
@@ -51,9 +68,8 @@ def capacitances(*contents):
         lines = content.decode("utf-8-sig").splitlines()
         start = next(k for k, text in enumerate(lines) if text.startswith("Frequency"))
         tables.append(np.array([text.split("\t")[:3] for text in lines[start + 1 :] if text.strip()], float))
-    runs = np.repeat(np.arange(1, len(tables) + 1), [len(table) for table in tables])
     hertz, farad, kelvin = np.concatenate(tables).T
-    return {"run": runs, "decades": np.log10(hertz).round(6), "cell_k": kelvin, "capacitance_nf": farad}
+    return {"run": numbered(tables), "decades": np.log10(hertz).round(6), "cell_k": kelvin, "capacitance_nf": farad}
 
 
 def kept_hot(content, least):
@@ -99,6 +115,11 @@ def glow(content, samples, emission, *excitations):
 def radicals(*contents, every):
     """Spectra of a spectrometer that goes through a field, by the step of the field."""
     return [np.asarray(plain(content)["DAT"], float)[::every] for content in contents]
+
+
+def numbered(tables):
+    """The run of each row of tables that lie one behind the other, from 1 on."""
+    return np.repeat(np.arange(1, len(tables) + 1), [len(table) for table in tables])
 
 
 def in_runs(run, t, what):

@@ -1,7 +1,7 @@
 """How bright eleven samples glow at 532 nm under light of 392 nm over how bright they do under 398 nm, 20 minutes each while they react. Both colours make the same stuff glow."""
 
 import numpy as np
-from counters import glow, in_runs
+from counters import glow, in_runs, numbered
 from fitting import lag, line, moved, terms
 from monitors import bends_with
 
@@ -13,7 +13,7 @@ OUTLIERS = (34, 35, 44, 45, 63)
 def rows(content):
     samples = [one for one in SAMPLES if one not in OUTLIERS]
     first, second = glow(content, samples, 8, 5, 6)
-    run = np.repeat(np.arange(1, len(samples) + 1), first.shape[1])
+    run = numbered(first)
     return {"run": run, "time_s": np.arange(len(run)) * 20, "under_398_nm": second.ravel(), "under_392_nm": first.ravel()}
 
 

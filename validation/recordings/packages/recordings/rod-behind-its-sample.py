@@ -1,7 +1,7 @@
 """Height at which a magnetometer finds the centre of its sample, at the end of a long rod, over the warmth of the sample: twice warmed from 2 K to 300 K and cooled back."""
 
 import numpy as np
-from counters import in_runs, moments
+from counters import in_runs, moments, numbered
 from fitting import lag, line, moved, play, terms
 from rigs import since
 
@@ -11,8 +11,7 @@ HAND_BUILT = "play, and cube"
 def rows(*contents):
     frames = [moments(content, 4) for content in contents]
     joined = {name: np.concatenate([frame[name] for frame in frames]) for name in ("Time Stamp (sec)", "Temperature (K)", "Center Position (mm)")}
-    run = np.repeat(np.arange(1, len(frames) + 1), [len(frame) for frame in frames])
-    return {"run": run, "time_s": since(joined["Time Stamp (sec)"]).round(1), "sample_k": joined["Temperature (K)"], "centre_mm": joined["Center Position (mm)"]}
+    return {"run": numbered(frames), "time_s": since(joined["Time Stamp (sec)"]).round(1), "sample_k": joined["Temperature (K)"], "centre_mm": joined["Center Position (mm)"]}
 
 
 def models(c):

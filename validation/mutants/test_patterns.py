@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Both lists of planted errors against today's sources: every text that an error replaces stands exactly once in the file it names; and a copy is not
-taken for another one.
+"""Both lists of planted errors against today's sources: every text that an error replaces stands exactly once in the file it names, and the test that is to
+notice it stands in its crate; and a copy is not taken for another one.
 
     python3 validation/mutants/test_patterns.py
 
@@ -38,7 +38,29 @@ def mutations():
         yield m["name"], ROOT / "crates/truegap-fem/src" / m["file"], m["from"], m["to"]
 
 
+def tests():
+    """Name, crate and test of `mutants.toml`."""
+    for m in tomllib.loads((HERE / "mutants.toml").read_text())["mutant"]:
+        yield m["name"], m["crate"], m["test"]
+
+
+def words(crate):
+    """What the modules of a crate are called, and its functions."""
+    files = list((ROOT / "crates" / crate).rglob("*.rs"))
+    text = "\n".join(file.read_text() for file in files)
+    modules = {file.stem for file in files} | {file.parent.name for file in files} | set(re.findall(r"\bmod (\w+)", text))
+    return modules, re.findall(r"\bfn (\w+)", text)
+
+
 class Patterns(unittest.TestCase):
+    def test_every_test_that_is_to_notice_an_error_stands_in_its_crate(self):
+        known = {crate: words(crate) for crate in {crate for _, crate, _ in tests()}}
+        for name, crate, test in tests():
+            (*inside, last), (modules, functions) = test.split("::"), known[crate]
+            with self.subTest(name):
+                self.assertLessEqual(set(inside), modules, test)
+                self.assertTrue(last in modules or any(last in function for function in functions), test)
+
     def test_every_pattern_stands_once(self):
         for name, file, whole, _ in [*mutants(), *mutations()]:
             with self.subTest(name):

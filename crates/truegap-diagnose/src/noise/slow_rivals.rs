@@ -5,7 +5,7 @@
 use crate::{
     data::{context::load_column, problem::Problem},
     noise::{
-        reml::Block,
+        reml::{Block, estimate},
         response::{blocks, no_finer_than_read},
         slow::{Slow, allowed, allowed_memories, beside},
         tones::without_tones,
@@ -24,6 +24,21 @@ pub fn slow_rivals(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) ->
 pub fn memory_rivals(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Vec<NoiseModel> {
     let Some((blocks, left)) = noise.measured.then(|| stretches(problem, misfit, noise)).flatten() else { return Vec::new() };
     allowed_memories(&left, &blocks, &noise.response).into_iter().map(|other| of_response(problem, noise, other)).collect()
+}
+
+/// Where rest is like slow noise: the noise with each memory in its place that rest allows. Empty where the noise was not measured, does not last, or lasts as the steps of a converter do.
+pub fn lasting_rivals(problem: &Problem<'_>, noise: &NoiseModel) -> Vec<NoiseModel> {
+    let in_order = problem.inputs.time_s.is_some() && problem.simulator.joined().is_none();
+    if !noise.measured || !noise.lasts() || noise.step > 0.0 || !in_order {
+        return Vec::new();
+    }
+    let load = load_column(problem.inputs, problem.simulator);
+    let (blocks, _, says) = blocks(problem, load.as_deref(), &noise.inputs, noise.load_wanders());
+    let mut of_one_memory = NoiseModel { says, ..noise.clone() };
+    of_one_memory.input_error.lasting.retain(|lasting| !lasting.of_reading);
+    let (chosen, _) = estimate(problem.response, &blocks);
+    let rivals = allowed_memories(problem.response, &blocks, &chosen).into_iter();
+    rivals.map(|other| of_response(problem, &of_one_memory, other)).collect()
 }
 
 /// The stretches that tell a noise, and what is read there; `None` where it has no rivals.

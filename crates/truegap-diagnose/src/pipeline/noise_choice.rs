@@ -1,6 +1,6 @@
 //! Which noise a recording has, where rest does not tell: the noise under which the likeliest account of the whole recording is likelier.
 //!
-//! Limits: noise with one memory against slow noise, and another memory only where slow noise would be taken; the accounts weighed are the base model, the likeliest model, either with its likeliest unmodelled cause, and the
+//! Limits: noise with one memory against slow noise, and another memory only where slow noise would be taken or was; the accounts weighed are the base model, the likeliest model, either with its likeliest unmodelled cause, and the
 //! mechanism composed of words.
 
 use crate::{
@@ -13,7 +13,7 @@ use crate::{
     fit::{levenberg_marquardt::FitOptions, maximum_a_posteriori::fit, model::Model},
     noise::{
         beyond_the_ends::mirrored,
-        slow_rivals::{memory_rivals, slow_rivals},
+        slow_rivals::{lasting_rivals, memory_rivals, slow_rivals},
         tuning::CLEARLY_COLOURED,
     },
     pipeline::{judged::Told, prepare::Prepared},
@@ -32,7 +32,8 @@ use std::sync::atomic::Ordering;
 /// Sentences that mechanisms are composed to, about: beforehand each is that much less likely than an effect of the library.
 const SENTENCES: f64 = 5000.0;
 
-/// The recording made ready once more, where slow noise makes it likelier than the noise that was taken: with the slow noise, or with one of another memory where that is likelier still. `None` where it does not, or where nothing differs anyway.
+/// The recording made ready once more, where slow noise makes it likelier than the noise that was taken: with the slow noise, or with one of another memory where that is likelier still. Where rest was taken for slow noise: with one
+/// of a memory that rest allows, where that is likelier. `None` where no other noise is likelier, or where nothing differs anyway.
 ///
 /// # Errors
 /// Those of the simulator.
@@ -42,7 +43,8 @@ pub(crate) fn slower<'a>(
     composition: Option<&Composition>,
     told: &Told<'a>,
 ) -> Result<Option<Prepared<'a>>, DiagnoseError> {
-    if examined.decision.verdict == Verdict::Agrees || told.stop.load(Ordering::Relaxed) {
+    let lasts = prepared.noise.lasts();
+    if examined.decision.verdict == Verdict::Agrees && !lasts || told.stop.load(Ordering::Relaxed) {
         return Ok(None);
     }
     let selection = &examined.selection;
@@ -69,11 +71,13 @@ pub(crate) fn slower<'a>(
         let weighed = |noise| likeliest_account(prepared, noise, &accounts, mechanisms, told);
         noise.map(weighed).transpose()
     };
-    let Some((slow, slower)) = under(likeliest(slow_rivals(prepared.problem, &clean, &prepared.noise)))?
-        .filter(|(log, _)| *log > taken + CLEARLY_COLOURED)
-    else {
-        return Ok(None);
-    };
+    let clearly = |(log, _): &(f64, Prepared<'_>)| *log > taken + CLEARLY_COLOURED;
+    if lasts {
+        let of_one_memory = under(likeliest(lasting_rivals(prepared.problem, &prepared.noise)))?;
+        return Ok(of_one_memory.filter(clearly).map(|(_, of_one_memory)| of_one_memory));
+    }
+    let slower = under(likeliest(slow_rivals(prepared.problem, &clean, &prepared.noise)))?;
+    let Some((slow, slower)) = slower.filter(clearly) else { return Ok(None) };
     // short stretches at rest do not tell one memory from none either, and slow noise would win by what any memory gains
     match under(likeliest(memory_rivals(prepared.problem, &clean, &prepared.noise)))? {
         Some((log, of_one_memory)) if log >= slow => Ok(Some(of_one_memory)),

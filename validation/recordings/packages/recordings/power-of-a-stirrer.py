@@ -1,0 +1,25 @@
+"""Power to the stirrer of a dryer over what is called its speed: thirty batches. A stirrer takes speed times torque."""
+
+from fitting import line
+from meters import of_drivers
+from pickups import dryer
+
+HAND_BUILT = "cube, all squares, and square by torque"
+
+
+def rows(content):
+    frame = dryer(content, 1, 30)
+    return {"run": frame.batch_id, "speed": frame.AgitatorSpeed, "torque": frame.AgitatorTorque, "power": frame.AgitatorPower}
+
+
+def models(c):
+    y, x, torque = c["power"], c["speed"], c["torque"]
+    u, v = (x - x.mean()) / x.std(), (torque - torque.mean()) / torque.std()
+    return y, {
+        **of_drivers(y, x, torque=torque),
+        "slope by torque alone": line(y, u, u * v),
+        "cube, and slope by torque": line(y, u, u**2, u**3, v, u * v),
+        "square, and square by torque": line(y, u, u**2, v, u * v, u**2 * v),
+        "cube, and square by torque": line(y, u, u**2, u**3, v, u * v, u**2 * v),
+        "cube, all squares, and square by torque": line(y, u, u**2, u**3, v, v**2, u * v, u**2 * v),
+    }

@@ -1,0 +1,31 @@
+"""Shear stress of two slabs of rock over how far a press has drawn back, until it lets them go."""
+
+import numpy as np
+from fitting import line, terms
+from monitors import bends_with
+from pickups import press
+
+HAND_BUILT = "slack, and drift"
+
+
+def rows(content):
+    told = press(content, first=84620, last=85620, every=1)
+    return {name: told[name] for name in ("time_s", "slip_um", "shear_mpa")}
+
+
+def models(c):
+    y, x, t = c["shear_mpa"], c["slip_um"], c["time_s"]
+    u = (x - x.mean()) / x.std()
+    held, soft = lambda p: np.maximum(u, p), lambda p, w: abs(w) * np.logaddexp(0, (u - p) / abs(w))
+    return y, {
+        **bends_with(y, x, drift=t),
+        "fourth power": line(y, u, u**2, u**3, u**4),
+        "slack": terms(y, lambda p: [held(p[0])], [-1.0]),
+        "slack, and square": terms(y, lambda p: [held(p[0]), held(p[0]) ** 2], [-1.0]),
+        "slack, and drift": terms(y, lambda p: [held(p[0]), t], [-1.0]),
+        "slack, square, and drift": terms(y, lambda p: [held(p[0]), held(p[0]) ** 2, t], [-1.0]),
+        "slack, and logarithm": terms(y, lambda p: [held(p[0]), np.log1p(t)], [-1.0]),
+        "slack, and corner": terms(y, lambda p: [held(p[0]), held(p[1])], [-1.0, 0.5]),
+        "soft slack": terms(y, lambda p: [soft(p[0], p[1])], [-1.0, 0.2]),
+        "soft slack, and square": terms(y, lambda p: [soft(p[0], p[1]), soft(p[0], p[1]) ** 2], [-1.0, 0.2]),
+    }

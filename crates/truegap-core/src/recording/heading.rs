@@ -2,7 +2,7 @@
 //!
 //! Limits: text; which units there are is known to [`crate::units`].
 
-use super::notation::{split, split_of};
+use super::notation::{is_ratio, split, split_of};
 use super::small_letters::{NEWTON_METRES, has_prefix, is_newton_metres, proper};
 use super::words::{is_torque, told};
 use crate::inputs::Role;
@@ -54,7 +54,7 @@ impl Heading {
     /// The same where it is sure to be a unit: behind an underscore anything may stand, in brackets and below the name a unit.
     pub fn sure_unit(&self) -> Option<&str> {
         let shows = self.below.is_some() || self.name.ends_with([')', ']', '}', '>']);
-        self.proper_unit().filter(|unit| shows || is_unit(unit) || is_newton_metres(unit) || has_prefix(unit))
+        self.proper_unit().filter(|unit| shows || is_unit(unit) || is_ratio(unit) || is_newton_metres(unit) || has_prefix(unit))
     }
 
     /// The unit among those of `dimension`.

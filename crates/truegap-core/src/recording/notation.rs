@@ -32,7 +32,7 @@ const NOTATIONS: [Notation; 13] = [
     Notation { example: ("temp (°C)", "temp", "°C"), cut: |name| brackets(name, '(', ')'), trust: Trust::Any },
     Notation { example: ("F {mN}", "F", "mN"), cut: |name| brackets(name, '{', '}'), trust: Trust::Any },
     Notation { example: ("F <mN>", "F", "mN"), cut: |name| brackets(name, '<', '>'), trust: Trust::Any },
-    Notation { example: ("C_meas/pF", "C_meas", "pF"), cut: |name| name.split_once('/'), trust: Trust::Known },
+    Notation { example: ("C_meas/pF", "C_meas", "pF"), cut: slash, trust: Trust::Known },
     Notation { example: ("T in degC", "T", "degC"), cut: |name| name.rsplit_once(" in "), trust: Trust::Known },
     Notation { example: ("force, N", "force", "N"), cut: |name| name.rsplit_once([',', ';', ':']), trust: Trust::Known },
     Notation { example: ("force_n", "force", "n"), cut: |name| name.rsplit_once('_'), trust: Trust::Any },
@@ -46,6 +46,21 @@ const NOTATIONS: [Notation; 13] = [
 /// A name in which the unit stands in brackets at the end.
 fn brackets(name: &str, open: char, close: char) -> Option<(&str, &str)> {
     name.strip_suffix(close)?.rsplit_once(open)
+}
+
+/// A name with its unit behind a slash that belongs to no unit.
+fn slash(name: &str) -> Option<(&str, &str)> {
+    if ratio(name).is_some() { None } else { name.split_once('/') }
+}
+
+/// A name that ends with a unit over a unit; one letter in front of the slash is the sign of what is measured, as in `Kraft F/N`.
+fn ratio(name: &str) -> Option<(&str, &str)> {
+    name.rsplit_once(' ').filter(|(_, unit)| is_ratio(unit))
+}
+
+/// Whether this is a unit over a unit.
+pub(super) fn is_ratio(unit: &str) -> bool {
+    unit.split_once('/').is_some_and(|(over, under)| over.chars().count() > 1 && is_unit(over) && is_unit(under))
 }
 
 /// `Force (N)` as R makes a name of it.
@@ -81,7 +96,8 @@ fn cut(name: &str, holds: impl Fn(Trust, &str) -> bool) -> Option<(&str, &str)> 
 
 /// What is measured, and the unit, where the name itself shows that it is one: known, or in brackets or behind an underscore.
 pub(super) fn split(name: &str) -> Option<(&str, &str)> {
-    cut(name, |trust, unit| trust == Trust::Any || (trust == Trust::Known && (is_unit(unit) || is_newton_metres(unit))))
+    let shows = |trust, unit: &str| trust == Trust::Any || (trust == Trust::Known && (is_unit(unit) || is_newton_metres(unit)));
+    ratio(name).or_else(|| cut(name, shows))
 }
 
 /// What is measured, and its unit among those of `dimension`, in any notation.
@@ -127,6 +143,8 @@ mod tests {
         }
         assert_eq!(split("U/(mV/V)"), Some(("U/", "mV/V")));
         assert_eq!(split("bridge [mV/V]"), Some(("bridge", "mV/V")));
+        assert_eq!(split("Brücke mV/V"), Some(("Brücke", "mV/V")));
+        assert_eq!(split("Kraft F/N"), Some(("Kraft F", "N")));
         assert_eq!(split_of("force_setpoint_n", Dimension::Force), Some(("force_setpoint", "N")));
         assert_eq!(split_of("force_pf", Dimension::Force), None);
         assert_eq!((split_of("pH", Dimension::Time), split_of("runH", Dimension::Time)), (None, Some(("run", "h"))));

@@ -135,7 +135,10 @@ impl fmt::Display for Note {
                 )
             }
             Self::Dates { column, first } => {
-                write!(f, "column `{column}` holds dates; time is counted in seconds from `{first}`")
+                // a day and its time, each in a column of its own
+                let holds =
+                    if column.contains("` and `") { "columns `{}` hold" } else { "column `{}` holds" }.replace("{}", column);
+                write!(f, "{holds} dates; time is counted in seconds from `{first}`")
             }
             Self::OrderNotAsked => f.write_str(
                 "dayfirst was told and not used: the clock holds no dates in which day and month could be taken for one another",

@@ -12,7 +12,8 @@ pub(super) enum Fault {
 }
 
 /// What stands for a value that was not made, in letters of any size. A number that stands for one, as -9999, is none of these: nobody can tell.
-const MARKERS: [&str; 12] = ["NA", "N/A", "#N/A", "#N/A N/A", "<NA>", "null", "none", "NaT", "-", "--", "#DIV/0!", "#VALUE!"];
+const MARKERS: [&str; 13] =
+    ["NA", "N/A", "#N/A", "#N/A N/A", "<NA>", "null", "none", "NaT", "-", "--", "---", "#DIV/0!", "#VALUE!"];
 
 /// The minus sign of typesetters, and the dash that word processors make of a hyphen.
 const MINUS: [char; 2] = ['\u{2212}', '\u{2013}'];
@@ -83,7 +84,7 @@ mod tests {
             assert_eq!(number(format!(" {} ", marker.to_lowercase()).as_bytes(), true), Err(Fault::NoValue), "{marker}");
         }
         assert_eq!(number(b"nil", false), Err(Fault::Text));
-        assert_eq!(number(b"---", false), Err(Fault::Text));
+        assert_eq!(number(b"----", false), Err(Fault::Text));
         assert_eq!(number(b"1e999", false), Err(Fault::Text));
         assert_eq!(number(b"\xb5", false), Err(Fault::Text));
     }

@@ -148,7 +148,7 @@ fn rest_or_repeated(
     inputs: &InputNoise,
     wanders: bool,
 ) -> Option<(Vec<Block>, String)> {
-    let at_rest = if wanders { Vec::new() } else { rest::at_rest(problem.inputs, load, inputs) };
+    let at_rest = if wanders { Vec::new() } else { rest::at_rest(problem.inputs, load, remembered(problem).as_deref(), inputs) };
     let mut rest = without_outliers(problem.response, at_rest);
     keep_some(&mut rest);
     let rows: usize = rest.iter().map(|b| b.rows.len()).sum();
@@ -160,6 +160,13 @@ fn rest_or_repeated(
     let repeated: usize = replicates.iter().map(|b| b.rows.len()).sum();
     let says = format!("from {repeated} rows measured again at the same inputs");
     (problem.inputs.time_s.is_none() && repeated >= FEWEST_REPLICATES).then_some((replicates, says))
+}
+
+/// What a model that remembers answers to the inputs at the centre of what is known of it; `None` where a row follows from its own inputs, at rest with which it is.
+fn remembered(problem: &Problem<'_>) -> Option<Vec<f64>> {
+    let simulator = problem.simulator;
+    let remembers = !simulator.row_by_row() && simulator.moves() && simulator.joined().is_none();
+    remembers.then(|| simulator.respond(&simulator.centre(), problem.inputs, &[]).ok()).flatten()
 }
 
 /// Keeps a share of the stretches, spread evenly, where there are more rows than needed.

@@ -11,8 +11,8 @@ use crate::{
 use std::ops::Range;
 use truegap_core::Inputs;
 
-/// Stretches with constant inputs.
-pub fn at_rest(inputs: &Inputs, load: Option<&[f64]>, noise: &InputNoise) -> Vec<Block> {
+/// Stretches with constant inputs, in which the answer of a model that remembers, where there is one, is `answered` and stays too.
+pub fn at_rest(inputs: &Inputs, load: Option<&[f64]>, answered: Option<&[f64]>, noise: &InputNoise) -> Vec<Block> {
     let mut columns: Vec<(&[f64], f64)> = Vec::new();
     if let Some(load) = load {
         columns.push((load, (5.0 * noise.load).max(1e-3)));
@@ -31,7 +31,7 @@ pub fn at_rest(inputs: &Inputs, load: Option<&[f64]>, noise: &InputNoise) -> Vec
         return Vec::new();
     }
     // what is simulated moves the reading as well: by itself it tells no rest, for it may be held while what it stands for is not
-    let others = [&inputs.simulated, &inputs.humidity_pct].into_iter().filter_map(|column| column.as_deref());
+    let others = [inputs.simulated.as_deref(), inputs.humidity_pct.as_deref(), answered].into_iter().flatten();
     columns.extend(others.filter_map(|column| Some((column, range(column)?))));
     let steps = inputs.steps_s();
     let even = |row: usize, first: usize| {
@@ -95,10 +95,24 @@ mod tests {
         let of = |simulated: Option<Vec<f64>>| {
             let temperature_c = Some(vec![20.0; 300]);
             let inputs = Inputs { run: vec![1; 300], temperature_c, simulated, ..Inputs::default() };
-            at_rest(&inputs, None, &InputNoise::default()).len()
+            at_rest(&inputs, None, None, &InputNoise::default()).len()
         };
         let moves = |row: usize| if row < 150 { 3.0 } else { (row as f64 / 5.0).sin() };
         assert_eq!((of(None), of(Some((0..300).map(moves).collect()))), (1, 1));
         assert_eq!(of(Some((0..300).map(|row| (f64::from(row) / 5.0).sin()).collect())), 0);
+    }
+    /// A bath that is heated at one power: it comes to rest as its model does, long after the heater.
+    #[test]
+    fn nothing_rests_while_the_answer_of_a_model_that_remembers_moves() {
+        let inputs = Inputs { run: vec![1; 600], force_n: Some(vec![1.0; 600]), ..Inputs::default() };
+        let relaxes = |memory: f64| (0..600).map(|row| 1.0 - (-f64::from(row) / memory).exp()).collect::<Vec<_>>();
+        let rows = |answered: Option<&[f64]>| {
+            let stretches = at_rest(&inputs, inputs.force_n.as_deref(), answered, &InputNoise::default());
+            stretches.iter().flat_map(|block| block.rows.clone()).collect::<Vec<_>>()
+        };
+        assert_eq!(rows(None).len(), 600);
+        assert_eq!(rows(Some(&relaxes(300.0))).len(), 0);
+        // within a hundredth of its range of the end after 4.6 time constants
+        assert!(rows(Some(&relaxes(50.0))).iter().all(|row| *row > 150));
     }
 }

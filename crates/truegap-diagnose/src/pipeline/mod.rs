@@ -50,7 +50,7 @@ use crate::{
 };
 use conclude::conclude;
 use judged::{Told, composed, judged_again};
-use noise_choice::slower;
+use noise_choice::with_the_likelier_noise;
 use prepare::Prepared;
 use richer_laws::richer;
 use std::{
@@ -127,8 +127,8 @@ fn searched(
     let mut composition = composed(&prepared, &examined, &told);
     // where stretches at rest cannot tell slow noise from noise with one memory, the whole recording does
     let mut slowed = false;
-    if let Some(slower) = slower(&prepared, &examined, composition.as_ref(), &told)? {
-        let held = std::mem::replace(&mut prepared, slower).context.held;
+    if let Some(likelier) = with_the_likelier_noise(&prepared, &examined, composition.as_ref(), &told)? {
+        let held = std::mem::replace(&mut prepared, likelier).context.held;
         prepared.context.held = held;
         slowed = prepared.noise.lasts();
         examined = on_means::examined(&mut prepared, &told)?;

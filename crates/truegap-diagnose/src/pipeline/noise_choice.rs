@@ -37,7 +37,7 @@ const SENTENCES: f64 = 5000.0;
 ///
 /// # Errors
 /// Those of the simulator.
-pub(crate) fn slower<'a>(
+pub(crate) fn with_the_likelier_noise<'a>(
     prepared: &Prepared<'a>,
     examined: &Examined,
     composition: Option<&Composition>,

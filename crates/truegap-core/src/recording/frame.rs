@@ -172,7 +172,7 @@ impl Frame<'_> {
     fn dates(&self) -> Option<Note> {
         let column = &self.table[self.bound.iter().find(|c| c.dated)?.index];
         match &column.cells {
-            Cells::Dates { first } => Some(Note::Dates { column: column.name.clone(), first: first.clone() }),
+            Cells::Dates { first } => Some(Note::Dates { column: column.name.clone(), of_day: None, first: first.clone() }),
             _ => None,
         }
     }

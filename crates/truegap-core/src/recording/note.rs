@@ -2,6 +2,7 @@
 //!
 //! Limits: only what reading itself did or assumed; judgement of the data belongs to the diagnosis.
 
+use super::date_and_time::joined;
 use crate::inputs::Role;
 use crate::units::readable;
 use serde::Serialize;
@@ -33,8 +34,13 @@ pub enum Note {
     Summaries { rows: usize, words: String, lines: Vec<usize> },
     /// The header is no UTF-8.
     Windows1252 { text: String },
-    /// The clock is a date.
-    Dates { column: String, first: String },
+    /// The clock is a date, with its time of day in a column of its own where there is one.
+    Dates {
+        column: String,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        of_day: Option<String>,
+        first: String,
+    },
     /// The order of day and month is told of a clock that shows it, or has no dates.
     OrderNotAsked,
     /// Columns that nothing asked for, in a table without a TOML.
@@ -134,11 +140,12 @@ impl fmt::Display for Note {
                     "the header is no UTF-8 and was read as Windows-1252 (`{text}`); where that is not what it says, save the table in UTF-8"
                 )
             }
-            Self::Dates { column, first } => {
-                // a day and its time, each in a column of its own
-                let holds =
-                    if column.contains("` and `") { "columns `{}` hold" } else { "column `{}` holds" }.replace("{}", column);
-                write!(f, "{holds} dates; time is counted in seconds from `{first}`")
+            Self::Dates { column, of_day, first } => {
+                match of_day {
+                    Some(time) => write!(f, "columns `{}` hold", joined(column, time))?,
+                    None => write!(f, "column `{column}` holds")?,
+                }
+                write!(f, " dates; time is counted in seconds from `{first}`")
             }
             Self::OrderNotAsked => f.write_str(
                 "dayfirst was told and not used: the clock holds no dates in which day and month could be taken for one another",

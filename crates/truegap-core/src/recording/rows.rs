@@ -5,7 +5,6 @@
 use super::{
     clock::{Clock, Tick},
     columns::Column,
-    date_and_time::joined,
     driver_columns::DriverColumn,
     error::RecordingError,
     note::Note,
@@ -158,9 +157,8 @@ impl Rows {
         }
         if self.runs.is_empty() {
             self.epoch = Some(stamp.seconds);
-            let name = &column.name;
-            let name = column.of_day.map_or_else(|| name.clone(), |time| joined(name, &table.header[time].name));
-            self.first_date = Some(Note::Dates { column: name, first: text(cell).0.into_owned() });
+            let of_day = column.of_day.map(|time| table.header[time].name.clone());
+            self.first_date = Some(Note::Dates { column: column.name.clone(), of_day, first: text(cell).0.into_owned() });
         }
         let epoch = self.epoch.unwrap_or(stamp.seconds);
         Ok((stamp.seconds - epoch) as f64 + stamp.fraction)

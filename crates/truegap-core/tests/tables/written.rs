@@ -267,6 +267,9 @@ fn a_day_and_a_time_of_day_in_two_columns_are_one_clock() {
             assert_eq!(read.inputs.time_s.as_deref(), Some(&[0.0, 2.5, 4.0][..]), "{header}");
             let told = read.notes.iter().any(|note| matches!(note, Note::Dates { first, .. } if first == "31.03.2026 23:59:59"));
             assert!(told && !read.notes.iter().any(|note| matches!(note, Note::NotRead { .. })), "{:?}", read.notes);
+            let (day, time) = header.split_once(';').map(|(day, rest)| (day, rest.split(';').next().unwrap())).unwrap();
+            let says = format!("columns `{day}` and `{time}` hold dates");
+            assert!(read.notes.iter().any(|note| note.to_string().starts_with(&says)), "{:?}", read.notes);
         }
     }
 }

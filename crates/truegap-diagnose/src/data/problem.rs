@@ -25,6 +25,11 @@ impl Problem<'_> {
         self.inputs.runs()
     }
 
+    /// Whether it is of one recording, with a clock.
+    pub(crate) fn is_one_with_a_clock(&self) -> bool {
+        self.simulator.joined().is_none() && self.inputs.time_s.is_some()
+    }
+
     /// The runs of each recording.
     pub fn runs_of_recordings(&self) -> Vec<Vec<Range<usize>>> {
         let runs = self.runs();

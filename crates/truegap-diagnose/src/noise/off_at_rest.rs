@@ -17,8 +17,7 @@ use crate::{
 
 /// The noise beside a model that leaves `misfit`, where `noise` was measured while the reading was off and is far too small for what goes on in a few rows at work; `None` where it is not so.
 pub(crate) fn at_work(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Option<NoiseModel> {
-    let one_with_a_clock = problem.simulator.joined().is_none() && problem.inputs.time_s.is_some();
-    if !noise.measured || noise.lasts() || !one_with_a_clock || !is_off_at_rest(problem, noise) {
+    if !noise.measured || noise.lasts() || !problem.is_one_with_a_clock() || !is_off_at_rest(problem, noise) {
         return None;
     }
     let clean = follows_nothing(problem.inputs, misfit.to_vec());

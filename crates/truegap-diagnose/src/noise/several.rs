@@ -190,7 +190,7 @@ pub(crate) fn with_louder_rows_beside(problem: &Problem<'_>, misfit: &[f64], noi
 /// What the base model leaves may change faster from row to row than a wild row stands out; and what is wild beside it may be what it lacks.
 pub fn with_wild_rows(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Option<NoiseModel> {
     // without a clock nothing says that the rows about a wild one are read beside it
-    if problem.simulator.joined().is_some() || problem.inputs.time_s.is_none() || !rows_can_be_louder(noise) {
+    if !problem.is_one_with_a_clock() || !rows_can_be_louder(noise) {
         return None;
     }
     let found = louder_rows(problem, misfit, noise)?;

@@ -16,24 +16,22 @@ use crate::{
 /// The noise with each slow noise that rest allows in place of its one memory; `misfit`, what some model leaves, stands for a rest that was not recorded. Empty
 /// where the noise lasts already.
 pub fn slow_rivals(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Vec<NoiseModel> {
-    let Some((blocks, left)) = stretches(problem, misfit, noise) else { return Vec::new() };
+    let Some((blocks, left)) = readings(problem, misfit, noise) else { return Vec::new() };
     allowed(&left, &blocks, &noise.response).into_iter().map(|slow| of_slow(problem, noise, slow)).collect()
 }
 
 /// The noise with each other memory that rest allows; `misfit` as for slow noise. Empty where the noise lasts already, or was not measured: a misfit that stands for rest has any memory itself.
 pub fn memory_rivals(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Vec<NoiseModel> {
-    let Some((blocks, left)) = noise.measured.then(|| stretches(problem, misfit, noise)).flatten() else { return Vec::new() };
+    let Some((blocks, left)) = noise.measured.then(|| readings(problem, misfit, noise)).flatten() else { return Vec::new() };
     allowed_memories(&left, &blocks, &noise.response).into_iter().map(|other| of_response(problem, noise, other)).collect()
 }
 
 /// Where rest is like slow noise: the noise with each memory in its place that rest allows. Empty where the noise was not measured, does not last, or lasts as the steps of a converter do.
 pub fn lasting_rivals(problem: &Problem<'_>, noise: &NoiseModel) -> Vec<NoiseModel> {
-    let in_order = problem.inputs.time_s.is_some() && problem.simulator.joined().is_none();
-    if !noise.measured || !noise.lasts() || noise.step > 0.0 || !in_order {
+    if !noise.measured || !noise.lasts() || noise.step > 0.0 || !problem.is_one_with_a_clock() {
         return Vec::new();
     }
-    let load = load_column(problem.inputs, problem.simulator);
-    let (blocks, _, says) = blocks(problem, load.as_deref(), &noise.inputs, noise.load_wanders());
+    let (blocks, _, says) = stretches(problem, noise);
     let mut of_one_memory = NoiseModel { says, ..noise.clone() };
     of_one_memory.input_error.lasting.retain(|lasting| !lasting.of_reading);
     let (chosen, _) = estimate(problem.response, &blocks);
@@ -41,15 +39,20 @@ pub fn lasting_rivals(problem: &Problem<'_>, noise: &NoiseModel) -> Vec<NoiseMod
     rivals.map(|other| of_response(problem, &of_one_memory, other)).collect()
 }
 
-/// The stretches that tell a noise, and what is read there; `None` where it has no rivals.
-fn stretches(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Option<(Vec<Block>, Vec<f64>)> {
-    if noise.lasts() || problem.inputs.time_s.is_none() || problem.simulator.joined().is_some() {
+/// The stretches that tell a noise which does not last, and what is read there; `None` where it has no rivals.
+fn readings(problem: &Problem<'_>, misfit: &[f64], noise: &NoiseModel) -> Option<(Vec<Block>, Vec<f64>)> {
+    if noise.lasts() || !problem.is_one_with_a_clock() {
         return None;
     }
-    let load = load_column(problem.inputs, problem.simulator);
-    let (blocks, at_rest, _) = blocks(problem, load.as_deref(), &noise.inputs, noise.load_wanders());
+    let (blocks, at_rest, _) = stretches(problem, noise);
     let left = if at_rest { problem.response.to_vec() } else { without_tones(problem.inputs, misfit.to_vec()) };
     Some((blocks, left))
+}
+
+/// The stretches that tell a noise, as [`blocks`] has them.
+fn stretches(problem: &Problem<'_>, noise: &NoiseModel) -> (Vec<Block>, bool, String) {
+    let load = load_column(problem.inputs, problem.simulator);
+    blocks(problem, load.as_deref(), &noise.inputs, noise.load_wanders())
 }
 
 /// The noise with this slow noise in place of its one memory.

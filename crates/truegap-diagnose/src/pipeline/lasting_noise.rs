@@ -39,7 +39,7 @@ use std::sync::atomic::Ordering;
 /// Those of the simulator.
 pub(crate) fn beside_lasting_noise(prepared: &Prepared<'_>, told: &Told<'_>, judged: Judged) -> Result<Judged, DiagnoseError> {
     let asked = !prepared.noise.measured && judged.kept_back.is_none() && judged.names_something();
-    let alone = prepared.problem.simulator.joined().is_none() && prepared.problem.inputs.time_s.is_some();
+    let alone = prepared.problem.is_one_with_a_clock();
     // with plates the equations are derived: what they explain is weighed by causes outside the library alone
     let derived = prepared.context.has_plates();
     if !asked || !alone || derived || told.stop.load(Ordering::Relaxed) {

@@ -24,7 +24,7 @@ impl Prepared<'_> {
     pub(crate) fn of_changing_level(&self, examined: &Examined) -> Result<Option<NoiseModel>, DiagnoseError> {
         let (decision, selection) = (&examined.decision, &examined.selection);
         let nothing = decision.verdict != Verdict::Agrees && decision.model == selection.base;
-        let one = self.problem.simulator.joined().is_none() && self.problem.inputs.time_s.is_some();
+        let one = self.problem.is_one_with_a_clock();
         // with plates what is left without a name is most of it physics
         if !nothing || !one || self.context.has_plates() || self.noise.measured || self.noise.step > 0.0 {
             return Ok(None);

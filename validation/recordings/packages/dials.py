@@ -4,7 +4,7 @@ import io
 
 import numpy as np
 import pandas as pd
-from fitting import line, tone, usual
+from fitting import line, scaled, tone, usual
 from reading import means
 from rigs import since
 from scipy.io import loadmat
@@ -120,7 +120,7 @@ def waters(content):
 
 def ages(y, x, t):
     """What is tried where one gas in air is told over another: a bend, a clock, and slopes that go with the time; last with the day."""
-    u, v = (x - x.mean()) / x.std(), (t - t.mean()) / t.std()
+    u, v = scaled(x), scaled(t)
     day, step = tone(t, DAY), (t > t[-1] / 2) * 1.0
     return {
         **usual(y, x, t, 3600),

@@ -8,6 +8,11 @@ from scipy.optimize import least_squares
 from scipy.signal import lfilter
 
 
+def scaled(x):
+    """Values less their mean, over their scatter."""
+    return (x - x.mean()) / x.std()
+
+
 def line(y, *terms):
     """A constant and terms, each with a coefficient."""
     return through_zero(y, np.ones(len(y)), *terms)

@@ -5,7 +5,7 @@ import io
 
 import numpy as np
 import pandas as pd
-from fitting import lag, line, moved, terms, usual
+from fitting import lag, line, moved, scaled, terms, usual
 from reading import seconds
 from rigs import since
 
@@ -97,7 +97,7 @@ def later(y, x, t, unit, late, apart=0.0):
 
 def switches(y, x, t, at):
     """What is tried where something was switched at a time: a step of the zero, of the slope, and of both, with a bend and a drift."""
-    step, u, v = (t > at) * 1.0, (x - x.mean()) / x.std(), (t - t.mean()) / t.std()
+    step, u, v = (t > at) * 1.0, scaled(x), scaled(t)
     return {
         "step": line(y, x, step),
         "slope from then on": line(y, x, x * step),

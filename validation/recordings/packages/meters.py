@@ -5,7 +5,7 @@ import re
 
 import numpy as np
 import pandas as pd
-from fitting import line
+from fitting import line, scaled
 from monitors import bends_with
 from reading import means
 from rigs import since
@@ -101,9 +101,9 @@ def towers(content, *names):
 
 def of_drivers(y, x, **drivers):
     """A square and a cube, and each driver alone, bent, as a slope, and with a square."""
-    u, models = (x - x.mean()) / x.std(), bends_with(y, x)
+    u, models = scaled(x), bends_with(y, x)
     for name, z in drivers.items():
-        v = (z - z.mean()) / z.std()
+        v = scaled(z)
         models |= {name: line(y, x, v), f"{name}, bent": line(y, x, v, v**2), f"slope by {name}": line(y, x, v, u * v), f"square, and {name}": line(y, x, u**2, v)}
         models |= {f"square, and slope by {name}": line(y, x, u**2, v, u * v), f"all squares of {name}": line(y, x, u**2, v, u * v, v**2)}
     return models

@@ -6,7 +6,7 @@ import tarfile
 
 import numpy as np
 import pandas as pd
-from fitting import line, terms
+from fitting import line, scaled, terms
 from reading import means
 from rigs import since
 
@@ -95,7 +95,7 @@ def star(content, name, worst=0.2):
 
 def bends_with(y, x, **others):
     """A square and a cube, alone and with each of some other terms, after the line."""
-    u = (x - x.mean()) / x.std()
+    u = scaled(x)
     models = {"line": line(y, x), "square": line(y, x, u**2), "cube": line(y, x, u**2, u**3)}
     for name, term in others.items():
         models |= {name: line(y, x, term), f"{name}, and slope by it": line(y, x, term, x * term), f"square, and {name}": line(y, x, u**2, term)}

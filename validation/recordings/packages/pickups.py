@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 from fitting import line, moved, terms, usual
 from reading import csv, seconds
+from rigs import since
 from scipy.io import loadmat
 
 # what a step of the press's converters is, as those who ran it wrote it down
@@ -17,33 +18,27 @@ def basin(content, **names):
     """Channels of a wave basin by the names that they are to have; seconds since the first row."""
     file = loadmat(io.BytesIO(content), squeeze_me=True)
     frame = pd.DataFrame(file["data"], columns=file["chan_names"])
-    return {"time_s": since(frame.Time), **{name: frame[channel] for name, channel in names.items()}}
+    return {"time_s": elapsed(frame.Time), **{name: frame[channel] for name, channel in names.items()}}
 
 
 def towed(content, **names):
     """Channels of a towing tank, which are variables of their own, by the names that they are to have; seconds since the first row."""
     file = loadmat(io.BytesIO(content), squeeze_me=True)
-    return {"time_s": since(file["Time"]), **{name: file[channel] for name, channel in names.items()}}
+    return {"time_s": elapsed(file["Time"]), **{name: file[channel] for name, channel in names.items()}}
 
 
-def since(times):
+def elapsed(times):
     """Seconds since the first of some, to 0.1 ms."""
-    times = np.asarray(times, float)
-    return (times - times[0]).round(4)
+    return since(times).round(4)
 
 
-def turned(degrees_per_s, t):
-    """How far something has turned since the first row, from how fast it turns."""
-    return np.append(0, np.cumsum((degrees_per_s[1:] + degrees_per_s[:-1]) / 2 * np.diff(t)))
-
-
-def press(content, first, last, every):
-    """Each so many rows of a press that shears rock: seconds since the first, slip, shear stress and thickness of the layer, each from a zero of its own."""
+def press(content, beside, first, last, every):
+    """Each so many rows of a press that shears rock: seconds since the first, slip, and beside it shear stress or thickness of the layer, each from a zero of its own."""
     rows, columns = struct.unpack(">ii", content[20:28])
     table = np.frombuffer(content, ">f4", rows * columns, len(content) - 4 * rows * columns).reshape(columns, rows).astype(float)
     _, slip, shear, layer, _ = table[:, first:last:every]
-    clock = np.cumsum(table[0] / 10000)[first:last:every]
-    return {"time_s": since(clock), "slip_um": slip * SLIP_UM, "shear_mpa": shear * SHEAR_MPA, "layer_um": layer * LAYER_UM}
+    told = {"shear_mpa": shear * SHEAR_MPA, "layer_um": layer * LAYER_UM}
+    return {"time_s": elapsed(np.cumsum(table[0] / 10000)[first:last:every]), "slip_um": slip * SLIP_UM, beside: told[beside]}
 
 
 def dryer(content, first, last):
@@ -83,7 +78,7 @@ def ranges(content):
     at, _, number, told = file["TD"][np.unique(file["TD"][:, 0], return_index=True)[1]].T
     east, north = (np.interp(at, file["GT"][:, 0], file["GT"][:, k]) for k in (1, 2))
     places = np.array([radios[int(k)] for k in number])
-    return {"time_s": since(at), "apart_m": np.hypot(east - places[:, 0], north - places[:, 1]), "radio_m": told}
+    return {"time_s": elapsed(at), "apart_m": np.hypot(east - places[:, 0], north - places[:, 1]), "radio_m": told}
 
 
 def geophones(content, rows, hertz, **stations):

@@ -6,7 +6,7 @@ import zipfile
 
 import numpy as np
 import pandas as pd
-from fitting import lag, line, moved, terms, usual
+from fitting import lag, line, moved, scaled, terms, usual
 from reading import csv, netcdf
 from rigs import since
 
@@ -73,11 +73,6 @@ def resonance(hertz, passed):
     near = slice(max(foot - NEAR, 0), foot + NEAR + 1)
     square, slope, _ = np.polyfit(hertz[near] - hertz[foot], passed[near] ** 2, 2)
     return hertz[foot] - slope / 2 / square
-
-
-def scaled(x):
-    """Values less their mean, over their scatter."""
-    return (x - x.mean()) / x.std()
 
 
 def usual_and_lags(y, x, t, unit):

@@ -14,9 +14,14 @@ def since(values):
     return values - values[0]
 
 
+def summed(rates, seconds):
+    """What something that goes at these rates has come to by each row, straight between rows."""
+    return np.append(0, np.cumsum(np.diff(seconds) * (rates[1:] + rates[:-1]) / 2))
+
+
 def charged(amp, seconds):
-    """Ah that a current has brought by each row, straight between rows."""
-    return np.append(0, np.cumsum(np.diff(seconds) * (amp[1:] + amp[:-1]) / 2)) / 3600
+    """Ah that a current has brought by each row."""
+    return summed(amp, seconds) / 3600
 
 
 def multivu(content):

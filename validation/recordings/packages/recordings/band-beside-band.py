@@ -1,6 +1,6 @@
 """How much light of 1085 1/cm a broth takes away over that of 1080 1/cm, 34 h of a fermentation. Both lie in the same band."""
 
-from fitting import line, usual
+from fitting import line, scaled, usual
 from gauges import HOUR, bands
 
 HAND_BUILT = "step"
@@ -12,7 +12,7 @@ def rows(content):
 
 def models(c):
     y, x, t = c["band_1085"], c["band_1080"], c["time_s"]
-    u, v = (x - x.mean()) / x.std(), (t - t.mean()) / t.std()
+    u, v = scaled(x), scaled(t)
     return y, {
         **usual(y, x, t, HOUR),
         "cube": line(y, x, u**2, u**3),

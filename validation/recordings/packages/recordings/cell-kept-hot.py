@@ -2,7 +2,7 @@
 
 import numpy as np
 from counters import DAY, kept_hot
-from fitting import line, terms, tone
+from fitting import line, scaled, terms, tone
 
 HAND_BUILT = "step, and drift"
 AT = 3.55 * DAY
@@ -14,7 +14,7 @@ def rows(content):
 
 def models(c):
     y, t = c["power_mw_cm2"], c["time_s"]
-    v, none = (t - t.mean()) / t.std(), np.zeros(len(t))
+    v, none = scaled(t), np.zeros(len(t))
     return y, {
         "mean": line(y, none),
         "drift": line(y, v),

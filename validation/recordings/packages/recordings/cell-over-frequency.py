@@ -2,7 +2,7 @@
 
 import numpy as np
 from counters import capacitances
-from fitting import line, terms
+from fitting import line, scaled, terms
 from meters import of_drivers
 
 HAND_BUILT = "all cubes"
@@ -14,7 +14,7 @@ def rows(*contents):
 
 def models(c):
     y, x, cell = 1000 * c["capacitance_nf"], c["decades"], c["cell_k"]  # answers are in pF
-    u, v = (x - x.mean()) / x.std(), (cell - cell.mean()) / cell.std()
+    u, v = scaled(x), scaled(cell)
     squares = [u**2, v, u * v, v**2]
     step = lambda p: np.tanh((x - p[0] - p[1] * v) / (abs(p[2]) + 0.01))
     return y, {

@@ -2,7 +2,7 @@
 
 import numpy as np
 from counters import house
-from fitting import line
+from fitting import line, scaled
 from meters import of_drivers
 
 HAND_BUILT = "apparent power over voltage"
@@ -14,7 +14,7 @@ def rows(content):
 
 def models(c):
     y, x, voltage, reactive = c["current_a"], c["power_kw"], c["voltage_v"], c["reactive_kvar"]
-    u, v, w = ((k - k.mean()) / k.std() for k in (x, voltage, reactive))
+    u, v, w = (scaled(k) for k in (x, voltage, reactive))
     return y, {
         **of_drivers(y, x, voltage=voltage, reactive=reactive),
         "reactive, and slope by voltage alone": line(y, x, w, u * v),

@@ -1,7 +1,7 @@
 """What grass would evaporate in Nebraska over the warmest of the day, each second day of six years. Vapour in warm air grows ever faster, and June has more sun than August."""
 
 from counters import DAY, evaporation
-from fitting import line, tone
+from fitting import line, scaled, tone
 from monitors import bends_with
 
 HAND_BUILT = "square, year, and slope by it"
@@ -14,9 +14,9 @@ def rows(content):
 
 def models(c):
     y, x, t = c["evaporation_mm"], c["warmest_degc"], c["time_s"]
-    u, year = (x - x.mean()) / x.std(), [*tone(t, YEAR), *tone(t, YEAR / 2)]
+    u, year = scaled(x), [*tone(t, YEAR), *tone(t, YEAR / 2)]
     return y, {
-        **bends_with(y, x, drift=(t - t.mean()) / t.std()),
+        **bends_with(y, x, drift=scaled(t)),
         "year": line(y, x, *year),
         "square, and one wave a year": line(y, x, u**2, *year[:2]),
         "square, and year": line(y, x, u**2, *year),

@@ -1,7 +1,7 @@
 """Angle by which the flux in a ring of ferrite is behind its field, over the flux: runs at four warmths and five frequencies. What is lost in a wave grows with the frequency."""
 
 from counters import ferrite
-from fitting import line
+from fitting import line, scaled
 from meters import of_drivers
 
 HAND_BUILT = "square, slope by frequency, and square by it"
@@ -13,7 +13,7 @@ def rows(content):
 
 def models(c):
     y, x, frequency = c["angle_deg"], c["flux_t"], c["frequency_khz"]
-    u, v = (x - x.mean()) / x.std(), (frequency - frequency.mean()) / frequency.std()
+    u, v = scaled(x), scaled(frequency)
     return y, {
         **of_drivers(y, x, frequency=frequency),
         "slope by frequency alone": line(y, x, u * v),

@@ -1,6 +1,6 @@
 """Dose that a film tells over that of its plan, each second millimetre of a field of 145 by 105 mm. A scanner may not see alike at all places of its lamp."""
 
-from fitting import line
+from fitting import line, scaled
 from gauges import film
 from meters import of_drivers
 
@@ -13,7 +13,7 @@ def rows(measured, planned):
 
 def models(c):
     y, x, place = c["film_gy"], c["planned_gy"], c["place_mm"]
-    u, v = (x - x.mean()) / x.std(), (place - place.mean()) / place.std()
+    u, v = scaled(x), scaled(place)
     return y, {
         "as it is": lambda seen: x,
         **of_drivers(y, x, place=place),

@@ -1,7 +1,7 @@
 """One angle of an ellipsometer, psi, over the other, delta, 32 spots of a film at five angles of light, means of four zones. Where the film is thicker both move along a curve, which is another at each angle."""
 
 from dials import zones
-from fitting import line
+from fitting import line, scaled
 from meters import of_drivers
 
 HAND_BUILT = "all cubes"
@@ -14,6 +14,6 @@ def rows(content):
 
 def models(c):
     y, x, angle = c["psi_deg"], c["delta_deg"], c["angle_deg"]
-    u, v = (x - x.mean()) / x.std(), (angle - angle.mean()) / angle.std()
+    u, v = scaled(x), scaled(angle)
     squares, cubes = [u, v, u**2, u * v, v**2], [u**3, u**2 * v, u * v**2, v**3]
     return y, {**of_drivers(y, x, angle=angle), "slope and square by angle": line(y, *squares, u**2 * v), "all cubes": line(y, *squares, *cubes)}

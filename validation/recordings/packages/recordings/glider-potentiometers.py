@@ -1,7 +1,7 @@
 """Two potentiometers on the piston of an underwater glider, 14 dives, one a run: the piston tilts as the sea presses on it and as it is pumped, and one potentiometer is a little bent."""
 
 import numpy as np
-from fitting import line
+from fitting import line, scaled
 from reading import dives
 
 HAND_BUILT = "cubic"
@@ -16,7 +16,7 @@ def rows(*contents):
 
 def models(c):
     y, x, depth = c["first_counts"], c["second_counts"], c["depth_db"]
-    u = (x - x.mean()) / x.std()
+    u = scaled(x)
     return y, {
         "line": line(y, x),
         "square": line(y, u, u**2),

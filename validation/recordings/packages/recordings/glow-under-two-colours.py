@@ -2,7 +2,7 @@
 
 import numpy as np
 from counters import glow, in_runs, numbered
-from fitting import lag, line, moved, terms
+from fitting import lag, line, moved, scaled, terms
 from monitors import bends_with
 
 HAND_BUILT = "line"
@@ -24,7 +24,7 @@ def models(c):
     later = lambda p: in_runs(run, t, lambda rows, s: moved(x[rows], s, p * 20))
     return y, {
         "as it is": lambda seen: x,
-        **bends_with(y, x, drift=(t - t.mean()) / t.std(), time=since_start / 1000),
+        **bends_with(y, x, drift=scaled(t), time=since_start / 1000),
         "first minutes": line(y, x, np.exp(-since_start / 200)),
         "shift": terms(y, lambda p: [later(p[0])], [0.5]),
         "lag": terms(y, lambda p: [late(p[0])], [0.5]),

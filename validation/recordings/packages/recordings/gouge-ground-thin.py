@@ -1,7 +1,7 @@
 """How far the layer between two slabs of rock is closed over how far they have slid, at one speed."""
 
 import numpy as np
-from fitting import line, terms
+from fitting import line, scaled, terms
 from monitors import bends_with
 from pickups import press
 
@@ -9,13 +9,12 @@ HAND_BUILT = "logarithm"
 
 
 def rows(content):
-    told = press(content, first=9500, last=18500, every=5)
-    return {name: told[name] for name in ("time_s", "slip_um", "layer_um")}
+    return press(content, "layer_um", first=9500, last=18500, every=5)
 
 
 def models(c):
     y, x, t = c["layer_um"], c["slip_um"], c["time_s"]
-    u = (x - x.mean()) / x.std()
+    u = scaled(x)
     fades = lambda p: np.exp(-t / (abs(p) * 100 + 1))
     return y, {
         **bends_with(y, x),

@@ -1,6 +1,6 @@
 """Neutrons with their spin along a field that a magnet scatters, over those against it, by where they go to: across the field what is magnetic adds to what atoms do, or takes from it."""
 
-from fitting import line
+from fitting import line, scaled
 from gauges import polarised
 from meters import of_drivers
 
@@ -13,7 +13,7 @@ def rows(plus, minus):
 
 def models(c):
     y, x, across, way = c["along"], c["against"], c["across"], c["way_1_nm"]
-    u, v, w = ((z - z.mean()) / z.std() for z in (x, across, way))
+    u, v, w = (scaled(z) for z in (x, across, way))
     return y, {
         **of_drivers(y, x, across=across, way=way),
         "slope by across alone": line(y, x, u * v),

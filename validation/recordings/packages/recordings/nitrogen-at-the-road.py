@@ -1,7 +1,7 @@
 """Nitrogen dioxide at a road over that away from it, means of the days of three years. Wind takes away what the cars give off."""
 
 from counters import DAY, road
-from fitting import line, tone
+from fitting import line, scaled, tone
 from meters import of_drivers
 
 HAND_BUILT = "wind, bent, drift, and week"
@@ -14,7 +14,7 @@ def rows(content):
 
 def models(c):
     y, x, t, wind = c["road"], c["background"], c["time_s"], c["wind_m_s"]
-    week, year, v = tone(t, 7 * DAY), tone(t, YEAR), (t - t.mean()) / t.std()
+    week, year, v = tone(t, 7 * DAY), tone(t, YEAR), scaled(t)
     return y, {
         **of_drivers(y, x, wind=wind),
         "one over wind": line(y, x, 1 / (wind + 0.5)),

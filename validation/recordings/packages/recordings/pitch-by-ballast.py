@@ -1,7 +1,7 @@
 """Pitch of a glider over the water that it has pumped, below 30 m, where it turns upwards eighteen times. The pitch is late, or the law is bent: it turns one way only."""
 
-from fitting import moved, terms
-from recorders import scaled, sinking_glider, usual_and_bends, usual_and_lags
+from fitting import moved, scaled, terms
+from recorders import sinking_glider, usual_and_bends, usual_and_lags
 
 HAND_BUILT = "fifth power, and lag"
 

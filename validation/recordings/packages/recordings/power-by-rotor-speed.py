@@ -1,7 +1,7 @@
 """Power of a wind turbine over the speed of its generator, ten minutes. Above a speed it rises more steeply, and it comes after the speed."""
 
 import numpy as np
-from fitting import lag, line, moved, terms, usual
+from fitting import lag, line, moved, scaled, terms, usual
 from sensors import turbine
 
 HAND_BUILT = "bend of a lag, and drift"
@@ -14,7 +14,7 @@ def rows(content):
 
 def models(c):
     y, x, t = c["power_kw"], c["speed_rpm"], c["time_s"]
-    u = (x - x.mean()) / x.std()
+    u = scaled(x)
     bend = lambda u, at, soft: np.logaddexp(0, (u - at) / (abs(soft) + 0.01))
     late = lambda p: lag(u, t, abs(p[0]) * 10)
     return y, {

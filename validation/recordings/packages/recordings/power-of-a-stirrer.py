@@ -1,6 +1,6 @@
 """Power to the stirrer of a dryer over what is called its speed: thirty batches. A stirrer takes speed times torque."""
 
-from fitting import line
+from fitting import line, scaled
 from meters import of_drivers
 from pickups import dryer
 
@@ -14,7 +14,7 @@ def rows(content):
 
 def models(c):
     y, x, torque = c["power"], c["speed"], c["torque"]
-    u, v = (x - x.mean()) / x.std(), (torque - torque.mean()) / torque.std()
+    u, v = scaled(x), scaled(torque)
     return y, {
         **of_drivers(y, x, torque=torque),
         "slope by torque alone": line(y, u, u * v),

@@ -1,7 +1,7 @@
 """Shear stress of two slabs of rock over how far a press has drawn back, until it lets them go."""
 
 import numpy as np
-from fitting import line, terms
+from fitting import line, scaled, terms
 from monitors import bends_with
 from pickups import press
 
@@ -9,13 +9,12 @@ HAND_BUILT = "slack, and drift"
 
 
 def rows(content):
-    told = press(content, first=84620, last=85620, every=1)
-    return {name: told[name] for name in ("time_s", "slip_um", "shear_mpa")}
+    return press(content, "shear_mpa", first=84620, last=85620, every=1)
 
 
 def models(c):
     y, x, t = c["shear_mpa"], c["slip_um"], c["time_s"]
-    u = (x - x.mean()) / x.std()
+    u = scaled(x)
     held, soft = lambda p: np.maximum(u, p), lambda p, w: abs(w) * np.logaddexp(0, (u - p) / abs(w))
     return y, {
         **bends_with(y, x, drift=t),

@@ -1,8 +1,8 @@
 """Frequency of a superconducting resonator over its temperature, at three powers, a day with a pause of twenty hours. What is around it stiffens, then its electrons slow it."""
 
 import numpy as np
-from fitting import line, terms, usual
-from recorders import resonance, scaled, traces
+from fitting import line, scaled, terms, usual
+from recorders import resonance, traces
 from scipy.special import digamma
 
 HAND_BUILT = "two-level systems, and electrons"

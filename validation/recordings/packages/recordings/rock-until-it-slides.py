@@ -1,7 +1,7 @@
 """Shear stress of two slabs of rock over how far a press has pushed, until they slide."""
 
 import numpy as np
-from fitting import line, terms
+from fitting import line, scaled, terms
 from monitors import bends_with, corner
 from pickups import press
 
@@ -9,13 +9,12 @@ HAND_BUILT = "soft step"
 
 
 def rows(content):
-    told = press(content, first=1459, last=9000, every=5)
-    return {name: told[name] for name in ("time_s", "slip_um", "shear_mpa")}
+    return press(content, "shear_mpa", first=1459, last=9000, every=5)
 
 
 def models(c):
     y, x, t = c["shear_mpa"], c["slip_um"], c["time_s"]
-    u = (x - x.mean()) / x.std()
+    u = scaled(x)
     above = lambda p: np.maximum(u - p, 0)
     return y, {
         **bends_with(y, x, drift=t),

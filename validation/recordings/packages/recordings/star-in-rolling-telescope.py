@@ -1,7 +1,7 @@
 """Light of a star that a telescope in space tells each half hour for six days, while it rolls and is pushed back. Pixels do not see alike, and the telescope settles."""
 
 from dials import DAY, shaken_star
-from fitting import line, terms
+from fitting import line, scaled, terms
 from numpy import exp
 
 HAND_BUILT = "drift, its square, and way, cube"
@@ -13,7 +13,7 @@ def rows(content):
 
 def models(c):
     y, way, t = c["light"], c["way_px"], c["time_s"]
-    s, w = (t - t.mean()) / t.std(), (way - way.mean()) / way.std()
+    s, w = scaled(t), scaled(way)
     early, rolled = [s, s**2, s**3], [w, w**2, w**3]
     return y, {
         "constant": line(y),

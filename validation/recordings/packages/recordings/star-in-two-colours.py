@@ -1,9 +1,8 @@
 """Brightness of a star in a blue camera over that in a red one, behind one telescope, seven years in which it fades. Both fade alike, but from night to night blue moves less."""
 
 import numpy as np
-from fitting import lag, line, terms, tone
+from fitting import lag, line, scaled, terms, tone
 from monitors import DAY, star
-from recorders import scaled
 from sensors import switched
 
 HAND_BUILT = "drift"

@@ -1,6 +1,6 @@
 """A star in one field of a camera over that in another one, of exposures within 43 minutes, while another star passes before it and makes it brighter."""
 
-from fitting import line, tone
+from fitting import line, scaled, tone
 from gauges import DAY, two_fields
 from monitors import bends_with
 
@@ -15,6 +15,6 @@ def models(c):
     y, x, t = c["second_mag"], c["first_mag"], c["time_s"]
     return y, {
         "as it is": lambda seen: x,
-        **bends_with(y, x, drift=(t - t.mean()) / t.std()),
+        **bends_with(y, x, drift=scaled(t)),
         "day": line(y, x, *tone(t, DAY)),
     }

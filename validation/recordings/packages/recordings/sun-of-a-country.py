@@ -2,7 +2,7 @@
 
 import numpy as np
 from counters import DAY
-from fitting import line, tone
+from fitting import line, scaled, tone
 from pickups import half_hours
 
 HAND_BUILT = "four waves a day"
@@ -14,7 +14,7 @@ def rows(content):
 
 def models(c):
     y, t = c["solar"], c["time_s"]
-    v, waves = (t - t.mean()) / t.std(), [part for k in (1, 2, 3, 4) for part in tone(t, DAY / k)]
+    v, waves = scaled(t), [part for k in (1, 2, 3, 4) for part in tone(t, DAY / k)]
     return y, {
         "mean": line(y, np.zeros(len(t))),
         "drift": line(y, v),

@@ -1,6 +1,6 @@
 """How far the tower of a wind turbine pitches over how far its float does, by cameras, in waves of a basin. The tower bends where its head is pushed."""
 
-from fitting import line, moved, terms
+from fitting import line, moved, scaled, terms
 from meters import of_drivers
 from pickups import basin
 
@@ -13,7 +13,7 @@ def rows(content):
 
 def models(c):
     y, x, w, t = c["tower_deg"], c["float_deg"], c["acceleration_m_s2"], c["time_s"]
-    u = (x - x.mean()) / x.std()
+    u = scaled(x)
     return y, {
         **of_drivers(y, x, acceleration=w),
         "acceleration, and drift": line(y, x, w, t),

@@ -1,7 +1,7 @@
 """Warmth of an accelerometer that is worn at the wrist, each half a second of three minutes."""
 
 import numpy as np
-from fitting import line, terms
+from fitting import line, scaled, terms
 from pickups import wrist
 
 HAND_BUILT = "logarithm from a time"
@@ -13,7 +13,7 @@ def rows(content):
 
 def models(c):
     y, t = c["sensor_degc"], c["time_s"]
-    v, none = (t - t.mean()) / t.std(), np.zeros(len(t))
+    v, none = scaled(t), np.zeros(len(t))
     fades = lambda p: np.exp(-t / (abs(p) * 100 + 1))
     return y, {
         "mean": line(y, none),

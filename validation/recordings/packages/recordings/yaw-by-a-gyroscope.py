@@ -1,14 +1,15 @@
 """How far the tower of a wind turbine yaws, by cameras, over what a gyroscope on it says that it has turned since the first row, in waves of a basin."""
 
 from fitting import lag, line, moved, terms
-from pickups import basin, clocks, turned
+from pickups import basin, clocks
+from rigs import summed
 
 HAND_BUILT = "shift, and drift"
 
 
 def rows(content):
     told = basin(content, gyroscope="Z_GYRO_TOWER", cameras_deg="TOWER_YAW")
-    return {"time_s": told["time_s"], "gyroscope_deg": turned(told["gyroscope"].to_numpy(), told["time_s"]), "cameras_deg": told["cameras_deg"]}
+    return {"time_s": told["time_s"], "gyroscope_deg": summed(told["gyroscope"].to_numpy(), told["time_s"]), "cameras_deg": told["cameras_deg"]}
 
 
 def models(c):

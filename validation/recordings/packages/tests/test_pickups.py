@@ -10,6 +10,7 @@ import numpy as np
 READS = all(importlib.util.find_spec(name) for name in ("scipy", "pandas"))
 if READS:
     import pickups
+    import rigs
     from scipy.io import savemat
 
 
@@ -57,13 +58,14 @@ class Readers(unittest.TestCase):
         self.assertEqual(told(pickups.towed(content, force_n="FX")), {"time_s": [0, 0.25], "force_n": [7, 8]})
 
     def test_what_turns_adds_up_from_the_first_row_on(self):
-        self.assertEqual(pickups.turned(np.array([0.0, 2, 2]), np.array([0.0, 1, 3])).tolist(), [0, 1, 5])
+        self.assertEqual(rigs.summed(np.array([0.0, 2, 2]), np.array([0.0, 1, 3])).tolist(), [0, 1, 5])
 
     def test_a_press_is_read_in_steps_of_its_converters(self):
         table = np.array([[10000, 10000, 5000, 5000], [0, 100, 200, 300], [0, 1000, 2000, 3000], [0, 10, 20, 30], [0, 0, 0, 0]], ">f4")
         content = b"p1".ljust(20, b"\0") + struct.pack(">ii", 4, 5) + b"\0" * 100 + table.tobytes()
-        read = told(pickups.press(content, first=1, last=4, every=2))
-        self.assertEqual(read, {"time_s": [0, 1], "slip_um": [7.6472, 22.9416], "shear_mpa": [1.597779, 4.793337], "layer_um": [1.101718, 3.305153]})
+        for beside, values in (("shear_mpa", [1.597779, 4.793337]), ("layer_um", [1.101718, 3.305153])):
+            read = told(pickups.press(content, beside, first=1, last=4, every=2))
+            self.assertEqual(read, {"time_s": [0, 1], "slip_um": [7.6472, 22.9416], beside: values})
 
     def test_a_dryer_is_read_from_some_rows_before_its_jacket_is_cooled(self):
         read = pickups.cooled(DRYER, 1, 2, before=1)

@@ -130,12 +130,18 @@ fn creep_adds_its_size_in_the_first_minute_of_a_hold() {
 #[test]
 fn friction_holds_back_its_size_on_a_long_rise_and_a_long_fall() {
     let bench = Bench::new(vec![0.0, 1.0, 2.0], vec![0.0, 1.0, 0.2], vec![20.0; 3]);
-    let strain = bench.strains("rate_independent_hysteresis", &[0.02, 0.1]);
+    let strain = bench.strains("rate_independent_hysteresis", &[0.02, 0.1, 0.0]);
     let plain = bench.strains("time_offset", &[0.0]);
     // two hundredths of the strain of a full load, less on the way up and more on the way down
     for (strain, (plain, held)) in strain.iter().zip(plain.iter().zip([0.0, -0.02, 0.02])) {
         assert_abs_diff_eq!(*strain, plain + held * FULL_STRAIN, epsilon = ROUNDING);
     }
+    // one play with a half width of 0.3 goes from -0.3 to 0.2 as the strain falls by half of that of a full load; of three with 0.12, 0.24 and 0.54 two have turned over, and the third stands at -0.04
+    let half = Bench::new(vec![0.0, 1.0, 2.0], vec![0.0, 1.0, 1.0 - 0.5 * FULL_STRAIN / 0.2], vec![20.0; 3]);
+    let back =
+        |sudden| half.strains("rate_independent_hysteresis", &[0.03, 0.3, sudden])[2] - half.strains("time_offset", &[0.0])[2];
+    assert_abs_diff_eq!(back(1.0), 0.03 * 0.2 / 0.3 * FULL_STRAIN, epsilon = ROUNDING);
+    assert_abs_diff_eq!(back(0.0), 0.03 * (0.12 + 0.24 - 0.04) / 0.9 * FULL_STRAIN, epsilon = ROUNDING);
     // a bow of 0.01 at half load, its zero half and its gain a quarter of that
     let errs = bench.loads("load_cell_error", &[0.01, 0.0, 0.5, 0.25]);
     for (load, exact) in errs.iter().zip([0.005, 1.0075, 0.2 + 0.0064 + 0.005 + 0.0005]) {

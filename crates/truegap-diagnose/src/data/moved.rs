@@ -7,7 +7,7 @@ use crate::{
     stats::spread,
 };
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, ops::Range};
 use truegap_core::{Driver, Inputs, Simulator, StageName, ends};
 
 /// Name of the recorded humidity among the drivers that move.
@@ -27,6 +27,9 @@ pub struct Moved {
     /// whether the clock is a date
     #[serde(default)]
     pub dated: bool,
+    /// whether the load, the gap, a simulation or a driver stands nearly still for long and moves by jumps
+    #[serde(default)]
+    pub jumps: bool,
     /// names of the recorded drivers that move up and down, in the order of the recording, and [`HUMIDITY`] where that moves beside a base model without plates
     pub drivers: Vec<String>,
     /// names of those that are angles and begin anew after each turn: to rise and to fall means nothing there
@@ -35,6 +38,30 @@ pub struct Moved {
     /// least and greatest value of each driver that moves up and down: a law over a range keeps the range of the recording that it was found in
     #[serde(default)]
     pub ranges: BTreeMap<String, [f64; 2]>,
+}
+
+/// Most that the steps before and behind a jump may be, over its size.
+const ALONE: f64 = 0.2;
+/// Least size of a jump, over the range of its column: less is a digit of a recorder.
+const SIZE_OF_A_JUMP: f64 = 0.05;
+/// Share that jumps hold of the squares of all steps from row to row.
+const IN_JUMPS: f64 = 0.9;
+
+/// Whether nearly all of the motion of a column is in single rows before and behind which it hardly moves.
+fn jumps(column: &[f64], runs: &[Range<usize>]) -> bool {
+    let least = SIZE_OF_A_JUMP * spread(column);
+    let (mut in_jumps, mut all) = (0.0, 0.0);
+    for run in runs {
+        let steps: Vec<f64> = column[run.clone()].windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
+        for (row, size) in steps.iter().enumerate() {
+            let beside = [row.checked_sub(1), Some(row + 1)].into_iter().flatten().filter_map(|row| steps.get(row));
+            all += size * size;
+            if *size > least && beside.fold(0.0, |most: f64, step| most.max(*step)) <= ALONE * size {
+                in_jumps += size * size;
+            }
+        }
+    }
+    in_jumps > 0.0 && in_jumps >= IN_JUMPS * all
 }
 
 impl Moved {
@@ -55,9 +82,13 @@ impl Moved {
             drivers.push(HUMIDITY.into());
             ranges.insert(HUMIDITY.into(), range_of(humidity));
         }
+        let load = load_column(inputs, simulator);
+        let followed = [load.as_deref(), inputs.gap_m.as_deref(), inputs.simulated.as_deref()].into_iter().flatten();
+        let runs = inputs.runs();
         Self {
+            jumps: followed.chain(inputs.drivers.iter().map(|driver| &*driver.values)).any(|column| jumps(column, &runs)),
             temperature_k: inputs.temperature_c.as_deref().map_or(0.0, range),
-            load: load_column(inputs, simulator).as_deref().map_or(0.0, range),
+            load: load.as_deref().map_or(0.0, range),
             gap: moves(&inputs.gap_m),
             simulated: moves(&inputs.simulated),
             dated: inputs.began_s.is_some(),
@@ -81,5 +112,26 @@ impl Moved {
     pub fn one_row(&self) -> Inputs {
         let driver = |name: &String| Driver { name: name.clone(), unit: "1".into(), values: vec![0.0] };
         Inputs { run: vec![1], drivers: self.drivers.iter().map(driver).collect(), ..Inputs::default() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A valve that is set every minute, with what it leaves trembling. A sine, a ramp, noise, the digits of a recorder, what decays from the first row on and what stands still do not jump.
+    #[test]
+    fn a_column_that_is_set_every_minute_jumps() {
+        let column = |of: &dyn Fn(f64) -> f64| (0..900).map(|row| of(f64::from(row))).collect::<Vec<_>>();
+        let set = |row: f64| ((row / 60.0).floor() * 7.0) % 5.0;
+        let runs = [0..400, 400..900];
+        assert!(jumps(&column(&|row| set(row) + 0.05 * (row / 11.0).sin()), &runs));
+        let digits = |row: f64| (40.0 * (row / 200.0).sin()).floor();
+        let smooth: [&dyn Fn(f64) -> f64; 6] =
+            [&|row| (row / 30.0).sin(), &|row| row, &|row| (row * row).sin(), &digits, &|row| (-row / 5.0).exp(), &|_| 3.0];
+        for of in smooth {
+            assert!(!jumps(&column(of), &runs));
+        }
+        assert!(!jumps(&[0.0, 1.0, 0.0], &[0..3]));
     }
 }

@@ -19,6 +19,8 @@ pub struct Delay {
     pub recovery: f64,
     /// how the speed goes with the difference that is left; as one that is in proportion to it where the power is 0
     pub haste: Haste,
+    /// what the true value does between rows, as a [`Lag`] has it; straight for a speed that is not in proportion
+    pub between: f64,
     /// change per second of the true value before the first row of the recording; before each other run as many times that as its first value stands further from rest
     pub before: f64,
 }
@@ -31,6 +33,7 @@ impl Delay {
             first_s: 0.0,
             recovery: 0.0,
             haste: Haste::default(),
+            between: 0.0,
             before,
         }
     }
@@ -45,9 +48,11 @@ impl Delay {
         let mut staged = Vec::new();
         if self.first_s > 0.0 {
             staged.clone_from(&truth);
-            late(inputs, &[self.first_s], &truth, |row| self.first_s * before(row), |row, late| staged[row] = late);
+            let ways = (&[self.first_s][..], self.between);
+            late(inputs, ways, &truth, |row| self.first_s * before(row), |row, late| staged[row] = late);
         }
-        let given = if staged.is_empty() { &truth } else { &staged };
+        // what a first stage hands on bends between rows, and is held nowhere
+        let (given, between) = if staged.is_empty() { (&truth, self.between) } else { (&staged, 0.0) };
         // while it rises, and while it falls
         let apart = (0.5 * self.recovery).exp();
         value.fill(0.0);
@@ -58,14 +63,20 @@ impl Delay {
             }
             let ways = [tau_s / apart, tau_s * apart];
             let ways = if self.recovery == 0.0 { &ways[..1] } else { &ways };
-            late(inputs, ways, given, |row| tau_s * before(row), |row, late| value[row] += share * late);
+            late(inputs, (ways, between), given, |row| tau_s * before(row), |row, late| value[row] += share * late);
         }
     }
 }
 
-/// Gives a column with a lag, row by row: by the time constants `ways` while it rises and while it falls, or by one; each run begins `behind` its first value.
-fn late(inputs: &Inputs, ways: &[f64], given: &[f64], behind: impl Fn(usize) -> f64, mut give: impl FnMut(usize, f64)) {
-    let mut lag = Lag::default();
+/// Gives a column that does this `between` rows with a lag, row by row: by the time constants `ways` while it rises and while it falls, or by one; each run begins `behind` its first value.
+fn late(
+    inputs: &Inputs,
+    (ways, between): (&[f64], f64),
+    given: &[f64],
+    behind: impl Fn(usize) -> f64,
+    mut give: impl FnMut(usize, f64),
+) {
+    let mut lag = Lag::of(between);
     walk_lags(inputs, ways, |row, weights| {
         let x = given[row];
         let falls = usize::from(ways.len() > 1 && x < lag.state);

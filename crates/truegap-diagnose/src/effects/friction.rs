@@ -8,7 +8,7 @@ use crate::{
         delay::is_temperature,
         effect::{About, Effect, Family, FittedParameter},
         friction_of_speed::{self, is_speed},
-        memory::{PLAY_SET, plays, rates, walk},
+        memory::{half_widths, plays, rates, walk},
     },
     text::{percent_of, rounded, with_sd},
 };
@@ -51,8 +51,7 @@ impl Stage for Against {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
         let way = |x: &[f64]| {
             let mut way = vec![0.0; x.len()];
-            let half_widths = PLAY_SET.map(|ratio| (1.0 + self.gradual * (ratio - 1.0)) * self.width);
-            plays(drive.inputs, half_widths, |row| x[row], |first| first, |row, slip| way[row] = -slip);
+            plays(drive.inputs, half_widths(self.width, self.gradual), |row| x[row], |first| first, |row, slip| way[row] = -slip);
             way
         };
         self.apply(drive, value, way, f64::tanh);

@@ -51,10 +51,15 @@ pub fn rates(clock: Option<&[f64]>, column: &[f64], runs: &[Range<usize>]) -> Ve
 
 /// Lag of a column in place; each run starts at `start(x of its first row)`. A time constant of 0 is the identity.
 pub fn first_order_lag(inputs: &Inputs, tau_s: f64, x: &mut [f64], start: impl Fn(f64) -> f64) {
+    lag_between_rows(inputs, (tau_s, 0.0), x, start);
+}
+
+/// The same of a column that does this `between` its rows, as [`Lag`] has it.
+pub fn lag_between_rows(inputs: &Inputs, (tau_s, between): (f64, f64), x: &mut [f64], start: impl Fn(f64) -> f64) {
     if tau_s <= 0.0 {
         return;
     }
-    let mut lag = Lag::default();
+    let mut lag = Lag::of(between);
     walk_lags(inputs, &[tau_s], |row, weights| {
         let now = x[row];
         x[row] = match weights {
@@ -111,11 +116,16 @@ impl Play {
 /// Ratios of the half widths of a set of plays to the named one; a set of equal weights rounds the corner of a single play.
 pub const PLAY_SET: [f64; 3] = [0.4, 0.8, 1.8];
 
+/// Half widths of a set of plays of mean `width` whose corners turn over so gradually: 0 for one play, 1 for the spread of [`PLAY_SET`].
+pub fn half_widths(width: f64, gradual: f64) -> [f64; 3] {
+    PLAY_SET.map(|ratio| (1.0 + gradual * (ratio - 1.0)) * width)
+}
+
 /// Slip of a set of plays of mean half width `width`, in units of `width`: -1 on a long rise, +1 on a long fall.
 ///
 /// Each run starts with the plays at rest at `rest(x of its first row)`; `visit(row, slip)` is called down the rows.
 pub fn play_set(inputs: &Inputs, width: f64, x: impl Fn(usize) -> f64, rest: impl Fn(f64) -> f64, visit: impl FnMut(usize, f64)) {
-    plays(inputs, PLAY_SET.map(|ratio| ratio * width), x, rest, visit);
+    plays(inputs, half_widths(width, 1.0), x, rest, visit);
 }
 
 /// The same of plays with these half widths: `visit` is given the slip of all of them over their sum, -1 to 1.

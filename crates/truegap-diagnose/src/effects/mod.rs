@@ -12,6 +12,7 @@ pub(crate) mod numbers;
 pub(crate) mod sentence;
 
 mod ageing;
+mod between_rows;
 mod bonded_layers;
 pub(crate) mod clock_rate;
 mod contact_toe_in;

@@ -5,7 +5,7 @@ use crate::{
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         effect::{About, Effect, Family, FittedParameter},
-        memory::{Play, play_set, walk},
+        memory::{Play, half_widths, plays, walk},
         scale::full_strain,
     },
     text::{percent_of, percent_with_sd},
@@ -19,6 +19,8 @@ pub struct RateIndependentHysteresis;
 struct Friction {
     size: f64,
     width: f64,
+    /// 0 for three plays, 1 for one
+    sudden: f64,
     /// strain of a full load
     full: f64,
 }
@@ -32,7 +34,7 @@ impl Stage for Friction {
         let given = strain.to_vec();
         let full = self.full;
         let add = |row: usize, slip: f64| strain[row] += self.size * full * slip;
-        play_set(drive.inputs, self.width * full, |row| given[row], |_| 0.0, add);
+        plays(drive.inputs, half_widths(self.width * full, 1.0 - self.sudden), |row| given[row], |_| 0.0, add);
     }
 }
 
@@ -53,8 +55,11 @@ impl Stage for Rounded {
     }
 }
 
+/// Numbers of its other law: one play in the place of three.
+const SUDDEN: &[&str] = &["sudden"];
+
 fn friction(values: &[f64], context: &Context<'_>) -> Friction {
-    Friction { size: values[0], width: values[1], full: full_strain(context) }
+    Friction { size: values[0], width: values[1], sudden: values.get(2).copied().unwrap_or(0.0), full: full_strain(context) }
 }
 
 impl Effect for RateIndependentHysteresis {
@@ -73,7 +78,7 @@ impl Effect for RateIndependentHysteresis {
     fn about(&self) -> About {
         About {
             physics: "internal friction of the beads carries part of the load, against the motion and at any speed",
-            equation: "e_beads = e + a E s, s = sum_k (play(e; w_k E) - e) / (E sum_k w_k), three plays with half widths w_k = (0.4, 0.8, 1.8) w, E the strain of a full load at the reference temperature, slack at e = 0 when a run starts",
+            equation: "e_beads = e + a E s, s = sum_k (play(e; w_k E) - e) / (E sum_k w_k), three plays with half widths w_k = (0.4, 0.8, 1.8) w, nearer to w each the more suddenly it turns over where rows left out bear that out, E the strain of a full load at the reference temperature, slack at e = 0 when a run starts",
             excitation: "load that turns around, at best at several amplitudes and rates",
             impostors: &[
                 "viscoelastic_creep",
@@ -99,10 +104,21 @@ impl Effect for RateIndependentHysteresis {
                 "turn of the load after which half of the friction has changed sign",
             )
             .within(0.01, 1.0),
+            Parameter::normal(
+                SUDDEN[0],
+                "1",
+                0.0,
+                0.5,
+                "how suddenly it changes sign: 0 by three plays, 1 by one, as a joint with play does",
+            )
+            .within(0.0, 1.0),
         ]
     }
+    fn other_laws(&self) -> &'static [&'static [&'static str]] {
+        &[SUDDEN]
+    }
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
-        vec![vec![0.03], vec![0.1], vec![0.3]]
+        [0.03, 0.1, 0.3].map(|width| vec![width, 0.0]).to_vec()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Beads)?;

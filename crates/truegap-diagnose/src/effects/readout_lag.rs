@@ -4,8 +4,9 @@ use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
+        between_rows,
         effect::{About, Effect, Family, FittedParameter, Separation},
-        memory::first_order_lag,
+        memory::{first_order_lag, lag_between_rows},
     },
     text::with_sd,
 };
@@ -16,11 +17,16 @@ pub struct ReadoutLag;
 
 struct LowPass {
     tau_s: f64,
+    between: f64,
+}
+
+fn low_pass(values: &[f64]) -> LowPass {
+    LowPass { tau_s: values[0], between: values.get(1).copied().unwrap_or(0.0) }
 }
 
 impl Stage for LowPass {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
-        first_order_lag(drive.inputs, self.tau_s, value, |first| first);
+        lag_between_rows(drive.inputs, (self.tau_s, self.between), value, |first| first);
     }
 }
 
@@ -51,7 +57,7 @@ impl Effect for ReadoutLag {
     fn about(&self) -> About {
         About {
             physics: "filter or conversion time of the electronics: the reading is behind the capacitance",
-            equation: "tau dv/dt + v = true, at rest when a run starts; straight between rows",
+            equation: "tau dv/dt + v = true, at rest when a run starts; straight between rows, or b of the step as in the row behind (b > 0) or before (b < 0) where rows left out bear it out",
             excitation: "load that changes fast, at more than one rate, with a clock",
             impostors: &["time_offset", "viscoelastic_creep", "trapped_air_stiffness", "rate_independent_hysteresis"],
             separates: "the loop over load grows with the rate of the reading, gone in a hold; a lag rounds corners, a time offset does not",
@@ -63,10 +69,18 @@ impl Effect for ReadoutLag {
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let scale = context.of_device_s(0.1);
-        vec![
-            Parameter::normal("tau", "s", 0.0, scale, "time constant of the electronics")
-                .within(0.0, (0.5 * context.longest_run_s).max(scale)),
-        ]
+        let tau = Parameter::normal("tau", "s", 0.0, scale, "time constant of the electronics")
+            .within(0.0, (0.5 * context.longest_run_s).max(scale));
+        std::iter::once(tau).chain(between_rows::between_rows(context)).collect()
+    }
+    fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
+        between_rows::as_many(vec![vec![0.0]], self.parameters(context).len())
+    }
+    fn other_laws(&self) -> &'static [&'static [&'static str]] {
+        &[between_rows::HELD]
+    }
+    fn at_once(&self) -> &'static [&'static str] {
+        between_rows::HELD
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
@@ -74,12 +88,13 @@ impl Effect for ReadoutLag {
         if context.temperature_span() > 1.0 { Ok(()) } else { context.needs_movement() }
     }
     fn with(&self, values: &[f64], _: &Context<'_>) -> Box<dyn Stage> {
-        Box::new(LowPass { tau_s: values[0] })
+        Box::new(low_pass(values))
     }
     fn sibling(&self, values: &[f64], _: &Context<'_>) -> Option<Box<dyn Stage>> {
-        Some(Box::new(TwoPoles(LowPass { tau_s: values[0] })))
+        Some(Box::new(TwoPoles(low_pass(values))))
     }
     fn says(&self, fitted: &[FittedParameter]) -> String {
-        format!("the electronics follow with a time constant of {}", with_sd(fitted[0].value, fitted[0].sd, "s"))
+        let lag = with_sd(fitted[0].value, fitted[0].sd, "s");
+        format!("the electronics follow with a time constant of {lag}{}", between_rows::says(fitted))
     }
 }

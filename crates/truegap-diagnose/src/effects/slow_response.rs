@@ -4,6 +4,7 @@ use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
+        between_rows,
         delay::{Delay, reads_temperature},
         effect::{About, Effect, Family, FittedParameter},
         memory::{Haste, first_order_lag},
@@ -35,13 +36,13 @@ impl Stage for OneAfterTheOther {
     }
 }
 
-/// Parameters of a lag of the reading: `tau`, `slow_share`, `slower`, `before`, `first_stage`, `recovery`, `haste`.
+/// Parameters of a lag of the reading: `tau`, `slow_share`, `slower`, `before`, `first_stage`, `recovery`, `haste`, `between_rows`.
 pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
     let run = context.run_s();
     // somewhere between a step and a run, in the logarithm
     let middle = 0.3 * (context.step_s() * run).sqrt();
     let rate = usual_rate(context.response_span.abs(), context);
-    vec![
+    let mut numbers = vec![
         Parameter::normal("tau", "s", 0.0, middle, "time constant of the reading, of its quick way where there are two")
             .within(0.0, run),
         Parameter::normal("slow_share", "1", 0.0, 0.4, "part that follows by the slower way").within(0.0, 1.0),
@@ -51,7 +52,9 @@ pub(crate) fn parameters(context: &Context<'_>) -> Vec<Parameter> {
         Parameter::normal("recovery", "1", 0.0, 0.7, "log of the time constant of a falling reading over that of a rising one")
             .within(-MOST_APART, MOST_APART),
         Parameter::normal(HASTE, "1", 0.0, 0.5, "exponent of the difference that is left in the speed, less 1").within(-0.9, 2.0),
-    ]
+    ];
+    numbers.extend(between_rows::between_rows(context));
+    numbers
 }
 
 /// Log of the greatest ratio of the time constants of a rising and of a falling reading: 20 times.
@@ -72,11 +75,11 @@ const HASTE: &str = "haste";
 /// Difference at which the time constant is told where the speed is not in proportion to it, spans of the reading.
 const OF_THE_SPAN: f64 = 0.1;
 
-/// Numbers of other laws of a lag: two stages, one behind the other; a reading that falls more slowly than it rises, or faster; a speed that goes with a power of the difference.
-pub(crate) const OTHER_LAWS: &[&[&str]] = &[&[FIRST_STAGE], &["recovery"], &[HASTE]];
+/// Numbers of other laws of a lag: two stages, one behind the other; a reading that falls more slowly than it rises, or faster; a speed that goes with a power of the difference; a true value that is held between rows.
+pub(crate) const OTHER_LAWS: &[&[&str]] = &[&[FIRST_STAGE], &["recovery"], &[HASTE], between_rows::HELD];
 
-/// Number of a lag whose lower limit is a law as good as any.
-pub(crate) const AT_ONCE_AS_WELL: &[&str] = &[FIRST_STAGE];
+/// Numbers of a lag whose lower limit is a law as good as any.
+pub(crate) const AT_ONCE_AS_WELL: &[&str] = &[FIRST_STAGE, between_rows::BETWEEN_ROWS];
 
 /// Most times that the first stage is slower than the one behind it: which of the two comes first is not seen, so that beyond 1 they change places.
 const MOST_OF_FIRST: f64 = 4.0;
@@ -92,14 +95,15 @@ pub(crate) fn usual_rate(span: f64, context: &Context<'_>) -> f64 {
 /// In equilibrium at first, or on its way up or down by `rate`: what was switched on or poured in just before the first row.
 pub(crate) fn starts(rate: f64) -> Vec<Vec<f64>> {
     [[0.02, 10.0, 0.0], [0.5, 15.0, 0.0], [0.02, 10.0, rate], [0.02, 10.0, -rate]]
-        .map(|[share, slower, before]| vec![share, slower, before, 0.0, 0.0, 0.0])
+        .map(|[share, slower, before]| vec![share, slower, before, 0.0, 0.0, 0.0, 0.0])
         .to_vec()
 }
 
 pub(crate) fn late(values: &[f64]) -> Box<dyn Stage> {
-    let [tau, share, slower, before, first, recovery, power] = std::array::from_fn(|i| values[i]);
+    let [tau, share, slower, before, first, recovery, power, between] =
+        std::array::from_fn(|i| values.get(i).copied().unwrap_or(0.0));
     let haste = Haste { power, ..Haste::default() };
-    Box::new(Late(Delay { first_s: first * tau, recovery, haste, ..Delay::of_two(tau, share, slower, before) }))
+    Box::new(Late(Delay { first_s: first * tau, recovery, haste, between, ..Delay::of_two(tau, share, slower, before) }))
 }
 
 /// Number of a late reading that says how it stood before its first row.
@@ -141,7 +145,7 @@ fn richer(fitted: &[FittedParameter]) -> String {
     } else {
         String::new()
     };
-    of_a_power + &ways + &stage
+    of_a_power + &ways + &stage + between_rows::says(fitted)
 }
 
 /// Share of the time constant, or log of a ratio, below which a number of a richer law is not spoken of.
@@ -172,7 +176,7 @@ impl Effect for SlowResponse {
     fn about(&self) -> About {
         About {
             physics: "the reading follows what it measures with a time constant, by a quick way (a vent, a surface) and a slow one (a housing, a core)",
-            equation: "value = (1 - s) lag(x; tau) + s lag(x; r tau), s the slow share, r how much slower; x is the true value, or lag(true; q tau) where a first stage comes before; tau is sqrt(e^c) times as long while the reading falls and as short while it rises, c the recovery; its speed goes with (|x - value| / (S / 10))^h besides, h the haste, S the span; `before` is the rate of the true value before the first row, and before each run in proportion to where it begins",
+            equation: "value = (1 - s) lag(x; tau) + s lag(x; r tau), s the slow share, r how much slower; x is the true value, or lag(true; q tau) where a first stage comes before; tau is sqrt(e^c) times as long while the reading falls and as short while it rises, c the recovery; its speed goes with (|x - value| / (S / 10))^h besides, h the haste, S the span; x is straight between rows, or held, b of the step as in the row behind (b > 0) or before (b < 0); `before` is the rate of the true value before the first row, and before each run in proportion to where it begins",
             excitation: "a simulated value or gap that changes faster than the reading can follow, with a clock",
             impostors: &["readout_lag", "time_offset", "offset_drift", "friction", "stress_relaxation"],
             separates: "behind on the way up and on the way down, by more the faster it goes, and there in the end",
@@ -186,7 +190,7 @@ impl Effect for SlowResponse {
         BEFORE
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        starts(usual_rate(context.response_span.abs(), context))
+        between_rows::as_many(starts(usual_rate(context.response_span.abs(), context)), self.parameters(context).len())
     }
     fn share_of(&self, number: &str) -> Option<&'static str> {
         (number == "slower").then_some("slow_share")

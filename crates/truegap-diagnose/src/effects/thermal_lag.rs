@@ -4,6 +4,7 @@ use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
+        between_rows,
         delay::reads_temperature,
         effect::{About, Effect, Family, FittedParameter},
         memory::first_order_lag,
@@ -130,9 +131,7 @@ impl Effect for ThermalLag {
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         if reads_temperature(context) || begins_anyhow(context) {
-            let numbers = self.parameters(context).len() - 1;
-            let starts = slow_response::starts(usual_rate(context)).into_iter();
-            return starts.map(|start| start[..numbers].to_vec()).collect();
+            return between_rows::as_many(slow_response::starts(usual_rate(context)), self.parameters(context).len());
         }
         vec![vec![0.02, 10.0], vec![0.5, 15.0]]
     }

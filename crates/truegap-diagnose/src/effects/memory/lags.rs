@@ -129,10 +129,17 @@ impl Columns {
 pub struct Lag {
     /// output at the last row
     pub state: f64,
+    /// what `x` does between rows: 0 straight, 1 it has the value of a row since the row before, -1 until the row behind; mixed in between
+    between: f64,
     before: f64,
 }
 
 impl Lag {
+    /// A lag of an input that does this `between` its rows.
+    pub fn of(between: f64) -> Self {
+        Self { between, ..Self::default() }
+    }
+
     /// Starts a run with input `x` and output `state`.
     pub fn start(&mut self, x: f64, state: f64) -> f64 {
         self.before = x;
@@ -143,7 +150,9 @@ impl Lag {
     /// Output a step later, where the input is `x`; the weights are those of lag `index`.
     #[inline]
     pub fn next(&mut self, x: f64, weights: Weights<'_>, index: usize) -> f64 {
-        self.state = weights.old[index] * self.state + weights.before[index] * self.before + weights.now[index] * x;
+        let (before, now) = (weights.before[index], weights.now[index]);
+        let moved = self.between * if self.between > 0.0 { before } else { now };
+        self.state = weights.old[index] * self.state + (before - moved) * self.before + (now + moved) * x;
         self.before = x;
         self.state
     }

@@ -10,7 +10,7 @@ use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use truegap::diagnose::Library;
-use truegap::diagnosis::compensate::compensate_with;
+use truegap::diagnosis::compensate::{Wanted, compensate_with};
 use truegap::diagnosis::confirm::{Confirmed, Free, confirm_with};
 use truegap::diagnosis::{Diagnosed, FILES, Request, cache_folder, open_with, report};
 use truegap::models::{ModelFile, ModelFileError, Programs, with_effects};
@@ -191,19 +191,21 @@ impl NativeDiagnosis {
     }
 
     /// Corrects readings for what was added: the document of `truegap --json compensate` and the columns of its CSV.
-    #[pyo3(signature = (source, channel, all))]
+    #[pyo3(signature = (source, channel, all, carried))]
     fn compensate<'py>(
         &self,
         py: Python<'py>,
         source: Source<'_>,
         channel: Option<String>,
         all: bool,
+        carried: bool,
     ) -> PyResult<(String, Columns<'py>)> {
+        let wanted = Wanted { of_the_clock: all, carried };
         let (recording, _) = source.read()?;
         let model = self.diagnosed.model_file().map_err(failed)?;
         let name = Path::new("augmented.toml");
         let compensated =
-            self.serve(py, |programs| compensate_with(&model, name, recording, channel.as_deref(), all, programs))?;
+            self.serve(py, |programs| compensate_with(&model, name, recording, channel.as_deref(), wanted, programs))?;
         let compensated = compensated.map_err(failed)?;
         Ok((serde_json::to_string(&compensated.document).map_err(failed)?, arrays(py, compensated.table())))
     }

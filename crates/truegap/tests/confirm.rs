@@ -105,7 +105,7 @@ fn the_same_physics_on_another_history_is_confirmed() {
 #[test]
 fn a_clock_is_left_to_the_recording_that_it_was_found_in() {
     let number = |name: &str, value: f64| NamedValue { name: name.into(), unit: "s".into(), value, sd: 1e-3 };
-    let clock = AddedEffect { id: "time_offset".into(), parameters: vec![number("late", 25.0)], mechanism: None };
+    let clock = AddedEffect { id: "time_offset".into(), parameters: vec![number("late", 25.0)], mechanism: None, carried: false };
     let with = |effects: Vec<AddedEffect>| ModelFile { effects, ..found().clone() };
     let folder = tempfile::tempdir().unwrap();
     let file = written(folder.path(), &with(vec![clock.clone(), found().effects[0].clone()]));
@@ -160,7 +160,12 @@ fn a_clock_of_the_other_recording_is_fitted_where_it_is_free() {
 #[test]
 fn another_recording_tells_rivals_apart() {
     let number = |name: &str, unit: &str, value: f64| NamedValue { name: name.into(), unit: unit.into(), value, sd: 1e-3 };
-    let effect = |id: &str, numbers: &[NamedValue]| AddedEffect { id: id.into(), parameters: numbers.to_vec(), mechanism: None };
+    let effect = |id: &str, numbers: &[NamedValue]| AddedEffect {
+        id: id.into(),
+        parameters: numbers.to_vec(),
+        mechanism: None,
+        carried: false,
+    };
     let drift = effect("offset_drift", &[number("rate", &format!("{}/h", found().unit), 0.01), number("fading", "1/h", 0.0)]);
     let clock = effect("time_offset", &[number("late", "s", 25.0)]);
     let rival = |added: AddedEffect| RivalModel {
@@ -294,7 +299,7 @@ fn a_daily_cycle_is_carried_over_by_the_date_and_by_nothing_else() {
     let numbers = [("size", "pF", size), ("highest", "s", 14.0 * 3600.0), ("second", "1", 0.0), ("second_highest", "s", 0.0)];
     let number = |(name, unit, value): (&str, &str, f64)| NamedValue { name: name.into(), unit: unit.into(), value, sd: 1e-3 };
     let cycle = numbers.map(number).into();
-    let cycle = AddedEffect { id: "daily_cycle".into(), parameters: cycle, mechanism: None };
+    let cycle = AddedEffect { id: "daily_cycle".into(), parameters: cycle, mechanism: None, carried: false };
     let mut file = ModelFile { effects: vec![cycle], ..found().clone() };
     file.scales.moved.as_mut().unwrap().dated = true;
     // four days that begin at six in the morning of a day
@@ -356,7 +361,12 @@ fn what_cannot_be_judged_is_refused_with_its_reason() {
     cold.inputs.temperature_c = None;
     assert!(matches!(refused(found(), cold), ConfirmError::NotShown { .. }));
     let number = |name: &str| NamedValue { name: name.into(), unit: String::new(), value: 0.1, sd: 0.01 };
-    let steps = AddedEffect { id: "offset_steps".into(), parameters: vec![number("size"), number("jump_2")], mechanism: None };
+    let steps = AddedEffect {
+        id: "offset_steps".into(),
+        parameters: vec![number("size"), number("jump_2")],
+        mechanism: None,
+        carried: false,
+    };
     let mut jumps = ModelFile { effects: vec![steps], ..found().clone() };
     jumps.scales.runs = Some(2);
     let error = refused(&jumps, same);

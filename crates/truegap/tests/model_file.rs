@@ -53,6 +53,7 @@ fn file() -> ModelFile {
             id: (*id).into(),
             parameters: parameters.iter().zip(values).map(|(p, v)| named(&p.name, &p.unit, v)).collect(),
             mechanism: None,
+            carried: false,
         }
     };
     ModelFile {
@@ -254,6 +255,7 @@ fn every_effect_is_read_again_as_it_was_written() {
                 id: effect.id().to_string(),
                 parameters: effect.parameters(&context).iter().zip(&values).map(named).collect(),
                 mechanism: None,
+                carried: false,
             };
             let scales = Scales { moved: Some(context.moved.clone()), ..plain.scales.clone() };
             let text = ModelFile { effects: vec![added], scales, ..plain.clone() }.to_toml().unwrap();
@@ -283,6 +285,7 @@ fn a_law_that_has_got_further_numbers_since_is_the_simple_one() {
         id: "nonlinearity".into(),
         parameters: parameters.iter().zip(values).map(|(p, v)| named(&p.name, &p.unit, v)).collect(),
         mechanism: None,
+        carried: false,
     };
     let scales = Scales { moved: Some(context.moved.clone()), ..plain.scales.clone() };
     let model = ModelFile { effects: vec![added], scales, ..plain.clone() }.build().unwrap();
@@ -301,7 +304,12 @@ fn a_gain_that_has_got_a_neutral_temperature_since_is_right_at_the_reference() {
     let gain = library.iter().find(|e| e.id().0 == "gain_drift").unwrap();
     let own: Vec<String> = gain.parameters(&context).into_iter().map(|p| p.name).collect();
     assert_eq!(own, ["per_kelvin", "neutral"]);
-    let added = AddedEffect { id: "gain_drift".into(), parameters: vec![named("per_kelvin", "1/K", 0.002)], mechanism: None };
+    let added = AddedEffect {
+        id: "gain_drift".into(),
+        parameters: vec![named("per_kelvin", "1/K", 0.002)],
+        mechanism: None,
+        carried: false,
+    };
     let scales = Scales { moved: Some(context.moved.clone()), ..plain.scales.clone() };
     let model = ModelFile { effects: vec![added], scales, ..plain.clone() }.build().unwrap();
     let by_hand = empty.simulator().respond(&[0.3], &inputs, &[gain.with(&[0.002, 0.0], &context).as_ref()]).unwrap();
@@ -323,6 +331,7 @@ fn what_an_effect_follows_is_that_of_the_recording_it_was_fitted_to() {
         id: "friction".into(),
         parameters: friction.parameters(&context).iter().zip(values).map(named).collect(),
         mechanism: None,
+        carried: false,
     };
     let scales = Scales { moved: Some(context.moved.clone()), ..plain.scales.clone() };
     let model = ModelFile { effects: vec![added], scales, ..plain.clone() }.build().unwrap();

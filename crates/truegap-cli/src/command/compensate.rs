@@ -8,7 +8,7 @@ use crate::console::Console;
 use crate::table::{digits, table};
 use std::path::PathBuf;
 use truegap::core::recording::Note;
-use truegap::diagnosis::compensate::{Compensation, check, compensate};
+use truegap::diagnosis::compensate::{Compensation, Wanted, check, compensate};
 use truegap::diagnosis::recorded;
 
 /// Correct the readings of a recording for the physics that a diagnosis has added
@@ -26,6 +26,9 @@ pub struct Compensate {
     /// Correct for what follows the clock as well, as drift and settling do: the recording began as the one of the diagnosis did
     #[arg(long)]
     all: bool,
+    /// Correct for what the model only carries as well, without a claim to its name
+    #[arg(long)]
+    carried: bool,
     /// Sensor column of a recording that holds several
     #[arg(long, value_name = "NAME")]
     channel: Option<String>,
@@ -45,7 +48,8 @@ impl Run for Compensate {
         // the base model is that of the model file
         let notes = recording.notes.iter().filter(|note| !matches!(note, Note::BaseAssumed { .. }));
         notes.for_each(|note| console.note(note));
-        let compensated = compensate(&self.model, recording, self.channel.as_deref(), self.all)?;
+        let wanted = Wanted { of_the_clock: self.all, carried: self.carried };
+        let compensated = compensate(&self.model, recording, self.channel.as_deref(), wanted)?;
         let document = &compensated.document;
         if let Some(file) = &self.output {
             compensated.write(file)?;

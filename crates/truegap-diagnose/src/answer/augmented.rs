@@ -63,6 +63,9 @@ pub struct AddedEffect {
     /// words and fixed numbers of a mechanism that no library holds
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mechanism: Option<Mechanism>,
+    /// whether the model only carries it, without a claim to its name
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub carried: bool,
 }
 
 /// What an effect's equations take from the recording on which it was fitted.

@@ -77,6 +77,7 @@ impl Outcome {
             id: Saturation.id().0.into(),
             parameters: numbers.iter().cloned().map(named).collect(),
             mechanism: None,
+            carried: false,
         };
         let mut effects = self.augmented.effects.clone();
         let before = effects.iter().position(|effect| place(&effect.id) > own).unwrap_or(effects.len());

@@ -79,7 +79,8 @@ fn added(found: &Found<'_>, tried: &Tried) -> Vec<AddedEffect> {
     let effect = |(index, effect): (usize, &usize)| {
         let law = found.search.library[*effect];
         let numbers = law.of_first(fitted(found, tried, model.range_of(index)), found.search.context);
-        AddedEffect { id: found.id(*effect), parameters: numbers.into_iter().map(named).collect(), mechanism: law.words() }
+        let parameters = numbers.into_iter().map(named).collect();
+        AddedEffect { id: found.id(*effect), parameters, mechanism: law.words(), carried: found.carries(*effect) }
     };
     tried.effects.iter().enumerate().map(effect).collect()
 }

@@ -219,13 +219,14 @@ class Diagnosis:
         recording: Recording,
         *,
         all: bool = False,
+        carried: bool = False,
         channel: str | None = None,
         columns: Mapping[str, str] | None = None,
         units: Mapping[str, str] | None = None,
         drivers: Mapping[str, Mapping[str, str]] | None = None,
     ) -> Compensation:
-        """The readings without what was added; the load need not be in the frame. ``all``: the recording began as the diagnosed one did, so drift and settling are taken away as well."""
-        return Compensation.of(self._native.compensate(self._source(recording, columns, units, drivers), channel, all))
+        """The readings without what was added; the load need not be in the frame. ``all``: the recording began as the diagnosed one did, so drift and settling are taken away as well; ``carried``: what the model carries without a claim to its name, too."""
+        return Compensation.of(self._native.compensate(self._source(recording, columns, units, drivers), channel, all, carried))
 
     def _source(
         self,

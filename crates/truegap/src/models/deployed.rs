@@ -11,28 +11,46 @@ use truegap_diagnose::mechanism::Driver;
 use truegap_diagnose::other_clock::OtherClock;
 use truegap_diagnose::{Augmented, Effect, Library};
 
-/// The added effects, by whether a reading is corrected for them.
+/// The added effects, by whether a reading shows them and is corrected for them.
 #[derive(Clone, Debug, Default)]
 pub struct Parted {
-    /// those for which it is
+    /// those that the reading shows
     pub kept: Vec<AddedEffect>,
-    /// the others
+    /// those of them for which it is not corrected
+    pub carried: Vec<AddedEffect>,
+    /// for which the reading is not corrected
     pub left_out: Vec<LeftOut>,
-    /// those of them that are clocks of the recorded inputs
+    /// those that are clocks of the recorded inputs
     pub clocks: Vec<AddedEffect>,
+}
+
+impl Parted {
+    /// Ids of the effects for which a reading is corrected.
+    pub fn corrected_for(&self) -> Vec<String> {
+        self.kept.iter().filter(|added| !self.carried.contains(added)).map(|added| added.id.clone()).collect()
+    }
+}
+
+/// What a reading is corrected for besides what is claimed and holds in any recording.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Wanted {
+    /// what follows the clock: the recording began as that of the diagnosis did
+    pub of_the_clock: bool,
+    /// what the model carries without a claim to its name
+    pub carried: bool,
 }
 
 const OF_A_CLOCK: &str = "it is a clock of the recorded input: a corrected reading stays on the clock of the reading";
 const OF_THE_REFERENCE: &str = "it is an error of the recorded input and not of the reading";
 const BOUND_TO_RUNS: &str = "it has a number for each run of the recording that it was fitted to";
+const ONLY_CARRIED: &str = "the diagnosis carries it without a claim to its name: it may stand for a base model that is slightly off (--carried corrects for it as well)";
 const ON_THE_CLOCK: &str = "it follows the time since the first row of the recording that it was fitted to";
 
 impl RunningModel {
-    /// The added effects for which the readings of a recording may be corrected; `same` says that it is the recording that they were fitted to, `all` that
-    /// another one began as that one did.
+    /// The added effects for which the readings of a recording may be corrected; `same` says that it is the recording that they were fitted to.
     ///
     /// Numbers that say how the first recording began are 0 in another one.
-    pub fn parted(&self, library: &Library, inputs: &Inputs, same: bool, all: bool) -> Parted {
+    pub fn parted(&self, library: &Library, inputs: &Inputs, same: bool, wanted: Wanted) -> Parted {
         let (bound, dated) = (self.bound_to_runs(library), self.knows_dates(inputs));
         self.as_fitted(|context| {
             let mut parted = Parted::default();
@@ -47,7 +65,7 @@ impl RunningModel {
                     Some(BOUND_TO_RUNS)
                 } else if effect.is_some_and(Effect::by_date) && (same || dated) {
                     None
-                } else if !same && !all && driver_of(added, library, context) == Some(Driver::Time) {
+                } else if !same && !wanted.of_the_clock && driver_of(added, library, context) == Some(Driver::Time) {
                     Some(ON_THE_CLOCK)
                 } else {
                     None
@@ -62,6 +80,10 @@ impl RunningModel {
                 let mut added = added.clone();
                 if !same {
                     begin_anew(&mut added, library, context);
+                }
+                if added.carried && !wanted.carried {
+                    parted.left_out.push(LeftOut { effect: added.id.clone(), why: ONLY_CARRIED });
+                    parted.carried.push(added.clone());
                 }
                 parted.kept.push(added);
             }

@@ -121,6 +121,9 @@ impl ModelFile {
         struct Head {
             schema: String,
         }
+        if text.trim_start().starts_with('{') {
+            return Err(ModelFileError::Json { file: file.to_owned() });
+        }
         let failed = |e: toml::de::Error| ModelFileError::Parse {
             file: file.to_owned(),
             message: e.to_string().trim().replace('\n', " "),

@@ -19,6 +19,9 @@ pub enum ModelFileError {
     /// Not TOML, or not a model.
     #[error("{file}: {message}; a model file is written by `truegap diagnose` as augmented.toml")]
     Parse { file: PathBuf, message: String },
+    /// A document of a diagnosis.
+    #[error("{file}: it is JSON, and a model file is TOML; give the augmented.toml that `truegap diagnose` wrote beside it")]
+    Json { file: PathBuf },
     /// Another kind of file.
     #[error("{file}: schema is `{found}`; a model's is `truegap.model/1`")]
     Schema { file: PathBuf, found: String },

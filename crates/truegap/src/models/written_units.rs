@@ -181,7 +181,12 @@ mod tests {
                 for effect in library() {
                     let named = |p: truegap_core::Parameter| NamedValue { name: p.name, unit: p.unit, value: 1.5, sd: 0.5 };
                     let parameters: Vec<NamedValue> = effect.parameters(&fitted).into_iter().map(named).collect();
-                    let mut added = AddedEffect { id: effect.id().to_string(), parameters: parameters.clone(), mechanism: None };
+                    let mut added = AddedEffect {
+                        id: effect.id().to_string(),
+                        parameters: parameters.clone(),
+                        mechanism: None,
+                        carried: false,
+                    };
                     of_effect(&mut added, effect.as_ref(), &bare)?;
                     assert_eq!(added.parameters, parameters, "{} {what}", added.id);
                 }

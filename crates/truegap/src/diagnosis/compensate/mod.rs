@@ -12,6 +12,7 @@ pub use document::{Compensated, Compensation, Estimated, Gained, SCHEMA, check};
 pub use error::CompensateError;
 
 use super::beside_model::{model_facts, opened, recording_facts, says_the_same, took_part};
+pub use crate::models::Wanted;
 use crate::models::{ModelFile, ModelFileError, Parted, Programs, RunningModel, of_recording, refused};
 use input::{Sought, Way};
 use std::path::Path;
@@ -29,13 +30,18 @@ const FAR: f64 = 0.1;
 /// Ranges of the input, where the model was fitted, from whose middle on an estimated input is far beyond them: what was added has taken the slope of the base model then.
 const FAR_INPUT: f64 = 10.0;
 
-/// Corrects the readings of `recording` by the model file `file`; `channel` is its sensor column where it holds several, `all` says that it began as the recording
-/// of the diagnosis did, so that what follows the clock holds as well.
+/// Corrects the readings of `recording` by the model file `file`; `channel` is its sensor column where it holds several, `wanted` what it is
+/// corrected for besides what is claimed.
 ///
 /// # Errors
 /// [`CompensateError`] where the two do not belong together, a column is missing, or a model has no answer.
-pub fn compensate(file: &Path, recording: Recording, channel: Option<&str>, all: bool) -> Result<Compensated, CompensateError> {
-    compensate_with(&ModelFile::open(file)?, file, recording, channel, all, &Programs::default())
+pub fn compensate(
+    file: &Path,
+    recording: Recording,
+    channel: Option<&str>,
+    wanted: Wanted,
+) -> Result<Compensated, CompensateError> {
+    compensate_with(&ModelFile::open(file)?, file, recording, channel, wanted, &Programs::default())
 }
 
 /// As [`compensate`], by a model that was read already; `file` is its name, `programs` answer where its base model is a program or a function.
@@ -47,7 +53,7 @@ pub fn compensate_with(
     file: &Path,
     recording: Recording,
     channel: Option<&str>,
-    all: bool,
+    wanted: Wanted,
     programs: &Programs,
 ) -> Result<Compensated, CompensateError> {
     let (mut recording, name) = opened(recording, channel)?;
@@ -62,8 +68,8 @@ pub fn compensate_with(
     if !(high - low).is_finite() {
         return Err(CompensateError::Range { recording: name, low, high, unit: recording.response_unit });
     }
-    let parted = model.parted(&Library::default(), &recording.inputs, same, all);
-    if parted.kept.is_empty() {
+    let parted = model.parted(&Library::default(), &recording.inputs, same, wanted);
+    if parted.kept.len() == parted.carried.len() {
         return Err(nothing(file, &parted));
     }
     let task = Task { model: &model, parted: &parted, recording: &recording, name: &name, file: &file };
@@ -141,8 +147,14 @@ impl Task<'_> {
         let inverse = self.inverse(way, &models)?;
         let limits = Limits::of(self.model.scales().noise_sd);
         let found = compensation::compensated(&self.recording.response, &models, &inverse, &limits);
-        let found = found.map_err(|error| self.placed(error))?;
+        let mut found = found.map_err(|error| self.placed(error))?;
         self.is_within(way, &inverse, &found)?;
+        if !self.parted.carried.is_empty() {
+            // the input is estimated with all that the reading shows; what is only carried stays in it
+            let [bare, carrying] = [&[][..], &self.parted.carried].map(|effects| with(effects, &found.input));
+            let (bare, carrying) = (bare.map_err(|e| self.placed(e))?, carrying.map_err(|e| self.placed(e))?);
+            found.corrected.iter_mut().zip(carrying.iter().zip(&bare)).for_each(|(value, (with, bare))| *value += with - bare);
+        }
         Ok(found)
     }
 
@@ -197,7 +209,8 @@ impl Task<'_> {
             return Ok(None);
         }
         let clocks = if same { self.parted.clocks.as_slice() } else { &[] };
-        let truth = self.model.respond_with(clocks, self.inputs()).map_err(|error| self.placed(error))?;
+        let stays = [clocks, &self.parted.carried].concat();
+        let truth = self.model.respond_with(&stays, self.inputs()).map_err(|error| self.placed(error))?;
         let rmse = |column: &[f64]| rms(column.iter().zip(&truth).map(|(value, truth)| value - truth));
         Ok(Some(Gained { before: rmse(&self.recording.response), after: rmse(corrected) }))
     }
@@ -220,7 +233,7 @@ impl Task<'_> {
             model: model_facts(self.model, written, self.file),
             recording: recording_facts(recording, self.name),
             unit: written.unit.clone(),
-            corrected_for: self.parted.kept.iter().map(|added| added.id.clone()).collect(),
+            corrected_for: self.parted.corrected_for(),
             left_out: self.parted.left_out.clone(),
             estimated,
             passes: found.passes,

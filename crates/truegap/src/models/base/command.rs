@@ -3,7 +3,7 @@
 //! Limits: one program, one question at a time; it is started with the first question and ended with the model.
 
 use super::columns::columns;
-use super::process::Running;
+use super::process::{Running, Silence};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
@@ -47,6 +47,18 @@ impl Program {
         }
     }
 
+    /// Why there was no answer, with the names that the program was given: of these alone it may ask.
+    fn gave_none(&self, running: &mut Running, silence: Silence, inputs: &Inputs) -> SimulationError {
+        let columns = columns(inputs);
+        let columns: Vec<&str> = columns.iter().map(|(name, _)| name.as_ref()).collect();
+        let given = format!("it was given the columns {} and the parameters {}", columns.join(", "), self.names.join(", "));
+        let words = running.last_words(silence, self.timeout);
+        self.failed(&match silence {
+            Silence::Ended => format!("{words}\n{given}"),
+            Silence::TooLate => words,
+        })
+    }
+
     /// Inputs where they have changed, then the parameters.
     fn question(&self, running: &mut Running, values: &[f64], inputs: &Inputs) -> Result<String, SimulationError> {
         let mut question = String::new();
@@ -66,7 +78,7 @@ impl Program {
         let question = self.question(running, values, inputs)?;
         let (until, rows) = (Instant::now() + self.timeout, inputs.len());
         let head = running.say(&question).and_then(|()| running.hear(until));
-        let head = head.map_err(|silence| self.failed(&running.last_words(silence, self.timeout)))?;
+        let head = head.map_err(|silence| self.gave_none(running, silence, inputs))?;
         let (word, rest) = head.split_once(' ').unwrap_or((&head, ""));
         match word {
             "answer" if rest.trim().parse() == Ok(rows) => (0..rows).map(|row| self.number(running, until, row, rows)).collect(),

@@ -140,5 +140,5 @@ fn a_slow_program_is_told_of_before_the_search() {
     running.kill().unwrap();
     running.wait().unwrap();
     let told = told.unwrap();
-    assert!(told.contains("1000 to 15200 times") && told.contains(" min to ") && told.contains("Ctrl-C"), "{told}");
+    assert!(told.contains("1000 to 76100 times") && told.contains(" min to ") && told.contains("Ctrl-C"), "{told}");
 }

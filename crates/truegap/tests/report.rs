@@ -328,7 +328,7 @@ fn what_differs_between_parts_of_a_recording_has_a_heading_of_its_own() {
     let text = terminal::summary(&fixture.diagnosis);
     let at = |part: &str| text.find(part).unwrap_or_else(|| panic!("{part} is missing in\n{text}"));
     let order =
-        ["At odds with what was known beforehand:", "4.7 prior sd", "Differs between parts of the recording:", "6.2 standard"]
+        ["At odds with what was known beforehand", "4.7 prior sd", "Differs between parts of the recording", "6.2 standard"]
             .map(at);
     assert!(order.is_sorted(), "{text}");
     fixture.diagnosis.conflicts = vec![apart()];

@@ -15,7 +15,7 @@ pub enum RecordingError {
     #[error("{file}: there is no such file; give the path of a recording's TOML or CSV")]
     NotFound { file: PathBuf },
     /// A table that cannot be read, beside a TOML of its name that may say what is missing.
-    #[error("{source}; {note}")]
+    #[error("{note} (of the CSV alone: {source})")]
     BesideManifest { source: Box<RecordingError>, note: Note },
     /// The file is there and cannot be read.
     #[error("{file}: cannot be read: {source}")]

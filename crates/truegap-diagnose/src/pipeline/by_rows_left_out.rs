@@ -28,7 +28,7 @@ use crate::{
         verdict::{Decision, Verdict},
         whole::whole,
     },
-    text::significant,
+    text::Scale,
     validation::{
         cross_validation::{HeldOutFit, compared},
         tuning::{CLEARLY_WORSE, FELT, MOST_ADDED, MOST_ASKED, MOST_RIVALS},
@@ -158,18 +158,18 @@ impl Choice<'_, '_> {
         if (after.fires() && removed < HALF) || runs_to_limit(narrow, &tried) {
             return None;
         }
-        let unit = self.search.problem.simulator.unit();
+        let unit = Scale::of(self.search.problem.simulator.unit(), second);
         let under_the_noise = match chosen.effects.as_slice() {
             [] => "nothing explains it under the noise".to_owned(),
             _ if found.tried.key() == chosen.key() => "other laws by this name would fit better under the noise".to_owned(),
             effects => format!("{} would fit better under the noise", self.prepared.names(effects)),
         };
         let says = format!(
-            "{under_the_noise}, but {} predicts rows left out {} ({} against {} {unit}), so that is named",
+            "{under_the_noise}, but {} predicts rows left out {} ({} against {}), so that was preferred",
             self.prepared.names(&tried.effects),
             if clearly { "better" } else { "as well" },
-            significant(second, 3),
-            significant(first, 3),
+            unit.text(second),
+            unit.text(first),
         );
         let sets = self.with_first_choice(&tried.effects, self.sets(&found));
         Some(ByRowsLeftOut { tried, held, unseen, sets, after, removed, says })

@@ -22,7 +22,7 @@ pub enum ConfirmError {
     Otherwise(#[from] SaysOtherwise),
     /// Nothing to be judged.
     #[error(
-        "{model}: no physics is added to its base model, so there is nothing to confirm; give the augmented.toml of a diagnosis that found a cause"
+        "{model}: no physics is added to its base model, so there is nothing to confirm; give the augmented.toml of a diagnosis that found a cause (whether the base model alone holds for another recording, `truegap diagnose` of that one says)"
     )]
     NothingAdded { model: String },
     /// The recording took part.

@@ -79,8 +79,10 @@ fn conflicts(diagnosis: &Diagnosis) -> Vec<String> {
     if diagnosis.concealed {
         return of("Calibration had concealed it", &|_| true);
     }
-    [of("At odds with what was known beforehand", &|c| !c.between_parts), of(wording::BETWEEN_PARTS, &|c| c.between_parts)]
-        .concat()
+    let of_which = if diagnosis.findings.is_empty() { "" } else { " (the base model alone)" };
+    let (at_odds, between) =
+        (format!("At odds with what was known beforehand{of_which}"), format!("{}{of_which}", wording::BETWEEN_PARTS));
+    [of(&at_odds, &|c| !c.between_parts), of(&between, &|c| c.between_parts)].concat()
 }
 
 /// A straight line and a smooth curve through the inputs, and what is said where the line is the better model.

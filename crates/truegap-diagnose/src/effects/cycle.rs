@@ -1,6 +1,6 @@
 //! The reading follows the time of day or of the year: something that was not recorded comes back with it.
 //!
-//! Limits: one shape for all days, of two waves; periods of the sun only, since any other period is a tone.
+//! Limits: one shape for all days, of two waves, or of four where rows left out bear these out; periods of the sun only, since any other period is a tone.
 
 use crate::{
     data::context::Context,
@@ -48,7 +48,7 @@ impl Cycle {
     }
 }
 
-/// `size (cos(2 pi (t - highest) / T) + second cos(4 pi (t - second_highest) / T)) / 2`.
+/// `size (cos(2 pi (t - highest) / T) + second cos(4 pi (t - second_highest) / T) + c3 cos(6 pi t / T) + s3 sin(6 pi t / T) + c4 cos(8 pi t / T) + s4 sin(8 pi t / T)) / 2`.
 struct Waves {
     period_s: f64,
     /// whether `t` is counted from the begin of a day or year, and not from the first row
@@ -57,9 +57,21 @@ struct Waves {
     highest_s: f64,
     second: f64,
     second_highest_s: f64,
+    /// `c3`, `s3`, `c4`, `s4`
+    further: [f64; 4],
 }
 
+/// Numbers of a sharper day: waves of a third and of a quarter of the period, as shares of the first, by cosine and sine.
+const FURTHER: [&str; 4] = ["third_cos", "third_sin", "fourth_cos", "fourth_sin"];
+
 impl Waves {
+    /// What the waves of a third and of a quarter of the period add where the first has turned by `angle`, over half the size.
+    fn further(&self, angle: f64) -> f64 {
+        let [c3, s3, c4, s4] = self.further;
+        let ((sin3, cos3), (sin4, cos4)) = ((3.0 * angle).sin_cos(), (4.0 * angle).sin_cos());
+        c3 * cos3 + s3 * sin3 + c4 * cos4 + s4 * sin4
+    }
+
     /// Time of a row, s.
     fn time_s(&self, inputs: &Inputs, row: usize) -> f64 {
         match (self.dated, inputs.began_s, &inputs.time_s) {
@@ -74,7 +86,8 @@ impl Stage for Waves {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
         for (row, value) in value.iter_mut().enumerate() {
             let turn = |from: f64| TAU * (self.time_s(drive.inputs, row) - from) / self.period_s;
-            *value += 0.5 * self.size * (turn(self.highest_s).cos() + self.second * (2.0 * turn(self.second_highest_s)).cos());
+            let two = turn(self.highest_s).cos() + self.second * (2.0 * turn(self.second_highest_s)).cos();
+            *value += 0.5 * self.size * (two + self.further(turn(0.0)));
         }
     }
 }
@@ -118,7 +131,7 @@ impl Effect for Cycle {
                 }
                 Self::Yearly => "something that was not recorded follows the season: temperature, humidity, growth",
             },
-            equation: "value = true + a / 2 (cos(2 pi (t - t1) / T) + b cos(4 pi (t - t2) / T)), T a day or a year, t from midnight or the begin of the year; from the first row where the clock is no date",
+            equation: "value = true + a / 2 (cos(2 pi (t - t1) / T) + b cos(4 pi (t - t2) / T)), and waves of T / 3 and T / 4 where rows left out bear them out, T a day or a year, t from midnight or the begin of the year; from the first row where the clock is no date",
             excitation: "two periods on one clock, six rows a period",
             impostors: &["temperature_coefficient", "thermal_lag", "driver_coefficient", "offset_drift", "gain_drift"],
             separates: "comes back with the sun whatever the recorded inputs do",
@@ -150,9 +163,21 @@ impl Effect for Cycle {
                 .within(-1.0, 1.0),
             phase("second_highest", 0.5 * period, "to where that wave is highest"),
         ]
+        .into_iter()
+        .chain(FURTHER.map(|name| {
+            Parameter::normal(name, "1", 0.0, 0.2, "wave of a third or a quarter of the period, as a share of the first")
+                .within(-1.0, 1.0)
+        }))
+        .collect()
+    }
+    fn other_laws(&self) -> &'static [&'static [&'static str]] {
+        &[&FURTHER]
     }
     fn of_start(&self, context: &Context<'_>) -> &'static [&'static str] {
-        if context.moved.dated { &[] } else { &["highest", "second_highest"] }
+        if context.moved.dated { &[] } else { &["highest", "second_highest", FURTHER[0], FURTHER[1], FURTHER[2], FURTHER[3]] }
+    }
+    fn comes_back_s(&self) -> Option<f64> {
+        Some(Self::period_s(*self))
     }
     fn by_date(&self) -> bool {
         true
@@ -160,7 +185,7 @@ impl Effect for Cycle {
     fn starts(&self, _: &Context<'_>) -> Vec<Vec<f64>> {
         let period = self.period_s();
         // from there the size and the phase of the second wave are found without a second minimum
-        (0..6).map(|k| f64::from(k) * period / 6.0).map(|highest| vec![highest, 0.1, 0.5 * highest]).collect()
+        (0..6).map(|k| f64::from(k) * period / 6.0).map(|highest| vec![highest, 0.1, 0.5 * highest, 0.0, 0.0, 0.0, 0.0]).collect()
     }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
@@ -216,6 +241,7 @@ impl Cycle {
             highest_s: or(1, 0.0),
             second: or(2, 0.0),
             second_highest_s: or(3, 0.0),
+            further: [4, 5, 6, 7].map(|index| or(index, 0.0)),
         }
     }
 }
@@ -258,6 +284,24 @@ mod tests {
             .iter()
             .zip(&second)
             .for_each(|(exact, found)| approx::assert_abs_diff_eq!(exact, found, epsilon = 1e-12));
+    }
+
+    /// Three cosines of a day's third wave in the first eight hours, one sine of its fourth in the first six; half of 4 times their shares.
+    #[test]
+    fn a_sharper_day_has_waves_of_a_third_and_of_a_quarter() {
+        let added = |further: [f64; 4], hours: &[f64]| {
+            let with = |further: [f64; 4]| {
+                let values = [&[4.0, 6.0 * 3600.0, 0.5, 3.0 * 3600.0], further.as_slice()].concat();
+                through(&Cycle::Daily.waves(&values, false), hours)
+            };
+            with(further).iter().zip(with([0.0; 4])).map(|(with, without)| with - without).collect::<Vec<_>>()
+        };
+        let close = |found: Vec<f64>, exact: &[f64]| {
+            found.iter().zip(exact).for_each(|(found, exact)| approx::assert_abs_diff_eq!(found, exact, epsilon = 1e-12));
+        };
+        close(added([0.5, 0.0, 0.0, 0.0], &[0.0, 4.0, 8.0, 32.0]), &[1.0, -1.0, 1.0, 1.0]);
+        close(added([0.0, 0.5, 0.0, 0.0], &[0.0, 2.0, 6.0]), &[0.0, 1.0, -1.0]);
+        close(added([0.0, 0.0, 0.25, 0.5], &[0.0, 1.5, 3.0, 4.5]), &[0.5, 1.0, -0.5, -1.0]);
     }
 
     /// A second recording that begins at another time of day was given the phase of the first.

@@ -166,6 +166,10 @@ pub trait Effect: Send + Sync {
     fn share_of(&self, _number: &str) -> Option<&'static str> {
         None
     }
+    /// Period of what comes back by itself, s: a line in the spectrum at a multiple of its frequency is another wave of the same shape.
+    fn comes_back_s(&self) -> Option<f64> {
+        None
+    }
     /// Whether it goes with the date, so that another recording shows it where both tell theirs.
     fn by_date(&self) -> bool {
         false

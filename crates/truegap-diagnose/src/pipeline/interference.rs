@@ -93,13 +93,45 @@ impl EveryRow<'_, '_> {
         Interference::of(residual, problem.inputs, &problem.runs_in_order(), level)
     }
 
-    /// Whether the tone is the electronics' own, and what the `named` model explains, which leaves `residual`, is not taken from it.
+    /// Whether the tone is another wave of a cycle that is named, or the electronics' own, and what the `named` model explains, which leaves `residual`, is not taken from it.
     fn apart(&self, tone: Tone, (base, named): (&Tried, &Tried), residual: &[f64]) -> Result<bool, DiagnoseError> {
+        let problem = self.prepared.problem;
+        let period = |effect: &usize| self.search.library[*effect].comes_back_s();
+        if let Some(frequency) = tone.frequency_hz
+            && named
+                .effects
+                .iter()
+                .filter_map(period)
+                .any(|period| is_overtone(frequency, period, self.prepared.context.duration_s))
+        {
+            return Ok(true);
+        }
         if !tone.steady || named.effects.is_empty() {
             return Ok(false);
         }
-        let problem = self.prepared.problem;
         let power = |residual: &[f64]| tone.power_in(residual, problem.inputs.time_s.as_deref(), &problem.runs_in_order());
         Ok(power(&self.left_by(base)?) - power(residual) <= (1.0 - RIGHT_FAMILY) * named.fit.explains_beyond(&base.fit))
+    }
+}
+
+/// Most waves of one cycle: a shape of hours in a day.
+const MOST_WAVES: f64 = 12.0;
+
+/// Whether a line at this `frequency`, Hz, is a multiple of that of a `period`, s, as far as a recording of `duration_s` tells frequencies apart.
+fn is_overtone(frequency: f64, period: f64, duration_s: f64) -> bool {
+    let times = (frequency * period).round();
+    (1.0..=MOST_WAVES).contains(&times) && (frequency - times / period).abs() * duration_s < 1.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// People in a street by the hour, for 39 days: a line of 8 hours was something in the reading that no library knows, and took the day with it.
+    #[test]
+    fn a_line_of_eight_hours_is_a_wave_of_the_day() {
+        let (day, hour) = (86_400.0, 3600.0);
+        let found = |hours: f64| is_overtone(1.0 / (hours * hour), day, 39.0 * day);
+        assert!(found(8.0) && found(24.0) && found(6.0) && !found(7.0) && !found(9.6) && !found(1.5));
     }
 }

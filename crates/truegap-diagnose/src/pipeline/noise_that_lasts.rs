@@ -11,6 +11,7 @@
 use crate::{
     adequacy::interference::{every_row::Interference, tone::Tone},
     discovery::discover::with_mechanisms,
+    noise::response::groups_alike,
     pipeline::{
         calibrated::predictions,
         interference::interference_beside,
@@ -37,7 +38,9 @@ pub(crate) fn noise_alone(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Jud
     let open =
         matches!(decision.verdict, Verdict::Unexplained | Verdict::Undecided) && decision.unmodelled.as_ref().is_none_or(wanders);
     let loud = judged.examined.before.left_over_noise > NO_LOUDER;
-    if !open || loud || prepared.noise.measured || judged.kept_back.is_some() {
+    // rows at neighbouring inputs that follow one another in a file say no more of a noise that lasts than short stretches of a clock do: a second bottle that was closed at the same depth
+    let apart = prepared.noise.measured && groups_alike(prepared.problem, &prepared.noise).is_empty();
+    if !open || loud || apart || judged.kept_back.is_some() {
         return None;
     }
     let searched = prepared.searched();

@@ -75,6 +75,7 @@ def test_a_diagnosis_its_model_and_what_the_model_answers(tmp_path):
     (tmp_path / "other.toml").write_text((folder / "recording.toml").read_text())
     prints("confirmation", tmp_path, "confirm", "out/augmented.toml", "other.toml")
     prints("compensation", tmp_path, "compensate", "out/augmented.toml", "other.toml")
+    prints("firmware", tmp_path, "firmware", "out/augmented.toml")
 
 
 def test_every_verdict_and_what_it_stands_on_keeps_to_the_schema(tmp_path):

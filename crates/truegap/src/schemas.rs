@@ -21,7 +21,7 @@ macro_rules! schemas {
 }
 
 schemas! {
-    "audit" "audit-space" "case" "coefficients" "compensation" "confirmation" "diagnosis" "explain" "export" "mechanism" "mesh" "model" "optimise" "prove" "recording" "sensitivity"
+    "audit" "audit-space" "case" "coefficients" "compensation" "confirmation" "diagnosis" "explain" "export" "firmware" "mechanism" "mesh" "model" "optimise" "prove" "recording" "sensitivity"
     "sensor" "sensors" "simulate" "simulate-drive" "simulate-model" "solve" "space" "tolerance"
 }
 

@@ -75,6 +75,8 @@ pub const DOCUMENTS: &[Document] = &[
     .id("truegap.diagnosis/1"),
     written_as("explain", "`truegap --json explain EFFECT`", ("truegap::diagnosis::explain", "Explained")),
     written_as("export", "`truegap --json export`", ("truegap_cli::command::export", "Answer")),
+    written_as("firmware", "`truegap --json firmware`", ("truegap::diagnosis::compensate::firmware::document", "FirmwareFacts"))
+        .id("truegap.firmware/1"),
     read_as(
         "mechanism",
         "TOML of an effect of one's own (`--effect FILE`), and discovered.toml",

@@ -12,6 +12,7 @@ mod diagnose;
 mod explain;
 #[cfg(feature = "fem")]
 mod export;
+mod firmware;
 mod init;
 mod man;
 mod merge;
@@ -71,6 +72,7 @@ commands! {
     Confirm(confirm::Confirm),
     Compensate(compensate::Compensate),
     Explain(explain::Explain),
+    Firmware(firmware::Firmware),
     Simulate(simulate::Simulate),
     Coefficients(coefficients::Coefficients),
     Sensors(sensors::Sensors),

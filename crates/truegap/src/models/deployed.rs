@@ -7,7 +7,7 @@ use super::model_file::{RunningModel, begin_anew, driver_of};
 use super::model_file_error::ModelFileError;
 use truegap_core::Inputs;
 use truegap_diagnose::answer::{AddedEffect, Scales};
-use truegap_diagnose::mechanism::Driver;
+use truegap_diagnose::mechanism::{Driver, Kinetics};
 use truegap_diagnose::other_clock::OtherClock;
 use truegap_diagnose::{Augmented, Effect, Library};
 
@@ -98,6 +98,14 @@ impl RunningModel {
                 matches!(driver_of(added, library, context), Some(Driver::Temperature | Driver::TemperatureRate))
             };
             self.augmented.effects.iter().find(follows).map(|added| added.id.clone())
+        })
+    }
+
+    /// What an added effect follows, and how in time, as its mechanism or the library says; `None` where no words say it.
+    pub(crate) fn words_of(&self, library: &Library, added: &AddedEffect) -> Option<(Driver, Kinetics)> {
+        self.as_fitted(|context| match &added.mechanism {
+            Some(mechanism) => Some((mechanism.sentence.driver.clone(), mechanism.sentence.kinetics)),
+            None => library.find(&added.id)?.in_words(context).map(|words| (words.driver, words.kinetics)),
         })
     }
 

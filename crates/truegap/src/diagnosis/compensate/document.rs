@@ -196,17 +196,21 @@ impl Compensated {
 /// # Errors
 /// [`CompensateError::WouldBeLost`].
 pub fn check(file: &Path) -> Result<(), CompensateError> {
-    let would_be_lost = || CompensateError::WouldBeLost { file: file.to_owned() };
+    if spares(file, is_header) { Ok(()) } else { Err(CompensateError::WouldBeLost { file: file.to_owned() }) }
+}
+
+/// Whether nothing but an earlier result would be lost where `file` is written; `is_ours` knows one by its first line.
+pub(super) fn spares(file: &Path, is_ours: fn(&str) -> bool) -> bool {
     if !file.exists() {
-        return Ok(());
+        return true;
     }
     // a pipe or a device is never looked at: it may wait for ever, or never end
     if !file.metadata().is_ok_and(|of| of.is_file()) {
-        return Err(would_be_lost());
+        return false;
     }
     let mut first = String::new();
     let read = File::open(file).and_then(|file| BufReader::new(file.take(LONGEST_HEADER)).read_line(&mut first));
-    if read.is_ok() && is_header(first.trim_end()) { Ok(()) } else { Err(would_be_lost()) }
+    read.is_ok() && is_ours(first.trim_end())
 }
 
 /// Whether this is the first line of a result: run, time where there is one, both readings, the estimated input where there is one.

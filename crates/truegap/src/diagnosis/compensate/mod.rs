@@ -5,6 +5,7 @@
 
 mod document;
 mod error;
+pub mod firmware;
 mod input;
 mod needed;
 

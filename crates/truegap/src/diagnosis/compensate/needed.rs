@@ -54,13 +54,14 @@ fn differs(whole: &[f64], without: Option<&[f64]>) -> bool {
     without.is_none_or(apart)
 }
 
-fn columns(trial: &Inputs) -> Vec<Column> {
+/// The columns of a history.
+pub(super) fn columns(trial: &Inputs) -> Vec<Column> {
     let there = INPUT_ROLES.into_iter().filter(|role| trial.column(*role).is_some()).map(Column::Of);
     there.chain(trial.drivers.iter().map(|driver| Column::Driver(driver.name.clone()))).collect()
 }
 
 /// Every column that the model was made with, each on its own way up and down.
-fn trial(model: &RunningModel, sought: Option<&Sought>) -> Inputs {
+pub(super) fn trial(model: &RunningModel, sought: Option<&Sought>) -> Inputs {
     let (scales, simulator) = (model.scales(), model.simulator());
     let moved = scales.moved.clone().unwrap_or_default();
     let course = |turns: f64, low: f64, width: f64| -> Vec<f64> {

@@ -18,6 +18,9 @@ pub const HUMIDITY: &str = "humidity";
 pub struct Moved {
     /// range of the temperature, K; 0 without a thermometer
     pub temperature_k: f64,
+    /// its least and greatest value, degrees Celsius; absent without a thermometer, and in a file of an earlier version
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub temperature_c: Option<[f64; 2]>,
     /// range of the load, full loads; 0 where load plays no part
     pub load: f64,
     /// whether a gap was given that moves
@@ -88,6 +91,7 @@ impl Moved {
         Self {
             jumps: followed.chain(inputs.drivers.iter().map(|driver| &*driver.values)).any(|column| jumps(column, &runs)),
             temperature_k: inputs.temperature_c.as_deref().map_or(0.0, range),
+            temperature_c: inputs.temperature_c.as_deref().map(range_of),
             load: load.as_deref().map_or(0.0, range),
             gap: moves(&inputs.gap_m),
             simulated: moves(&inputs.simulated),

@@ -46,6 +46,20 @@ fn a_bent_temperature_coefficient_is_taken_out_within_the_stated_error() {
     assert!(largest(&found, &on_a_computer(&file, &read)) <= facts.error + 3e-6);
 }
 
+/// Without the ends of the temperature a table went as far to both sides of the reference as it had moved in all: twice too wide.
+#[test]
+fn a_table_goes_as_far_as_the_temperature_went() {
+    let of = |moved: &str| {
+        let argument = made(&model(LINE, moved, &heat_coefficient())).unwrap().document.arguments[0].clone();
+        [argument.low, argument.high]
+    };
+    let near = |found: [f64; 2], exact: [f64; 2]| {
+        found.iter().zip(exact).for_each(|(found, exact)| approx::assert_relative_eq!(*found, exact, max_relative = 1e-12));
+    };
+    near(of(&format!("temperature_c = [14.0, 30.0], {MOVED}")), [14.0 - 1.6, 30.0 + 1.6]);
+    near(of(MOVED), [20.0 - 17.6, 20.0 + 17.6]);
+}
+
 /// `y = c (1 + k (T - 20))` about the reading of no load, 1 mm, on a parabola.
 #[test]
 fn a_gain_that_drifts_on_a_bent_base_is_taken_out_within_the_stated_error() {

@@ -155,7 +155,8 @@ impl Task<'_> {
         Ok(axes)
     }
 
-    /// The range of a column: as asked, else as far as the model file knows it. Of a temperature that tells how far it moved, which is taken to either side of the reference with a tenth more.
+    /// The range of a column: as asked, else as the model file knows it, of a temperature with a tenth more to either side. A file of an earlier version knows of a temperature how far it moved alone, which is taken
+    /// to either side of the reference.
     fn range(&self, column: &Column) -> Result<[f64; 2], FirmwareError> {
         let asked = self.asked.ranges.get(&column.name()).copied();
         let range = asked.or_else(|| self.known_range(column));
@@ -166,8 +167,9 @@ impl Task<'_> {
         match (column, &self.model.scales().moved) {
             (Column::Of(Role::Temperature), Some(moved)) => {
                 let reference = self.model.simulator().reference_c();
-                let far = (1.0 + NEAR) * moved.temperature_k;
-                Some([reference - far, reference + far])
+                let moved_c = moved.temperature_c.unwrap_or([reference - moved.temperature_k, reference + moved.temperature_k]);
+                let far = NEAR * moved.temperature_k;
+                Some([moved_c[0] - far, moved_c[1] + far])
             }
             (column, Some(moved)) => moved.ranges.get(&column.name()).copied(),
             (_, None) => None,

@@ -167,7 +167,7 @@ fn a_clock_that_restarts_with_a_run_is_carried_on_and_said_aloud() {
 /// A daily cycle is carried over by the date: noon of 1 March 2026 is 20 513.5 days after the begin of 1970.
 #[test]
 fn a_clock_of_dates_tells_when_it_began_and_one_that_was_carried_on_does_not() {
-    let began = |rows: &str| csv(&format!("run,time,capacitance_pf\n{rows}")).unwrap().inputs.began_s;
+    let began = |rows: &str| csv(format!("run,time,capacitance_pf\n{rows}")).unwrap().inputs.began_s;
     let noon = 20_513.5 * 86_400.0;
     assert_eq!(began("1,2026-03-01 12:00:00,1\n1,2026-03-01 12:00:10,2\n"), Some(noon));
     assert_eq!(began("1,2026-03-01T13:00:00+01:00,1\n1,2026-03-01T13:00:10+01:00,2\n"), Some(noon));

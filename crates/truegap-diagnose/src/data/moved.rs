@@ -136,6 +136,6 @@ mod tests {
         for of in smooth {
             assert!(!jumps(&column(of), &runs));
         }
-        assert!(!jumps(&[0.0, 1.0, 0.0], &[0..3]));
+        assert!(!jumps(&[0.0, 1.0, 0.0], std::slice::from_ref(&(0..3))));
     }
 }

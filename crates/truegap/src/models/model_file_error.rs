@@ -72,7 +72,8 @@ pub enum ModelFileError {
     Number { what: String, value: f64, wanted: &'static str },
     /// A number in a unit of another kind.
     #[error(
-        "the model file: `{name}` of {of} is {value} in `{found}`, where its unit is `{wanted}`; give its value in that unit, and write unit = \"{wanted}\""
+        "the model file: `{name}` of {of} is {value} in `{}`, where its unit is `{wanted}`; give its value in that unit, and write unit = \"{wanted}\"",
+        .found.replace(char::is_control, " ")
     )]
     NumberUnit { of: String, name: String, value: f64, found: String, wanted: String },
     /// A column that an effect follows and the inputs do not have.

@@ -3,7 +3,8 @@
 //! Limits: a base model that is a program is not started, as a changed word of it would be another program.
 
 use std::path::Path;
-use truegap::diagnosis::compensate::{Compensated, compensate_with};
+use truegap::diagnosis::compensate::firmware::{Asked, firmware_of};
+use truegap::diagnosis::compensate::{Compensated, Wanted, compensate_with};
 use truegap::model::BaseModel;
 use truegap::models::{ModelFile, Programs};
 use truegap_core::Recording;
@@ -21,12 +22,30 @@ pub(super) fn compensate(text: &str) -> Result<bool, String> {
     if model.as_ref().is_ok_and(|model| matches!(model.base, BaseModel::Command { .. })) {
         return Ok(false);
     }
-    // what follows the clock as well, so that the most is corrected for
-    let corrected =
-        model.map_err(Into::into).and_then(|model| compensate_with(&model, file, recording, None, true, &Programs::default()));
-    match corrected {
+    let model = match model {
+        Ok(model) => model,
+        Err(refused) => return told(&refused.to_string()).map(|()| false),
+    };
+    in_c(&model, file)?;
+    // what follows the clock and what is only carried as well, so that the most is corrected for
+    let everything = Wanted { of_the_clock: true, carried: true };
+    match compensate_with(&model, file, recording, None, everything, &Programs::default()) {
         Ok(found) => sound(&found).map(|()| true),
         Err(refused) => told(&refused.to_string()).map(|()| false),
+    }
+}
+
+/// Bytes of a table that is made for each changed text.
+const BYTES: usize = 256;
+
+/// The same model for a microcontroller: written with finite numbers, or refused with a remedy.
+fn in_c(model: &ModelFile, file: &Path) -> Result<(), String> {
+    match firmware_of(model, file, &Asked { bytes: BYTES, carried: true, ..Asked::default() }) {
+        Ok(made) => match ["NaN", "inf"].into_iter().find(|word| made.source.contains(&format!("{word}f"))) {
+            Some(word) => Err(format!("the firmware holds {word}")),
+            None => Ok(()),
+        },
+        Err(refused) => told(&refused.to_string()),
     }
 }
 

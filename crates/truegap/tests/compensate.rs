@@ -4,8 +4,11 @@
 
 #[path = "common/noise.rs"]
 mod common;
+#[path = "common/late.rs"]
+mod late;
 
 use common::noise;
+use late::late;
 use std::path::Path;
 use truegap::core::recording::BaseSpec;
 use truegap::core::{Driver, Inputs, Recording};
@@ -60,18 +63,6 @@ fn heat() -> Vec<f64> {
 fn with_noise(column: &[f64]) -> Vec<f64> {
     let mut noise = noise(5);
     column.iter().map(|value| value + SD * noise()).collect()
-}
-
-/// Steady state first, then `y' = (x - y) / tau` with x straight between rows, by the formula for a ramp.
-fn late(column: &[f64], tau: f64) -> Vec<f64> {
-    let keeps = (-1.0 / tau).exp();
-    let mut y = column[0];
-    let next = |pair: &[f64]| {
-        let slope = pair[1] - pair[0];
-        y = pair[1] - slope * tau + (y - pair[0] + slope * tau) * keeps;
-        y
-    };
-    std::iter::once(column[0]).chain(column.windows(2).map(next)).collect()
 }
 
 /// A recording of a sensor in use: a clock, a thermometer and what was read.

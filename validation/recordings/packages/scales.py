@@ -5,6 +5,8 @@ import re
 
 import numpy as np
 import pandas as pd
+from counters import DAY, in_step
+from fitting import line, tone
 from reading import csv, seconds
 from rigs import since
 from scipy.io import loadmat
@@ -71,6 +73,20 @@ def passers_by(content, begin, end, **names):
     when = pd.to_datetime(frame.date) + pd.to_timedelta(frame.hour.str.split(":").str[0].astype(int), unit="h")
     kept = frame.assign(when=when)[(when >= begin) & (when < end)].dropna(subset=list(names.values())).sort_values("when")
     return {"time_s": seconds(kept.when), **{name: kept[column] for name, column in names.items()}}
+
+
+def by_the_hour(here, there, t):
+    """Models of what one counter sees by what the other does: hours of a day and of a week may be others for the two."""
+    one, waves, week = tone(t, DAY), [part for k in (1, 2, 3) for part in tone(t, DAY / k)], tone(t, 7 * DAY)
+    return {
+        **in_step(here, there, t),
+        "one wave a day": line(here, there, *one),
+        "three waves a day": line(here, there, *waves),
+        "three waves a day, and square": line(here, there, there**2, *waves),
+        "square, and cube": line(here, there, there**2, there**3),
+        "waves that go with days and weeks": line(here, there, *waves, *week),
+        "slope by the day": line(here, there, *waves, *(there * part for part in one)),
+    }
 
 
 def bottles(*contents, **names):

@@ -92,18 +92,6 @@ pub fn each<const N: usize>(columns: [&[f64]; N], of: impl Fn([f64; N]) -> f64) 
     (0..ROWS).map(|row| of(std::array::from_fn(|k| columns[k][row]))).collect()
 }
 
-/// At rest first, then `y' = (x - y) / tau` with x straight between rows of a second, by the formula for a ramp.
-pub fn late(column: &[f64], tau: f64) -> Vec<f64> {
-    let keeps = (-1.0 / tau).exp();
-    let mut y = column[0];
-    let next = |pair: &[f64]| {
-        let slope = pair[1] - pair[0];
-        y = pair[1] - slope * tau + (y - pair[0] + slope * tau) * keeps;
-        y
-    };
-    std::iter::once(column[0]).chain(column.windows(2).map(next)).collect()
-}
-
 pub fn rms(a: &[f64], b: &[f64]) -> f64 {
     (a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / a.len() as f64).sqrt()
 }

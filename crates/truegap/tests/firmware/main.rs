@@ -3,8 +3,11 @@
 #![allow(clippy::unwrap_used)]
 
 mod bench;
+#[path = "../common/late.rs"]
+mod late;
 
 use bench::*;
+use late::late;
 use std::path::Path;
 use truegap::core::recording::BaseSpec;
 use truegap::core::{Inputs, Recording};

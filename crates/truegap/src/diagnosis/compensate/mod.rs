@@ -85,6 +85,11 @@ pub fn compensate_with(
     }
 }
 
+/// Puts back into corrected readings what effects add that stay in them: the model with these less the model without.
+fn leave_in(corrected: &mut [f64], with: &[f64], without: &[f64]) {
+    corrected.iter_mut().zip(with.iter().zip(without)).for_each(|(value, (with, without))| *value += with - without);
+}
+
 fn nothing(model: String, parted: &Parted) -> CompensateError {
     let reasons: Vec<String> = parted.left_out.iter().map(|left| format!("{} ({})", spoken(&left.effect), left.why)).collect();
     match reasons.is_empty() {
@@ -154,7 +159,7 @@ impl Task<'_> {
             // the input is estimated with all that the reading shows; what is only carried stays in it
             let [bare, carrying] = [&[][..], &self.parted.carried].map(|effects| with(effects, &found.input));
             let (bare, carrying) = (bare.map_err(|e| self.placed(e))?, carrying.map_err(|e| self.placed(e))?);
-            found.corrected.iter_mut().zip(carrying.iter().zip(&bare)).for_each(|(value, (with, bare))| *value += with - bare);
+            leave_in(&mut found.corrected, &carrying, &bare);
         }
         Ok(found)
     }

@@ -3,8 +3,8 @@
 //! Limits: no noise, so that the passes go on until nothing is left.
 
 use super::FirmwareError;
-use crate::diagnosis::compensate::CompensateError;
 use crate::diagnosis::compensate::input::{Column, Sought, Way};
+use crate::diagnosis::compensate::{CompensateError, leave_in};
 use crate::models::{ModelFileError, RunningModel};
 use truegap_core::{Driver, Inputs, Role, ends};
 use truegap_diagnose::answer::AddedEffect;
@@ -75,7 +75,7 @@ impl Points<'_> {
         let left = (0..points.len()).map(|p| (readings[p] - (with[p] - bare[p]) - found.corrected[p]).abs()).collect();
         if !self.carried.is_empty() {
             let carrying = self.respond(self.carried, points, Some(&found.input)).map_err(failed)?;
-            found.corrected.iter_mut().zip(carrying.iter().zip(&bare)).for_each(|(value, (with, bare))| *value += with - bare);
+            leave_in(&mut found.corrected, &carrying, &bare);
         }
         let given = found.input.iter().map(|input| self.gives(*input)).collect();
         Ok(Corrections { added: found.corrected.iter().zip(&readings).map(|(c, y)| c - y).collect(), left, given })

@@ -34,7 +34,7 @@ pub struct Diagnose {
     /// Sensor in place of the recording's: built-in name or path of a sensor's TOML
     #[arg(long)]
     sensor: Option<String>,
-    /// Base model in place of the recording's: stack, linear, parallel-plate, gap-plate, table, constant, external; a program of your own, `command`, stands under [base] of a TOML
+    /// Base model in place of the recording's: stack, linear, parallel-plate, gap-plate, table, constant, external; a program of your own, `command`, stands under `base` of a TOML
     #[arg(long, value_name = "MODEL")]
     base: Option<String>,
     /// Leave the warp of the electrode out of the base model

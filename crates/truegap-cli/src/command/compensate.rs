@@ -2,6 +2,7 @@
 //!
 //! Limits: reads, calls, prints.
 
+use super::file_or_screen::tell;
 use super::run::{Outcome, Run};
 use super::told::TellArgs;
 use crate::console::Console;
@@ -54,15 +55,7 @@ impl Run for Compensate {
         if let Some(file) = &self.output {
             compensated.write(file)?;
         }
-        match (&self.output, console.json) {
-            (_, true) => console.print_json(document)?,
-            (Some(_), false) => print(console, document)?,
-            (None, false) => console.print(compensated.csv().trim_end())?,
-        }
-        if self.output.is_none() {
-            console.note(&document.says);
-        }
-        document.notes.iter().for_each(|note| console.note(note));
+        tell(console, (document, self.output.as_deref()), (&document.says, &document.notes), print, || compensated.csv())?;
         Ok(if document.explains() { Outcome::Fine } else { Outcome::LookAt })
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! Limits: reads, calls, prints.
 
+use super::file_or_screen::tell;
 use super::run::{Outcome, Run};
 use crate::console::Console;
 use crate::table::{digits, table};
@@ -47,15 +48,7 @@ impl Run for Firmware {
         if let Some(file) = &self.output {
             made.write(file)?;
         }
-        match (&self.output, console.json) {
-            (_, true) => console.print_json(facts)?,
-            (Some(_), false) => print(console, facts)?,
-            (None, false) => console.print(made.source.trim_end())?,
-        }
-        if self.output.is_none() {
-            console.note(&facts.says);
-        }
-        facts.notes.iter().for_each(|note| console.note(note));
+        tell(console, (facts, self.output.as_deref()), (&facts.says, &facts.notes), print, || made.source.clone())?;
         Ok(if facts.is_exact() { Outcome::Fine } else { Outcome::LookAt })
     }
 }

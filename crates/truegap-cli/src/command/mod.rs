@@ -12,6 +12,7 @@ mod diagnose;
 mod explain;
 #[cfg(feature = "fem")]
 mod export;
+mod file_or_screen;
 mod firmware;
 mod init;
 mod man;

@@ -55,11 +55,13 @@ fn jumps(column: &[f64], runs: &[Range<usize>]) -> bool {
     let least = SIZE_OF_A_JUMP * spread(column);
     let (mut in_jumps, mut all) = (0.0, 0.0);
     for run in runs {
-        let steps: Vec<f64> = column[run.clone()].windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
-        for (row, size) in steps.iter().enumerate() {
-            let beside = [row.checked_sub(1), Some(row + 1)].into_iter().flatten().filter_map(|row| steps.get(row));
+        let steps = || column[run.clone()].windows(2).map(|pair| (pair[1] - pair[0]).abs());
+        // each step with those before and behind it, where there are any
+        let before = std::iter::once(0.0).chain(steps());
+        let behind = steps().skip(1).chain([0.0]);
+        for ((before, size), behind) in before.zip(steps()).zip(behind) {
             all += size * size;
-            if *size > least && beside.fold(0.0, |most: f64, step| most.max(*step)) <= ALONE * size {
+            if size > least && before.max(behind) <= ALONE * size {
                 in_jumps += size * size;
             }
         }

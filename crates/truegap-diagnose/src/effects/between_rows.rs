@@ -21,15 +21,10 @@ pub(crate) fn between_rows(context: &Context<'_>) -> Option<Parameter> {
     context.moved.jumps.then(|| Parameter::normal(BETWEEN_ROWS, "1", 0.0, 0.5, meaning).within(-1.0, 1.0))
 }
 
-/// Starts for the numbers of a lag behind its time constant, as many as `parameters` has.
-pub(crate) fn as_many(starts: Vec<Vec<f64>>, parameters: usize) -> Vec<Vec<f64>> {
-    starts.into_iter().map(|start| start[..parameters - 1].to_vec()).collect()
-}
-
 /// Below it, what is done between rows is not spoken of: a tenth of a step.
 const SPOKEN_OF: f64 = 0.2;
 
-/// `, the true value held between rows rather than straight`, where it is.
+/// `, what it follows having changed right behind the row before`, where it is held by that much.
 pub(crate) fn says(fitted: &[FittedParameter]) -> &'static str {
     let number = fitted.iter().find(|p| p.parameter.name == BETWEEN_ROWS).map_or(0.0, |p| p.value);
     match number {

@@ -67,6 +67,9 @@ const FURTHER: [&str; 4] = ["third_cos", "third_sin", "fourth_cos", "fourth_sin"
 impl Waves {
     /// What the waves of a third and of a quarter of the period add where the first has turned by `angle`, over half the size.
     fn further(&self, angle: f64) -> f64 {
+        if self.further == [0.0; 4] {
+            return 0.0;
+        }
         let [c3, s3, c4, s4] = self.further;
         let ((sin3, cos3), (sin4, cos4)) = ((3.0 * angle).sin_cos(), (4.0 * angle).sin_cos());
         c3 * cos3 + s3 * sin3 + c4 * cos4 + s4 * sin4

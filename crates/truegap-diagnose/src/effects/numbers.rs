@@ -23,3 +23,8 @@ pub(crate) fn free_to_be_nothing(effect: &dyn Effect, context: &Context<'_>) -> 
     numbers.retain(|(id, name)| !context.holds(*id, name));
     numbers
 }
+
+/// Starts for the numbers behind the size, as many as an effect with so many `parameters` has here: the last ones may be missing.
+pub(crate) fn cut(starts: Vec<Vec<f64>>, parameters: usize) -> Vec<Vec<f64>> {
+    starts.into_iter().map(|start| start[..parameters - 1].to_vec()).collect()
+}

@@ -7,6 +7,7 @@ use crate::{
         between_rows,
         effect::{About, Effect, Family, FittedParameter, Separation},
         memory::{first_order_lag, lag_between_rows},
+        numbers::cut,
     },
     text::with_sd,
 };
@@ -74,7 +75,7 @@ impl Effect for ReadoutLag {
         std::iter::once(tau).chain(between_rows::between_rows(context)).collect()
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        between_rows::as_many(vec![vec![0.0]], self.parameters(context).len())
+        cut(vec![vec![0.0]], self.parameters(context).len())
     }
     fn other_laws(&self) -> &'static [&'static [&'static str]] {
         &[between_rows::HELD]

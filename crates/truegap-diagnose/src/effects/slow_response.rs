@@ -8,6 +8,7 @@ use crate::{
         delay::{Delay, reads_temperature},
         effect::{About, Effect, Family, FittedParameter},
         memory::{Haste, first_order_lag},
+        numbers::cut,
     },
     text::{percent_of, percent_with_sd, significant, with_sd},
 };
@@ -190,7 +191,7 @@ impl Effect for SlowResponse {
         BEFORE
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        between_rows::as_many(starts(usual_rate(context.response_span.abs(), context)), self.parameters(context).len())
+        cut(starts(usual_rate(context.response_span.abs(), context)), self.parameters(context).len())
     }
     fn share_of(&self, number: &str) -> Option<&'static str> {
         (number == "slower").then_some("slow_share")

@@ -4,10 +4,10 @@ use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
-        between_rows,
         delay::reads_temperature,
         effect::{About, Effect, Family, FittedParameter},
         memory::first_order_lag,
+        numbers::cut,
         slow_response::{self, OneAfterTheOther},
     },
 };
@@ -131,7 +131,7 @@ impl Effect for ThermalLag {
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
         if reads_temperature(context) || begins_anyhow(context) {
-            return between_rows::as_many(slow_response::starts(usual_rate(context)), self.parameters(context).len());
+            return cut(slow_response::starts(usual_rate(context)), self.parameters(context).len());
         }
         vec![vec![0.02, 10.0], vec![0.5, 15.0]]
     }

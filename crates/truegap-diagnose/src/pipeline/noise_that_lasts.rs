@@ -39,8 +39,8 @@ pub(crate) fn noise_alone(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Jud
         matches!(decision.verdict, Verdict::Unexplained | Verdict::Undecided) && decision.unmodelled.as_ref().is_none_or(wanders);
     let loud = judged.examined.before.left_over_noise > NO_LOUDER;
     // rows at neighbouring inputs that follow one another in a file say no more of a noise that lasts than short stretches of a clock do: a second bottle that was closed at the same depth
-    let apart = prepared.noise.measured && groups_alike(prepared.problem, &prepared.noise).is_empty();
-    if !open || loud || apart || judged.kept_back.is_some() {
+    let apart = || prepared.noise.measured && groups_alike(prepared.problem, &prepared.noise).is_empty();
+    if !open || loud || judged.kept_back.is_some() || apart() {
         return None;
     }
     let searched = prepared.searched();

@@ -105,7 +105,7 @@ impl Pairs<'_> {
 }
 
 /// The word under `[base]`.
-fn word(base: &BaseModel) -> &'static str {
+pub(super) fn word(base: &BaseModel) -> &'static str {
     match base {
         BaseModel::Stack { .. } => "stack",
         BaseModel::ParallelPlate { .. } => "parallel-plate",

@@ -14,21 +14,22 @@ use truegap_diagnose::{Augmented, Effect, Library};
 /// The added effects, by whether a reading shows them and is corrected for them.
 #[derive(Clone, Debug, Default)]
 pub struct Parted {
-    /// those that the reading shows
+    /// those that the reading shows; it is not corrected for those that are marked as carried
     pub kept: Vec<AddedEffect>,
-    /// those of them for which it is not corrected
-    pub carried: Vec<AddedEffect>,
-    /// for which the reading is not corrected
+    /// those for which the reading is not corrected, with the reason
     pub left_out: Vec<LeftOut>,
     /// those that are clocks of the recorded inputs
     pub clocks: Vec<AddedEffect>,
 }
 
-impl Parted {
-    /// Ids of the effects for which a reading is corrected.
-    pub fn corrected_for(&self) -> Vec<String> {
-        self.kept.iter().filter(|added| !self.carried.contains(added)).map(|added| added.id.clone()).collect()
-    }
+/// Ids of those of these effects for which a reading is corrected.
+pub fn corrected_for(effects: &[AddedEffect]) -> impl Iterator<Item = String> + '_ {
+    effects.iter().filter(|added| !added.carried).map(|added| added.id.clone())
+}
+
+/// Those of these effects that stay in a reading.
+pub fn only_carried(effects: &[AddedEffect]) -> Vec<AddedEffect> {
+    effects.iter().filter(|added| added.carried).cloned().collect()
 }
 
 /// What a reading is corrected for besides what is claimed and holds in any recording.
@@ -81,9 +82,9 @@ impl RunningModel {
                 if !same {
                     begin_anew(&mut added, library, context);
                 }
-                if added.carried && !wanted.carried {
+                added.carried &= !wanted.carried;
+                if added.carried {
                     parted.left_out.push(LeftOut { effect: added.id.clone(), why: ONLY_CARRIED });
-                    parted.carried.push(added.clone());
                 }
                 parted.kept.push(added);
             }

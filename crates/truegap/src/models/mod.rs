@@ -29,7 +29,7 @@ pub use base::{
     Base, BaseModelError, Calls, Function, Programs, Remembered, base_model, base_model_with, base_options, columns, declared,
 };
 pub(crate) use base::{SLOW_S, has_key};
-pub use deployed::{Parted, Wanted};
+pub use deployed::{Parted, Wanted, corrected_for, only_carried};
 pub use left_out::{LeftOut, OF_RECORDER};
 pub use mechanism_file::{EffectFileError, with_effects};
 pub use model_file::{ModelFile, RunningModel, SCHEMA as MODEL_SCHEMA};

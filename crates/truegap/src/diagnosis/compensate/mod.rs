@@ -14,7 +14,9 @@ pub use error::CompensateError;
 
 use super::beside_model::{model_facts, opened, recording_facts, says_the_same, took_part};
 pub use crate::models::Wanted;
-use crate::models::{ModelFile, ModelFileError, Parted, Programs, RunningModel, of_recording, refused};
+use crate::models::{
+    ModelFile, ModelFileError, Parted, Programs, RunningModel, corrected_for, of_recording, only_carried, refused,
+};
 use input::{Sought, Way};
 use std::path::Path;
 use truegap_core::{Inputs, Recording, ends};
@@ -70,7 +72,7 @@ pub fn compensate_with(
         return Err(CompensateError::Range { recording: name, low, high, unit: recording.response_unit });
     }
     let parted = model.parted(&Library::default(), &recording.inputs, same, wanted);
-    if parted.kept.len() == parted.carried.len() {
+    if corrected_for(&parted.kept).next().is_none() {
         return Err(nothing(file, &parted));
     }
     let task = Task { model: &model, parted: &parted, recording: &recording, name: &name, file: &file };
@@ -155,9 +157,10 @@ impl Task<'_> {
         let found = compensation::compensated(&self.recording.response, &models, &inverse, &limits);
         let mut found = found.map_err(|error| self.placed(error))?;
         self.is_within(way, &inverse, &found)?;
-        if !self.parted.carried.is_empty() {
+        let carried = only_carried(&self.parted.kept);
+        if !carried.is_empty() {
             // the input is estimated with all that the reading shows; what is only carried stays in it
-            let [bare, carrying] = [&[][..], &self.parted.carried].map(|effects| with(effects, &found.input));
+            let [bare, carrying] = [&[][..], &carried].map(|effects| with(effects, &found.input));
             let (bare, carrying) = (bare.map_err(|e| self.placed(e))?, carrying.map_err(|e| self.placed(e))?);
             leave_in(&mut found.corrected, &carrying, &bare);
         }
@@ -215,7 +218,7 @@ impl Task<'_> {
             return Ok(None);
         }
         let clocks = if same { self.parted.clocks.as_slice() } else { &[] };
-        let stays = [clocks, &self.parted.carried].concat();
+        let stays = [clocks, &only_carried(&self.parted.kept)].concat();
         let truth = self.model.respond_with(&stays, self.inputs()).map_err(|error| self.placed(error))?;
         let rmse = |column: &[f64]| rms(column.iter().zip(&truth).map(|(value, truth)| value - truth));
         Ok(Some(Gained { before: rmse(&self.recording.response), after: rmse(corrected) }))
@@ -239,7 +242,7 @@ impl Task<'_> {
             model: model_facts(self.model, written, self.file),
             recording: recording_facts(recording, self.name),
             unit: written.unit.clone(),
-            corrected_for: self.parted.corrected_for(),
+            corrected_for: corrected_for(&self.parted.kept).collect(),
             left_out: self.parted.left_out.clone(),
             estimated,
             passes: found.passes,

@@ -57,7 +57,7 @@ pub enum FirmwareError {
     NotInverted { model: String, left: String, noise: String, unit: String },
     /// A correction that corrects nothing.
     #[error(
-        "{model}: what was added for {effects} moves no reading of the table by more than {moved} {unit}, or cannot be told from the reading, as beyond a limit at which it stops; there is          nothing to write"
+        "{model}: what was added for {effects} moves no reading of the table by more than {moved} {unit}, or cannot be told from the reading, as beyond a limit at which it stops; there is nothing to write"
     )]
     NothingMoves { model: String, effects: String, moved: String, unit: String },
     /// A number that a `float` does not hold.

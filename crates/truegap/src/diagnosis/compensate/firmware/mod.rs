@@ -18,8 +18,8 @@ pub use error::FirmwareError;
 
 use super::input::{Column, Way};
 use super::{CompensateError, nothing};
-use crate::diagnosis::beside_model::model_facts;
-use crate::models::{ModelFile, Programs, RunningModel, Wanted};
+use crate::diagnosis::beside_model::{model_facts, word};
+use crate::models::{ModelFile, Programs, RunningModel, Wanted, corrected_for};
 use grid::{FLOAT, Grid};
 use lags::Lags;
 use points::{Axis, Points, followed, follows_the_clock};
@@ -29,6 +29,7 @@ use std::path::Path;
 use truegap_core::{Inputs, Role};
 use truegap_diagnose::Library;
 use truegap_diagnose::text::{listed, significant, spoken, spoken_list};
+use truegap_model::BaseModel;
 
 /// Error of a table that is wanted, over the noise of a reading.
 const OF_THE_NOISE: f64 = 0.1;
@@ -62,13 +63,13 @@ pub fn firmware_of(written: &ModelFile, file: &Path, asked: &Asked) -> Result<Fi
     let model_name = file.display().to_string();
     let library = Library::default();
     // a program is not started for a refusal
-    if let Some(base) = recorded(written) {
-        return Err(FirmwareError::Recorded { model: model_name, base });
+    if matches!(written.base, BaseModel::Command { .. } | BaseModel::Function { .. }) {
+        return Err(FirmwareError::Recorded { model: model_name, base: word(&written.base).to_owned() });
     }
     let model = written.build_of(file, &Programs::default()).map_err(CompensateError::from)?;
     let wanted = Wanted { carried: asked.carried, ..Wanted::default() };
     let parted = model.parted(&library, &Inputs::default(), false, wanted);
-    if parted.kept.len() == parted.carried.len() {
+    if corrected_for(&parted.kept).next().is_none() {
         return Err(nothing(model_name, &parted).into());
     }
     let way = Way::of(&written.base, model.simulator());
@@ -78,15 +79,6 @@ pub fn firmware_of(written: &ModelFile, file: &Path, asked: &Asked) -> Result<Fi
     }
     let sorted = sorted(&model, &parted, &way, &library);
     Task { written, model: &model, way: &way, asked, file: &model_name, history: &history }.made(sorted)
-}
-
-/// Name of a base model that is asked along whole histories; `None` of one that answers row by row.
-fn recorded(written: &ModelFile) -> Option<String> {
-    match written.base {
-        truegap_model::BaseModel::Command { .. } => Some("command".into()),
-        truegap_model::BaseModel::Function { .. } => Some("function".into()),
-        _ => None,
-    }
 }
 
 /// A model of which a firmware is made.
@@ -135,7 +127,7 @@ impl Task<'_> {
         let least = sorted.late.iter().map(|late| late.lags.least_s()).fold(f64::INFINITY, f64::min);
         let least_s = (!sorted.late.is_empty()).then_some(least);
         let (model, way, file) = (self.model, self.way, self.file);
-        Points { model, way, effects: &sorted.tabulated, carried: &sorted.carried, axes, least_s, file }
+        Points { model, way, effects: &sorted.tabulated, axes, least_s, file }
     }
 
     fn late(&self, sorted: &Sorted, column: &Column, now: &[f64]) -> Vec<f64> {

@@ -5,7 +5,7 @@
 use super::FirmwareError;
 use crate::diagnosis::compensate::input::{Column, Sought, Way};
 use crate::diagnosis::compensate::{CompensateError, leave_in};
-use crate::models::{ModelFileError, RunningModel};
+use crate::models::{ModelFileError, RunningModel, only_carried};
 use truegap_core::{Driver, Inputs, Role, ends};
 use truegap_diagnose::answer::AddedEffect;
 use truegap_diagnose::compensation::{Inverse, Limits, Models, Span, compensated};
@@ -33,10 +33,8 @@ pub(super) struct Axis {
 pub(super) struct Points<'a> {
     pub model: &'a RunningModel,
     pub way: &'a Way,
-    /// effects of the tables, with those that lag an input
+    /// effects of the tables, with those that lag an input; those that are marked as carried stay in the reading
     pub effects: &'a [AddedEffect],
-    /// those of them that stay in the reading
-    pub carried: &'a [AddedEffect],
     pub axes: &'a [Axis],
     /// least time constant of a late input, s
     pub least_s: Option<f64>,
@@ -73,8 +71,9 @@ impl Points<'_> {
         let mut found = compensated(&readings, &models, &inverse, &limits).map_err(failed)?;
         let [bare, with] = [base(&found.input).map_err(failed)?, augmented(&found.input).map_err(failed)?];
         let left = (0..points.len()).map(|p| (readings[p] - (with[p] - bare[p]) - found.corrected[p]).abs()).collect();
-        if !self.carried.is_empty() {
-            let carrying = self.respond(self.carried, points, Some(&found.input)).map_err(failed)?;
+        let carried = only_carried(self.effects);
+        if !carried.is_empty() {
+            let carrying = self.respond(&carried, points, Some(&found.input)).map_err(failed)?;
             leave_in(&mut found.corrected, &carrying, &bare);
         }
         let given = found.input.iter().map(|input| self.gives(*input)).collect();

@@ -5,7 +5,7 @@
 use super::lags::Lags;
 use crate::diagnosis::compensate::input::{Column, Sought, Way};
 use crate::diagnosis::compensate::needed;
-use crate::models::{LeftOut, Parted, RunningModel};
+use crate::models::{LeftOut, Parted, RunningModel, corrected_for};
 use truegap_core::{Inputs, Role, ends};
 use truegap_diagnose::Library;
 use truegap_diagnose::answer::AddedEffect;
@@ -35,10 +35,8 @@ pub(super) struct LagOfReading {
 
 /// The added effects by what a firmware does about them.
 pub(super) struct Sorted {
-    /// those of the tables and those that lag an input, in the order of the chain
+    /// those of the tables and those that lag an input, in the order of the chain; those that are marked as carried stay in the reading
     pub tabulated: Vec<AddedEffect>,
-    /// those of them for which the reading is not corrected
-    pub carried: Vec<AddedEffect>,
     pub late: Vec<LateInput>,
     pub lag: Option<LagOfReading>,
     pub left_out: Vec<LeftOut>,
@@ -47,17 +45,15 @@ pub(super) struct Sorted {
 impl Sorted {
     /// Ids of the effects for which a reading is corrected.
     pub fn corrected_for(&self) -> Vec<String> {
-        let tabulated = self.tabulated.iter().filter(|added| !self.carried.contains(added)).map(|added| added.id.clone());
-        tabulated.chain(self.lag.iter().map(|lag| lag.id.clone())).collect()
+        corrected_for(&self.tabulated).chain(self.lag.iter().map(|lag| lag.id.clone())).collect()
     }
 
     fn leave_out(&mut self, added: &AddedEffect, why: &'static str) {
         self.tabulated.retain(|kept| kept != added);
         self.late.retain(|late| late.effect != *added);
-        match self.carried.contains(added) {
-            // named already
-            true => self.carried.retain(|carried| carried != added),
-            false => self.left_out.push(LeftOut { effect: added.id.clone(), why }),
+        // what is only carried is named already
+        if !added.carried {
+            self.left_out.push(LeftOut { effect: added.id.clone(), why });
         }
     }
 }
@@ -65,13 +61,7 @@ impl Sorted {
 /// Sorts what `parted` keeps; `way` is how the base model gets its input.
 pub(super) fn sorted(model: &RunningModel, parted: &Parted, way: &Way, library: &Library) -> Sorted {
     let trial = trial(model, way);
-    let mut sorted = Sorted {
-        tabulated: parted.kept.clone(),
-        carried: parted.carried.clone(),
-        late: Vec::new(),
-        lag: None,
-        left_out: parted.left_out.clone(),
-    };
+    let mut sorted = Sorted { tabulated: parted.kept.clone(), late: Vec::new(), lag: None, left_out: parted.left_out.clone() };
     let mut lag_of_reading = None;
     for added in &parted.kept {
         let words = model.words_of(library, added);
@@ -82,7 +72,7 @@ pub(super) fn sorted(model: &RunningModel, parted: &Parted, way: &Way, library: 
             }
             Kind::Late(..) | Kind::Memory => sorted.leave_out(added, MEMORY),
             // what is only carried stays in the reading
-            Kind::OfReading if parted.carried.contains(added) => sorted.leave_out(added, MEMORY),
+            Kind::OfReading if added.carried => sorted.leave_out(added, MEMORY),
             Kind::OfReading if lag_of_reading.is_some() => sorted.leave_out(added, SECOND_LAG),
             Kind::OfReading => {
                 lag_of_reading = Some(added.clone());

@@ -1,8 +1,8 @@
 //! What the true value does between two rows, where a lag is not long beside the step from row to row.
 //!
 //! Rows tell a value at instants. A lag needs it in between as well. Straight lines are right on the mean, where what is measured moves by itself. What is commanded by a program that also records, a valve or a
-//! heater, is held: its new value stands right behind the row before, or from its own row on. A simulation that goes from row to row by Euler's rule says the same: the implicit rule the first, the explicit one
-//! the second.
+//! heater, is held: between two rows it has the value of the later one, or still that of the earlier one. A simulation that goes from row to row by Euler's rule does the same: the implicit rule the first, the
+//! explicit one the second.
 //!
 //! Limits: one number for all rows; only where something that moves the reading jumps.
 
@@ -17,19 +17,19 @@ pub(crate) const HELD: &[&str] = &[BETWEEN_ROWS];
 
 /// The number, as [`crate::effects::memory::Lag`] has it; `None` where nothing jumps: what moves smoothly is straight between rows, and to be held is half a step late or early, which a time offset says.
 pub(crate) fn between_rows(context: &Context<'_>) -> Option<Parameter> {
-    let meaning = "the true value between rows: 0 straight, 1 as in a row since the row before, -1 as in a row until the next";
+    let meaning = "the true value between two rows: 0 straight, 1 that of the later row, -1 that of the earlier row";
     context.moved.jumps.then(|| Parameter::normal(BETWEEN_ROWS, "1", 0.0, 0.5, meaning).within(-1.0, 1.0))
 }
 
 /// Below it, what is done between rows is not spoken of: a tenth of a step.
 const SPOKEN_OF: f64 = 0.2;
 
-/// `, what it follows having changed right behind the row before`, where it is held by that much.
+/// `; between two rows the true value is already that of the later row`, where it is held by that much.
 pub(crate) fn says(fitted: &[FittedParameter]) -> &'static str {
     let number = fitted.iter().find(|p| p.parameter.name == BETWEEN_ROWS).map_or(0.0, |p| p.value);
     match number {
-        n if n > SPOKEN_OF => ", what it follows having changed right behind the row before",
-        n if n < -SPOKEN_OF => ", what it follows having stood still from row to row",
+        n if n > SPOKEN_OF => "; between two rows the true value is already that of the later row",
+        n if n < -SPOKEN_OF => "; between two rows the true value is still that of the earlier row",
         _ => "",
     }
 }

@@ -58,7 +58,7 @@ impl Effect for ReadoutLag {
     fn about(&self) -> About {
         About {
             physics: "filter or conversion time of the electronics: the reading is behind the capacitance",
-            equation: "tau dv/dt + v = true, at rest when a run starts; straight between rows, or b of the step as in the row behind (b > 0) or before (b < 0) where rows left out bear it out",
+            equation: "tau dv/dt + v = true, at rest when a run starts; true is straight between rows, or a share |b| of it has the value of the later row (b > 0) or of the earlier one (b < 0), where rows left out bear that out",
             excitation: "load that changes fast, at more than one rate, with a clock",
             impostors: &["time_offset", "viscoelastic_creep", "trapped_air_stiffness", "rate_independent_hysteresis"],
             separates: "the loop over load grows with the rate of the reading, gone in a hold; a lag rounds corners, a time offset does not",

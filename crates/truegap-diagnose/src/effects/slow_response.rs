@@ -177,7 +177,7 @@ impl Effect for SlowResponse {
     fn about(&self) -> About {
         About {
             physics: "the reading follows what it measures with a time constant, by a quick way (a vent, a surface) and a slow one (a housing, a core)",
-            equation: "value = (1 - s) lag(x; tau) + s lag(x; r tau), s the slow share, r how much slower; x is the true value, or lag(true; q tau) where a first stage comes before; tau is sqrt(e^c) times as long while the reading falls and as short while it rises, c the recovery; its speed goes with (|x - value| / (S / 10))^h besides, h the haste, S the span; x is straight between rows, or held, b of the step as in the row behind (b > 0) or before (b < 0); `before` is the rate of the true value before the first row, and before each run in proportion to where it begins",
+            equation: "value = (1 - s) lag(x; tau) + s lag(x; r tau), s the slow share, r how much slower; x is the true value, or lag(true; q tau) where a first stage comes before; tau is sqrt(e^c) times as long while the reading falls and as short while it rises, c the recovery; its speed goes with (|x - value| / (S / 10))^h besides, h the haste, S the span; x is straight between rows, or a share |b| of it has the value of the later row (b > 0) or of the earlier one (b < 0); `before` is the rate of the true value before the first row, and before each run in proportion to where it begins",
             excitation: "a simulated value or gap that changes faster than the reading can follow, with a clock",
             impostors: &["readout_lag", "time_offset", "offset_drift", "friction", "stress_relaxation"],
             separates: "behind on the way up and on the way down, by more the faster it goes, and there in the end",

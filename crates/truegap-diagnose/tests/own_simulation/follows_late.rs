@@ -84,7 +84,11 @@ fn what_changes_right_behind_a_row_is_held_and_no_second_cause() {
     assert_eq!((said.verdict, names(&said)), (Verdict::Explained, vec!["readout_lag"]), "{}", said.says);
     assert!(said.carried.is_empty(), "{}", said.says);
     [("tau", 7.0), ("between_rows", 1.0)].into_iter().for_each(|(name, truth)| close(&said, name, truth));
-    assert!(said.findings[0].says.contains("right behind the row before"), "{}", said.findings[0].says);
+    assert!(
+        said.findings[0].says.contains("between two rows the true value is already that of the later row"),
+        "{}",
+        said.findings[0].says
+    );
     assert!(said.fit.in_sample.rmse_after < 0.0105, "{}", said.fit.in_sample.rmse_after);
 }
 

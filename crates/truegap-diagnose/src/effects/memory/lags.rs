@@ -129,7 +129,7 @@ impl Columns {
 pub struct Lag {
     /// output at the last row
     pub state: f64,
-    /// what `x` does between rows: 0 straight, 1 it has the value of a row since the row before, -1 until the row behind; mixed in between
+    /// what `x` does between two rows: 0 straight, 1 it has the value of the later row, -1 that of the earlier one; mixed in between
     between: f64,
     before: f64,
 }

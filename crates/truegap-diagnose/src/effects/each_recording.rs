@@ -146,6 +146,12 @@ impl<E: Effect> Effect for EachRecording<E> {
     fn may_be_nothing(&self) -> &'static [&'static str] {
         self.inner.may_be_nothing()
     }
+    fn at_once(&self) -> &'static [&'static str] {
+        self.inner.at_once()
+    }
+    fn smooths(&self) -> bool {
+        self.inner.smooths()
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         self.inner.testable(context)
     }

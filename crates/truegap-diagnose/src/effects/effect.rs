@@ -226,6 +226,10 @@ pub trait Effect: Send + Sync {
     fn at_once(&self) -> &'static [&'static str] {
         &[]
     }
+    /// Whether it smooths what is quick in a column that the base model follows, beside what else it does.
+    fn smooths(&self) -> bool {
+        false
+    }
     /// Whether this recording could show it at all.
     ///
     /// # Errors

@@ -215,6 +215,9 @@ impl Effect for Friction {
     fn at_once(&self) -> &'static [&'static str] {
         &["width", "onset"]
     }
+    fn smooths(&self) -> bool {
+        true
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         if is_temperature(context) {

@@ -16,14 +16,15 @@ use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageN
 /// A share of the reading is its mean over a window about each row.
 pub(crate) struct MeanToBothSides;
 
-struct Mean {
-    share: f64,
-    half_width_s: f64,
+/// The stage: a `share` of the reading is its mean over `half_width_s` to both sides.
+pub(crate) struct Mean {
+    pub share: f64,
+    pub half_width_s: f64,
 }
 
 impl Stage for Mean {
     fn readout(&self, drive: &Drive<'_>, _: &Readout, value: &mut [f64]) {
-        let Some(time) = drive.inputs.time_s.as_deref().filter(|_| self.share != 0.0) else { return };
+        let Some(time) = drive.inputs.time_s.as_deref().filter(|_| self.share != 0.0 && self.half_width_s > 0.0) else { return };
         for run in drive.inputs.runs() {
             let means = means(&time[run.clone()], &value[run.clone()], self.half_width_s);
             value[run].iter_mut().zip(means).for_each(|(value, mean)| *value += self.share * (mean - *value));
@@ -57,6 +58,12 @@ const NARROWEST: f64 = 0.3;
 /// Widest window, in lengths of a run.
 const WIDEST: f64 = 0.05;
 
+/// A usual half of a window, and the widest one.
+pub(crate) fn widths_s(context: &Context<'_>) -> (f64, f64) {
+    let step = context.step_s();
+    (3.0 * step, (WIDEST * context.longest_run_s).max(2.0 * step))
+}
+
 impl Effect for MeanToBothSides {
     fn id(&self) -> EffectId {
         EffectId("mean_to_both_sides")
@@ -78,11 +85,11 @@ impl Effect for MeanToBothSides {
         }
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let step = context.step_s();
-        let widest = (WIDEST * context.longest_run_s).max(2.0 * step);
+        let (usual, widest) = widths_s(context);
+        let narrowest = NARROWEST * context.step_s();
         vec![
             Parameter::normal("share", "1", 0.0, 0.5, "share of the reading that is the mean").within(0.0, 1.0),
-            Parameter::log_normal("half_width", "s", 3.0 * step, 1.5, "half the window").within(NARROWEST * step, widest),
+            Parameter::log_normal("half_width", "s", usual, 1.5, "half the window").within(narrowest, widest),
         ]
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {

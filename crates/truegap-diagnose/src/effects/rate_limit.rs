@@ -99,6 +99,9 @@ impl Effect for RateLimit {
         let per_unit = context.run_s() / context.response_span.abs();
         TIMES.map(|time| time * per_unit).to_vec()
     }
+    fn smooths(&self) -> bool {
+        true
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         context.needs_clock()?;

@@ -83,6 +83,9 @@ impl Effect for ReadoutLag {
     fn at_once(&self) -> &'static [&'static str] {
         between_rows::HELD
     }
+    fn smooths(&self) -> bool {
+        true
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         context.needs_clock()?;

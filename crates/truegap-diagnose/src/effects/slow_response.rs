@@ -205,6 +205,9 @@ impl Effect for SlowResponse {
     fn at_once(&self) -> &'static [&'static str] {
         AT_ONCE_AS_WELL
     }
+    fn smooths(&self) -> bool {
+        true
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.has(StageName::Readout)?;
         context.needs_clock()?;

@@ -147,6 +147,9 @@ impl Effect for ThermalLag {
     fn at_once(&self) -> &'static [&'static str] {
         slow_response::AT_ONCE_AS_WELL
     }
+    fn smooths(&self) -> bool {
+        true
+    }
     fn testable(&self, context: &Context<'_>) -> Result<(), String> {
         context.needs_clock()?;
         if reads_temperature(context) {

@@ -133,11 +133,12 @@ fn no_more_than(by_mean: &HeldOutFit, mean: &Fit, (named, fit): (&HeldOutFit, &F
     smooths && Unseen::of((by_mean.clone(), mean), (named.clone(), fit)).worse(true).is_some()
 }
 
-/// Half the window of a model that holds the mean alone.
-fn half_width_s(search: &Search<'_>, tried: &Tried) -> f64 {
+/// Half the window of a model whose last effect is the mean.
+pub(crate) fn half_width_s(search: &Search<'_>, tried: &Tried) -> f64 {
     let model = search.model(&tried.effects);
     let values = model.values(&tried.fit.z);
-    model.range_of(0).last().map_or(0.0, |place| values[place])
+    let last = tried.effects.len().saturating_sub(1);
+    model.range_of(last).last().map_or(0.0, |place| values[place])
 }
 
 impl Judged {

@@ -19,8 +19,7 @@
 //!
 //! Effects are left out together as well as one by one: a late clock and a lag of the reading may undo one another, and then each looks needed beside the other.
 //!
-//! Nor is a name after the first claimed that would be wrong three times of four, as names in other people's recordings were (`answer/stated.rs`): of clocks that run fast, and gains that change, beside another cause, none of
-//! nine was right. A name after the first that would be right three times of four is claimed where rows left out bear it out beside all the others, however large what the first leaves is.
+//! Nor is a name after the first claimed that would more often be wrong than right, as names in other people's recordings were (`answer/stated.rs`): of ten clocks that run fast one was right, of ten changes of a gain none. A name after the first that would be right three times of four is claimed where rows left out bear it out beside all the others, however large what the first leaves is.
 //!
 //! Not for a base model with plates: the equations of its effects are derived from sizes, and what tests see beside them is there. Other equations only describe.
 //!
@@ -133,7 +132,7 @@ fn laws_on_limits(search: &Search<'_>, tried: &Tried, effects: &[usize]) -> bool
     })
 }
 
-/// Whether the name of a part after the first would be wrong three times of four, and that of all that may stand in its place.
+/// Whether the name of a part after the first would more often be wrong than right, and that of all that may stand in its place.
 fn is_doubted(search: &Search<'_>, selection: &Selection, decision: &Decision, part: &[usize]) -> bool {
     let [_] = part else { return false };
     let rivals = decision.sets_of(&selection.models[decision.model].effects, part);

@@ -8,6 +8,7 @@ use crate::{
     discovery::{compose::Composition, discover::with_mechanisms},
     pipeline::{
         alone::by_squares,
+        beside_a_mean::beside_a_mean,
         by_a_mean::{Mean, by_a_mean},
         by_name::by_name,
         by_rows_left_out::{Chosen, by_rows_left_out},
@@ -88,6 +89,9 @@ pub(crate) fn conclude(
     let (selection, all) = (&examined.selection, prepared.all_rows());
     let by_odds = composition.as_ref().is_none_or(|composition| composition.by_odds);
     let decision = with_carried(prepared, search, selection, (decision, unseen.stood_behind()), &by_base, by_odds);
+    let chosen = &selection.models[decision.model];
+    let (decision, smooths) = beside_a_mean(prepared, search, chosen, (decision, unseen.stood_behind()), &by_base);
+    left_out.extend(smooths);
     // described in words since, it is another answer
     let decision = if selection.models[decision.model].key() == beside_walk { decision.with_open(&open) } else { decision };
     let (decision, says) = laws_on_limits(of_names, &selection.models[decision.model], decision);

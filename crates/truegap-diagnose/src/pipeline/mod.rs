@@ -4,6 +4,7 @@
 
 mod alone;
 mod asked;
+mod beside_a_mean;
 mod by_a_mean;
 mod by_name;
 mod by_rows_left_out;

@@ -39,7 +39,13 @@ fn rows_that_a_shift_reads_from_beyond_the_ends_tell_nothing() {
         let errors = [said.fit.in_sample.rmse_after, said.fit.held_out.rmse_after.unwrap(), said.fit.noise_floor];
         assert!(errors.iter().all(|error| (error / 0.01 - 1.0).abs() < 0.1), "{errors:?}");
         let shift = &said.findings[0].parameters[0];
-        assert!((shift.value - late_s).abs() < 4.0 * shift.sd && shift.sd < 0.5 * STEP, "{} (sd {})", shift.value, shift.sd);
+        assert!(
+            (shift.value - late_s).abs() < 4.0 * shift.sd && shift.sd < 0.5 * STEP,
+            "{} (sd {}) {:?}",
+            shift.value,
+            shift.sd,
+            said.findings[0].parameters
+        );
         assert!(said.noise.says.contains("rows at the ends"), "{}", said.noise.says);
     }
 }
@@ -114,14 +120,7 @@ fn a_driver_that_was_recorded_with_the_reading_is_not_late_with_what_moves() {
 #[test]
 fn a_rough_input_is_found_however_late_it_is() {
     let late = 31;
-    let random = noisy(44, |_| 0.0, ROWS + late);
-    let mut wander = 0.0;
-    let flow: Vec<f64> = (0..ROWS + late)
-        .map(|row| {
-            wander = 0.98 * wander + 140.0 * random[row];
-            20.0 + wander + if (row as f64 / 140.0).sin() > 0.0 { 9.0 } else { 0.0 }
-        })
-        .collect();
+    let flow = rough(ROWS + late);
     let drivers = vec![Driver { name: "bench".into(), unit: "V".into(), values: flow[late..].to_vec() }];
     let inputs =
         Inputs { time_s: Some((0..ROWS).map(|row| row as f64).collect()), run: vec![1; ROWS], drivers, ..Inputs::default() };
@@ -132,4 +131,54 @@ fn a_rough_input_is_found_however_late_it_is() {
     assert_eq!((said.verdict, names), (Verdict::Explained, vec!["time_offset"]), "{}", said.says);
     let shift = &said.findings[0].parameters[0];
     assert!((shift.value + 31.0).abs() < 4.0 * shift.sd + 0.01, "{} (sd {})", shift.value, shift.sd);
+}
+
+/// What wanders and is switched, V, a value each second.
+fn rough(rows: usize) -> Vec<f64> {
+    let random = noisy(44, |_| 0.0, rows);
+    let mut wander = 0.0;
+    let value = |row: usize| {
+        wander = 0.98 * wander + 140.0 * random[row];
+        20.0 + wander + if (row as f64 / 140.0).sin() > 0.0 { 9.0 } else { 0.0 }
+    };
+    (0..rows).map(value).collect()
+}
+
+/// What is said of a reading beside a column that is recorded each second, with effects that come late or smooth, and a drift.
+fn beside(column: Vec<f64>, read: &[f64]) -> Diagnosis {
+    let rows = column.len();
+    let drivers = vec![Driver { name: "bench".into(), unit: "V".into(), values: column }];
+    let inputs =
+        Inputs { time_s: Some((0..rows).map(|row| row as f64).collect()), run: vec![1; rows], drivers, ..Inputs::default() };
+    let model = Given { follows_driver: true, ..Given::with_level() };
+    said_by(&["time_offset", "slow_response", "readout_lag", "friction", "offset_drift"], &model, &inputs, read)
+}
+
+/// A logger writes means over six seconds at the end of each. Without a mean in its law a clock that is late was named beside a lag the other way.
+#[test]
+fn a_mean_that_is_written_at_its_end_is_late_by_half_of_it() {
+    let (rows, wide) = (1500, 6);
+    let flow = rough(rows + wide);
+    // of straight lines between the rows: the trapezoidal rule
+    let mean = |end: usize| (0..wide).map(|back| 0.5 * (flow[end - back] + flow[end - back - 1])).sum::<f64>() / wide as f64;
+    let said = beside(flow[wide..].to_vec(), &noisy(46, |row| 3.0 + mean(row + wide), rows));
+    let names: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!((said.verdict, names), (Verdict::Explained, vec!["time_offset"]), "{}", said.says);
+    for (name, truth) in [("late", -3.0), ("half_width", 3.0)] {
+        let number = said.findings[0].parameters.iter().find(|p| p.name == name).unwrap();
+        assert!((number.value - truth).abs() < 4.0 * number.sd + 0.01, "{name} {} (sd {})", number.value, number.sd);
+    }
+    assert!(said.says.contains("time_offset") && said.findings[0].says.contains("to both sides"), "{}", said.findings[0].says);
+}
+
+/// A zero that drifts, beside a column with noise of its own. A lag smooths that noise and predicts better; a mean does as much, so that it is carried and not claimed.
+#[test]
+fn what_only_smooths_a_noisy_column_is_not_claimed_beside_a_cause() {
+    let rows = 1500;
+    let flow = rough(rows);
+    let noise = noisy(47, |_| 0.0, rows);
+    let column = flow.iter().zip(&noise).map(|(flow, noise)| flow + 60.0 * noise).collect();
+    let said = beside(column, &noisy(48, |row| 3.0 + flow[row] + 2e-3 * row as f64, rows));
+    let names: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(names, ["offset_drift"], "{}", said.says);
 }

@@ -33,7 +33,8 @@ pub struct Moved {
     /// whether the load, the gap, a simulation or a driver stands nearly still for long and moves by jumps
     #[serde(default)]
     pub jumps: bool,
-    /// names of the recorded drivers that move up and down, in the order of the recording, and [`HUMIDITY`] where that moves beside a base model without plates
+    /// names of the recorded drivers that move up and down, in the order of the recording, and [`HUMIDITY`] where that moves beside a base model without plates; of three and more the second is one that the base model does
+    /// not follow by itself, where there is one
     pub drivers: Vec<String>,
     /// names of those that are angles and begin anew after each turn: to rise and to fall means nothing there
     #[serde(default)]
@@ -69,6 +70,31 @@ fn jumps(column: &[f64], runs: &[Range<usize>]) -> bool {
     in_jumps > 0.0 && in_jumps >= IN_JUMPS * all
 }
 
+/// Puts a driver that the base model does not follow by itself in the second place, where the one there is followed: effects ask for two drivers, and what the base model follows has its own laws.
+fn put_second_beside_the_base(drivers: &mut [String], follows: impl Fn(&str) -> bool) {
+    if drivers.len() > 2
+        && follows(&drivers[1])
+        && let Some(other) = (2..drivers.len()).find(|number| !follows(&drivers[*number]))
+    {
+        drivers.swap(1, other);
+    }
+}
+
+/// Share of the span of a column by which it is moved to see whether the base model follows it.
+const MOVED_BY: f64 = 0.1;
+
+/// Whether the response of the base model changes where the driver of this name, or recorded humidity, is moved: two simulations.
+pub(crate) fn follows(simulator: &dyn Simulator, inputs: &Inputs, name: &str, span: f64) -> bool {
+    let mut moved = inputs.clone();
+    let recorded = moved.drivers.iter_mut().find(|driver| driver.name == name).map(|driver| &mut driver.values);
+    let column = recorded.or_else(|| moved.humidity_pct.as_mut().filter(|_| name == HUMIDITY));
+    column.into_iter().flatten().for_each(|value| *value += MOVED_BY * span);
+    // off the centre of the priors, where a slope may be 0
+    let values: Vec<f64> = simulator.parameters().iter().map(|p| p.prior.at(1.0)).collect();
+    let respond = |inputs| simulator.respond(&values, inputs, &[]);
+    matches!((respond(inputs), respond(&moved)), (Ok(here), Ok(there)) if here != there)
+}
+
 impl Moved {
     /// What moves in `inputs`.
     pub fn of(inputs: &Inputs, simulator: &dyn Simulator) -> Self {
@@ -87,6 +113,10 @@ impl Moved {
             drivers.push(HUMIDITY.into());
             ranges.insert(HUMIDITY.into(), range_of(humidity));
         }
+        put_second_beside_the_base(&mut drivers, |name| {
+            let span = ranges.get(name).map_or(0.0, |[least, most]| most - least);
+            follows(simulator, inputs, name, span)
+        });
         let load = load_column(inputs, simulator);
         let followed = [load.as_deref(), inputs.gap_m.as_deref(), inputs.simulated.as_deref()].into_iter().flatten();
         let runs = inputs.runs();
@@ -124,6 +154,19 @@ impl Moved {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A plant whose model follows the warmth, beside a vacuum and a humidity: both are asked. What is followed keeps its place where nothing else could stand there.
+    #[test]
+    fn the_second_driver_is_one_that_the_base_model_does_not_follow() {
+        let ordered = |names: &[&str], followed: &str| {
+            let mut drivers: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+            put_second_beside_the_base(&mut drivers, |name| name == followed);
+            drivers.join(" ")
+        };
+        assert_eq!(ordered(&["vacuum", "warmth", "humidity"], "warmth"), "vacuum humidity warmth");
+        assert_eq!(ordered(&["vacuum", "warmth"], "warmth"), "vacuum warmth");
+        assert_eq!(ordered(&["warmth", "vacuum", "humidity"], "warmth"), "warmth vacuum humidity");
+    }
 
     /// A valve that is set every minute, with what it leaves trembling. A sine, a ramp, noise, the digits of a recorder, what decays from the first row on and what stands still do not jump.
     #[test]

@@ -5,7 +5,7 @@
 use crate::{
     data::{
         context::{Context, load_column},
-        moved::HUMIDITY,
+        moved::{HUMIDITY, follows},
     },
     effects::{composed::words::Driver, memory::walk},
     stats::{median, spread},
@@ -171,20 +171,14 @@ impl Course {
         }
     }
 
-    /// Whether the response of the base model changes where the recorded column is moved: two simulations.
+    /// Whether the response of the base model changes where the recorded column is moved.
     fn moves_the_base(self, context: &Context<'_>) -> bool {
-        let mut moved = context.inputs.clone();
-        let step = 0.1 * self.span(context);
-        let column = match self {
-            Self::Driver(index) => moved.drivers.get_mut(index).map(|driver| &mut driver.values),
-            Self::Humidity => moved.humidity_pct.as_mut(),
+        let name = match self {
+            Self::Driver(index) => context.inputs.drivers.get(index).map(|driver| driver.name.as_str()),
+            Self::Humidity => Some(HUMIDITY),
             Self::Load | Self::Gap | Self::Simulated => None,
         };
-        column.into_iter().flatten().for_each(|value| *value += step);
-        // off the centre of the priors, where a slope may be 0
-        let values: Vec<f64> = context.simulator.parameters().iter().map(|p| p.prior.at(1.0)).collect();
-        let respond = |inputs| context.simulator.respond(&values, inputs, &[]);
-        matches!((respond(context.inputs), respond(&moved)), (Ok(here), Ok(there)) if here != there)
+        name.is_some_and(|name| follows(context.simulator, context.inputs, name, self.span(context)))
     }
 
     /// The column whose course the base model follows, on a clock of its own: a load that moves, a gap, a simulation, else the first driver that the base model follows by itself.

@@ -7,7 +7,7 @@ import zipfile
 
 import numpy as np
 import pickled
-from fitting import lag, line, terms
+from fitting import lag, line, scaled, terms
 from numpy.lib import format as arrays
 from reading import csv
 
@@ -74,6 +74,16 @@ def skins(content, times=3, **wavelengths):
     people = seen.shape[1]
     near = lambda one: seen[np.argmin(np.abs(told - one))].ravel()
     return {"run": np.repeat(np.arange(people) + 1, times), **{name: near(one) for name, one in wavelengths.items()}}
+
+
+def of_skin(y, x, people, **colour):
+    """Models of the light that comes back from skin at one wavelength, by that at another and that of one further colour (each N)."""
+    [(name, of_colour)] = colour.items()
+    return {
+        f"slope by {name} alone": line(y, x, scaled(x) * scaled(of_colour)),
+        "product of powers": terms(y, lambda p: [x ** p[0] * of_colour ** p[1]], [1.0, 0.5]),
+        "number": line(y, x, people),
+    }
 
 
 def skin_twice(content, times, *wavelengths):

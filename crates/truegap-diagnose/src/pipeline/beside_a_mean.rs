@@ -8,13 +8,9 @@
 //! Limits: base models without plates that follow a column on a clock; one name, alone, is asked by `by_a_mean`.
 
 use crate::{
-    effects::{
-        course::Course,
-        effect::Effect,
-        mean_to_both_sides::{MeanToBothSides, said},
-    },
+    effects::mean_to_both_sides::said,
     pipeline::{
-        by_a_mean::half_width_s,
+        by_a_mean::{half_width_s, smoothed_column, with_the_mean},
         calibrated::{ByBase, predictions},
         prepare::Prepared,
     },
@@ -38,15 +34,11 @@ pub(crate) fn beside_a_mean(
     (decision, named): (Decision, &HeldOutFit),
     by_base: &ByBase,
 ) -> (Decision, Vec<String>) {
-    let context = search.context;
-    let asked = !context.has_plates() && MeanToBothSides.testable(context).is_ok() && Course::on_a_clock(context).is_ok();
     let claimed: Vec<usize> = chosen.effects.iter().copied().filter(|e| !decision.carried.contains(e)).collect();
-    if !asked || claimed.len() < 2 {
+    if smoothed_column(search.context).is_none() || claimed.len() < 2 {
         return (decision, Vec::new());
     }
-    let mean = search.library.len();
-    let library = search.library.iter().copied().chain([&MeanToBothSides as &dyn Effect]).collect();
-    let search = &Search { library, ..*search };
+    let (ref search, mean) = with_the_mean(search);
     let foretold = |tried: &Tried| predictions(prepared, search, by_base, tried);
     let without = |smooths: &[usize]| {
         let kept: Vec<usize> = chosen.effects.iter().copied().filter(|e| !smooths.contains(e)).collect();

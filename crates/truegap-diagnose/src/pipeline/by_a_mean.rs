@@ -10,6 +10,7 @@
 //! Limits: base models without plates that follow a column on a clock; one window for the whole recording.
 
 use crate::{
+    data::context::Context,
     discovery::discover::with_mechanisms,
     effects::{
         course::Course,
@@ -66,16 +67,14 @@ fn foretold(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option
     let named_something = judged.names_something();
     let missing = named_something || judged.predicted.decision.verdict == Verdict::Unexplained;
     let asked = missing && judged.kept_back.is_none() && !told.stop.load(Ordering::Relaxed);
-    if !asked || context.has_plates() || MeanToBothSides.testable(context).is_err() {
+    if !asked {
         return None;
     }
-    let followed = Course::on_a_clock(context).ok()?;
+    let followed = smoothed_column(context)?;
     let searched = prepared.searched();
     let mechanisms = judged.composition.as_ref().map_or(&[][..], |composition| composition.mechanisms.as_slice());
     let search = &with_mechanisms(&prepared.search(&searched, told.progress, told.stop), mechanisms);
-    let mean = search.library.len();
-    let library = search.library.iter().copied().chain([&MeanToBothSides as &dyn Effect]).collect();
-    let search = &Search { library, ..*search };
+    let (ref search, mean) = with_the_mean(search);
     let tried = search.add_each(judged.examined.selection.base(), &[mean], 1, "a mean").pop()?;
     let unseen = predicted_like_base(prepared, search, &judged.by_base, &tried);
     let named = judged.predicted.unseen.stood_behind();
@@ -110,6 +109,18 @@ fn foretold(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged) -> Option
         capitalised(&prepared.names(&judged.stood_behind().effects)),
     );
     Some(Mean::Instead(ByAMean { verdict, says, followed }))
+}
+
+/// The column whose quick motion a mean smooths; `None` where no mean means anything.
+pub(crate) fn smoothed_column(context: &Context<'_>) -> Option<Course> {
+    let means = !context.has_plates() && MeanToBothSides.testable(context).is_ok();
+    means.then(|| Course::on_a_clock(context).ok()).flatten()
+}
+
+/// The same search with the mean behind its library, and the place of the mean there.
+pub(crate) fn with_the_mean<'s>(search: &Search<'s>) -> (Search<'s>, usize) {
+    let library = search.library.iter().copied().chain([&MeanToBothSides as &dyn Effect]).collect();
+    (Search { library, ..*search }, search.library.len())
 }
 
 /// Whether rows left out are predicted clearly better by what is named and the `mean` together than by the mean alone, which predicts `by_mean`: then it does something else than smooth.

@@ -1,7 +1,7 @@
 """Red light that comes back from skin over infrared light that does, three places of 100 people. Green light tells how dark the skin is and how much blood it holds."""
 
-from fitting import line, scaled, terms
-from levels import skins
+from fitting import line, scaled
+from levels import of_skin, skins
 from meters import of_drivers
 
 HAND_BUILT = "all squares of green"
@@ -13,12 +13,10 @@ def rows(content):
 
 def models(c):
     y, x, green = c["red"], c["infrared"], c["green"]
-    u, v = scaled(x), scaled(green)
+    v = scaled(green)
     return y, {
         **of_drivers(y, x, green=green),
         "green alone": line(y, v, v**2),
-        "slope by green alone": line(y, x, u * v),
-        "product of powers": terms(y, lambda p: [x ** p[0] * green ** p[1]], [1.0, 0.5]),
-        "number": line(y, x, c["run"]),
+        **of_skin(y, x, c["run"], green=green),
         "green, bent, and number": line(y, x, v, v**2, c["run"]),
     }

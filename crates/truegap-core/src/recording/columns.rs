@@ -33,8 +33,10 @@ pub(super) struct Column {
     pub unit: String,
     /// value = cell x factor + offset
     pub scale: (f64, f64),
-    /// whether its cells are dates
+    /// whether its cells are dates, or times of day alone
     pub dated: bool,
+    /// whether they are times of day alone
+    pub times: bool,
     /// the column of their times of day, where that is another one
     pub of_day: Option<usize>,
 }
@@ -225,13 +227,14 @@ impl Binder<'_> {
         let (unit, scale) = match (role, dimension(role)) {
             (Role::Run | Role::Sensor, _) => (String::new(), (1.0, 0.0)),
             (_, None) => self.reading(role, heading, given, notes)?,
-            (Role::Time, _) if heading.of_day => {
+            (Role::Time, _) if heading.of_day && !dated => {
                 return Err(RecordingError::TimeOfDay { file: self.file.to_owned(), column: heading.name.clone() });
             }
             (_, Some(dimension)) if dated => (dimension.si_unit().to_owned(), (1.0, 0.0)),
             (_, Some(dimension)) => self.quantity(role, dimension, heading, given, notes)?,
         };
-        Ok(Column { role, index, name: heading.name.clone(), unit, scale, dated, of_day })
+        let times = dated && heading.of_day;
+        Ok(Column { role, index, name: heading.name.clone(), unit, scale, dated, times, of_day })
     }
 
     /// SI unit and scale of a quantity.

@@ -15,7 +15,7 @@ pub(super) struct Heading {
     pub name: String,
     /// from the line of units under the header
     pub below: Option<String>,
-    /// whether a date stands under it, in the first row
+    /// whether a date stands under it, in the first row, or times of day that are the only clock
     pub dated: bool,
     /// whether that has no time of day
     pub days: bool,

@@ -41,6 +41,8 @@ pub enum Note {
         of_day: Option<String>,
         first: String,
     },
+    /// The clock is the time of day, without dates.
+    TimesOfDay { column: String, first: String },
     /// The order of day and month is told of a clock that shows it, or has no dates.
     OrderNotAsked,
     /// Columns that nothing asked for, in a table without a TOML.
@@ -147,6 +149,10 @@ impl fmt::Display for Note {
                 }
                 write!(f, " dates; time is counted in seconds from `{first}`")
             }
+            Self::TimesOfDay { column, first } => write!(
+                f,
+                "column `{column}` holds times of day without dates; time is counted in seconds from `{first}`, and goes on past midnight"
+            ),
             Self::OrderNotAsked => f.write_str(
                 "dayfirst was told and not used: the clock holds no dates in which day and month could be taken for one another",
             ),

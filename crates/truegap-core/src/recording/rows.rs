@@ -5,6 +5,7 @@
 use super::{
     clock::{Clock, Tick},
     columns::Column,
+    date_and_time::Midnights,
     driver_columns::DriverColumn,
     error::RecordingError,
     note::Note,
@@ -65,6 +66,8 @@ pub(super) struct Rows {
     zones: Zones,
     /// whole seconds of the first date
     epoch: Option<i64>,
+    /// midnights of a clock of times of day
+    midnights: Midnights,
 }
 
 impl Rows {
@@ -146,7 +149,8 @@ impl Rows {
     /// Seconds of a cell that is a date, since the first.
     fn seconds<R: Read + Seek>(&mut self, table: &mut Table<R>, column: &Column) -> Result<f64, RecordingError> {
         let cell = &date(table.row(), column);
-        let Some(stamp) = stamp(cell, self.order) else {
+        let Some(mut stamp) = stamp(cell, self.order) else {
+            let cell = if column.times { table.row().get(column.index).unwrap_or_default() } else { cell };
             let (text, file, name, byte) = (text(cell).0.into_owned(), table.file(), column.name.clone(), table.byte());
             return Err(RecordingError::NotADate { file, line: table.line(byte)?, column: name, text });
         };
@@ -155,10 +159,20 @@ impl Rows {
             let (text, file, name, byte) = (text(cell).0.into_owned(), table.file(), column.name.clone(), table.byte());
             return Err(RecordingError::MixedZones { file, line: table.line(byte)?, column: name, text, says, first });
         }
+        if column.times {
+            stamp.seconds += self.midnights.passed(stamp.seconds);
+        }
         if self.runs.is_empty() {
             self.epoch = Some(stamp.seconds);
             let of_day = column.of_day.map(|time| table.header[time].name.clone());
-            self.first_date = Some(Note::Dates { column: column.name.clone(), of_day, first: text(cell).0.into_owned() });
+            let (name, cell) =
+                (column.name.clone(), if column.times { table.row().get(column.index).unwrap_or_default() } else { cell });
+            let first = text(cell).0.into_owned();
+            self.first_date = Some(if column.times {
+                Note::TimesOfDay { column: name, first }
+            } else {
+                Note::Dates { column: name, of_day, first }
+            });
         }
         let epoch = self.epoch.unwrap_or(stamp.seconds);
         Ok((stamp.seconds - epoch) as f64 + stamp.fraction)
@@ -343,7 +357,8 @@ impl Rows {
 
     /// The columns read, the response, and what was noted.
     pub fn finish(self) -> (Inputs, Vec<f64>, Vec<Note>) {
-        let began_s = self.epoch.map(|seconds| seconds as f64).filter(|_| !Note::carries_clock_on(&self.clock.notes));
+        let is_day = !self.midnights.are_counted() && !Note::carries_clock_on(&self.clock.notes);
+        let began_s = self.epoch.map(|seconds| seconds as f64).filter(|_| is_day);
         let mut inputs = Inputs { began_s, run: self.runs, drivers: self.drivers, ..Inputs::default() };
         let mut response = Vec::new();
         for (role, column) in self.values {
@@ -372,7 +387,8 @@ impl Rows {
 fn date(row: &csv::ByteRecord, column: &Column) -> Vec<u8> {
     let cell = |index: usize| row.get(index).unwrap_or_default();
     let of_day = column.of_day.map(cell).into_iter().flat_map(|cell| [b" ".as_slice(), cell]);
-    [cell(column.index)].into_iter().chain(of_day).collect::<Vec<_>>().concat()
+    let day = column.times.then_some(b"1970-01-01 ".as_slice());
+    day.into_iter().chain([cell(column.index)]).chain(of_day).collect::<Vec<_>>().concat()
 }
 
 fn run<R: Read + Seek>(table: &mut Table<R>, column: &Column) -> Result<u32, RecordingError> {

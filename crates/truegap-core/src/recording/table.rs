@@ -3,6 +3,7 @@
 //! Limits: the separator is a comma, a semicolon, a tab or blanks; the header is one line, and one of units may follow.
 
 use super::{
+    date_and_time::times_without_dates,
     error::RecordingError,
     heading::{Heading, units},
     layout::Layout,
@@ -110,6 +111,7 @@ impl<R: Read + Seek> Table<R> {
                 heading.unordered = unordered(cell(at)).is_some() || short(cell(at)).is_some();
                 heading.of_day = is_time_of_day(cell(at));
             }
+            times_without_dates(&mut self.header);
             let dated = self.header.iter().map(|heading| heading.dated || heading.of_day);
             self.summaries.begin(record, dated);
         }

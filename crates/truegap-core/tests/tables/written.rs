@@ -162,13 +162,23 @@ fn a_header_that_comes_again_and_times_of_day_are_told_as_what_they_are() {
     let told = |name: &str, table: &[u8]| Bench::new(name, table).read().unwrap_err().to_string();
     let again = told("again", b"time_s,force_n,capacitance_pf\n0,1,74\ntime_s,force_n,capacitance_pf\n1,2,75\n");
     assert!(again.contains("line 3") && again.contains("it is the header once more"), "{again}");
-    for header in ["time", "Date,time,Since"] {
-        // two columns of times of day, of which nobody knows which belongs to the date
-        let (date, since) = if header == "time" { ("", "") } else { ("2026-03-01,", ",11:00:00") };
-        let table = format!("{header},force_n,capacitance_pf\n{date}12:00:00{since},1,74\n{date}12:00:01{since},2,75\n");
-        let day = told("day", table.as_bytes());
-        assert!(day.contains("holds times of day without their dates") && day.contains("2026-03-01 12:00:00"), "{day}");
-    }
+    // two columns of times of day, of which nobody knows which belongs to the date
+    let rows = ["12:00:00,11:00:00,1,74", "12:00:01,11:00:00,2,75"].map(|row| format!("2026-03-01,{row}\n")).concat();
+    let day = told("day", format!("Date,time,Since,force_n,capacitance_pf\n{rows}").as_bytes());
+    assert!(day.contains("holds times of day without their dates") && day.contains("2026-03-01 12:00:00"), "{day}");
+}
+
+/// A recorder that writes the time of day alone was refused. What it writes is a clock, which goes on past midnight; of what day it is, is not known.
+#[test]
+fn times_of_day_alone_are_a_clock() {
+    let table = "Uhrzeit,force_n,capacitance_pf\n23:59:58,1,74\n23:59:59.5,2,75\n00:00:01,3,76\n";
+    let read = Bench::new("night", table.as_bytes()).read().unwrap();
+    assert_eq!(read.inputs.time_s.as_deref(), Some([0.0, 1.5, 3.0].as_slice()));
+    assert_eq!(read.inputs.began_s, None);
+    let told = Note::TimesOfDay { column: "Uhrzeit".into(), first: "23:59:58".into() };
+    assert!(read.notes.contains(&told), "{:?}", read.notes);
+    let wrong = Bench::new("wrong", table.replace("00:00:01", "00:61:01").as_bytes()).read().unwrap_err().to_string();
+    assert!(wrong.contains("line 4") && wrong.contains("`00:61:01`"), "{wrong}");
 }
 
 fn with_dates(name: &str, dates: [&str; 3], told: Option<bool>) -> Result<Vec<f64>, String> {

@@ -36,6 +36,10 @@ pub struct Moved {
     /// names of the recorded drivers that move up and down, in the order of the recording, and [`HUMIDITY`] where that moves beside a base model without plates; of three and more the second is one that the base model does
     /// not follow by itself, where there is one
     pub drivers: Vec<String>,
+    /// names of those that the base model follows by itself; absent before it was asked, and in a file of an earlier version. A model file is asked for the numbers of its effects on a row that has its drivers alone, which a
+    /// simulator of the user's own need not know how to answer
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub followed: Option<Vec<String>>,
     /// names of those that are angles and begin anew after each turn: to rise and to fall means nothing there
     #[serde(default)]
     pub round: Vec<String>,
@@ -129,6 +133,7 @@ impl Moved {
             simulated: moves(&inputs.simulated),
             dated: inputs.began_s.is_some(),
             drivers,
+            followed: None,
             round: names(round),
             ranges,
         }

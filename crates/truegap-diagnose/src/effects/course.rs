@@ -5,7 +5,7 @@
 use crate::{
     data::{
         context::{Context, load_column},
-        moved::{HUMIDITY, follows},
+        moved::{HUMIDITY, Moved, follows},
     },
     effects::{composed::words::Driver, memory::walk},
     stats::{median, spread},
@@ -162,23 +162,31 @@ impl Course {
         format!("{which} that moves was recorded; name one under [drivers]")
     }
 
-    /// Whether the base model follows this recorded driver by itself.
+    /// Whether the base model follows this recorded driver by itself: as it did where it was fitted, where that is known.
     pub fn is_followed(self, context: &Context<'_>) -> bool {
-        match self {
-            Self::Driver(index) => *context.followed[index].get_or_init(|| self.moves_the_base(context)),
-            Self::Humidity => self.moves_the_base(context),
-            Self::Load | Self::Gap | Self::Simulated => false,
+        let Some(name) = self.recorded_name(context) else { return false };
+        if let Some(followed) = &context.moved.followed {
+            return followed.iter().any(|other| other == name);
         }
+        let ask = || follows(context.simulator, context.inputs, name, self.span(context));
+        if let Self::Driver(index) = self { *context.followed[index].get_or_init(ask) } else { ask() }
     }
 
-    /// Whether the response of the base model changes where the recorded column is moved.
-    fn moves_the_base(self, context: &Context<'_>) -> bool {
-        let name = match self {
+    /// Name of the recorded driver.
+    fn recorded_name<'a>(self, context: &'a Context<'_>) -> Option<&'a str> {
+        match self {
             Self::Driver(index) => context.inputs.drivers.get(index).map(|driver| driver.name.as_str()),
             Self::Humidity => Some(HUMIDITY),
             Self::Load | Self::Gap | Self::Simulated => None,
-        };
-        name.is_some_and(|name| follows(context.simulator, context.inputs, name, self.span(context)))
+        }
+    }
+
+    /// What moved in the recording of a context, with the drivers that the base model follows by itself.
+    pub(crate) fn moved_and_followed(context: &Context<'_>) -> Moved {
+        let courses = (0..context.moved.drivers.len()).filter_map(|number| Self::of(context, number));
+        let followed = courses.filter(|course| course.is_followed(context));
+        let followed = followed.filter_map(|course| course.recorded_name(context).map(str::to_owned)).collect();
+        Moved { followed: Some(followed), ..context.moved.clone() }
     }
 
     /// The column whose course the base model follows, on a clock of its own: a load that moves, a gap, a simulation, else the first driver that the base model follows by itself.

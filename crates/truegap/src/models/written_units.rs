@@ -98,6 +98,8 @@ pub(super) fn of_effect(added: &mut AddedEffect, effect: &dyn Effect, context: &
         (other.moved.temperature_k, other.moved.load) = (temperature_k, load);
         (other.moved.gap, other.moved.simulated) = (others, others);
         other.moved.drivers = drivers.to_vec();
+        // no simulator is asked what it follows on rows that hold nothing else
+        other.moved.followed = Some(Vec::new());
         effect.parameters(&other)
     };
     let asked = [

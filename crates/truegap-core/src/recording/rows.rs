@@ -13,7 +13,7 @@ use super::{
     refuse::refuse,
     signs::{Signs, Thousands},
     singletact,
-    stamp::{First, stamp},
+    stamp::{First, of_day, stamp},
     table::Table,
     text::text,
     whole::{Gone, Instant, is_angle},
@@ -149,8 +149,8 @@ impl Rows {
     /// Seconds of a cell that is a date, since the first.
     fn seconds<R: Read + Seek>(&mut self, table: &mut Table<R>, column: &Column) -> Result<f64, RecordingError> {
         let cell = &date(table.row(), column);
-        let Some(mut stamp) = stamp(cell, self.order) else {
-            let cell = if column.times { table.row().get(column.index).unwrap_or_default() } else { cell };
+        let read = if column.times { of_day(cell) } else { stamp(cell, self.order) };
+        let Some(mut stamp) = read else {
             let (text, file, name, byte) = (text(cell).0.into_owned(), table.file(), column.name.clone(), table.byte());
             return Err(RecordingError::NotADate { file, line: table.line(byte)?, column: name, text });
         };
@@ -165,9 +165,7 @@ impl Rows {
         if self.runs.is_empty() {
             self.epoch = Some(stamp.seconds);
             let of_day = column.of_day.map(|time| table.header[time].name.clone());
-            let (name, cell) =
-                (column.name.clone(), if column.times { table.row().get(column.index).unwrap_or_default() } else { cell });
-            let first = text(cell).0.into_owned();
+            let (name, first) = (column.name.clone(), text(cell).0.into_owned());
             self.first_date = Some(if column.times {
                 Note::TimesOfDay { column: name, first }
             } else {
@@ -387,8 +385,7 @@ impl Rows {
 fn date(row: &csv::ByteRecord, column: &Column) -> Vec<u8> {
     let cell = |index: usize| row.get(index).unwrap_or_default();
     let of_day = column.of_day.map(cell).into_iter().flat_map(|cell| [b" ".as_slice(), cell]);
-    let day = column.times.then_some(b"1970-01-01 ".as_slice());
-    day.into_iter().chain([cell(column.index)]).chain(of_day).collect::<Vec<_>>().concat()
+    std::iter::once(cell(column.index)).chain(of_day).collect::<Vec<_>>().concat()
 }
 
 fn run<R: Read + Seek>(table: &mut Table<R>, column: &Column) -> Result<u32, RecordingError> {

@@ -34,7 +34,14 @@ pub(super) fn is_day(cell: &[u8]) -> bool {
 
 /// Whether a cell is a time of day without a date.
 pub(super) fn is_time_of_day(cell: &[u8]) -> bool {
-    std::str::from_utf8(cell).is_ok_and(|text| text.contains(':') && time_of_day(text.trim()).is_some())
+    of_day(cell).is_some()
+}
+
+/// A time of day without a date, as one of the day 0; `None` for anything else.
+pub(super) fn of_day(cell: &[u8]) -> Option<Stamp> {
+    let text = std::str::from_utf8(cell).ok()?.trim();
+    let (seconds, fraction, zoned) = time_of_day(text).filter(|_| text.contains(':'))?;
+    Some(Stamp { seconds, fraction, zoned })
 }
 
 /// The numbers of a date that does not show its order, `[1, 3, 2026]` of `01/03/2026 12:00`; `None` for anything else.

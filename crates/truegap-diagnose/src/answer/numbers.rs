@@ -9,6 +9,7 @@ use crate::{
         found::{Found, Rival},
         parameter_facts::ParameterFacts,
     },
+    data::moved::Moved,
     effects::{course::Course, effect::FittedParameter},
     selection::candidates::Tried,
     whitening::noise_model::{NoiseModel, RecordingNoise},
@@ -106,7 +107,7 @@ pub(crate) fn augmented(found: &Found<'_>) -> Augmented {
             response_span: context.response_span,
             noise_sd: context.noise_sd,
             runs: Some(context.runs),
-            moved: Some(Course::moved_and_followed(context)),
+            moved: Some(Moved { followed: Some(Course::followed(context)), ..context.moved.clone() }),
         },
         rivals: found.rivals.iter().map(rival).collect(),
     }

@@ -5,7 +5,7 @@
 use crate::{
     data::{
         context::{Context, load_column},
-        moved::{HUMIDITY, Moved, follows},
+        moved::{HUMIDITY, follows},
     },
     effects::{composed::words::Driver, memory::walk},
     stats::{median, spread},
@@ -181,12 +181,11 @@ impl Course {
         }
     }
 
-    /// What moved in the recording of a context, with the drivers that the base model follows by itself.
-    pub(crate) fn moved_and_followed(context: &Context<'_>) -> Moved {
+    /// Names of the drivers that moved and that the base model follows by itself.
+    pub(crate) fn followed(context: &Context<'_>) -> Vec<String> {
         let courses = (0..context.moved.drivers.len()).filter_map(|number| Self::of(context, number));
         let followed = courses.filter(|course| course.is_followed(context));
-        let followed = followed.filter_map(|course| course.recorded_name(context).map(str::to_owned)).collect();
-        Moved { followed: Some(followed), ..context.moved.clone() }
+        followed.filter_map(|course| course.recorded_name(context).map(str::to_owned)).collect()
     }
 
     /// The column whose course the base model follows, on a clock of its own: a load that moves, a gap, a simulation, else the first driver that the base model follows by itself.

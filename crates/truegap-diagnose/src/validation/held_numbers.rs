@@ -15,7 +15,7 @@ use crate::{
     },
     validation::{
         cross_validation::{HeldOutFit, compared},
-        tuning::{CLEARLY_WORSE, REFITTED_FROM},
+        tuning::{CLEARLY_WORSE, REFITTED_FROM, TOLD_FROM_NOTHING},
     },
 };
 use truegap_core::EffectId;
@@ -37,9 +37,6 @@ pub(crate) fn not_borne_out(search: &Search<'_>, tried: &Tried, foretold: Foreto
     held
 }
 
-/// Size of a number that is at nothing at the least, in standard deviations, up to which it is not told from nothing.
-const SEEN: f64 = 2.0;
-
 /// Numbers of effects that lie on a bound, where the fit says that the law does not hold, or that are not told from a bound at nothing.
 fn on_a_limit(search: &Search<'_>, tried: &Tried) -> Vec<(EffectId, String)> {
     let model = search.model(&tried.effects);
@@ -47,7 +44,8 @@ fn on_a_limit(search: &Search<'_>, tried: &Tried) -> Vec<(EffectId, String)> {
         let values = model.values(&tried.fit.z);
         let near_nothing = |place: usize| {
             let parameter = &model.parameters[place];
-            parameter.bounds.0 == 0.0 && values[place] < SEEN * tried.fit.sd[place] * parameter.prior.slope(tried.fit.z[place])
+            parameter.bounds.0 == 0.0
+                && values[place] < TOLD_FROM_NOTHING * tried.fit.sd[place] * parameter.prior.slope(tried.fit.z[place])
         };
         let at_limit = model.range_of(index).filter(|place| tried.fit.at_limit[*place] || near_nothing(*place));
         at_limit.map(|place| (effect.id(), model.parameters[place].name.clone())).collect::<Vec<_>>()

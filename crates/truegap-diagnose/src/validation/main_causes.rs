@@ -107,8 +107,8 @@ pub(crate) fn names_first(
     Some((causes, with_words.map_or(1.0, |squares| squares / whole)))
 }
 
-/// The `causes` without the doubted ones after the first, and the share of what the whole model removes that is left to the others, as `share_of` gives it for some parts. They stay where the others are not `enough`. The first is the one
-/// without which most is lost.
+/// The `causes` without the doubted ones after the first, and the share of what the whole model removes that is left to the others, as `share_of` gives it for some parts. They stay where the others are not `enough`, or predict worse than the
+/// base model. The first is the one without which most is lost.
 pub(crate) fn without_doubted(
     (causes, share): (Vec<usize>, f64),
     enough: impl Fn(&[usize], f64) -> bool,
@@ -123,7 +123,8 @@ pub(crate) fn without_doubted(
     let Some((first, _)) = left.min_by(|a, b| a.1.total_cmp(&b.1)) else { return (causes, share) };
     let kept: Vec<usize> = causes.iter().copied().filter(|part| *part == first || !doubted(*part)).collect();
     match share_of(&kept) {
-        Some(left) if kept.len() < causes.len() && enough(&kept, left) => (kept, left),
+        // what predicts worse than the base model is no cause alone, however doubtful the name beside it is
+        Some(left) if kept.len() < causes.len() && left > 0.0 && enough(&kept, left) => (kept, left),
         _ => (causes, share),
     }
 }
@@ -231,6 +232,22 @@ mod tests {
         assert_eq!(without_doubted(all(), |_, _| true, of, |_| true).0, [0]);
         assert_eq!(without_doubted((vec![1], 0.3), |_, _| true, of, |_| true), (vec![1], 0.3));
         assert_eq!(without_doubted(all(), |_, _| true, |_| None, |_| true), all());
+    }
+
+    /// Of a loop and a late clock the clock is lost least without, and predicts worse than the base model alone: the doubted loop stays beside it.
+    #[test]
+    fn what_predicts_worse_alone_than_the_base_model_is_no_cause() {
+        let of = |alone: f64| {
+            move |kept: &[usize]| {
+                Some(match kept {
+                    [0] => -0.2,
+                    [1] => alone,
+                    _ => 1.0,
+                })
+            }
+        };
+        let causes = |alone: f64| without_doubted((vec![0, 1], 1.0), |_, _| true, of(alone), |part| part == 0).0;
+        assert_eq!((causes(-0.1), causes(0.1)), (vec![0, 1], vec![1]));
     }
 
     /// The first part removes 93 of 100, the second 6, the third 1.

@@ -52,6 +52,9 @@ pub(crate) const TELLS: f64 = 0.01;
 /// Probability from which a model is fitted again with numbers held: less likely ones are neither told nor weighed any more.
 pub(crate) const REFITTED_FROM: f64 = 1e-3;
 
+/// Size of a number that is at nothing at the least, in standard deviations, up to which it is not told from nothing: the two of a test at 5 %.
+pub(crate) const TOLD_FROM_NOTHING: f64 = 2.0;
+
 // pipeline/by_name.rs
 
 /// Effects of the library that are tried for each of two mechanisms, those that promise most: nine choices, each of which takes as many fits as there are parts.

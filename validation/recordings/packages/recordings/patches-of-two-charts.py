@@ -1,0 +1,25 @@
+"""Light that 24 patches of a chart of colours send back over what those of another chart do, 36 wavelengths."""
+
+import numpy as np
+from fitting import line, scaled
+from meters import of_drivers
+from needles import charts
+
+HAND_BUILT = "line"
+
+
+def rows(*contents):
+    return charts(*contents)
+
+
+def models(c):
+    y, x, wavelength, run = c["second"], c["first"], c["nm"], c["run"]
+    return y, {
+        "as it is": lambda seen: x,
+        "zero": lambda seen: x + np.mean((y - x)[seen]),
+        **of_drivers(y, x, wavelength=wavelength),
+        "zero of each patch": line(y, x, *(run == k for k in np.unique(run)[1:])),
+        "slope of each patch": line(y, x, *(x * (run == k) for k in np.unique(run)[1:])),
+        "number": line(y, x, scaled(run)),
+        "logarithm": line(y, x, np.log(x)),
+    }

@@ -12,7 +12,7 @@ use crate::{
     selection::{
         candidates::{Found, Progress, Search, Tried},
         effect_set::EffectSet,
-        prior::weight,
+        prior::ModelPrior,
         tempering::temper_of,
     },
 };
@@ -195,7 +195,8 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
     fn polish(&mut self) {
         let mut done: BTreeSet<EffectSet> = BTreeSet::from([EffectSet::default()]);
         loop {
-            let weight = weight(self.temper(), self.search.library.len());
+            let prior = ModelPrior::of(self.search);
+            let weight = prior.weight(self.temper());
             let best = self.models.values().map(weight).fold(f64::NEG_INFINITY, f64::max);
             let near = |(key, m): &(&EffectSet, &Tried)| !done.contains(*key) && weight(m) > best - CLOSE;
             let rough: Vec<&Tried> = self.models.iter().filter(near).map(|(_, m)| m).collect();
@@ -221,7 +222,8 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
 
     /// Fits the models that the likeliest hold from where those ended; whether one of them is better for it.
     fn smaller(&mut self) -> bool {
-        let weight = weight(self.temper(), self.search.library.len());
+        let prior = ModelPrior::of(self.search);
+        let weight = prior.weight(self.temper());
         let best = self.models.values().map(weight).fold(f64::NEG_INFINITY, f64::max);
         let mut likely: Vec<&Tried> =
             self.models.values().filter(|m| m.effects.len() > 1 && weight(m) > best - CLEAR_GAIN).collect();
@@ -241,7 +243,8 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
     /// Replaces Laplace's evidence by a sampled one for the models with the most weight, and for the base model.
     pub fn check(&mut self) -> EvidenceCheck {
         let temper = self.temper();
-        let weight = weight(temper, self.search.library.len());
+        let prior = ModelPrior::of(self.search);
+        let weight = prior.weight(temper);
         let mut order: Vec<(&EffectSet, f64)> = self.models.iter().map(|(key, m)| (key, weight(m))).collect();
         order.sort_by(|a, b| b.1.total_cmp(&a.1));
         let best = order.first().map_or(0.0, |o| o.1);

@@ -10,7 +10,7 @@ use crate::{
         candidates::{Search, Tried},
         effect_set::EffectSet,
         model_space::{EvidenceCheck, ModelSpace},
-        prior::{log_prior, one_more, weight},
+        prior::{ModelPrior, one_more},
         tempering::{least, temper_of},
         unmodelled::{Causes, Unmodelled},
         whole::whole,
@@ -27,6 +27,8 @@ pub struct Selection {
     pub probability: Vec<f64>,
     /// probability of each effect of the library to belong to the model
     pub effect_probability: Vec<f64>,
+    /// prior of the models
+    pub prior: ModelPrior,
     /// divisor of log evidence
     pub temper: f64,
     /// index of the base model in `models`
@@ -85,8 +87,8 @@ impl Selection {
     pub fn with_unmodelled(mut self, causes: &Causes, library: &[&dyn Effect], slack: f64) -> Self {
         let temper = self.temper * slack;
         // what is outside pays for its freedom in full, and so does what is inside without an equation
-        let library_size = self.effect_probability.len();
-        let weight = |m: &Tried| m.fit.tempered(temper) + log_prior(m.effects.len(), library_size);
+        let prior = &self.prior;
+        let weight = |m: &Tried| m.fit.tempered(temper) + prior.log(&m.effects);
         let total = log_sum_exp(&self.models.iter().map(weight).collect::<Vec<_>>());
         let found = causes.beside(&self.models, library, weight, temper);
         self.unmodelled = found
@@ -103,8 +105,8 @@ impl Selection {
     /// divided as the models' own; such a thing is as likely beforehand as an unmodelled cause. Models that are not a `rival` do not count.
     pub fn log_odds_beside(&self, beside: &Tried, gain: f64, slack: f64, rival: impl Fn(&Tried) -> bool) -> f64 {
         let temper = self.temper * slack;
-        let library_size = self.effect_probability.len();
-        let weight = |m: &Tried| m.fit.tempered(temper) + log_prior(m.effects.len(), library_size);
+        let prior = &self.prior;
+        let weight = |m: &Tried| m.fit.tempered(temper) + prior.log(&m.effects);
         let models = self.models.iter().filter(|m| rival(m)).map(weight);
         let all: Vec<f64> = models.chain(self.unmodelled.iter().map(|(u, _)| u.weight)).collect();
         weight(beside) + one_more(beside.effects.len()) + UNMODELLED_PRIOR.ln() + gain - log_sum_exp(&all)
@@ -291,18 +293,19 @@ pub fn select(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: Tried) ->
     let mut space = ModelSpace::all(search, lack_of_fit, base);
     let check = space.check();
     let models = space.into_models().into_iter().filter_map(|m| whole(search, m)).collect();
-    Selection { check, ..weigh(models, &search.library, lack_of_fit) }
+    Selection { check, ..weigh(models, search, lack_of_fit) }
 }
 
-fn weigh(mut models: Vec<Tried>, library: &[&dyn Effect], lack_of_fit: &LackOfFitTests) -> Selection {
-    let temper = temper_of(models.iter(), library, lack_of_fit);
-    let weight = weight(temper, library.len());
+fn weigh(mut models: Vec<Tried>, search: &Search<'_>, lack_of_fit: &LackOfFitTests) -> Selection {
+    let temper = temper_of(models.iter(), &search.library, lack_of_fit);
+    let prior = ModelPrior::of(search);
+    let weight = prior.weight(temper);
     models.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
     let weights: Vec<f64> = models.iter().map(weight).collect();
     let total = log_sum_exp(&weights);
     let probability: Vec<f64> = weights.iter().map(|w| (w - total).exp()).collect();
-    let (effect_probability, check) = (vec![0.0; library.len()], EvidenceCheck::default());
-    Selection { models, probability, effect_probability, temper, base: 0, check, unmodelled: Vec::new() }.sorted()
+    let (effect_probability, check) = (vec![0.0; search.library.len()], EvidenceCheck::default());
+    Selection { models, probability, effect_probability, prior, temper, base: 0, check, unmodelled: Vec::new() }.sorted()
 }
 
 #[cfg(test)]
@@ -314,6 +317,7 @@ impl Selection {
             models: models.iter().map(|(effects, _)| Tried::leaving(vec![0.0; 3], effects)).collect(),
             probability: models.iter().map(|(_, p)| *p).collect(),
             effect_probability: vec![0.0; effects],
+            prior: ModelPrior::default(),
             temper: 1.0,
             base: 0,
             check: EvidenceCheck::default(),

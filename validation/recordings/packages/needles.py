@@ -2,8 +2,10 @@
 
 import numpy as np
 import pandas as pd
-from fitting import line, scaled, tone
+from fitting import lag, line, moved, scaled, terms, tone
 from gauges import DAY
+from levels import behind
+from pickups import clocks
 from reading import csv, seconds
 
 PLACES, FINER = np.arange(0.05, 0.951, 0.01), np.arange(-0.01, 0.0101, 0.0005)
@@ -85,9 +87,9 @@ def plant(content, **names):
     return {"time_s": seconds(pd.to_datetime(frame.iloc[:, 0])), **columns}
 
 
-def changed(y, t, terms, what):
-    """A model whose zero, or a slope, is another from some time on: `what` gives the term beside `terms`, and the time is that at which the rows seen are fitted best."""
-    model = lambda place: line(y, *terms, what * (t > t[0] + place * (t[-1] - t[0])))
+def changed(y, t, beside, what):
+    """A model whose zero, or a slope, is another from some time on: `what` gives the term `beside` the others, and the time is that at which the rows seen are fitted best."""
+    model = lambda place: line(y, *beside, what * (t > t[0] + place * (t[-1] - t[0])))
 
     def predicted(seen):
         left = lambda place: np.std((y - model(place)(seen))[seen])
@@ -114,4 +116,60 @@ def days(y, x, t):
         "day, and step": changed(y, t, [x, *day], one),
         "day, and slope that changes": changed(y, t, [x, *day], u),
         "day alone": line(y, *day),
+    }
+
+
+def instruments(c):
+    """Two instruments of a plant, and models of one over the other."""
+    y, x, t = c["second"], c["first"], c["time_s"]
+    u, w = scaled(x), scaled(t)
+    return y, {
+        **clocks(y, x, t, 300),
+        "cube": line(y, x, u**2, u**3),
+        "drift, and its square": line(y, x, w, w**2),
+        "line, and lag": terms(y, lambda p: [x, lag(x, t, abs(p[0]) * 1800)], [2.0]),
+        **days(y, x, t),
+    }
+
+
+def hearts(c):
+    """Heart beats over oxygen, and their models: what comes late, what bends, and what drifts."""
+    y, x, t = c["heart_per_min"], c["oxygen_ml_min"], c["time_s"]
+    u, w, late = scaled(x), scaled(t), lambda p: lag(x, t, abs(p) * 20)
+    bend = lambda p: (late(p[0]), scaled(late(p[0])) ** 2, scaled(late(p[0])) ** 3)
+    return y, {
+        **clocks(y, x, t, 20),
+        "cube": line(y, x, u**2, u**3),
+        "drift, and its square": line(y, x, w, w**2),
+        "drift, and slope that drifts": line(y, x, w, u * w),
+        "square, and drift": line(y, x, u**2, w),
+        "cube, and drift": line(y, x, u**2, u**3, w),
+        "logarithm": line(y, x, np.log(t + 10)),
+        "lag, and square": terms(y, lambda p: bend(p)[:2], [1.0]),
+        "lag, and cube": terms(y, bend, [1.0]),
+        "lag, and drift": terms(y, lambda p: [late(p[0]), w], [1.0]),
+        "lag, cube, and drift": terms(y, lambda p: [*bend(p), w], [1.0]),
+        "line, and lag": terms(y, lambda p: [x, late(p[0])], [1.0]),
+        "two lags": terms(y, lambda p: [late(p[0]), late(p[1])], [1.0, 4.0]),
+        "lag of a lag": terms(y, lambda p: [lag(late(p[0]), t, abs(p[1]) * 20)], [1.0, 0.5]),
+        "lag, and shift": terms(y, lambda p: [moved(late(p[0]), t, p[1] * 20)], [1.0, 0.5]),
+        "drift alone": line(y, w),
+    }
+
+
+def mud(c):
+    """Turbidity over flow, and their models: what comes early or late, what is washed out, what bends, and what drifts."""
+    y, x, t = c["turbidity_fnu"], c["flow_m3_s"], c["time_s"]
+    u, w, hour = scaled(x), scaled(t), 3600
+    return y, {
+        **clocks(y, x, t, 4 * hour),
+        "cube": line(y, x, u**2, u**3),
+        "drift, and slope that drifts": line(y, x, w, u * w),
+        "square, and drift": line(y, x, u**2, w),
+        "square, drift, and slope that drifts": line(y, x, u**2, w, u * w),
+        **behind(y, x, t, 3 * hour),
+        "line, lag, and square": terms(y, lambda p: [x, u**2, lag(x, t, abs(p[0]) * 3 * hour)], [1.0]),
+        "line, lag, and drift": terms(y, lambda p: [x, w, lag(x, t, abs(p[0]) * 3 * hour)], [1.0]),
+        "line, lag, and slope that drifts": terms(y, lambda p: [x, w, u * w, lag(x, t, abs(p[0]) * 3 * hour)], [1.0]),
+        "line, lag, and shift": terms(y, lambda p: [moved(x, t, p[1] * hour), lag(moved(x, t, p[1] * hour), t, abs(p[0]) * 3 * hour)], [1.0, -0.3]),
     }

@@ -1,8 +1,6 @@
 """One instrument of a plant over another that goes with it, eleven days. Their difference goes with the time of day."""
 
-from fitting import lag, line, scaled, terms
-from needles import days, plant
-from pickups import clocks
+from needles import instruments, plant
 
 HAND_BUILT = "day"
 
@@ -12,12 +10,4 @@ def rows(content):
 
 
 def models(c):
-    y, x, t = c["second"], c["first"], c["time_s"]
-    u, w = scaled(x), scaled(t)
-    return y, {
-        **clocks(y, x, t, 300),
-        "cube": line(y, x, u**2, u**3),
-        "drift, and its square": line(y, x, w, w**2),
-        "line, and lag": terms(y, lambda p: [x, lag(x, t, abs(p[0]) * 1800)], [2.0]),
-        **days(y, x, t),
-    }
+    return instruments(c)

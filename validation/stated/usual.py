@@ -8,8 +8,6 @@ on average, known as well as from `STRENGTH` recordings, is what is taken of an 
 """
 
 import argparse
-import csv
-import io
 import sys
 import tomllib
 from pathlib import Path
@@ -18,6 +16,7 @@ HERE = Path(__file__).resolve().parent
 PACKAGES = HERE.parent / "recordings" / "packages"
 sys.path.insert(0, str(PACKAGES))
 import names  # noqa: E402
+import table  # noqa: E402
 from problem import command  # noqa: E402
 
 STRENGTH = 10.0
@@ -44,7 +43,7 @@ def could_show(recording):
 
 def written_down():
     """Right names and the description of each recording of the sets that take part."""
-    for of in names.SETS[: names.SETS.index(UNTIL)] if UNTIL in names.SETS else names.SETS:
+    for of in names.SETS[: names.SETS.index(UNTIL)]:
         for recording, causes in names.right_names(of).items():
             yield causes, tomllib.loads((PACKAGES / "recordings" / f"{recording}.toml").read_text(encoding="utf-8"))
 
@@ -68,22 +67,11 @@ def counted():
     return [[effect, f"{usual[effect]:.3g}", f"{causes[effect]:.1f}", could[effect]] for effect in sorted(effects)]
 
 
-def written(rows):
-    """The file of `rows`."""
-    file = io.StringIO()
-    csv.writer(file, lineterminator="\n").writerows([HEADER, *rows])
-    return file.getvalue()
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--record", type=Path, help="where the table of the program is written")
-    arguments = parser.parse_args()
-    rows = counted()
-    if arguments.record:
-        arguments.record.write_text(written(rows), encoding="utf-8")
-    for row in sorted(rows, key=lambda row: -float(row[1])):
-        print(f"{row[0]:28} {row[1]:>6} {row[2]:>6} of {row[3]}")
+    parser.add_argument("--record", type=Path, help="where the table of the program is written; onto the screen where no file is named")
+    table.put(parser.parse_args().record, HEADER, counted())
+    return 0
 
 
 if __name__ == "__main__":

@@ -181,11 +181,15 @@ impl Course {
         }
     }
 
-    /// Names of the drivers that moved and that the base model follows by itself.
-    pub(crate) fn followed(context: &Context<'_>) -> Vec<String> {
+    /// The drivers that moved and that the base model follows by itself.
+    fn of_the_base(context: &Context<'_>) -> impl Iterator<Item = Self> {
         let courses = (0..context.moved.drivers.len()).filter_map(|number| Self::of(context, number));
-        let followed = courses.filter(|course| course.is_followed(context));
-        followed.filter_map(|course| course.recorded_name(context).map(str::to_owned)).collect()
+        courses.filter(|course| course.is_followed(context))
+    }
+
+    /// Their names.
+    pub(crate) fn followed(context: &Context<'_>) -> Vec<String> {
+        Self::of_the_base(context).filter_map(|course| course.recorded_name(context).map(str::to_owned)).collect()
     }
 
     /// The column whose course the base model follows, on a clock of its own: a load that moves, a gap, a simulation, else the first driver that the base model follows by itself.
@@ -200,8 +204,7 @@ impl Course {
             return Ok(Self::Simulated);
         }
         let Err(why) = context.needs_load() else { return Ok(Self::Load) };
-        let mut drivers = (0..context.moved.drivers.len()).filter_map(|number| Self::of(context, number));
-        drivers.find(|course| course.is_followed(context)).ok_or(why)
+        Self::of_the_base(context).next().ok_or(why)
     }
 
     /// What it is in words.
@@ -235,12 +238,8 @@ impl Course {
 
     /// Least and greatest value of a recorded driver, in the recording in which the effect was found; 0 and 1 of anything else.
     pub fn ends(self, context: &Context<'_>) -> [f64; 2] {
-        let name = match self {
-            Self::Driver(index) => context.inputs.drivers.get(index).map(|driver| driver.name.as_str()),
-            Self::Humidity => Some(HUMIDITY),
-            Self::Load | Self::Gap | Self::Simulated => None,
-        };
-        name.and_then(|name| context.moved.ranges.get(name)).copied().unwrap_or([0.0, 1.0])
+        let range = self.recorded_name(context).and_then(|name| context.moved.ranges.get(name));
+        range.copied().unwrap_or([0.0, 1.0])
     }
 
     /// Middle between the ends of the column, in its unit: of a recorded driver, in the recording in which the effect was found.

@@ -88,19 +88,13 @@ pub(crate) fn by_name(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged)
         |own: &ByName| removed(base, &own.unseen).zip(composed).is_some_and(|(own, composed)| own >= MAIN_SHARE * composed);
     let told: Vec<ByName> = asked.filter(|own| as_well(own) || (!two && most_of_it(own))).collect();
     let weight = selection.prior.weight(selection.temper);
-    likeliest(
-        told,
-        |own| (own.rmse, weight(&own.tried)),
-        |own, others| {
-            let last = |other: &ByName| other.tried.effects.last().copied();
-            let rivals = if two { Vec::new() } else { others.iter().filter_map(last).collect() };
-            ByName { rivals, ..own }
-        },
-    )
+    let (own, others) = likeliest(told, |own| (own.rmse, weight(&own.tried)))?;
+    let last = |other: &ByName| other.tried.effects.last().copied();
+    Some(ByName { rivals: if two { Vec::new() } else { others.iter().filter_map(last).collect() }, ..own })
 }
 
-/// Of those that foretell with no more than [`FELT`] times the least error, as `of` tells of error and log weight, the one of the greatest weight, with those whose error is not clearly larger than its own.
-fn likeliest<N>(mut found: Vec<N>, of: impl Fn(&N) -> (f64, f64), with: impl Fn(N, &[N]) -> N) -> Option<N> {
+/// Of those that foretell with no more than [`FELT`] times the least error, as `of` tells of error and log weight, the one of the greatest weight, and the others whose error is not clearly larger than its own.
+fn likeliest<N>(mut found: Vec<N>, of: impl Fn(&N) -> (f64, f64)) -> Option<(N, Vec<N>)> {
     let least = found.iter().map(|one| of(one).0).min_by(f64::total_cmp)?;
     let near = |error: f64| error <= FELT * least;
     let best = (0..found.len())
@@ -109,7 +103,7 @@ fn likeliest<N>(mut found: Vec<N>, of: impl Fn(&N) -> (f64, f64), with: impl Fn(
     let best = found.swap_remove(best);
     let as_good = CLEARLY_WORSE * of(&best).0;
     found.retain(|other| of(other).0 <= as_good);
-    Some(with(best, &found))
+    Some((best, found))
 }
 
 /// Models with one name of each list more, every choice of them, as `add` gives them for one list; none where a list is empty.
@@ -162,7 +156,7 @@ mod tests {
     /// A gain with a pivot foretells with 0.92 of the error of a drift, which is likelier by far; one with half of it is told.
     #[test]
     fn of_names_that_foretell_nearly_alike_the_likeliest_is_told() {
-        let told = |found: &[(f64, f64)]| likeliest(found.to_vec(), |one| *one, |one, others| (one.0, others.len() as f64));
+        let told = |found: &[(f64, f64)]| likeliest(found.to_vec(), |one| *one).map(|(one, others)| (one.0, others.len() as f64));
         assert_eq!(told(&[(3.04, 115.0), (3.32, 139.0)]), Some((3.32, 1.0)));
         assert_eq!(told(&[(1.5, 115.0), (3.32, 139.0)]), Some((1.5, 0.0)));
         assert_eq!(told(&[(3.0, 139.0), (3.1, 115.0), (3.4, 120.0)]), Some((3.0, 1.0)));

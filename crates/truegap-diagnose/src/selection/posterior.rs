@@ -290,21 +290,21 @@ impl Selection {
 
 /// Fits the model space and weighs all of them.
 pub fn select(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: Tried) -> Selection {
-    let mut space = ModelSpace::all(search, lack_of_fit, base);
+    let prior = ModelPrior::of(search);
+    let mut space = ModelSpace::all(search, lack_of_fit, &prior, base);
     let check = space.check();
-    let models = space.into_models().into_iter().filter_map(|m| whole(search, m)).collect();
-    Selection { check, ..weigh(models, search, lack_of_fit) }
+    let models: Vec<Tried> = space.into_models().into_iter().filter_map(|m| whole(search, m)).collect();
+    let temper = temper_of(models.iter(), &search.library, lack_of_fit);
+    Selection { check, ..weigh(models, prior, temper) }
 }
 
-fn weigh(mut models: Vec<Tried>, search: &Search<'_>, lack_of_fit: &LackOfFitTests) -> Selection {
-    let temper = temper_of(models.iter(), &search.library, lack_of_fit);
-    let prior = ModelPrior::of(search);
+fn weigh(mut models: Vec<Tried>, prior: ModelPrior, temper: f64) -> Selection {
     let weight = prior.weight(temper);
     models.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
     let weights: Vec<f64> = models.iter().map(weight).collect();
     let total = log_sum_exp(&weights);
     let probability: Vec<f64> = weights.iter().map(|w| (w - total).exp()).collect();
-    let (effect_probability, check) = (vec![0.0; search.library.len()], EvidenceCheck::default());
+    let (effect_probability, check) = (vec![0.0; prior.library()], EvidenceCheck::default());
     Selection { models, probability, effect_probability, prior, temper, base: 0, check, unmodelled: Vec::new() }.sorted()
 }
 
@@ -317,7 +317,7 @@ impl Selection {
             models: models.iter().map(|(effects, _)| Tried::leaving(vec![0.0; 3], effects)).collect(),
             probability: models.iter().map(|(_, p)| *p).collect(),
             effect_probability: vec![0.0; effects],
-            prior: ModelPrior::default(),
+            prior: ModelPrior::alike(effects),
             temper: 1.0,
             base: 0,
             check: EvidenceCheck::default(),

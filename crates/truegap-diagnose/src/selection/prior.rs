@@ -6,9 +6,12 @@
 //!
 //! Limits: effects of one model are taken to have nothing to do with one another.
 
-use crate::selection::{
-    candidates::{Search, Tried},
-    tuning::NUMBER_PRIOR,
+use crate::{
+    effects::number_of::number_of,
+    selection::{
+        candidates::{Search, Tried},
+        tuning::NUMBER_PRIOR,
+    },
 };
 
 /// How usual effects are, 1 on average: `validation/stated/usual.py`.
@@ -30,7 +33,7 @@ fn number_prior(count: usize) -> f64 {
 }
 
 /// Prior of models with effects of a library.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ModelPrior {
     /// how usual each effect of the library is
     usual: Vec<f64>,
@@ -45,6 +48,12 @@ impl ModelPrior {
         Self::with(search.library.iter().map(|effect| usual(effect.id().0, plates)).collect())
     }
 
+    /// Of so many effects that are all alike.
+    #[cfg(test)]
+    pub(crate) fn alike(library: usize) -> Self {
+        Self::with(vec![1.0; library])
+    }
+
     fn with(usual: Vec<f64>) -> Self {
         let mut of_number = [0.0; NUMBER_PRIOR.len()];
         of_number[0] = 1.0;
@@ -54,6 +63,11 @@ impl ModelPrior {
             }
         }
         Self { usual, of_number }
+    }
+
+    /// Effects of the library.
+    pub(crate) fn library(&self) -> usize {
+        self.usual.len()
     }
 
     /// Log prior of a model with these effects; what is not of the library is one of so many that are alike.
@@ -75,9 +89,7 @@ impl ModelPrior {
 
 /// How usual an effect is beside a base model with or without `plates`; 1 where nothing is known of it.
 fn usual(effect: &str, plates: bool) -> f64 {
-    let rows = USUAL.lines().skip(1).map(|row| row.split(','));
-    let own = |mut row: std::str::Split<'_, char>| (row.next() == Some(effect)).then(|| row.next()?.parse().ok()).flatten();
-    rows.filter_map(own).next().filter(|_| !plates).unwrap_or(1.0)
+    if plates { 1.0 } else { number_of(effect, USUAL).unwrap_or(1.0) }
 }
 
 #[cfg(test)]
@@ -104,16 +116,16 @@ mod tests {
 
     #[test]
     fn effects_that_are_alike_share_evenly() {
-        let prior = ModelPrior::with(vec![1.0; 7]);
+        let prior = ModelPrior::alike(7);
         for effects in [&[][..], &[3], &[0, 6], &[1, 2, 5]] {
             approx::assert_relative_eq!(prior.log(effects), log_prior(effects.len(), 7), max_relative = 1e-12);
         }
         // more effects than there may be, or than there are
         assert_eq!(prior.log(&[0, 1, 2, 3]), f64::NEG_INFINITY);
-        assert!(ModelPrior::with(Vec::new()).log(&[0]).is_finite());
+        assert!(ModelPrior::alike(0).log(&[0]).is_finite());
     }
 
-    /// Of nearly 400 real recordings in which a gain could have been seen that ages, none had it for its one right name; many had a bend.
+    /// Of 359 real recordings in which a gain could have been seen that ages, none had it for its one right name; many had a bend.
     #[test]
     fn what_is_usual_counts_beside_a_base_model_without_plates() {
         assert!(usual("gain_ageing", false) < 0.2 && usual("nonlinearity", false) > 2.0);

@@ -1,8 +1,11 @@
 """How usual names are beforehand: the table of the program is that of the right names that were written down."""
 
 import sys
+import tempfile
 import unittest
 from pathlib import Path
+
+import table
 
 VALIDATION = Path(__file__).resolve().parents[3]
 sys.path.append(str(VALIDATION / "stated"))
@@ -13,7 +16,10 @@ TABLE = VALIDATION.parent / "crates" / "truegap-diagnose" / "tables" / "usual_na
 
 class Usual(unittest.TestCase):
     def test_the_table_of_the_program_is_made_from_the_sets(self):
-        self.assertEqual(usual.written(usual.counted()), TABLE.read_text(encoding="utf-8"))
+        with tempfile.TemporaryDirectory() as folder:
+            made = Path(folder) / "usual_names.csv"
+            table.put(made, usual.HEADER, usual.counted())
+            self.assertEqual(made.read_text(encoding="utf-8"), TABLE.read_text(encoding="utf-8"))
 
     def test_a_recording_could_show_what_it_has_columns_for(self):
         linear = {"columns": {"response": "y"}, "drivers": {"load": {}, "warmth": {}}, "base": {"model": "linear"}}

@@ -74,7 +74,7 @@ fn selection(misfit: f64, models: &[(&[usize], f64)]) -> Selection {
         models: models.iter().map(|(effects, _)| tried(effects)).collect(),
         probability: models.iter().map(|(_, p)| *p).collect(),
         effect_probability: (0..5).map(of).collect(),
-        prior: ModelPrior::default(),
+        prior: ModelPrior::alike(5),
         temper: 1.0,
         base: models.iter().position(|(e, _)| e.is_empty()).unwrap(),
         check: EvidenceCheck::default(),

@@ -1,0 +1,21 @@
+"""Bicycles lent each hour to those who are on a list over those lent to others, 83 days of spring in Washington. Who is on a list rides to work."""
+
+from fitting import line, scaled
+from pickups import clocks
+from pointers import HOUR, by_day, riders
+
+HAND_BUILT = "day, and cube"
+
+
+def rows(content):
+    return riders(content, 2000, 2000)
+
+
+def models(c):
+    y, x, t = c["registered"], c["casual"], c["time_s"]
+    u = scaled(x)
+    return y, {
+        **clocks(y, x, t, HOUR),
+        "cube": line(y, x, u**2, u**3),
+        **by_day(y, x, t),
+    }

@@ -1,0 +1,14 @@
+"""Where the hips of 38 drivers are behind the wheel of a car, over how tall they are."""
+
+from meters import of_drivers
+from pointers import of_book
+
+HAND_BUILT = "line"
+
+
+def rows(content):
+    return of_book(content, age_years="Age", height_cm="Ht", hips_mm="hipcenter")
+
+
+def models(c):
+    return c["hips_mm"], of_drivers(c["hips_mm"], c["height_cm"], age=c["age_years"])

@@ -10,10 +10,7 @@
 //!
 //! **Source:** Platt, Probabilistic outputs for support vector machines (1999): a logistic line in the log odds. Its numbers: `validation/stated`.
 
-use crate::{
-    answer::tuning::{BESIDE_OTHERS, CARRIED, LARGEST_LOG_ODDS, LATER, LEVEL, SLOPE},
-    effects::number_of::number_of,
-};
+use crate::answer::tuning::{BESIDE_OTHERS, CARRIED, LARGEST_LOG_ODDS, LATER, LEVEL, SLOPE};
 
 /// What the name of each effect adds to the log odds, and how often it was right: `validation/stated/fit.py`.
 const RECORD: &str = include_str!("../../tables/track_record.csv");
@@ -62,7 +59,9 @@ pub(crate) fn stated(effect: &str, among_models: f64, place: Place, plates: bool
 
 /// What the name of an effect adds to the log odds; nothing where it was never stated.
 fn record(effect: &str) -> f64 {
-    number_of(effect, RECORD).unwrap_or(0.0)
+    let rows = RECORD.lines().skip(1).map(|row| row.split(','));
+    let step = |mut row: std::str::Split<'_, char>| (row.next() == Some(effect)).then(|| row.next()?.parse().ok()).flatten();
+    rows.filter_map(step).next().unwrap_or(0.0)
 }
 
 /// Log odds, as far as they count.

@@ -8,7 +8,6 @@ pub(crate) mod collection;
 pub(crate) mod composed;
 pub(crate) mod effect;
 pub(crate) mod memory;
-pub(crate) mod number_of;
 pub(crate) mod numbers;
 pub(crate) mod sentence;
 

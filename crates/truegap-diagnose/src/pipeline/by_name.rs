@@ -26,6 +26,7 @@ use crate::{
     selection::{
         candidates::{Search, Tried},
         detectability::detectability,
+        prior::weight,
         tuning::VISIBLE,
         verdict::{Decision, removed_by},
     },
@@ -87,7 +88,7 @@ pub(crate) fn by_name(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged)
     let most_of_it =
         |own: &ByName| removed(base, &own.unseen).zip(composed).is_some_and(|(own, composed)| own >= MAIN_SHARE * composed);
     let told: Vec<ByName> = asked.filter(|own| as_well(own) || (!two && most_of_it(own))).collect();
-    let weight = selection.prior.weight(selection.temper);
+    let weight = weight(selection.temper, library);
     let (own, others) = likeliest(told, |own| (own.rmse, weight(&own.tried)))?;
     let last = |other: &ByName| other.tried.effects.last().copied();
     Some(ByName { rivals: if two { Vec::new() } else { others.iter().filter_map(last).collect() }, ..own })

@@ -12,7 +12,7 @@ use crate::{
     selection::{
         candidates::{Found, Progress, Search, Tried},
         effect_set::EffectSet,
-        prior::ModelPrior,
+        prior::weight,
         tempering::temper_of,
     },
 };
@@ -26,7 +26,6 @@ use std::{
 pub(crate) struct ModelSpace<'s, 'a> {
     search: &'s Search<'a>,
     lack_of_fit: &'s LackOfFitTests,
-    prior: &'s ModelPrior,
     models: BTreeMap<EffectSet, Tried>,
     /// effects and coordinates of the models beside which every other effect was tried
     extended: Vec<(Vec<usize>, Vec<f64>)>,
@@ -34,8 +33,8 @@ pub(crate) struct ModelSpace<'s, 'a> {
 
 impl<'s, 'a> ModelSpace<'s, 'a> {
     /// The base model and every effect alone; where one is worth it, two and three together; all that is close fitted to the end.
-    pub fn all(search: &'s Search<'a>, lack_of_fit: &'s LackOfFitTests, prior: &'s ModelPrior, base: Tried) -> Self {
-        let mut space = Self { search, lack_of_fit, prior, models: BTreeMap::new(), extended: Vec::new() };
+    pub fn all(search: &'s Search<'a>, lack_of_fit: &'s LackOfFitTests, base: Tried) -> Self {
+        let mut space = Self { search, lack_of_fit, models: BTreeMap::new(), extended: Vec::new() };
         let all: Vec<usize> = (0..search.library.len()).collect();
         let singles = search.add_each(&base, &all, all.len(), "one effect");
         let order = ranked(&singles);
@@ -196,7 +195,7 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
     fn polish(&mut self) {
         let mut done: BTreeSet<EffectSet> = BTreeSet::from([EffectSet::default()]);
         loop {
-            let weight = self.prior.weight(self.temper());
+            let weight = weight(self.temper(), self.search.library.len());
             let best = self.models.values().map(weight).fold(f64::NEG_INFINITY, f64::max);
             let near = |(key, m): &(&EffectSet, &Tried)| !done.contains(*key) && weight(m) > best - CLOSE;
             let rough: Vec<&Tried> = self.models.iter().filter(near).map(|(_, m)| m).collect();
@@ -222,7 +221,7 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
 
     /// Fits the models that the likeliest hold from where those ended; whether one of them is better for it.
     fn smaller(&mut self) -> bool {
-        let weight = self.prior.weight(self.temper());
+        let weight = weight(self.temper(), self.search.library.len());
         let best = self.models.values().map(weight).fold(f64::NEG_INFINITY, f64::max);
         let mut likely: Vec<&Tried> =
             self.models.values().filter(|m| m.effects.len() > 1 && weight(m) > best - CLEAR_GAIN).collect();
@@ -242,7 +241,7 @@ impl<'s, 'a> ModelSpace<'s, 'a> {
     /// Replaces Laplace's evidence by a sampled one for the models with the most weight, and for the base model.
     pub fn check(&mut self) -> EvidenceCheck {
         let temper = self.temper();
-        let weight = self.prior.weight(temper);
+        let weight = weight(temper, self.search.library.len());
         let mut order: Vec<(&EffectSet, f64)> = self.models.iter().map(|(key, m)| (key, weight(m))).collect();
         order.sort_by(|a, b| b.1.total_cmp(&a.1));
         let best = order.first().map_or(0.0, |o| o.1);
@@ -309,8 +308,7 @@ mod tests {
             let start: Vec<f64> = vec![0.0; model.base_count()].into_iter().chain(second_as_found(search)).collect();
             let fit = fit(&model, search.whitener, &start, &FitOptions::default()).unwrap();
             let other = Tried { effects: vec![1], fit };
-            let prior = &ModelPrior::of(search);
-            let mut space = ModelSpace { search, lack_of_fit, prior, models: BTreeMap::new(), extended: Vec::new() };
+            let mut space = ModelSpace { search, lack_of_fit, models: BTreeMap::new(), extended: Vec::new() };
             space.keep([one.clone(), other.clone(), both]);
             let left = |space: &ModelSpace<'_, '_>| space.models[&EffectSet::from(&[0, 1][..])].fit.chi2 / ROWS as f64;
             assert!(left(&space) > 4.0, "{}", left(&space));

@@ -10,7 +10,7 @@ use crate::{
         candidates::{Search, Tried},
         effect_set::EffectSet,
         model_space::{EvidenceCheck, ModelSpace},
-        prior::{ModelPrior, one_more},
+        prior::{log_prior, one_more, weight},
         tempering::{least, temper_of},
         unmodelled::{Causes, Unmodelled},
         whole::whole,
@@ -27,8 +27,6 @@ pub struct Selection {
     pub probability: Vec<f64>,
     /// probability of each effect of the library to belong to the model
     pub effect_probability: Vec<f64>,
-    /// prior of the models
-    pub prior: ModelPrior,
     /// divisor of log evidence
     pub temper: f64,
     /// index of the base model in `models`
@@ -87,8 +85,8 @@ impl Selection {
     pub fn with_unmodelled(mut self, causes: &Causes, library: &[&dyn Effect], slack: f64) -> Self {
         let temper = self.temper * slack;
         // what is outside pays for its freedom in full, and so does what is inside without an equation
-        let prior = &self.prior;
-        let weight = |m: &Tried| m.fit.tempered(temper) + prior.log(&m.effects);
+        let library_size = self.effect_probability.len();
+        let weight = |m: &Tried| m.fit.tempered(temper) + log_prior(m.effects.len(), library_size);
         let total = log_sum_exp(&self.models.iter().map(weight).collect::<Vec<_>>());
         let found = causes.beside(&self.models, library, weight, temper);
         self.unmodelled = found
@@ -105,8 +103,8 @@ impl Selection {
     /// divided as the models' own; such a thing is as likely beforehand as an unmodelled cause. Models that are not a `rival` do not count.
     pub fn log_odds_beside(&self, beside: &Tried, gain: f64, slack: f64, rival: impl Fn(&Tried) -> bool) -> f64 {
         let temper = self.temper * slack;
-        let prior = &self.prior;
-        let weight = |m: &Tried| m.fit.tempered(temper) + prior.log(&m.effects);
+        let library_size = self.effect_probability.len();
+        let weight = |m: &Tried| m.fit.tempered(temper) + log_prior(m.effects.len(), library_size);
         let models = self.models.iter().filter(|m| rival(m)).map(weight);
         let all: Vec<f64> = models.chain(self.unmodelled.iter().map(|(u, _)| u.weight)).collect();
         weight(beside) + one_more(beside.effects.len()) + UNMODELLED_PRIOR.ln() + gain - log_sum_exp(&all)
@@ -290,22 +288,21 @@ impl Selection {
 
 /// Fits the model space and weighs all of them.
 pub fn select(search: &Search<'_>, lack_of_fit: &LackOfFitTests, base: Tried) -> Selection {
-    let prior = ModelPrior::of(search);
-    let mut space = ModelSpace::all(search, lack_of_fit, &prior, base);
+    let mut space = ModelSpace::all(search, lack_of_fit, base);
     let check = space.check();
-    let models: Vec<Tried> = space.into_models().into_iter().filter_map(|m| whole(search, m)).collect();
-    let temper = temper_of(models.iter(), &search.library, lack_of_fit);
-    Selection { check, ..weigh(models, prior, temper) }
+    let models = space.into_models().into_iter().filter_map(|m| whole(search, m)).collect();
+    Selection { check, ..weigh(models, &search.library, lack_of_fit) }
 }
 
-fn weigh(mut models: Vec<Tried>, prior: ModelPrior, temper: f64) -> Selection {
-    let weight = prior.weight(temper);
+fn weigh(mut models: Vec<Tried>, library: &[&dyn Effect], lack_of_fit: &LackOfFitTests) -> Selection {
+    let temper = temper_of(models.iter(), library, lack_of_fit);
+    let weight = weight(temper, library.len());
     models.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
     let weights: Vec<f64> = models.iter().map(weight).collect();
     let total = log_sum_exp(&weights);
     let probability: Vec<f64> = weights.iter().map(|w| (w - total).exp()).collect();
-    let (effect_probability, check) = (vec![0.0; prior.library()], EvidenceCheck::default());
-    Selection { models, probability, effect_probability, prior, temper, base: 0, check, unmodelled: Vec::new() }.sorted()
+    let (effect_probability, check) = (vec![0.0; library.len()], EvidenceCheck::default());
+    Selection { models, probability, effect_probability, temper, base: 0, check, unmodelled: Vec::new() }.sorted()
 }
 
 #[cfg(test)]
@@ -317,7 +314,6 @@ impl Selection {
             models: models.iter().map(|(effects, _)| Tried::leaving(vec![0.0; 3], effects)).collect(),
             probability: models.iter().map(|(_, p)| *p).collect(),
             effect_probability: vec![0.0; effects],
-            prior: ModelPrior::alike(effects),
             temper: 1.0,
             base: 0,
             check: EvidenceCheck::default(),

@@ -77,7 +77,7 @@ pub(crate) const LARGEST_GAIN: f64 = 500.0;
 
 // prior.rs
 
-/// Prior probabilities of 0, 1, 2 and 3 effects, shared within each number.
+/// Prior probabilities of 0, 1, 2 and 3 effects, shared evenly within each number.
 pub(crate) const NUMBER_PRIOR: [f64; 4] = [0.5, 0.35, 0.12, 0.03];
 
 // tempering.rs

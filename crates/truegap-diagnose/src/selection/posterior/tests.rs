@@ -12,7 +12,6 @@ fn selection(odds: f64) -> Selection {
         models: vec![tried(&[]), tried(&[0])],
         probability: vec![0.2, 0.8],
         effect_probability: vec![0.8],
-        prior: ModelPrior::alike(1),
         temper: 1.0,
         base: 0,
         check: EvidenceCheck::default(),

@@ -1,5 +1,4 @@
 use super::*;
-use crate::selection::prior::ModelPrior;
 
 fn explained() -> Decision {
     Decision { verdict: Verdict::Explained, model: 3, sets: vec![vec![7]], ..Decision::nothing(Verdict::Explained, 0) }
@@ -74,7 +73,6 @@ fn selection(misfit: f64, models: &[(&[usize], f64)]) -> Selection {
         models: models.iter().map(|(effects, _)| tried(effects)).collect(),
         probability: models.iter().map(|(_, p)| *p).collect(),
         effect_probability: (0..5).map(of).collect(),
-        prior: ModelPrior::alike(5),
         temper: 1.0,
         base: models.iter().position(|(e, _)| e.is_empty()).unwrap(),
         check: EvidenceCheck::default(),

@@ -2,6 +2,7 @@
 //!
 //! Limits: one mode of the posterior at a time.
 
+pub(crate) mod few_jumps;
 pub(crate) mod importance;
 pub(crate) mod laplace;
 pub(crate) mod levenberg_marquardt;

@@ -68,7 +68,7 @@ impl<'a> Model<'a> {
         Kinds {
             open_sizes: effects().filter(|i| !self.effects[*i].foreseen()).map(|i| self.first_of(i)).collect(),
             known: self.base,
-            free_form: effects().filter(|i| self.effects[*i].free_form()).flat_map(|i| self.range_of(i)).collect(),
+            free_form: effects().filter(|i| self.effects[*i].free_form()).map(|i| self.range_of(i)).collect(),
         }
     }
 
@@ -338,8 +338,8 @@ enum Fresh {
 pub(crate) struct Kinds {
     /// sizes whose order of magnitude is not known: of all effects that nobody has computed beforehand
     pub(crate) open_sizes: Vec<usize>,
-    /// parameters of effects without an equation
-    pub(crate) free_form: Vec<usize>,
+    /// parameters of each effect without an equation: a size, and jumps in sizes
+    pub(crate) free_form: Vec<std::ops::Range<usize>>,
     /// number of parameters of the base model, the first ones
     pub(crate) known: usize,
 }

@@ -4,10 +4,10 @@
 
 use crate::{
     fit::tuning::REACHED,
-    fit::{laplace, model::Kinds, prior::Prior},
+    fit::{few_jumps::few_jumps, laplace, model::Kinds, prior::Prior},
 };
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
-use std::sync::Arc;
+use std::{ops::Range, sync::Arc};
 
 /// A fit at the optimum of its linearised objective.
 pub struct Linearised {
@@ -45,11 +45,11 @@ pub struct Fit {
     pub hessian: DMatrix<f64>,
     /// which parameters lie on a bound
     pub at_limit: Vec<bool>,
-    /// parameters of effects without an equation
-    pub free_form: Vec<usize>,
+    /// parameters of each effect without an equation: a size, and jumps in sizes
+    pub free_form: Vec<Range<usize>>,
     /// log evidence, up to a constant common to all models of one noise model
     pub log_evidence: f64,
-    /// the part of it that comes from sizes whose order of magnitude is not known
+    /// the part of it that comes from sizes whose order of magnitude is not known, and from jumps of which a few may be all
     pub scale_gain: f64,
     /// steps taken
     pub iterations: usize,
@@ -81,14 +81,19 @@ impl Fit {
         let freedom = |temper: f64| {
             let known = DMatrix::from_diagonal(&DVector::from_iterator(self.z.len(), self.prior.curvature()));
             let hessian = (&self.hessian - &known) / temper + known;
-            let fixed: Vec<usize> = (0..self.z.len()).filter(|i| !self.free_form.contains(i)).collect();
+            let fixed: Vec<usize> = (0..self.z.len()).filter(|i| !self.free_form.iter().any(|own| own.contains(i))).collect();
             let others = hessian.select_rows(&fixed).select_columns(&fixed);
             [hessian, others].map(|h| Cholesky::new(h).map_or(0.0, |f| laplace::log_determinant(&f)))
         };
         if self.free_form.is_empty() {
             return self.log_evidence / temper;
         }
-        let [paid, due] = [freedom(1.0), freedom(temper)].map(|[all, others]| 0.5 * (all - others));
+        let few = |louder| -> f64 {
+            self.free_form.iter().map(|steps| few_jumps(&self.hessian, &self.z, steps, &self.at_limit, louder)).sum()
+        };
+        // freedom that is paid for, less what is not where a few jumps are all
+        let [paid, due] =
+            [1.0, temper].map(|temper| (freedom(temper), few(temper))).map(|([all, others], few)| 0.5 * (all - others) - few);
         (self.log_evidence + paid) / temper - due
     }
 
@@ -159,7 +164,8 @@ pub(crate) fn finish(
         .map(|f| f.inverse().diagonal().iter().map(|v| v.sqrt()).collect())
         .unwrap_or_else(|| vec![f64::NAN; z.len()]);
     let gain = |i: &usize| laplace::any_scale(z[*i], sd[*i] * sd[*i], gradient[*i], bounds[*i]);
-    let scale_gain: f64 = open_sizes.iter().map(gain).filter(|gain| gain.is_finite()).sum();
+    let scales: f64 = open_sizes.iter().map(gain).filter(|gain| gain.is_finite()).sum();
+    let scale_gain = scales + free_form.iter().map(|steps| few_jumps(&hessian, &z, steps, &at_limit, 1.0)).sum::<f64>();
     let log_evidence = laplace::laplace(chi2, &z, prior.penalty(), &hessian, gradient.as_slice(), bounds) + scale_gain;
     let (residual, jacobian) = (Arc::new(residual), Arc::new(jacobian));
     Fit { z, sd, chi2, residual, jacobian, prior, hessian, at_limit, free_form, log_evidence, scale_gain, iterations, converged }
@@ -192,7 +198,8 @@ mod tests {
         let (law, free, temper) = (30.0, 200.0, 7.0);
         let jacobian = DMatrix::from_row_slice(2, 2, &[law, 0.0, 0.0, free]);
         let bounds = [(f64::NEG_INFINITY, f64::INFINITY); 2];
-        let kinds = Kinds { free_form: vec![1], ..Kinds::default() };
+        let second = 1..2;
+        let kinds = Kinds { free_form: vec![second], ..Kinds::default() };
         let fit = finish(vec![0.5, 0.5], vec![3.0, 4.0], jacobian, &bounds, kinds, (1, true));
         let (chi2, size) = (25.0, 0.5);
         let paid = |entry: f64| 0.5 * f64::ln(1.0 + entry * entry);

@@ -17,6 +17,11 @@ pub(crate) const STIFF_STEPS: (usize, f64) = (4, 0.1);
 /// Part of the draws after which it is asked whether they are enough: one in so many.
 pub(crate) const FIRST_DRAWS: usize = 4;
 
+// few_jumps.rs
+
+/// Most runs of which it is asked whether they alone jump.
+pub(crate) const FEW_JUMPS: usize = 3;
+
 // laplace.rs
 
 /// Scales, in prior standard deviations, over which what is known of a size beforehand is spread.

@@ -170,6 +170,10 @@ pub trait Effect: Send + Sync {
     fn comes_back_s(&self) -> Option<f64> {
         None
     }
+    /// From when until when it happens, where it happens once: seconds after the first row, rows without a clock.
+    fn happens(&self, _values: &[f64]) -> Option<std::ops::Range<f64>> {
+        None
+    }
     /// Whether it goes with the date, so that another recording shows it where both tell theirs.
     fn by_date(&self) -> bool {
         false

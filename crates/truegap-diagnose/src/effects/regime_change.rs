@@ -15,6 +15,7 @@ use crate::{
     stats::spread,
     text::with_sd,
 };
+use std::ops::Range;
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
 /// A zero and a coefficient that change at one time.
@@ -28,6 +29,7 @@ pub enum RegimeChange {
 impl RegimeChange {
     fn of(&self, context: &Context<'_>) -> Of {
         match self {
+            Self::OfWhatMoves if jumps_only(context) => Of::Nothing,
             Self::OfWhatMoves => Of::what_moves(context),
             Self::OfTheGain => Of::Reading,
         }
@@ -77,6 +79,11 @@ impl Stage for Settling {
     fn readout(&self, drive: &Drive<'_>, readout: &Readout, value: &mut [f64]) {
         self.0.apply(drive, readout, value, |x| if x < -0.3 { 0.0 } else { -(-1.5 * (x + 0.3)).exp_m1() });
     }
+}
+
+/// Whether what moves goes up or down no more than once. One law before and one after is then a law of the way that it goes, and only a zero that jumps within few rows is told from it.
+fn jumps_only(context: &Context<'_>) -> bool {
+    Of::what_moves(context).course(context).is_some_and(|course| !course.comes_again(context))
 }
 
 /// Length over which a change can be looked for: seconds, or rows without a clock.
@@ -160,6 +167,14 @@ const LOOKED_AT: usize = 16;
 /// Longest that a change may take, as a share of the recording: what takes longer is a drift, and nothing was switched. With a seventh, noise like 1/f was followed by it. It is looked for as long as from one of
 /// these times to the next, or at that length where this is shorter, so that its time is found from afar.
 const LONGEST: f64 = 0.05;
+/// The same where [`jumps_only`]: what takes longer is a bend of the way that the input goes; and the times at which it is looked for, less than that apart.
+const LONGEST_JUMP: f64 = 0.02;
+const LOOKED_AT_FOR_JUMPS: usize = 48;
+
+/// Longest that a change may take, as a share of the recording, and how many times it is looked for at.
+fn longest(context: &Context<'_>) -> (f64, usize) {
+    if jumps_only(context) { (LONGEST_JUMP, LOOKED_AT_FOR_JUMPS) } else { (LONGEST, LOOKED_AT) }
+}
 
 impl Effect for RegimeChange {
     fn id(&self) -> EffectId {
@@ -213,8 +228,12 @@ impl Effect for RegimeChange {
     fn of_recorder(&self) -> bool {
         true
     }
+    fn happens(&self, values: &[f64]) -> Option<Range<f64>> {
+        let (when, half) = (values[1], 0.5 * values[2]);
+        Some(when - half..when + half)
+    }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let (of, length) = (self.of(context), length(context));
+        let (of, length, (longest, _)) = (self.of(context), length(context), longest(context));
         let step = context.step_s().min(0.01 * length);
         let unit = if context.shortest_step_s.is_some() { "s" } else { "rows" };
         let (of_size, size, meaning, turned) = match self {
@@ -232,8 +251,8 @@ impl Effect for RegimeChange {
             Parameter::normal("change", &of_size, 0.0, size, meaning),
             Parameter::normal("when", unit, 0.5 * length, 0.4 * length, "time of the change after the first row")
                 .within(ENDS.0 * length, ENDS.1 * length),
-            Parameter::log_normal("takes", unit, (0.4 * LONGEST * length).max(step), 1.5, "time that the change takes")
-                .within(step, (LONGEST * length).max(2.0 * step)),
+            Parameter::log_normal("takes", unit, (0.4 * longest * length).max(step), 1.5, "time that the change takes")
+                .within(step, (longest * length).max(2.0 * step)),
         ];
         if of != Of::Nothing {
             list.push(Parameter::normal(TURN, "rad", 0.0, 1.0, turned).within(-LARGEST_TURN, LARGEST_TURN));
@@ -241,9 +260,9 @@ impl Effect for RegimeChange {
         list
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        let (of, length) = (self.of(context), length(context));
-        let times = (0..LOOKED_AT).map(|k| length * (ENDS.0 + (ENDS.1 - ENDS.0) * (k as f64 + 0.5) / LOOKED_AT as f64));
-        let takes = (length / LOOKED_AT as f64).min(LONGEST * length);
+        let (of, length, (longest, count)) = (self.of(context), length(context), longest(context));
+        let times = (0..count).map(|k| length * (ENDS.0 + (ENDS.1 - ENDS.0) * (k as f64 + 0.5) / count as f64));
+        let takes = (length / count as f64).min(longest * length);
         if of == Of::Nothing {
             return times.map(|t| vec![t, takes]).collect();
         }

@@ -16,6 +16,7 @@ use crate::{
         all_rows::AllRows,
         moved_numbers::Refit,
         tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, TELLS, THERE},
+        unforetold::{unforetold, without_saying},
     },
     whitening::noise_model::NoiseModel,
 };
@@ -233,7 +234,7 @@ struct Scores {
 
 /// Fits `tried` without each part in turn and predicts every row of it.
 pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: AllRows<'_>) -> HeldOutFit {
-    let (how, parts) = parts_of(all.problem);
+    let (mut how, parts) = parts_of(all.problem);
     let model = search.model_over(all.problem, &tried.effects);
     let searched = search.model(&tried.effects);
     let whitener = noise.whitener(&search.problem.runs(), None);
@@ -242,7 +243,12 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
     let of_library = tried.effects.iter().all(|e| search.library[*e].words().is_none());
     let warns = search.context.has_plates() && of_library;
     let slopes = around.as_ref().filter(|_| warns).map(|around| around.whitened(&whitener).1);
-    let predict = |part: &Part| {
+    let unforetold = unforetold(&searched, &tried.fit.z, all.problem.inputs, &parts);
+    how += &without_saying(&parts, &unforetold);
+    let predict = |(part, unforetold): (&Part, &bool)| {
+        if *unforetold {
+            return None;
+        }
         let Fit { z, sd, hessian, .. } = without(search, noise, &searched, around.as_ref()?, part, all.first)?;
         let mut errors = searched.misfit(&z).ok()?;
         whitener.apply(&mut errors);
@@ -253,7 +259,7 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
         let scores = Scores { score: errors.norm_squared(), warned };
         Some((model.respond(&z).ok()?, scores, Refit { z, sd }))
     };
-    let predicted: Vec<Option<Foretold>> = parts.par_iter().map(predict).collect();
+    let predicted: Vec<Option<Foretold>> = parts.par_iter().zip(&unforetold).map(predict).collect();
     let response = &all.told();
     // NaN marks the rows that no part predicts, and those that tell nothing; every error below is taken over the finite ones only, and there is none where there are none
     let mut prediction = vec![f64::NAN; response.len()];

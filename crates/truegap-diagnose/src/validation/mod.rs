@@ -17,4 +17,5 @@ pub(crate) mod reference;
 pub(crate) mod selected_again;
 pub(crate) mod step_back;
 pub(crate) mod tuning;
+pub(crate) mod unforetold;
 pub(crate) mod veto;

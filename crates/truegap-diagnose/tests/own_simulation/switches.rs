@@ -34,6 +34,30 @@ fn a_jump_of_the_zero_needs_no_coefficient_of_the_temperature() {
     }
 }
 
+/// An altimeter that is set to the pressure at the field while the jet climbs: what goes one way only has no law before and another after, but a zero that jumps within a row is no law of the way.
+/// The stretch that holds the jump is predicted by no model, and those beside it bear it out.
+#[test]
+fn a_zero_that_jumps_while_the_input_goes_one_way_is_told() {
+    let climbs = |row: usize| 2.0 + 3.0 * (1.0 - (-2.0 * row as f64 / ROWS as f64).exp());
+    let inputs = Inputs {
+        time_s: Some((0..ROWS).map(|row| row as f64).collect()),
+        run: vec![1; ROWS],
+        simulated: Some((0..ROWS).map(climbs).collect()),
+        ..Inputs::default()
+    };
+    let said = said(&Given::fixed(), &inputs, &noisy(73, |row| climbs(row) - if row < 400 { 0.0 } else { 0.4 }, ROWS));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!((said.verdict, named), (Verdict::Explained, vec!["regime_change"]), "{}", said.says);
+    let [change, when] = [&said.findings[0].parameters[0], &said.findings[0].parameters[1]];
+    assert!((change.value + 0.4).abs() < 4.0 * change.sd && change.sd < 0.01, "{} (sd {})", change.value, change.sd);
+    assert!((when.value - 399.5).abs() < 1.0, "{}", when.value);
+    // block 3 holds row 400
+    let held_out = &said.fit.held_out;
+    assert!(held_out.how.contains("block 3 not predicted"), "{}", held_out.how);
+    assert_eq!(held_out.parts.len(), 5);
+    assert!(held_out.rmse_before.unwrap() > 0.1 && held_out.rmse_after.unwrap() < 0.011, "{held_out:?}");
+}
+
 /// The coefficient may be all that changes.
 #[test]
 fn a_coefficient_that_is_switched_off_is_told_before_and_after() {

@@ -90,7 +90,7 @@ impl Effect for OffsetSteps {
     fn about(&self) -> About {
         About {
             physics: "the zero jumps where the sensor was plugged in again, or where a contact slipped, and stays there",
-            equation: "value = true + z sum of u_k over the runs so far, u_k ~ normal(0, 1) for each run after the first; jumps inside a run are for the locate stage to find",
+            equation: "value = true + z sum of u_k over the runs so far, u_k ~ normal(0, 1) for each run after the first, or for one to three of them and 0 for the others; jumps inside a run are for the locate stage to find",
             excitation: "two runs or more",
             impostors: &["offset_drift", "mullins_softening", "ageing"],
             separates: "constant inside each run and the same at every load",

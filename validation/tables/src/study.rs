@@ -10,8 +10,8 @@ use std::{
 };
 
 /// The study to quote, and the one of the engine that the table shows beside it.
-const QUOTED: &str = "validation/blind/prove/seed-291126/score.json";
-const BEFORE: &str = "validation/blind/prove/seed-4471903/score.json";
+const QUOTED: &str = "validation/blind/prove/seed-301126/score.json";
+const BEFORE: &str = "validation/blind/prove/seed-291126/score.json";
 
 /// What a score says; see `truegap prove`.
 #[derive(Deserialize)]
@@ -71,7 +71,7 @@ const fn row(says: &'static str, means: &'static str, kind: Kind) -> Row {
 }
 
 /// Rows of the study's table, in order.
-pub(crate) const ROWS: [Row; 13] = [
+pub(crate) const ROWS: [Row; 14] = [
     row("false alarms, all nulls", "false alarm: a cause is named where nothing is missing", Kind::Count),
     row("mismatch detected at d = 6 (5 to 7.2)", "weak mismatch (d = 6) is noticed", Kind::Count),
     row("the same where d counts the noise of the inputs", "the same where d counts the noise of the inputs", Kind::Count),
@@ -79,6 +79,11 @@ pub(crate) const ROWS: [Row; 13] = [
     row("exact effect named, singles at d >= 10", "one cause, d >= 10: it is named", Kind::Count),
     row("exact or within its set, singles at d >= 10", "one cause, d >= 10: it, or a set that holds it", Kind::Count),
     row("pairs, both found, each d >= 16", "two causes, each d >= 16: both are named", Kind::Count),
+    row(
+        "pairs, both found or within their sets, each d >= 16",
+        "two causes, each d >= 16: both, or sets that hold them",
+        Kind::Count,
+    ),
     row("wrong single claims", "a single name stated without a rival is wrong", Kind::Count),
     row("strangers called by a library name, d >= 16", "unmodelled cause, d >= 16: gets a name of the library", Kind::Count),
     row("calibration error of stated probabilities (ECE)", "calibration error of stated probabilities", Kind::Number),
@@ -88,11 +93,7 @@ pub(crate) const ROWS: [Row; 13] = [
         "misfit removed on fresh histories, d >= 16 (median)",
         Kind::Share,
     ),
-    row(
-        "seconds for a diagnosis (median)",
-        "time of a diagnosis, two cores (median; this draw beside other work)",
-        Kind::Seconds,
-    ),
+    row("seconds for a diagnosis (median)", "time of a diagnosis (median; this draw two at a time, a core each)", Kind::Seconds),
 ];
 
 impl Score {

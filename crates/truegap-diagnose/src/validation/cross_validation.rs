@@ -16,7 +16,7 @@ use crate::{
         all_rows::AllRows,
         moved_numbers::Refit,
         tuning::{MOST_PARTS, PARTS_OF_ONE_RUN, TELLS, THERE},
-        unforetold::{unforetold, without_saying},
+        unforetold::{changes, hides, not_predicted},
     },
     whitening::noise_model::NoiseModel,
 };
@@ -243,10 +243,11 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
     let of_library = tried.effects.iter().all(|e| search.library[*e].words().is_none());
     let warns = search.context.has_plates() && of_library;
     let slopes = around.as_ref().filter(|_| warns).map(|around| around.whitened(&whitener).1);
-    let unforetold = unforetold(&searched, &tried.fit.z, all.problem.inputs, &parts);
-    how += &without_saying(&parts, &unforetold);
-    let predict = |(part, unforetold): (&Part, &bool)| {
-        if *unforetold {
+    let changes = changes(&searched, &tried.fit.z);
+    let is_hidden = |part: &&Part| hides(&part.rows, all.problem.inputs, &changes);
+    how += &not_predicted(&parts.iter().filter(is_hidden).map(|part| part.name.as_str()).collect::<Vec<_>>());
+    let predict = |part: &Part| {
+        if is_hidden(&part) {
             return None;
         }
         let Fit { z, sd, hessian, .. } = without(search, noise, &searched, around.as_ref()?, part, all.first)?;
@@ -259,7 +260,7 @@ pub fn held_out(search: &Search<'_>, noise: &NoiseModel, tried: &Tried, all: All
         let scores = Scores { score: errors.norm_squared(), warned };
         Some((model.respond(&z).ok()?, scores, Refit { z, sd }))
     };
-    let predicted: Vec<Option<Foretold>> = parts.par_iter().zip(&unforetold).map(predict).collect();
+    let predicted: Vec<Option<Foretold>> = parts.par_iter().map(predict).collect();
     let response = &all.told();
     // NaN marks the rows that no part predicts, and those that tell nothing; every error below is taken over the finite ones only, and there is none where there are none
     let mut prediction = vec![f64::NAN; response.len()];

@@ -6,32 +6,29 @@
 //!
 //! Limits: where the fit of all rows has put the change.
 
-use crate::{effects::memory::elapsed_s, fit::model::Model, text::listed, validation::cross_validation::Part};
+use crate::{effects::memory::elapsed_s, fit::model::Model, text::listed};
 use std::ops::Range;
 use truegap_core::Inputs;
 
-/// Which of the parts hold a change of the model at `z`; `inputs` are those of the rows that the parts count.
-pub(crate) fn unforetold(model: &Model<'_>, z: &[f64], inputs: &Inputs, parts: &[Part]) -> Vec<bool> {
+/// The changes of the model at `z`: from when until when each of them goes on, seconds after the first row or rows without a clock.
+pub(crate) fn changes(model: &Model<'_>, z: &[f64]) -> Vec<Range<f64>> {
     let values = model.values(z);
-    let changes = model.effects.iter().enumerate().filter_map(|(i, effect)| effect.happens(&values[model.range_of(i)]));
-    let changes: Vec<Range<f64>> = changes.collect();
-    parts.iter().map(|part| changes.iter().any(|change| hides(part, inputs, change))).collect()
+    model.effects.iter().enumerate().filter_map(|(i, effect)| effect.happens(&values[model.range_of(i)])).collect()
 }
 
-/// Those parts for a reader; empty where there are none.
-pub(crate) fn without_saying(parts: &[Part], unforetold: &[bool]) -> String {
-    let held: Vec<&str> = parts.iter().zip(unforetold).filter(|(_, held)| **held).map(|(part, _)| part.name.as_str()).collect();
-    if held.is_empty() {
+/// The parts of these names that are not predicted, for a reader; empty where there are none.
+pub(crate) fn not_predicted(names: &[&str]) -> String {
+    if names.is_empty() {
         String::new()
     } else {
-        format!("; {} not predicted, since something happens there once", listed(&held, "and"))
+        format!("; {} not predicted, since something happens there once", listed(names, "and"))
     }
 }
 
-/// Whether a part hides a change: it sees it, and other parts tell what was before and what is after.
-fn hides(part: &Part, inputs: &Inputs, change: &Range<f64>) -> bool {
-    let is_inner = part.rows.iter().all(|rows| rows.start > 0 && rows.end < inputs.len());
-    is_inner && part.rows.iter().any(|rows| is_within(inputs, rows, change))
+/// Whether a part of these rows hides one of the changes: it sees it, and other parts tell what was before and what is after.
+pub(crate) fn hides(part: &[Range<usize>], inputs: &Inputs, changes: &[Range<f64>]) -> bool {
+    let is_inner = part.iter().all(|rows| rows.start > 0 && rows.end < inputs.len());
+    is_inner && changes.iter().any(|change| part.iter().any(|rows| is_within(inputs, rows, change)))
 }
 
 /// Whether these rows see the change: one of them is read while it goes on, or there are rows before and after it.
@@ -51,9 +48,8 @@ mod tests {
     #[test]
     fn a_part_hides_a_change_that_only_its_rows_see() {
         let inputs = Inputs { time_s: Some((0..40).map(f64::from).collect()), run: vec![1; 40], ..Inputs::default() };
-        let part = |rows: Range<usize>| Part { name: format!("from {}", rows.start), rows: vec![rows] };
-        let parts = [part(0..10), part(10..20), part(20..30), part(30..40)];
-        let hidden = |change: Range<f64>| parts.each_ref().map(|part| hides(part, &inputs, &change));
+        let parts = [0..10, 10..20, 20..30, 30..40];
+        let hidden = |change: Range<f64>| parts.clone().map(|rows| hides(&[rows], &inputs, std::slice::from_ref(&change)));
         assert_eq!(hidden(19.2..19.8), [false; 4]);
         assert_eq!(hidden(14.2..14.3), [false, true, false, false]);
         assert_eq!(hidden(18.5..19.5), [false, true, false, false]);
@@ -61,9 +57,9 @@ mod tests {
         assert_eq!(hidden(19.0..20.0), [false; 4]);
         assert_eq!((hidden(4.0..5.0), hidden(34.0..35.0)), ([false; 4], [false; 4]));
         assert_eq!(
-            without_saying(&parts, &hidden(18.0..21.0)),
-            "; from 10 and from 20 not predicted, since something happens there once"
+            not_predicted(&["block 2", "block 3"]),
+            "; block 2 and block 3 not predicted, since something happens there once"
         );
-        assert_eq!(without_saying(&parts, &[false; 4]), "");
+        assert_eq!(not_predicted(&[]), "");
     }
 }

@@ -146,6 +146,9 @@ fn naming(cases: &[Scored]) -> Vec<Row> {
         share("exact or within its set, singles at d >= 10", Target::None, cases, single, set),
         share("pairs, both found, each d >= 16", Target::AtLeast(0.90), cases, pair, holds_all),
         share("pairs, both found, each d >= 16 beside the other", Target::None, cases, separable, holds_all),
+        share("pairs, both found or within their sets, each d >= 16", Target::None, cases, pair, |case| {
+            holds_all(case) || set(case)
+        }),
     ]
 }
 

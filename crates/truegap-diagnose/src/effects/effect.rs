@@ -103,6 +103,15 @@ const WIDTH_SEEN: f64 = 2.0;
 /// The same for a time constant from that of a whole recording: a long one is hardly known in any case.
 const TIME_SEEN: f64 = 1.0;
 
+/// Something that happens once in a recording.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Once {
+    /// from when until when: seconds after the first row, rows without a clock
+    pub when: std::ops::Range<f64>,
+    /// how much higher or lower the reading stands afterwards, in its unit
+    pub change: f64,
+}
+
 /// Omitted physics: one stage of the chain that the base model takes to be the identity.
 ///
 /// `parameters(..)[0]` is the *size*: 0 means that the effect is absent, and the response is smooth in it.
@@ -170,8 +179,8 @@ pub trait Effect: Send + Sync {
     fn comes_back_s(&self) -> Option<f64> {
         None
     }
-    /// From when until when it happens, where it happens once: seconds after the first row, rows without a clock.
-    fn happens(&self, _values: &[f64]) -> Option<std::ops::Range<f64>> {
+    /// What happens once, where something does.
+    fn happens(&self, _values: &[f64], _context: &Context<'_>) -> Option<Once> {
         None
     }
     /// Whether it goes with the date, so that another recording shows it where both tell theirs.

@@ -9,13 +9,12 @@ use crate::{
     effects::composed::words::{Driver, InWords, Kinetics, Place},
     effects::{
         course::{Course, without_a_jump},
-        effect::{About, Effect, Family, FittedParameter},
+        effect::{About, Effect, Family, FittedParameter, Once},
         memory::elapsed_s,
     },
     stats::spread,
     text::with_sd,
 };
-use std::ops::Range;
 use truegap_core::{Drive, EffectId, Parameter, Readout, Stage, simulator::StageName};
 
 /// A zero and a coefficient that change at one time.
@@ -171,6 +170,19 @@ const LONGEST: f64 = 0.05;
 const LONGEST_JUMP: f64 = 0.02;
 const LOOKED_AT_FOR_JUMPS: usize = 48;
 
+/// Share of the longest time that a change may take from which on it has run to that limit.
+const AS_LONG_AS_IT_MAY: f64 = 0.99;
+
+/// Longest time that a change may take, in the unit of [`length`].
+fn longest_takes(context: &Context<'_>) -> f64 {
+    (longest(context).0 * length(context)).max(2.0 * shortest_takes(context))
+}
+
+/// Shortest time that one takes: that of a row.
+fn shortest_takes(context: &Context<'_>) -> f64 {
+    context.step_s().min(0.01 * length(context))
+}
+
 /// Longest that a change may take, as a share of the recording, and how many times it is looked for at.
 fn longest(context: &Context<'_>) -> (f64, usize) {
     if jumps_only(context) { (LONGEST_JUMP, LOOKED_AT_FOR_JUMPS) } else { (LONGEST, LOOKED_AT) }
@@ -228,13 +240,16 @@ impl Effect for RegimeChange {
     fn of_recorder(&self) -> bool {
         true
     }
-    fn happens(&self, values: &[f64]) -> Option<Range<f64>> {
-        let (when, half) = (values[1], 0.5 * values[2]);
-        Some(when - half..when + half)
+    fn happens(&self, values: &[f64], context: &Context<'_>) -> Option<Once> {
+        // what takes as long as it may is no moment, and other rows foretell how it goes on
+        let (when, takes) = (values[1], values[2]);
+        let unit = if matches!(self, Self::OfTheGain) { context.response_span.abs() } else { 1.0 };
+        let once = || Once { when: when - 0.5 * takes..when + 0.5 * takes, change: unit * values[0] };
+        (takes < AS_LONG_AS_IT_MAY * longest_takes(context)).then(once)
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let (of, length, (longest, _)) = (self.of(context), length(context), longest(context));
-        let step = context.step_s().min(0.01 * length);
+        let step = shortest_takes(context);
         let unit = if context.shortest_step_s.is_some() { "s" } else { "rows" };
         let (of_size, size, meaning, turned) = match self {
             Self::OfWhatMoves => (
@@ -252,7 +267,7 @@ impl Effect for RegimeChange {
             Parameter::normal("when", unit, 0.5 * length, 0.4 * length, "time of the change after the first row")
                 .within(ENDS.0 * length, ENDS.1 * length),
             Parameter::log_normal("takes", unit, (0.4 * longest * length).max(step), 1.5, "time that the change takes")
-                .within(step, (longest * length).max(2.0 * step)),
+                .within(step, longest_takes(context)),
         ];
         if of != Of::Nothing {
             list.push(Parameter::normal(TURN, "rad", 0.0, 1.0, turned).within(-LARGEST_TURN, LARGEST_TURN));

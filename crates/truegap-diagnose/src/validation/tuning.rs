@@ -178,3 +178,8 @@ pub(crate) const SINGLES_FROM: f64 = 10.0;
 
 /// The same of pairs.
 pub(crate) const PAIRS_FROM: f64 = 16.0;
+
+// unforetold.rs
+
+/// Times what a model leaves by which a change in it must exceed that, so that a part which holds it is not predicted. With every change so hidden, noise like 1/f was told as a mismatch.
+pub(crate) const JUMPS_OUT: f64 = 3.0;

@@ -4,16 +4,33 @@
 //! would be borne out by rows left out. Such a part says nothing of any model that is compared with the one that changes in it. The first part and the last one are predicted all the same: on one side of a change
 //! in them no other row tells what was there, so that nothing bears it out, and a law that errs at the ends would be spared there.
 //!
+//! A noise that lasts stands higher here and lower there, and bears out a level that changes once by about as much as it scatters: only a change that stands out of what is left beside it is hidden.
+//!
 //! Limits: where the fit of all rows has put the change.
 
-use crate::{effects::memory::elapsed_s, fit::model::Model, text::listed};
+use crate::{
+    effects::{
+        effect::{Effect, Once},
+        memory::elapsed_s,
+    },
+    fit::model::Model,
+    stats::rms,
+    text::listed,
+    validation::tuning::JUMPS_OUT,
+};
 use std::ops::Range;
 use truegap_core::Inputs;
 
-/// The changes of the model at `z`: from when until when each of them goes on, seconds after the first row or rows without a clock.
+/// The changes of the model at `z` that stand out of what it leaves: from when until when each of them goes on, seconds after the first row or rows without a clock.
 pub(crate) fn changes(model: &Model<'_>, z: &[f64]) -> Vec<Range<f64>> {
     let values = model.values(z);
-    model.effects.iter().enumerate().filter_map(|(i, effect)| effect.happens(&values[model.range_of(i)])).collect()
+    let happens = |(i, effect): (usize, &&dyn Effect)| effect.happens(&values[model.range_of(i)], model.context);
+    let once: Vec<Once> = model.effects.iter().enumerate().filter_map(happens).collect();
+    if once.is_empty() {
+        return Vec::new();
+    }
+    let left = model.misfit(z).map_or(f64::INFINITY, |left| rms(left.iter().copied()));
+    once.into_iter().filter(|once| once.change.abs() > JUMPS_OUT * left).map(|once| once.when).collect()
 }
 
 /// The parts of these names that are not predicted, for a reader; empty where there are none.

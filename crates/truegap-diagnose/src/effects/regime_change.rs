@@ -28,7 +28,6 @@ pub enum RegimeChange {
 impl RegimeChange {
     fn of(&self, context: &Context<'_>) -> Of {
         match self {
-            Self::OfWhatMoves if jumps_only(context) => Of::Nothing,
             Self::OfWhatMoves => Of::what_moves(context),
             Self::OfTheGain => Of::Reading,
         }
@@ -94,6 +93,8 @@ fn length(context: &Context<'_>) -> f64 {
 const TURN: &str = "turn";
 /// Angle at which the second of the two is all of the change; a little more is allowed, so that this is no limit.
 const LARGEST_TURN: f64 = 0.7 * std::f64::consts::PI;
+/// Deviation of the angle where only the zero can change. The number stays, so that a model of another recording is read beside such inputs.
+const NEXT_TO_NO_TURN: f64 = 1e-6;
 
 impl RegimeChange {
     /// What a change of size `change` with this angle does to coefficient and zero.
@@ -270,7 +271,8 @@ impl Effect for RegimeChange {
                 .within(step, longest_takes(context)),
         ];
         if of != Of::Nothing {
-            list.push(Parameter::normal(TURN, "rad", 0.0, 1.0, turned).within(-LARGEST_TURN, LARGEST_TURN));
+            let known = if jumps_only(context) { NEXT_TO_NO_TURN } else { 1.0 };
+            list.push(Parameter::normal(TURN, "rad", 0.0, known, turned).within(-LARGEST_TURN, LARGEST_TURN));
         }
         list
     }
@@ -281,7 +283,8 @@ impl Effect for RegimeChange {
         if of == Of::Nothing {
             return times.map(|t| vec![t, takes]).collect();
         }
-        let turns = |t: f64| if told_apart_at(t, context, of) > 0.0 { vec![0.0, STEEP] } else { vec![0.0] };
+        let steep = |t: f64| !jumps_only(context) && told_apart_at(t, context, of) > 0.0;
+        let turns = |t: f64| if steep(t) { vec![0.0, STEEP] } else { vec![0.0] };
         times.flat_map(|t| turns(t).into_iter().map(move |turn| vec![t, takes, turn])).collect()
     }
     fn comes_down_to(&self) -> Option<EffectId> {
@@ -311,7 +314,8 @@ impl Effect for RegimeChange {
         if context.simulator.joined().is_some_and(|joined| joined.count() > 1) {
             return Err("a change at one time belongs to one recording; diagnose it by itself".into());
         }
-        if let Some(course) = self.of(context).course(context).filter(|course| !course.comes_again(context)) {
+        let jumps_only = matches!(self, Self::OfWhatMoves) && jumps_only(context);
+        if let Some(course) = self.of(context).course(context).filter(|course| !jumps_only && !course.comes_again(context)) {
             let name = course.name(context);
             return Err(format!(
                 "{name} goes up or down no more than once; a change at one time cannot be told from a law of the way that it goes"
@@ -322,8 +326,8 @@ impl Effect for RegimeChange {
             return Err(format!("{rows} rows only, too few for two laws"));
         }
         match told_apart(context, self.of(context)) {
-            None => Err("what the coefficient is of does not move both before and after any time".into()),
-            Some(_) => Ok(()),
+            None if !jumps_only => Err("what the coefficient is of does not move both before and after any time".into()),
+            _ => Ok(()),
         }
     }
     fn with(&self, values: &[f64], context: &Context<'_>) -> Box<dyn Stage> {

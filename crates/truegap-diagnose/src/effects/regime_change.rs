@@ -79,9 +79,9 @@ impl Stage for Settling {
     }
 }
 
-/// Whether what moves goes up or down no more than once. One law before and one after is then a law of the way that it goes, and only a zero that jumps within few rows is told from it.
+/// Whether what moves goes one way only. One law before and one after is then a law of the way that it goes, and only a zero that jumps within few rows is told from it. Where it turns once, friction jumps as well.
 fn jumps_only(context: &Context<'_>) -> bool {
-    Of::what_moves(context).course(context).is_some_and(|course| !course.comes_again(context))
+    context.runs == 1 && Of::what_moves(context).goes_one_way(context)
 }
 
 /// Length over which a change can be looked for: seconds, or rows without a clock.

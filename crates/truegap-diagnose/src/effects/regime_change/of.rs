@@ -1,6 +1,6 @@
 //! What moves the reading while something is switched: of that a coefficient may change.
 
-use crate::{data::context::Context, effects::course::Course};
+use crate::{data::context::Context, effects::course::Course, stats::spread};
 
 /// What the coefficient is of.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,6 +12,9 @@ pub(super) enum Of {
     /// nothing moves: only the zero changes
     Nothing,
 }
+
+/// Share of its range by which what goes one way ends from where it began.
+const ONE_WAY: f64 = 0.9;
 
 /// Temperature range from which on a coefficient can be told, K.
 const WARMS: f64 = 2.0;
@@ -35,6 +38,13 @@ impl Of {
             Self::Reading => Course::of(context, 0),
             Self::Temperature | Self::Nothing => None,
         }
+    }
+
+    /// Whether what moves, where that is no temperature, ends about as far from where it began as it ever is, and does not come again.
+    pub(super) fn goes_one_way(self, context: &Context<'_>) -> bool {
+        let course = self.course(context).filter(|course| !course.comes_again(context));
+        let column = course.and_then(|course| course.recorded(context)).unwrap_or_default();
+        column.first().zip(column.last()).is_some_and(|(first, last)| (last - first).abs() >= ONE_WAY * spread(&column))
     }
 
     /// Range of what the coefficient is of, in its unit.

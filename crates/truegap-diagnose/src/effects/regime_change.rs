@@ -209,7 +209,7 @@ impl Effect for RegimeChange {
         About {
             physics: "something is switched inside the recording (a compensation, a repair, a new firmware): the zero, a coefficient, or both are others afterwards",
             equation: "value = true + q h(t) (cos a + sin a (x - m) / s), h from 0 to 1 at t_c, straight over w; x is T_s - T0, else a driver, else the reading, m its mean and s half its range; a = 0 is a jump of the zero; the coefficient before is that of `temperature_coefficient` (or `driver_coefficient`) beside it; a changed gain: value = true + q h(t) (cos a y + sin a S), y the reading and S its range",
-            excitation: "temperature (or a driver) that moves before and after the change; where what moves goes up or down no more than once, a zero that jumps within a fiftieth of the recording",
+            excitation: "temperature (or a driver) that moves before and after the change; where what moves goes one way only, a zero that jumps within a fiftieth of the recording",
             impostors: &[
                 "temperature_coefficient",
                 "driver_coefficient",

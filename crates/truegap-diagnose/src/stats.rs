@@ -118,6 +118,11 @@ pub fn log_sum_exp(values: &[f64]) -> f64 {
     greatest + values.iter().map(|v| (v - greatest).exp()).sum::<f64>().ln()
 }
 
+/// Log of the mean of exponentials.
+pub fn log_mean_exp(values: &[f64]) -> f64 {
+    log_sum_exp(values) - (values.len() as f64).ln()
+}
+
 /// Probability of a unit normal between two points.
 pub fn normal_between(low: f64, high: f64) -> f64 {
     let upper_tail = |x: f64| 0.5 * erfc(x / std::f64::consts::SQRT_2);

@@ -21,7 +21,7 @@ use crate::{
     },
     fit::{model::Model, optimum::Linearised},
     seeds::SEEDS,
-    stats::{deviation, log_sum_exp, spread},
+    stats::{deviation, log_mean_exp, spread},
     whitening::whitener::Whitener,
 };
 use nalgebra::{DMatrix, DVector};
@@ -76,10 +76,10 @@ impl Screened {
                 let grown = 1.0 + length * length / temper;
                 0.5 * z2 * (grown - 1.0) / grown - 0.5 * grown.ln()
             };
-            log_sum_exp(&LENGTHS.iter().map(at).collect::<Vec<_>>()) - (LENGTHS.len() as f64).ln()
+            log_mean_exp(&LENGTHS.iter().map(at).collect::<Vec<_>>())
         };
         let each: Vec<f64> = self.grid.iter().map(of).collect();
-        log_sum_exp(&each) - (each.len() as f64).ln()
+        log_mean_exp(&each)
     }
 
     /// The same with what the sentence is worth beforehand.

@@ -1,9 +1,14 @@
 //! Something is switched inside the recording: after an unknown time the zero of the reading is another one, or a coefficient, or both.
 
+mod extent;
 mod of;
 mod said;
 
-use self::{of::Of, said::at};
+use self::{
+    extent::{Extent, length},
+    of::Of,
+    said::at,
+};
 use crate::{
     data::context::Context,
     effects::composed::words::{Driver, InWords, Kinetics, Place},
@@ -79,16 +84,6 @@ impl Stage for Settling {
     }
 }
 
-/// Whether what moves goes one way only. One law before and one after is then a law of the way that it goes, and only a zero that jumps within few rows is told from it. Where it turns once, friction jumps as well.
-fn jumps_only(context: &Context<'_>) -> bool {
-    context.runs == 1 && Of::what_moves(context).goes_one_way(context)
-}
-
-/// Length over which a change can be looked for: seconds, or rows without a clock.
-fn length(context: &Context<'_>) -> f64 {
-    if context.shortest_step_s.is_some() { context.length_s() } else { context.inputs.len() as f64 }
-}
-
 /// How a change divides between zero and coefficient, as an angle: each of them may be all of it, and neither is a limit of the other.
 const TURN: &str = "turn";
 /// Angle at which the second of the two is all of the change; a little more is allowed, so that this is no limit.
@@ -97,6 +92,11 @@ const LARGEST_TURN: f64 = 0.7 * std::f64::consts::PI;
 const NEXT_TO_NO_TURN: f64 = 1e-6;
 
 impl RegimeChange {
+    /// Whether only a zero can change, and only within few rows: what moves goes one way only, so that one law before and one after are a law of the way that it goes. Where it turns once, friction jumps as well.
+    fn jumps_only(&self, context: &Context<'_>) -> bool {
+        matches!(self, Self::OfWhatMoves) && context.runs == 1 && Of::what_moves(context).goes_one_way(context)
+    }
+
     /// What a change of size `change` with this angle does to coefficient and zero.
     fn divided(&self, change: f64, turn: f64, context: &Context<'_>) -> (f64, f64) {
         let of = self.of(context);
@@ -162,33 +162,6 @@ fn told_apart_at(when: f64, context: &Context<'_>, of: Of) -> f64 {
 
 /// Angle from which a change is looked for as well: most of it is the second of the two.
 const STEEP: f64 = 1.2;
-/// Times at which a change is looked for to begin with.
-const LOOKED_AT: usize = 16;
-/// Longest that a change may take, as a share of the recording: what takes longer is a drift, and nothing was switched. With a seventh, noise like 1/f was followed by it. It is looked for as long as from one of
-/// these times to the next, or at that length where this is shorter, so that its time is found from afar.
-const LONGEST: f64 = 0.05;
-/// The same where [`jumps_only`]: what takes longer is a bend of the way that the input goes; and the times at which it is looked for, less than that apart.
-const LONGEST_JUMP: f64 = 0.02;
-const LOOKED_AT_FOR_JUMPS: usize = 48;
-
-/// Share of the longest time that a change may take from which on it has run to that limit.
-const AS_LONG_AS_IT_MAY: f64 = 0.99;
-
-/// Longest time that a change may take, in the unit of [`length`].
-fn longest_takes(context: &Context<'_>) -> f64 {
-    (longest(context).0 * length(context)).max(2.0 * shortest_takes(context))
-}
-
-/// Shortest time that one takes: that of a row.
-fn shortest_takes(context: &Context<'_>) -> f64 {
-    context.step_s().min(0.01 * length(context))
-}
-
-/// Longest that a change may take, as a share of the recording, and how many times it is looked for at.
-fn longest(context: &Context<'_>) -> (f64, usize) {
-    if jumps_only(context) { (LONGEST_JUMP, LOOKED_AT_FOR_JUMPS) } else { (LONGEST, LOOKED_AT) }
-}
-
 impl Effect for RegimeChange {
     fn id(&self) -> EffectId {
         EffectId(match self {
@@ -242,15 +215,14 @@ impl Effect for RegimeChange {
         true
     }
     fn happens(&self, values: &[f64], context: &Context<'_>) -> Option<Once> {
-        // what takes as long as it may is no moment, and other rows foretell how it goes on
         let (when, takes) = (values[1], values[2]);
         let unit = if matches!(self, Self::OfTheGain) { context.response_span.abs() } else { 1.0 };
         let once = || Once { when: when - 0.5 * takes..when + 0.5 * takes, change: unit * values[0] };
-        (takes < AS_LONG_AS_IT_MAY * longest_takes(context)).then(once)
+        Extent::of(self.jumps_only(context), context).is_a_moment(takes).then(once)
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
-        let (of, length, (longest, _)) = (self.of(context), length(context), longest(context));
-        let step = shortest_takes(context);
+        let (of, length, jumps_only) = (self.of(context), length(context), self.jumps_only(context));
+        let extent = Extent::of(jumps_only, context);
         let unit = if context.shortest_step_s.is_some() { "s" } else { "rows" };
         let (of_size, size, meaning, turned) = match self {
             Self::OfWhatMoves => (
@@ -267,23 +239,25 @@ impl Effect for RegimeChange {
             Parameter::normal("change", &of_size, 0.0, size, meaning),
             Parameter::normal("when", unit, 0.5 * length, 0.4 * length, "time of the change after the first row")
                 .within(ENDS.0 * length, ENDS.1 * length),
-            Parameter::log_normal("takes", unit, (0.4 * longest * length).max(step), 1.5, "time that the change takes")
-                .within(step, longest_takes(context)),
+            Parameter::log_normal("takes", unit, extent.usual(), 1.5, "time that the change takes")
+                .within(extent.shortest, extent.limit()),
         ];
         if of != Of::Nothing {
-            let known = if jumps_only(context) { NEXT_TO_NO_TURN } else { 1.0 };
+            let known = if jumps_only { NEXT_TO_NO_TURN } else { 1.0 };
             list.push(Parameter::normal(TURN, "rad", 0.0, known, turned).within(-LARGEST_TURN, LARGEST_TURN));
         }
         list
     }
     fn starts(&self, context: &Context<'_>) -> Vec<Vec<f64>> {
-        let (of, length, (longest, count)) = (self.of(context), length(context), longest(context));
-        let times = (0..count).map(|k| length * (ENDS.0 + (ENDS.1 - ENDS.0) * (k as f64 + 0.5) / count as f64));
-        let takes = (length / count as f64).min(longest * length);
+        let (of, length, jumps_only) = (self.of(context), length(context), self.jumps_only(context));
+        let extent = Extent::of(jumps_only, context);
+        let share = |k: usize| ENDS.0 + (ENDS.1 - ENDS.0) * (k as f64 + 0.5) / extent.times as f64;
+        let times = (0..extent.times).map(|k| length * share(k));
+        let takes = extent.looked_for();
         if of == Of::Nothing {
             return times.map(|t| vec![t, takes]).collect();
         }
-        let steep = |t: f64| !jumps_only(context) && told_apart_at(t, context, of) > 0.0;
+        let steep = |t: f64| !jumps_only && told_apart_at(t, context, of) > 0.0;
         let turns = |t: f64| if steep(t) { vec![0.0, STEEP] } else { vec![0.0] };
         times.flat_map(|t| turns(t).into_iter().map(move |turn| vec![t, takes, turn])).collect()
     }
@@ -314,7 +288,7 @@ impl Effect for RegimeChange {
         if context.simulator.joined().is_some_and(|joined| joined.count() > 1) {
             return Err("a change at one time belongs to one recording; diagnose it by itself".into());
         }
-        let jumps_only = matches!(self, Self::OfWhatMoves) && jumps_only(context);
+        let jumps_only = self.jumps_only(context);
         if let Some(course) = self.of(context).course(context).filter(|course| !jumps_only && !course.comes_again(context)) {
             let name = course.name(context);
             return Err(format!(

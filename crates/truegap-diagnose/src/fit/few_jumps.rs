@@ -9,7 +9,7 @@
 
 use crate::{
     fit::tuning::{FEW_JUMPS, SIZE_SCALES},
-    stats::log_sum_exp,
+    stats::log_mean_exp,
 };
 use nalgebra::{Cholesky, DMatrix, DVector};
 use std::ops::Range;
@@ -49,13 +49,8 @@ impl Told {
 
     /// The same with a width of which no more than its order of magnitude is known.
     fn of_any_width(&self, jumps: &[usize], widths: &[f64]) -> f64 {
-        mean(&widths.iter().map(|width| self.log_evidence(jumps, *width)).collect::<Vec<_>>())
+        log_mean_exp(&widths.iter().map(|width| self.log_evidence(jumps, *width)).collect::<Vec<_>>())
     }
-}
-
-/// Log of the mean of what these are logs of.
-fn mean(logs: &[f64]) -> f64 {
-    log_sum_exp(logs) - (logs.len() as f64).ln()
 }
 
 /// Log evidence that jumps gain where a few of them may be all, at noise of `louder` times the variance. `steps` are the numbers of the effect in `z`: the size, then the jumps in sizes.
@@ -72,9 +67,9 @@ pub(crate) fn few_jumps(hessian: &DMatrix<f64>, z: &[f64], steps: &Range<usize>,
     let all = told.of_any_width(&every, &widths);
     let numbers = 1..=FEW_JUMPS.min(jumps.len());
     let of_number =
-        |count| mean(&chosen(count, jumps.len()).iter().map(|few| told.of_any_width(few, &widths)).collect::<Vec<_>>());
-    let few = mean(&numbers.map(of_number).collect::<Vec<_>>());
-    let gain = mean(&[0.0, few - all]);
+        |count| log_mean_exp(&chosen(count, jumps.len()).iter().map(|few| told.of_any_width(few, &widths)).collect::<Vec<_>>());
+    let few = log_mean_exp(&numbers.map(of_number).collect::<Vec<_>>());
+    let gain = log_mean_exp(&[0.0, few - all]);
     if gain.is_finite() { gain } else { 0.0 }
 }
 
@@ -131,10 +126,10 @@ mod tests {
                 let own = few.iter().map(|jump| (jumps.column(*jump).into_owned(), width));
                 log_density(&rows, &own.chain([(line.clone(), 1.0)]).collect::<Vec<_>>())
             };
-            let any = |few: &[usize]| mean(&SIZE_SCALES.map(|width| with(few, width)));
-            let number = |count| mean(&chosen(count, 4).iter().map(|few| any(few)).collect::<Vec<_>>());
-            let few = mean(&[number(1), number(2), number(3)]);
-            let exact = mean(&[0.0, few - any(&[0, 1, 2, 3])]);
+            let any = |few: &[usize]| log_mean_exp(&SIZE_SCALES.map(|width| with(few, width)));
+            let number = |count| log_mean_exp(&chosen(count, 4).iter().map(|few| any(few)).collect::<Vec<_>>());
+            let few = log_mean_exp(&[number(1), number(2), number(3)]);
+            let exact = log_mean_exp(&[0.0, few - any(&[0, 1, 2, 3])]);
             let found = few_jumps(&hessian, &z, &(1..6), &[false; 6], 1.0);
             approx::assert_relative_eq!(found, exact, max_relative = 1e-9);
         }

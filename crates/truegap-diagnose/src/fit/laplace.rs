@@ -6,7 +6,7 @@
 
 use crate::{
     fit::tuning::{FAR_FROM_BOUND, SIZE_SCALES},
-    stats::{log_sum_exp, normal_between},
+    stats::{log_mean_exp, normal_between},
 };
 use nalgebra::{Cholesky, DMatrix, Dyn};
 use statrs::function::erf::erfc;
@@ -78,7 +78,7 @@ pub fn any_scale(z: f64, variance: f64, gradient: f64, bounds: (f64, f64)) -> f6
     // where the recording hardly tells the size, a straight line carries it far beyond what was fitted: no width of the prior saves more than all that the size pays,
     // nor more of its freedom than the narrowest
     let most = 0.5 * z * z + (1.0 / SIZE_SCALES[SIZE_SCALES.len() - 1]).ln();
-    (log_sum_exp(&each) - (each.len() as f64).ln() - at(1.0)).min(most)
+    (log_mean_exp(&each) - at(1.0)).min(most)
 }
 
 /// Log of the integral of `exp(-g t - t^2 / (2 v))` over t > 0, over that of the full Gaussian of variance v.

@@ -21,7 +21,7 @@ use crate::{
         ABSORBED_COLUMN, LENGTHS, MOST_BESIDE, NEAR_THE_BEST, OCTAVES, RUN_KNOTS, UNMODELLED_PRIOR, WANDER_KNOTS,
     },
     selection::{candidates::Tried, effect_set::EffectSet, prior::one_more, tuning::RIGHT_FAMILY},
-    stats::{log_sum_exp, symmetric_eigen},
+    stats::{log_mean_exp, symmetric_eigen},
     whitening::whitener::Whitener,
 };
 use nalgebra::DMatrix;
@@ -203,7 +203,7 @@ impl Columns {
             let apart = apart(found);
             LENGTHS.iter().map(|length| together(&apart, *length)).collect()
         };
-        log_sum_exp(&each) - (LENGTHS.len() as f64).ln()
+        log_mean_exp(&each)
     }
 }
 
@@ -219,7 +219,7 @@ fn one_of(found: &Scores, length: f64) -> f64 {
         0.5 * z2 * prior / (1.0 + prior) - 0.5 * (1.0 + prior).ln()
     };
     let each: Vec<f64> = (0..found.scores.len()).map(gain).collect();
-    log_sum_exp(&each) - (each.len() as f64).ln()
+    log_mean_exp(&each)
 }
 
 /// Scores along directions that do not correlate: variance and score of each that calibration leaves.

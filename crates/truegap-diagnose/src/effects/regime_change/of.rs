@@ -42,9 +42,10 @@ impl Of {
 
     /// Whether what moves, where that is no temperature, ends about as far from where it began as it ever is, and does not come again.
     pub(super) fn goes_one_way(self, context: &Context<'_>) -> bool {
-        let course = self.course(context).filter(|course| !course.comes_again(context));
-        let column = course.and_then(|course| course.recorded(context)).unwrap_or_default();
-        column.first().zip(column.last()).is_some_and(|(first, last)| (last - first).abs() >= ONE_WAY * spread(&column))
+        let Some(course) = self.course(context) else { return false };
+        let column = course.recorded(context).unwrap_or_default();
+        let far = |(first, last): (&f64, &f64)| (last - first).abs() >= ONE_WAY * spread(&column);
+        column.first().zip(column.last()).is_some_and(far) && !course.comes_again(context)
     }
 
     /// Range of what the coefficient is of, in its unit.

@@ -8,10 +8,9 @@ import zipfile
 import numpy as np
 import pickled
 from fitting import lag, line, scaled, terms
+from gauges import HOUR
 from numpy.lib import format as arrays
 from reading import csv
-
-HOUR = 3600
 
 
 def columns(content, rows=None, **names):

@@ -6,10 +6,8 @@ import io
 import numpy as np
 import pandas as pd
 from fitting import line, scaled, tone
-from gauges import DAY
+from gauges import DAY, HOUR
 from reading import csv, means, seconds
-
-HOUR = 3600
 
 
 def shot(content):

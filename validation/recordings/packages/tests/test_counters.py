@@ -9,16 +9,12 @@ import pickle
 import unittest
 
 import numpy as np
+from tests.made import told
 
 READS = all(importlib.util.find_spec(name) for name in ("scipy", "pandas"))
 if READS:
     import counters
     from fitting import play
-
-
-def told(columns):
-    """Columns as lists of plain numbers."""
-    return {name: np.round(np.asarray(values, float), 6).tolist() for name, values in columns.items()}
 
 
 def pickled_array(values):

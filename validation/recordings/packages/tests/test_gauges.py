@@ -6,6 +6,7 @@ import io
 import unittest
 
 import numpy as np
+from tests.made import told
 
 READS = all(importlib.util.find_spec(name) for name in ("scipy", "pandas"))
 if READS:
@@ -18,11 +19,6 @@ def written(table, **options):
     out = io.BytesIO()
     np.savetxt(out, table, **{"delimiter": ",", **options})
     return out.getvalue()
-
-
-def told(columns):
-    """Columns as lists of plain numbers."""
-    return {name: np.round(np.asarray(values, float), 6).tolist() for name, values in columns.items()}
 
 
 @unittest.skipUnless(READS, "scipy or pandas is not installed")

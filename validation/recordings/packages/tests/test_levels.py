@@ -9,15 +9,11 @@ import zipfile
 
 import numpy as np
 from problem import Problem
+from tests.made import told
 
 READS = all(importlib.util.find_spec(name) for name in ("scipy", "pandas"))
 if READS:
     import levels
-
-
-def told(columns):
-    """Columns as lists of plain numbers."""
-    return {name: np.round(np.asarray(values, float), 6).tolist() for name, values in columns.items()}
 
 
 def warmed(rate, warmth, taken):

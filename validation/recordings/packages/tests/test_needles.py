@@ -4,15 +4,11 @@ import importlib.util
 import unittest
 
 import numpy as np
+from tests.made import told
 
 READS = all(importlib.util.find_spec(name) for name in ("scipy", "pandas"))
 if READS:
     import needles
-
-
-def told(columns):
-    """Columns as lists of plain numbers."""
-    return {name: np.round(np.asarray(values, float), 6).tolist() for name, values in columns.items()}
 
 
 FLIGHT = b"ts,fan,fuel\n1,10,0.1\n2,20,\n3,30,0.3\n4,40,0.4\n5,50,0.5\n6,60,0.6\n"

@@ -5,15 +5,11 @@ import importlib.util
 import unittest
 
 import numpy as np
+from tests.made import told
 
 READS = all(importlib.util.find_spec(name) for name in ("scipy", "pandas"))
 if READS:
     import pointers
-
-
-def told(columns):
-    """Columns as lists of plain numbers."""
-    return {name: np.round(np.asarray(values, float), 6).tolist() for name, values in columns.items()}
 
 
 ONE = b"0.000\t1\n0.001\t2\n0.002\t3\n0.003\t4\n0.004\t5\n"

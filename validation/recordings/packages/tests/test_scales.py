@@ -5,16 +5,12 @@ import io
 import unittest
 
 import numpy as np
+from tests.made import told
 
 READS = all(importlib.util.find_spec(name) for name in ("scipy", "pandas"))
 if READS:
     import scales
     from scipy.io import savemat
-
-
-def told(columns):
-    """Columns as lists of plain numbers."""
-    return {name: np.round(np.asarray(values, float), 6).tolist() for name, values in columns.items()}
 
 
 def person(*trials):

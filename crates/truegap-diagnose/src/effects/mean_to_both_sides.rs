@@ -38,17 +38,22 @@ fn means(time: &[f64], column: &[f64], half_width: f64) -> Vec<f64> {
     for row in 1..column.len() {
         integral[row] = integral[row - 1] + 0.5 * (column[row] + column[row - 1]) * (time[row] - time[row - 1]);
     }
-    let up_to = |at: f64| {
-        let after = time.partition_point(|t| *t < at).clamp(1, time.len() - 1);
+    // the ends of windows never go back from row to row
+    let up_to = |at: f64, after: &mut usize| {
+        while *after + 1 < time.len() && time[*after] < at {
+            *after += 1;
+        }
+        let after = *after;
         let (before, width) = (after - 1, time[after] - time[after - 1]);
         let into = at - time[before];
         let slope = if width > 0.0 { (column[after] - column[before]) / width } else { 0.0 };
         integral[before] + into * (column[before] + 0.5 * slope * into)
     };
     let ends: Range<f64> = time[0]..time[time.len() - 1];
+    let (mut upper, mut lower) = (1, 1);
     let mean = |(at, here): (&f64, &f64)| {
         let half = half_width.min(at - ends.start).min(ends.end - at);
-        if half > 0.0 { (up_to(at + half) - up_to(at - half)) / (2.0 * half) } else { *here }
+        if half > 0.0 { (up_to(at + half, &mut upper) - up_to(at - half, &mut lower)) / (2.0 * half) } else { *here }
     };
     time.iter().zip(column).map(mean).collect()
 }

@@ -16,18 +16,30 @@ LIMIT = 900  # s; a turned constant may make a search long
 
 
 def recordings(scratch):
-    """The battery with the path of each recording, resolved through TRUEGAP_RECORDINGS; those of fewer rows are written to `scratch`."""
+    """The battery with the path of each recording, resolved through TRUEGAP_RECORDINGS and TRUEGAP_PACKAGES; those of fewer rows are written to `scratch`."""
     listed = tomllib.loads((HERE / "battery.toml").read_text())["recording"]
-    root = os.environ.get("TRUEGAP_RECORDINGS")
+    roots = {source: folder_of(source) for source in {one["source"] for one in listed} - {"built in"}}
     for one in listed:
         if one["source"] == "built in":
             one["given"] = "example"
             continue
-        if not root:
-            sys.exit("TRUEGAP_RECORDINGS names no folder of recordings (docs/recordings.md)")
-        folder = Path(root) if one["source"] == "real" else Path(root).parent / "blind"
+        folder = roots[one["source"]]
+        one.setdefault("file", f"{one['name']}/{one['name']}.toml")
         one["given"] = str(thinned(folder / one["file"], one["every"], scratch / one["name"]) if "every" in one else folder / one["file"])
     return listed
+
+
+def folder_of(source):
+    """The folder of recordings of a source."""
+    name, of = {
+        "real": ("TRUEGAP_RECORDINGS", "recordings (docs/recordings.md)"),
+        "generated": ("TRUEGAP_RECORDINGS", "recordings (docs/recordings.md)"),
+        "package": ("TRUEGAP_PACKAGES", "recordings that ship inside packages (validation/recordings/packages/fetch.py)"),
+    }[source]
+    if not os.environ.get(name):
+        sys.exit(f"{name} names no folder of {of}")
+    root = Path(os.environ[name])
+    return root.parent / "blind" if source == "generated" else root
 
 
 def thinned(description, every, folder):
@@ -88,9 +100,12 @@ def change(before, after):
 
 
 def is_right(truth, found):
-    """Whether an answer is right or right within its sets, as the blind studies score; `None` where no truth is known."""
+    """Whether an answer is right or right within its sets, as the blind studies score; `None` where no truth is known. A truth with `|` or `;` in it is a list of names for each cause, as those of real recordings
+    are written down."""
     if truth == "unknown":
         return None
+    if "|" in truth or ";" in truth:
+        return holds_all([set(cause.split("|")) for cause in truth.split(";")], found)
     own = set(found["names"])
     if truth == "nothing":
         return found["verdict"] == "agrees"
@@ -99,3 +114,12 @@ def is_right(truth, found):
     causes = set(truth.split(" + "))
     held = own | {name for s in found["sets"] for name in s}
     return own == causes or (found["verdict"] == "ambiguous" and causes <= held)
+
+
+def holds_all(causes, found):
+    """Whether each cause is told, by one of its names or a set that holds one, and nothing else is."""
+    told = [next((set(s) for s in found["sets"] if name in s), {name}) for name in found["names"]]
+    if not told:
+        return found["verdict"] == "agrees" and any("agrees" in cause for cause in causes)
+    missing = [cause - {"agrees"} for cause in causes if cause != {"agrees"}]
+    return all(any(t & cause for t in told) for cause in missing) and all(any(t & cause for cause in missing) for t in told)

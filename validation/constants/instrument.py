@@ -50,6 +50,7 @@ fn wider(prior: Prior, factor: f64) -> Prior {
     match prior {
         Prior::Normal { mean, sd } => Prior::Normal { mean, sd: sd * factor },
         Prior::LogNormal { median, log_sd } => Prior::LogNormal { median, log_sd: log_sd * factor },
+        Prior::Wide { sd } => Prior::Wide { sd: sd * factor },
     }
 }
 pub(crate) fn sized(mut own: Vec<Parameter>, foreseen: bool, factor: f64) -> Vec<Parameter> {

@@ -110,7 +110,8 @@ def run(program, scratch, names, jobs):
                 key = (entry["id"], word, recording)
                 if tells(reference, entry) and key not in known:
                     tasks.append((key, values, reference["given"]))
-    tasks.sort(key=lambda task: unturned[task[0][2]].get("control", False))
+    seconds = {name: json.loads(reference["text"])["seconds"] for name, reference in unturned.items()}
+    tasks.sort(key=lambda task: (unturned[task[0][2]].get("control", False), seconds[task[0][2]]))
     print(f"{len(tasks)} diagnoses", flush=True)
 
     def one(task):

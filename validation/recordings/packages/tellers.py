@@ -8,6 +8,7 @@ import struct
 import numpy as np
 import pandas as pd
 from fitting import line, scaled, terms
+from monitors import bends_with
 from reading import csv, seconds
 
 DAY = 86400
@@ -75,6 +76,19 @@ def lamp(content, number):
 def setting(content, number):
     """One lamp over its setting."""
     return dict(zip(("setting", "light"), lamp(content, number)))
+
+
+def of_two_lamps(c):
+    """Models of the second lamp over the first."""
+    y, x = c["second"], c["first"]
+    u = scaled(x)
+    return y, {
+        "as it is": lambda seen: x,
+        "zero": lambda seen: x + (y - x)[seen].mean(),
+        **bends_with(y, x),
+        "fourth power": line(y, x, u**2, u**3, u**4),
+        **one_side(y, x, x.max() / 4),
+    }
 
 
 def two_lamps(first, second, number):

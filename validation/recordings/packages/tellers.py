@@ -8,10 +8,10 @@ import struct
 import numpy as np
 import pandas as pd
 from fitting import line, scaled, terms
+from meters import DAY
 from monitors import bends_with
 from reading import csv, seconds
 
-DAY = 86400
 KELVIN = 273.15
 INERTIAL, RECEIVER = ("/sensor/ins-d/pva", ">qB6d"), ("/sensor/ublox-ZED-F9T/pva", ">qB6d")
 BAROMETER, ACCELEROMETER = ("/sensor/bmp388/baro_pressure", ">qd"), ("/sensor/vn-100/imu", ">qB3d")

@@ -1,11 +1,11 @@
 """How warm a valley of the upper Lahn is over how warm the lower one is, four years of days."""
 
 from fitting import line, scaled, tone
+from meters import DAY, YEAR
 from pickups import clocks
-from tellers import DAY, valley
+from tellers import valley
 
 HAND_BUILT = "line"
-YEAR = 365.25 * DAY
 
 
 def rows(*contents):

@@ -2,11 +2,11 @@
 
 from fitting import line, moved, scaled, terms, tone
 from levels import behind
+from meters import DAY, YEAR
 from pickups import clocks
-from tellers import DAY, valley
+from tellers import valley
 
 HAND_BUILT = "shift"
-YEAR = 365.25 * DAY
 
 
 def rows(*contents):

@@ -1,11 +1,10 @@
 """Nitrogen dioxide at a road over that away from it, means of the days of three years. Wind takes away what the cars give off."""
 
-from counters import DAY, road
+from counters import road
 from fitting import line, scaled, tone
-from meters import of_drivers
+from meters import DAY, YEAR, of_drivers
 
 HAND_BUILT = "wind, bent, drift, and week"
-YEAR = 365.25 * DAY
 
 
 def rows(content):

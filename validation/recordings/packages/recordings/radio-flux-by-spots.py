@@ -2,11 +2,11 @@
 
 import numpy as np
 from fitting import lag, line, terms, tone
-from monitors import DAY, sun_by_rotation
+from meters import YEAR
+from monitors import sun_by_rotation
 from sensors import switched
 
 HAND_BUILT = "spots, what they leave, and drift"
-YEAR = 365.25 * DAY
 
 
 def rows(content):

@@ -2,11 +2,11 @@
 
 import numpy as np
 from fitting import lag, line, scaled, terms, tone
-from monitors import DAY, star
+from meters import DAY, YEAR
+from monitors import star
 from sensors import switched
 
 HAND_BUILT = "drift"
-YEAR = 365.25 * DAY
 
 
 def rows(content):

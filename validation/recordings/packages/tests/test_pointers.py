@@ -5,7 +5,7 @@ import importlib.util
 import unittest
 
 import numpy as np
-from tests.made import told
+from tests.made import left_by, told
 
 READS = all(importlib.util.find_spec(name) for name in ("scipy", "pandas"))
 if READS:
@@ -58,21 +58,17 @@ class Readers(unittest.TestCase):
 
 @unittest.skipUnless(READS, "scipy or pandas is not installed")
 class Models(unittest.TestCase):
-    def left(self, y, models):
-        seen = np.ones(len(y), bool)
-        return {name: np.std(y - model(seen)) for name, model in models.items()}
-
     def test_three_waves_of_a_day_are_found_beside_a_bend(self):
         t, rng = np.arange(0, 8 * 86400, 3600.0), np.random.default_rng(1)
         x = rng.normal(size=len(t))
-        left = self.left(2 * x + x**2 + np.sin(6 * np.pi * t / 86400), pointers.by_day(2 * x + x**2 + np.sin(6 * np.pi * t / 86400), x, t))
+        left = left_by(2 * x + x**2 + np.sin(6 * np.pi * t / 86400), pointers.by_day(2 * x + x**2 + np.sin(6 * np.pi * t / 86400), x, t))
         self.assertLess(left["day, and square"], 1e-9)
         self.assertGreater(left["day"], 0.5)
         self.assertGreater(left["two waves a day"], left["day"])
 
     def test_two_drivers_are_found_beside_one_another(self):
         x, a, b = np.random.default_rng(2).normal(size=(3, 200))
-        left = self.left(x + 2 * a - b, pointers.two_drivers(x + 2 * a - b, x, a=a, b=b))
+        left = left_by(x + 2 * a - b, pointers.two_drivers(x + 2 * a - b, x, a=a, b=b))
         self.assertLess(left["a and b"], 1e-9)
 
 

@@ -7,7 +7,7 @@ import struct
 import unittest
 
 import numpy as np
-from tests.made import told
+from tests.made import left_by, told
 
 READS = all(importlib.util.find_spec(name) for name in ("scipy", "pandas"))
 if READS:
@@ -76,18 +76,14 @@ class Readers(unittest.TestCase):
 
 @unittest.skipUnless(READS, "scipy or pandas is not installed")
 class Models(unittest.TestCase):
-    def left(self, y, models):
-        seen = np.ones(len(y), bool)
-        return {name: np.std(y - model(seen)) for name, model in models.items()}
-
     def test_a_corner_and_a_power_are_found(self):
         x = np.linspace(0.1, 10, 100)
-        self.assertLess(self.left(2 * x - np.maximum(x - 6, 0), tellers.one_side(2 * x - np.maximum(x - 6, 0), x, 5.0))["corner"], 0.01)
-        self.assertLess(self.left(3 * x**0.6, tellers.one_side(3 * x**0.6, x, 5.0))["power"], 1e-6)
+        self.assertLess(left_by(2 * x - np.maximum(x - 6, 0), tellers.one_side(2 * x - np.maximum(x - 6, 0), x, 5.0))["corner"], 0.01)
+        self.assertLess(left_by(3 * x**0.6, tellers.one_side(3 * x**0.6, x, 5.0))["power"], 1e-6)
 
     def test_gains_by_two_drivers_are_found_beside_one_another(self):
         x, a, b = np.random.default_rng(3).normal(size=(3, 200))
-        left = self.left(x * (2 + a - b), tellers.gains(x * (2 + a - b), x, a=a, b=b))
+        left = left_by(x * (2 + a - b), tellers.gains(x * (2 + a - b), x, a=a, b=b))
         self.assertLess(left["gains by a and b"], 1e-9)
         self.assertGreater(left["gain by a"], 0.5)
 

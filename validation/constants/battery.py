@@ -18,7 +18,7 @@ LIMIT = 900  # s; a turned constant may make a search long
 def recordings(scratch):
     """The battery with the path of each recording, resolved through TRUEGAP_RECORDINGS and TRUEGAP_PACKAGES; those of fewer rows are written to `scratch`."""
     listed = tomllib.loads((HERE / "battery.toml").read_text())["recording"]
-    roots = {source: folder_of(source) for source in {one["source"] for one in listed} - {"built in"}}
+    roots = {source: folder_of(source) for source in sorted({one["source"] for one in listed} - {"built in"})}
     for one in listed:
         if one["source"] == "built in":
             one["given"] = "example"

@@ -112,3 +112,26 @@ fn what_is_louder_than_slow_noise_is_there() {
     let said = said(&model(), &inputs, &response);
     assert_ne!(said.verdict, Verdict::Agrees, "{}", said.says);
 }
+
+/// A clock beside a better one goes at another rate, and its phase wanders from row to row: a drift and a change of regime take that apart and are less likely than the walk alone, a drift beside the walk is much likelier.
+#[test]
+fn a_clock_that_wanders_and_goes_at_another_rate_drifts() {
+    const CLOCK: usize = 900;
+    let random = &mut ChaCha8Rng::seed_from_u64(7);
+    let mut unit = || -> f64 { StandardNormal.sample(random) };
+    let mut wandered = 0.0;
+    let mut read = |row: usize| {
+        let share = row as f64 / CLOCK as f64;
+        wandered += 0.7 / (CLOCK as f64).sqrt() * unit();
+        3.0 + 3.5 * share + wandered + 0.03 * unit()
+    };
+    let response: Vec<f64> = (0..CLOCK).map(&mut read).collect();
+    let time_s = (0..CLOCK).map(|row| 300.0 * row as f64).collect();
+    let inputs = Inputs { time_s: Some(time_s), run: vec![1; CLOCK], ..Inputs::default() };
+    let said = said(&Given::with_level(), &inputs, &response);
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["offset_drift"], "{}", said.says);
+    // the walk goes 0.7 over the recording, and a sixth of it is left out: 0.3 as its root mean square there
+    let held = &said.fit.held_out;
+    assert!(held.rmse_after.unwrap() < 0.35 && held.rmse_before.unwrap() > 0.8, "{held:?}");
+}

@@ -1,0 +1,13 @@
+"""Light that a film scatters over what the one beside it scatters, by the shift of the light."""
+
+from listeners import films, of_films
+
+HAND_BUILT = "square, and place"
+
+
+def rows(content):
+    return films(content, 7, 9)
+
+
+def models(c):
+    return of_films(c)

@@ -1,0 +1,13 @@
+"""Light that a film scatters over what the one before it scatters, by the shift of the light."""
+
+from listeners import films, of_films
+
+HAND_BUILT = "square"
+
+
+def rows(content):
+    return films(content, 0, 1)
+
+
+def models(c):
+    return of_films(c)

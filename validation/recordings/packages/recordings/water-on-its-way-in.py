@@ -1,0 +1,24 @@
+"""A ship takes in water: how warm it is in the laboratory over how warm it was in the sea, eleven days from Biscay to the equator."""
+
+from fitting import line, scaled, terms, tone
+from levels import behind
+from listeners import cruise, drifts
+from tellers import DAY
+
+HAND_BUILT = "line"
+
+
+def rows(content):
+    return cruise(content, 0, 1500, sea_degc="temperature", laboratory_degc="temperature_eq")
+
+
+def models(c):
+    y, x, t = c["laboratory_degc"], c["sea_degc"], c["time_s"]
+    u = scaled(x)
+    return y, {
+        **drifts(y, x, t, 600),
+        **behind(y, x, t, 600),
+        "day": line(y, x, *tone(t, DAY)),
+        "square, and day": line(y, x, u**2, *tone(t, DAY)),
+        "corner": terms(y, lambda p: [x, (x > p[0]) * (x - p[0])], [float(x.mean())]),
+    }

@@ -1,4 +1,4 @@
-"""Volts of a hot wire over those of a membrane that hydrogen presses, while it comes through a wall of steel for twelve hours. The wire tells a pressure by its logarithm."""
+"""Volts of a hot wire over those of a membrane that hydrogen presses, while it comes through a wall for eight and a half hours. The wire tells a pressure by its logarithm."""
 
 import numpy as np
 from fitting import line, scaled, terms

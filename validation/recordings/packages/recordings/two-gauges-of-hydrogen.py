@@ -1,4 +1,4 @@
-"""Volts of a membrane over those of a gauge by convection, both on the upper side of a wall, while it is pumped or filled anew for one and a half hours."""
+"""Volts of a membrane over those of a gauge by convection, both on the upper side of a wall, the last hour and a half of a run."""
 
 from fitting import line, moved, scaled, terms
 from listeners import drifts, permeation

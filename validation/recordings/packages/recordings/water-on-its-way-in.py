@@ -1,15 +1,16 @@
-"""A ship takes in water: how warm it is in the laboratory over how warm it was in the sea, eleven days from Biscay to the equator."""
+"""A ship takes in water: how warm it is in the laboratory over how warm it was in the sea, beside its salt, twelve days from off Biscay to the equator."""
 
 from fitting import line, scaled, terms, tone
 from levels import behind
 from listeners import cruise, drifts
+from meters import of_drivers
 from tellers import DAY
 
 HAND_BUILT = "line"
 
 
 def rows(content):
-    return cruise(content, 0, 1500, sea_degc="temperature", laboratory_degc="temperature_eq")
+    return cruise(content, 0, 1500, sea_degc="temperature", salt="salinity", laboratory_degc="temperature_eq")
 
 
 def models(c):
@@ -18,6 +19,7 @@ def models(c):
     return y, {
         **drifts(y, x, t, 600),
         **behind(y, x, t, 600),
+        **of_drivers(y, x, salt=c["salt"]),
         "day": line(y, x, *tone(t, DAY)),
         "square, and day": line(y, x, u**2, *tone(t, DAY)),
         "corner": terms(y, lambda p: [x, (x > p[0]) * (x - p[0])], [float(x.mean())]),

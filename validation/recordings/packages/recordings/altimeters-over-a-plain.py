@@ -1,9 +1,10 @@
 """Height of a plane over the ground by radar over that by laser, four lines over a plain. The laser sees a spot, the radar a patch that it flies over for seconds."""
 
 import numpy as np
-from fitting import lag, line, moved, scaled, terms
-from monitors import bends_with
-from needles import over_rows, survey
+from models.bends import bends_with
+from models.fitting import line, scaled, terms
+from models.lags import lag, moved
+from readers.galileoqc import over_rows, survey
 
 HAND_BUILT = "mean of nine rows, shift, and drift"
 

@@ -1,8 +1,9 @@
 """The thermometer by which a cryostat is controlled over that at its sample, from 2 K to 25 K and back in an hour and a half. Heat is not at both at once: the first is a few seconds behind."""
 
 import numpy as np
-from benches import spec_scans
-from fitting import lag, terms, usual
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.polartools import spec_scans
 
 HAND_BUILT = "shift, and drift"
 

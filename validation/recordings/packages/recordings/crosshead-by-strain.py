@@ -1,7 +1,7 @@
 """Position of the crosshead of a testing machine over the strain of its specimen, beside the load, each 0.06 s. What is between them is stretched by the load."""
 
-from fitting import line
-from rigs import pull
+from models.fitting import line
+from readers.pyfat import pull
 
 HAND_BUILT = "cubic"
 

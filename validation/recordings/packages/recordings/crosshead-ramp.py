@@ -1,7 +1,7 @@
 """Position of the crosshead of a testing machine over time while it pulls a specimen, each 0.06 s. It goes as it is told."""
 
-from fitting import line
-from rigs import pull
+from models.fitting import line
+from readers.pyfat import pull
 
 HAND_BUILT = "line"
 

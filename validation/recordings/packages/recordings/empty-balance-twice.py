@@ -1,7 +1,7 @@
 """Weight that an empty thermobalance shows while it is heated, two weeks after the same programme, every sixth reading; the simulation is the run before. Next to nothing is missing: a slow zero of some micrograms."""
 
-from fitting import line
-from reading import repeated
+from models.fitting import line
+from readers.pyngb import repeated
 
 HAND_BUILT = "drift"
 

@@ -1,8 +1,8 @@
 """Way of an extensometer on a specimen that is pulled over that of the crosshead. Until it yields, the grips and the frame give way more than the length between the clips."""
 
-from fitting import line
-from monitors import corner, pulled
-from recorders import usual_and_bends
+from models.bends import corner, usual_and_bends
+from models.fitting import line
+from readers.pyziagn import pulled
 
 HAND_BUILT = "fourth power"
 

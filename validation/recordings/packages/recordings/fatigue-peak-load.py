@@ -1,8 +1,8 @@
 """Largest load of each cycle of a fatigue test whose strain is held, a quarter of an hour, every second line of its file. The material softens."""
 
 import numpy as np
-from fitting import line, terms
-from rigs import cycles
+from models.fitting import line, terms
+from readers.pyfat import cycles
 
 HAND_BUILT = "logarithm"
 

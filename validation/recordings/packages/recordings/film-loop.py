@@ -1,15 +1,17 @@
 """Moment of a magnetic film on its substrate over the field, one loop of a SQUID magnetometer. The film has a loop and saturates, the substrate is diamagnetic."""
 
 import numpy as np
-from fitting import terms
-from rigs import loops, multivu, since
+from formats.clock import since_first
+from formats.multivu import multivu
+from models.fitting import terms
+from readers.stoner import loops
 
 HAND_BUILT = "two steps"
 
 
 def rows(content):
     frame = multivu(content)
-    return {"time_s": since(frame["Time Stamp (sec)"]), "field_koe": frame["Magnetic Field (Oe)"] / 1000, "moment_uemu": frame["Moment (emu)"] * 1e6}
+    return {"time_s": since_first(frame["Time Stamp (sec)"]), "field_koe": frame["Magnetic Field (Oe)"] / 1000, "moment_uemu": frame["Moment (emu)"] * 1e6}
 
 
 def models(c):

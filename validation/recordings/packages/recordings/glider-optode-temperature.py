@@ -2,7 +2,8 @@
 
 import numpy as np
 import pandas as pd
-from fitting import lag, line, terms
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "two lags"
 

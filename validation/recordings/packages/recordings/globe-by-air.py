@@ -1,8 +1,10 @@
 """Temperature inside of a black globe over that of the air beside it, a weather station in a town, 15 days, each quarter of an hour. The sun heats the globe."""
 
 import numpy as np
-from fitting import lag, line, terms, tone, usual
-from instruments import weather_station
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.metobs_toolkit import weather_station
 
 HAND_BUILT = "line, lag, and day"
 

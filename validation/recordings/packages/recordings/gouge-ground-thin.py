@@ -1,9 +1,9 @@
 """How far the layer between two slabs of rock is closed over how far they have slid, at one speed."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from monitors import bends_with
-from pickups import press
+from models.bends import bends_with
+from models.fitting import line, scaled, terms
+from readers.pylook import press
 
 HAND_BUILT = "logarithm"
 

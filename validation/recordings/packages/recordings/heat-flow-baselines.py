@@ -1,7 +1,7 @@
 """Heat flow of an empty calorimeter while it is heated to 800 degC, two weeks after the same programme, every sixth reading; the simulation is the run before. The sensor is another one when it is hot."""
 
-from fitting import line
-from reading import repeated
+from models.fitting import line
+from readers.pyngb import repeated
 
 HAND_BUILT = "temperature, bent"
 

@@ -4,8 +4,9 @@ import io
 
 import numpy as np
 import pandas as pd
-from fitting import lag, line, terms
-from reading import means
+from formats.rows import means
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "temperature, and its lag"
 

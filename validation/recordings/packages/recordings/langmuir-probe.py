@@ -3,8 +3,8 @@
 import io
 
 import numpy as np
-from fitting import terms
-from rigs import bends
+from models.bends import bends
+from models.fitting import terms
 
 HAND_BUILT = "two bends"
 

@@ -1,7 +1,7 @@
 """Largest position of each cycle of a fatigue test whose strain is held, beside the load. The specimen and the frame beyond the gauge are stretched by the load."""
 
-from fitting import line
-from rigs import cycles
+from models.fitting import line
+from readers.pyfat import cycles
 
 HAND_BUILT = "load"
 

@@ -1,6 +1,6 @@
 """Two voltage inputs of a logger at steps of less than a millivolt, 45 s. They agree."""
 
-from sensors import inputs_alike, side_by_side
+from readers.rocketlogger import inputs_alike, side_by_side
 
 HAND_BUILT = "line"
 LABELS = ("first_mv", "second_mv")

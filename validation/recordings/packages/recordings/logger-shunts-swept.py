@@ -1,6 +1,6 @@
 """Two inputs for current of a logger in series while they are calibrated from one end of their range to the other and back, as numbers of the converter. One reads a little more on the way back."""
 
-from sensors import inputs_alike, side_by_side
+from readers.rocketlogger import inputs_alike, side_by_side
 
 HAND_BUILT = "step"
 LABELS = ("first_kcounts", "second_kcounts")

@@ -1,15 +1,17 @@
 """Moment of a magnetic sample over the field, one loop of a vibrating-sample magnetometer, a row a second. It saturates, and has next to no loop."""
 
 import numpy as np
-from fitting import line, terms
-from rigs import loops, multivu, since
+from formats.clock import since_first
+from formats.multivu import multivu
+from models.fitting import line, terms
+from readers.stoner import loops
 
 HAND_BUILT = "two widths"
 
 
 def rows(content):
     frame = multivu(content)
-    return {"time_s": since(frame["Time Stamp (sec)"]), "field_koe": frame["Magnetic Field (Oe)"] / 1000, "moment_emu": frame["Moment (emu)"]}
+    return {"time_s": since_first(frame["Time Stamp (sec)"]), "field_koe": frame["Magnetic Field (Oe)"] / 1000, "moment_emu": frame["Moment (emu)"]}
 
 
 def models(c):

@@ -1,8 +1,9 @@
 """Loss of a microwave link of 10 km at 23 GHz over the rain along it by a reference, ten days in May in steps of 5 min: the loss grows less than in proportion; wet antennas add to it."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import link_loss
+from models.fitting import line, terms
+from models.lags import lag
+from readers.pycomlink import link_loss
 
 HAND_BUILT = "square"
 LINK = 389

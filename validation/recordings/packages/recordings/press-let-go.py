@@ -1,9 +1,9 @@
 """Shear stress of two slabs of rock over how far a press has drawn back, until it lets them go."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from monitors import bends_with
-from pickups import press
+from models.bends import bends_with
+from models.fitting import line, scaled, terms
+from readers.pylook import press
 
 HAND_BUILT = "slack, and drift"
 

@@ -1,7 +1,9 @@
 """Flow of a river by its gauge over that by a model, five years, a row a day. The model lets the water go too early, and has too little of a year."""
 
-from fitting import lag, line, terms, tone, usual
-from stations import compared
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.modelskill import compared
 
 HAND_BUILT = "line and lag, and year"
 DAY = 86400.0

@@ -1,9 +1,9 @@
 """Shear stress of two slabs of rock over how far a press has pushed, until they slide."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from monitors import bends_with, corner
-from pickups import press
+from models.bends import bends_with, corner
+from models.fitting import line, scaled, terms
+from readers.pylook import press
 
 HAND_BUILT = "soft step"
 

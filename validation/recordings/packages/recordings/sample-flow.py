@@ -4,8 +4,8 @@ import io
 
 import numpy as np
 import pandas as pd
-from fitting import line
-from reading import means
+from formats.rows import means
+from models.fitting import line
 
 HAND_BUILT = "constant"
 

@@ -1,7 +1,8 @@
 """Pressure at sea level that a weather station gives over that at its place, 80 m higher, 15 days, each ten minutes. Warm air is thin: the column below weighs less."""
 
-from fitting import line, usual
-from instruments import weather_station
+from models.fitting import line
+from models.lags import usual
+from readers.metobs_toolkit import weather_station
 
 HAND_BUILT = "temperature"
 

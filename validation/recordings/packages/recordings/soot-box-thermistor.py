@@ -1,7 +1,8 @@
 """Voltage of a thermistor on the heat sink of the crystal in a soot photometer over the temperature of its chamber, a day in means of half a minute. The chamber cools and warms by 10 K; the sink follows it a few minutes later, and a thermistor is bent."""
 
-from fitting import lag, line, terms, usual
-from housekeeping import half_minutes, photometer
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.pysp2 import half_minutes, photometer
 
 HAND_BUILT = "bent, and a part late"
 

@@ -1,7 +1,8 @@
 """Flow of clean air around the sample of a soot photometer on a ship in the ice, as a mass, over the same flow as a volume that its controller holds, a day in means of half a minute. The chamber cools and warms by 10 K, the pressure falls."""
 
-from fitting import line, through_zero, usual
-from housekeeping import half_minutes, photometer
+from models.fitting import line, through_zero
+from models.lags import usual
+from readers.pysp2 import half_minutes, photometer
 
 HAND_BUILT = "gas law"
 

@@ -1,6 +1,7 @@
 """Load of a specimen of plastic over its strain while it is pulled, up to shortly before it breaks, each 0.06 s. It yields, and then gets thinner."""
 
-from rigs import bends, pull
+from models.bends import bends
+from readers.pyfat import pull
 
 HAND_BUILT = "soft bend"
 

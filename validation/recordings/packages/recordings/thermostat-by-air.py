@@ -1,7 +1,8 @@
 """Drive of a thermostat that holds a radio receiver at 25 degC, over the temperature of the air, a row each ten minutes, three and a half days. Its box follows the air late."""
 
 import pandas as pd
-from receivers import hut, late_models, thermostat
+from models.lags import late_models
+from readers.edges_io import hut, thermostat
 
 HAND_BUILT = "lag, and drift"
 

@@ -1,8 +1,9 @@
 """How far the tower of a wind turbine pitches over how far its float does, by cameras, in waves of a basin. The tower bends where its head is pushed."""
 
-from fitting import line, moved, scaled, terms
-from meters import of_drivers
-from pickups import basin
+from models.drivers import of_drivers
+from models.fitting import line, scaled, terms
+from models.lags import moved
+from readers.qats import basin
 
 HAND_BUILT = "square, and acceleration"
 

@@ -1,7 +1,9 @@
 """Water level of a strait by a gauge over that by a model, half a year, a row an hour. They agree but for a little."""
 
-from fitting import line, tone, usual
-from stations import compared
+from models.cycles import tone
+from models.fitting import line
+from models.lags import usual
+from readers.modelskill import compared
 
 HAND_BUILT = "square"
 MOON = 44714  # s

@@ -5,8 +5,9 @@ import zipfile
 
 import numpy as np
 import pandas as pd
-from fitting import line, terms
-from reading import csv, seconds
+from formats.clock import seconds
+from formats.text import csv
+from models.fitting import line, terms
 
 HAND_BUILT = "an S while the pitch is small, and density"
 

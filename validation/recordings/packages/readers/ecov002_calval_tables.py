@@ -1,0 +1,12 @@
+"""Reads files of the package ecov002-calval-tables."""
+
+import io
+
+import pandas as pd
+
+
+def towers(content, *names):
+    """Towers at the moments at which a satellite passed over them, in the order of these moments."""
+    frame = pd.read_csv(io.BytesIO(content))
+    frame = frame.dropna(subset=list(names))
+    return frame.sort_values(["eco_time_utc", "ID"], kind="stable")

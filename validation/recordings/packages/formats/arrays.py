@@ -6,5 +6,5 @@ import numpy as np
 
 
 def array(content):
-    """An array of numpy that holds numbers only."""
+    """An array of numpy that holds numbers only, or an archive of such by their names."""
     return np.load(io.BytesIO(content), allow_pickle=False)

@@ -4,7 +4,7 @@ import io
 
 import numpy as np
 import pandas as pd
-from formats.clock import since_first
+from formats.clock import seconds
 
 
 def matrix(content, **options):
@@ -19,8 +19,8 @@ def csv(content, **options):
 
 def dated(content, *names):
     """Days of a table by their date; seconds since the first."""
-    frame = pd.read_csv(io.BytesIO(content), parse_dates=["date"])
-    return frame[list(names)].assign(time_s=since_first((frame.date - frame.date.iloc[0]).dt.total_seconds()))
+    frame = csv(content, parse_dates=["date"])
+    return frame[list(names)].assign(time_s=seconds(frame.date))
 
 
 def columns(content, rows=None, **names):

@@ -16,7 +16,7 @@ def passers_by(content, begin, end, **names):
     return {"time_s": seconds(kept.when), **{name: kept[column] for name, column in names.items()}}
 
 
-def by_the_hour(here, there, t):
+def hour_models(here, there, t):
     """Models of what one counter sees by what the other does: hours of a day and of a week may be others for the two."""
     one, waves, week = tone(t, DAY), [part for k in (1, 2, 3) for part in tone(t, DAY / k)], tone(t, 7 * DAY)
     return {

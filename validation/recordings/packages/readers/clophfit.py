@@ -3,11 +3,12 @@
 import io
 
 import pandas as pd
+from formats.text import csv
 
 
 def plate_scans(content, notes, measurement, temperature):
     """Scans of all wells of a plate by one measurement, a column a well, and what the notes tell of the wells at a temperature, by the well."""
-    told = pd.read_csv(io.BytesIO(notes))
+    told = csv(notes)
     told = told[told.Temp == temperature].set_index("Well")
     lines = content.decode("latin1").splitlines()
     first = next(k for k, text in enumerate(lines) if text.startswith("Well\t"))

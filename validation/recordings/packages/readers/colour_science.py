@@ -4,7 +4,7 @@ import numpy as np
 from formats.text import csv
 
 
-def charts(first, second):
+def two_charts(first, second):
     """Reflectance of the same patches of two charts at the wavelengths that both have; a patch is a run."""
     one, other = (csv(content).set_index("wavelength") for content in (first, second))
     both = one.index.intersection(other.index)

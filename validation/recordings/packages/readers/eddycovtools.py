@@ -2,7 +2,7 @@
 
 import numpy as np
 import pandas as pd
-from formats.clock import since_first
+from formats.clock import seconds
 from formats.toa5 import toa5
 
 BROKEN = 900
@@ -15,4 +15,4 @@ def two_stations(slow, sonic):
     quick.loc[(quick[names] > BROKEN).any(axis=1), names] = np.nan
     means = {f"sonic{k}_c": np.nanmean(quick[f"Ts_{k}"].to_numpy().reshape(-1, 20), axis=1).round(4) for k in (1, 2)}
     when = pd.to_datetime(frame.TIMESTAMP)
-    return frame.assign(time_s=since_first((when - when.iloc[0]).dt.total_seconds()), **means)
+    return frame.assign(time_s=seconds(when), **means)

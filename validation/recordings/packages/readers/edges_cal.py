@@ -1,6 +1,7 @@
 """Reads files of the package edges-cal."""
 
 import pandas as pd
+from formats.clock import seconds
 from formats.text import csv
 
 LOADS = "date time lna_v lna_ohm lna_c switch_v switch_ohm switch_c load_v load_ohm load_c room_c".split()
@@ -11,4 +12,4 @@ def load_thermistors(content):
     frame = csv(content, encoding="latin1")
     frame.columns = LOADS
     when = pd.to_datetime(frame.date + " " + frame.time, format="%m/%d/%Y %H:%M:%S")
-    return frame.assign(time_s=(when - when.iloc[0]).dt.total_seconds())
+    return frame.assign(time_s=seconds(when))

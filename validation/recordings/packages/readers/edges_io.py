@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pandas as pd
+from formats.clock import seconds
 from models.fitting import line, terms
 from models.lags import usual
 
@@ -21,7 +22,7 @@ def field_receiver(content):
             when = pd.to_datetime(f"{day[0]} {day[1]} {clock}", format="%Y %j %H:%M:%S")
             rows.append({"when": when, **{name: float(told[key]) for key, name in BOX.items()}})
     frame = pd.DataFrame(rows)
-    return frame.assign(time_s=(frame.when - frame.when.iloc[0]).dt.total_seconds())
+    return frame.assign(time_s=seconds(frame.when))
 
 
 def hut(content):
@@ -34,7 +35,7 @@ def hut(content):
     frame = pd.DataFrame(rows)
     warm = frame[["rack_temp", "ambient_temp", "frontend"]].sub(273.15).round(2)
     warm.columns = ["rack_c", "air_c", "receiver_c"]
-    return pd.concat([frame[["when", "ambient_hum"]], warm], axis=1).assign(time_s=(frame.when - frame.when.iloc[0]).dt.total_seconds())
+    return pd.concat([frame[["when", "ambient_hum"]], warm], axis=1).assign(time_s=seconds(frame.when))
 
 
 def thermostat(content):

@@ -3,7 +3,7 @@
 import io
 
 import pandas as pd
-from formats.clock import TIME_OF_DAY, since_first
+from formats.clock import TIME_OF_DAY, seconds
 
 
 def casts(content, laboratory, *names):
@@ -13,4 +13,4 @@ def casts(content, laboratory, *names):
     of_day = frame.Time.astype(str).str[-8:]
     when = pd.to_datetime(frame.Date) + pd.to_timedelta(of_day.where(of_day.str.fullmatch(TIME_OF_DAY), "00:00:00"))
     told = frame[list(names)].apply(pd.to_numeric).groupby(when).mean().sort_index()
-    return told.assign(time_s=since_first((told.index - told.index[0]).total_seconds())).reset_index(drop=True)
+    return told.assign(time_s=seconds(told.index)).reset_index(drop=True)

@@ -5,7 +5,7 @@ import json
 import numpy as np
 
 
-def melted(fast, slow, lowest, highest):
+def melting(fast, slow, lowest, highest):
     """What a sample takes up as it is warmed fast, and as it was at the same warmth when it was warmed slowly; seconds since the lowest warmth."""
     fast, slow = json.loads(fast), json.loads(slow)
     warmth, taken = np.array(fast["T"]), np.array(fast["latentdata"])

@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 
 
-def surveyed(content):
+def survey_rows(content):
     """Rows of a survey from the air as a data frame, in their order."""
     cells = [text.split() for text in content.decode("latin1").splitlines()]
     head = next(line for line in cells if "FTIME" in line)[1:]
@@ -14,13 +14,13 @@ def surveyed(content):
 
 def survey(content, **names):
     """Columns of a survey by the names that they are to have; a line that was flown is a run. Seconds are those of the day's clock since the first row."""
-    frame = surveyed(content)
+    frame = survey_rows(content)
     return {"run": pd.factorize(frame.LINE)[0] + 1, "time_s": frame.FTIME - frame.FTIME.iloc[0], **{name: frame[column] for name, column in names.items()}}
 
 
 def flown_again(content, every, what):
     """What was told along a line as it was flown again and again, each so many rows from west to east, beside what was told the first time at the same places; a flight is a run."""
-    frame = surveyed(content)
+    frame = survey_rows(content)
     first, *others = (rows.sort_values("MGA-X") for _, rows in frame.groupby("LINE"))
     found = []
     for run, rows in enumerate(others, 1):
@@ -30,6 +30,6 @@ def flown_again(content, every, what):
     return {"run": run.astype(int), "first_mgal": np.round(before, 6), "again_mgal": again}
 
 
-def over_rows(x, run, rows):
+def means_along_runs(x, run, rows):
     """Means over so many rows about each, inside of its run."""
     return np.concatenate([pd.Series(x[run == one]).rolling(rows, center=True, min_periods=1).mean() for one in np.unique(run)])

@@ -6,7 +6,7 @@ from formats.rows import numbered
 from formats.text import csv
 
 
-def sputtered(content, *names):
+def sputtered_ions(content, *names):
     """Counts of some ions while a layer is worn off, from 6 s on; names are those of its head."""
     lines = [text.rstrip("\t").split("\t") for text in content.decode("latin1").splitlines()]
     start = next(k for k, cells in enumerate(lines) if cells[0].startswith("Sputter"))
@@ -26,7 +26,7 @@ def capacitances(*contents):
     return {"run": numbered(tables), "decades": np.log10(hertz).round(6), "cell_k": kelvin, "capacitance_nf": farad}
 
 
-def kept_hot(content, least):
+def cell_kept_hot(content, least):
     """Power of a solar cell that is kept hot and in light, each half an hour; rows with less light than a number are left out."""
     frame = csv(content, sep=";", skiprows=3)
     parts = frame.Time.str.split(":", expand=True).astype(float)

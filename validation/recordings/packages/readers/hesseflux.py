@@ -1,6 +1,7 @@
 """Reads files of the package hesseflux."""
 
 import pandas as pd
+from formats.clock import seconds
 from formats.text import csv
 
 
@@ -9,4 +10,4 @@ def tower(content, first, last, *names):
     frame = csv(content, usecols=["TIMESTAMP_END", *names], na_values=["-9999", "-9999.0000"])
     when = pd.to_datetime(frame.TIMESTAMP_END.astype(str), format="%Y%m%d%H%M")
     frame = frame.assign(when=when)[(when >= first) & (when < last)].dropna()
-    return frame.assign(time_s=(frame.when - frame.when.iloc[0]).dt.total_seconds())
+    return frame.assign(time_s=seconds(frame.when))

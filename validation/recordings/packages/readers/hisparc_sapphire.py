@@ -1,27 +1,26 @@
 """Reads files of the package hisparc-sapphire, and holds models that its recordings share."""
 
-import io
-
 import numpy as np
 from durations import GREGORIAN_YEAR
 from formats.clock import since_first
+from formats.text import matrix
 from models.cycles import tone
 from models.fitting import line
 
 
 def detector(content, begin=0):
     """Rows of the days on which the time of the first detector of a station against the second was found, from one of them on: seconds since then, and that time in ns."""
-    table = np.loadtxt(io.BytesIO(content))
+    table = matrix(content)
     table = table[np.isfinite(table[:, 1])][begin:]
     return {"time_s": since_first(table[:, 0]), "late_ns": table[:, 1]}
 
 
 def detector_models(c):
     """Its reading, and what is tried for it."""
-    return c["late_ns"], drifts(c["late_ns"], c["time_s"])
+    return c["late_ns"], drift_models(c["late_ns"], c["time_s"])
 
 
-def drifts(y, t):
+def drift_models(y, t):
     """What is tried where nothing is recorded but a clock: a drift, its square, a year, and a step where it takes most."""
     halves = [np.var(y[:k]) * k + np.var(y[k:]) * (len(y) - k) for k in range(10, len(y) - 10)]
     step = (np.arange(len(y)) >= 10 + int(np.argmin(halves))).astype(float)

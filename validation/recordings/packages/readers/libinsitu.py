@@ -3,7 +3,7 @@
 import gzip
 
 import pandas as pd
-from formats.clock import since_first
+from formats.clock import seconds, since_first
 from formats.text import csv
 
 
@@ -12,7 +12,7 @@ def radiation(content, first, last):
     frame = csv(gzip.decompress(content)).dropna()
     when = pd.to_datetime(frame.date + " " + frame.time)
     frame = frame.assign(when=when, air_c=frame.temp - 273.15)[(when >= first) & (when < last)]
-    return frame.assign(time_s=(frame.when - frame.when.iloc[0]).dt.total_seconds())
+    return frame.assign(time_s=seconds(frame.when))
 
 
 def clock_from_first_row(frame):

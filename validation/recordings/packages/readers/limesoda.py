@@ -1,11 +1,9 @@
 """Reads files of the package limesoda."""
 
-import io
-
-import numpy as np
+from formats.arrays import array
 
 
 def soil_samples(content, *places):
     """Columns of a table of soil samples by their place."""
-    with np.load(io.BytesIO(content), allow_pickle=False) as file:
+    with array(content) as file:
         return file["dataset_data"][:, places].T

@@ -1,6 +1,7 @@
 """Reads files of the package metobs-toolkit."""
 
 import pandas as pd
+from formats.clock import seconds
 from formats.text import csv
 
 
@@ -15,4 +16,4 @@ def station_pair(content, first, second, column, every=3):
     """One column of two weather stations, `_1` and `_2`, each so many rows, with seconds since the first."""
     both = weather_station(content, first)[[column]].join(weather_station(content, second)[[column]], lsuffix="_1", rsuffix="_2")
     both = both.iloc[::every].dropna()
-    return (both.index - both.index[0]).total_seconds().to_numpy(), both.iloc[:, 0].to_numpy(), both.iloc[:, 1].to_numpy()
+    return seconds(both.index), both.iloc[:, 0].to_numpy(), both.iloc[:, 1].to_numpy()

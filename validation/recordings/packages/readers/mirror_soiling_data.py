@@ -3,6 +3,7 @@
 import io
 
 import pandas as pd
+from formats.clock import seconds
 
 
 def weather(content):
@@ -14,7 +15,7 @@ def sheet(content, name):
     """A sheet of a workbook whose first column is the time, in rows that have one, and seconds since the first."""
     frame = pd.read_excel(io.BytesIO(content), sheet_name=name)
     frame = frame.loc[:, ~frame.columns.str.startswith("Unnamed")].dropna(subset=["Time"])
-    return frame.assign(time_s=(frame.Time - frame.Time.iloc[0]).dt.total_seconds())
+    return frame.assign(time_s=seconds(frame.Time))
 
 
 def mirrors(contents):

@@ -1,9 +1,7 @@
 """Reads files of the package mobgap."""
 
-import io
-
 import numpy as np
-from scipy.io import loadmat
+from formats.matlab import variables
 
 
 def paces(told):
@@ -19,7 +17,7 @@ def strides(*contents, apart):
     """Lengths of strides by cameras and by what was worn, where both begin and end them within so many seconds."""
     found = []
     for content in contents:
-        data = loadmat(io.BytesIO(content), squeeze_me=True, struct_as_record=False)["data"]
+        data = variables(content, squeeze_me=True, struct_as_record=False)["data"]
         for walk in walks(data):
             seen, worn = paces(walk.Standards.Stereophoto), paces(walk.Standards.INDIP)
             for stride in worn if len(seen) else []:

@@ -1,18 +1,15 @@
 """Reads files of the package neptoon."""
 
-import io
-import zipfile
-
 import pandas as pd
 from formats.clock import seconds
+from formats.packed import all_in_zip
 from formats.text import csv
 
 
 def neutron_station(content):
     """Forty days of a neutron probe that writes a file an event, from a zip archive: its numbers by name, in the order of time, and seconds since the first row."""
     names = "number when P1 P3 P4 T1 T2 T3 T4 TCS RH1 RH2 RHCS Vb N1 N2 e1 e2 N1T N1RH N2T N2RH D1".split()
-    with zipfile.ZipFile(io.BytesIO(content)) as file:
-        lines = [line.split(",")[: len(names)] for name in sorted(file.namelist()) for line in file.read(name).decode("latin1").splitlines() if line[:1].isdigit()]
+    lines = [line.split(",")[: len(names)] for event in all_in_zip(content).values() for line in event.decode("latin1").splitlines() if line[:1].isdigit()]
     frame = pd.DataFrame([line for line in lines if len(line) == len(names)], columns=names)
     when = pd.to_datetime(frame.pop("when").str.strip(), format="%Y/%m/%d %H:%M:%S", errors="coerce")
     frame = frame.apply(pd.to_numeric, errors="coerce").assign(when=when).dropna().drop_duplicates("number").sort_values("when")
@@ -22,8 +19,7 @@ def neutron_station(content):
 
 def soil_logger(content):
     """The first 3000 rows of a soil logger that writes a file an event, from a zip archive: seconds since the first row, and numbers by the place of their column."""
-    with zipfile.ZipFile(io.BytesIO(content)) as file:
-        lines = [line.split() for name in sorted(file.namelist()) if name.endswith("TXT") for line in file.read(name).decode("latin1").splitlines()]
+    lines = [line.split() for name, event in all_in_zip(content).items() if name.endswith("TXT") for line in event.decode("latin1").splitlines()]
     frame = pd.DataFrame([line for line in lines if len(line) == 24]).drop(columns=[7, 22, 23]).apply(pd.to_numeric, errors="coerce")
     frame = frame.dropna().drop_duplicates(1).sort_values(1).iloc[:3000]
     return frame[1] - frame[1].iloc[0], frame

@@ -1,22 +1,22 @@
 """Reads files of the package nrgpy."""
 
-import gzip
 import io
 
 import pandas as pd
-from formats.clock import since_first
+from formats.clock import seconds, since_first
+from formats.packed import unpacked
 
 
 def mast_logger(*contents):
     """Rows of a logger for masts, one file after another, below the header of each, and seconds since the first; packed files are unpacked."""
     frames = []
     for content in contents:
-        plain = gzip.decompress(content) if content[:2] == b"\x1f\x8b" else content
+        plain = unpacked(content)
         table = plain[plain.index(b"\n", plain.index(b"\nData") + 1) + 1 :]
         frames.append(pd.read_csv(io.StringIO(table.decode("latin1")), sep="\t"))
     frame = pd.concat(frames, ignore_index=True)
     when = pd.to_datetime(frame.iloc[:, 0])
-    return pd.concat([frame, pd.DataFrame({"when": when, "time_s": (when - when.iloc[0]).dt.total_seconds()})], axis=1)
+    return pd.concat([frame, pd.DataFrame({"when": when, "time_s": seconds(when)})], axis=1)
 
 
 def own_supplies(diagnosis, *names):

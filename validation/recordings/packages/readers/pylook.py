@@ -9,7 +9,7 @@ from formats.clock import elapsed
 SLIP_UM, SHEAR_MPA, LAYER_UM = 0.076472, 1.597778959e-3, 0.11017176
 
 
-def press(content, beside, first, last, every):
+def rock_press(content, beside, first, last, every):
     """Each so many rows of a press that shears rock: seconds since the first, slip, and beside it shear stress or thickness of the layer, each from a zero of its own."""
     rows, columns = struct.unpack(">ii", content[20:28])
     table = np.frombuffer(content, ">f4", rows * columns, len(content) - 4 * rows * columns).reshape(columns, rows).astype(float)

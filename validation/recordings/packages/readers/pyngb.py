@@ -1,25 +1,20 @@
 """Reads files of the package pyngb."""
 
-import io
 import re
 import struct
-import zipfile
 
 import numpy as np
 import pandas as pd
+from formats.packed import in_zip
 
 NGB_RECORD = re.compile(rb"\x18\xfc\xff\xff\x03\x80\x01(..)\x00\x00\x01\x00\x00\x00\x0c\x00\x17\xfc\xff\xff(.)(\x80\x01|\xa0\x01)", re.S)
-
-
 NGB_CHANNELS = {0x8C: "minutes", 0x8D: "sample_c", 0x8E: "heat_flow_uv", 0x8F: "length_um", 0x90: "mass_mg", 0x30: "furnace_c", 0x32: "power"}
 
 
 def thermal_analysis(content, run=0):
     """Channels of a thermobalance or a dilatometer by name, from the tables of its file; of two runs in one file the first is the sample, the second the correction."""
     found, now = {}, None
-    with zipfile.ZipFile(io.BytesIO(content)) as file:
-        tables = [file.read(f"Streams/stream_{number}.table") for number in (2, 3)]
-    for raw in tables:
+    for raw in (in_zip(content, f"Streams/stream_{number}.table") for number in (2, 3)):
         at = 0
         while record := NGB_RECORD.search(raw, at):
             field, kind, at = struct.unpack("<H", record[1])[0], record[2][0], record.end()
@@ -33,7 +28,7 @@ def thermal_analysis(content, run=0):
     return pd.DataFrame({name: np.concatenate(runs[run]).astype(float) for name, runs in found.items() if name and runs[run]})
 
 
-def repeated(first, second, every):
+def programme_twice(first, second, every):
     """The same programme of a thermobalance twice, `every` so many readings, as long as both last."""
     one, two = (thermal_analysis(content).iloc[::every] for content in (first, second))
     rows = min(len(one), len(two))

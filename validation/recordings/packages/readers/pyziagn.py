@@ -4,7 +4,7 @@ import numpy as np
 from formats.rows import means
 
 
-def pulled(content, every=4):
+def pulled_specimen(content, every=4):
     """A specimen that is pulled: seconds, way of the crosshead in mm, load in kN and way of the extensometer in mm, means of some readings, until the load first falls by more than a twentieth of a kN from one to the next."""
     lines = content.decode("utf-8-sig").splitlines()[8:]
     table = np.array([[float(cell.replace(",", ".")) for cell in text.split("\t")] for text in lines if text.strip()])

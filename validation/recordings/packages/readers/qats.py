@@ -1,20 +1,18 @@
 """Reads files of the package qats."""
 
-import io
-
 import pandas as pd
 from formats.clock import elapsed
-from scipy.io import loadmat
+from formats.matlab import variables
 
 
-def basin(content, **names):
+def wave_basin(content, **names):
     """Channels of a wave basin by the names that they are to have; seconds since the first row."""
-    file = loadmat(io.BytesIO(content), squeeze_me=True)
+    file = variables(content, squeeze_me=True)
     frame = pd.DataFrame(file["data"], columns=file["chan_names"])
     return {"time_s": elapsed(frame.Time), **{name: frame[channel] for name, channel in names.items()}}
 
 
-def towed(content, **names):
+def towing_tank(content, **names):
     """Channels of a towing tank, which are variables of their own, by the names that they are to have; seconds since the first row."""
-    file = loadmat(io.BytesIO(content), squeeze_me=True)
+    file = variables(content, squeeze_me=True)
     return {"time_s": elapsed(file["Time"]), **{name: file[channel] for name, channel in names.items()}}

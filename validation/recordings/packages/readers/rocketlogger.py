@@ -35,7 +35,7 @@ def side_by_side(content, first, second, unit, labels):
     return {"time_s": np.arange(len(first)) / 50, **dict(zip(labels, (first, second)))}
 
 
-def inputs_alike(y, x, t):
+def alike_models(y, x, t):
     """What is tried for two inputs of one logger: bends, drifts, what fades from the start on, what differs between small and large of either sign."""
     fading = lambda p: np.exp(-t / (abs(p) * 10 + 0.01))
     return {

@@ -6,10 +6,9 @@ import zipfile
 
 import numpy as np
 import pandas as pd
+from formats.text import matrix
 
 TRACE = re.compile(r"ExampleData/RES-(\d)_(-\d+)_DBM_TEMP_([\d.]+)\.S2P")
-
-
 NEAR = 15
 
 
@@ -21,7 +20,7 @@ def traces(content, resonator, powers):
         found = sorted(found, key=lambda pair: (pair[1].date_time, int(pair[0][2])))
         start = pd.Timestamp(*found[0][1].date_time)
         for told, one in found:
-            hertz, real, imaginary = np.loadtxt(io.BytesIO(file.read(one)), skiprows=1).T
+            hertz, real, imaginary = matrix(file.read(one), skiprows=1).T
             yield (pd.Timestamp(*one.date_time) - start).total_seconds(), int(told[2]), float(told[3]), hertz, np.hypot(real, imaginary)
 
 

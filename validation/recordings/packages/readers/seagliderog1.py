@@ -5,8 +5,6 @@ from formats.clock import since_first
 from formats.netcdf import netcdf
 
 GLIDER = {"TIME": "time", "PRES": "pressure", "ROLL": "roll", "ROLL_CTL": "battery", "TEMP": "water", "eng_aa4330_Temp": "optode", "divenum": "dive"}
-
-
 WATER = {"time": "legato_time", "pressure": "legato_pressure", "water": "legato_temp", "cell": "legato_conducTemp"}
 
 

@@ -6,8 +6,6 @@ from formats.clock import since_first
 
 # columns of a table of daily numbers that has fixed places: rotation of the sun, number of spots, flux at the mean distance of the sun
 ROTATION, SPOTS, FLUX = slice(11, 15), slice(89, 92), slice(93, 98)
-
-
 ROTATION_DAYS = 27
 
 

@@ -6,12 +6,12 @@ from formats.text import csv
 from models.fitting import line, terms
 
 
-def tagged(content):
+def tagged_table(content):
     """Columns of numbers of a table whose first column holds the settings of the measurement."""
     return csv(content, sep="\t", encoding="latin1").iloc[:, 1:].apply(pd.to_numeric, errors="coerce")
 
 
-def loops(y, x, width, shift):
+def loop_models(y, x, width, shift):
     """Models of a hysteresis loop `y` over `x`: the field at which it turns over is another on the way up and down."""
     against = np.sign(np.gradient(x))
     step = lambda p: np.tanh((x - p[1] * against) / abs(p[0]))

@@ -1,7 +1,7 @@
 """Reads files of the package sunkit-instruments."""
 
-import numpy as np
 from formats.clock import since_first
+from formats.netcdf import netcdf
 from formats.rows import means
 
 MICRO = 1e6
@@ -9,11 +9,8 @@ MICRO = 1e6
 
 def x_rays(content, *names):
     """Readings of a monitor of the sun's X-rays by the name of the detector, and seconds since the year 2000; readings are in millionths of a W/m2."""
-    import netCDF4  # the other readers do without it
-
-    with netCDF4.Dataset("memory", memory=content) as file:
-        read = {name: np.ma.filled(file[name][:].astype(float), np.nan) for name in ("time", *names)}
-    return {name: values if name == "time" else values * MICRO for name, values in read.items()}
+    read = netcdf(content, {name: name for name in ("time", *names)})
+    return {name: read[name].to_numpy() * (1 if name == "time" else MICRO) for name in read}
 
 
 def two_detectors(content, first, second, labels):

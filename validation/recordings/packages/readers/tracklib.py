@@ -8,8 +8,6 @@ from formats.clock import since_first
 
 # metres of a degree of latitude; and the ellipsoid of satellites: its radius in m, and the square of its eccentricity
 DEGREE, RADIUS, OVAL = 111194, 6378137, 6.69437999014e-3
-
-
 POINT = re.compile(r'<trkpt lat="([^"]+)" lon="([^"]+)">\s*<ele>[^<]*</ele>\s*<time>([^<]*)</time>')
 
 

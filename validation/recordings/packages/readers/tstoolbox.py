@@ -1,5 +1,6 @@
 """Reads files of the package tstoolbox, and holds models that its recordings share."""
 
+from formats.clock import seconds
 from formats.text import csv
 from models.fitting import terms
 from models.lags import lag, moved, usual
@@ -9,7 +10,7 @@ def river_gauges(first, second, column, rows=3500):
     """The same column of two daily tables of a river, by days that both have, with seconds since the first."""
     frames = [csv(content, index_col=0, parse_dates=True).iloc[:, [column]] for content in (first, second)]
     both = frames[0].join(frames[1], lsuffix="_1", rsuffix="_2").dropna().iloc[:rows]
-    return (both.index - both.index[0]).total_seconds().to_numpy(), both.iloc[:, 0].to_numpy(float), both.iloc[:, 1].to_numpy(float)
+    return seconds(both.index), both.iloc[:, 0].to_numpy(float), both.iloc[:, 1].to_numpy(float)
 
 
 def river_models(y, x, t, day=86400):

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pandas as pd
+from formats.clock import seconds
 
 AIR = "air"
 
@@ -14,5 +15,5 @@ def chromatograph(content, first, second):
     rows = [cells for cells in rows if cells[3] == AIR]
     when = pd.to_datetime([cells[0] + cells[1] for cells in rows], format="%y%m%d%H%M")
     areas = {name: np.array([float(cells[4 + names.index(name)]) for cells in rows]) / 1000 for name in (first, second)}
-    frame = pd.DataFrame({"time_s": (when - when[0]).total_seconds(), **areas})
+    frame = pd.DataFrame({"time_s": seconds(when), **areas})
     return frame[(frame[first] > 0) & (frame[second] > 0)]

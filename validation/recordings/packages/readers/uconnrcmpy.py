@@ -1,17 +1,16 @@
 """Reads files of the package UConnRCMPy."""
 
-import io
-
 import numpy as np
 from formats.rows import means
+from formats.text import matrix
 
 
 def shot(content):
     """Seconds and volts of a gauge, two columns without a head."""
-    return np.loadtxt(io.BytesIO(content)).T
+    return matrix(content).T
 
 
-def shots(*contents, first, last, every):
+def two_shots(*contents, first, last, every):
     """What the gauge of a machine that compresses gas told at two shots, each so many rows of a stretch: seconds since its first row, and volts of either."""
     (time, one), (_, other) = (shot(content)[:, first:last:every] for content in contents)
     return {"time_s": np.round(time - time[0], 6), "first_v": one, "second_v": other}

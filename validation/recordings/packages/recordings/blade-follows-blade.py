@@ -1,6 +1,6 @@
 """Bending of one blade of a wind turbine at its root over that of another, ten minutes. It comes where the other was a third of a turn later."""
 
-from models.fitting import line, terms
+from models.fitting import terms
 from models.lags import lag, moved, usual
 from readers.wetb import turbine_sensors
 

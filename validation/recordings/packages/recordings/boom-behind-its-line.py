@@ -2,13 +2,13 @@
 
 from models.fitting import terms
 from models.lags import lag, moved, usual_and_shifts
-from readers.qats import towed
+from readers.qats import towing_tank
 
 HAND_BUILT = "shift"
 
 
 def rows(content):
-    return towed(content, line_n="FX_LINE_TOT", boom_n="FX_BOM_TOT")
+    return towing_tank(content, line_n="FX_LINE_TOT", boom_n="FX_BOM_TOT")
 
 
 def models(c):

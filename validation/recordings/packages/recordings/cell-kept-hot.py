@@ -4,14 +4,14 @@ import numpy as np
 from durations import DAY
 from models.cycles import tone
 from models.fitting import line, scaled, terms
-from readers.grapa import kept_hot
+from readers.grapa import cell_kept_hot
 
 HAND_BUILT = "step, and drift"
 AT = 3.55 * DAY
 
 
 def rows(content):
-    return kept_hot(content, least=5.7)
+    return cell_kept_hot(content, least=5.7)
 
 
 def models(c):

@@ -3,13 +3,13 @@
 import numpy as np
 from models.fitting import terms
 from models.lags import lag, usual
-from readers.polartools import spec_scans
+from readers.polartools import some_scans
 
 HAND_BUILT = "shift, and drift"
 
 
 def rows(content):
-    frame = spec_scans(content, 227, 228)
+    frame = some_scans(content, 227, 228)
     return {"time_s": frame.time_s, "sample_k": frame.SampTemp, "control_k": frame.ControlTemp}
 
 

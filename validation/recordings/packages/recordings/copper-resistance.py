@@ -2,13 +2,13 @@
 
 from formats.clock import since_first
 from models.bends import bends
-from readers.stoner import tagged
+from readers.stoner import tagged_table
 
 HAND_BUILT = "soft bend"
 
 
 def rows(content):
-    frame = tagged(content).dropna()
+    frame = tagged_table(content).dropna()
     return {"time_s": since_first(frame["Elapsed Time"]), "sample_k": frame["T (K)"], "resistance_ohm": frame.Resistance}
 
 

@@ -3,13 +3,13 @@
 from formats.clock import since_first
 from models.fitting import terms
 from models.lags import lag, usual
-from readers.stoner import tagged
+from readers.stoner import tagged_table
 
 HAND_BUILT = "bent lag"
 
 
 def rows(content):
-    frame = tagged(content).dropna()
+    frame = tagged_table(content).dropna()
     return {"time_s": since_first(frame["Elapsed Time"]), "insert_k": frame["VTI Temp"], "sample_k": frame["T (K)"]}
 
 

@@ -2,13 +2,13 @@
 
 from models.bends import corner, usual_and_bends
 from models.fitting import line
-from readers.pyziagn import pulled
+from readers.pyziagn import pulled_specimen
 
 HAND_BUILT = "fourth power"
 
 
 def rows(content):
-    read = pulled(content)
+    read = pulled_specimen(content)
     return {"time_s": read["time_s"], "crosshead_mm": read["way_mm"], "gauge_mm": read["gauge_mm"]}
 
 

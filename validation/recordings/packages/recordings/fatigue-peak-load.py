@@ -2,13 +2,13 @@
 
 import numpy as np
 from models.fitting import line, terms
-from readers.pyfat import cycles
+from readers.pyfat import fatigue_cycles
 
 HAND_BUILT = "logarithm"
 
 
 def rows(content):
-    frame = cycles(content).iloc[::2]
+    frame = fatigue_cycles(content).iloc[::2]
     return {"time_s": frame.time_s, "load_kn": frame.load_kn}
 
 

@@ -4,7 +4,7 @@ import numpy as np
 from formats.clock import since_first
 from formats.multivu import multivu
 from models.fitting import terms
-from readers.stoner import loops
+from readers.stoner import loop_models
 
 HAND_BUILT = "two steps"
 
@@ -18,4 +18,4 @@ def models(c):
     y, x = c["moment_uemu"], c["field_koe"]
     against = np.sign(np.gradient(x))
     step = lambda width, shift: np.tanh((x - shift * against) / abs(width))
-    return y, {**loops(y, x, 0.2, 0.5), HAND_BUILT: terms(y, lambda p: [x, step(p[0], p[1]), step(p[2], p[3])], [0.1, 0.6, 0.5, 0.1])}
+    return y, {**loop_models(y, x, 0.2, 0.5), HAND_BUILT: terms(y, lambda p: [x, step(p[0], p[1]), step(p[2], p[3])], [0.1, 0.6, 0.5, 0.1])}

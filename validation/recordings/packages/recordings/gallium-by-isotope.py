@@ -3,13 +3,13 @@
 from models.bends import bends_with
 from models.drifts import usual_and_drifts
 from models.fitting import line
-from readers.grapa import sputtered
+from readers.grapa import sputtered_ions
 
 HAND_BUILT = "line"
 
 
 def rows(content):
-    second, light, heavy = sputtered(content, "", "Ga+", "^71Ga+")
+    second, light, heavy = sputtered_ions(content, "", "Ga+", "^71Ga+")
     return {"time_s": second, "heavy_counts": heavy, "light_counts": light}
 
 

@@ -1,6 +1,7 @@
 """Temperature inside of a black globe over that of the air beside it, a weather station in a town, 15 days, each quarter of an hour. The sun heats the globe."""
 
 import numpy as np
+from formats.clock import seconds
 from models.cycles import tone
 from models.fitting import line, terms
 from models.lags import lag, usual
@@ -11,7 +12,7 @@ HAND_BUILT = "line, lag, and day"
 
 def rows(content):
     frame = weather_station(content, "vlinder02").iloc[::3].dropna(subset=["Temperatuur", "Globe Temperatuur"])
-    at = (frame.index - frame.index[0]).total_seconds()
+    at = seconds(frame.index)
     return {"time_s": at, "air_c": frame.Temperatuur, "globe_c": frame["Globe Temperatuur"]}
 
 

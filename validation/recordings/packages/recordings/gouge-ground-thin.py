@@ -3,13 +3,13 @@
 import numpy as np
 from models.bends import bends_with
 from models.fitting import line, scaled, terms
-from readers.pylook import press
+from readers.pylook import rock_press
 
 HAND_BUILT = "logarithm"
 
 
 def rows(content):
-    return press(content, "layer_um", first=9500, last=18500, every=5)
+    return rock_press(content, "layer_um", first=9500, last=18500, every=5)
 
 
 def models(c):

@@ -4,13 +4,13 @@ import numpy as np
 from models.bends import bends_with
 from models.drifts import usual_and_drifts
 from models.fitting import line, terms
-from readers.grapa import sputtered
+from readers.grapa import sputtered_ions
 
 HAND_BUILT = "counter that is full"
 
 
 def rows(content):
-    second, light, heavy = sputtered(content, "", "^113In+", "In+")
+    second, light, heavy = sputtered_ions(content, "", "^113In+", "In+")
     return {"time_s": second, "light_counts": light, "heavy_counts": heavy}
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 from formats.text import csv
-from models.fitting import line, terms
+from models.fitting import terms
 from models.lags import usual
 
 HAND_BUILT = "shift"

@@ -4,7 +4,7 @@ from formats.clock import since_first
 from formats.text import csv
 from models.fitting import terms
 from models.lags import lag
-from readers.stoner import loops
+from readers.stoner import loop_models
 
 HAND_BUILT = "saturation at a field by direction"
 
@@ -16,4 +16,4 @@ def rows(content):
 
 def models(c):
     y, x, t = c["light_mv"], c["field_a_m"], c["time_s"]
-    return y, {**loops(y, x, 50.0, 650.0), "lag": terms(y, lambda p: [lag(x, t, abs(p[0]) * 1e-3)], [1.0])}
+    return y, {**loop_models(y, x, 50.0, 650.0), "lag": terms(y, lambda p: [lag(x, t, abs(p[0]) * 1e-3)], [1.0])}

@@ -2,7 +2,7 @@
 
 import numpy as np
 from models.drivers import of_drivers
-from models.fitting import line, terms
+from models.fitting import terms
 from readers.phytorch_lib import gas_exchange
 
 HAND_BUILT = "saturation, and slope of it by light"

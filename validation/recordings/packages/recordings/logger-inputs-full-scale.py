@@ -3,7 +3,7 @@
 import numpy as np
 from models.fitting import terms
 from models.jumps import soft_step
-from readers.rocketlogger import inputs_alike, side_by_side
+from readers.rocketlogger import alike_models, side_by_side
 
 HAND_BUILT = "jump and bend near the end"
 LABELS = ("first_kcounts", "second_kcounts")
@@ -18,7 +18,7 @@ def models(c):
     jump = lambda p: soft_step(x, p[0] * 1000, abs(p[1]) * 100 + 1)
     bend = lambda p: np.maximum(0, p * 1000 - x)
     return y, {
-        **inputs_alike(y, x, t),
+        **alike_models(y, x, t),
         "jump near the end": terms(y, lambda p: [x, jump(p)], [-3.5, 0.5]),
         "jump and bend near the end": terms(y, lambda p: [x, jump(p), bend(p[2])], [-3.5, 0.5, -1.0]),
         "jump and soft bend near the end": terms(y, lambda p: [x, jump(p), bend(p[2]) ** 2], [-3.5, 0.5, -1.0]),

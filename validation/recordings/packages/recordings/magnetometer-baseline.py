@@ -2,7 +2,6 @@
 
 import io
 
-import numpy as np
 import pandas as pd
 from formats.clock import seconds
 from models.cycles import tone

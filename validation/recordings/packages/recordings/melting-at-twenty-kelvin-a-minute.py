@@ -2,13 +2,13 @@
 
 from models.fitting import terms
 from models.lags import behind, lag, moved, usual_and_shifts
-from readers.fpex0 import melted
+from readers.fpex0 import melting
 
 HAND_BUILT = "lag"
 
 
 def rows(fast, slow):
-    return melted(fast, slow, 100, 156.5)
+    return melting(fast, slow, 100, 156.5)
 
 
 def models(c):

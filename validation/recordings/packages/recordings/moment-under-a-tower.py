@@ -4,13 +4,13 @@ import numpy as np
 from models.drivers import of_drivers
 from models.fitting import line, terms
 from models.lags import lag, moved
-from readers.qats import basin
+from readers.qats import wave_basin
 
 HAND_BUILT = "shift of both"
 
 
 def rows(content):
-    told = basin(content, tower_m_s2="X_ACC_TOWER", float_m_s2="X_ACC_FLOATER", moment_mnm="MY_BOT")
+    told = wave_basin(content, tower_m_s2="X_ACC_TOWER", float_m_s2="X_ACC_FLOATER", moment_mnm="MY_BOT")
     return {**told, "moment_mnm": told["moment_mnm"] / 1e6}
 
 

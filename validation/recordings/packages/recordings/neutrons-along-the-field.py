@@ -2,13 +2,13 @@
 
 from models.drivers import of_drivers
 from models.fitting import line, scaled
-from readers.sasdata import polarised
+from readers.sasdata import polarised_neutrons
 
 HAND_BUILT = "slope by across, and by way, its square"
 
 
 def rows(plus, minus):
-    return polarised(plus, minus, widest=0.05, every=2)
+    return polarised_neutrons(plus, minus, widest=0.05, every=2)
 
 
 def models(c):

@@ -1,6 +1,5 @@
 """Power that the oarlock of a rowing boat shows, over the mean force on its handle, stroke by stroke: it is force times way times strokes a minute, and the way is no column."""
 
-import numpy as np
 from models.fitting import line
 from readers.rowingdata import speed_coach
 

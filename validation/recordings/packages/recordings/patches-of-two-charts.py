@@ -3,13 +3,13 @@
 import numpy as np
 from models.drivers import of_drivers
 from models.fitting import line, scaled
-from readers.colour_science import charts
+from readers.colour_science import two_charts
 
 HAND_BUILT = "line"
 
 
 def rows(*contents):
-    return charts(*contents)
+    return two_charts(*contents)
 
 
 def models(c):

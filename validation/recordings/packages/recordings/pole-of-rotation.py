@@ -1,7 +1,7 @@
 """One coordinate of the pole about which the Earth turns, every third day of ten years: it goes round in a year and, by itself, in some 433 days."""
 
 from models.cycles import tone
-from models.fitting import line, terms
+from models.fitting import line
 from readers.astropy_iers_data import earth_orientation
 
 HAND_BUILT = "year and 433 days"

@@ -3,13 +3,13 @@
 import numpy as np
 from models.fitting import line, terms
 from models.lags import in_runs, lag, moved
-from readers.process_improve import cooled
+from readers.process_improve import cooled_batches
 
 HAND_BUILT = "lag, and line"
 
 
 def rows(content):
-    return cooled(content, 31, 71, before=6)
+    return cooled_batches(content, 31, 71, before=6)
 
 
 def models(c):

@@ -3,13 +3,13 @@
 import numpy as np
 from models.bends import bends_with
 from models.fitting import line, scaled, terms
-from readers.pylook import press
+from readers.pylook import rock_press
 
 HAND_BUILT = "slack, and drift"
 
 
 def rows(content):
-    return press(content, "shear_mpa", first=84620, last=85620, every=1)
+    return rock_press(content, "shear_mpa", first=84620, last=85620, every=1)
 
 
 def models(c):

@@ -2,13 +2,13 @@
 
 from models.fitting import line, scaled, terms
 from models.lags import behind, moved, usual_and_shifts
-from readers.uconnrcmpy import shots
+from readers.uconnrcmpy import two_shots
 
 HAND_BUILT = "shift, and drift"
 
 
 def rows(*contents):
-    return shots(*contents, first=13000, last=22500, every=25)
+    return two_shots(*contents, first=13000, last=22500, every=25)
 
 
 def models(c):

@@ -1,6 +1,6 @@
 """Thermometer inside of a soil reflectometer over thermocouples in the soil near it, eight days of spring, a row each half hour. Its heat comes later than theirs."""
 
-from models.fitting import line, terms
+from models.fitting import terms
 from models.lags import lag, usual
 from readers.micromet import tob1
 

@@ -3,14 +3,14 @@
 from models.cycles import tone
 from models.fitting import line, terms
 from models.lags import lag, usual
-from readers.modelskill import compared
+from readers.modelskill import model_beside_measured
 
 HAND_BUILT = "line and lag, and year"
 DAY = 86400.0
 
 
 def rows(content):
-    place = compared(content, "7_Suraz.nc")
+    place = model_beside_measured(content, "7_Suraz.nc")
     return {"time_s": place["time_s"], "model_m3_s": place["sim1"], "gauge_m3_s": place["Observation"]}
 
 

@@ -3,13 +3,13 @@
 import numpy as np
 from models.bends import bends_with, corner
 from models.fitting import line, scaled, terms
-from readers.pylook import press
+from readers.pylook import rock_press
 
 HAND_BUILT = "soft step"
 
 
 def rows(content):
-    return press(content, "shear_mpa", first=1459, last=9000, every=5)
+    return rock_press(content, "shear_mpa", first=1459, last=9000, every=5)
 
 
 def models(c):

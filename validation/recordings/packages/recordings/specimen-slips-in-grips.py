@@ -4,13 +4,13 @@ import numpy as np
 from models.bends import corner, usual_and_bends
 from models.fitting import line, terms
 from models.jumps import soft_step
-from readers.pyziagn import pulled
+from readers.pyziagn import pulled_specimen
 
 HAND_BUILT = "corner"
 
 
 def rows(content):
-    read = pulled(content)
+    read = pulled_specimen(content)
     return {"time_s": read["time_s"], "crosshead_mm": read["way_mm"], "load_kn": read["load_kn"]}
 
 

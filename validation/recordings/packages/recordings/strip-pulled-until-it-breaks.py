@@ -3,13 +3,13 @@
 import numpy as np
 from models.fitting import line, scaled, terms
 from models.lags import behind, usual_and_shifts
-from readers.process_nitta import stretched
+from readers.process_nitta import pulled_strip
 
 HAND_BUILT = "line, and logarithm"
 
 
 def rows(content):
-    return stretched(content, 4)
+    return pulled_strip(content, 4)
 
 
 def models(c):

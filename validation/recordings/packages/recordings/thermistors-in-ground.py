@@ -1,6 +1,6 @@
 """The third thermistor of a string in the ground over the second above it, two years, each 8 hours. Heat is late."""
 
-from models.fitting import line, terms
+from models.fitting import terms
 from models.lags import lag, usual
 from readers.tsp import thermistor_string
 

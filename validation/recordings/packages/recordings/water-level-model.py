@@ -3,14 +3,14 @@
 from models.cycles import tone
 from models.fitting import line
 from models.lags import usual
-from readers.modelskill import compared
+from readers.modelskill import model_beside_measured
 
 HAND_BUILT = "square"
 MOON = 44714  # s
 
 
 def rows(content):
-    place = compared(content, "1_Barseback.nc")
+    place = model_beside_measured(content, "1_Barseback.nc")
     return {"time_s": place["time_s"], "model_m": place["MIKE21"], "gauge_m": place["Observation"]}
 
 

@@ -1,6 +1,5 @@
 """Flow through a branch of a water main for 27 days between two closures: least in the afternoon; one hour is wild, a day and a half are missing."""
 
-import numpy as np
 import pandas as pd
 from formats.clock import seconds
 from formats.text import csv

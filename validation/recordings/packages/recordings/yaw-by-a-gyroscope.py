@@ -3,13 +3,13 @@
 from formats.rows import summed
 from models.fitting import line, terms
 from models.lags import lag, moved, usual_and_shifts
-from readers.qats import basin
+from readers.qats import wave_basin
 
 HAND_BUILT = "shift, and drift"
 
 
 def rows(content):
-    told = basin(content, gyroscope="Z_GYRO_TOWER", cameras_deg="TOWER_YAW")
+    told = wave_basin(content, gyroscope="Z_GYRO_TOWER", cameras_deg="TOWER_YAW")
     return {"time_s": told["time_s"], "gyroscope_deg": summed(told["gyroscope"].to_numpy(), told["time_s"]), "cameras_deg": told["cameras_deg"]}
 
 

@@ -2,13 +2,13 @@
 
 from models.fitting import line
 from models.lags import usual_and_shifts
-from readers.qats import basin
+from readers.qats import wave_basin
 
 HAND_BUILT = "line"
 
 
 def rows(content):
-    return basin(content, float_deg="FLOATER_YAW", tower_deg="TOWER_YAW")
+    return wave_basin(content, float_deg="FLOATER_YAW", tower_deg="TOWER_YAW")
 
 
 def models(c):

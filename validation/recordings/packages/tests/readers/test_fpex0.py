@@ -18,7 +18,7 @@ def warmed(rate, warmth, taken):
 class Readers(unittest.TestCase):
     def test_a_sample_that_is_warmed_twice(self):
         fast, slow = warmed(20, [9, 10, 12, 14], [0, 1, 2, 3]), warmed(2, [9, 11, 13, 15], [0, 20, 40, 60])
-        self.assertEqual(told(fpex0.melted(fast, slow, 9.5, 20)), {"time_s": [0, 6, 12], "slow_j_gk": [10, 30, 50], "fast_j_gk": [1, 2, 3]})
+        self.assertEqual(told(fpex0.melting(fast, slow, 9.5, 20)), {"time_s": [0, 6, 12], "slow_j_gk": [10, 30, 50], "fast_j_gk": [1, 2, 3]})
 
 
 if __name__ == "__main__":

@@ -33,7 +33,7 @@ class Readers(unittest.TestCase):
 @unittest.skipUnless(READS, "scipy or pandas is not installed")
 class Models(unittest.TestCase):
     def test_a_mean_over_rows_stays_inside_of_its_run(self):
-        self.assertEqual(galileoqc.over_rows(np.array([1.0, 2, 6, 10, 20]), np.array([1, 1, 1, 2, 2]), 3).tolist(), [1.5, 3, 4, 15, 15])
+        self.assertEqual(galileoqc.means_along_runs(np.array([1.0, 2, 6, 10, 20]), np.array([1, 1, 1, 2, 2]), 3).tolist(), [1.5, 3, 4, 15, 15])
 
 
 if __name__ == "__main__":

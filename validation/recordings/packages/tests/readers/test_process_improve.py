@@ -21,7 +21,7 @@ DRYER = b"""batch_id,AgitatorPower,JacketTemperatureSP,JacketTemperature,DryerTe
 @unittest.skipUnless(READS, "scipy or pandas is not installed")
 class Readers(unittest.TestCase):
     def test_a_dryer_is_read_from_some_rows_before_its_jacket_is_cooled(self):
-        read = process_improve.cooled(DRYER, 1, 2, before=1)
+        read = process_improve.cooled_batches(DRYER, 1, 2, before=1)
         self.assertEqual(told(read), {"run": [1, 1, 1, 2], "time_s": [120, 180, 240, 0], "jacket_degc": [84, 50, 20, 16], "product_degc": [80, 81, 79, 80]})
 
 

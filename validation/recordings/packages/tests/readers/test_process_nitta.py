@@ -13,7 +13,7 @@ STRIP = '"name","N","mm"\n" 1 - 1","1.99","2.53","10.0",\n"sec","N","mm",\n"0.00
 @unittest.skipUnless(READS, "scipy or pandas is not installed")
 class Readers(unittest.TestCase):
     def test_a_strip_is_read_until_its_greatest_force(self):
-        self.assertEqual(told(process_nitta.stretched(STRIP, 2)), {"time_s": [0, 0.1], "stroke_mm": [0, 0.2], "force_n": [-0.5, 2]})
+        self.assertEqual(told(process_nitta.pulled_strip(STRIP, 2)), {"time_s": [0, 0.1], "stroke_mm": [0, 0.2], "force_n": [-0.5, 2]})
 
 
 if __name__ == "__main__":

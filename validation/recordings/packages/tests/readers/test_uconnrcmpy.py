@@ -14,7 +14,7 @@ OTHER = b"0.000\t10\n0.001\t20\n0.002\t30\n0.003\t40\n0.004\t50\n"
 @unittest.skipUnless(READS, "scipy or pandas is not installed")
 class Readers(unittest.TestCase):
     def test_two_shots_are_read_over_the_same_stretch(self):
-        read = uconnrcmpy.shots(ONE, OTHER, first=1, last=5, every=2)
+        read = uconnrcmpy.two_shots(ONE, OTHER, first=1, last=5, every=2)
         self.assertEqual(told(read), {"time_s": [0, 0.002], "first_v": [2, 4], "second_v": [20, 40]})
 
     def test_slow_shots_are_means_after_some_second(self):

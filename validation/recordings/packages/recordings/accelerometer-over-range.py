@@ -1,14 +1,15 @@
 """One axis of an accelerometer that goes to 2.5 g over that of another that goes further, on the same board, 29 s of motion by hand."""
 
 import numpy as np
-from fitting import line, terms, usual
-from loggers import motes
+from models.fitting import line, terms
+from models.lags import usual
+from readers.pyshimmer import motion_logger
 
 HAND_BUILT = "clipped, and shift"
 
 
 def rows(content):
-    frame = motes(content)
+    frame = motion_logger(content)
     return {"time_s": frame.time_s, "wide_m_s2": frame.Accel_WR_Y, "narrow_m_s2": frame.Accel_LN_Y}
 
 

@@ -1,14 +1,15 @@
 """One axis of an accelerometer over that of another on the same board, 20 s of motion by hand, without the first ten seconds, in which one was out of range."""
 
 import numpy as np
-from fitting import line, terms, usual
-from loggers import motes
+from models.fitting import line, terms
+from models.lags import usual
+from readers.pyshimmer import motion_logger
 
 HAND_BUILT = "shift"
 
 
 def rows(content):
-    frame = motes(content).iloc[700:]
+    frame = motion_logger(content).iloc[700:]
     return {"time_s": frame.time_s - frame.time_s.iloc[0], "first_m_s2": frame.Accel_LN_X, "across_m_s2": frame.Accel_LN_Y, "along_m_s2": frame.Accel_LN_Z, "second_m_s2": frame.Accel_WR_X}
 
 

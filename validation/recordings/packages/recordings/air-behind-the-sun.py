@@ -1,8 +1,10 @@
 """Warmth of the air on a roof over the sun that shines on it, each minute of a clear day and its nights."""
 
-from counters import DAY
-from fitting import lag, line, moved, scaled, terms, tone, usual
-from scales import sunny_station
+from durations import DAY
+from models.cycles import tone
+from models.fitting import line, scaled, terms
+from models.lags import lag, moved, usual
+from readers.cpvlib import sunny_station
 
 HAND_BUILT = "two waves a day alone"
 

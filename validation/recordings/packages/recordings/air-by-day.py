@@ -1,7 +1,9 @@
 """Temperature that a barometer has which hangs in the open at a well, 73 days from May to July, each hour. It is warm by day."""
 
-from fitting import line, tone
-from reading import diver, seconds
+from formats.clock import seconds
+from models.cycles import tone
+from models.fitting import line
+from readers.gensor import diver
 
 HAND_BUILT = "day and half a day"
 

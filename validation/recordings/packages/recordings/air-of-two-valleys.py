@@ -1,9 +1,10 @@
 """How warm a valley of the upper Lahn is over how warm the lower one is, four years of days."""
 
-from fitting import line, scaled, tone
-from meters import DAY, YEAR
-from pickups import clocks
-from tellers import valley
+from durations import DAY, YEAR
+from models.cycles import tone
+from models.fitting import line, scaled
+from models.lags import usual_and_shifts
+from readers.hydpy import valley
 
 HAND_BUILT = "line"
 
@@ -16,7 +17,7 @@ def models(c):
     y, x, t = c["above_degc"], c["below_degc"], c["time_s"]
     u, w = scaled(x), scaled(t)
     return y, {
-        **clocks(y, x, t, DAY),
+        **usual_and_shifts(y, x, t, DAY),
         "cube": line(y, x, u**2, u**3),
         "year": line(y, x, *tone(t, YEAR)),
         "year, two waves": line(y, x, *tone(t, YEAR), *tone(t, YEAR / 2)),

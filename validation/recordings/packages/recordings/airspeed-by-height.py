@@ -1,7 +1,8 @@
 """True airspeed that an aircraft sends, over its indicated airspeed, in a flight with parabolas; rows in which either changes. The air is thin where it is high."""
 
-from fitting import lag, line, terms
-from reading import flight
+from models.fitting import line, terms
+from models.lags import lag
+from readers.traffic import flight
 
 HAND_BUILT = "height"
 

@@ -1,7 +1,8 @@
 """Pressure at the mouth over the flow of breath, 125 Hz, twenty seconds. It bends."""
 
 import numpy as np
-from fitting import lag, line, terms
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "square"
 CHANNELS, ROWS, AT = 4, 2455, 41676

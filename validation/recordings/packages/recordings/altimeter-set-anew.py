@@ -1,9 +1,10 @@
 """Height of a jet by its altimeter over that by satellites, from 700 s on. As it comes down the pilots set the altimeter to the pressure at the field."""
 
 import numpy as np
-from fitting import lag, line, moved, scaled, terms
-from needles import changed, flight
-from pickups import clocks
+from models.fitting import line, scaled, terms
+from models.jumps import changed
+from models.lags import lag, moved, usual_and_shifts
+from readers.openap import flight
 
 HAND_BUILT = "step at 3469 s, and shift"
 
@@ -16,7 +17,7 @@ def models(c):
     y, x, t = c["altimeter_ft"], c["satellites_ft"], c["time_s"]
     u, w, one, after = scaled(x), scaled(t), np.ones(len(x)), (t > 3469).astype(float)
     return y, {
-        **clocks(y, x, t, 1),
+        **usual_and_shifts(y, x, t, 1),
         "drift, and its square": line(y, x, w, w**2),
         "drift, and slope that drifts": line(y, x, w, u * w),
         "step": changed(y, t, [x], one),

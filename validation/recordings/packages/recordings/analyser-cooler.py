@@ -1,7 +1,8 @@
 """Voltage of the cooler of the detector of a gas analyser over the temperature of the air, beside the sunshine on it, half hours of the second fortnight of July in which it ran."""
 
-from fitting import lag, line, terms, usual
-from loggers import tower
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.diive import tower
 
 HAND_BUILT = "late sunshine"
 SECOND_WINDOW = 864000  # s

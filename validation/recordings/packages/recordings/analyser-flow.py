@@ -1,7 +1,7 @@
 """Air that the pump of a gas analyser moves, beside the temperature of the air and the pressure in its cell, half hours of the second fortnight of July in which it ran."""
 
-from fitting import line
-from loggers import tower
+from models.fitting import line
+from readers.diive import tower
 
 HAND_BUILT = "temperature"
 SECOND_WINDOW = 864000  # s

@@ -1,8 +1,9 @@
 """Oil in the bladder of a glider, as the potentiometer of its pump tells, over what was told to the pump, 19 hours of dives, a row each 20 s. The pump moves 16 cm3/s, so it is there some 50 s later."""
 
 import numpy as np
-from fitting import lag, terms, usual
-from housekeeping import glider
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.pyglider import glider
 
 HAND_BUILT = "two shifts"
 

@@ -1,7 +1,9 @@
 """How much light of 1085 1/cm a broth takes away over that of 1080 1/cm, 34 h of a fermentation. Both lie in the same band."""
 
-from fitting import line, scaled, usual
-from gauges import HOUR, bands
+from durations import HOUR
+from models.fitting import line, scaled
+from models.lags import usual
+from readers.chemotools import bands
 
 HAND_BUILT = "step"
 

@@ -1,13 +1,14 @@
 """Pressure of the air beside a wind turbine, ten minutes, with the wind and the power of the turbine. Nothing moves it."""
 
-from fitting import lag, line, terms
-from sensors import turbine
+from models.fitting import line, terms
+from models.lags import lag
+from readers.wetb import turbine_sensors
 
 HAND_BUILT = "constant"
 
 
 def rows(content):
-    read = turbine(content)
+    read = turbine_sensors(content)
     return {"time_s": read["time_s"], "wind_m_s": read["WspThies"], "power_kw": read["Power"], "air_hpa": read["AirPress"]}
 
 

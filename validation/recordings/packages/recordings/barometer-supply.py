@@ -1,7 +1,8 @@
 """Voltage that a logger gives to its second pair of channels, where a barometer takes 1.2 mA, over that of its fifth pair, where wind vanes take 0.1 mA, indoors, a day of minutes. Both are made alike."""
 
-from benches import mast_logger, own_supplies
-from fitting import lag, line, terms, usual
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.nrgpy import mast_logger, own_supplies
 
 HAND_BUILT = "drift"
 

@@ -1,7 +1,9 @@
 """Voltage of the battery of a radio receiver in a desert over the current of its cooler, a row each five minutes, three days. Its cables and its cells resist."""
 
-from fitting import line, tone, usual
-from receivers import field_receiver
+from models.cycles import tone
+from models.fitting import line
+from models.lags import usual
+from readers.edges_io import field_receiver
 
 HAND_BUILT = "line"
 

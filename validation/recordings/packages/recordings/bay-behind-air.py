@@ -1,8 +1,9 @@
 """Temperature of the water at a beach over that of the air, half hours of six times in two summers. Water warms late, and in the second summer it was colder for its air."""
 
-from fitting import lag, line, moved, terms
-from meters import DAY, beach
-from receivers import late_models
+from durations import DAY
+from models.fitting import line, terms
+from models.lags import lag, late_models, moved
+from readers.ai4water import beach
 
 HAND_BUILT = "lag, and step"
 

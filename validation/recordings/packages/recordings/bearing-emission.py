@@ -6,7 +6,8 @@ The package does not say what the input is; it rises, stays and falls with the e
 import sqlite3
 
 import numpy as np
-from fitting import lag, line, terms
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "power"
 

@@ -1,8 +1,10 @@
 """Temperature of the air at the second height of a mast in a beech forest over that at its first, six weeks of spring, a row each half hour, with net radiation. At night the one is colder than the other, by day warmer."""
 
 import numpy as np
-from benches import tower
-from fitting import lag, line, terms, tone, usual
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.hesseflux import tower
 
 HAND_BUILT = "net radiation, bent, and shift"
 

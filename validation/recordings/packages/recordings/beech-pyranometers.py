@@ -1,7 +1,8 @@
 """Sun that one pyranometer above a beech forest tells over that of another beside it, seven weeks of summer, a row each half hour, with net radiation. The sky cools the one more than the other."""
 
-from benches import tower
-from fitting import line, usual
+from models.fitting import line
+from models.lags import usual
+from readers.hesseflux import tower
 
 HAND_BUILT = "net radiation, and square"
 

@@ -1,7 +1,8 @@
 """Temperature of the soil below a beech forest, the third depth of a profile over its first, six weeks of spring, a row each half hour. Heat arrives late and weakened."""
 
-from benches import tower
-from fitting import lag, terms, usual
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.hesseflux import tower
 
 HAND_BUILT = "bent lag"
 

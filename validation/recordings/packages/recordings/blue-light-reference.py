@@ -1,16 +1,17 @@
 """What a fluorometer on a glider reads of its own blue light, one dive from 11 to 0 degC and back. The light is less in the cold, and the instrument is behind the water."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import netcdf
-from rigs import since
+from formats.clock import since_first
+from formats.netcdf import netcdf
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "late temperature, bent, and drift"
 
 
 def rows(content):
     frame = netcdf(content, {"time": "time", "water": "temperature_raw", "blue": "eng_wlbb2f_blueRef"}).dropna()
-    return {"time_s": since(frame.time).round(3), "water_c": frame.water, "blue_count": frame.blue}
+    return {"time_s": since_first(frame.time).round(3), "water_c": frame.water, "blue_count": frame.blue}
 
 
 def models(c):

@@ -4,8 +4,8 @@ Half way the boat turns, and the stream helps where it hindered. Until it turns 
 """
 
 import numpy as np
-from fitting import line, terms
-from reading import speed_coach
+from models.fitting import line, terms
+from readers.rowingdata import speed_coach
 
 SECOND_TURN = 2300.0  # s
 HAND_BUILT = "stream that turns round"

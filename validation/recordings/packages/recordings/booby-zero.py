@@ -1,6 +1,6 @@
 """Depth by a logger on a booby while it is calm and out of the water, beside the temperature of the logger, two and a half days, about 3000 rows. The zero follows the temperature, and drifts."""
 
-from instruments import out_of_water, zero_models
+from readers.cpforager import out_of_water, zero_models
 
 HAND_BUILT = "temperature, bent, and drift"
 

@@ -1,9 +1,9 @@
 """Air that somebody breathes over the carbon dioxide that comes with it, as the work grows until it is too much. At last the blood is sour, and breath grows beyond the gas."""
 
-from fitting import lag, line, scaled, terms
-from monitors import corner
-from needles import exercise
-from pickups import clocks
+from models.bends import corner
+from models.fitting import line, scaled, terms
+from models.lags import lag, usual_and_shifts
+from readers.pyoxynet import exercise
 
 HAND_BUILT = "cube"
 
@@ -17,7 +17,7 @@ def models(c):
     u, w, late = scaled(x), scaled(t), lambda p: lag(x, t, abs(p) * 20)
     bend = lambda p: (late(p[0]), scaled(late(p[0])) ** 2, scaled(late(p[0])) ** 3)
     return y, {
-        **clocks(y, x, t, 20),
+        **usual_and_shifts(y, x, t, 20),
         "cube": line(y, x, u**2, u**3),
         "fourth power": line(y, x, u**2, u**3, u**4),
         "corner": corner(y, x / 1000, 3.0),

@@ -1,14 +1,14 @@
 """How bright a sensor sees a screen over the grey that is shown, 300 of them as they came. A screen is dark for long as its grey grows, and what the sensor tells falls as it goes on."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from levels import pairs
+from models.fitting import line, scaled, terms
+from readers.cdt import pair_columns
 
 HAND_BUILT = "cube, and drift"
 
 
 def rows(content):
-    return pairs(content, step=1, grey=("pair96", "A"), brightness=("pair96", "B"))
+    return pair_columns(content, step=1, grey=("pair96", "A"), brightness=("pair96", "B"))
 
 
 def models(c):

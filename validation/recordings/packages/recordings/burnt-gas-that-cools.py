@@ -1,9 +1,8 @@
 """Pressure of burnt gas that cools behind a piston, over that of gas that was compressed as far and did not burn. What is hotter cools faster."""
 
-from fitting import line, scaled
-from levels import behind
-from pickups import clocks
-from pointers import slow_shots
+from models.fitting import line, scaled
+from models.lags import behind, usual_and_shifts
+from readers.uconnrcmpy import slow_shots
 
 HAND_BUILT = "cube"
 
@@ -16,7 +15,7 @@ def models(c):
     y, x, t = c["second_v"], c["first_v"], c["time_s"]
     u, w = scaled(x), scaled(t)
     return y, {
-        **clocks(y, x, t, 0.1),
+        **usual_and_shifts(y, x, t, 0.1),
         "cube": line(y, x, u**2, u**3),
         "fourth power": line(y, x, u**2, u**3, u**4),
         "drift, and its square": line(y, x, w, w**2),

@@ -1,6 +1,7 @@
 """Butane in air over isobutane, hours of four months, by one chromatograph. Both leak from the same places and stay about as long."""
 
-from dials import ages, chromatograph
+from models.drifts import usual_and_drifts
+from readers.tucavoc import chromatograph
 
 HAND_BUILT = "line"
 
@@ -11,4 +12,4 @@ def rows(content):
 
 
 def models(c):
-    return c["butane_karea"], ages(c["butane_karea"], c["isobutane_karea"], c["time_s"])
+    return c["butane_karea"], usual_and_drifts(c["butane_karea"], c["isobutane_karea"], c["time_s"])

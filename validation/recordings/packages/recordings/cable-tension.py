@@ -1,8 +1,10 @@
 """Pull of the cable of a probe in a gas well over its depth, means of 20 rows, from 100 ft on. The cable weighs the same by the foot; it rubs at the casing here and there. The clock is made of depth and of the speed of the cable."""
 
 import numpy as np
-from fitting import line, usual
-from reading import means, well_log
+from formats.las import well_log
+from formats.rows import means
+from models.fitting import line
+from models.lags import usual
 
 HAND_BUILT = "square"
 

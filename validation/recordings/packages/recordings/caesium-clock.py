@@ -3,8 +3,10 @@
 import gzip
 
 import numpy as np
-from fitting import line, tone
-from reading import means, numbers
+from formats.rows import means
+from models.cycles import tone
+from models.fitting import line
+from readers.allantools import numbers
 
 HAND_BUILT = "drift"
 

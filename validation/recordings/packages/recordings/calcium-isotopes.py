@@ -1,7 +1,7 @@
 """Counts of two isotopes of calcium while a laser burns a shell, one after the other in each sweep of 0.36 s; the simulation is the one by their shares in nature. Next to nothing is missing: the second comes later in a sweep."""
 
-from fitting import usual
-from reading import isotopes
+from models.lags import usual
+from readers.latools import isotopes
 
 HAND_BUILT = "shift"
 

@@ -1,7 +1,8 @@
 """Temperature of the bath of a calorimeter that is held at 20 degC, beside that of the room, 44 hours, every third row of its file from the fourth hour on. It is held."""
 
-from fitting import lag, line, terms
-from instruments import thermostat
+from models.fitting import line, terms
+from models.lags import lag
+from readers.calocem import thermostat
 
 HAND_BUILT = "constant"
 

@@ -1,8 +1,8 @@
 """Bath of a calorimeter against its 20 degC over three days, in which the room cools by 0.9 K: it does not see the room."""
 
 import numpy as np
-from fitting import line
-from reading import csv
+from formats.text import csv
+from models.fitting import line
 
 HAND_BUILT = "constant"
 

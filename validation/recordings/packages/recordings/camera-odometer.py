@@ -1,8 +1,8 @@
 """How far north a car is by a camera on it, beside a satellite receiver: every fourth of 4541 pictures. The camera's axes are a little turned."""
 
 import numpy as np
-from fitting import line
-from reading import poses
+from models.fitting import line
+from readers.evo import poses
 
 HAND_BUILT = "aside, and gain by it"
 

@@ -1,8 +1,9 @@
 """Where a camera that is moved by hand takes itself to be, sideways, beside a room that follows it. They agree; a shift of their clocks takes a seventh of the small rest."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import track
+from models.fitting import line, terms
+from models.lags import lag
+from readers.evo import track
 
 HAND_BUILT = "shift"
 

@@ -1,8 +1,8 @@
 """Voltage of a capacitor that discharges through a resistor."""
 
 import numpy as np
-from fitting import line, terms
-from pickled import frame
+from models.fitting import line, terms
+from readers.rdatasets import frame
 
 HAND_BUILT = "exponential to a level"
 

@@ -1,7 +1,8 @@
 """Carbon dioxide over the water vapour that one analyser reads in the same path, above a field by day, 20 readings a second, five minutes. Leaves take one and give the other."""
 
-from fitting import line, usual
-from reading import eddy_station
+from models.fitting import line
+from models.lags import usual
+from readers.fluxpart import eddy_station
 
 HAND_BUILT = "drift, and temperature"
 

@@ -1,8 +1,8 @@
 """How far cars of 1970 to 1982 go with a gallon, over their weight. They came to need less, and what is light goes farther than a straight line says."""
 
-from fitting import line, scaled
-from meters import of_drivers
-from pointers import cars
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.islp import cars
 
 HAND_BUILT = "square, and slope by year"
 

@@ -1,8 +1,8 @@
 """Area of cells that pass a camera, by their contour, over that of the hull around the contour. Contours with a bay have less."""
 
-from fitting import line
-from recorders import usual_and_bends
-from sensors import cells
+from models.bends import usual_and_bends
+from models.fitting import line
+from readers.dclab import cells
 
 HAND_BUILT = "square"
 

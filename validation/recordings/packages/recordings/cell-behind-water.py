@@ -1,7 +1,7 @@
 """Temperature inside of a glider's cell for conductivity over that of the water, one dive in polar water, a row a second. The cell is behind the water."""
 
-from probes import polar_glider
-from recorders import usual_and_lags
+from models.lags import usual_and_lags
+from readers.seagliderog1 import polar_glider
 
 HAND_BUILT = "lag, and drift"
 

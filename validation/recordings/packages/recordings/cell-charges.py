@@ -1,6 +1,6 @@
 """Voltage of a nerve cell, from 40 ms before a current through it is stepped up by 37 pA until shortly before its first spike, 4000 rows a second. Its skin is a capacitor."""
 
-from benches import cell_models, cell_voltage
+from readers.bluepyefe import cell_models, cell_voltage
 
 HAND_BUILT = "two lags beside each other"
 

@@ -1,15 +1,17 @@
 """Power of a solar cell that is kept at 83 degC and in light, each half an hour of eight days; hours with less light are left out."""
 
 import numpy as np
-from counters import DAY, kept_hot
-from fitting import line, scaled, terms, tone
+from durations import DAY
+from models.cycles import tone
+from models.fitting import line, scaled, terms
+from readers.grapa import cell_kept_hot
 
 HAND_BUILT = "step, and drift"
 AT = 3.55 * DAY
 
 
 def rows(content):
-    return kept_hot(content, least=5.7)
+    return cell_kept_hot(content, least=5.7)
 
 
 def models(c):

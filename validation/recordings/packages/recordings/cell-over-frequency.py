@@ -1,9 +1,9 @@
 """Capacitance of a solar cell over the decades of the frequency, 200 Hz to 2 MHz, a run each 10 K from 123 K to 303 K. What is trapped follows slow waves, and quicker ones the warmer it is."""
 
 import numpy as np
-from counters import capacitances
-from fitting import line, scaled, terms
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, scaled, terms
+from readers.grapa import capacitances
 
 HAND_BUILT = "all cubes"
 

@@ -4,8 +4,9 @@ The height is the travel by the strain gauge of the stage, 10 um/V by its calibr
 """
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import jpk
+from models.fitting import line, terms
+from models.lags import lag
+from readers.afmformats import jpk
 
 HAND_BUILT = "two times"
 

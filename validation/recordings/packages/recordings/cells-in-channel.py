@@ -1,8 +1,9 @@
 """Place of cells across the channel in which they pass a camera, two and a half minutes. They keep to one line, which hardly moves."""
 
 import numpy as np
-from fitting import line, terms
-from sensors import cells, switched
+from models.fitting import line, terms
+from models.jumps import soft_step
+from readers.dclab import cells
 
 HAND_BUILT = "drift, and its square"
 
@@ -14,7 +15,7 @@ def rows(content):
 
 def models(c):
     y, t = c["across_um"], c["time_s"]
-    step = lambda p: switched(t, p * 100, 1)
+    step = lambda p: soft_step(t, p * 100, 1)
     return y, {
         "constant": line(y),
         "drift": line(y, t),

@@ -1,10 +1,11 @@
 """The sun by a solar cell for its middle colours over that by one for its blue ones, each minute of a day with clouds. The lower it stands, the redder it is."""
 
-from fitting import line, scaled, tone
-from gauges import DAY
-from meters import of_drivers
-from pickups import clocks
-from scales import sunny_station
+from durations import DAY
+from models.cycles import tone
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from models.lags import usual_and_shifts
+from readers.cpvlib import sunny_station
 
 HAND_BUILT = "all squares of height"
 
@@ -18,7 +19,7 @@ def models(c):
     u, v, w = scaled(x), scaled(high), scaled(t)
     return y, {
         **of_drivers(y, x, height=high),
-        **{name: model for name, model in clocks(y, x, t, 60).items() if name in ("drift", "shift", "lag")},
+        **{name: model for name, model in usual_and_shifts(y, x, t, 60).items() if name in ("drift", "shift", "lag")},
         "day": line(y, x, *tone(t, DAY)),
         "slope by height and its square": line(y, x, v, u * v, u * v**2),
         "slope by height, and drift": line(y, x, v, u * v, w),

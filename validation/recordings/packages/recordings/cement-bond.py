@@ -1,8 +1,9 @@
 """Loss of sound along a casing, by the first of six sectors, over the mean amplitude that arrives, a gas well from 200 ft on, every fifth row. The loss is a logarithm. The clock is made of depth and of the speed of the cable."""
 
 import numpy as np
-from fitting import line, usual
-from reading import well_log
+from formats.las import well_log
+from models.fitting import line
+from models.lags import usual
 
 HAND_BUILT = "logarithm"
 

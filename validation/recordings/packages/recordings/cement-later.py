@@ -1,14 +1,15 @@
 """Heat flow of setting cement in one channel of a calorimeter over that of another, two days, each 40 s, from 100 min on. The second cement is the later one by a quarter of an hour."""
 
 import numpy as np
-from fitting import lag, terms, usual
-from instruments import cement
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.calocem import cement_calorimeter
 
 HAND_BUILT = "shift"
 
 
 def rows(content):
-    frame = cement(content, 6000)
+    frame = cement_calorimeter(content, 6000)
     return {"time_s": frame.time_s, "first_mw": frame["Kanal 3"], "second_mw": frame["Kanal 5"]}
 
 

@@ -1,13 +1,13 @@
 """Heat flow of setting cement in one channel of a calorimeter over that of its neighbour, which holds the same cement, two days, each 40 s, from 100 min on. They agree."""
 
-from fitting import usual
-from instruments import cement
+from models.lags import usual
+from readers.calocem import cement_calorimeter
 
 HAND_BUILT = "line"
 
 
 def rows(content):
-    frame = cement(content, 6000)
+    frame = cement_calorimeter(content, 6000)
     return {"time_s": frame.time_s, "first_mw": frame["Kanal 5"], "second_mw": frame["Kanal 6"]}
 
 

@@ -4,8 +4,9 @@ The charger lowers it by 14 mV/K, as such chargers do, and the battery warms som
 """
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import netcdf
+from formats.netcdf import netcdf
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "lag"
 

@@ -1,8 +1,8 @@
 """Height of a sample of soil under a new load, a day in an oedometer. Water is pressed out of it, by an exponential, and it creeps on with the logarithm of the time."""
 
 import numpy as np
-from fitting import line, terms
-from reading import csv
+from formats.text import csv
+from models.fitting import line, terms
 
 HAND_BUILT = "logarithm, and drift that fades"
 

@@ -1,7 +1,7 @@
 """Faults counted in 32 rolls of cloth over their length: in proportion, with scatter that grows with the count."""
 
-from fitting import line, through_zero
-from pickled import frame
+from models.fitting import line, through_zero
+from readers.rdatasets import frame
 
 HAND_BUILT = "line"
 

@@ -1,8 +1,9 @@
 """Carbon dioxide of the air at Mauna Loa, month by month: it rises ever faster, with a yearly cycle."""
 
 import numpy as np
-from fitting import line, tone
-from pickled import frame
+from models.cycles import tone
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "square, year and half a year"
 YEAR = 365.25  # d

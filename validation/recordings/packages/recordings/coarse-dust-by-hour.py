@@ -1,7 +1,10 @@
 """Dust below ten micrometres over that below two and a half, two months of a town. What is coarse is stirred up by people and wheels by day."""
 
-from fitting import lag, line, moved, terms, tone
-from monitors import DAY, air_station
+from durations import DAY
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag, moved
+from readers.aeroviz import air_station
 
 HAND_BUILT = "day that is shifted"
 

@@ -1,14 +1,15 @@
 """The thermometer by which a cryostat is controlled over that at its sample, from 2 K to 25 K and back in an hour and a half. Heat is not at both at once: the first is a few seconds behind."""
 
 import numpy as np
-from benches import spec_scans
-from fitting import lag, terms, usual
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.polartools import some_scans
 
 HAND_BUILT = "shift, and drift"
 
 
 def rows(content):
-    frame = spec_scans(content, 227, 228)
+    frame = some_scans(content, 227, 228)
     return {"time_s": frame.time_s, "sample_k": frame.SampTemp, "control_k": frame.ControlTemp}
 
 

@@ -1,8 +1,9 @@
 """Heat of a field of solar collectors over the sun on it, 5 min, ten days of May: flow, warming and 3.8 MJ/(m3 K) of the fluid. It warms before it gives, and gives nothing to a faint sun."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import collectors
+from models.fitting import line, terms
+from models.lags import lag
+from readers.sunpeek_exampledata import collectors
 
 HAND_BUILT = "lag, cubic"
 

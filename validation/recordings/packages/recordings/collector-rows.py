@@ -1,8 +1,9 @@
 """Outlets of two rows of a field of solar collectors under passing clouds, 1 min, six hours. The first row is some seconds behind the second."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import collectors
+from models.fitting import line, terms
+from models.lags import lag
+from readers.sunpeek_exampledata import collectors
 
 HAND_BUILT = "line and lag"
 

@@ -1,8 +1,8 @@
 """Strength of 1030 cylinders of concrete over their cement: it hardens with age, quickly at first, and water takes from it. Slag and ash are left out on purpose."""
 
 import numpy as np
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "log of age, and water"
 

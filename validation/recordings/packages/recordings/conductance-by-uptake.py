@@ -1,9 +1,9 @@
 """How far fourteen leaves open their pores for vapour over the carbon dioxide that they take up, 145 readings in a chamber, a run a leaf. Wide pores bring less and less."""
 
 import numpy as np
-from dials import leaves
-from fitting import line, terms
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, terms
+from readers.photorch import leaves
 
 HAND_BUILT = "square"
 

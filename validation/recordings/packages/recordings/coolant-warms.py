@@ -1,14 +1,14 @@
 """Temperature of the coolant of a hybrid car that starts at 25 degC, half an hour on rollers. It warms, less and less."""
 
 import numpy as np
-from fitting import line, terms
-from probes import car
+from models.fitting import line, terms
+from readers.co2mpas import car_on_rollers
 
 HAND_BUILT = "drift, and its square"
 
 
 def rows(content):
-    frame = car(content)
+    frame = car_on_rollers(content)
     return {"time_s": frame.times, "coolant_c": frame.engine_coolant_temperatures}
 
 

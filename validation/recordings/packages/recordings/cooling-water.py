@@ -1,8 +1,8 @@
 """Water in a mug that cools: the mug takes heat first, then both lose it to the room."""
 
 import numpy as np
-from fitting import line, terms
-from pickled import frame
+from models.fitting import line, terms
+from readers.rdatasets import frame
 
 HAND_BUILT = "two exponentials"
 

@@ -1,15 +1,15 @@
 """Copper in the soil of a river bank over zinc, by a laboratory. Both came with the floods."""
 
 import numpy as np
-from fitting import line
-from meters import of_drivers
-from pointers import bank
+from models.drivers import of_drivers
+from models.fitting import line
+from readers.scikit_gstat import river_bank_soil
 
 HAND_BUILT = "line"
 
 
 def rows(content):
-    return bank(content, distance="dist", zinc_ppm="zinc", copper_ppm="copper")
+    return river_bank_soil(content, distance="dist", zinc_ppm="zinc", copper_ppm="copper")
 
 
 def models(c):

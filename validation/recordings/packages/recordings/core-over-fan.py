@@ -1,9 +1,9 @@
 """Speed of the core of a jet engine over that of its fan, in flight. The two do not go in step, and where the air is cold both turn slower for the same thrust."""
 
-from fitting import line, scaled
-from meters import of_drivers
-from needles import flight
-from pickups import clocks
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from models.lags import usual_and_shifts
+from readers.openap import flight
 
 HAND_BUILT = "cube, and warmth"
 
@@ -17,7 +17,7 @@ def models(c):
     u, v, w = scaled(x), scaled(warmth), scaled(t)
     return y, {
         **of_drivers(y, x, warmth=warmth),
-        **{name: model for name, model in clocks(y, x, t, 3).items() if name in ("drift", "shift", "lag")},
+        **{name: model for name, model in usual_and_shifts(y, x, t, 3).items() if name in ("drift", "shift", "lag")},
         "slope by warmth alone": line(y, x, u * v),
         "fourth power": line(y, x, u**2, u**3, u**4),
         "cube, and drift": line(y, x, u**2, u**3, w),

@@ -1,6 +1,6 @@
 """Depth by a logger on a cormorant while it is calm and out of the water, beside the temperature of the logger, 41 hours, about 3000 rows. The zero follows the temperature, and comes to rest after it."""
 
-from instruments import out_of_water, zero_models
+from readers.cpforager import out_of_water, zero_models
 
 HAND_BUILT = "temperature, and late temperature"
 

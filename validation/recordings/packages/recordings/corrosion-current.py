@@ -1,8 +1,9 @@
 """Current of a corroding metal over its potential, one slow sweep of three hours, every second row. Each of its two reactions goes by an exponential; one comes to its limit."""
 
 import numpy as np
-from fitting import line, terms, usual
-from reading import csv
+from formats.text import csv
+from models.fitting import line, terms
+from models.lags import usual
 
 HAND_BUILT = "two slopes"
 

@@ -1,14 +1,16 @@
 """Temperature in the box of a counter beside that of the air outside, hourly, 110 days of a winter. The box follows late, and the sun shines on it."""
 
 import numpy as np
-from fitting import lag, line, terms, tone
-from reading import counter
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag
+from readers.neptoon import muon_counter
 
 HAND_BUILT = "lag, and hours of the day"
 
 
 def rows(content):
-    frame = counter(content)
+    frame = muon_counter(content)
     return {"time_s": frame.time_s, "air_c": frame.outside, "box_c": frame.inside}
 
 

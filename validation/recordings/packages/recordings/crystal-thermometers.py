@@ -1,14 +1,15 @@
 """Two thermometers at a crystal of a monochromator, a day, every second point: one follows the other late."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import beamline
+from models.fitting import line, terms
+from models.lags import lag
+from readers.spec2nexus import every_second_point
 
 HAND_BUILT = "line and lag"
 
 
 def rows(content):
-    frame = beamline(content)
+    frame = every_second_point(content)
     return {"time_s": frame.time_s, "near_k": frame.HRMTemp6, "far_k": frame.HRMTemp5}
 
 

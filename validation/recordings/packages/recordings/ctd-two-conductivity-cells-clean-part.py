@@ -1,13 +1,13 @@
 """Two conductivity cells of one CTD, the first 820 rows, before the failure: nothing is missing."""
 
-from fitting import line
-from reading import cast
+from models.fitting import line
+from readers.cotede import ctd_cast
 
 HAND_BUILT = "line"
 
 
 def rows(content):
-    d = cast(content, 820)
+    d = ctd_cast(content, 820)
     return {"time_s": d.timeS.round(3), "water_c": d.TEMP2, "depth": d.PRES, "second_cell": d.CNDC2 * 10, "first_cell": d.CNDC * 10}
 
 

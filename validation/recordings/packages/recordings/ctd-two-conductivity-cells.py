@@ -1,13 +1,13 @@
 """Two conductivity cells of one CTD, the whole lowering; the first cell fails below 920 dbar. No model beat the line on rows left out."""
 
-from fitting import line
-from reading import cast
+from models.fitting import line
+from readers.cotede import ctd_cast
 
 HAND_BUILT = "line"
 
 
 def rows(content):
-    d = cast(content, None)
+    d = ctd_cast(content, None)
     return {"time_s": d.timeS.round(3), "water_c": d.TEMP2, "depth": d.PRES, "second_cell": d.CNDC2 * 10, "first_cell": d.CNDC * 10}
 
 

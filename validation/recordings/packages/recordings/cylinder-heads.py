@@ -1,6 +1,7 @@
 """Temperature of one cylinder's head over that of another's, from shortly after an aircraft's engine was started, two minutes and a quarter. One warms later."""
 
-from recorders import engine, usual_and_lags
+from models.lags import usual_and_lags
+from readers.aerotrace_parsers import engine
 
 HAND_BUILT = "lag, and square"
 

@@ -1,7 +1,7 @@
 """Area of the pulse of light that a particle scatters in a flow cytometer, over its height, with its width; the first 4000 particles that have all three. An area is a height times a width."""
 
-from fitting import line
-from reading import cytometer
+from models.fitting import line
+from readers.fcsparser import cytometer
 
 HAND_BUILT = "gain by width, and width"
 

@@ -1,9 +1,10 @@
 """How damp the air of London is over how warm it is, 40 days of late summer. Warm air could hold more water, and what it has of it goes with the day."""
 
-from fitting import line, scaled
-from levels import behind
-from pickups import clocks
-from pointers import HOUR, by_day, town
+from durations import HOUR
+from models.cycles import waves_of_day
+from models.fitting import line, scaled
+from models.lags import behind, usual_and_shifts
+from readers.supy import town
 
 HAND_BUILT = "day, and cube"
 
@@ -16,9 +17,9 @@ def models(c):
     y, x, t = c["humidity_percent"], c["air_degc"], c["time_s"]
     u, w = scaled(x), scaled(t)
     return y, {
-        **clocks(y, x, t, 3 * HOUR),
+        **usual_and_shifts(y, x, t, 3 * HOUR),
         "cube": line(y, x, u**2, u**3),
         "drift, and its square": line(y, x, w, w**2),
         **behind(y, x, t, 20 * HOUR),
-        **by_day(y, x, t),
+        **waves_of_day(y, x, t),
     }

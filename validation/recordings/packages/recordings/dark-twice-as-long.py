@@ -1,8 +1,8 @@
 """Counts of a spectrometer in the dark after 4 s over those after 2 s, a pixel a row, and those after 3 ms. What a pixel tells at once does not grow with the time."""
 
-from fitting import line
-from gauges import darkness
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line
+from readers.luxpy import darkness
 
 HAND_BUILT = "square, and slope by short"
 

@@ -1,8 +1,9 @@
 """Density by the far detector of a probe in a cased hole over that by the near one, 10 to 135 m, each 5 cm. A row counts as a second. The hole is full of water from 54 m on, of air above."""
 
 import numpy as np
-from fitting import line, usual
-from reading import well_log
+from formats.las import well_log
+from models.fitting import line
+from models.lags import usual
 
 HAND_BUILT = "another zero below the water"
 

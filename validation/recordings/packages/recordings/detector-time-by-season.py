@@ -2,8 +2,8 @@
 
 from functools import partial
 
-from probes import detector
-from probes import detector_models as models
+from readers.hisparc_sapphire import detector
+from readers.hisparc_sapphire import detector_models as models
 
 HAND_BUILT = "year"
 rows = partial(detector, begin=15)

@@ -1,8 +1,10 @@
 """Deuterium in water of the sea over heavy oxygen in it, as one laboratory told both of 21 cruises in six years, means of what was taken at one time. One of its scales drifts."""
 
-from fitting import line, terms, tone
-from meters import YEAR, casts
-from sensors import switched
+from durations import YEAR
+from models.cycles import tone
+from models.fitting import line, terms
+from models.jumps import soft_step
+from readers.envgeo_seawater import casts
 
 HAND_BUILT = "drift"
 
@@ -14,7 +16,7 @@ def rows(content):
 
 def models(c):
     y, x, t = c["deuterium_permille"], c["oxygen_permille"], c["time_s"] / YEAR
-    after = lambda p: switched(t, p, 0.02)
+    after = lambda p: soft_step(t, p, 0.02)
     return y, {
         "line": line(y, x),
         "square": line(y, x, x**2),

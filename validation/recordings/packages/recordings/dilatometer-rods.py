@@ -1,7 +1,8 @@
 """Length that a dilatometer shows while its own rods are heated to 900 degC, the run by which it is corrected, every sixth reading. One rod warms before the other."""
 
-from fitting import lag, line, terms
-from reading import thermal_analysis
+from models.fitting import line, terms
+from models.lags import lag
+from readers.pyngb import thermal_analysis
 
 HAND_BUILT = "late temperature"
 

@@ -1,9 +1,9 @@
 """X-rays of the sun in the small one of two diodes behind one filter over the large one, two hours with a great flare. The amplifier of the sensitive one has an end."""
 
 import numpy as np
-from fitting import line, terms
-from monitors import two_detectors
-from recorders import usual_and_bends
+from models.bends import usual_and_bends
+from models.fitting import line, terms
+from readers.sunkit_instruments import two_detectors
 
 HAND_BUILT = "end"
 

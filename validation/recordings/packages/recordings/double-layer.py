@@ -1,8 +1,9 @@
 """Current of an electrode over its potential, up and down once in 1.2 s, where nothing reacts. It charges a capacitor: the current has the sign of the sweep, and comes to rest after each turn."""
 
 import numpy as np
-from fitting import lag, line, terms, usual
-from instruments import tdms
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.ec4py import tdms
 
 HAND_BUILT = "late direction"
 

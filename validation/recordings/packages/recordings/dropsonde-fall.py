@@ -1,8 +1,9 @@
 """Speed at which a dropsonde falls over the pressure of the air, from 14 km to the sea. The thinner the air, the faster; it floats in what rises."""
 
 import numpy as np
-from fitting import line, usual
-from reading import fall
+from models.fitting import line
+from models.lags import usual
+from readers.pydropsonde import fall
 
 HAND_BUILT = "root of the density"
 

@@ -1,7 +1,8 @@
 """Height of a falling dropsonde by satellites over that which is made of its pressure, from 14 km to the sea. The one by pressure counts geopotential metres from below and drifts apart with height."""
 
-from fitting import line, usual
-from reading import fall
+from models.fitting import line
+from models.lags import usual
+from readers.pydropsonde import fall
 
 HAND_BUILT = "square"
 

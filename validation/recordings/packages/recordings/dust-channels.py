@@ -1,7 +1,7 @@
 """Dust below 2.5 um over that below 1 um, by one light-scattering meter, 39 min, a row each 10 s. One is the other and a little more; they agree."""
 
 import numpy as np
-from fitting import usual
+from models.lags import usual
 
 HAND_BUILT = "line"
 

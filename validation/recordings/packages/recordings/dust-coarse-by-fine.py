@@ -1,7 +1,8 @@
 """Dust below 20 micrometres over that below 10 by one counter beside mirrors, a week each five minutes. How much is coarse goes with what is finer still."""
 
-from fitting import line, usual
-from sensors import weather
+from models.fitting import line
+from models.lags import usual
+from readers.mirror_soiling_data import weather
 
 HAND_BUILT = "finer"
 

@@ -1,15 +1,16 @@
 """pH by an electrode that a tractor presses into a field over pH by the laboratory, 250 places. The electrode sees the soil as it lies, with its water and what holds it."""
 
 import numpy as np
-from fitting import line
-from monitors import bends_with, soil
+from models.bends import bends_with
+from models.fitting import line
+from readers.limesoda import soil_samples
 
 HAND_BUILT = "carbon, and slope by the logarithm of the resistance"
 PH, CARBON, RESISTANCE, ELECTRODE = 1, 0, 5, 7
 
 
 def rows(content):
-    laboratory, carbon, resistance, electrode = soil(content, PH, CARBON, RESISTANCE, ELECTRODE)
+    laboratory, carbon, resistance, electrode = soil_samples(content, PH, CARBON, RESISTANCE, ELECTRODE)
     return {"laboratory_ph": laboratory, "carbon_pct": carbon, "resistance_ohm_m": resistance, "electrode_ph": electrode}
 
 

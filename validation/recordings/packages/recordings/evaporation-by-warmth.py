@@ -1,8 +1,10 @@
 """What grass would evaporate in Nebraska over the warmest of the day, each second day of six years. Vapour in warm air grows ever faster, and June has more sun than August."""
 
-from counters import DAY, evaporation
-from fitting import line, scaled, tone
-from monitors import bends_with
+from durations import DAY
+from models.bends import bends_with
+from models.cycles import tone
+from models.fitting import line, scaled
+from readers.aquacrop import evaporation
 
 HAND_BUILT = "square, year, and slope by it"
 YEAR = 365.2422 * DAY

@@ -1,14 +1,14 @@
 """Way of an extensometer on a specimen that is pulled over that of the crosshead. Until it yields, the grips and the frame give way more than the length between the clips."""
 
-from fitting import line
-from monitors import corner, pulled
-from recorders import usual_and_bends
+from models.bends import corner, usual_and_bends
+from models.fitting import line
+from readers.pyziagn import pulled_specimen
 
 HAND_BUILT = "fourth power"
 
 
 def rows(content):
-    read = pulled(content)
+    read = pulled_specimen(content)
     return {"time_s": read["time_s"], "crosshead_mm": read["way_mm"], "gauge_mm": read["gauge_mm"]}
 
 

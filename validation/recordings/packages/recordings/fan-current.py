@@ -1,13 +1,14 @@
 """Current of the fan that draws air past the thermometers of a station on a glacier, over the voltage of its battery, beside the wind, one August, each 10 min."""
 
-from fitting import line, usual
-from stations import logger
+from models.fitting import line
+from models.lags import usual
+from readers.pypromice import logger_table
 
 HAND_BUILT = "wind, bent"
 
 
 def rows(content):
-    frame = logger(content, "VoltageBatteries", "WindSpeed", "FanCurrent_Avg")
+    frame = logger_table(content, "VoltageBatteries", "WindSpeed", "FanCurrent_Avg")
     return {"time_s": frame.time_s, "supply_v": frame.VoltageBatteries, "wind_m_s": frame.WindSpeed, "fan_ma": frame.FanCurrent_Avg}
 
 

@@ -1,14 +1,14 @@
 """How much fat is in 252 men, by weighing them under water, over their waist. Of two with one waist the heavier has more of something else."""
 
-from fitting import line, scaled
-from meters import of_drivers
-from pointers import of_book
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.faraway import book_table
 
 HAND_BUILT = "slope by weight"
 
 
 def rows(content):
-    return of_book(content, waist_cm="abdom", weight_lb="weight", fat_percent="brozek")
+    return book_table(content, waist_cm="abdom", weight_lb="weight", fat_percent="brozek")
 
 
 def models(c):

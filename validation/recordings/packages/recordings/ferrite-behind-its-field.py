@@ -1,8 +1,8 @@
 """Angle by which the flux in a ring of ferrite is behind its field, over the flux: runs at four warmths and five frequencies. What is lost in a wave grows with the frequency."""
 
-from counters import ferrite
-from fitting import line, scaled
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.materialdatabase import ferrite
 
 HAND_BUILT = "square, slope by frequency, and square by it"
 

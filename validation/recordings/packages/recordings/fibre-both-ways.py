@@ -1,8 +1,8 @@
 """Logarithm of the ratio of two lines of scattered light along a cable, seen from its far end beside its near end, 98 m through warm and cold water. One line fades faster along the fibre."""
 
 import numpy as np
-from fitting import line
-from reading import fibre
+from models.fitting import line
+from readers.dtscalibration import fibre
 
 HAND_BUILT = "length"
 

@@ -1,8 +1,8 @@
 """Temperature along a cable by scattered light, 98 m through warm and cold water, over the logarithm of its two lines' ratio. One line fades faster along the fibre, and the law is bent."""
 
 import numpy as np
-from fitting import line
-from reading import fibre
+from models.fitting import line
+from readers.dtscalibration import fibre
 
 HAND_BUILT = "length, bent"
 

@@ -1,7 +1,7 @@
 """Temperature along a cable by scattered light, 98 m through warm and cold water, beside the same five seconds before. They agree."""
 
-from fitting import line
-from reading import fibre
+from models.fitting import line
+from readers.dtscalibration import fibre
 
 HAND_BUILT = "line"
 

@@ -4,8 +4,9 @@ It follows the root of the power, nearly, and is read two rows before it. A row 
 """
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import csv
+from formats.text import csv
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "root and power, shifted"
 

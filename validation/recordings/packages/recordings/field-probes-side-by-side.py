@@ -1,8 +1,9 @@
 """Two probes of the electric field in one line, at two places, six sweeps of the power in a travelling wave: one is the other times a gain. A row counts as a second; the file has no clock."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import csv
+from formats.text import csv
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "square"
 

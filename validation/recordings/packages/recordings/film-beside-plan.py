@@ -1,8 +1,8 @@
 """Dose that a film tells over that of its plan, each second millimetre of a field of 145 by 105 mm. A scanner may not see alike at all places of its lamp."""
 
-from fitting import line, scaled
-from gauges import film
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.dosepy import film
 
 HAND_BUILT = "all squares of place"
 

@@ -1,8 +1,8 @@
 """One angle of an ellipsometer, psi, over the other, delta, 32 spots of a film at five angles of light, means of four zones. Where the film is thicker both move along a curve, which is another at each angle."""
 
-from dials import zones
-from fitting import line, scaled
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.refellips import zones
 
 HAND_BUILT = "all cubes"
 

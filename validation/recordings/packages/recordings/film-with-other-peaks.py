@@ -1,6 +1,6 @@
 """Light that a film scatters over what another scatters, whose peaks stand higher, by the shift of the light."""
 
-from listeners import films, of_films
+from readers.spectrapepper import film_models, films
 
 HAND_BUILT = "square"
 
@@ -10,4 +10,4 @@ def rows(content):
 
 
 def models(c):
-    return of_films(c)
+    return film_models(c)

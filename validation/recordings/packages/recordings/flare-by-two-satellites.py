@@ -1,8 +1,9 @@
 """X-rays of the sun as an old satellite told them over those of a new one, two hours with a great flare. Their clocks are more than a second apart, and one of them bends."""
 
 import numpy as np
-from fitting import line, moved, terms
-from monitors import x_rays
+from models.fitting import line, terms
+from models.lags import moved
+from readers.sunkit_instruments import x_rays
 
 HAND_BUILT = "square that is shifted"
 SIXTIES = 946728000

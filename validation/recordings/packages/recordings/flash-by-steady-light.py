@@ -1,8 +1,9 @@
 """Fluorescence of leaves in a flash over that in the light they stand in. In the sun a leaf turns what it cannot use into heat, and less of a flash comes back."""
 
 import numpy as np
-from fitting import line, terms
-from meters import of_drivers, porometer
+from models.drivers import of_drivers
+from models.fitting import line, terms
+from readers.phytorch_lib import porometer
 
 HAND_BUILT = "slope by light"
 

@@ -1,15 +1,15 @@
 """How deep flaws of a pipeline are, by ultrasound in the field over what a laboratory found, six batches."""
 
 import numpy as np
-from fitting import line, scaled
-from monitors import bends_with
-from pointers import of_book
+from models.bends import bends_with
+from models.fitting import line, scaled
+from readers.faraway import book_table
 
 HAND_BUILT = "square"
 
 
 def rows(content):
-    return of_book(content, run="Batch", field="Field", lab="Lab")
+    return book_table(content, run="Batch", field="Field", lab="Lab")
 
 
 def models(c):

@@ -1,10 +1,10 @@
 """Water of the Lahn at Leun over that at Marburg, farther up, 300 days of a winter with floods."""
 
-from fitting import line, moved, scaled, terms, tone
-from levels import behind
-from meters import DAY, YEAR
-from pickups import clocks
-from tellers import valley
+from durations import DAY, YEAR
+from models.cycles import tone
+from models.fitting import line, scaled, terms
+from models.lags import behind, moved, usual_and_shifts
+from readers.hydpy import valley
 
 HAND_BUILT = "shift"
 
@@ -18,7 +18,7 @@ def models(c):
     u, w = scaled(x), scaled(t)
     at = lambda p: moved(x, t, p * DAY)
     return y, {
-        **clocks(y, x, t, DAY),
+        **usual_and_shifts(y, x, t, DAY),
         "drift, and slope that drifts": line(y, x, w, u * w),
         "year": line(y, x, *tone(t, YEAR)),
         "shift, and year": terms(y, lambda p: [at(p[0]), *tone(t, YEAR)], [0.5]),

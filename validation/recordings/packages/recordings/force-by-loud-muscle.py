@@ -1,15 +1,15 @@
 """Force of a thigh that pushes and holds and lets go, 32 s, over how loud 64 electrodes on it are. A muscle is loud before it pulls."""
 
 import numpy as np
-from dials import pushed
-from fitting import lag, line, moved, terms
-from recorders import usual_and_lags
+from models.fitting import line, terms
+from models.lags import lag, moved, usual_and_lags
+from readers.openhdemg import muscle
 
 HAND_BUILT = "lag that is shifted, and drift"
 
 
 def rows(content):
-    return pushed(content, electrodes=64, hertz=2048, every=256)
+    return muscle(content, electrodes=64, hertz=2048, every=256)
 
 
 def models(c):

@@ -1,14 +1,15 @@
 """Force on a plate after a jumper has left it, 8 s, every eighth reading. Nothing is on it."""
 
 import numpy as np
-from fitting import line, tone
-from rigs import plates
+from models.cycles import tone
+from models.fitting import line
+from readers.jumpmetrics import force_plates
 
 HAND_BUILT = "constant"
 
 
 def rows(content):
-    force = plates(content)[24000::8, 2]
+    force = force_plates(content)[24000::8, 2]
     return {"time_s": np.arange(len(force)) / 250, "plate_n": force}
 
 

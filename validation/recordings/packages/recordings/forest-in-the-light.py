@@ -1,15 +1,15 @@
 """What the air gives to a forest over the light on it, sorted by the light. Leaves are full of light at last; where it comes from all sides more of them have some."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from levels import pairs
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, scaled, terms
+from readers.cdt import pair_columns
 
 HAND_BUILT = "saturation, and diffuse"
 
 
 def rows(content):
-    return pairs(content, diffuse_umol_m2_s=("pair74", "A"), light_umol_m2_s=("pair73", "A"), uptake_umol_m2_s=("pair73", "B"))
+    return pair_columns(content, diffuse_umol_m2_s=("pair74", "A"), light_umol_m2_s=("pair73", "A"), uptake_umol_m2_s=("pair73", "B"))
 
 
 def models(c):

@@ -4,8 +4,8 @@ The fresh one holds more, so all comes later. Every fourth row.
 """
 
 import numpy as np
-from fitting import line, terms
-from reading import csv
+from formats.text import csv
+from models.fitting import line, terms
 
 HAND_BUILT = "aged cell, slower"
 

@@ -1,9 +1,9 @@
 """Fuel that a jet engine burns over the speed of its fan, in flight. Where the air is thin, the same speed takes less; and fuel grows as a power of the speed."""
 
-from fitting import line, scaled
-from meters import of_drivers
-from needles import flight
-from pickups import clocks
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from models.lags import usual_and_shifts
+from readers.openap import flight
 
 HAND_BUILT = "square, and slope by height"
 
@@ -17,7 +17,7 @@ def models(c):
     u, v, w = scaled(x), scaled(height), scaled(t)
     return y, {
         **of_drivers(y, x, height=height),
-        **{name: model for name, model in clocks(y, x, t, 3).items() if name in ("drift", "shift", "lag")},
+        **{name: model for name, model in usual_and_shifts(y, x, t, 3).items() if name in ("drift", "shift", "lag")},
         "slope by height alone": line(y, x, u * v),
         "square, and slope by height alone": line(y, x, u**2, u * v),
         "cube, and height": line(y, x, u**2, u**3, v),

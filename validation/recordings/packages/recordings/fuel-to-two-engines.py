@@ -1,8 +1,8 @@
 """Fuel that the right engine of a jet burns over what the left one does, in flight. The pilots keep them alike."""
 
-from fitting import line, scaled
-from needles import flight
-from pickups import clocks
+from models.fitting import line, scaled
+from models.lags import usual_and_shifts
+from readers.openap import flight
 
 HAND_BUILT = "line"
 
@@ -15,7 +15,7 @@ def models(c):
     y, x, t = c["right_kg_h"], c["left_kg_h"], c["time_s"]
     u, w = scaled(x), scaled(t)
     return y, {
-        **clocks(y, x, t, 3),
+        **usual_and_shifts(y, x, t, 3),
         "cube": line(y, x, u**2, u**3),
         "drift, and its square": line(y, x, w, w**2),
         "slope that drifts": line(y, x, u * w),

@@ -1,14 +1,14 @@
 """Pressure of carbon dioxide over sea water as a gas analyser tells it, over that which follows from alkalinity and dissolved carbon of the same water, 56 times. One laboratory measured all three."""
 
-from dials import waters
-from fitting import through_zero
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import through_zero
+from readers.cbsyst import sea_waters
 
 HAND_BUILT = "square"
 
 
 def rows(content):
-    return waters(content)
+    return sea_waters(content)
 
 
 def models(c):

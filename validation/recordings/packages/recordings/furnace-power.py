@@ -1,7 +1,8 @@
 """Heating of a thermobalance over the temperature of its furnace, 10 K/min from 100 to 800 degC, every eighth reading. Heat goes by radiation."""
 
-from fitting import lag, line, terms
-from reading import thermal_analysis
+from models.fitting import line, terms
+from models.lags import lag
+from readers.pyngb import thermal_analysis
 
 HAND_BUILT = "cubic"
 

@@ -1,8 +1,9 @@
 """Thermocouple at the sample of a thermobalance beside that of its furnace, heated at 10 K/min, every eighth reading. The sample is behind while heat goes by gas, and hardly behind when it shines."""
 
 import numpy as np
-from fitting import lag, terms, usual
-from reading import thermal_analysis
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.pyngb import thermal_analysis
 
 HAND_BUILT = "lag that falls with radiation"
 

@@ -1,8 +1,8 @@
 """Gamma rays of rock that one tool tells over those that another one tells of the same well, each second foot."""
 
-from fitting import through_zero
-from monitors import bends_with
-from reading import well_log
+from formats.las import well_log
+from models.bends import bends_with
+from models.fitting import through_zero
 
 HAND_BUILT = "line"
 

@@ -1,8 +1,8 @@
 """Angle of the gantry of a machine that irradiates over its command, 104 s, each 40 ms: it stands, turns by 250 degrees, and stands."""
 
 import numpy as np
-from fitting import line
-from loggers import followed, trajectory
+from models.fitting import line
+from readers.pylinac import axis_models, trajectory
 
 HAND_BUILT = "shift"
 
@@ -15,4 +15,4 @@ def rows(content):
 def models(c):
     y, x, t = c["went_deg"], c["told_deg"], c["time_s"]
     speed = np.gradient(x, t)
-    return y, {**followed(y, x, t), "speed, and square": line(y, x, x**2, speed)}
+    return y, {**axis_models(y, x, t), "speed, and square": line(y, x, x**2, speed)}

@@ -1,8 +1,8 @@
 """Pressure of gas that was compressed and did not burn, as it cools behind the piston."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from pointers import slow_shots
+from models.fitting import line, scaled, terms
+from readers.uconnrcmpy import slow_shots
 
 HAND_BUILT = "drift that fades"
 

@@ -1,7 +1,8 @@
 """Ground over a coal mine by one geophone over that by another, 87 m away: vertical, 250 times a second, 28 s with some tremors."""
 
-from fitting import lag, line, moved, terms
-from pickups import clocks, geophones
+from models.fitting import line, terms
+from models.lags import lag, moved, usual_and_shifts
+from readers.opsdata_coal_node import geophones
 
 HAND_BUILT = "each of 33 rows"
 
@@ -14,7 +15,7 @@ def models(c):
     y, x, t = c["farther"], c["nearer"], c["time_s"]
     at = lambda p: moved(x, t, p * 0.02)
     return y, {
-        **clocks(y, x, t, 0.02),
+        **usual_and_shifts(y, x, t, 0.02),
         "shift later": terms(y, lambda p: [at(p[0])], [1.2]),
         "shift later, and square": terms(y, lambda p: [at(p[0]), at(p[0]) ** 2], [1.2]),
         "shift later, and lag": terms(y, lambda p: [lag(at(p[0]), t, abs(p[1]) * 0.02)], [1.0, 0.3]),

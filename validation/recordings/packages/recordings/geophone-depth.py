@@ -1,8 +1,8 @@
 """Thickness of a layer under a line of geophones in Alberta: flat, and then it falls away. Units are not stated in the package."""
 
 import numpy as np
-from fitting import line, terms
-from pickled import frame
+from models.fitting import line, terms
+from readers.rdatasets import frame
 
 HAND_BUILT = "hinge"
 

@@ -1,8 +1,8 @@
 """Battery of an underwater glider while its pump runs, 14 dives, one a run: the voltage falls with the current, and the more the longer the pump is on. One row for each run of the pump."""
 
 import numpy as np
-from fitting import line, terms
-from reading import dives
+from models.fitting import line, terms
+from readers.glidertools import dives
 
 HAND_BUILT = "current times time that settles"
 

@@ -1,8 +1,9 @@
 """Pressure sensor in the hull of a glider beside that of its water probe, one dive to 600 m. What the probe said came some seconds late into the row."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import dinkum, glider_rows
+from models.fitting import line, terms
+from models.lags import lag
+from readers.dbdreader import dinkum, glider_rows
 
 HAND_BUILT = "shift"
 

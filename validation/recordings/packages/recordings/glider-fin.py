@@ -1,8 +1,9 @@
 """Rudder of a glider beside the angle that it was told, one row a cycle of its computer. The fin is where it was told to be one cycle before."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import dinkum, glider_rows
+from models.fitting import line, terms
+from models.lags import lag
+from readers.dbdreader import dinkum, glider_rows
 
 HAND_BUILT = "shift"
 

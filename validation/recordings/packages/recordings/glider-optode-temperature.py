@@ -1,18 +1,15 @@
 """Thermometer of an oxygen sensor on a glider, against the one of its CTD: it comes quickly for the most part, and slowly for a small one."""
 
-import numpy as np
-import pandas as pd
-from fitting import lag, line, terms
+from formats.netcdf import netcdf
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "two lags"
 
 
 def rows(content):
-    import netCDF4  # the model built by hand does without it
-
-    with netCDF4.Dataset("glider", memory=content) as file:
-        names = {"time_s": "eng_elaps_t", "ctd_temperature": "temperature", "depth_pressure": "pressure", "optode_temperature": "eng_aa4330_Temp"}
-        d = pd.DataFrame({name: np.ma.filled(file[column][:].astype(float), np.nan) for name, column in names.items()}).dropna()
+    names = {"time_s": "eng_elaps_t", "ctd_temperature": "temperature", "depth_pressure": "pressure", "optode_temperature": "eng_aa4330_Temp"}
+    d = netcdf(content, names).dropna()
     d["time_s"] = (d.time_s - d.time_s.iloc[0]).round(3)
     return d[d.time_s.diff().fillna(1) > 0]
 

@@ -3,8 +3,8 @@
 The trim changes with the depth, which presses the hull, and the lever is a curve.
 """
 
-from fitting import line
-from reading import dives
+from models.fitting import line
+from readers.glidertools import dives
 
 HAND_BUILT = "cubic, depth and square of volume"
 

@@ -1,8 +1,8 @@
 """Two potentiometers on the piston of an underwater glider, 14 dives, one a run: the piston tilts as the sea presses on it and as it is pumped, and one potentiometer is a little bent."""
 
 import numpy as np
-from fitting import line, scaled
-from reading import dives
+from models.fitting import line, scaled
+from readers.glidertools import dives
 
 HAND_BUILT = "cubic"
 

@@ -1,8 +1,9 @@
 """Pressure sensor in the hull of a glider beside that of its water probe, six dives to 40 m. The hull's reading is older by a second or two."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import dinkum, glider_rows
+from models.fitting import line, terms
+from models.lags import lag
+from readers.dbdreader import dinkum, glider_rows
 
 HAND_BUILT = "shift"
 

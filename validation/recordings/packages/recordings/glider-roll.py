@@ -1,8 +1,8 @@
 """Roll of an underwater glider over the angle to which it turns its battery, 14 dives, one a run, every tenth row: straight, and little else; deeper, it rolls a little less."""
 
 import numpy as np
-from fitting import line
-from reading import dives
+from models.fitting import line
+from readers.glidertools import dives
 
 HAND_BUILT = "depth and product"
 

@@ -1,8 +1,9 @@
 """Voltage of the battery of a glider, seven dives, beside its current. It sags under load and comes back late; at the start it settles."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import dinkum, glider_rows
+from models.fitting import line, terms
+from models.lags import lag
+from readers.dbdreader import dinkum, glider_rows
 
 HAND_BUILT = "late current and settling"
 

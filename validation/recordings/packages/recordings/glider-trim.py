@@ -1,8 +1,9 @@
 """Pitch of a glider under water over the place of the battery that trims it, six dives. The oil in the nose lifts it as well."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import dinkum, glider_rows
+from models.fitting import line, terms
+from models.lags import lag
+from readers.dbdreader import dinkum, glider_rows
 
 HAND_BUILT = "oil, bent"
 

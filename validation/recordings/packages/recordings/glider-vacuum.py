@@ -1,8 +1,9 @@
 """Vacuum inside the hull of a glider, six dives, beside the oil that its pump has moved out and the water around it. The oil leaves room to the air; the air cools and warms late."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import dinkum, glider_rows
+from models.fitting import line, terms
+from models.lags import lag
+from readers.dbdreader import dinkum, glider_rows
 
 HAND_BUILT = "oil, late temperature and drift"
 

@@ -1,15 +1,18 @@
 """Temperature inside of a black globe over that of the air beside it, a weather station in a town, 15 days, each quarter of an hour. The sun heats the globe."""
 
 import numpy as np
-from fitting import lag, line, terms, tone, usual
-from instruments import weather_station
+from formats.clock import seconds
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.metobs_toolkit import weather_station
 
 HAND_BUILT = "line, lag, and day"
 
 
 def rows(content):
     frame = weather_station(content, "vlinder02").iloc[::3].dropna(subset=["Temperatuur", "Globe Temperatuur"])
-    at = (frame.index - frame.index[0]).total_seconds()
+    at = seconds(frame.index)
     return {"time_s": at, "air_c": frame.Temperatuur, "globe_c": frame["Globe Temperatuur"]}
 
 

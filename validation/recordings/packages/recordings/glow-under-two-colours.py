@@ -1,9 +1,11 @@
 """How bright eleven samples glow at 532 nm under light of 392 nm over how bright they do under 398 nm, 20 minutes each while they react. Both colours make the same stuff glow."""
 
 import numpy as np
-from counters import glow, in_runs, numbered
-from fitting import lag, line, moved, scaled, terms
-from monitors import bends_with
+from formats.rows import numbered
+from models.bends import bends_with
+from models.fitting import line, scaled, terms
+from models.lags import in_runs, lag, moved
+from readers.tensorly import glow
 
 HAND_BUILT = "line"
 SAMPLES = range(0, 64, 5)

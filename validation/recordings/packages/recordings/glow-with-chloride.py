@@ -2,16 +2,16 @@
 
 import numpy as np
 import pandas as pd
-from dials import scans
-from fitting import line, terms
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, terms
+from readers.clophfit import plate_scans
 
 HAND_BUILT = "bound by a law of mass"
 EVERY = 4
 
 
 def rows(content, notes):
-    wide, told = scans(content, notes, "C", 20)
+    wide, told = plate_scans(content, notes, "C", 20)
     salt = told.Cl.reindex(wide.columns)
     fresh, parts = wide.loc[:, salt == 0].mean(axis=1).to_numpy(), []
     for run, well in enumerate(wide.columns[salt > 0], 1):

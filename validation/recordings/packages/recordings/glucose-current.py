@@ -2,8 +2,9 @@
 
 import numpy as np
 import pandas as pd
-from fitting import line, terms
-from reading import csv, seconds
+from formats.clock import seconds
+from formats.text import csv
+from models.fitting import line, terms
 
 HAND_BUILT = "gain by time, bent"
 

@@ -1,14 +1,15 @@
 """Second axis of a goniometer on an arm over its first, while the arm is bent and stretched, means of a fiftieth of a second. The second follows by a bent law, and a little apart in time."""
 
-from reading import means
-from recorders import clock, hubs, usual_and_bends
+from formats.rows import means
+from models.bends import usual_and_bends
+from readers.biosignalsnotebooks import hubs, seconds_at
 
 HAND_BUILT = "fifth power that is shifted"
 
 
 def rows(content):
     first, second = (means(values, 20) for values in hubs(content).values())
-    return {"time_s": clock(first, 50), "first_count": first, "second_count": second}
+    return {"time_s": seconds_at(first, 50), "first_count": first, "second_count": second}
 
 
 def models(c):

@@ -1,15 +1,15 @@
 """How far the layer between two slabs of rock is closed over how far they have slid, at one speed."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from monitors import bends_with
-from pickups import press
+from models.bends import bends_with
+from models.fitting import line, scaled, terms
+from readers.pylook import rock_press
 
 HAND_BUILT = "logarithm"
 
 
 def rows(content):
-    return press(content, "layer_um", first=9500, last=18500, every=5)
+    return rock_press(content, "layer_um", first=9500, last=18500, every=5)
 
 
 def models(c):

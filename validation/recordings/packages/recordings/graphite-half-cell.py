@@ -4,7 +4,7 @@ import io
 
 import numpy as np
 import pandas as pd
-from fitting import line, terms
+from models.fitting import line, terms
 
 HAND_BUILT = "free curve of 14 knots, polarisation"
 KNOTS = np.array([0, 0.01, 0.02, 0.04, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0])

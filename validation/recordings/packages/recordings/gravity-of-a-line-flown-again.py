@@ -1,9 +1,9 @@
 """Gravity by an instrument in a plane along a line that was flown ten times: each of the other nine over the first, at the same places."""
 
 import numpy as np
-from fitting import line, scaled
-from monitors import bends_with
-from needles import flown_again
+from models.bends import bends_with
+from models.fitting import line, scaled
+from readers.galileoqc import flown_again
 
 HAND_BUILT = "line"
 

@@ -1,8 +1,9 @@
 """What an accelerometer feels along a car over how much faster the car gets. On a slope it feels a part of its weight as well."""
 
-from fitting import line, moved, scaled, terms
-from meters import of_drivers
-from tellers import drive_by_force
+from models.drivers import of_drivers
+from models.fitting import line, scaled, terms
+from models.lags import moved
+from readers.pntos_cobra_datasets_lcm import drive_by_force
 
 HAND_BUILT = "slope"
 

@@ -1,8 +1,9 @@
 """Load of the grid of Victoria over the temperature in Melbourne, half hours of a year: heating and cooling, the hour of the day, work."""
 
 import numpy as np
-from fitting import line, terms, tone
-from pickled import frame
+from models.cycles import tone
+from models.fitting import line, terms
+from readers.rdatasets import frame
 
 HAND_BUILT = "hinges, hour and work"
 

@@ -1,7 +1,8 @@
 """Temperature of the ground as a radiometer in orbit told it over that of the air at a tower, 1038 passes over many towers. The sun warms the ground, and leaves cool it."""
 
-from fitting import line
-from meters import of_drivers, towers
+from models.drivers import of_drivers
+from models.fitting import line
+from readers.ecov002_calval_tables import towers
 
 HAND_BUILT = "sun, green, and their product"
 NAMES = ["AirTempC", "SW_IN", "NDVI", "LST"]

@@ -1,7 +1,8 @@
 """Infrared that comes up from the ground (a pyrgeometer, one winter day) against that of a black body as warm as the air at 10 m: the sun warms the ground more."""
 
 import numpy as np
-from fitting import lag, line, terms
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "sun"
 

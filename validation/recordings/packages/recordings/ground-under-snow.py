@@ -1,7 +1,9 @@
 """One probe of a logger, in the ground, over the other, in air, two and a half years, every sixth hour. Snow keeps the ground warm in winter."""
 
-from fitting import lag, line, terms, tone, usual
-from loggers import two_probes
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.tsp import two_probes
 
 HAND_BUILT = "square, and lag"
 DAY = 86400.0

@@ -1,6 +1,7 @@
 """Temperature of a cylinder's head over that of its exhaust, from shortly after an aircraft's engine was started, two minutes and a quarter. Metal warms late."""
 
-from recorders import engine, usual_and_lags
+from models.lags import usual_and_lags
+from readers.aerotrace_parsers import engine
 
 HAND_BUILT = "two lags"
 

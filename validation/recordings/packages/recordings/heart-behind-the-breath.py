@@ -1,6 +1,6 @@
 """How fast a heart beats over the oxygen that is taken up, as the work grows until it is too much. The heart is behind the breath."""
 
-from needles import exercise, hearts
+from readers.pyoxynet import exercise, heart_models
 
 HAND_BUILT = "lag, and cube"
 
@@ -10,4 +10,4 @@ def rows(content):
 
 
 def models(c):
-    return hearts(c)
+    return heart_models(c)

@@ -1,7 +1,9 @@
 """Heart rate by a strap over the power on the pedals, a ride in hills, means of five points. The heart follows within a minute, and less where it beats fast already."""
 
-from fitting import lag, terms, usual
-from reading import means, trackpoints
+from formats.rows import means
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.sweat import trackpoints
 
 HAND_BUILT = "lag, square, and drift"
 

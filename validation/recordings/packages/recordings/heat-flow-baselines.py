@@ -1,13 +1,13 @@
 """Heat flow of an empty calorimeter while it is heated to 800 degC, two weeks after the same programme, every sixth reading; the simulation is the run before. The sensor is another one when it is hot."""
 
-from fitting import line
-from reading import repeated
+from models.fitting import line
+from readers.pyngb import programme_twice
 
 HAND_BUILT = "temperature, bent"
 
 
 def rows(first, second):
-    one, two = repeated(first, second, 6)
+    one, two = programme_twice(first, second, 6)
     return {"time_s": two.minutes * 60, "first_uv": one.heat_flow_uv.to_numpy(), "second_uv": two.heat_flow_uv, "sample_c": two.sample_c}
 
 

@@ -1,8 +1,9 @@
 """Transducers of the two plates of a heat flow meter, the upper one with its sign turned, at seven temperatures; a row is a block of readings. The lower one follows the temperature of the plates."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import heat_flow_meter
+from models.fitting import line, terms
+from models.lags import lag
+from readers.pyhfm import heat_flow_meter
 
 HAND_BUILT = "temperature"
 

@@ -1,8 +1,10 @@
 """Answer of a heated wire to a random input, a benchmark of system identification: means of 100 samples, the first 1500. The wire keeps its heat."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import means, array
+from formats.arrays import array
+from formats.rows import means
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "lag"
 

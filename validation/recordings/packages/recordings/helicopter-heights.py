@@ -1,8 +1,9 @@
 """Height of a helicopter by satellites over that by its barometer. The one by satellites comes late."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import flight
+from models.fitting import line, terms
+from models.lags import lag
+from readers.traffic import flight
 
 HAND_BUILT = "lag, and drift"
 

@@ -1,8 +1,8 @@
 """A ball with air and one with helium, kicked in turn 39 times: the gas makes no difference, practice makes a little."""
 
 import numpy as np
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "line"
 

@@ -1,20 +1,14 @@
 """High voltage of a detector in a soot photometer on a ship in the ice, a day in means of a minute, as its chamber cools and warms by 10 K: 27 mV/K."""
 
-import io
-
-import numpy as np
-import pandas as pd
-from fitting import lag, line, terms
-from reading import means
+from formats.soot_photometer import mean_rows, photometer
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "temperature, and its lag"
 
 
 def rows(content):
-    names = {"chamber_c": "Chamber Temp (C)", "chamber_hpa": "Chamber Pressure (mBar)", "high_voltage": "Chan 3 HV (V)"}
-    d = pd.read_csv(io.BytesIO(content), sep="\t", usecols=["Time (sec)", *names.values()])
-    t = means(d["Time (sec)"], 60)
-    return {"time_s": (t - t[0]).round(1), **{name: means(d[column], 60) for name, column in names.items()}}
+    return mean_rows(photometer(content, chamber_c="Chamber Temp (C)", chamber_hpa="Chamber Pressure (mBar)", high_voltage="Chan 3 HV (V)"), 60)
 
 
 def models(c):

@@ -1,8 +1,9 @@
 """Volts of a hot wire over those of a membrane that hydrogen presses, while it comes through a wall for eight and a half hours. The wire tells a pressure by its logarithm."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from listeners import drifts, permeation
+from models.drifts import usual_shifts_and_drifts
+from models.fitting import line, scaled, terms
+from readers.shield_data import permeation
 
 HAND_BUILT = "power, and drift"
 
@@ -15,7 +16,7 @@ def models(c):
     y, x, t = c["wire_v"], c["lower_v"], c["time_s"]
     u, w, above = scaled(x), scaled(t), lambda p: np.log(np.maximum(x - p, 1e-3))
     return y, {
-        **drifts(y, x, t, 600),
+        **usual_shifts_and_drifts(y, x, t, 600),
         "logarithm": line(y, np.log(x)),
         "logarithm, and line": line(y, np.log(x), x),
         "logarithm, and drift": line(y, np.log(x), w),

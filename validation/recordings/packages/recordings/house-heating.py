@@ -1,8 +1,10 @@
 """Temperature inside of a house: heating and outside pass a heat store and a resistance, two slow lags."""
 
 import pandas as pd
-from fitting import lag, line, terms
-from reading import csv, seconds
+from formats.clock import seconds
+from formats.text import csv
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "two lags of heating and outside"
 

@@ -1,7 +1,8 @@
 """Pressure inside of the hull of a glider over the oil that its pump has moved out of the hull, beside the temperature of its board, 19 hours of dives, a row each 20 s. Oil that comes in presses the gas; gas that cools shrinks, before the board does."""
 
-from fitting import lag, line, terms
-from housekeeping import glider
+from models.fitting import line, terms
+from models.lags import lag
+from readers.pyglider import glider
 
 HAND_BUILT = "temperature, and late temperature"
 

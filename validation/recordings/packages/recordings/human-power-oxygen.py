@@ -1,7 +1,7 @@
 """Oxygen uptake over power on a cycle, one athlete a run: a straight line below the threshold of lactate."""
 
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "line"
 

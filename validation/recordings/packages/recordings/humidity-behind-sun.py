@@ -1,14 +1,17 @@
 """Humidity of air over how warm it is, the hours of five months from May on, and the sun. The ground gives back what it took up from the sun for hours."""
 
-from fitting import lag, line, terms, tone
-from gauges import DAY, HOUR, hours
-from meters import of_drivers
+from durations import DAY, HOUR
+from models.cycles import tone
+from models.drivers import of_drivers
+from models.fitting import line, terms
+from models.lags import lag
+from readers.mettoolbox import weather_hours
 
 HAND_BUILT = "sun, late sun, and day"
 
 
 def rows(content):
-    return hours(content, "2014-05", "2014-09")
+    return weather_hours(content, "2014-05", "2014-09")
 
 
 def models(c):

@@ -1,8 +1,9 @@
 """Relative humidity over the temperature of the air, in a desert, a row each five minutes, three and a half days. Warm air holds more water by a bent law, and the water in the air changes."""
 
 import numpy as np
-from fitting import line, usual
-from receivers import hut
+from models.fitting import line
+from models.lags import usual
+from readers.edges_io import hut
 
 HAND_BUILT = "water that drifts"
 

@@ -1,15 +1,15 @@
 """Voltage of the battery of a hybrid car over the current that goes into it, half an hour on rollers. It has more voltage the fuller it is, and a part of it comes late. The charge is the current summed up from the start."""
 
-from fitting import lag, line, terms
-from probes import car
-from recorders import usual_and_lags
-from rigs import charged
+from formats.rows import charged
+from models.fitting import line, terms
+from models.lags import lag, usual_and_lags
+from readers.co2mpas import car_on_rollers
 
 HAND_BUILT = "charge, bent, and late current"
 
 
 def rows(content):
-    frame = car(content)
+    frame = car_on_rollers(content)
     amp, time = frame.drive_battery_currents.to_numpy(), frame.times.to_numpy()
     charge = charged(amp, time)
     return {"time_s": time, "current_a": amp, "charge_ah": charge, "voltage_v": frame.drive_battery_voltages}

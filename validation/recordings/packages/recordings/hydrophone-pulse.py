@@ -1,8 +1,9 @@
 """A pulse of ultrasound as a hydrophone tells it over the pressure that a reference tells, 2 us, 500 rows each us. The hydrophone has a response of its own."""
 
 import numpy as np
-from fitting import lag, line, terms, usual
-from reading import csv
+from formats.text import csv
+from models.fitting import line, terms
+from models.lags import lag, usual
 
 HAND_BUILT = "line and two lags"
 

@@ -1,6 +1,7 @@
 """Humidity of the air by one hygrometer over that by another of its kind, each beside a sonic anemometer, an hour at midnight, each second. Next to nothing is missing."""
 
-from receivers import late_models, two_stations
+from models.lags import late_models
+from readers.eddycovtools import two_stations
 
 HAND_BUILT = "lag, drift, and its square"
 

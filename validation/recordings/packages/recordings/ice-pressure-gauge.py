@@ -1,13 +1,14 @@
 """A pressure gauge at the end of a hose that is drilled into a glacier, over the distance that an echo sounder on a stake tells, beside the pressure of the air, one August, each 10 min. The ice melts; the air presses on the hose."""
 
-from fitting import lag, line, terms, usual
-from stations import logger
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.pypromice import logger_table
 
 HAND_BUILT = "air pressure, and late surface"
 
 
 def rows(content):
-    frame = logger(content, "SurfaceHeight", "AirPressure_Avg", "IceHeight_Avg")
+    frame = logger_table(content, "SurfaceHeight", "AirPressure_Avg", "IceHeight_Avg")
     return {"time_s": frame.time_s, "surface_m": frame.SurfaceHeight, "air_pressure_hpa": frame.AirPressure_Avg, "gauge_mv": frame.IceHeight_Avg}
 
 

@@ -1,6 +1,7 @@
 """A thermometer of a low-pressure impactor that was switched on, almost five hours, every fifth second."""
 
-from loggers import impactor, rests
+from models.drifts import comes_to_rest
+from readers.aerosoltools import impactor
 
 HAND_BUILT = "exponential"
 
@@ -11,4 +12,4 @@ def rows(content):
 
 
 def models(c):
-    return c["inside_c"], rests(c["inside_c"], c["time_s"])
+    return c["inside_c"], comes_to_rest(c["inside_c"], c["time_s"])

@@ -1,8 +1,8 @@
 """Thermometer of a motion sensor in its first minutes: self-heating of first order."""
 
 import numpy as np
-from fitting import line, terms
-from reading import csv
+from formats.text import csv
+from models.fitting import line, terms
 
 HAND_BUILT = "exponential"
 

@@ -1,7 +1,8 @@
 """Deflection of the load cell of an indenter over its voltage, one push into the sample and back. Its calibration is bent."""
 
-from fitting import lag, line, terms
-from reading import indenter
+from models.fitting import line, terms
+from models.lags import lag
+from readers.nanodent import indenter
 
 HAND_BUILT = "square"
 

@@ -1,7 +1,7 @@
 """Way of the stage of an indenter over that of its tip, one push and back. The frame gives way under the force, and the tip is corrected for a drift."""
 
-from fitting import line
-from reading import indenter
+from models.fitting import line
+from readers.nanodent import indenter
 
 HAND_BUILT = "force and drift"
 

@@ -1,8 +1,9 @@
 """Infrasound of a blast at one sensor over that at another of a small array, each told over its own scatter. A row counts as a second; the sound is there 22 rows apart."""
 
 import numpy as np
-from fitting import line, terms, usual
-from reading import csv
+from formats.text import csv
+from models.fitting import terms
+from models.lags import usual
 
 HAND_BUILT = "shift"
 

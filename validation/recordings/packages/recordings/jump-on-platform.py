@@ -1,7 +1,8 @@
 """Acceleration of a body by a sensor on it, over the force of the platform from which it jumps, read by another hub, eight seconds. One hub is behind the other."""
 
-from fitting import lag, moved, terms
-from recorders import clock, hubs, usual_and_lags
+from models.fitting import terms
+from models.lags import lag, moved, usual_and_lags
+from readers.biosignalsnotebooks import hubs, seconds_at
 
 HAND_BUILT = "shift"
 
@@ -9,7 +10,7 @@ HAND_BUILT = "shift"
 def rows(content):
     columns = list(hubs(content).values())
     force, upward = sum(columns[:4])[8000:12000], columns[5][8000:12000]
-    return {"time_s": clock(force, 500), "force_count": force, "upward_count": upward}
+    return {"time_s": seconds_at(force, 500), "force_count": force, "upward_count": upward}
 
 
 def models(c):

@@ -1,7 +1,7 @@
 """Readings of an instrument for lactic acid in blood at five known concentrations: a straight line, with scatter that grows a little."""
 
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "line"
 

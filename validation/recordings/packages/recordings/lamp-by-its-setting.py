@@ -1,14 +1,14 @@
 """Light of a violet lamp over its setting, by a spectrometer where an eye would be."""
 
-from fitting import line, scaled
-from monitors import bends_with
-from tellers import one_side, setting
+from models.bends import bends_with, levels_off
+from models.fitting import line, scaled
+from readers.pysilsub import lamp_by_setting
 
 HAND_BUILT = "power"
 
 
 def rows(content):
-    return setting(content, 0)
+    return lamp_by_setting(content, 0)
 
 
 def models(c):
@@ -17,5 +17,5 @@ def models(c):
     return y, {
         **bends_with(y, x),
         "fourth power": line(y, x, u**2, u**3, u**4),
-        **one_side(y, x, 1000.0),
+        **levels_off(y, x, 1000.0),
     }

@@ -1,6 +1,6 @@
 """Light of a cyan lamp over that of another of its kind, 64 settings of both. The brighter both are, the more it falls behind."""
 
-from tellers import of_two_lamps, two_lamps
+from readers.pysilsub import lamp_models, two_lamps
 
 HAND_BUILT = "power"
 
@@ -9,4 +9,4 @@ def rows(*contents):
     return two_lamps(*contents, number=4)
 
 
-models = of_two_lamps
+models = lamp_models

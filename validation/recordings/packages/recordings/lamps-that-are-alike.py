@@ -1,6 +1,6 @@
 """Light of a dark red lamp over that of another of its kind, 64 settings of both."""
 
-from tellers import of_two_lamps, two_lamps
+from readers.pysilsub import lamp_models, two_lamps
 
 HAND_BUILT = "line"
 
@@ -9,4 +9,4 @@ def rows(*contents):
     return two_lamps(*contents, number=9)
 
 
-models = of_two_lamps
+models = lamp_models

@@ -1,16 +1,15 @@
 """Current of a probe in a plasma over its voltage, one sweep, every second row. Electrons come by an exponential until all of them do."""
 
-import io
-
 import numpy as np
-from fitting import terms
-from rigs import bends
+from formats.arrays import array
+from models.bends import bends
+from models.fitting import terms
 
 HAND_BUILT = "two bends"
 
 
 def rows(content):
-    volt, ampere = np.load(io.BytesIO(content), allow_pickle=False)[:, ::2]
+    volt, ampere = array(content)[:, ::2]
     return {"time_s": np.arange(len(volt)), "volt": volt, "current_ma": ampere * 1000}
 
 

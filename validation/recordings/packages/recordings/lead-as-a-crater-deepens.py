@@ -1,8 +1,8 @@
 """Counts of lead over those of silicon while a laser drills into glass, a run a crater. Lead boils more easily than silicon, more so at the bottom of a deep crater."""
 
 import numpy as np
-from fitting import line, terms
-from monitors import craters
+from models.fitting import line, terms
+from readers.lasertram import craters
 
 HAND_BUILT = "slope by depth, bent"
 

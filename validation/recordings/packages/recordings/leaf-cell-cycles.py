@@ -1,8 +1,8 @@
 """Voltage of a cell of an electric car in the second to the fifth discharge at twice its rate, with rest and charge after each, over that of the first at the same time since its start. They agree."""
 
 import numpy as np
-from fitting import usual
-from reading import cycler
+from models.lags import usual
+from readers.celljar import cycler
 
 HAND_BUILT = "shift"
 

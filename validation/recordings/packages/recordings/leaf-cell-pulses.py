@@ -1,9 +1,10 @@
 """Voltage of a cell of an electric car over its current, pulses at ten states of charge, 25 degC, a row each 8 s or where the current changes. It has less voltage the emptier it is, and is late. The charge is the current summed up from the start."""
 
 import numpy as np
-from fitting import lag, line, terms, usual
-from reading import cycler
-from rigs import charged
+from formats.rows import charged
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.celljar import cycler
 
 HAND_BUILT = "charge, cubic, and late current"
 

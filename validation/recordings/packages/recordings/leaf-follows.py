@@ -1,7 +1,7 @@
 """Place of a leaf of a collimator over its command, 43 s, each 20 ms. The leaf is late by some milliseconds."""
 
 import numpy as np
-from loggers import followed, trajectory
+from readers.pylinac import axis_models, trajectory
 
 HAND_BUILT = "shift"
 
@@ -12,4 +12,4 @@ def rows(content):
 
 
 def models(c):
-    return c["went_mm"], followed(c["went_mm"], c["told_mm"], c["time_s"])
+    return c["went_mm"], axis_models(c["went_mm"], c["told_mm"], c["time_s"])

@@ -1,7 +1,9 @@
 """Temperature of leaves as a thermometer for infrared told it over that of a porometer, two hours. The sun warms a leaf."""
 
-from fitting import lag, line, terms
-from meters import of_drivers, porometer
+from models.drivers import of_drivers
+from models.fitting import line, terms
+from models.lags import lag
+from readers.phytorch_lib import porometer
 
 HAND_BUILT = "light"
 

@@ -1,8 +1,9 @@
 """Carbon dioxide that a leaf of lettuce takes up over that inside of it, a run a curve, eleven curves at other lights and temperatures. It takes up no more than its light allows."""
 
 import numpy as np
-from fitting import line, terms
-from meters import gas_exchange, of_drivers
+from models.drivers import of_drivers
+from models.fitting import terms
+from readers.phytorch_lib import gas_exchange
 
 HAND_BUILT = "saturation, and slope of it by light"
 

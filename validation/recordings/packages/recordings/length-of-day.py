@@ -1,13 +1,14 @@
 """What a day of the turning Earth is too long, by the clocks of the world, every third day of ten years. Winds and tides slow it by the season."""
 
-from fitting import line, tone
-from reading import earth
+from models.cycles import tone
+from models.fitting import line
+from readers.astropy_iers_data import earth_orientation
 
 HAND_BUILT = "yearly cycle"
 
 
 def rows(content):
-    t, out = earth(content, 53736, 3653, "LOD")
+    t, out = earth_orientation(content, 53736, 3653, "LOD")
     return {"time_s": t[::3], "excess_ms": out[::3] * 1000}
 
 

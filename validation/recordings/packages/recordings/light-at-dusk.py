@@ -1,7 +1,8 @@
 """Light by a recorder on the back of a seal over the depth to which it dives, two hours at dusk, a row each five seconds. It becomes night."""
 
-from fitting import line
-from recorders import seal, usual_and_bends
+from models.bends import usual_and_bends
+from models.fitting import line
+from readers.scikit_divemove import seal
 
 HAND_BUILT = "slope that drifts"
 

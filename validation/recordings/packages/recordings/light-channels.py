@@ -1,8 +1,8 @@
 """Light on a wrist by the minute over its green part, as logarithms, with how much more blue and red there is than green. All three colours count."""
 
 import numpy as np
-from fitting import line
-from reading import csv
+from formats.text import csv
+from models.fitting import line
 
 HAND_BUILT = "blue and red"
 

@@ -1,8 +1,8 @@
 """Losses of a microwave link of 10 km both ways, at 23.1 and 22.1 GHz, ten days in May in steps of 5 min: rain and air take from both alike."""
 
 import numpy as np
-from fitting import line, terms
-from reading import link_loss
+from models.fitting import line, terms
+from readers.pycomlink import link_loss
 
 HAND_BUILT = "line"
 LINK = 389

@@ -1,13 +1,13 @@
 """Largest position of each cycle of a fatigue test whose strain is held, beside the load. The specimen and the frame beyond the gauge are stretched by the load."""
 
-from fitting import line
-from rigs import cycles
+from models.fitting import line
+from readers.pyfat import fatigue_cycles
 
 HAND_BUILT = "load"
 
 
 def rows(content):
-    frame = cycles(content)
+    frame = fatigue_cycles(content)
     return {"time_s": frame.time_s, "load_kn": frame.load_kn, "position_mm": frame.position_mm}
 
 

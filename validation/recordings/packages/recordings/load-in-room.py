@@ -1,6 +1,7 @@
 """Temperature of a resistor that a radio receiver is calibrated by over that of the room, a row each half minute, four hours. It follows the room late."""
 
-from receivers import late_models, load_thermistors
+from models.lags import late_models
+from readers.edges_cal import load_thermistors
 
 HAND_BUILT = "lag, drift, and its square"
 

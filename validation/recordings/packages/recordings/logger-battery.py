@@ -1,13 +1,13 @@
 """Voltage of the battery of a logger over its temperature, two years, each 8 hours. It is told in steps of 0.05 V."""
 
-from fitting import line
-from loggers import string
+from models.fitting import line
+from readers.tsp import thermistor_string
 
 HAND_BUILT = "temperature, bent"
 
 
 def rows(content):
-    frame = string(content).iloc[1:]
+    frame = thermistor_string(content).iloc[1:]
     return {"time_s": frame.time_s - frame.time_s.iloc[0], "logger_c": frame.logger_c, "battery_v": frame.battery_v}
 
 

@@ -1,7 +1,8 @@
 """Temperature of the box of a logger over that of the air, beside sunshine (as its sensor tells it, in mV), a town, seven weeks of summer, each 20 min."""
 
-from fitting import lag, line, terms, usual
-from stations import tried_in_town
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.pypromice import tried_in_town
 
 HAND_BUILT = "late sunshine"
 

@@ -2,8 +2,11 @@
 
 import numpy as np
 import pandas as pd
-from fitting import lag, line, terms, tone
-from reading import means, netcdf
+from formats.netcdf import netcdf
+from formats.rows import means
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "two lags, and hours of the day"
 DAY = 86400.0  # s

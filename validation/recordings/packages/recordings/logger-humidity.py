@@ -1,13 +1,14 @@
 """Relative humidity inside of the housing of a logger, twelve weeks of an arctic summer, a row an hour. Water gets in; warm walls give it off."""
 
-from fitting import lag, line, terms
-from loggers import housing
+from models.fitting import line, terms
+from models.lags import lag
+from readers.tsp import logger_housing
 
 HAND_BUILT = "temperature, and bent drift"
 
 
 def rows(content):
-    frame = housing(content)
+    frame = logger_housing(content)
     return {"time_s": frame.time_s, "inside_c": frame.temperature, "humidity_pct": frame.humidity}
 
 

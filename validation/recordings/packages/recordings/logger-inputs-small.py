@@ -1,6 +1,6 @@
 """Two voltage inputs of a logger at steps of less than a millivolt, 45 s. They agree."""
 
-from sensors import inputs_alike, side_by_side
+from readers.rocketlogger import alike_models, side_by_side
 
 HAND_BUILT = "line"
 LABELS = ("first_mv", "second_mv")
@@ -11,4 +11,4 @@ def rows(content):
 
 
 def models(c):
-    return c["second_mv"], inputs_alike(c["second_mv"], c["first_mv"], c["time_s"])
+    return c["second_mv"], alike_models(c["second_mv"], c["first_mv"], c["time_s"])

@@ -1,6 +1,6 @@
 """Two inputs for current of a logger in series while they are calibrated from one end of their range to the other and back, as numbers of the converter. One reads a little more on the way back."""
 
-from sensors import inputs_alike, side_by_side
+from readers.rocketlogger import alike_models, side_by_side
 
 HAND_BUILT = "step"
 LABELS = ("first_kcounts", "second_kcounts")
@@ -11,4 +11,4 @@ def rows(content):
 
 
 def models(c):
-    return c["second_kcounts"], inputs_alike(c["second_kcounts"], c["first_kcounts"], c["time_s"])
+    return c["second_kcounts"], alike_models(c["second_kcounts"], c["first_kcounts"], c["time_s"])

@@ -1,7 +1,7 @@
 """Counts of two isotopes of magnesium while a laser burns a standard, one after the other in each sweep of 0.36 s; the simulation is the one by their shares in nature. They agree."""
 
-from fitting import usual
-from reading import isotopes
+from models.lags import usual
+from readers.latools import isotopes
 
 HAND_BUILT = "line"
 

@@ -1,10 +1,10 @@
 """Moment of a crystal at 2.5 K over its field, up to 7 T. Its magnets lie against each other, and turn across the field at about 2 T."""
 
 import numpy as np
-from counters import moments
-from fitting import line, terms
-from rigs import bends
-from sensors import switched
+from models.bends import bends
+from models.fitting import line, terms
+from models.jumps import soft_step
+from readers.ppms_toolkit import moments
 
 HAND_BUILT = "another line after the turn"
 
@@ -16,7 +16,7 @@ def rows(content):
 
 def models(c):
     y, x = c["moment_memu"], c["field_t"]
-    after = lambda p: switched(x, p[0], abs(p[1]) + 0.01)
+    after = lambda p: soft_step(x, p[0], abs(p[1]) + 0.01)
     return y, {
         **bends(y, x),
         "ninth power": line(y, *((x / 7) ** np.arange(1, 10)[:, None])),

@@ -4,7 +4,7 @@ Two models were built: one branch each way by a tanh, and a soft part (Langevin)
 """
 
 import numpy as np
-from fitting import line, terms
+from models.fitting import line, terms
 
 HAND_BUILT = "Langevin and tanh, each with a coercive field"
 

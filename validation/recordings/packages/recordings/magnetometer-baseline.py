@@ -2,10 +2,10 @@
 
 import io
 
-import numpy as np
 import pandas as pd
-from fitting import line, tone
-from reading import seconds
+from formats.clock import seconds
+from models.cycles import tone
+from models.fitting import line
 
 HAND_BUILT = "drift"
 

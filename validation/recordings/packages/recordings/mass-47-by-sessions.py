@@ -1,8 +1,8 @@
 """Mass 47 of carbon dioxide over mass 46, thirty sessions of a mass spectrometer. Mass 45 tells of its heavy carbon."""
 
-from fitting import line, scaled
-from listeners import by_session
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.d47calib import by_session
 
 HAND_BUILT = "all squares of mass 45"
 

@@ -1,8 +1,9 @@
 """Mass 47 of carbon dioxide over mass 46, a session of a mass spectrometer. Mass 47 has a heavy carbon as well, which mass 45 tells."""
 
-from fitting import line, scaled
-from listeners import drifts, one_session
-from meters import of_drivers
+from models.drifts import usual_shifts_and_drifts
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.d47calib import one_session
 
 HAND_BUILT = "mass 45, and slope by it"
 
@@ -15,7 +16,7 @@ def models(c):
     y, x, g, t = c["mass_47"], c["mass_46"], c["mass_45"], c["time_s"]
     u, v, w = scaled(x), scaled(g), scaled(t)
     return y, {
-        **drifts(y, x, t, 3600),
+        **usual_shifts_and_drifts(y, x, t, 3600),
         **of_drivers(y, x, **{"mass 45": g}),
         "mass 45, and slope by it": line(y, x, v, u * v),
         "mass 45, slope by it, and square": line(y, x, v, u * v, u**2),

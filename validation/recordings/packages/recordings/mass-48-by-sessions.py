@@ -1,8 +1,8 @@
 """Mass 48 of carbon dioxide over mass 46, thirty sessions of a mass spectrometer."""
 
-from fitting import line, scaled
-from listeners import by_session
-from monitors import bends_with
+from models.bends import bends_with
+from models.fitting import line, scaled
+from readers.d47calib import by_session
 
 HAND_BUILT = "square"
 

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pandas as pd
-from fitting import angle, line, terms
-from reading import csv, seconds
+from formats.clock import seconds
+from formats.text import csv
+from models.fitting import line, terms
 
 HAND_BUILT = "two shadows over direction"
 
@@ -14,6 +15,12 @@ def rows(content):
     d = d.dropna(subset=["Spd80mN", "Spd80mS", "Dir78mS", "T2m"])
     d = d[(d.Spd80mN > 1) & (d.Spd80mS > 1)]
     return {"time_s": seconds(d.t), "speed_north": d.Spd80mN, "direction_deg": d.Dir78mS, "temperature_c": d.T2m, "speed_south": d.Spd80mS}
+
+
+def angle(degrees, centre, width):
+    """A bell over an angle, 1 at its centre; centre and width in rad."""
+    away = (np.radians(degrees) - centre + np.pi) % (2 * np.pi) - np.pi
+    return np.exp(-0.5 * (away / width) ** 2)
 
 
 def models(c):

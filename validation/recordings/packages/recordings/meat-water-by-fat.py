@@ -1,7 +1,7 @@
 """Water in meat over its fat: the parts add up, so protein takes the place of water."""
 
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "line in fat and protein"
 

@@ -1,8 +1,10 @@
 """Loss of a microwave link of 10 km at 23 GHz over the rain along it by a reference, ten days in May in steps of 5 min: the loss grows less than in proportion; wet antennas add to it."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import link_loss
+from formats.netcdf import dataset, filled
+from models.fitting import line, terms
+from models.lags import lag
+from readers.pycomlink import link_loss
 
 HAND_BUILT = "square"
 LINK = 389
@@ -10,10 +12,8 @@ LINK = 389
 
 def rows(links, reference):
     loss = link_loss(links, LINK)[0]
-    import netCDF4  # the model built by hand does without it
-
-    with netCDF4.Dataset("reference", memory=reference) as file:
-        rain = np.ma.filled(file["rainfall_amount"][:, LINK].astype(float), np.nan) * 12
+    with dataset(reference) as file:
+        rain = filled(file["rainfall_amount"])[:, LINK] * 12
     kept = np.isfinite(loss) & np.isfinite(rain)
     return {"time_s": np.flatnonzero(kept) * 300.0, "rain_mm_h": rain[kept], "loss_db": loss[kept]}
 

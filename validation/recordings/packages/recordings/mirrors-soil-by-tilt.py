@@ -1,8 +1,8 @@
 """Reflectance of mirrors that dust settles on over that of a flat one beside them, three campaigns at one place, a run a mirror. The steeper a mirror, the less settles."""
 
 import numpy as np
-from fitting import line
-from sensors import mirrors
+from models.fitting import line
+from readers.mirror_soiling_data import mirrors
 
 HAND_BUILT = "dust by the cosine, and drift by it"
 

@@ -1,15 +1,15 @@
 """Warmth of a solar module's back over that of the air, each minute of three days while the sun shines. Wind takes away what the sun brings."""
 
-from fitting import lag, line, scaled, terms
-from meters import of_drivers
-from pickups import clocks
-from scales import module
+from models.drivers import of_drivers
+from models.fitting import line, scaled, terms
+from models.lags import lag, usual_and_shifts
+from readers.cpvlib import solar_module
 
 HAND_BUILT = "square, and wind"
 
 
 def rows(content):
-    return module(content, "2019-06-02", "2019-06-05", 100)
+    return solar_module(content, "2019-06-02", "2019-06-05", 100)
 
 
 def models(c):
@@ -17,7 +17,7 @@ def models(c):
     v, w, late = scaled(wind), scaled(t), lambda p: lag(wind, t, abs(p) * 300)
     return y, {
         **of_drivers(y, x, wind=wind),
-        **{name: model for name, model in clocks(y, x, t, 300).items() if name in ("drift", "shift", "lag")},
+        **{name: model for name, model in usual_and_shifts(y, x, t, 300).items() if name in ("drift", "shift", "lag")},
         "wind, and drift": line(y, x, v, w),
         "wind, and its root": line(y, x, v, wind**0.5),
         "late wind": terms(y, lambda p: [x, late(p[0])], [0.2]),

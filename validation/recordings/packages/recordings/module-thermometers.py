@@ -1,7 +1,8 @@
 """Temperature of a solar module that is left to become dirty over that of a clean one beside it, 40 minutes of a winter morning, each second. Nothing is missing."""
 
-from benches import mast_logger
-from fitting import line, usual
+from models.fitting import line
+from models.lags import usual
+from readers.nrgpy import mast_logger
 
 HAND_BUILT = "line"
 

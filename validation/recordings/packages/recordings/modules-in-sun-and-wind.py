@@ -1,8 +1,11 @@
 """Temperature of solar modules over that of the air, each fifth hour of day in a year. The sun warms them, and the wind takes that away."""
 
-from dials import DAY, solar_plant
-from fitting import lag, line, terms, tone
-from meters import of_drivers
+from durations import DAY
+from models.cycles import tone
+from models.drivers import of_drivers
+from models.fitting import line, terms
+from models.lags import lag
+from readers.pvops import solar_plant
 
 HAND_BUILT = "sun over wind"
 

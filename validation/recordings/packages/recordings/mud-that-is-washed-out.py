@@ -1,6 +1,6 @@
 """How turbid a river is over how much of it flows, during a storm. Mud comes as the water rises, and is washed out before it falls."""
 
-from needles import mud, storm
+from readers.hysom import storm, turbidity_models
 
 HAND_BUILT = "line, and lag"
 
@@ -10,4 +10,4 @@ def rows(*contents):
 
 
 def models(c):
-    return mud(c)
+    return turbidity_models(c)

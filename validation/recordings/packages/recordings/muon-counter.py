@@ -1,13 +1,14 @@
 """Muons that a counter counts in an hour, 110 days of a winter, beside pressure and temperature of the air."""
 
-from fitting import lag, line, terms
-from reading import counter
+from models.fitting import line, terms
+from models.lags import lag
+from readers.neptoon import muon_counter
 
 HAND_BUILT = "pressure, temperature and drift"
 
 
 def rows(content):
-    frame = counter(content)
+    frame = muon_counter(content)
     return {"time_s": frame.time_s, "muons": frame.muons, "pressure_hpa": frame.pressure, "air_c": frame.outside}
 
 

@@ -1,9 +1,9 @@
 """Light of a neon lamp on 1801 pixels of a spectrometer while it gathers for 100 ms, over that while it gathers for 5 ms. A converter of sixteen bits tells no more than 65535."""
 
 import numpy as np
-from dials import spectrum
-from fitting import curve, line, terms
-from monitors import bends_with
+from models.bends import bends_with
+from models.fitting import curve, line, terms
+from readers.ramanchada2 import spectrum
 
 HAND_BUILT = "line that ends"
 END = 65535

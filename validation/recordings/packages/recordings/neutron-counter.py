@@ -1,13 +1,13 @@
 """Neutrons that the same counter counts in an hour, 110 days of a winter, beside the pressure. Water in the ground, which no column tells, comes and goes."""
 
-from fitting import line
-from reading import counter
+from models.fitting import line
+from readers.neptoon import muon_counter
 
 HAND_BUILT = "pressure"
 
 
 def rows(content):
-    frame = counter(content)
+    frame = muon_counter(content)
     return {"time_s": frame.time_s, "neutrons": frame.neutrons, "pressure_hpa": frame.pressure}
 
 

@@ -1,7 +1,8 @@
 """Neutrons that the other tube counts in 15 min over the pressure of the air, forty days. What is left is the noise of counting."""
 
-from fitting import line, tone
-from reading import neutron_station
+from models.cycles import tone
+from models.fitting import line
+from readers.neptoon import neutron_station
 
 HAND_BUILT = "line"
 

@@ -1,7 +1,7 @@
 """Neutrons that a tube counts in 15 min, forty days, beside the pressure of the air, which shields them."""
 
-from fitting import line
-from reading import neutron_station
+from models.fitting import line
+from readers.neptoon import neutron_station
 
 HAND_BUILT = "pressure"
 

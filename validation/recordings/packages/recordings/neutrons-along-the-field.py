@@ -1,14 +1,14 @@
 """Neutrons with their spin along a field that a magnet scatters, over those against it, by where they go to: across the field what is magnetic adds to what atoms do, or takes from it."""
 
-from fitting import line, scaled
-from gauges import polarised
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.sasdata import polarised_neutrons
 
 HAND_BUILT = "slope by across, and by way, its square"
 
 
 def rows(plus, minus):
-    return polarised(plus, minus, widest=0.05, every=2)
+    return polarised_neutrons(plus, minus, widest=0.05, every=2)
 
 
 def models(c):

@@ -1,7 +1,7 @@
 """Water in the pores of rock that neutrons tell, over that which its density tells, each second foot of a well, and the gamma rays of clay. Clay has water that is not in pores."""
 
-from meters import of_drivers
-from reading import well_log
+from formats.las import well_log
+from models.drivers import of_drivers
 
 HAND_BUILT = "square, and gamma"
 

@@ -1,15 +1,17 @@
 """Least temperature of a day in a city by the sea over the greatest, four years. Nights follow the days before as well, and clouds keep them warm."""
 
 import numpy as np
-from fitting import lag, line, terms, tone
-from meters import DAY, YEAR, by_day
-from receivers import late_models
+from durations import DAY, YEAR
+from formats.text import dated
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag, late_models
 
 HAND_BUILT = "line and lag, and root of the rain, late"
 
 
 def rows(content):
-    read = by_day(content, "temp_max", "temp_min", "precipitation")
+    read = dated(content, "temp_max", "temp_min", "precipitation")
     return {"time_s": read.time_s, "warmest_degc": read.temp_max, "coldest_degc": read.temp_min, "rain_mm": read.precipitation}
 
 

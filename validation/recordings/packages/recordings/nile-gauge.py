@@ -1,7 +1,7 @@
 """Yearly flow of the Nile at Aswan, 1871 to 1970: it falls at once after 1898."""
 
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "step after 1898"
 YEAR = 365.25  # d

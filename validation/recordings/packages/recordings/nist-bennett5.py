@@ -1,7 +1,7 @@
 """Magnetisation of a superconductor over the logarithm of time; the model is the certified one of NIST."""
 
-from fitting import curve, line
-from reading import nist
+from formats.nist import nist
+from models.fitting import curve, line
 
 HAND_BUILT = "b1 (b2 + x)^(-1/b3)"
 

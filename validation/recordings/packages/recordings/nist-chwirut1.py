@@ -1,8 +1,8 @@
 """Ultrasonic response over the distance in metal; the model is the certified one of NIST."""
 
 import numpy as np
-from fitting import curve, line
-from reading import nist
+from formats.nist import nist
+from models.fitting import curve, line
 
 HAND_BUILT = "exp(-b1 x) / (b2 + b3 x)"
 

@@ -1,7 +1,7 @@
 """Thermal expansion of copper over temperature; the model is the certified one of NIST."""
 
-from fitting import curve, line
-from reading import nist
+from formats.nist import nist
+from models.fitting import curve, line
 
 HAND_BUILT = "cubic over cubic"
 

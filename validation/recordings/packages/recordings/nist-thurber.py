@@ -1,7 +1,7 @@
 """Mobility of electrons over the logarithm of their density; the model is the certified one of NIST."""
 
-from fitting import curve, line
-from reading import nist
+from formats.nist import nist
+from models.fitting import curve, line
 
 HAND_BUILT = "cubic over cubic"
 

@@ -1,8 +1,10 @@
 """Nitrogen dioxide at a road over that away from it, means of the days of three years. Wind takes away what the cars give off."""
 
-from counters import road
-from fitting import line, scaled, tone
-from meters import DAY, YEAR, of_drivers
+from durations import DAY, YEAR
+from models.cycles import tone
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.aqeval import road
 
 HAND_BUILT = "wind, bent, drift, and week"
 

@@ -6,7 +6,7 @@ With a constant beside them the small pressures left out cannot be told: a block
 import json
 
 import pandas as pd
-from fitting import line, terms, through_zero
+from models.fitting import line, terms, through_zero
 
 HAND_BUILT = "two Langmuir terms and a line"
 

@@ -1,8 +1,7 @@
 """Power that the oarlock of a rowing boat shows, over the mean force on its handle, stroke by stroke: it is force times way times strokes a minute, and the way is no column."""
 
-import numpy as np
-from fitting import line
-from reading import speed_coach
+from models.fitting import line
+from readers.rowingdata import speed_coach
 
 HAND_BUILT = "product and both"
 
@@ -15,4 +14,11 @@ def rows(content):
 
 def models(c):
     y, x, rate, t = c["power_w"], c["handle_n"], c["strokes_per_min"], c["time_s"]
-    return y, {"line": line(y, x), "rate": line(y, x, rate), "product": line(y, x * rate), HAND_BUILT: line(y, x, rate, x * rate), "rate and drift": line(y, x, rate, t), "square and rate": line(y, x, x**2, rate)}
+    return y, {
+        "line": line(y, x),
+        "rate": line(y, x, rate),
+        "product": line(y, x * rate),
+        HAND_BUILT: line(y, x, rate, x * rate),
+        "rate and drift": line(y, x, rate, t),
+        "square and rate": line(y, x, x**2, rate),
+    }

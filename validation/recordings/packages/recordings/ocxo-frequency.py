@@ -1,8 +1,8 @@
 """Frequency of an oven crystal oscillator over hours: it wanders, and no column tells why."""
 
 import numpy as np
-from fitting import line
-from reading import numbers
+from models.fitting import line
+from readers.allantools import numbers
 
 HAND_BUILT = "line in time"
 

@@ -1,7 +1,7 @@
 """Voltage at an input that tells 205 degC, so that no thermistor can be there, a row each half minute, four hours, and the temperature of the room. Next to nothing is missing."""
 
-from fitting import line
-from receivers import load_thermistors
+from models.fitting import line
+from readers.edges_cal import load_thermistors
 
 HAND_BUILT = "constant"
 

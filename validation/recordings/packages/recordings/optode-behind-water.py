@@ -1,7 +1,7 @@
 """Thermometer of a glider's optode over that of the water, one dive from 30 to 13 degC. The optode is behind the water."""
 
-from probes import warm_glider
-from recorders import usual_and_lags
+from models.lags import usual_and_lags
+from readers.seagliderog1 import warm_glider
 
 HAND_BUILT = "two lags"
 

@@ -1,15 +1,16 @@
 """Cold water that flows over a sill between islands, by current meters on the ground, 29 years, a run from one gap to the next. More flows in summer."""
 
-from fitting import line, tone
-from probes import YEAR
-from sensors import overflow as rows
+from durations import GREGORIAN_YEAR
+from models.cycles import tone
+from models.fitting import line
+from readers.amocatlas import overflow as rows
 
 HAND_BUILT = "year, and half a year"
 
 
 def models(c):
     y, t = c["flow_sv"], c["time_s"]
-    year, half = tone(t, YEAR), tone(t, YEAR / 2)
+    year, half = tone(t, GREGORIAN_YEAR), tone(t, GREGORIAN_YEAR / 2)
     return y, {
         "constant": line(y),
         "drift": line(y, t),

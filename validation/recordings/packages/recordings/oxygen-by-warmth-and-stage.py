@@ -1,8 +1,10 @@
 """Oxygen in a spring run over how warm it is, 17 months of days, and its stage. When the river below is high it holds back the run."""
 
-from fitting import line, tone
-from gauges import DAY, spring
-from meters import of_drivers
+from durations import DAY
+from models.cycles import tone
+from models.drivers import of_drivers
+from models.fitting import line
+from readers.hydrotoolbox import spring
 
 HAND_BUILT = "square, stage, and year"
 

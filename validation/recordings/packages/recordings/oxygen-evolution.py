@@ -1,8 +1,9 @@
 """Current of an electrode that makes oxygen over its potential, up and down once in 70 s. It goes by an exponential that the resistance of the cell makes straight, and fades with time."""
 
 import numpy as np
-from fitting import lag, line, terms, usual
-from instruments import tdms
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.ec4py import tdms
 
 HAND_BUILT = "soft bend that fades"
 

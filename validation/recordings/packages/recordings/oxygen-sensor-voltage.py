@@ -4,7 +4,7 @@ The salinity that the maker used is no column of the recording; the model takes 
 """
 
 import numpy as np
-from fitting import line
+from models.fitting import line
 
 HAND_BUILT = "volts times solubility, temperature and depth"
 SALINITY = 35.0

@@ -1,7 +1,7 @@
 """Thermometer of a glider's sensor for oxygen over that of the water, one dive in polar water, a row each two seconds. Two sensors of one maker, which are not read at one time."""
 
-from probes import oxygen_thermometer
-from recorders import usual_and_lags
+from models.lags import usual_and_lags
+from readers.seagliderog1 import oxygen_thermometer
 
 HAND_BUILT = "shift"
 

@@ -1,7 +1,7 @@
 """Readings of a customer's ozone monitor against that of the standards office: a straight line is the certified model."""
 
-from fitting import line, terms
-from reading import nist
+from formats.nist import nist
+from models.fitting import line, terms
 
 HAND_BUILT = "line"
 

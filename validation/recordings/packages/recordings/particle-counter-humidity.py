@@ -1,8 +1,9 @@
 """Relative humidity inside of a counter of fine particles over its temperature while it warms up, 72 min, every fourth row. Warm air holds more water, and not straight."""
 
 import numpy as np
-from fitting import line, usual
-from loggers import partector
+from models.fitting import line
+from models.lags import usual
+from readers.aerosoltools import partector
 
 HAND_BUILT = "square"
 

@@ -1,6 +1,7 @@
 """Temperature inside of a counter of fine particles that was switched on, 72 min, every fourth row."""
 
-from loggers import partector, rests
+from models.drifts import comes_to_rest
+from readers.aerosoltools import partector
 
 HAND_BUILT = "exponential"
 
@@ -11,4 +12,4 @@ def rows(content):
 
 
 def models(c):
-    return c["inside_c"], rests(c["inside_c"], c["time_s"])
+    return c["inside_c"], comes_to_rest(c["inside_c"], c["time_s"])

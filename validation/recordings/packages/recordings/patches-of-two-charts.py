@@ -1,15 +1,15 @@
 """Light that 24 patches of a chart of colours send back over what those of another chart do, 36 wavelengths."""
 
 import numpy as np
-from fitting import line, scaled
-from meters import of_drivers
-from needles import charts
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.colour_science import two_charts
 
 HAND_BUILT = "line"
 
 
 def rows(*contents):
-    return charts(*contents)
+    return two_charts(*contents)
 
 
 def models(c):

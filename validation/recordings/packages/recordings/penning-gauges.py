@@ -1,8 +1,9 @@
 """Two cold-cathode gauges at two places of a vacuum line in which discharges set gas free, eleven bursts: one is not in proportion to the other. A row counts as a second; the file has no clock."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import csv
+from formats.text import csv
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "two lags and a power"
 

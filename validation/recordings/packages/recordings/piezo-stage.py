@@ -1,8 +1,9 @@
 """Stage of a force microscope as its capacitive sensor sees it, over the voltage of its piezo: out for three seconds, held at one force for three, back for three. A piezo lags behind on the way back."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import jpk
+from models.fitting import line, terms
+from models.lags import lag
+from readers.afmformats import jpk
 
 HAND_BUILT = "way up and way down, each a square"
 

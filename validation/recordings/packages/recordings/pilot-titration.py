@@ -1,7 +1,7 @@
 """Acid by titration over acid by extraction and weighing: a calibration line, and nothing else."""
 
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "line"
 

@@ -1,7 +1,9 @@
 """Pitch of a glider over the water that it has pumped, below 30 m, where it turns upwards eighteen times. The pitch is late, or the law is bent: it turns one way only."""
 
-from fitting import moved, scaled, terms
-from recorders import sinking_glider, usual_and_bends, usual_and_lags
+from models.bends import usual_and_bends
+from models.fitting import scaled, terms
+from models.lags import moved, usual_and_lags
+from readers.gliderflight import sinking_glider
 
 HAND_BUILT = "fifth power, and lag"
 

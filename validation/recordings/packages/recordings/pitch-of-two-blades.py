@@ -1,20 +1,21 @@
 """Angle at which one blade of a wind turbine is set over that of another, ten minutes in which both go to and fro between two angles. It has play, and is set to another zero towards the end."""
 
-from fitting import line, play, terms
-from recorders import usual_and_lags
-from sensors import switched, turbine
+from models.fitting import line, terms
+from models.jumps import soft_step
+from models.lags import play, usual_and_lags
+from readers.wetb import turbine_sensors
 
 HAND_BUILT = "play, step, and another slope"
 
 
 def rows(content):
-    read = turbine(content)
+    read = turbine_sensors(content)
     return {"time_s": read["time_s"], "first_deg": read["Pitch_A"], "second_deg": read["Pitch_B"]}
 
 
 def models(c):
     y, x, t = c["second_deg"], c["first_deg"], c["time_s"]
-    after = lambda p: switched(t, p * 100, 2)
+    after = lambda p: soft_step(t, p * 100, 2)
     loose = lambda p: play(x, abs(p) * 0.1)
     return y, {
         **usual_and_lags(y, x, t, 5),

@@ -1,6 +1,7 @@
 """Pitch of a glider over pressure, on its ways down below 10 m, 3000 rows of fourteen dives. Next to nothing is missing."""
 
-from recorders import sinking_glider, usual_and_bends
+from models.bends import usual_and_bends
+from readers.gliderflight import sinking_glider
 
 HAND_BUILT = "fifth power"
 

@@ -1,7 +1,8 @@
 """Counts of one pixel over those of its neighbour but one while a grating turns in 800 steps, through a film of polystyrene. What one pixel sees the other one sees some steps later, and ever fewer."""
 
 import numpy as np
-from gauges import grating, later
+from models.lags import late_shifts
+from readers.skultrafast import grating
 
 HAND_BUILT = "shift that changes"
 
@@ -13,4 +14,4 @@ def rows(content):
 
 def models(c):
     y, x, t = c["second_counts"], c["first_counts"], c["step_s"]
-    return y, later(y, x, t, 1, 5.0, -3.0)
+    return y, late_shifts(y, x, t, 1, 5.0, -3.0)

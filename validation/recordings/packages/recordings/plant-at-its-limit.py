@@ -1,8 +1,8 @@
 """Power of a plant of solar modules over that which its model expects, each fifth hour of day in a year. The plant may give no more than 20 MW."""
 
 import numpy as np
-from dials import solar_plant
-from fitting import curve, line, terms, through_zero
+from models.fitting import curve, line, terms, through_zero
+from readers.pvops import solar_plant
 
 HAND_BUILT = "line, and end"
 

@@ -1,13 +1,13 @@
 """One instrument of a plant over another that goes with it, eleven days. Their difference goes with the time of day."""
 
-from needles import instruments, plant
+from readers.bibmon import instrument_models, plant_tags
 
 HAND_BUILT = "day"
 
 
 def rows(content):
-    return plant(content, first="tag90", second="tag98")
+    return plant_tags(content, first="tag90", second="tag98")
 
 
 def models(c):
-    return instruments(c)
+    return instrument_models(c)

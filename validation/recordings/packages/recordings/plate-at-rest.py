@@ -1,8 +1,8 @@
 """Sideways force of a force plate that nobody stands on, a minute, 50 rows a second. Its zero moves by next to nothing."""
 
 import numpy as np
-from fitting import line, terms
-from stations import bare_plates
+from models.fitting import line, terms
+from readers.gaitanalysistoolkit import bare_plates
 
 HAND_BUILT = "exponential"
 

@@ -1,7 +1,8 @@
 """Upward force of a bare force plate over the voltage of its own channel, beside the voltages of two other channels, a minute, 50 rows a second. Its software adds a little of the others."""
 
-from fitting import line, usual
-from stations import bare_plates
+from models.fitting import line
+from models.lags import usual
+from readers.gaitanalysistoolkit import bare_plates
 
 HAND_BUILT = "both others"
 

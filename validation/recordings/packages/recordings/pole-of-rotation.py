@@ -1,13 +1,14 @@
 """One coordinate of the pole about which the Earth turns, every third day of ten years: it goes round in a year and, by itself, in some 433 days."""
 
-from fitting import line, terms, tone
-from reading import earth
+from models.cycles import tone
+from models.fitting import line
+from readers.astropy_iers_data import earth_orientation
 
 HAND_BUILT = "year and 433 days"
 
 
 def rows(content):
-    t, out = earth(content, 53736, 3653, "X")
+    t, out = earth_orientation(content, 53736, 3653, "X")
     return {"time_s": t[::3], "pole_mas": out[::3] * 1000}
 
 

@@ -1,8 +1,8 @@
 """Relaxation of a polymer at 21 temperatures: time and temperature exchange, so that one S over shifted log time holds for all."""
 
 import numpy as np
-from fitting import curve, line
-from reading import csv
+from formats.text import csv
+from models.fitting import curve, line
 
 HAND_BUILT = "an S over log time, shifted by temperature"
 

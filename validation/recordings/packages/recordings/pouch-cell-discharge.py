@@ -1,8 +1,8 @@
 """Voltage of a pouch cell over the charge that was taken from it, three discharges at three currents, each of some 600 rows. Charge and current are over the cell's capacity."""
 
 import numpy as np
-from fitting import line, terms
-from loggers import pairs
+from formats.text import matrix
+from models.fitting import line, terms
 
 HAND_BUILT = "fifth power, current, and product"
 
@@ -10,7 +10,7 @@ HAND_BUILT = "fifth power, current, and product"
 def rows(*contents):
     parts = []
     for run, (content, current) in enumerate(zip(contents, (0.5, 1.0, 2.0)), 1):
-        read = pairs(content)[3:]
+        read = matrix(content)[3:]
         read = read[:: max(1, len(read) // 600)]
         parts.append(np.column_stack([np.full(len(read), run), read[:, 0] - read[0, 0], read[:, 0] * current / 3600, np.full(len(read), current), read[:, 1]]))
     whole = np.vstack(parts)

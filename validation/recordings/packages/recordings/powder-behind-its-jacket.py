@@ -1,15 +1,15 @@
 """Warmth of what lies in a dryer over that of its jacket, while it is cooled from 84 degC: 41 batches, from six rows before on."""
 
 import numpy as np
-from counters import in_runs
-from fitting import lag, line, moved, terms
-from pickups import cooled
+from models.fitting import line, terms
+from models.lags import in_runs, lag, moved
+from readers.process_improve import cooled_batches
 
 HAND_BUILT = "lag, and line"
 
 
 def rows(content):
-    return cooled(content, 31, 71, before=6)
+    return cooled_batches(content, 31, 71, before=6)
 
 
 def models(c):

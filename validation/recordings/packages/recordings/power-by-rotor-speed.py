@@ -1,14 +1,15 @@
 """Power of a wind turbine over the speed of its generator, ten minutes. Above a speed it rises more steeply, and it comes after the speed."""
 
 import numpy as np
-from fitting import lag, line, moved, scaled, terms, usual
-from sensors import turbine
+from models.fitting import line, scaled, terms
+from models.lags import lag, moved, usual
+from readers.wetb import turbine_sensors
 
 HAND_BUILT = "bend of a lag, and drift"
 
 
 def rows(content):
-    read = turbine(content)
+    read = turbine_sensors(content)
     return {"time_s": read["time_s"], "speed_rpm": read["Gen_RPM"], "power_kw": read["Power"]}
 
 

@@ -1,14 +1,14 @@
 """Power to the stirrer of a dryer over what is called its speed: thirty batches. A stirrer takes speed times torque."""
 
-from fitting import line, scaled
-from meters import of_drivers
-from pickups import dryer
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.process_improve import dryer_batches
 
 HAND_BUILT = "cube, all squares, and square by torque"
 
 
 def rows(content):
-    frame = dryer(content, 1, 30)
+    frame = dryer_batches(content, 1, 30)
     return {"run": frame.batch_id, "speed": frame.AgitatorSpeed, "torque": frame.AgitatorTorque, "power": frame.AgitatorPower}
 
 

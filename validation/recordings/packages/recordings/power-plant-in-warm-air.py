@@ -1,8 +1,8 @@
 """What a power plant with gas and steam turbines gives over the warmth of the air, hours of six years in no order. Damp air and steam that does not condense well take some."""
 
-from fitting import line, scaled
-from levels import columns
-from meters import of_drivers
+from formats.text import columns
+from models.drivers import of_drivers
+from models.fitting import line, scaled
 
 HAND_BUILT = "all squares"
 

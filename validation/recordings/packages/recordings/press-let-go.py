@@ -1,15 +1,15 @@
 """Shear stress of two slabs of rock over how far a press has drawn back, until it lets them go."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from monitors import bends_with
-from pickups import press
+from models.bends import bends_with
+from models.fitting import line, scaled, terms
+from readers.pylook import rock_press
 
 HAND_BUILT = "slack, and drift"
 
 
 def rows(content):
-    return press(content, "shear_mpa", first=84620, last=85620, every=1)
+    return rock_press(content, "shear_mpa", first=84620, last=85620, every=1)
 
 
 def models(c):

@@ -1,13 +1,16 @@
 """Pressure of the air over its temperature, four years of a city by the day. Warm air is light, and the monsoon keeps the pressure low when the heat is over."""
 
-from fitting import lag, line, terms, tone
-from meters import DAY, YEAR, by_day
+from durations import DAY, YEAR
+from formats.text import dated
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "year, half of it, and drift"
 
 
 def rows(content):
-    read = by_day(content, "meantemp", "humidity", "meanpressure")
+    read = dated(content, "meantemp", "humidity", "meanpressure")
     read = read[(read.meanpressure > 980) & (read.meanpressure < 1030)]
     return {"time_s": read.time_s, "warmth_degc": read.meantemp, "humidity_pct": read.humidity, "pressure_hpa": read.meanpressure}
 

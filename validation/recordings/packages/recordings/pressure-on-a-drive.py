@@ -1,9 +1,10 @@
 """Pressure in a car over its height, a drive of 43 minutes. Weather changes it, and the air that flows past a car that is fast."""
 
 import numpy as np
-from fitting import lag, line, moved, scaled, terms
-from meters import of_drivers
-from tellers import drive_by_pressure
+from models.drivers import of_drivers
+from models.fitting import line, scaled, terms
+from models.lags import lag, moved
+from readers.pntos_cobra_datasets_lcm import drive_by_pressure
 
 HAND_BUILT = "drift, and speed in square"
 

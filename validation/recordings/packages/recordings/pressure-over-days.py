@@ -1,9 +1,10 @@
 """Volts of a membrane in front of a wall that hydrogen goes through, nearly four days."""
 
 import numpy as np
-from fitting import line, scaled, terms, tone
-from listeners import permeation
-from tellers import DAY
+from durations import DAY
+from models.cycles import tone
+from models.fitting import line, scaled, terms
+from readers.shield_data import permeation
 
 HAND_BUILT = "drift"
 

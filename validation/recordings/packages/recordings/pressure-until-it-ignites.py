@@ -1,15 +1,14 @@
 """Pressure of a mixture that burns over that of one that cannot, both compressed by the same piston, until the first ignites. The recorders did not begin at the same stroke."""
 
-from fitting import line, moved, scaled, terms
-from levels import behind
-from pickups import clocks
-from pointers import shots
+from models.fitting import line, scaled, terms
+from models.lags import behind, moved, usual_and_shifts
+from readers.uconnrcmpy import two_shots
 
 HAND_BUILT = "shift, and drift"
 
 
 def rows(*contents):
-    return shots(*contents, first=13000, last=22500, every=25)
+    return two_shots(*contents, first=13000, last=22500, every=25)
 
 
 def models(c):
@@ -17,7 +16,7 @@ def models(c):
     u, w, unit = scaled(x), scaled(t), 0.003
     at = lambda p: moved(x, t, p * unit)
     return y, {
-        **clocks(y, x, t, unit),
+        **usual_and_shifts(y, x, t, unit),
         "cube": line(y, x, u**2, u**3),
         "drift, and slope that drifts": line(y, x, w, u * w),
         **behind(y, x, t, unit),

@@ -1,8 +1,9 @@
 """Pressure that a current profiler on a glider tells, over that of the CTD on the same glider, dives to 70 m for 2.7 hours, a row each 30 s. The profiler's row was taken some 12 s before the CTD's."""
 
 import numpy as np
-from fitting import lag, line, terms, usual
-from housekeeping import glider
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.pyglider import glider
 
 HAND_BUILT = "shift, as a series"
 

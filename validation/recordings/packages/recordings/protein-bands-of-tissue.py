@@ -1,8 +1,8 @@
 """Infrared light that collagen in tissue takes away at one band of its protein over that at another, 195 spectra. A third band is of the hydrogen on its chains."""
 
-from fitting import line, scaled
-from meters import of_drivers
-from scales import tissue
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.orange_spectroscopy import tissue
 
 HAND_BUILT = "slope by hydrogen"
 

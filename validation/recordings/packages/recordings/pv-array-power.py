@@ -1,7 +1,7 @@
 """Power of a solar array over irradiance: from about 42 h on another share of it works, as where snow slides off."""
 
-from fitting import line
-from reading import solar_array
+from models.fitting import line
+from readers.pvanalytics import solar_array
 
 HAND_BUILT = "another gain from 42 h on"
 

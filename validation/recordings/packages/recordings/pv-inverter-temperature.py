@@ -1,7 +1,8 @@
 """Temperature of an inverter: it heats as soon as it is on, more than in proportion to its power, and with a lag."""
 
-from fitting import lag, line, terms
-from reading import solar_array
+from models.fitting import line, terms
+from models.lags import lag
+from readers.pvanalytics import solar_array
 
 HAND_BUILT = "power that levels off, lagged, and ambient, lagged"
 

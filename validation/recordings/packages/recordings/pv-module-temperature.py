@@ -1,7 +1,8 @@
 """Temperature of a solar module: ambient, light that wind takes away, and a thermal lag of both."""
 
-from fitting import lag, line, terms
-from reading import solar_array
+from models.fitting import line, terms
+from models.lags import lag
+from readers.pvanalytics import solar_array
 
 HAND_BUILT = "ambient, light over wind, lag"
 

@@ -1,7 +1,7 @@
 """A reference cell over a pyranometer: next to nothing is missing but snow on one of them, which no column tells. No model beat the line."""
 
-from fitting import line
-from reading import solar_array
+from models.fitting import line
+from readers.pvanalytics import solar_array
 
 HAND_BUILT = "line"
 

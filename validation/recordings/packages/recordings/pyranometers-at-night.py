@@ -1,14 +1,15 @@
 """What a pyranometer tells at night over what the shaded one beside it tells, nineteen days of March, every fifth minute, with the temperature of the air. Both are cooled by the sky."""
 
-from benches import radiation, restart
-from fitting import lag, line, terms, usual
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.libinsitu import clock_from_first_row, radiation
 
 HAND_BUILT = "lag, and temperature"
 
 
 def rows(content):
     frame = radiation(content, "2020-03-01", "2020-03-20")
-    frame = restart(frame[(frame["global"] < 0) & (frame.diffuse < 0) & (frame.direct < 3)].iloc[::5])
+    frame = clock_from_first_row(frame[(frame["global"] < 0) & (frame.diffuse < 0) & (frame.direct < 3)].iloc[::5])
     return {"time_s": frame.time_s, "air_c": frame.air_c, "shaded_w_m2": frame.diffuse, "whole_w_m2": frame["global"]}
 
 

@@ -1,8 +1,9 @@
 """Thermistor in the dome of a pyrgeometer that looks at the ground, over the one in its case, a day in June, every minute: the dome is the warmer, the more heat comes up from the ground."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import netcdf
+from formats.netcdf import netcdf
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "thermopile, by resistance"
 

@@ -1,14 +1,15 @@
 """What a pyrheliometer tells at night, when there is no sun, nineteen days of March, every fifth minute, with the temperature of the air. Its body is behind the air."""
 
-from benches import radiation, restart
-from fitting import lag, line, terms
+from models.fitting import line, terms
+from models.lags import lag
+from readers.libinsitu import clock_from_first_row, radiation
 
 HAND_BUILT = "temperature, and late temperature"
 
 
 def rows(content):
     frame = radiation(content, "2020-03-01", "2020-03-20")
-    frame = restart(frame[(frame["global"] < 0) & (frame.diffuse < 0) & (frame.direct < 3)].iloc[::5])
+    frame = clock_from_first_row(frame[(frame["global"] < 0) & (frame.diffuse < 0) & (frame.direct < 3)].iloc[::5])
     return {"time_s": frame.time_s, "air_c": frame.air_c, "beam_w_m2": frame.direct}
 
 

@@ -1,7 +1,8 @@
 """Light for plants by a quantum sensor over the sunshine of a pyranometer beside it, three weeks of spring, a row each half hour. Both tell the same sun."""
 
-from fitting import lag, line, terms, usual
-from housekeeping import half_hours
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.soil_heat import half_hours
 
 HAND_BUILT = "a part late"
 

@@ -1,7 +1,7 @@
 """Photons that plants can use over the power of sunshine, two sensors on one mast, July, each half hour. Next to nothing is missing."""
 
-from fitting import usual
-from loggers import tower
+from models.lags import usual
+from readers.diive import tower
 
 HAND_BUILT = "square"
 

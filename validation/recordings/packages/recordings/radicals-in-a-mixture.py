@@ -1,8 +1,9 @@
 """Spectrum of two radicals together over that of one of them, at the same steps of a field. The other one adds to it, and the field was not quite the same."""
 
-from counters import radicals
-from fitting import lag, line, moved, terms
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, terms
+from models.lags import lag, moved
+from readers.pyepri import radicals
 
 HAND_BUILT = "other, and shift of both"
 

@@ -1,10 +1,12 @@
 """Radio waves of the sun over the number of its spots, means of a rotation, 68 years. The count of spots drifts, and the rotation before counts as well."""
 
 import numpy as np
-from fitting import lag, line, terms, tone
-from meters import YEAR
-from monitors import sun_by_rotation
-from sensors import switched
+from durations import YEAR
+from models.cycles import tone
+from models.fitting import line, terms
+from models.jumps import soft_step
+from models.lags import lag
+from readers.spaceweather import sun_by_rotation
 
 HAND_BUILT = "spots, what they leave, and drift"
 
@@ -17,7 +19,7 @@ def rows(content):
 def models(c):
     y, x, t, years = c["flux_sfu"], c["spots"] / 100, c["time_s"], c["time_s"] / YEAR
     left = lambda p: lag(x, t, abs(p) * YEAR)
-    after = lambda p: switched(years, p * 10, 0.05)
+    after = lambda p: soft_step(years, p * 10, 0.05)
     return y, {
         "line": line(y, x),
         "square": line(y, x, x**2),

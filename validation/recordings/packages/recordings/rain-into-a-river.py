@@ -1,9 +1,9 @@
 """Water of the Dill over the rain on its valley, 150 days of a wet winter."""
 
-from fitting import lag, line, scaled, terms
-from levels import behind
-from pickups import clocks
-from tellers import DAY, valley
+from durations import DAY
+from models.fitting import line, scaled, terms
+from models.lags import behind, lag, usual_and_shifts
+from readers.hydpy import valley
 
 HAND_BUILT = "two lags, and square of the sum"
 
@@ -16,7 +16,7 @@ def models(c):
     y, x, t = c["water_m3_s"], c["rain_mm_d"], c["time_s"]
     u, w, late = scaled(x), scaled(t), lambda p: lag(x, t, abs(p) * DAY)
     return y, {
-        **clocks(y, x, t, DAY),
+        **usual_and_shifts(y, x, t, DAY),
         "drift, and slope that drifts": line(y, x, w, u * w),
         **behind(y, x, t, 2 * DAY),
         "lag, square, and drift": terms(y, lambda p: [late(p[0]), late(p[0]) ** 2, w], [2.0]),

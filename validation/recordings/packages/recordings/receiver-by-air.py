@@ -1,6 +1,7 @@
 """Temperature of a radio receiver that a thermostat holds over that of the air outside, in a desert, a row each five minutes, three and a half days. It follows the air late."""
 
-from receivers import hut, late_models
+from models.lags import late_models
+from readers.edges_io import hut
 
 HAND_BUILT = "two lags"
 

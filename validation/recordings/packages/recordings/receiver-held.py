@@ -1,6 +1,6 @@
 """Temperature of a radio receiver that a thermostat holds over that of its box in a desert, a row each five minutes, three days. It is held until the box is so warm that its cooler is at its end."""
 
-from receivers import bent_models, field_receiver
+from readers.edges_io import field_receiver, thermostat_models
 
 HAND_BUILT = "knee"
 
@@ -11,4 +11,4 @@ def rows(content):
 
 
 def models(c):
-    return c["receiver_c"], bent_models(c["receiver_c"], c["box_c"], c["time_s"])
+    return c["receiver_c"], thermostat_models(c["receiver_c"], c["box_c"], c["time_s"])

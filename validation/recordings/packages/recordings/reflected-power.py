@@ -4,8 +4,8 @@ A constant share, read a part of a row earlier. A row counts as a second; the fi
 """
 
 import numpy as np
-from fitting import line, terms
-from reading import csv
+from formats.text import csv
+from models.fitting import line, terms
 
 HAND_BUILT = "shift, and square"
 

@@ -1,7 +1,8 @@
 """Thermometer inside of a soil reflectometer over thermocouples in the soil near it, eight days of spring, a row each half hour. Its heat comes later than theirs."""
 
-from fitting import lag, line, terms, usual
-from housekeeping import tob1
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.micromet import tob1
 
 HAND_BUILT = "bent lag"
 

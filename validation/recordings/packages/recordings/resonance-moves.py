@@ -2,8 +2,10 @@
 
 from itertools import islice
 
-from fitting import moved, terms
-from recorders import traces, usual_and_bends
+from models.bends import usual_and_bends
+from models.fitting import terms
+from models.lags import moved
+from readers.scraps import traces
 
 HAND_BUILT = "shift"
 

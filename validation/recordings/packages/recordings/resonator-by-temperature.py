@@ -1,8 +1,9 @@
 """Frequency of a superconducting resonator over its temperature, at three powers, a day with a pause of twenty hours. What is around it stiffens, then its electrons slow it."""
 
 import numpy as np
-from fitting import line, scaled, terms, usual
-from recorders import resonance, traces
+from models.fitting import line, scaled, terms
+from models.lags import usual
+from readers.scraps import resonance, traces
 from scipy.special import digamma
 
 HAND_BUILT = "two-level systems, and electrons"

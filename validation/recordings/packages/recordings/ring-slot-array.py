@@ -1,7 +1,8 @@
 """Reflection of a ring-slot array against a full-wave simulation: a ripple over frequency is left, as of standing waves in the set-up."""
 
 import numpy as np
-from fitting import line, terms, tone
+from models.cycles import tone
+from models.fitting import line, terms
 
 HAND_BUILT = "ripple over frequency"
 

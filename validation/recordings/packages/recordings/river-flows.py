@@ -1,12 +1,12 @@
 """Flow of a river over that at a gauge upstream, 3500 days from 2001 on, means of a day. Water needs half a day to come down."""
 
-from instruments import gauges, river_models
+from readers.tstoolbox import river_gauges, river_models
 
 HAND_BUILT = "shift"
 
 
 def rows(first, second):
-    at, above, below = gauges(first, second, 0)
+    at, above, below = river_gauges(first, second, 0)
     return {"time_s": at, "above_ft3_s": above, "below_ft3_s": below}
 
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pandas as pd
-from fitting import curve, line
-from loggers import since
-from reading import csv
+from formats.clock import seconds
+from formats.text import csv
+from models.fitting import curve, line
 
 HAND_BUILT = "power of the depth"
 
@@ -12,7 +12,7 @@ HAND_BUILT = "power of the depth"
 def rows(content):
     frame = csv(content)
     frame = frame.assign(when=pd.to_datetime(frame.datetime)).sort_values("when").drop_duplicates("when")
-    return {"time_s": since(frame.when), "stage_m": frame.stage, "flow_m3_s": frame.q}
+    return {"time_s": seconds(frame.when), "stage_m": frame.stage, "flow_m3_s": frame.q}
 
 
 def models(c):

@@ -1,14 +1,16 @@
 """Flow of a river by its gauge over that by a model, five years, a row a day. The model lets the water go too early, and has too little of a year."""
 
-from fitting import lag, line, terms, tone, usual
-from stations import compared
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.modelskill import model_beside_measured
 
 HAND_BUILT = "line and lag, and year"
 DAY = 86400.0
 
 
 def rows(content):
-    place = compared(content, "7_Suraz.nc")
+    place = model_beside_measured(content, "7_Suraz.nc")
     return {"time_s": place["time_s"], "model_m3_s": place["sim1"], "gauge_m3_s": place["Observation"]}
 
 

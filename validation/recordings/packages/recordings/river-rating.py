@@ -3,8 +3,9 @@
 import io
 
 import pandas as pd
-from fitting import line, usual
-from reading import seconds
+from formats.clock import seconds
+from models.fitting import line
+from models.lags import usual
 
 HAND_BUILT = "cubic"
 

@@ -1,14 +1,16 @@
 """Water level of a river over that at a gauge upstream, 3500 days from 2001 on, means of a day. Water needs half a day to come down, and a part of it weeks."""
 
 import numpy as np
-from fitting import lag, line, terms, tone
-from instruments import gauges, river_models
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag
+from readers.tstoolbox import river_gauges, river_models
 
 HAND_BUILT = "shift, and a slow part"
 
 
 def rows(first, second):
-    at, above, below = gauges(first, second, 1)
+    at, above, below = river_gauges(first, second, 1)
     return {"time_s": at, "above_ft": above, "below_ft": below}
 
 

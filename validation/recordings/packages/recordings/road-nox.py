@@ -1,8 +1,9 @@
 """Nitrogen oxides beside a Swiss motorway over what its cars give off, hourly for a year, both as logarithms: wind carries them away, and days differ."""
 
 import numpy as np
-from fitting import line, tone
-from pickled import frame
+from models.cycles import tone
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "wind"
 

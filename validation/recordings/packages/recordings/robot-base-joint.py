@@ -1,8 +1,8 @@
 """What the motor gives that turns the arm of a robot about a vertical axis, 56 s, every second reading. Nothing is lifted; friction is against the motion, more where it is quick, and the arm has inertia."""
 
 import numpy as np
-from fitting import line
-from reading import joint
+from models.fitting import line
+from readers.figaroh import joint
 
 HAND_BUILT = "friction, speed and inertia"
 

@@ -1,8 +1,8 @@
 """What the motor gives that lifts the upper arm of a robot, 56 s, every second reading. The arm weighs by the cosine of its angle; friction is against the motion."""
 
 import numpy as np
-from fitting import line
-from reading import joint
+from models.fitting import line
+from readers.figaroh import joint
 
 HAND_BUILT = "friction, speed and gravity"
 

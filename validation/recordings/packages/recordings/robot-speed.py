@@ -1,8 +1,9 @@
 """Speed that a robot gives of a joint of its arm, beside that which its angle makes from row to row, 56 s, every second reading. It is filtered."""
 
 import numpy as np
-from fitting import lag, terms, usual
-from reading import joint
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.figaroh import joint
 
 HAND_BUILT = "lag"
 

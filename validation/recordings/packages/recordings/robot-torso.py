@@ -1,8 +1,8 @@
 """What the motor gives that lifts the torso of a robot, 56 s, every second reading. The weight is the same at any height; friction is against the motion."""
 
 import numpy as np
-from fitting import line
-from reading import joint
+from models.fitting import line
+from readers.figaroh import joint
 
 HAND_BUILT = "friction, and speed"
 

@@ -1,15 +1,15 @@
 """Shear stress of two slabs of rock over how far a press has pushed, until they slide."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from monitors import bends_with, corner
-from pickups import press
+from models.bends import bends_with, corner
+from models.fitting import line, scaled, terms
+from readers.pylook import rock_press
 
 HAND_BUILT = "soft step"
 
 
 def rows(content):
-    return press(content, "shear_mpa", first=1459, last=9000, every=5)
+    return rock_press(content, "shear_mpa", first=1459, last=9000, every=5)
 
 
 def models(c):

@@ -1,9 +1,11 @@
 """Height at which a magnetometer finds the centre of its sample, at the end of a long rod, over the warmth of the sample: twice warmed from 2 K to 300 K and cooled back."""
 
 import numpy as np
-from counters import in_runs, moments, numbered
-from fitting import lag, line, moved, play, terms
-from rigs import since
+from formats.clock import since_first
+from formats.rows import numbered
+from models.fitting import line, terms
+from models.lags import in_runs, lag, moved, play
+from readers.ppms_toolkit import moments
 
 HAND_BUILT = "play, and cube"
 
@@ -11,7 +13,7 @@ HAND_BUILT = "play, and cube"
 def rows(*contents):
     frames = [moments(content, 4) for content in contents]
     joined = {name: np.concatenate([frame[name] for frame in frames]) for name in ("Time Stamp (sec)", "Temperature (K)", "Center Position (mm)")}
-    return {"run": numbered(frames), "time_s": since(joined["Time Stamp (sec)"]).round(1), "sample_k": joined["Temperature (K)"], "centre_mm": joined["Center Position (mm)"]}
+    return {"run": numbered(frames), "time_s": since_first(joined["Time Stamp (sec)"]).round(1), "sample_k": joined["Temperature (K)"], "centre_mm": joined["Center Position (mm)"]}
 
 
 def models(c):

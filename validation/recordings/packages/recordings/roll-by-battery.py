@@ -1,9 +1,9 @@
 """Roll of a glider over the angle to which it turns its battery, three dives. Next to nothing is missing."""
 
 import numpy as np
-from fitting import line
-from probes import warm_glider
-from recorders import usual_and_lags
+from models.fitting import line
+from models.lags import usual_and_lags
+from readers.seagliderog1 import warm_glider
 
 HAND_BUILT = "drift"
 

@@ -1,9 +1,9 @@
 """Air by one thermometer on a roof over that by another there, each minute of a day. The sun shines on what they are in."""
 
-from fitting import lag, scaled, terms
-from meters import of_drivers
-from pickups import clocks
-from scales import sunny_station
+from models.drivers import of_drivers
+from models.fitting import scaled, terms
+from models.lags import lag, usual_and_shifts
+from readers.cpvlib import sunny_station
 
 HAND_BUILT = "late sun"
 
@@ -17,7 +17,7 @@ def models(c):
     late, u = lambda p: lag(sun, t, abs(p) * 600), scaled(x)
     return y, {
         **of_drivers(y, x, sun=sun),
-        **{name: model for name, model in clocks(y, x, t, 600).items() if name in ("drift", "shift", "lag")},
+        **{name: model for name, model in usual_and_shifts(y, x, t, 600).items() if name in ("drift", "shift", "lag")},
         "late sun": terms(y, lambda p: [x, late(p[0])], [8.0]),
         "late sun, and square": terms(y, lambda p: [x, u**2, late(p[0])], [8.0]),
         "late sun, and drift": terms(y, lambda p: [x, late(p[0]), t], [8.0]),

@@ -6,8 +6,10 @@ They come and go with the day, as antenna and cable warm and the air above is ch
 import gzip
 
 import numpy as np
-from fitting import line, tone
-from reading import means, numbers
+from formats.rows import means
+from models.cycles import tone
+from models.fitting import line
+from readers.allantools import numbers
 
 HAND_BUILT = "two waves"
 DAY = 86400.0  # s

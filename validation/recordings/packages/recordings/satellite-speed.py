@@ -1,8 +1,9 @@
 """Speed that a bicycle computer shows, beside that which its places by satellite make from row to row, the first 6000 seconds. They agree but for the noise of the places."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import trackpoints
+from models.fitting import line, terms
+from models.lags import lag
+from readers.sweat import trackpoints
 
 HAND_BUILT = "shift"
 

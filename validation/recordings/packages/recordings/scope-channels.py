@@ -1,7 +1,7 @@
 """First channel of an oscilloscope over its second while one edge goes by, 14 us. The first is slower than the second."""
 
-from probes import scope
-from recorders import usual_and_lags
+from models.lags import usual_and_lags
+from readers.rigolwfm import scope
 
 HAND_BUILT = "lag"
 

@@ -1,14 +1,16 @@
 """Pressure at sea level that a weather station gives over that at its place, 80 m higher, 15 days, each ten minutes. Warm air is thin: the column below weighs less."""
 
-from fitting import line, usual
-from instruments import weather_station
+from formats.clock import seconds
+from models.fitting import line
+from models.lags import usual
+from readers.metobs_toolkit import weather_station
 
 HAND_BUILT = "temperature"
 
 
 def rows(content):
     frame = weather_station(content, "vlinder17").iloc[::2].dropna(subset=["Temperatuur", "Luchtdruk", "Luchtdruk_Zeeniveau"])
-    at = (frame.index - frame.index[0]).total_seconds()
+    at = seconds(frame.index)
     return {"time_s": at, "station_hpa": frame.Luchtdruk / 100, "air_c": frame.Temperatuur, "sea_level_hpa": frame.Luchtdruk_Zeeniveau / 100}
 
 

@@ -1,6 +1,7 @@
 """Temperature by a recorder on the back of a seal over the depth to which it dives, two hours at dawn, a row each five seconds. The recorder is behind the water."""
 
-from recorders import seal, usual_and_lags
+from models.lags import usual_and_lags
+from readers.scikit_divemove import seal
 
 HAND_BUILT = "lag, and drift"
 

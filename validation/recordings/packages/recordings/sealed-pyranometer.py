@@ -1,8 +1,9 @@
 """Pressure inside of a sealed pyranometer over the temperature of its body, three hours of a night and a dawn, a row a minute. The gas is warm or cold before the body's thermometer is."""
 
 import numpy as np
-from benches import mast_logger
-from fitting import lag, terms, usual
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.nrgpy import mast_logger
 
 HAND_BUILT = "shift, and drift"
 

@@ -1,13 +1,13 @@
 """Where the hips of 38 drivers are behind the wheel of a car, over how tall they are."""
 
-from meters import of_drivers
-from pointers import of_book
+from models.drivers import of_drivers
+from readers.faraway import book_table
 
 HAND_BUILT = "line"
 
 
 def rows(content):
-    return of_book(content, age_years="Age", height_cm="Ht", hips_mm="hipcenter")
+    return book_table(content, age_years="Age", height_cm="Ht", hips_mm="hipcenter")
 
 
 def models(c):

@@ -1,6 +1,6 @@
 """Depth by the logger on another cormorant while it is calm and out of the water, beside the temperature of the logger, 39 hours, about 3000 rows. The zero follows the temperature."""
 
-from instruments import out_of_water, zero_models
+from readers.cpforager import out_of_water, zero_models
 
 HAND_BUILT = "temperature"
 

@@ -1,8 +1,9 @@
 """A seismometer beside a better one on the same floor, 20 s at 200 readings a second. What shakes fast comes earlier in it, by some ten milliseconds."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import seismogram
+from models.fitting import line, terms
+from models.lags import lag
+from readers.obspy import seismogram
 
 HAND_BUILT = "rate"
 

@@ -1,8 +1,10 @@
 """A seismometer beside a better one on the same floor, ten minutes, means of 0.2 s. It was switched on not long before, and its zero still wanders."""
 
 import numpy as np
-from fitting import line, lag, terms
-from reading import means, seismogram
+from formats.rows import means
+from models.fitting import line, terms
+from models.lags import lag
+from readers.obspy import seismogram
 
 HAND_BUILT = "drift"
 

@@ -1,7 +1,9 @@
 """Temperature of the water in another well of the same field, beside that of the barometer above it, 19 months, every fourth hour. Warmth needs weeks to come down."""
 
-from fitting import lag, line, terms
-from reading import seconds, wells
+from formats.clock import seconds
+from models.fitting import line, terms
+from models.lags import lag
+from readers.gensor import wells
 
 HAND_BUILT = "lag of a lag"
 

@@ -1,8 +1,9 @@
 """X-rays of the sun of short waves over those of longer ones, a flare. The plasma is hottest at the beginning, when little of it is there, and cools down; short waves need it hot."""
 
 import numpy as np
-from fitting import lag, line, moved, terms
-from monitors import two_detectors
+from models.fitting import line, terms
+from models.lags import lag, moved
+from readers.sunkit_instruments import two_detectors
 
 HAND_BUILT = "slope that fades"
 

@@ -1,8 +1,8 @@
 """One silicon wafer measured on five days by each of five probing instruments: the certified analysis of variance finds no difference."""
 
 import numpy as np
-from fitting import line
-from reading import nist
+from formats.nist import nist
+from models.fitting import line
 
 HAND_BUILT = "constant"
 

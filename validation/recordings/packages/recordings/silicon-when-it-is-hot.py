@@ -1,8 +1,8 @@
 """Refractive index of silicon at eight warmths from 100 to 450 degC over that at 20 degC and the same wavelength, beyond 0.5 um. It grows as the crystal is warmed."""
 
-from fitting import line, scaled
-from levels import warm_crystal
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.refidx import warm_crystal
 
 HAND_BUILT = "all squares of warmth"
 

@@ -4,8 +4,8 @@ No row of an instrument that is left out tells its difference, so the constant i
 """
 
 import numpy as np
-from fitting import line
-from reading import nist
+from formats.nist import nist
+from models.fitting import line
 
 HAND_BUILT = "constant"
 

@@ -1,6 +1,7 @@
 """Temperature of a circuit that stands for an antenna while a radio receiver is calibrated over that of the room, a row each half minute, four hours. It follows the room late."""
 
-from receivers import late_models, load_thermistors
+from models.lags import late_models
+from readers.edges_cal import load_thermistors
 
 HAND_BUILT = "two lags"
 

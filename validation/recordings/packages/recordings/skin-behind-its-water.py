@@ -1,8 +1,8 @@
 """Light of 2.2 um that comes back from skin over light of 1.65 um that does, three places of 100 people. Water takes both away, and tells itself at 1.45 um."""
 
-from fitting import line, scaled
-from levels import of_skin, skins
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.iadpython import skin_models, skins
 
 HAND_BUILT = "water"
 
@@ -17,6 +17,6 @@ def models(c):
     return y, {
         **of_drivers(y, x, water=water),
         "water alone": line(y, v),
-        **of_skin(y, x, c["run"], water=water),
+        **skin_models(y, x, c["run"], water=water),
         "water, and number": line(y, x, v, c["run"]),
     }

@@ -1,8 +1,8 @@
 """Red light that comes back from skin over infrared light that does, three places of 100 people. Green light tells how dark the skin is and how much blood it holds."""
 
-from fitting import line, scaled
-from levels import of_skin, skins
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.iadpython import skin_models, skins
 
 HAND_BUILT = "all squares of green"
 
@@ -17,6 +17,6 @@ def models(c):
     return y, {
         **of_drivers(y, x, green=green),
         "green alone": line(y, v, v**2),
-        **of_skin(y, x, c["run"], green=green),
+        **skin_models(y, x, c["run"], green=green),
         "green, bent, and number": line(y, x, v, v**2, c["run"]),
     }

@@ -1,9 +1,9 @@
 """Light that comes back from one place of the skin over what comes back from another beside it, six wavelengths of 100 people."""
 
 import numpy as np
-from fitting import line, scaled
-from levels import skin_twice
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.iadpython import skin_twice
 
 HAND_BUILT = "line"
 

@@ -1,15 +1,15 @@
 """Friction on the sleeve of a cone that is pushed into sand under the sea over the resistance of its tip, the first five metres. The sleeve comes later than the tip. A row counts as a second; rows follow depth, 0.02 m each."""
 
 import numpy as np
-from fitting import lag, moved, terms
-from probes import cone
-from recorders import usual_and_lags
+from models.fitting import terms
+from models.lags import lag, moved, usual_and_lags
+from readers.groundhog import cone_test
 
 HAND_BUILT = "shift, and drift"
 
 
 def rows(content):
-    found = cone(content, 5.0)
+    found = cone_test(content, 5.0)
     return {"time_s": np.arange(len(found["depth_m"])), "tip_mpa": found["cone_mpa"], "sleeve_mpa": found["sleeve_mpa"]}
 
 

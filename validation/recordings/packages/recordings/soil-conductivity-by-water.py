@@ -1,8 +1,9 @@
 """Electrical conductivity of soil over the water that the same rod of a probe finds in it, beside its temperature, three weeks of spring with some rain, a row each half hour. The meter tells nothing below some water, and more than a line above."""
 
 import numpy as np
-from fitting import line, terms, usual
-from housekeeping import half_hours
+from models.fitting import line, terms
+from models.lags import usual
+from readers.soil_heat import half_hours
 
 HAND_BUILT = "square, and temperature"
 

@@ -1,8 +1,9 @@
 """Moisture of sandy soil at 5 cm through ten weeks of a dry summer, a row an hour. It dries, fast first and slowly later."""
 
 import numpy as np
-from fitting import line, terms, tone
-from stations import moisture
+from models.cycles import tone
+from models.fitting import line, terms
+from readers.ismn import moisture
 
 HAND_BUILT = "logarithm"
 DAY = 86400.0

@@ -1,7 +1,8 @@
 """Temperature of soil at the third rod of a probe over that at its first rod, nearer to the surface, three weeks of spring, a row each half hour. Heat arrives late and weakened."""
 
-from fitting import lag, terms, usual
-from housekeeping import half_hours
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.soil_heat import half_hours
 
 HAND_BUILT = "line and lag"
 

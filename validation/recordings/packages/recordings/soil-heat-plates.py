@@ -5,8 +5,9 @@ They differ with the heat that the sun brings and the sky takes, an hour or so l
 
 import numpy as np
 import pandas as pd
-from fitting import lag, line, terms
-from reading import netcdf
+from formats.netcdf import netcdf
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "lagged radiation"
 NAMES = {"first_w_m2": "soil_heat_flow_1", "net_w_m2": "net_radiation", "second_w_m2": "soil_heat_flow_2"}

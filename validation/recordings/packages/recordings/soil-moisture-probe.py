@@ -1,8 +1,9 @@
 """Moisture of soil under rain: a bucket that leaks. No model of rain and air temperature beat the line on rows left out."""
 
 import pandas as pd
-from fitting import lag, line, terms
-from reading import seconds
+from formats.clock import seconds
+from models.fitting import line, terms
+from models.lags import lag
 
 HAND_BUILT = "line"
 

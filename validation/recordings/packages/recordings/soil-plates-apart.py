@@ -1,8 +1,9 @@
 """Heat that flows into the soil through one plate of a station over that through its other plate, eight days of spring, a row each half hour. At one of them the heat comes later."""
 
 import numpy as np
-from fitting import lag, terms, usual
-from housekeeping import tob1
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.micromet import tob1
 
 HAND_BUILT = "line less its lag, and square"
 

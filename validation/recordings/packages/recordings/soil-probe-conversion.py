@@ -1,7 +1,7 @@
 """Two numbers that a soil probe makes of one measurement, the second over the first, 15 min, a summer month. The conversion is bent."""
 
-from fitting import line
-from reading import soil_logger
+from models.fitting import line
+from readers.neptoon import soil_logger
 
 HAND_BUILT = "square"
 

@@ -1,8 +1,10 @@
 """Thermometers of two soil probes, one deeper than the other, 15 min, a summer month. The deeper one follows late, and less."""
 
 import numpy as np
-from fitting import lag, line, terms, tone
-from reading import soil_logger
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag
+from readers.neptoon import soil_logger
 
 HAND_BUILT = "two lags"
 

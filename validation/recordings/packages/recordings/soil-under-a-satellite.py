@@ -1,9 +1,10 @@
 """Water in soil by a probe over how wet a satellite sees it as it passes, one year."""
 
-from fitting import lag, line, scaled, terms, tone
-from gauges import DAY
-from pickups import clocks
-from scales import wet_soil
+from durations import DAY
+from models.cycles import tone
+from models.fitting import line, scaled, terms
+from models.lags import lag, usual_and_shifts
+from readers.pytesmo import wet_soil
 
 HAND_BUILT = "year, and drift"
 
@@ -16,7 +17,7 @@ def models(c):
     y, x, t = c["probe_m3_m3"], c["satellite_percent"], c["time_s"]
     year, v, late = tone(t, 365.2425 * DAY), scaled(t), lambda p: lag(x, t, abs(p) * 3 * DAY)
     return y, {
-        **clocks(y, x, t, 3 * DAY),
+        **usual_and_shifts(y, x, t, 3 * DAY),
         "lag, and drift": terms(y, lambda p: [late(p[0]), v], [1.0]),
         "year": line(y, x, *year),
         "year alone": line(y, *year),

@@ -1,13 +1,14 @@
 """Temperature of solar modules over the light on them, beside that of the air and the wind, five days, each five minutes. They are warmer where the air is, and need minutes to warm up."""
 
-from fitting import lag, line, terms, usual
-from instruments import plant
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.captest import solar_plant
 
 HAND_BUILT = "late light, and air"
 
 
 def rows(content):
-    frame = plant(content)
+    frame = solar_plant(content)
     return {"time_s": frame.time_s, "light_w_m2": frame.met2_poa_pyranometer, "wind_m_s": frame.met2_windspeed, "air_c": frame.met2_amb_temp, "module_c": frame.met2_mod_temp1}
 
 

@@ -1,8 +1,9 @@
 """Temperature by sound over the water vapour beside it, above a field by day, 20 readings a second, five minutes. What rises is warm and moist; the anemometer gives its numbers a tenth of a second later."""
 
 import numpy as np
-from fitting import lag, terms, usual
-from reading import eddy_station
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.fluxpart import eddy_station
 
 HAND_BUILT = "shift"
 

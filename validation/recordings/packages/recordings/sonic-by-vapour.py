@@ -1,7 +1,9 @@
 """Temperature of the air by the speed of sound over that of a shielded probe on one mast, beside the water in the air and the sun, 17 days of March, a row each half hour. Sound is faster in damp air; the probe's shield warms in the sun."""
 
-from fitting import line, tone, usual
-from housekeeping import half_hours
+from models.cycles import tone
+from models.fitting import line
+from models.lags import usual
+from readers.soil_heat import half_hours
 
 HAND_BUILT = "vapour, and sunshine, and drift"
 

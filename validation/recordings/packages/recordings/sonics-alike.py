@@ -1,6 +1,7 @@
 """Temperature of the air by one sonic anemometer over that by another of its kind, an hour at midnight, means of a second. Next to nothing is missing."""
 
-from receivers import late_models, two_stations
+from models.lags import late_models
+from readers.eddycovtools import two_stations
 
 HAND_BUILT = "square"
 

@@ -1,13 +1,14 @@
 """Voltage of a thermistor on the heat sink of the crystal in a soot photometer over the temperature of its chamber, a day in means of half a minute. The chamber cools and warms by 10 K; the sink follows it a few minutes later, and a thermistor is bent."""
 
-from fitting import lag, line, terms, usual
-from housekeeping import half_minutes, photometer
+from formats.soot_photometer import mean_rows, photometer
+from models.fitting import terms
+from models.lags import lag, usual
 
 HAND_BUILT = "bent, and a part late"
 
 
 def rows(content):
-    return half_minutes(photometer(content, chamber_c="Chamber Temp (C)", thermistor_v="Crystal HeatSink ThermBuf"))
+    return mean_rows(photometer(content, chamber_c="Chamber Temp (C)", thermistor_v="Crystal HeatSink ThermBuf"), 30)
 
 
 def models(c):

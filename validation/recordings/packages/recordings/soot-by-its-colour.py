@@ -1,8 +1,9 @@
 """Absorption of light by the air in a town over soot, two months. Soot is counted in the infrared, absorption in the green; how much more that is depends on the colour."""
 
 import numpy as np
-from fitting import curve, line
-from monitors import air_station, bends_with
+from models.bends import bends_with
+from models.fitting import curve, line
+from readers.aeroviz import air_station
 
 HAND_BUILT = "colour, slope by it, and square"
 

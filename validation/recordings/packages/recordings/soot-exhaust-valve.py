@@ -1,8 +1,9 @@
 """What a controller tells the exhaust valve of a soot photometer to do, over the flow of air that it is to hold, a row a second, half an hour. It answers a flow that is too large one row later."""
 
 import numpy as np
-from fitting import line, terms, usual
-from housekeeping import photometer
+from formats.soot_photometer import photometer
+from models.fitting import line, terms
+from models.lags import usual
 
 HAND_BUILT = "flow one row and two rows before"
 

@@ -1,7 +1,8 @@
 """Soot in air by its shade in violet light over that in red light, on one spot of a filter, 6.6 h, a row a minute. The more is on the filter the less a colour sees, the violet first."""
 
-from fitting import line, usual
-from loggers import soot
+from models.fitting import line
+from models.lags import usual
+from readers.aerosoltools import soot
 
 HAND_BUILT = "gain by attenuation"
 

@@ -1,9 +1,9 @@
 """Soot by the laser through the filter of a carbon analyser over that by an instrument that makes up for what its filter holds, two months of a town. A full filter sees less, and the first days are off."""
 
-from fitting import line, terms
-from monitors import air_station
-from recorders import usual_and_lags
-from sensors import switched
+from models.fitting import line, terms
+from models.jumps import soft_step
+from models.lags import usual_and_lags
+from readers.aeroviz import air_station
 
 HAND_BUILT = "square, drift, and its square"
 
@@ -15,7 +15,7 @@ def rows(content):
 
 def models(c):
     y, x, t = c["filter_ug_m3"], c["spot_ug_m3"] / 2, c["time_s"] / 86400
-    after = lambda p: switched(t, p * 10, 0.2)
+    after = lambda p: soft_step(t, p * 10, 0.2)
     return y, {
         **usual_and_lags(y, x, c["time_s"], 3600),
         "cube": line(y, x, x**2, x**3),

@@ -1,14 +1,15 @@
 """Flow of clean air around the sample of a soot photometer on a ship in the ice, as a mass, over the same flow as a volume that its controller holds, a day in means of half a minute. The chamber cools and warms by 10 K, the pressure falls."""
 
-from fitting import line, through_zero, usual
-from housekeeping import half_minutes, photometer
+from formats.soot_photometer import mean_rows, photometer
+from models.fitting import line, through_zero
+from models.lags import usual
 
 HAND_BUILT = "gas law"
 
 
 def rows(content):
     names = {"chamber_c": "Chamber Temp (C)", "chamber_hpa": "Chamber Pressure (mBar)", "volume_cm3_min": "Sheath Flow Read (vccm)", "mass_scm3_min": "Sheath Flow Read (sccm)"}
-    return half_minutes(photometer(content, **names))
+    return mean_rows(photometer(content, **names), 30)
 
 
 def models(c):

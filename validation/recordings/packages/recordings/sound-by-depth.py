@@ -1,7 +1,7 @@
 """Speed of sound that a current meter uses over the speed that it tells, beside the pressure, two weeks on a mooring, each 8 min. Sound is faster where it is deep."""
 
-from fitting import line
-from rigs import aquadopp
+from models.fitting import line
+from readers.oceanarray import aquadopp
 
 HAND_BUILT = "pressure"
 

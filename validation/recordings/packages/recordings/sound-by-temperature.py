@@ -1,7 +1,7 @@
 """Speed of sound that a current meter tells over the temperature of the water, two weeks on a mooring, each 8 min. It is bent."""
 
-from fitting import line
-from rigs import aquadopp
+from models.fitting import line
+from readers.oceanarray import aquadopp
 
 HAND_BUILT = "square"
 

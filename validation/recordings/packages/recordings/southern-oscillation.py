@@ -1,7 +1,8 @@
 """Difference of air pressure between Easter Island and Darwin, month by month: a yearly cycle. The two longer tones of NIST predict worse."""
 
-from fitting import line, terms, tone
-from reading import nist
+from formats.nist import nist
+from models.cycles import tone
+from models.fitting import line, terms
 
 HAND_BUILT = "year"
 MONTH = 30.4375  # d

@@ -1,9 +1,8 @@
 """How fast a car goes by a receiver of satellites, over an instrument with gyroscopes and a better one, 1000 s. The cheaper one tells it later."""
 
-from fitting import lag, line, moved, scaled, terms
-from levels import behind
-from pickups import clocks
-from tellers import drive_by_speed
+from models.fitting import line, scaled, terms
+from models.lags import behind, lag, moved, usual_and_shifts
+from readers.pntos_cobra_datasets_lcm import drive_by_speed
 
 HAND_BUILT = "shift"
 
@@ -17,7 +16,7 @@ def models(c):
     u, w = scaled(x), scaled(t)
     at = lambda p: moved(x, t, p)
     return y, {
-        **clocks(y, x, t, 1.0),
+        **usual_and_shifts(y, x, t, 1.0),
         "drift, and slope that drifts": line(y, x, w, u * w),
         **behind(y, x, t, 1.0),
         "shift, and a lag": terms(y, lambda p: [lag(at(p[0]), t, abs(p[1]))], [0.2, 0.1]),

@@ -1,13 +1,13 @@
 """Speed that a car tells over the speed of the rollers below it, half an hour, a row a second. Nothing is missing."""
 
-from probes import car
-from recorders import usual_and_lags
+from models.lags import usual_and_lags
+from readers.co2mpas import car_on_rollers
 
 HAND_BUILT = "line"
 
 
 def rows(content):
-    frame = car(content)
+    frame = car_on_rollers(content)
     return {"time_s": frame.times, "rollers_kmh": frame.velocities, "told_kmh": frame.obd_velocities}
 
 

@@ -1,16 +1,16 @@
 """Volts of a cell that splits water over its current, at six warmths one after another."""
 
 import numpy as np
-from fitting import line, scaled
-from meters import of_drivers
-from reading import csv
-from tellers import cells, gains
+from formats.text import csv
+from models.drivers import gains, of_drivers
+from models.fitting import line, scaled
+from readers.aec_modelling import cell_columns
 
 HAND_BUILT = "warmth, and logarithm"
 
 
 def rows(content):
-    return cells(csv(content).sort_values(["T", "j"], kind="stable"))
+    return cell_columns(csv(content).sort_values(["T", "j"], kind="stable"))
 
 
 def models(c):

@@ -1,10 +1,10 @@
 """Volts of a cell that splits water over its current, four hours of an afternoon. It gets warm, and after a pause it is another."""
 
 import numpy as np
-from fitting import line, scaled
-from gauges import switches
-from meters import of_drivers
-from tellers import stack
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from models.jumps import switched_at
+from readers.aec_modelling import stack
 
 HAND_BUILT = "step, logarithm, and warmth"
 PAUSE = 5000
@@ -22,7 +22,7 @@ def models(c):
         "logarithm": line(y, x, bend),
         "drift": line(y, x, w),
         "logarithm, warmth, and drift": line(y, x, bend, v, w),
-        **switches(y, x, t, PAUSE),
+        **switched_at(y, x, t, PAUSE),
         "step, and logarithm": line(y, x, after, bend),
         "step, and warmth": line(y, x, after, v),
         "step, square, and warmth": line(y, x, after, u**2, v),

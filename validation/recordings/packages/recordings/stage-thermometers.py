@@ -1,13 +1,14 @@
 """Two thermometers of a stage that is warmed, a day of scans, every second point. The second also follows the hut around it, for which a thermometer of the optics stands."""
 
-from fitting import lag, line, terms
-from reading import beamline
+from models.fitting import line, terms
+from models.lags import lag
+from readers.spec2nexus import every_second_point
 
 HAND_BUILT = "optics"
 
 
 def rows(content):
-    frame = beamline(content)
+    frame = every_second_point(content)
     return {"time_s": frame.time_s, "control_k": frame.T_control_LS340, "sample_k": frame.T_sample_LS340, "optics_k": frame.HRMTemp1}
 
 

@@ -1,8 +1,9 @@
 """Light of a star that a telescope in space tells each half hour for six days, while it rolls and is pushed back. Pixels do not see alike, and the telescope settles."""
 
-from dials import DAY, shaken_star
-from fitting import line, scaled, terms
+from durations import DAY
+from models.fitting import line, scaled, terms
 from numpy import exp
+from readers.lightkurve import shaken_star
 
 HAND_BUILT = "drift, its square, and way, cube"
 

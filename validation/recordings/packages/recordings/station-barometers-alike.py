@@ -1,7 +1,7 @@
 """Third barometer of the same box beside the second one, 15 min, forty days. They agree; temperature takes a tenth of the small rest."""
 
-from fitting import line
-from reading import neutron_station
+from models.fitting import line
+from readers.neptoon import neutron_station
 
 HAND_BUILT = "temperature"
 

@@ -1,7 +1,7 @@
 """Two barometers in the box of a neutron probe, 15 min, forty days of spring. The first follows the temperature of the box."""
 
-from fitting import line
-from reading import neutron_station
+from models.fitting import line
+from readers.neptoon import neutron_station
 
 HAND_BUILT = "temperature, bent"
 

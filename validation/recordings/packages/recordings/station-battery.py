@@ -1,7 +1,8 @@
 """Battery voltage of a neutron probe that a solar panel charges, 15 min, forty days. No column tells of the sun."""
 
-from fitting import line, tone
-from reading import neutron_station
+from models.cycles import tone
+from models.fitting import line
+from readers.neptoon import neutron_station
 
 HAND_BUILT = "hours of the day"
 

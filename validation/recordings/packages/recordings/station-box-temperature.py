@@ -1,8 +1,10 @@
 """Temperature in the box of a neutron probe over that of the air outside, 15 min, forty days. The box follows late, and the sun shines on it."""
 
 import numpy as np
-from fitting import lag, line, terms, tone
-from reading import neutron_station
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag
+from readers.neptoon import neutron_station
 
 HAND_BUILT = "lag, and hours of the day"
 

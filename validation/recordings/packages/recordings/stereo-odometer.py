@@ -1,8 +1,8 @@
 """How far aside a car is by two cameras on it, beside a satellite receiver: every fourth of 4541 pictures. The cameras' axes are a little turned, and errors of steps add up."""
 
 import numpy as np
-from fitting import line
-from reading import poses
+from models.fitting import line
+from readers.evo import poses
 
 HAND_BUILT = "north and drift"
 

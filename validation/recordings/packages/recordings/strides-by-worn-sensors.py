@@ -1,9 +1,9 @@
 """Lengths of strides by sensors that are worn over those by cameras, three people in a laboratory."""
 
 import numpy as np
-from fitting import line
-from monitors import bends_with, corner
-from scales import strides
+from models.bends import bends_with, corner
+from models.fitting import line
+from readers.mobgap import strides
 
 HAND_BUILT = "square"
 

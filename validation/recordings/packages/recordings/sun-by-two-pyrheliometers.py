@@ -1,8 +1,8 @@
 """The sun by one pyrheliometer over that by another beside it, each minute of a day with clouds. Each has a logger of its own."""
 
-from fitting import moved, terms
-from gauges import later
-from scales import sunny_station
+from models.fitting import terms
+from models.lags import late_shifts, moved
+from readers.cpvlib import sunny_station
 
 HAND_BUILT = "shift from there"
 
@@ -14,4 +14,4 @@ def rows(content):
 def models(c):
     y, x, t = c["second_w_m2"], c["first_w_m2"], c["time_s"]
     both = lambda p: [moved(x, t, p[0] * 60), moved(x, t, p[1] * 60)]
-    return y, {**later(y, x, t, 60, -0.9), "two shifts": terms(y, both, [-0.9, 0.5])}
+    return y, {**late_shifts(y, x, t, 60, -0.9), "two shifts": terms(y, both, [-0.9, 0.5])}

@@ -1,15 +1,16 @@
 """What the solar cells of a country gave, each half an hour of six days in May."""
 
 import numpy as np
-from counters import DAY
-from fitting import line, scaled, tone
-from pickups import half_hours
+from durations import DAY
+from models.cycles import tone
+from models.fitting import line, scaled
+from readers.sktime import solar_half_hours
 
 HAND_BUILT = "four waves a day"
 
 
 def rows(content):
-    return half_hours(content)
+    return solar_half_hours(content)
 
 
 def models(c):

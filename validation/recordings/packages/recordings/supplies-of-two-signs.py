@@ -1,7 +1,8 @@
 """The supply of -15 V of a logger over its supply of +15 V, indoors, a day of minutes. Both are made in one box, so that they change together."""
 
-from benches import mast_logger, own_supplies
-from fitting import line, usual
+from models.fitting import line
+from models.lags import usual
+from readers.nrgpy import mast_logger, own_supplies
 
 HAND_BUILT = "line"
 

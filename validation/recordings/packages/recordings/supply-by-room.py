@@ -1,7 +1,8 @@
 """The 12 V supply of a logger on a bench, indoors, a day of minutes, with the temperature of a thermometer in the room, which falls from 20 degC to 18 and is warmed to 28 once. The supply changes with its temperature."""
 
-from benches import mast_logger, own_supplies
-from fitting import lag, line, terms
+from models.fitting import line, terms
+from models.lags import lag
+from readers.nrgpy import mast_logger, own_supplies
 
 HAND_BUILT = "temperature, and drift"
 

@@ -1,8 +1,8 @@
 """Stress in a soap with a polymer over its shear rate, in a rheometer at six temperatures and at the first again, one a run: it thins as it is sheared, and is thinner where it is warmer."""
 
 import numpy as np
-from fitting import curve, line
-from reading import csv
+from formats.text import csv
+from models.fitting import curve, line
 
 HAND_BUILT = "thinning, by temperature"
 

@@ -1,9 +1,9 @@
 """Light that a tablet scatters by its bonds, twenty spectra under four powers of a laser, a run a spectrum, over the mean of five under the least power. More light in is more light out."""
 
 import numpy as np
-from dials import powers
-from fitting import line, terms
-from meters import of_drivers
+from models.drivers import of_drivers
+from models.fitting import line, terms
+from readers.ramanchada2 import powers
 
 HAND_BUILT = "slope by power, its square, and its root"
 MILLIWATTS = np.repeat([46, 106, 166, 227, 292], 5)

@@ -1,14 +1,14 @@
 """The clock of a radio telescope against that of the satellites, 13 months until it is tuned anew, a row each 5.6 hours. Its rate is off, and changes."""
 
 import numpy as np
-from fitting import line, terms
-from housekeeping import clock
+from models.fitting import line, terms
+from readers.pint_pulsar import telescope_clock
 
 HAND_BUILT = "square"
 
 
 def rows(content):
-    t, ahead = clock(content, 57960, 58373)
+    t, ahead = telescope_clock(content, 57960, 58373)
     return {"time_s": t[::2].round(1), "ahead_us": ahead[::2]}
 
 

@@ -1,9 +1,11 @@
 """Ground at 1 m over ground at 0.1 m where it stays frozen below, 2.6 years, every sixth hour. Heat is late, and where water freezes the ground stays near 0 degC."""
 
 import numpy as np
-from fitting import lag, line, terms, tone, usual
-from loggers import since
-from reading import csv
+from formats.clock import seconds
+from formats.text import csv
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag, usual
 
 HAND_BUILT = "lag with a corner"
 DAY = 86400.0
@@ -11,7 +13,7 @@ DAY = 86400.0
 
 def rows(content):
     frame = csv(content).dropna().iloc[::6]
-    return {"time_s": since(frame["date_YYYY-MM-DD"] + " " + frame["time_HH:MM:SS"]), "shallow_c": frame["0.1_m"], "deep_c": frame["1_m"]}
+    return {"time_s": seconds(frame["date_YYYY-MM-DD"] + " " + frame["time_HH:MM:SS"]), "shallow_c": frame["0.1_m"], "deep_c": frame["1_m"]}
 
 
 def models(c):

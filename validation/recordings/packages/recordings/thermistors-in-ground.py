@@ -1,13 +1,14 @@
 """The third thermistor of a string in the ground over the second above it, two years, each 8 hours. Heat is late."""
 
-from fitting import lag, line, terms, usual
-from loggers import string
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.tsp import thermistor_string
 
 HAND_BUILT = "line and lag"
 
 
 def rows(content):
-    frame = string(content)
+    frame = thermistor_string(content)
     return {"time_s": frame.time_s, "above_c": frame[2], "below_c": frame[3]}
 
 

@@ -1,13 +1,13 @@
 """One thermistor of a string over another in a room, eleven months, every fourth hour. They agree but for some minutes."""
 
-from fitting import usual
-from loggers import bench
+from models.lags import usual
+from readers.tsp import thermistors_on_bench
 
 HAND_BUILT = "shift"
 
 
 def rows(content):
-    frame = bench(content)
+    frame = thermistors_on_bench(content)
     return {"time_s": frame.time_s, "first_c": frame[1], "second_c": frame[2]}
 
 

@@ -1,6 +1,7 @@
 """Temperature of the air by a thermometer in a shield over that by a sonic anemometer beside it, an hour at midnight, each second. The shield is late."""
 
-from receivers import late_models, two_stations
+from models.lags import late_models
+from readers.eddycovtools import two_stations
 
 HAND_BUILT = "lag, and drift"
 

@@ -1,9 +1,9 @@
 """Water by one thermometer of a probe over that by the other where bottles were closed in the Baltic, twelve casts."""
 
 import numpy as np
-from fitting import line
-from meters import of_drivers
-from scales import bottles
+from models.drivers import of_drivers
+from models.fitting import line
+from readers.pycnv import bottles
 
 HAND_BUILT = "cast"
 

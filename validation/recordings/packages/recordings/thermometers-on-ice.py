@@ -1,14 +1,15 @@
 """Two thermometers in one aspirated shield on a glacier, beside sunshine (as its sensor tells it, in mV) and wind, one August, each 10 min. The second tells 40 K too much, as its makers meant it."""
 
 import numpy as np
-from fitting import lag, line, terms, usual
-from stations import logger
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.pypromice import logger_table
 
 HAND_BUILT = "sunshine, less in wind"
 
 
 def rows(content):
-    frame = logger(content, "Temperature_Avg", "ShortwaveRadiationIn_Avg", "WindSpeed", "Temperature2_Avg")
+    frame = logger_table(content, "Temperature_Avg", "ShortwaveRadiationIn_Avg", "WindSpeed", "Temperature2_Avg")
     return {
         "time_s": frame.time_s,
         "first_c": frame.Temperature_Avg,

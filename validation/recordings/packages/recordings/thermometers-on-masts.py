@@ -1,6 +1,7 @@
 """Temperature of the air by one thermometer over that by another of its kind, each beside a sonic anemometer, an hour at midnight, each second. One is behind the other."""
 
-from receivers import late_models, two_stations
+from models.lags import late_models
+from readers.eddycovtools import two_stations
 
 HAND_BUILT = "lag"
 

@@ -1,14 +1,16 @@
 """Drive of a thermostat that holds a radio receiver at 25 degC, over the temperature of the air, a row each ten minutes, three and a half days. Its box follows the air late."""
 
 import pandas as pd
-from receivers import hut, late_models, thermostat
+from formats.clock import seconds
+from models.lags import late_models
+from readers.edges_io import hut, thermostat
 
 HAND_BUILT = "lag, and drift"
 
 
 def rows(weather, drive):
     frame = pd.merge_asof(thermostat(drive), hut(weather), on="when", direction="nearest", tolerance=pd.Timedelta("200s")).dropna()
-    return {"time_s": (frame.when - frame.when.iloc[0]).dt.total_seconds(), "air_c": frame.air_c, "drive_pct": frame.drive_pct}
+    return {"time_s": seconds(frame.when), "air_c": frame.air_c, "drive_pct": frame.drive_pct}
 
 
 def models(c):

@@ -1,8 +1,9 @@
 """Volts of a membrane on the upper side of a wall over those of a hot wire on its lower side, beside a gauge by convection on the upper side."""
 
-from fitting import line, scaled
-from listeners import drifts, permeation
-from meters import of_drivers
+from models.drifts import usual_shifts_and_drifts
+from models.drivers import of_drivers
+from models.fitting import line, scaled
+from readers.shield_data import permeation
 
 HAND_BUILT = "drift, and convection"
 
@@ -15,7 +16,7 @@ def models(c):
     y, x, t, z = c["upper_v"], c["wire_v"], c["time_s"], c["convection_v"]
     u, v, w = scaled(x), scaled(z), scaled(t)
     return y, {
-        **drifts(y, x, t, 10),
+        **usual_shifts_and_drifts(y, x, t, 10),
         **of_drivers(y, x, convection=z),
         "drift, and convection": line(y, x, w, v),
         "drift, and slope by convection": line(y, x, w, v, u * v),

@@ -4,15 +4,14 @@ import io
 
 import numpy as np
 import pandas as pd
-import reading
-from fitting import line, terms
+from formats.packed import all_in_zip
+from models.fitting import line, terms
 
 HAND_BUILT = "exponential"
 
 
 def rows(content):
-    (name,) = reading.names_in_zip(content)
-    text = reading.in_zip(content, name).decode("latin1").splitlines()
+    (text,) = (inside.decode("latin1").splitlines() for inside in all_in_zip(content).values())
     start = next(k for k, row in enumerate(text) if row.startswith("Time (s)"))
     d = pd.read_csv(io.StringIO("\n".join(text[start:])), sep="\t")
     d = d.iloc[: int(d["Piezo (nm)"].to_numpy().argmax()) + 1 : 12]

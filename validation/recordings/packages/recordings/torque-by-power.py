@@ -1,13 +1,14 @@
 """Torque of the shaft of a wind turbine by strain gauges over the power that it feeds in, ten minutes. The gauges tell of the bending of the shaft as well, once a turn."""
 
-from fitting import lag, line, moved, terms, usual
-from sensors import turbine
+from models.fitting import line, terms
+from models.lags import lag, moved, usual
+from readers.wetb import turbine_sensors
 
 HAND_BUILT = "bending, shifted, and square"
 
 
 def rows(content):
-    read = turbine(content)
+    read = turbine_sensors(content)
     return {"time_s": read["time_s"], "power_kw": read["Power"], "bending_v": read["MX_90"], "torque_knm": read["MY"]}
 
 

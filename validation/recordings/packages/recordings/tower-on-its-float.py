@@ -1,14 +1,15 @@
 """How far the tower of a wind turbine pitches over how far its float does, by cameras, in waves of a basin. The tower bends where its head is pushed."""
 
-from fitting import line, moved, scaled, terms
-from meters import of_drivers
-from pickups import basin
+from models.drivers import of_drivers
+from models.fitting import line, scaled, terms
+from models.lags import moved
+from readers.qats import wave_basin
 
 HAND_BUILT = "square, and acceleration"
 
 
 def rows(content):
-    return basin(content, float_deg="FLOATER_PITCH", acceleration_m_s2="X_ACC_TOWER", tower_deg="TOWER_PITCH")
+    return wave_basin(content, float_deg="FLOATER_PITCH", acceleration_m_s2="X_ACC_TOWER", tower_deg="TOWER_PITCH")
 
 
 def models(c):

@@ -1,7 +1,9 @@
 """Pressure at a weather station over that at another of the same town, 15 days, each quarter of an hour. They agree but for a small wave by day."""
 
-from fitting import line, tone, usual
-from instruments import station_pair
+from models.cycles import tone
+from models.fitting import line
+from models.lags import usual
+from readers.metobs_toolkit import station_pair
 
 HAND_BUILT = "day"
 

@@ -1,7 +1,9 @@
 """Temperature at a weather station over that at another of the same town, 15 days, each quarter of an hour. Where there is more stone, a part of the warmth is late."""
 
-from fitting import lag, line, terms, tone, usual
-from instruments import station_pair
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag, usual
+from readers.metobs_toolkit import station_pair
 
 HAND_BUILT = "line and lag"
 

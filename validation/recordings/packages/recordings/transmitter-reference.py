@@ -1,8 +1,7 @@
 """Reference voltage inside of a weather transmitter on a ship, a day, every minute, while its heater goes on and off and pulls the supply from 15 to 11 V: it does not move. Read in steps of 1 mV."""
 
-import numpy as np
-from fitting import line
-from reading import netcdf
+from formats.netcdf import netcdf
+from models.fitting import line
 
 HAND_BUILT = "constant"
 

@@ -1,14 +1,14 @@
 """Trough of the force under a foot between its two peaks over the speed of the walker, ten walkers of sixty steps each, a run a walker. Whoever walks faster is lifted more; people differ."""
 
-from dials import steps
-from fitting import line
-from monitors import bends_with
+from models.bends import bends_with
+from models.fitting import line
+from readers.spm1d import steps_on_treadmill
 
 HAND_BUILT = "line"
 
 
 def rows(speeds, *contents):
-    return steps(contents, speeds, between=(30, 70))
+    return steps_on_treadmill(contents, speeds, between=(30, 70))
 
 
 def models(c):

@@ -1,8 +1,10 @@
 """Thermometers at the two counting tubes of a neutron probe, 15 min, forty days. One tube is better wrapped: they warm at different speeds."""
 
 import numpy as np
-from fitting import lag, line, terms, tone
-from reading import neutron_station
+from models.cycles import tone
+from models.fitting import line, terms
+from models.lags import lag
+from readers.neptoon import neutron_station
 
 HAND_BUILT = "line and lag"
 

@@ -1,8 +1,9 @@
 """Rate at which an aircraft says that its track turns, beside what bank and airspeed make of it in a clean turn; the first 6000 rows in which either changes. Next to nothing is missing: it turns a second after it banks."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import flight
+from models.fitting import line, terms
+from models.lags import lag
+from readers.traffic import flight
 
 HAND_BUILT = "lag"
 

@@ -1,8 +1,8 @@
 """One axis of two accelerometers in one case: one is read some 8 ms later. The shift is made between the rows of the recording."""
 
 import numpy as np
-from fitting import line, terms
-from reading import csv
+from formats.text import csv
+from models.fitting import line, terms
 
 HAND_BUILT = "shift in time"
 

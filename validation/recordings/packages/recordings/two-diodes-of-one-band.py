@@ -1,8 +1,8 @@
 """X-rays of the sun in two diodes behind one filter, a flare that is small enough for both. Next to nothing is missing."""
 
-from fitting import line
-from monitors import two_detectors
-from recorders import usual_and_bends
+from models.bends import usual_and_bends
+from models.fitting import line
+from readers.sunkit_instruments import two_detectors
 
 HAND_BUILT = "slope that drifts"
 

@@ -1,7 +1,9 @@
 """Volts of a membrane over those of a gauge by convection, both on the upper side of a wall, the last hour and a half of a run."""
 
-from fitting import line, moved, scaled, terms
-from listeners import drifts, permeation
+from models.drifts import usual_shifts_and_drifts
+from models.fitting import line, scaled, terms
+from models.lags import moved
+from readers.shield_data import permeation
 
 HAND_BUILT = "drift"
 
@@ -14,7 +16,7 @@ def models(c):
     y, x, t = c["upper_v"], c["convection_v"], c["time_s"]
     u, w = scaled(x), scaled(t)
     return y, {
-        **drifts(y, x, t, 10),
+        **usual_shifts_and_drifts(y, x, t, 10),
         "drift, and cube": line(y, x, w, u**2, u**3),
         "drift, and shift": terms(y, lambda p: [moved(x, t, p[0]), w], [1.0]),
         "drift, its square, and square": line(y, x, w, w**2, u**2),

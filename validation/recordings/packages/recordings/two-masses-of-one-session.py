@@ -1,6 +1,7 @@
 """How much heavier than a standard a gas is at mass 48 over the same at mass 46, a session of a mass spectrometer."""
 
-from listeners import drifts, one_session
+from models.drifts import usual_shifts_and_drifts
+from readers.d47calib import one_session
 
 HAND_BUILT = "line"
 
@@ -10,4 +11,4 @@ def rows(content):
 
 
 def models(c):
-    return c["mass_48"], drifts(c["mass_48"], c["mass_46"], c["time_s"], 3600)
+    return c["mass_48"], usual_shifts_and_drifts(c["mass_48"], c["mass_46"], c["time_s"], 3600)

@@ -1,8 +1,8 @@
 """Two pyranometers of one make on a clear day: one looks a little to the east of the other, so that its day is early. Both are shaded for some minutes."""
 
 import numpy as np
-from fitting import line, terms
-from reading import csv
+from formats.text import csv
+from models.fitting import line, terms
 
 HAND_BUILT = "shift in time"
 

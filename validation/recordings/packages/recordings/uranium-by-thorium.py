@@ -1,8 +1,8 @@
 """Counts of uranium over those of thorium while a laser drills into glass, a run a crater, three hours. The instrument drifts, and a part follows the depth of the crater."""
 
 import numpy as np
-from fitting import line, terms
-from monitors import craters
+from models.fitting import line, terms
+from readers.lasertram import craters
 
 HAND_BUILT = "slope by depth, and slope that drifts"
 

@@ -1,7 +1,9 @@
 """Water in the air by an infrared gas analyser over that by a humidity probe on the same mast, beside the temperature of the air, eight days of spring, a row each half hour. Gain and offset apart they agree, to some daily difference."""
 
-from fitting import line, tone, usual
-from housekeeping import tob1
+from models.cycles import tone
+from models.fitting import line
+from models.lags import usual
+from readers.micromet import tob1
 
 HAND_BUILT = "day"
 

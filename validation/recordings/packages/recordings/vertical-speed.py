@@ -1,8 +1,9 @@
 """Vertical speed that an aircraft sends, beside the change of its height over 20 s, in a flight that calibrates radio beacons. Height and speed come in messages of their own; the height is the older one."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import flight
+from models.fitting import line, terms
+from models.lags import lag
+from readers.traffic import flight
 
 HAND_BUILT = "shift"
 

@@ -1,14 +1,15 @@
 """Two thermometers of a cold crystal of a monochromator, a day, every second point. They agree; a lag takes a tenth of the small rest."""
 
 import numpy as np
-from fitting import lag, line, terms
-from reading import beamline
+from models.fitting import line, terms
+from models.lags import lag
+from readers.spec2nexus import every_second_point
 
 HAND_BUILT = "lag"
 
 
 def rows(content):
-    frame = beamline(content)
+    frame = every_second_point(content)
     return {"time_s": frame.time_s, "first_k": frame.HRMTemp3, "second_k": frame.HRMTemp4}
 
 

@@ -1,8 +1,8 @@
 """Two elements of the Mueller matrix of a wafer under oxide, at 1841 wavelengths from 210 to 1000 nm. The wafer looks the same from all sides, so that both must be one."""
 
 import numpy as np
-from dials import mueller
-from fitting import line, through_zero
+from models.fitting import line, through_zero
+from readers.pyelli import mueller
 
 HAND_BUILT = "as it is"
 

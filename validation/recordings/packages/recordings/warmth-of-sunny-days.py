@@ -1,14 +1,16 @@
 """Warmth of the air over the sun that shone, each day of ten years. What the sun warms keeps it for days and for months."""
 
-from fitting import lag, line, moved, scaled, terms, tone
-from gauges import DAY
-from levels import behind, pairs
+from durations import DAY
+from models.cycles import tone
+from models.fitting import line, scaled, terms
+from models.lags import behind, lag, moved
+from readers.cdt import pair_columns
 
 HAND_BUILT = "line, lag, and year"
 
 
 def rows(content):
-    return pairs(content, step=DAY, rows=3652, sun_wh_m2=("pair72", "A"), air_degc=("pair72", "B"))
+    return pair_columns(content, step=DAY, rows=3652, sun_wh_m2=("pair72", "A"), air_degc=("pair72", "B"))
 
 
 def models(c):

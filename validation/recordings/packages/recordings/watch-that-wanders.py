@@ -1,22 +1,22 @@
 """How far north somebody is who goes to and fro, by one watch over that by another on the same body, every third second."""
 
 import numpy as np
-from fitting import lag, line, moved, scaled, terms
-from pickups import clocks
-from scales import together, watch
+from models.fitting import line, scaled, terms
+from models.lags import lag, moved, usual_and_shifts
+from readers.tracklib import two_tracks, watch
 
 HAND_BUILT = "two shifts, and drift"
 
 
 def rows(first, second):
-    return together(watch(first), watch(second), "north", 3)
+    return two_tracks(watch(first), watch(second), "north", 3)
 
 
 def models(c):
     y, x, t = c["second_m"], c["first_m"], c["time_s"]
     v = scaled(t)
     return y, {
-        **clocks(y, x, t, 10, twice=v**2),
+        **usual_and_shifts(y, x, t, 10, twice=v**2),
         "drift, and its square": line(y, x, v, v**2),
         "drift, and slope that drifts": line(y, x, v, x * v),
         "drift, and square": line(y, x, x**2, v),

@@ -1,6 +1,7 @@
 """Density of the water of a shallow sea over pressure, by a glider that sinks and rises, 67 minutes. Layers are not alike."""
 
-from recorders import sinking_glider, usual_and_bends
+from models.bends import usual_and_bends
+from readers.gliderflight import sinking_glider
 
 HAND_BUILT = "ninth power"
 

@@ -1,7 +1,8 @@
 """Heat that goes up with vapour, as an anemometer and a gas analyser at a tower told it, over what its radiometer told that the ground keeps of the sun, 1065 times at many towers. Leaves give off water; bare ground does not."""
 
-from fitting import line
-from meters import of_drivers, towers
+from models.drivers import of_drivers
+from models.fitting import line
+from readers.ecov002_calval_tables import towers
 
 HAND_BUILT = "all squares of green"
 

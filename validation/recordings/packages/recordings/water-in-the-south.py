@@ -1,10 +1,12 @@
 """A ship takes in water: how warm it is in the laboratory over how warm it was in the sea, beside its salt, twelve days from the equator to the south."""
 
-from fitting import line, scaled, terms, tone
-from levels import behind
-from listeners import cruise, drifts
-from meters import of_drivers
-from tellers import DAY
+from durations import DAY
+from models.cycles import tone
+from models.drifts import usual_shifts_and_drifts
+from models.drivers import of_drivers
+from models.fitting import line, scaled, terms
+from models.lags import behind
+from readers.fluxengine import cruise
 
 HAND_BUILT = "square"
 
@@ -17,7 +19,7 @@ def models(c):
     y, x, t = c["laboratory_degc"], c["sea_degc"], c["time_s"]
     u = scaled(x)
     return y, {
-        **drifts(y, x, t, 600),
+        **usual_shifts_and_drifts(y, x, t, 600),
         **behind(y, x, t, 600),
         **of_drivers(y, x, salt=c["salt"]),
         "day": line(y, x, *tone(t, DAY)),

@@ -1,14 +1,16 @@
 """Water level of a strait by a gauge over that by a model, half a year, a row an hour. They agree but for a little."""
 
-from fitting import line, tone, usual
-from stations import compared
+from models.cycles import tone
+from models.fitting import line
+from models.lags import usual
+from readers.modelskill import model_beside_measured
 
 HAND_BUILT = "square"
 MOON = 44714  # s
 
 
 def rows(content):
-    place = compared(content, "1_Barseback.nc")
+    place = model_beside_measured(content, "1_Barseback.nc")
     return {"time_s": place["time_s"], "model_m": place["MIKE21"], "gauge_m": place["Observation"]}
 
 

@@ -1,9 +1,10 @@
 """Flow through a branch of a water main for 27 days between two closures: least in the afternoon; one hour is wild, a day and a half are missing."""
 
-import numpy as np
 import pandas as pd
-from fitting import line, tone
-from reading import csv, seconds
+from formats.clock import seconds
+from formats.text import csv
+from models.cycles import tone
+from models.fitting import line
 
 HAND_BUILT = "two waves of the day"
 

@@ -1,24 +1,24 @@
 """How long waves last over how high they are, at a buoy off Maine, a year. Wind makes short waves at once, and what is left after it is long."""
 
 import numpy as np
-from fitting import lag, line, scaled, terms, tone
-from gauges import DAY
-from levels import behind
-from pickups import clocks
-from pointers import HOUR, sea
+from durations import DAY, HOUR
+from models.cycles import tone
+from models.fitting import line, scaled, terms
+from models.lags import behind, lag, usual_and_shifts
+from readers.virocon import buoy
 
 HAND_BUILT = "lag"
 
 
 def rows(content):
-    return sea(content, 2)
+    return buoy(content, 2)
 
 
 def models(c):
     y, x, t = c["period_s"], c["height_m"], c["time_s"]
     u, w, unit, year = scaled(x), scaled(t), 3 * HOUR, 365.25 * DAY
     return y, {
-        **clocks(y, x, t, unit),
+        **usual_and_shifts(y, x, t, unit),
         "cube": line(y, x, u**2, u**3),
         "logarithm": line(y, np.log(x)),
         "day": line(y, x, *tone(t, DAY), *tone(t, DAY / 2)),

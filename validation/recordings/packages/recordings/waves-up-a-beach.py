@@ -1,9 +1,8 @@
 """How high waves run up the beach of Duck over how high they are, 138 times of one autumn. They run higher where it is steep, and when they are long."""
 
-from fitting import line, scaled
-from meters import of_drivers
-from pointers import two_drivers
-from tellers import gains, runup
+from models.drivers import gains, of_drivers, two_drivers
+from models.fitting import line, scaled
+from readers.py_wave_runup import runup
 
 HAND_BUILT = "period and slope, slope by the first"
 

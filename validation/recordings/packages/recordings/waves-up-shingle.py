@@ -1,8 +1,8 @@
 """How high waves run up a beach of small stones in Cornwall over how high they are, 324 times. Where it is steep they run higher, by more the higher they are."""
 
-from fitting import line, scaled
-from meters import of_drivers
-from tellers import gains, runup
+from models.drivers import gains, of_drivers
+from models.fitting import line, scaled
+from readers.py_wave_runup import runup
 
 HAND_BUILT = "slope by slope"
 

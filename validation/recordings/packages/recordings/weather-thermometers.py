@@ -1,8 +1,9 @@
 """Two thermometers of the air at one site, hourly, four winter months. They agree but for what the air does between them."""
 
 import numpy as np
-from fitting import line, terms, tone
-from reading import weather_pair
+from models.cycles import tone
+from models.fitting import line, terms
+from readers.neptoon import weather_pair
 
 HAND_BUILT = "line"
 

@@ -1,8 +1,10 @@
 """Absolute pressure of a logger under water in a well over that of the barometer beside it, 45 days of late summer, each hour. The water table falls."""
 
 import numpy as np
-from fitting import line, terms, usual
-from reading import seconds, wells
+from formats.clock import seconds
+from models.fitting import line, terms
+from models.lags import usual
+from readers.gensor import wells
 
 HAND_BUILT = "drift"
 

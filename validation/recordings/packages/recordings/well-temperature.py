@@ -1,7 +1,9 @@
 """Temperature of the water in a well, by the logger of its level, over that of the barometer beside it, 19 months, every fourth hour. What is above comes down late and weak."""
 
-from fitting import lag, line, terms, usual
-from reading import seconds, wells
+from formats.clock import seconds
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.gensor import wells
 
 HAND_BUILT = "lag of a lag"
 

@@ -1,14 +1,14 @@
 """Optical density of a well in which cells grow over that of the well beside it, a day. Next to nothing is missing."""
 
-from fitting import line
-from meters import plate
-from recorders import usual_and_bends
+from formats.plate_reader import densities
+from models.bends import usual_and_bends
+from models.fitting import line
 
 HAND_BUILT = "line"
 
 
 def rows(content):
-    read = plate(content, "A1", "A2")
+    read = densities(content, "A1", "A2")
     return {"time_s": read["time_s"], "first_density": read["A1"], "second_density": read["A2"]}
 
 

@@ -1,14 +1,14 @@
 """Optical density of a well in which cells grow over that of one in which they grow at once, a day. They begin late and grow more slowly, and end lower."""
 
-from fitting import lag, line, moved, terms
-from meters import plate
-from recorders import usual_and_lags
+from formats.plate_reader import densities
+from models.fitting import line, terms
+from models.lags import lag, moved, usual_and_lags
 
 HAND_BUILT = "lag, and square"
 
 
 def rows(content):
-    read = plate(content, "A3", "C3")
+    read = densities(content, "A3", "C3")
     return {"time_s": read["time_s"], "early_density": read["A3"], "late_density": read["C3"]}
 
 

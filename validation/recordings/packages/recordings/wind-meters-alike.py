@@ -1,7 +1,7 @@
 """One wind meter over another on one stand, a town, seven weeks of summer, each 20 min. They agree."""
 
-from fitting import usual
-from stations import tried_in_town
+from models.lags import usual
+from readers.pypromice import tried_in_town
 
 HAND_BUILT = "line"
 

@@ -1,19 +1,17 @@
 """Power of a wind turbine: an S over wind speed with a ceiling, nothing while the blades are turned out of the wind, less in warm air."""
 
-import io
-import zipfile
-
 import numpy as np
 import pandas as pd
-from fitting import line, terms
-from reading import csv, seconds
+from formats.clock import seconds
+from formats.packed import in_zip
+from formats.text import csv
+from models.fitting import line, terms
 
 HAND_BUILT = "an S while the pitch is small, and density"
 
 
 def rows(content):
-    with zipfile.ZipFile(io.BytesIO(content)) as inner:
-        d = csv(inner.read("la-haute-borne-data-2014-2015.csv"))
+    d = csv(in_zip(content, "la-haute-borne-data-2014-2015.csv"))
     d = d[d.Wind_turbine_name == "R80711"]
     d = d.assign(t=pd.to_datetime(d.Date_time, utc=True)).sort_values("t").drop_duplicates("t")
     d = d[(d.t >= "2014-02-01") & (d.t < "2014-03-01")].dropna()

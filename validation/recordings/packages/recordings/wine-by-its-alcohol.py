@@ -1,9 +1,9 @@
 """Density of red wines over their alcohol, 1599 of them. What else is dissolved makes them dense: acid and sugar."""
 
 import numpy as np
-from fitting import line, scaled
-from levels import columns
-from meters import of_drivers
+from formats.text import columns
+from models.drivers import of_drivers
+from models.fitting import line, scaled
 
 HAND_BUILT = "both, bent"
 

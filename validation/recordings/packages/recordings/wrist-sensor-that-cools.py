@@ -1,14 +1,14 @@
 """Warmth of an accelerometer that is worn at the wrist, each half a second of three minutes."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from pickups import wrist
+from models.fitting import line, scaled, terms
+from readers.gaitpy import wrist_sensor
 
 HAND_BUILT = "logarithm from a time"
 
 
 def rows(content):
-    return wrist(content, 25)
+    return wrist_sensor(content, 25)
 
 
 def models(c):

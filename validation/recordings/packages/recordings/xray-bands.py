@@ -2,8 +2,10 @@
 
 import gzip
 
-from fitting import lag, terms, usual
-from reading import fits_tables, means
+from formats.rows import means
+from models.fitting import terms
+from models.lags import lag, usual
+from readers.sunpy import fits_tables
 
 HAND_BUILT = "line and lag, and drift"
 

@@ -1,8 +1,8 @@
 """Two kinds of xylene in the air of a town, which come from the same wheels and leave one column as two peaks. Next to nothing is missing."""
 
-from fitting import line
-from monitors import air_station
-from recorders import usual_and_bends
+from models.bends import usual_and_bends
+from models.fitting import line
+from readers.aeroviz import air_station
 
 HAND_BUILT = "slope that drifts"
 

@@ -1,15 +1,15 @@
 """Zinc in the soil of a river bank over how far away the river is. Floods bring it, and seldom where the bank is high."""
 
 import numpy as np
-from fitting import line, scaled, terms
-from meters import of_drivers
-from pointers import bank
+from models.drivers import of_drivers
+from models.fitting import line, scaled, terms
+from readers.scikit_gstat import river_bank_soil
 
 HAND_BUILT = "cube, and height"
 
 
 def rows(content):
-    return bank(content, distance="dist", height_m="elev", zinc_ppm="zinc")
+    return river_bank_soil(content, distance="dist", height_m="elev", zinc_ppm="zinc")
 
 
 def models(c):

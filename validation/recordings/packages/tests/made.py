@@ -1,6 +1,7 @@
 """A small archive, its list and its recording, made for a test."""
 
 import hashlib
+import importlib.util
 import io
 import tarfile
 from types import SimpleNamespace
@@ -8,6 +9,8 @@ from types import SimpleNamespace
 import numpy as np
 import sources
 
+SCIPY = importlib.util.find_spec("scipy")
+READS = SCIPY and importlib.util.find_spec("pandas")
 ROWS = b"1 10\n2 20\n3 31\n"
 CSV = "x,y\n1,10\n2,20\n3,31\n"
 

@@ -12,10 +12,10 @@ from unittest import mock
 
 import archives
 import fetch
-import pickled
 import sources
 import table
 from problem import Problem
+from readers import rdatasets
 from tests import made
 
 
@@ -129,10 +129,10 @@ class Evil:
 class Pickles(unittest.TestCase):
     def test_a_pickle_that_asks_for_a_function_is_refused_and_the_function_not_run(self):
         with mock.patch("os.putenv", side_effect=AssertionError("run")), self.assertRaisesRegex(Problem, "asks for `\\w+.putenv`"):
-            pickled.frame(lzma.compress(EVIL))
+            rdatasets.frame(lzma.compress(EVIL))
 
     def test_numbers_alone_are_read(self):
-        self.assertEqual(pickled.frame(lzma.compress(pickle.dumps([1.5, 2]))), [1.5, 2])
+        self.assertEqual(rdatasets.frame(lzma.compress(pickle.dumps([1.5, 2]))), [1.5, 2])
 
 
 EVIL = pickle.dumps(Evil())

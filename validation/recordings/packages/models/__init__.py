@@ -1,0 +1,1 @@
+"""Models built by hand that recordings of several packages share."""

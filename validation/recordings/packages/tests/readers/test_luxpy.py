@@ -1,0 +1,28 @@
+"""Files of the package luxpy, read from small ones that are made here."""
+
+import io
+import unittest
+
+import numpy as np
+from tests.made import READS
+
+if READS:
+    from readers import luxpy
+
+
+def written(table, **options):
+    """A table of numbers as the bytes of a file."""
+    out = io.BytesIO()
+    np.savetxt(out, table, **{"delimiter": ",", **options})
+    return out.getvalue()
+
+
+@unittest.skipUnless(READS, "scipy or pandas is not installed")
+class Readers(unittest.TestCase):
+    def test_darkness_is_found_by_its_exposure(self):
+        content = written([[0, 400, 401], [0.003, 10, 11], [2, 20, 22]])
+        self.assertEqual([list(counts) for counts in luxpy.darkness(content, 2, 0.003)], [[20, 22], [10, 11]])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -20,6 +20,22 @@ def told(columns):
     return {name: np.round(np.asarray(values, float), 6).tolist() for name, values in columns.items()}
 
 
+def written(table, **options):
+    """A table of numbers as the bytes of a file."""
+    out = io.BytesIO()
+    np.savetxt(out, table, **{"delimiter": ",", **options})
+    return out.getvalue()
+
+
+def matlab(**variables):
+    """A MATLAB file of variables, as bytes."""
+    from scipy.io import savemat
+
+    out = io.BytesIO()
+    savemat(out, variables)
+    return out.getvalue()
+
+
 def left_by(y, models):
     """What each model leaves of a column when it sees all rows: a standard deviation."""
     seen = np.ones(len(y), bool)

@@ -1,20 +1,11 @@
 """Files of the package chemotools, read from small ones that are made here."""
 
-import io
 import unittest
 
-import numpy as np
-from tests.made import READS, told
+from tests.made import READS, told, written
 
 if READS:
     from readers import chemotools
-
-
-def written(table, **options):
-    """A table of numbers as the bytes of a file."""
-    out = io.BytesIO()
-    np.savetxt(out, table, **{"delimiter": ",", **options})
-    return out.getvalue()
 
 
 @unittest.skipUnless(READS, "scipy or pandas is not installed")

@@ -1,21 +1,12 @@
 """Files of the package qats, read from small ones that are made here."""
 
-import io
 import unittest
 
 import numpy as np
-from tests.made import READS, told
+from tests.made import READS, matlab, told
 
 if READS:
     from readers import qats
-    from scipy.io import savemat
-
-
-def matlab(**variables):
-    """A file of variables."""
-    out = io.BytesIO()
-    savemat(out, variables)
-    return out.getvalue()
 
 
 @unittest.skipUnless(READS, "scipy or pandas is not installed")

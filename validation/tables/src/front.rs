@@ -41,8 +41,11 @@ pub(crate) fn table(root: &Path) -> Result<Markdown, TablesError> {
     let recordings = Real::read(root)?.recordings;
     let question = format!("{} real recordings: answers", recordings.len());
     table.rows.push(vec![question, String::new(), verdicts(&recordings), String::new()]);
-    let of_packages = |file: &str| csv::read(&root.join("validation/recordings").join(file));
-    let (question, result) = packaged(&of_packages("packages.csv")?, &of_packages("first-runs.csv")?);
+    let first_runs = root.join("validation/recordings/first-runs.csv");
+    let table_of_packages = csv::read(&root.join("validation/recordings/packages.csv"))?;
+    let Some((question, result)) = packaged(&table_of_packages, &csv::read(&first_runs)?) else {
+        return Err(TablesError::NoRow { path: first_runs, row: ALL.into() });
+    };
     table.rows.push(vec![question, String::new(), result, String::new()]);
     for key in TIMES {
         let (what, time) = speed::of(root, key)?;
@@ -83,9 +86,12 @@ fn verdicts(recordings: &[Recording]) -> String {
 /// Error on rows left out, over that of a model that was built by hand for the recording, up to which it is as near.
 const AS_NEAR: f64 = 1.1;
 
+/// The set of `first-runs.csv` that is the sum of all.
+const ALL: &str = "all";
+
 /// How many of the packaged recordings are predicted as a model built by hand predicts them: by the version that has seen them, counted here, and by those that had not, as the sum of the `first_runs` has it. These were
-/// counted on the rows that each version left out, which later ones may leave out otherwise.
-fn packaged(table: &Markdown, first_runs: &Markdown) -> (String, String) {
+/// counted on the rows that each version left out, which later ones may leave out otherwise. `None` where there is no such sum.
+fn packaged(table: &Markdown, first_runs: &Markdown) -> Option<(String, String)> {
     let cell = |of: &Markdown, row: &[String], column: &str| {
         let at = of.header.iter().position(|name| name == column)?;
         Some(row.get(at)?.trim().to_owned())
@@ -93,18 +99,13 @@ fn packaged(table: &Markdown, first_runs: &Markdown) -> (String, String) {
     let number = |row: &[String], column: &str| cell(table, row, column)?.parse::<f64>().ok();
     let is_near = |row: &Vec<String>| Some(number(row, "held out")? <= AS_NEAR * number(row, "hand-built, held out")?);
     let now = table.rows.iter().filter(|row| is_near(row) == Some(true)).count();
-    let all = first_runs.rows.iter().find(|row| cell(first_runs, row, "set").as_deref() == Some("all"));
-    let of_all = |column: &str| all.and_then(|row| cell(first_runs, row, column)).unwrap_or_else(|| "?".into());
+    let all = first_runs.rows.iter().find(|row| cell(first_runs, row, "set").as_deref() == Some(ALL))?;
+    let (near, of) = (cell(first_runs, all, "within 1.1")?, cell(first_runs, all, "recordings")?);
     let question = format!(
         "{} more recordings by other people: the error on rows left out is at most {AS_NEAR} times that of a model built by hand for the recording",
         table.rows.len()
     );
-    let result = format!(
-        "at the first diagnosis {} of {}; now, after work on what went wrong, {now}",
-        of_all("within 1.1"),
-        of_all("recordings")
-    );
-    (question, result)
+    Some((question, format!("at the first diagnosis {near} of {of}; now, after work on what went wrong, {now}")))
 }
 
 #[cfg(test)]
@@ -142,7 +143,7 @@ mod tests {
         let rows = vec![cells(["1.0", "1.2", "1.09"]), cells(["2", " 1.5", "-"]), cells(["0.5", "0.56", "0.56"])];
         let sums = vec![cells(["first", "2", "1"]), cells(["all", "3", " 2"])];
         let first_runs = Markdown { header: cells(["set", "recordings", "within 1.1"]), rows: sums };
-        let (question, result) = packaged(&Markdown { header, rows }, &first_runs);
+        let (question, result) = packaged(&Markdown { header, rows }, &first_runs).unwrap();
         assert!(
             question.starts_with("3 more") && result == "at the first diagnosis 2 of 3; now, after work on what went wrong, 1",
             "{question}: {result}"

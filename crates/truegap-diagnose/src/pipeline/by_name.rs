@@ -28,7 +28,7 @@ use crate::{
         detectability::detectability,
         prior::weight,
         tuning::VISIBLE,
-        verdict::{Decision, removed_by},
+        verdict::removed_by,
     },
     validation::{
         cross_validation::{HeldOutFit, compared},
@@ -140,13 +140,7 @@ impl Judged {
         if let Some(set) = sets.last_mut() {
             set.extend(rivals);
         }
-        let verdict = Decision::of_sets(sets.iter(), removed, &after);
-        self.stands_behind(tried, held, unseen, after, |model, base| Decision {
-            model,
-            sets,
-            removed,
-            ..Decision::nothing(verdict, base)
-        })
+        self.told_by_sets(tried, held, unseen, after, (sets, removed))
     }
 }
 

@@ -25,7 +25,7 @@ use crate::{
         candidates::{Search, Tried},
         refitted::fitted_from_nothing,
         tuning::HALF,
-        verdict::{Decision, Verdict},
+        verdict::Verdict,
         whole::whole,
     },
     text::Scale,
@@ -189,12 +189,11 @@ impl Choice<'_, '_> {
     fn forward(&self, base: Asked, on_limits: OnLimits) -> Option<Asked> {
         let mut best = base;
         for _ in 0..MOST_ADDED {
-            let added = self.added(&best.tried, &best.held, (MOST_ASKED, on_limits));
+            let mut added = self.added(&best.tried, &best.held, (MOST_ASKED, on_limits));
             let least = if best.tried.effects.is_empty() { CLEARLY_WORSE } else { FELT };
             let asked: Vec<&HeldOutFit> = added.iter().map(|asked| &asked.unseen).collect();
             let Some(index) = foretells_most(&best.unseen, &asked, least) else { break };
-            let Some(asked) = added.into_iter().nth(index) else { break };
-            best = asked;
+            best = added.swap_remove(index);
         }
         Some(best).filter(|best| !best.tried.effects.is_empty())
     }
@@ -306,14 +305,8 @@ impl Judged {
     /// The same with the model that predicts rows left out better stood behind.
     pub(crate) fn told_by_rows_left_out(mut self, better: ByRowsLeftOut) -> Self {
         let ByRowsLeftOut { tried, held, unseen, sets, after, removed, says } = better;
-        let verdict = Decision::of_sets(sets.iter(), removed, &after);
         self.predicted.left_out = vec![says];
-        self.stands_behind(tried, held, unseen, after, |model, base| Decision {
-            model,
-            sets,
-            removed,
-            ..Decision::nothing(verdict, base)
-        })
+        self.told_by_sets(tried, held, unseen, after, (sets, removed))
     }
 }
 

@@ -257,6 +257,24 @@ impl Judged {
         self
     }
 
+    /// The same for a model that removes this share of the misfit, decided by what may stand in the place of each of its effects.
+    pub(crate) fn told_by_sets(
+        self,
+        tried: Tried,
+        held: Vec<Number>,
+        unseen: HeldOutFit,
+        after: Adequacy,
+        (sets, removed): (Vec<Vec<usize>>, f64),
+    ) -> Self {
+        let verdict = Decision::of_sets(sets.iter(), removed, &after);
+        self.stands_behind(tried, held, unseen, after, |model, base| Decision {
+            model,
+            sets,
+            removed,
+            ..Decision::nothing(verdict, base)
+        })
+    }
+
     /// The same with mechanisms beside what is stood behind: they are among the models, and the decision is not asked again.
     pub(crate) fn described_by(mut self, composition: Composition) -> Self {
         let key = self.stood_behind().key();

@@ -79,11 +79,13 @@ fn drift_beside(prepared: &Prepared<'_>, told: &Told<'_>, judged: &Judged, walk:
     let mut likeliest = (walk - RIVAL.ln(), None);
     for tried in search.add_each(judged.examined.selection.base(), &drifts, drifts.len(), "a drift beside a walk") {
         let Some(drift) = simple(prepared, search, &judged.by_base, &tried, 1.0) else { continue };
+        if !compared(&judged.by_base.unseen, &drift.unseen).is_some_and(|both| both.better_by(CLEARLY_WORSE)) {
+            continue;
+        }
         let context = search.context.holding(drift.held.clone());
         let model = search.within(&context).model(&drift.tried.effects);
         let evidence = beside_walk(&model, &drift.tried.fit, &prepared.searched_noise)?;
-        let foretells = compared(&judged.by_base.unseen, &drift.unseen).is_some_and(|both| both.better_by(CLEARLY_WORSE));
-        if evidence > likeliest.0 && foretells {
+        if evidence > likeliest.0 {
             likeliest = (evidence, Some(drift));
         }
     }
@@ -176,13 +178,7 @@ impl Judged {
         let after = prepared.lack_of_fit.adequacy(&tried.fit);
         let removed = self.share_removed_by(prepared, &tried, &unseen, &after);
         let sets: Vec<Vec<usize>> = tried.effects.iter().map(|effect| vec![*effect]).collect();
-        let verdict = Decision::of_sets(sets.iter(), removed, &after);
-        self.stands_behind(tried, held, unseen, after, |model, base| Decision {
-            model,
-            sets,
-            removed,
-            ..Decision::nothing(verdict, base)
-        })
+        self.told_by_sets(tried, held, unseen, after, (sets, removed))
     }
 }
 

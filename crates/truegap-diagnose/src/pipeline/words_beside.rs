@@ -20,7 +20,7 @@ use crate::{
     },
     selection::{
         candidates::{Search, Tried},
-        verdict::{Decision, Verdict},
+        verdict::Verdict,
     },
     validation::{
         cross_validation::{HeldOutFit, compared},
@@ -152,20 +152,17 @@ impl Judged {
         let removed = self.share_removed_by(prepared, &tried, &unseen, &after);
         let chosen = self.stood_behind().key();
         let sets = self.predicted.decision.sets_of(&self.stood_behind().effects, &tried.effects);
-        let verdict = match Decision::of_sets(sets.iter(), removed, &after) {
-            Verdict::Explained if !composition.sure() => Verdict::Ambiguous,
-            verdict => verdict,
-        };
+        let sure = composition.sure();
         let (held, mechanisms, library) = (self.held.clone(), composition.mechanisms.len(), prepared.testable.len());
         self.examined = self.examined.with(|selection| selection.of_the_library(library, mechanisms));
         self.predicted.decision.model = self.examined.selection.place_of(chosen);
         self.composition = Some(composition);
-        self.stands_behind(tried, held, unseen, after, |model, base| Decision {
-            model,
-            sets,
-            removed,
-            ..Decision::nothing(verdict, base)
-        })
+        let mut told = self.told_by_sets(tried, held, unseen, after, (sets, removed));
+        let decision = &mut told.predicted.decision;
+        if !sure && decision.verdict == Verdict::Explained {
+            decision.verdict = Verdict::Ambiguous;
+        }
+        told
     }
 }
 

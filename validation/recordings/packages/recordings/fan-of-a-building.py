@@ -3,7 +3,7 @@
 from readers.skchange import fan
 from readers.skchange import fan_models as models
 
-HAND_BUILT = "three waves a day"
+HAND_BUILT = "eight waves a day"
 
 
 def rows(content):

@@ -153,14 +153,9 @@ impl Effect for Cycle {
             Parameter::normal(name, "s", 0.5 * period, 0.5 * period, &format!("{from} {to}")).within(-period, 2.0 * period)
         };
         vec![
-            Parameter::normal(
-                "size",
-                unit,
-                0.0,
-                0.1 * context.response_span.abs(),
-                "of the first wave, from its least to its most",
-            )
-            .within(0.0, f64::INFINITY),
+            // a fifth of the days and a third of the years in recordings by other people are more than three times as large
+            Parameter::wide("size", unit, 0.1 * context.response_span.abs(), "of the first wave, from its least to its most")
+                .within(0.0, f64::INFINITY),
             phase("highest", period, "to where the first wave is highest"),
             Parameter::normal("second", "1", 0.0, 0.3, "size of the wave of half the period, as a share of the first")
                 .within(-1.0, 1.0),

@@ -67,6 +67,9 @@ fn drift(values: &[f64]) -> Drift {
     Drift { per_hour: values[0], fading_per_hour: values[1], per_square_hour: values.get(2).copied().unwrap_or(0.0) }
 }
 
+/// Usual drift over a recording, of the span of the reading. Without plates, of which more is known, it may be many times that: of 33 drifts in recordings by other people every fifth is more than three times as large,
+/// one 33 times, and under a Gaussian a gain that goes with the clock was likelier for the mere size.
+const USUAL: f64 = 0.03;
 /// Standard deviation of the fading, over the recording. Settling in an eighth of a recording is ordinary after an instrument was switched on (a glider's supply: a time constant of 523 s in 4066 s), and lay eight standard deviations away with one.
 pub const USUAL_FADING: f64 = 5.0;
 /// Greatest fading, over the recording: what has settled sooner is a few rows. No answer is known that hangs on it.
@@ -106,23 +109,21 @@ impl Effect for OffsetDrift {
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let hours = context.length_s() / HOUR;
+        let (moves, plates) = (context.simulator.moves(), context.has_plates());
         // a value that should not move has no span of its own: what moved may all be drift
-        let usual = if context.simulator.moves() { 0.03 } else { 1.0 };
-        let rate = usual * context.response_span.abs() / hours;
+        let usual = if moves { USUAL } else { 1.0 } * context.response_span.abs() / hours;
+        let speed = |name: &str, unit: &str, sd: f64, meaning: &str| {
+            let far = moves && !plates;
+            if far { Parameter::wide(name, unit, sd, meaning) } else { Parameter::normal(name, unit, 0.0, sd, meaning) }
+        };
+        let unit = context.simulator.unit();
         let mut parameters = vec![
-            Parameter::normal(
-                "rate",
-                &format!("{}/h", context.simulator.unit()),
-                0.0,
-                rate,
-                "speed of the zero at the first row",
-            ),
+            speed("rate", &format!("{unit}/h"), usual, "speed of the zero at the first row"),
             Parameter::normal("fading", "1/h", 0.0, USUAL_FADING / hours, "share of the speed that is lost in an hour")
                 .within(-1.5 / hours, QUICKEST_FADING / hours),
         ];
-        if !context.has_plates() {
-            let unit = format!("{}/h^2", context.simulator.unit());
-            parameters.push(Parameter::normal(TURNING, &unit, 0.0, rate / hours, "change of the speed in an hour, for good"));
+        if !plates {
+            parameters.push(speed(TURNING, &format!("{unit}/h^2"), usual / hours, "change of the speed in an hour, for good"));
         }
         parameters
     }

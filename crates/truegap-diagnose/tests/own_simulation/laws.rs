@@ -16,6 +16,21 @@ fn a_drift_is_found_beside_a_simulation_without_a_free_number() {
     assert!(said.fit.in_sample.rmse_after < 0.012, "{}", said.fit.in_sample.rmse_after);
 }
 
+/// What is simulated hardly moves, far from 0, and the zero drifts by 25 times as much: a gain that goes with the clock does the same there, and was likelier since that much drift was all but excluded beforehand.
+#[test]
+fn a_drift_many_times_what_moves_is_no_gain() {
+    let truth: Vec<f64> = (0..1200).map(|row| 8.0 + 0.02 * (f64::from(row) / 70.0).sin()).collect();
+    let inputs = Inputs {
+        time_s: Some((0..1200).map(f64::from).collect()),
+        run: vec![1; 1200],
+        simulated: Some(truth.clone()),
+        ..Inputs::default()
+    };
+    let said = said(&Given::fixed(), &inputs, &noisy(5, |row| truth[row] + row as f64 / 1200.0, 1200));
+    let named: Vec<&str> = said.findings.iter().map(|f| f.effect.as_str()).collect();
+    assert_eq!(named, ["offset_drift"], "{}", said.says);
+}
+
 /// A zero that rises by 0.2 V an hour and goes back as fast in the end, or rises on: that its speed changes for good is held at nothing for the one that does not turn, and opened for the other.
 #[test]
 fn a_drift_turns_where_rows_left_out_bear_it_out() {
@@ -68,6 +83,24 @@ fn a_drift_may_settle_within_an_eighth_of_a_recording() {
     // a recording of an hour: 8 an hour is a time constant of seven and a half minutes
     let (low, high) = fading.bounds;
     assert!(low < 0.0 && high > 8.0 && 8.0 < 2.0 * fading.sd(), "{low} to {high}, sd {}", fading.sd());
+}
+
+/// A drift or a wave of 25 times its usual size, and a reading that relaxes to a tenth, are unusual and no more: under a Gaussian they lay 25 and 90 deviations away.
+#[test]
+fn sizes_may_be_many_times_the_usual_ones() {
+    let rows = 2000;
+    let simulated = (0..rows).map(|row| 3.0 + 0.5 * (row as f64 / 30.0).sin()).collect();
+    let time_s = (0..rows).map(|row| 600.0 * row as f64).collect();
+    let inputs = Inputs { time_s: Some(time_s), run: vec![1; rows], simulated: Some(simulated), ..Inputs::default() };
+    let base = Given::fixed();
+    let context = Context::new(&inputs, &base, 1.0, 0.01);
+    let library = library();
+    for (id, times) in [("offset_drift", 25.0), ("daily_cycle", 25.0), ("stress_relaxation", 90.0)] {
+        let effect = library.iter().find(|effect| effect.id() == EffectId(id)).unwrap();
+        let size = effect.parameters(&context).swap_remove(0);
+        let far = size.prior.z(times * size.sd());
+        assert!(far > 3.0 && far < 5.5, "{id}: {} {far}", size.name);
+    }
 }
 
 /// A fan that is switched every 200 s cools the reading by 0.2 V, with a time constant of 30 s.

@@ -63,7 +63,7 @@ impl Stage for Two {
     }
 }
 
-/// Usual share of a sudden change that fades. It may be many times that: what relaxes to a tenth of what it was has nine. Of 17 in recordings by other people 14 are larger than 0.3, which a Gaussian all but excludes.
+/// Usual share of a sudden change that fades. It may be many times that: what relaxes to a fifth of what it was has four. Of 17 in recordings by other people 14 are larger than 0.3, which a Gaussian all but excludes.
 const USUAL: f64 = 0.1;
 
 fn fading(values: &[f64]) -> Fading {

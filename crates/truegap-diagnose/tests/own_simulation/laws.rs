@@ -85,7 +85,7 @@ fn a_drift_may_settle_within_an_eighth_of_a_recording() {
     assert!(low < 0.0 && high > 8.0 && 8.0 < 2.0 * fading.sd(), "{low} to {high}, sd {}", fading.sd());
 }
 
-/// A drift or a wave of 25 times its usual size, and a reading that relaxes to a tenth, are unusual and no more: under a Gaussian they lay 25 and 90 deviations away.
+/// A drift or a wave of 25 times its usual size, and a reading that relaxes to a fifth, are unusual and no more: under a Gaussian they lay 25 and 40 deviations away.
 #[test]
 fn sizes_may_be_many_times_the_usual_ones() {
     let rows = 2000;
@@ -95,7 +95,7 @@ fn sizes_may_be_many_times_the_usual_ones() {
     let base = Given::fixed();
     let context = Context::new(&inputs, &base, 1.0, 0.01);
     let library = library();
-    for (id, times) in [("offset_drift", 25.0), ("daily_cycle", 25.0), ("stress_relaxation", 90.0)] {
+    for (id, times) in [("offset_drift", 25.0), ("daily_cycle", 25.0), ("stress_relaxation", 40.0)] {
         let effect = library.iter().find(|effect| effect.id() == EffectId(id)).unwrap();
         let size = effect.parameters(&context).swap_remove(0);
         let far = size.prior.z(times * size.sd());

@@ -195,7 +195,19 @@ impl Choice<'_, '_> {
             let Some(index) = foretells_most(&best.unseen, &asked, least) else { break };
             best = added.swap_remove(index);
         }
-        Some(best).filter(|best| !best.tried.effects.is_empty())
+        Some(best)
+            .filter(|best| !best.tried.effects.is_empty())
+            .map(|found| exchanged(found, |asked| &asked.unseen, |asked| self.others(asked)))
+    }
+
+    /// Models with another effect in the place of each of its own; none of one effect, which was the best of them.
+    fn others(&self, model: &Asked) -> Vec<Asked> {
+        let effects = model.tried.effects.len();
+        if effects < 2 {
+            return Vec::new();
+        }
+        let shorter = self.adding.without_each(&model.tried).into_iter().filter(|without| without.effects.len() + 1 == effects);
+        shorter.flat_map(|without| self.added(&without, &model.held, (MOST_RIVALS, OnLimits::Refused))).collect()
     }
 
     /// Models with one effect more, the `most` that promise most, asked for rows left out; each with the law of its new effect as it is and with the simple law that it holds as a special case.
@@ -290,6 +302,17 @@ fn foretells_most(before: &HeldOutFit, asked: &[&HeldOutFit], least: f64) -> Opt
     shares.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index)
 }
 
+/// A model that was `found`, or what its `others` lead to, while the best of them foretells rows left out clearly better: the effect that was added first was best alone, and need not be beside what came after it.
+fn exchanged<T>(mut found: T, unseen: impl Fn(&T) -> &HeldOutFit, others: impl Fn(&T) -> Vec<T>) -> T {
+    for _ in 0..MOST_ADDED {
+        let mut others = others(&found);
+        let asked: Vec<&HeldOutFit> = others.iter().map(&unseen).collect();
+        let Some(index) = foretells_most(unseen(&found), &asked, FELT) else { break };
+        found = others.swap_remove(index);
+    }
+    found
+}
+
 /// The second of two models where it predicts rows left out `least` times better or more, else the first.
 fn better_of(first: Asked, second: Asked, least: f64) -> Asked {
     let better = compared(&first.unseen, &second.unseen).is_some_and(|both| both.rmse[0] > least * both.rmse[1]);
@@ -325,6 +348,23 @@ mod tests {
             warned: None,
         };
         HeldOutFit { parts: errors.into_iter().map(part).collect(), ..HeldOutFit::default() }
+    }
+
+    /// Others of 1.00 are 0.97 and 0.80, of that 0.79 and 0.60, and of that none that is a tenth better.
+    #[test]
+    fn effects_are_exchanged_while_that_foretells_more() {
+        let model = |error: f64| unseen([Some(error); 3]);
+        let others = |at: &HeldOutFit| {
+            let error = PartError::rmse_over(&at.parts).unwrap();
+            let near = |of: f64| (error - of).abs() < 1e-9;
+            match () {
+                () if near(1.0) => vec![model(0.97), model(0.8)],
+                () if near(0.8) => vec![model(0.6), model(0.79)],
+                () => vec![model(0.58)],
+            }
+        };
+        let found = exchanged(model(1.0), |at| at, others);
+        approx::assert_relative_eq!(PartError::rmse_over(&found.parts).unwrap(), 0.6, max_relative = 1e-12);
     }
 
     /// A change lies in the third part, where errors are largest. What is asked for the others alone leaves nine tenths of the error there, in smaller numbers than what halves it in all three.

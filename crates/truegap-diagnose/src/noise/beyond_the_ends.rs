@@ -61,6 +61,18 @@ pub fn mirrored(column: &[f64], runs: &[Range<usize>], untold: &[Range<usize>]) 
 #[allow(clippy::single_range_in_vec_init)] // one run
 mod tests {
     use super::*;
+    use crate::whitening::whitener::{InputError, Noise};
+
+    /// Of three rows, which are off by fifty times the noise, two are known: with the third they are felt, and without it they are not.
+    #[test]
+    fn further_rows_are_felt_beside_those_that_are_known() {
+        let white = Noise { white_sd: 1.0, ar_sd: 0.0, ar_correlation: 0.0 };
+        let known = NoiseModel { untold: vec![0..2], ..NoiseModel::unmeasured(white, InputError::white(vec![0.0; 6])) };
+        let misfit = [50.0, 50.0, 50.0, 0.0, 0.0, 0.0];
+        assert!(rows_felt(&[0, 1, 2], &misfit, &known));
+        assert!(!rows_felt(&[0, 1], &misfit, &known));
+        assert!(!rows_felt(&[0, 1, 3], &[0.0; 6], &known));
+    }
 
     #[test]
     fn rows_at_the_ends_become_those_beside_them() {

@@ -200,14 +200,20 @@ impl Choice<'_, '_> {
             .map(|found| exchanged(found, |asked| &asked.unseen, |asked| self.others(asked)))
     }
 
-    /// Models with another effect in the place of each of its own; none of one effect, which was the best of them.
+    /// Models with another effect in the place of any of its own; none of one effect, which was the best of them.
     fn others(&self, model: &Asked) -> Vec<Asked> {
-        let effects = model.tried.effects.len();
-        if effects < 2 {
-            return Vec::new();
-        }
-        let shorter = self.adding.without_each(&model.tried).into_iter().filter(|without| without.effects.len() + 1 == effects);
-        shorter.flat_map(|without| self.added(&without, &model.held, (MOST_RIVALS, OnLimits::Refused))).collect()
+        if model.tried.effects.len() < 2 { Vec::new() } else { self.rivals(model).into_iter().flatten().collect() }
+    }
+
+    /// For each effect of a model, the models with another one in its place.
+    fn rivals(&self, model: &Asked) -> Vec<Vec<Asked>> {
+        let own = self.adding.without_each(&model.tried);
+        let of = |effect: &usize| {
+            let without =
+                own.iter().find(|tried| !tried.effects.contains(effect) && tried.effects.len() + 1 == model.tried.effects.len());
+            without.map_or_else(Vec::new, |without| self.added(without, &model.held, (MOST_RIVALS, OnLimits::Refused)))
+        };
+        model.tried.effects.iter().map(of).collect()
     }
 
     /// Models with one effect more, the `most` that promise most, asked for rows left out; each with the law of its new effect as it is and with the simple law that it holds as a special case.
@@ -258,18 +264,13 @@ impl Choice<'_, '_> {
 
     /// For each effect of a model: itself, and those with which it predicts rows left out nearly as well.
     fn sets(&self, model: &Asked) -> Vec<Vec<usize>> {
-        let own = self.adding.without_each(&model.tried);
         // clearly worse is what the model is clearly better than
         let near = |asked: &Asked| compared(&asked.unseen, &model.unseen).is_some_and(|both| !both.better_by(CLEARLY_WORSE));
-        let set = |effect: &usize| {
-            let without =
-                own.iter().find(|tried| !tried.effects.contains(effect) && tried.effects.len() + 1 == model.tried.effects.len());
-            let exchanged =
-                without.map_or_else(Vec::new, |without| self.added(without, &model.held, (MOST_RIVALS, OnLimits::Refused)));
-            let new = exchanged.iter().filter(|asked| near(asked)).filter_map(|asked| asked.tried.effects.last().copied());
+        let set = |(effect, rivals): (&usize, Vec<Asked>)| {
+            let new = rivals.iter().filter(|asked| near(asked)).filter_map(|asked| asked.tried.effects.last().copied());
             std::iter::once(*effect).chain(new.filter(|new| !model.tried.effects.contains(new))).collect()
         };
-        model.tried.effects.iter().map(set).collect()
+        model.tried.effects.iter().zip(self.rivals(model)).map(set).collect()
     }
 
     /// The sets of `effects` with what evidence had chosen: where the two choices differ, what the one names in the place of the other is not excluded.

@@ -153,6 +153,10 @@ fn a_lag_that_a_mean_to_both_sides_does_without_is_not_named() {
     assert_eq!((said.verdict, said.findings.len()), (Verdict::Agrees, 0), "{}", said.says);
     assert!(said.says.contains("does not show what is quick in the simulated value"), "{}", said.says);
     let doubt = said.recording_issues.iter().find(|issue| issue.contains("to both sides"));
-    assert!(doubt.is_some_and(|doubt| doubt.contains("may be noise of its own")), "{:?}", said.recording_issues);
+    assert!(
+        doubt.is_some_and(|doubt| doubt.contains("may be noise of its own, so it is not claimed")),
+        "{:?}",
+        said.recording_issues
+    );
     assert!(said.next_experiment.says.contains("stand still"), "{}", said.next_experiment.says);
 }

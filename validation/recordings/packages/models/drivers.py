@@ -14,6 +14,15 @@ def of_drivers(y, x, **drivers):
     return models
 
 
+def drivers_and_drift(y, x, t, **drivers):
+    """Each driver beside a drift, and with all squares beside it."""
+    u, w, models = scaled(x), scaled(t), {}
+    for name, z in drivers.items():
+        v = scaled(z)
+        models |= {f"{name}, and drift": line(y, x, v, w), f"all squares of {name}, and drift": line(y, x, u**2, v, u * v, v**2, w)}
+    return models
+
+
 def two_drivers(y, x, **drivers):
     """Models with two drivers, by their names, beside one another."""
     u, (one, other) = scaled(x), (scaled(values) for values in drivers.values())

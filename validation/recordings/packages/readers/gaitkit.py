@@ -4,8 +4,7 @@ import json
 
 import numpy as np
 from models.drifts import usual_shifts_and_drifts
-from models.drivers import of_drivers
-from models.fitting import line, scaled
+from models.drivers import drivers_and_drift, of_drivers
 
 
 def walk(content):
@@ -26,10 +25,8 @@ def foot(content, side, up):
 def foot_models(c):
     """Models of the heel over the ankle, beside the toe."""
     y, x, z, t = c["heel_mm"], c["ankle_mm"], c["toe_mm"], c["time_s"]
-    u, v, w = scaled(x), scaled(z), scaled(t)
     return y, {
         **usual_shifts_and_drifts(y, x, t, 0.01),
         **of_drivers(y, x, toe=z),
-        "toe, and drift": line(y, x, v, w),
-        "all squares of toe, and drift": line(y, x, u**2, v, u * v, v**2, w),
+        **drivers_and_drift(y, x, t, toe=z),
     }

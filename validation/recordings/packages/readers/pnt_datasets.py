@@ -28,12 +28,17 @@ def by_station(content):
     return arrivals * METRE_PER_NS, powers
 
 
+def by_time(frame):
+    """Columns of a table by time, of rows in which none is missing; seconds since the first of these."""
+    frame = frame.dropna()
+    return {"time_s": since_first(frame.index).round(3), **{name: frame[name].to_numpy() for name in frame}}
+
+
 def pair(content, first, second):
     """Two stations: arrivals at them in m and their powers in dBm; seconds since the first row."""
     arrivals, powers = by_station(content)
     columns = {"first_m": arrivals[first], "second_m": arrivals[second], "first_dbm": powers[first], "second_dbm": powers[second]}
-    columns = pd.DataFrame(columns).dropna()
-    return {"time_s": since_first(columns.index).round(3), **{name: columns[name].to_numpy() for name in columns}}
+    return by_time(pd.DataFrame(columns))
 
 
 def distances(places, stations):
@@ -58,7 +63,7 @@ def clock(measured, places, stations):
     known = table(places).set_index(TIME).sort_index()
     arrivals = arrivals.loc[known.index[0] : known.index[-1]].dropna()
     at = pd.DataFrame({axis: np.interp(arrivals.index, known.index, known[axis]) for axis in ("X (m)", "Y (m)")}, arrivals.index)
-    return {"time_s": since_first(arrivals.index).round(3), "late_m": (arrivals - distances(at, stations)).mean(axis=1).to_numpy()}
+    return by_time((arrivals - distances(at, stations)).mean(axis=1).to_frame("late_m"))
 
 
 def pair_models(c):

@@ -1,7 +1,7 @@
 """When radio of one station comes in over when that of another does, in m, beside how strong the one is: what is near is strong. A receiver that is carried through a hall, 19 minutes."""
 
 from models.drifts import usual_shifts_and_drifts
-from models.drivers import of_drivers
+from models.drivers import drivers_and_drift, of_drivers
 from models.fitting import line, scaled
 from readers.pnt_datasets import pair
 
@@ -15,11 +15,10 @@ def rows(content):
 
 def models(c):
     y, x, t, z = c["second_m"], c["first_m"], c["time_s"], c["second_dbm"]
-    u, v, w = scaled(x), scaled(z), scaled(t)
+    v = scaled(z)
     return y, {
         **usual_shifts_and_drifts(y, x, t, 1),
         **of_drivers(y, x, power=z),
         "power, bent twice": line(y, x, v, v**2, v**3),
-        "power, and drift": line(y, x, v, w),
-        "all squares of power, and drift": line(y, x, u**2, v, u * v, v**2, w),
+        **drivers_and_drift(y, x, t, power=z),
     }

@@ -1,11 +1,10 @@
 """How far a receiver is from a station as radio tells, over how far it was, beside the clock of the receiver as seven other stations tell it. 384 places of a hall in 27 minutes."""
 
 import pandas as pd
-from formats.clock import since_first
 from models.drifts import usual_shifts_and_drifts
 from models.drivers import of_drivers
 from models.fitting import line, scaled
-from readers.pnt_datasets import at_places
+from readers.pnt_datasets import at_places, by_time
 
 HAND_BUILT = "clock"
 STATION = 6
@@ -14,8 +13,7 @@ STATION = 6
 def rows(measured, places, stations):
     arrivals, _, distances = at_places(measured, places, stations)
     clock = (arrivals - distances).drop(columns=STATION).mean(axis=1)
-    columns = pd.DataFrame({"distance_m": distances[STATION], "clock_m": clock, "arrival_m": arrivals[STATION]}).dropna()
-    return {"time_s": since_first(columns.index).round(3), **{name: columns[name].to_numpy() for name in columns}}
+    return by_time(pd.DataFrame({"distance_m": distances[STATION], "clock_m": clock, "arrival_m": arrivals[STATION]}))
 
 
 def models(c):

@@ -1,4 +1,4 @@
-"""How strong a satellite is, in dB, more than five hours in which it rises and sets."""
+"""How strong a satellite is, in dB, more than five hours until it sets."""
 
 import numpy as np
 from models.cycles import tone

@@ -1,4 +1,4 @@
-"""How strong a satellite's precise code is over its open one at the same frequency, in dB, almost three hours in which it goes up and down."""
+"""How strong a satellite's precise code is over its open one at the same frequency, in dB, more than two hours until it sets."""
 
 from models.drifts import usual_shifts_and_drifts
 from models.fitting import line, scaled

@@ -71,6 +71,9 @@ struct Asked {
     unseen: HeldOutFit,
 }
 
+/// For each effect of a model, models with another one in its place.
+type Rivals = Vec<Vec<Asked>>;
+
 /// What becomes of laws that have run to a limit of their numbers while effects are added. None is told of in the end.
 #[derive(Clone, Copy, PartialEq)]
 enum OnLimits {
@@ -126,7 +129,7 @@ impl Choice<'_, '_> {
         let nothing = found.is_none();
         // a law that has run to a limit alone may hold beside another: a logarithm beside a drift that fades
         let on_the_way = if self.refused.get() { self.forward(base(), OnLimits::OnTheWay) } else { None };
-        let better = [found, on_the_way].into_iter().flatten().filter_map(|found| self.better(found));
+        let better = [found, on_the_way].into_iter().flatten().filter_map(|found| self.better(self.exchanged(found)));
         match better.reduce(|a, b| if compared(&a.unseen, &b.unseen).is_some_and(|both| both.better_by(FELT)) { b } else { a }) {
             Some(better) => Chosen::Better(Box::new(better)),
             None if nothing => Chosen::Nothing,
@@ -135,7 +138,7 @@ impl Choice<'_, '_> {
     }
 
     /// A model that was `found`, where it is better than what is stood behind; `None` where it is not.
-    fn better(&self, found: Asked) -> Option<ByRowsLeftOut> {
+    fn better(&self, (found, rivals): (Asked, Option<Rivals>)) -> Option<ByRowsLeftOut> {
         let selection = &self.judged.examined.selection;
         let chosen = &selection.models[self.judged.predicted.decision.model];
         let told = self.judged.predicted.unseen.stood_behind();
@@ -171,7 +174,8 @@ impl Choice<'_, '_> {
             unit.text(second),
             unit.text(first),
         );
-        let sets = self.with_first_choice(&tried.effects, self.sets(&found));
+        let rivals = rivals.unwrap_or_else(|| self.rivals(&found));
+        let sets = self.with_first_choice(&tried.effects, sets(&found, rivals));
         Some(ByRowsLeftOut { tried, held, unseen, sets, after, removed, says })
     }
 
@@ -195,18 +199,20 @@ impl Choice<'_, '_> {
             let Some(index) = foretells_most(&best.unseen, &asked, least) else { break };
             best = added.swap_remove(index);
         }
-        Some(best)
-            .filter(|best| !best.tried.effects.is_empty())
-            .map(|found| exchanged(found, |asked| &asked.unseen, |asked| self.others(asked)))
+        Some(best).filter(|best| !best.tried.effects.is_empty())
     }
 
-    /// Models with another effect in the place of any of its own; none of one effect, which was the best of them.
-    fn others(&self, model: &Asked) -> Vec<Asked> {
-        if model.tried.effects.len() < 2 { Vec::new() } else { self.rivals(model).into_iter().flatten().collect() }
+    /// A model that was `found` with its effects [`exchanged`], and its rivals where they were asked: not of one effect, which was the best of them.
+    fn exchanged(&self, found: Asked) -> (Asked, Option<Rivals>) {
+        if found.tried.effects.len() < 2 {
+            return (found, None);
+        }
+        let (found, rivals) = exchanged(found, |asked| &asked.unseen, |asked| self.rivals(asked));
+        (found, Some(rivals))
     }
 
     /// For each effect of a model, the models with another one in its place.
-    fn rivals(&self, model: &Asked) -> Vec<Vec<Asked>> {
+    fn rivals(&self, model: &Asked) -> Rivals {
         let own = self.adding.without_each(&model.tried);
         let of = |effect: &usize| {
             let without =
@@ -262,17 +268,6 @@ impl Choice<'_, '_> {
         })
     }
 
-    /// For each effect of a model: itself, and those with which it predicts rows left out nearly as well.
-    fn sets(&self, model: &Asked) -> Vec<Vec<usize>> {
-        // clearly worse is what the model is clearly better than
-        let near = |asked: &Asked| compared(&asked.unseen, &model.unseen).is_some_and(|both| !both.better_by(CLEARLY_WORSE));
-        let set = |(effect, rivals): (&usize, Vec<Asked>)| {
-            let new = rivals.iter().filter(|asked| near(asked)).filter_map(|asked| asked.tried.effects.last().copied());
-            std::iter::once(*effect).chain(new.filter(|new| !model.tried.effects.contains(new))).collect()
-        };
-        model.tried.effects.iter().zip(self.rivals(model)).map(set).collect()
-    }
-
     /// The sets of `effects` with what evidence had chosen: where the two choices differ, what the one names in the place of the other is not excluded.
     fn with_first_choice(&self, effects: &[usize], sets: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
         let decision = &self.judged.predicted.decision;
@@ -303,15 +298,28 @@ fn foretells_most(before: &HeldOutFit, asked: &[&HeldOutFit], least: f64) -> Opt
     shares.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index)
 }
 
-/// A model that was `found`, or what its `others` lead to, while the best of them foretells rows left out clearly better: the effect that was added first was best alone, and need not be beside what came after it.
-fn exchanged<T>(mut found: T, unseen: impl Fn(&T) -> &HeldOutFit, others: impl Fn(&T) -> Vec<T>) -> T {
+/// A model that was `found`, or what its `rivals` lead to while the best of them foretells rows left out clearly better, and the rivals of that: the effect that was added first was best alone, and need not be beside what came after
+/// it.
+fn exchanged<T>(mut found: T, unseen: impl Fn(&T) -> &HeldOutFit, rivals: impl Fn(&T) -> Vec<Vec<T>>) -> (T, Vec<Vec<T>>) {
+    let mut others = rivals(&found);
     for _ in 0..MOST_ADDED {
-        let mut others = others(&found);
-        let asked: Vec<&HeldOutFit> = others.iter().map(&unseen).collect();
+        let asked: Vec<&HeldOutFit> = others.iter().flatten().map(&unseen).collect();
         let Some(index) = foretells_most(unseen(&found), &asked, FELT) else { break };
-        found = others.swap_remove(index);
+        found = others.into_iter().flatten().nth(index).unwrap_or(found);
+        others = rivals(&found);
     }
-    found
+    (found, others)
+}
+
+/// For each effect of a model: itself, and those of its `rivals` with which it predicts rows left out nearly as well.
+fn sets(model: &Asked, rivals: Rivals) -> Vec<Vec<usize>> {
+    // clearly worse is what the model is clearly better than
+    let near = |asked: &Asked| compared(&asked.unseen, &model.unseen).is_some_and(|both| !both.better_by(CLEARLY_WORSE));
+    let set = |(effect, rivals): (&usize, Vec<Asked>)| {
+        let new = rivals.iter().filter(|asked| near(asked)).filter_map(|asked| asked.tried.effects.last().copied());
+        std::iter::once(*effect).chain(new.filter(|new| !model.tried.effects.contains(new))).collect()
+    };
+    model.tried.effects.iter().zip(rivals).map(set).collect()
 }
 
 /// The second of two models where it predicts rows left out `least` times better or more, else the first.
@@ -359,13 +367,16 @@ mod tests {
             let error = PartError::rmse_over(&at.parts).unwrap();
             let near = |of: f64| (error - of).abs() < 1e-9;
             match () {
-                () if near(1.0) => vec![model(0.97), model(0.8)],
-                () if near(0.8) => vec![model(0.6), model(0.79)],
-                () => vec![model(0.58)],
+                () if near(1.0) => vec![vec![model(0.97)], vec![model(0.8)]],
+                () if near(0.8) => vec![vec![model(0.6), model(0.79)], Vec::new()],
+                () => vec![vec![model(0.58)]],
             }
         };
-        let found = exchanged(model(1.0), |at| at, others);
-        approx::assert_relative_eq!(PartError::rmse_over(&found.parts).unwrap(), 0.6, max_relative = 1e-12);
+        let (found, rivals) = exchanged(model(1.0), |at| at, others);
+        let error = |of: &HeldOutFit| PartError::rmse_over(&of.parts).unwrap();
+        approx::assert_relative_eq!(error(&found), 0.6, max_relative = 1e-12);
+        // and its rivals are those of what was found in the end
+        approx::assert_relative_eq!(error(&rivals[0][0]), 0.58, max_relative = 1e-12);
     }
 
     /// A change lies in the third part, where errors are largest. What is asked for the others alone leaves nine tenths of the error there, in smaller numbers than what halves it in all three.

@@ -110,6 +110,8 @@ pub struct Once {
     pub when: std::ops::Range<f64>,
     /// how much higher or lower the reading stands afterwards, in its unit
     pub change: f64,
+    /// whether it is a moment: what takes as long as it may goes on for a while, and rows that see some of it foretell the rest
+    pub is_a_moment: bool,
 }
 
 /// Omitted physics: one stage of the chain that the base model takes to be the identity.

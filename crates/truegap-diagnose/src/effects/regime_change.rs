@@ -217,8 +217,8 @@ impl Effect for RegimeChange {
     fn happens(&self, values: &[f64], context: &Context<'_>) -> Option<Once> {
         let (when, takes) = (values[1], values[2]);
         let unit = if matches!(self, Self::OfTheGain) { context.response_span.abs() } else { 1.0 };
-        let once = || Once { when: when - 0.5 * takes..when + 0.5 * takes, change: unit * values[0] };
-        Extent::of(self.jumps_only(context), context).is_a_moment(takes).then(once)
+        let is_a_moment = Extent::of(self.jumps_only(context), context).is_a_moment(takes);
+        Some(Once { when: when - 0.5 * takes..when + 0.5 * takes, change: unit * values[0], is_a_moment })
     }
     fn parameters(&self, context: &Context<'_>) -> Vec<Parameter> {
         let (of, length, jumps_only) = (self.of(context), length(context), self.jumps_only(context));

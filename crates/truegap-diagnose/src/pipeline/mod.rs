@@ -108,9 +108,11 @@ fn searched(
 
     let mut prepared = Prepared::new(problem, noise, options)?;
     let mut examined = on_means::examined(&mut prepared, &told)?;
-    // rows for which nothing was recorded on the response's clock tell nothing; what the base model leaves may hide wild rows, which take the verdict and the noise with them; no noise is louder than what a
-    // model leaves; and rest in which the instrument is off says nothing of its noise at work: everything is done once more with the noise as it is then
-    for otherwise in [Prepared::within_the_ends, Prepared::with_wild_rows, Prepared::quieter, Prepared::at_work] {
+    // rows for which nothing was recorded on the response's clock tell nothing; what is named beside a shift at first may stand for a part of it, so that further ones are found once these are left out.
+    // What the base model leaves may hide wild rows, which take the verdict and the noise with them; no noise is louder than what a model leaves; and rest in which the instrument is off says nothing of its
+    // noise at work: everything is done once more with the noise as it is then
+    let ends = Prepared::within_the_ends;
+    for otherwise in [ends, ends, Prepared::with_wild_rows, Prepared::quieter, Prepared::at_work] {
         if !told.stop.load(Ordering::Relaxed)
             && let Some(noise) = otherwise(&prepared, &examined)?
         {

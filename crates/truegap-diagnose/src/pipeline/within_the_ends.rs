@@ -11,7 +11,11 @@ use crate::{
     noise::beyond_the_ends::{rows_felt, weightless, with_noise_of_others},
     pipeline::prepare::Prepared,
     selection::{candidates::Tried, examine::Examined},
-    whitening::{noise_model::NoiseModel, whitener::Whitener},
+    stats::rms,
+    whitening::{
+        noise_model::{NoiseModel, tells},
+        whitener::Whitener,
+    },
 };
 use truegap_core::{Stage, beyond_the_ends};
 
@@ -44,7 +48,16 @@ impl Prepared<'_> {
             noise = weightless(self.problem, &rows, &self.noise);
         }
         let misfit = self.model(tried).misfit(&z)?;
-        Ok(Some(with_noise_of_others(self.problem, &misfit, &noise)))
+        // a memory of the noise that was taken without most of these rows hangs on a few others: of further rows it is kept
+        let is_further = !self.noise.untold.is_empty();
+        Ok(Some(if is_further { self.no_louder(misfit, noise) } else { with_noise_of_others(self.problem, &misfit, &noise) }))
+    }
+
+    /// The noise as loud as what a model leaves of rows that tell something, where that is less.
+    fn no_louder(&self, mut misfit: Vec<f64>, noise: NoiseModel) -> NoiseModel {
+        noise.whitener(&self.problem.runs(), None).apply(&mut misfit);
+        let told = (0..misfit.len()).filter(|row| tells(&noise.untold, *row)).map(|row| misfit[row]);
+        noise.with_parts_scaled(rms(told).min(1.0), 1.0)
     }
 
     /// Rows that a model of the library reads from beyond the ends.

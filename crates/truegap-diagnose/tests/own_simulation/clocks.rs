@@ -35,10 +35,9 @@ fn rows_that_a_shift_reads_from_beyond_the_ends_tell_nothing() {
     for late_s in [3.0, -3.0] {
         let (said, names) = of(|row| moved(STEP * row as f64 + late_s));
         assert_eq!((said.verdict, names), (Verdict::Explained, vec!["time_offset".to_owned()]), "{}", said.says);
-        // the noise of a row is 10 mV, and that of 2000 rows is known to a fiftieth; beside a relaxation that may be large a shift by 3 s is found as one by 2.7 s at first, so that three of thirty rows are not
-        // left out, and what they hold counts as noise
+        // the noise of a row is 10 mV, and that of 2000 rows is known to a fiftieth
         let errors = [said.fit.in_sample.rmse_after, said.fit.held_out.rmse_after.unwrap(), said.fit.noise_floor];
-        assert!(errors.iter().all(|error| (error / 0.01 - 1.0).abs() < 0.15), "{errors:?}");
+        assert!(errors.iter().all(|error| (error / 0.01 - 1.0).abs() < 0.1), "{errors:?}");
         let shift = &said.findings[0].parameters[0];
         assert!(
             (shift.value - late_s).abs() < 4.0 * shift.sd && shift.sd < 0.5 * STEP,

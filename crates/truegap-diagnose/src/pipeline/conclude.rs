@@ -16,6 +16,7 @@ use crate::{
         described::described,
         judged::{Judged, Told, composed, judged, judged_again},
         lasting_noise::beside_lasting_noise,
+        laws_not_told_apart::laws_not_told_apart,
         laws_on_limits::laws_on_limits,
         noise_that_lasts::noise_alone,
         options::Options,
@@ -107,11 +108,6 @@ pub(crate) fn conclude(
     // of models with plates the numbers are those of the fit that weighed them
     let squares = unseen.stood_behind().least_squares && !chosen.effects.is_empty() && !search.context.has_plates();
     let nearest = |tried: &Tried| squares.then(|| by_squares(prepared, search, all, tried)).flatten();
-    let rival = |(instead_of, effect): (usize, usize)| {
-        let tried = in_place_of(selection, decision.model, instead_of, effect)?;
-        Some(Rival { instead_of, effect, tried: nearest(tried).map_or_else(|| tried.clone(), |(tried, _)| tried) })
-    };
-    let rivals: Vec<Rival> = decision.rivals().filter_map(rival).collect();
     let (by_squares, sd_by_squares) = nearest(chosen).unzip();
     let moved = |tried: &Tried, i: usize| match &by_squares {
         Some(squares) if squares.effects == tried.effects => squares.fit.z[i] - tried.fit.z[i],
@@ -142,7 +138,14 @@ pub(crate) fn conclude(
         let sd = widened(searched_for(tried), selection, tried, &by_parts_of(tried));
         sd.into_iter().enumerate().map(|(i, sd)| sd.hypot(moved(tried, i))).collect::<Vec<_>>()
     };
-    let widened = told_of.into_iter().map(|tried| (tried, told_sd(tried))).collect();
+    let widened: Vec<(&Tried, Vec<f64>)> = told_of.into_iter().map(|tried| (tried, told_sd(tried))).collect();
+    let by_its_numbers = by_squares.as_ref().filter(|squares| squares.effects == chosen.effects).unwrap_or(chosen);
+    let decision = laws_not_told_apart(search, by_its_numbers, &told_sd(chosen), decision);
+    let rival = |(instead_of, effect): (usize, usize)| {
+        let tried = in_place_of(selection, decision.model, instead_of, effect)?;
+        Some(Rival { instead_of, effect, tried: nearest(tried).map_or_else(|| tried.clone(), |(tried, _)| tried) })
+    };
+    let rivals: Vec<Rival> = decision.rivals().filter_map(rival).collect();
     let again = told.options.select_in_folds && told.options.withheld.is_none();
     let again = again.then(|| {
         selected_again(&prepared.search(&searched, told.progress, told.stop), &prepared.searched_noise, &prepared.directions, all)

@@ -15,6 +15,7 @@ mod described;
 mod interference;
 mod judged;
 mod lasting_noise;
+mod laws_not_told_apart;
 mod laws_on_limits;
 mod level_choice;
 mod noise_choice;

@@ -31,3 +31,61 @@ pub(crate) fn laws_not_told_apart(search: &Search<'_>, tried: &Tried, sd: &[f64]
     let pairs: Vec<(usize, usize)> = tried.effects.iter().enumerate().filter_map(simpler).collect();
     pairs.into_iter().fold(decision, Decision::with_rival)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        Options, Problem,
+        common::{Plate, without_rest},
+        noise::several::measured,
+        pipeline::prepare::Prepared,
+        selection::verdict::Verdict,
+    };
+    use std::sync::atomic::AtomicBool;
+    use truegap_core::{Driver, Simulator};
+
+    const ROWS: usize = 400;
+
+    /// A heater that moves the reading late by 20 rows, as a law that may come late has it, told with deviations `times` as large as the lateness itself; the sets that are told.
+    fn sets(times: f64, carried: bool) -> (Verdict, Vec<Vec<&'static str>>) {
+        let values: Vec<f64> = (0..ROWS).map(|row| f64::from(u8::from(row / 60 % 2 == 1))).collect();
+        let mut inputs = without_rest(ROWS);
+        let plate = Plate::new(Some(false));
+        let mut response = plate.respond(&plate.centre(), &inputs, &[]).unwrap();
+        let step = inputs.time_s.as_ref().map_or(1.0, |time| time[1] - time[0]);
+        let mut late = 0.0;
+        for (row, value) in response.iter_mut().enumerate() {
+            late += (values[row] - late) / 20.0;
+            *value += 0.5 * late + 1e-3 * (2.1 * (row * row) as f64).sin();
+        }
+        inputs.drivers = vec![Driver { name: "heater".into(), unit: "W".into(), values }];
+        let problem = Problem { inputs: &inputs, response: &response, simulator: &plate };
+        let (_, noise) = measured(&problem).unwrap();
+        let options = Options { effects: vec!["late_driver".into(), "driver_coefficient".into()], ..Options::default() };
+        let prepared = Prepared::new(&problem, noise, &options).unwrap();
+        let (searched, stop) = (prepared.searched(), AtomicBool::new(false));
+        let search = prepared.search(&searched, &|_| (), &stop);
+        let own = search.library.iter().position(|effect| effect.id().0 == "late_driver").unwrap();
+        let tried = search.add_each(&search.base().unwrap(), &[own], 1, "test").pop().unwrap();
+        let model = search.model(&tried.effects);
+        let tau = model.parameters.len() - 1;
+        let prior = &model.parameters[tau].prior;
+        let found = prior.at(tried.fit.z[tau]);
+        assert!((found / (20.0 * step) - 1.0).abs() < 0.2, "{found} s of rows of {step} s");
+        let mut sd = tried.fit.sd.clone();
+        sd[tau] = times * found / prior.slope(tried.fit.z[tau]);
+        let carried = if carried { vec![own] } else { Vec::new() };
+        let decision = Decision { sets: vec![vec![own]], carried, ..Decision::nothing(Verdict::Explained, 0) };
+        let decision = laws_not_told_apart(&search, &tried, &sd, decision);
+        (decision.verdict, decision.sets.iter().map(|set| set.iter().map(|e| search.library[*e].id().0).collect()).collect())
+    }
+
+    /// A lateness of three of its deviations is seen; one of one deviation may be none.
+    #[test]
+    fn an_influence_that_may_act_at_once_stands_in_a_set_with_one_that_does() {
+        assert_eq!(sets(1.0 / 3.0, false), (Verdict::Explained, vec![vec!["late_driver"]]));
+        assert_eq!(sets(1.0, false), (Verdict::Ambiguous, vec![vec!["late_driver", "driver_coefficient"]]));
+        assert_eq!(sets(1.0, true), (Verdict::Explained, vec![vec!["late_driver"]]), "what is carried is not claimed");
+    }
+}

@@ -3,6 +3,7 @@
 //! Evidence weighs models by a noise and by equations that are taken to hold. Where equations only describe, all models are off by more than the noise, and the likeliest one is
 //! the one that follows the rows that it has seen. So a second choice is made by prediction alone: at each step the effect that foretells rows left out best, while it foretells them clearly
 //! better than the model before it. It takes the place of the first choice where it predicts better by a tenth, or as well with fewer effects.
+//! Where the first choice was to name nothing, a twentieth is enough.
 //!
 //! **Source:** Stone, Cross-validatory choice and assessment of statistical predictions, J. R. Stat. Soc. B 36 (1974) 111.
 //!
@@ -144,9 +145,12 @@ impl Choice<'_, '_> {
         let told = self.judged.predicted.unseen.stood_behind();
         // better, or as well with fewer effects
         let fewer = found.tried.effects.len() < chosen.effects.len();
+        // where nothing is named there is no other choice: what is clearly better than nothing is part of what is missing, however much it leaves
+        let named = !chosen.effects.is_empty();
+        let least = if named { FELT } else { CLEARLY_WORSE };
         let judged = |unseen: &HeldOutFit| {
             let both = compared(told, unseen)?;
-            let clearly = both.better_by(FELT);
+            let clearly = both.better_by(least);
             (clearly || (fewer && both.rmse[1] <= both.rmse[0])).then_some((both.rmse, clearly))
         };
         // the same effects by other laws are another model
@@ -158,7 +162,7 @@ impl Choice<'_, '_> {
         let ([first, second], clearly) = judged(&unseen)?;
         let after = self.prepared.lack_of_fit.adequacy(&tried.fit);
         let removed = self.judged.share_removed_by(self.prepared, &tried, &unseen, &after);
-        if (after.fires() && removed < HALF) || runs_to_limit(narrow, &tried) {
+        if (named && after.fires() && removed < HALF) || runs_to_limit(narrow, &tried) {
             return None;
         }
         let unit = Scale::of(self.search.problem.simulator.unit(), second);

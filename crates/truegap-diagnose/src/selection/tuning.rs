@@ -99,7 +99,7 @@ pub(crate) const MOSTLY_FORESEEN: f64 = 0.9;
 /// Share of the misfit that the right family removes even with the wrong equation.
 pub(crate) const RIGHT_FAMILY: f64 = 0.7;
 
-/// Share of the misfit on rows left out that makes a cause, where a base model only describes: what is left of an instrument is always more than its noise.
+/// Share of the misfit on rows left out that another choice removes at least, where it takes the place of names: what is left of an instrument is always more than its noise.
 pub(crate) const HALF: f64 = 0.5;
 
 // unmodelled.rs

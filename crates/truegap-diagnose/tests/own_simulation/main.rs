@@ -10,6 +10,7 @@ mod laws;
 mod looked_for;
 mod loops;
 mod noise_that_lasts;
+mod part_of_it;
 mod switches;
 
 use given::{Given, noisy, said, simulated};

@@ -213,6 +213,10 @@ pub trait Effect: Send + Sync {
     fn comes_down_to(&self) -> Option<EffectId> {
         None
     }
+    /// Name of the number that is 0 in the law that this one comes down to, and by which a person tells the two apart.
+    fn apart_by(&self) -> Option<&'static str> {
+        None
+    }
     /// The number on a limit of which the effect would be another one. Where it is not told from there, the law lies on that limit.
     fn mark(&self) -> Option<Mark> {
         None

@@ -86,6 +86,9 @@ impl Effect for LateDriver {
     fn comes_down_to(&self) -> Option<EffectId> {
         Some(DriverCoefficient(self.0).id())
     }
+    fn apart_by(&self) -> Option<&'static str> {
+        Some("tau")
+    }
     fn at_once(&self) -> &'static [&'static str] {
         &["tau"]
     }

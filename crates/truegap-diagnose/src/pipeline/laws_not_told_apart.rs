@@ -2,7 +2,7 @@
 //!
 //! The likelihood tells the two apart by the noise. Where equations only describe, what they leave is more than the noise, and the deviation that is told of a number counts that.
 //!
-//! Limits: effects that name the law they come down to, and numbers whose lower limit is that law; their order of likelihood is left as it is.
+//! Limits: effects that name the law they come down to, and the number that is 0 in it; which of the two is likelier is left as it is.
 
 use crate::selection::{
     candidates::{Search, Tried},
@@ -21,12 +21,11 @@ pub(crate) fn laws_not_told_apart(search: &Search<'_>, tried: &Tried, sd: &[f64]
     };
     let simpler = |(index, effect): (usize, &usize)| {
         let law = search.library[*effect];
-        let simple = law.comes_down_to()?;
+        let (simple, apart) = (law.comes_down_to()?, law.apart_by()?);
         let simple = search.library.iter().position(|other| other.id() == simple)?;
-        let tells_apart = |i: &usize| law.at_once().contains(&model.parameters[*i].name.as_str());
-        let mut numbers = model.range_of(index).filter(tells_apart).peekable();
-        let is_seen = numbers.peek().is_none() || decision.carried.contains(effect) || tried.effects.contains(&simple);
-        (!is_seen && numbers.all(is_nothing)).then_some((*effect, simple))
+        let claimed = !decision.carried.contains(effect) && !tried.effects.contains(&simple);
+        let number = model.range_of(index).find(|i| model.parameters[*i].name == apart)?;
+        (claimed && is_nothing(number)).then_some((*effect, simple))
     };
     let pairs: Vec<(usize, usize)> = tried.effects.iter().enumerate().filter_map(simpler).collect();
     pairs.into_iter().fold(decision, Decision::with_rival)

@@ -95,7 +95,8 @@ pub(crate) fn with_carried(
     };
     let doubted = |part: usize| is_doubted(search, selection, &decision, &parts[part]);
     let sure = |part: usize| is_sure(search, selection, &parts[part]);
-    let needless = |kept: &[usize], share: f64| needs_no_more(kept, share * whole.whole);
+    // that most parts are predicted better is too little for a name that is more often wrong than right
+    let needless = |kept: &[usize], share: f64| whole.needs_no_more(share * whole.whole, || hold(kept), || false);
     let share_of = |kept: &[usize]| (asked.removed)(kept).map(|kept| kept / whole.whole);
     let (causes, share) = without_doubted((causes, share), needless, share_of, doubted);
     let (causes, share) = with_sure((causes, share), parts.len(), share_of, |part, others| sure(part) && borne_out(others));

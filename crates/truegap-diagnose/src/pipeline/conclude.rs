@@ -139,8 +139,8 @@ pub(crate) fn conclude(
         sd.into_iter().enumerate().map(|(i, sd)| sd.hypot(moved(tried, i))).collect::<Vec<_>>()
     };
     let widened: Vec<(&Tried, Vec<f64>)> = told_of.into_iter().map(|tried| (tried, told_sd(tried))).collect();
-    let by_its_numbers = by_squares.as_ref().filter(|squares| squares.effects == chosen.effects).unwrap_or(chosen);
-    let decision = laws_not_told_apart(search, by_its_numbers, &told_sd(chosen), decision);
+    let sd = widened.iter().find(|(tried, _)| tried.effects == chosen.effects).map_or(&chosen.fit.sd, |(_, sd)| sd);
+    let decision = laws_not_told_apart(search, by_squares.as_ref().unwrap_or(chosen), sd, decision);
     let rival = |(instead_of, effect): (usize, usize)| {
         let tried = in_place_of(selection, decision.model, instead_of, effect)?;
         Some(Rival { instead_of, effect, tried: nearest(tried).map_or_else(|| tried.clone(), |(tried, _)| tried) })

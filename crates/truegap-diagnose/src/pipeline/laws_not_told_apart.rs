@@ -4,28 +4,25 @@
 //!
 //! Limits: effects that name the law they come down to, and the number that is 0 in it; which of the two is likelier is left as it is.
 
-use crate::selection::{
-    candidates::{Search, Tried},
-    verdict::Decision,
+use crate::{
+    pipeline::laws_on_limits::may_be_nothing,
+    selection::{
+        candidates::{Search, Tried},
+        verdict::Decision,
+    },
 };
-
-/// Size of a number from which on it is told from nothing, in the standard deviations that are told of it.
-const TOLD_FROM_NOTHING: f64 = 2.0;
 
 /// The decision for a model, with the simpler law in the set of each claimed effect that is not told from it; `sd` are the deviations that are told of its numbers, in those of the prior.
 pub(crate) fn laws_not_told_apart(search: &Search<'_>, tried: &Tried, sd: &[f64], decision: Decision) -> Decision {
     let model = search.model(&tried.effects);
-    let is_nothing = |i: usize| {
-        let (prior, z) = (&model.parameters[i].prior, tried.fit.z[i]);
-        prior.at(z) < TOLD_FROM_NOTHING * prior.slope(z) * sd[i]
-    };
     let simpler = |(index, effect): (usize, &usize)| {
         let law = search.library[*effect];
         let (simple, apart) = (law.comes_down_to()?, law.apart_by()?);
         let simple = search.library.iter().position(|other| other.id() == simple)?;
         let claimed = !decision.carried.contains(effect) && !tried.effects.contains(&simple);
         let number = model.range_of(index).find(|i| model.parameters[*i].name == apart)?;
-        (claimed && is_nothing(number)).then_some((*effect, simple))
+        let unseen = may_be_nothing(&model.parameters[number], tried.fit.z[number], sd[number]);
+        (claimed && unseen).then_some((*effect, simple))
     };
     let pairs: Vec<(usize, usize)> = tried.effects.iter().enumerate().filter_map(simpler).collect();
     pairs.into_iter().fold(decision, Decision::with_rival)

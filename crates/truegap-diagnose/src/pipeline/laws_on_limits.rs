@@ -9,6 +9,7 @@ use crate::{
     },
     text::spoken,
 };
+use truegap_core::Parameter;
 
 /// The decision for a model, told as a wrong form where a law of what it claims lies on a limit that is no plain special case; with what a reader is told of that.
 pub(crate) fn laws_on_limits(search: &Search<'_>, tried: &Tried, decision: Decision) -> (Decision, Vec<String>) {
@@ -50,17 +51,20 @@ fn on_limits(search: &Search<'_>, tried: &Tried, carried: &[usize]) -> Vec<Strin
     (0..tried.effects.len()).filter(is_law).flat_map(says).collect()
 }
 
-/// Size of a share from which on it is told from nothing, in standard deviations.
-const SHARE_SEEN: f64 = 2.0;
+/// Size of a number from which on it is told from nothing, in its standard deviations.
+const TOLD_FROM_NOTHING: f64 = 2.0;
+
+/// Whether a number at `z`, which is known to `sd`, both in deviations of its prior, may be nothing.
+pub(crate) fn may_be_nothing(number: &Parameter, z: f64, sd: f64) -> bool {
+    number.prior.at(z).abs() < TOLD_FROM_NOTHING * number.prior.slope(z) * sd
+}
 
 /// Whether the number at a place describes a share of the law of which nothing is seen.
 fn describes_nothing(search: &Search<'_>, tried: &Tried, (index, place): (usize, usize)) -> bool {
     let model = search.model(&tried.effects);
     let Some(share) = model.effects[index].share_of(&model.parameters[place].name) else { return false };
-    model.range_of(index).filter(|i| model.parameters[*i].name == share).any(|i| {
-        let (prior, z) = (&model.parameters[i].prior, tried.fit.z[i]);
-        prior.at(z).abs() < SHARE_SEEN * prior.slope(z) * tried.fit.sd[i]
-    })
+    let mut shares = model.range_of(index).filter(|i| model.parameters[*i].name == share);
+    shares.any(|i| may_be_nothing(&model.parameters[i], tried.fit.z[i], tried.fit.sd[i]))
 }
 
 #[cfg(test)]

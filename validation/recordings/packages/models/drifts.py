@@ -4,6 +4,7 @@ import numpy as np
 from durations import DAY
 from models.cycles import tone
 from models.fitting import line, scaled, terms
+from models.jumps import changed
 from models.lags import usual, usual_and_shifts
 
 
@@ -21,6 +22,20 @@ def comes_to_rest(y, t):
         "logarithm": line(y, np.log(t + 60)),
         "exponential": terms(y, lambda p: [fades(t, p[0])], [0.3]),
         "exponential, and drift": terms(y, lambda p: [fades(t, p[0]), t], [0.3]),
+    }
+
+
+def courses(y, t):
+    """Models of something `y` that nothing but the clock tells: drifts, a drift to a rest, and a step."""
+    w = scaled(t)
+    return {
+        "constant": line(y),
+        "drift": line(y, w),
+        "drift, and its square": line(y, w, w**2),
+        "drift, its square and cube": line(y, w, w**2, w**3),
+        "drift to a rest": terms(y, lambda p: [fades(t, p[0])], [0.3]),
+        "step": changed(y, t, [], 1.0),
+        "drift, and step": changed(y, t, [w], 1.0),
     }
 
 

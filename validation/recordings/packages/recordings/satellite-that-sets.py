@@ -2,8 +2,8 @@
 
 import numpy as np
 from models.cycles import tone
-from models.drifts import fades
-from models.fitting import line, scaled, terms
+from models.drifts import courses
+from models.fitting import line, scaled
 from models.jumps import changed
 from readers.georinex import observed
 
@@ -19,15 +19,9 @@ def models(c):
     y, t = c["e1_dbhz"], c["time_s"]
     w = scaled(t)
     return y, {
-        "constant": line(y),
-        "drift": line(y, w),
-        "drift, and its square": line(y, w, w**2),
-        "drift, its square and cube": line(y, w, w**2, w**3),
+        **courses(y, t),
         "drift, its powers to the fourth": line(y, w, w**2, w**3, w**4),
         "logarithm": line(y, np.log(t + 60)),
-        "drift to a rest": terms(y, lambda p: [fades(t, p[0])], [0.3]),
-        "step": changed(y, t, [], 1.0),
-        "drift, and step": changed(y, t, [w], 1.0),
         "drift, its square, and step": changed(y, t, [w, w**2], 1.0),
         "drift, its square, and a wave of twenty minutes": line(y, w, w**2, *tone(t, 1200)),
     }
